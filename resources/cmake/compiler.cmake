@@ -1,0 +1,23 @@
+# Warnings, sanitizers and the compiler cache, for every target of ours.
+
+find_program(HAIRPAINT_CCACHE ccache)
+if(HAIRPAINT_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${HAIRPAINT_CCACHE})
+    set(CMAKE_C_COMPILER_LAUNCHER ${HAIRPAINT_CCACHE})
+endif()
+
+add_library(hairpaint_options INTERFACE)
+target_include_directories(hairpaint_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_definitions(hairpaint_options INTERFACE QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII
+    QT_NO_URL_CAST_FROM_STRING QT_NO_KEYWORDS GLM_FORCE_SILENT_WARNINGS)
+if(MSVC)
+    # UTF-8 sources, and exact floating point: sim promises the same bytes everywhere.
+    target_compile_options(hairpaint_options INTERFACE /W4 /WX /utf-8 /fp:precise /permissive- /Zc:__cplusplus)
+else()
+    # Contraction would fuse a multiply and an add on some machines and not on others.
+    target_compile_options(hairpaint_options INTERFACE -Wall -Wextra -Wconversion -Werror -ffp-contract=off)
+endif()
+if(HAIRPAINT_SANITIZE)
+    add_compile_options(-fsanitize=${HAIRPAINT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
+    add_link_options(-fsanitize=${HAIRPAINT_SANITIZE})
+endif()
