@@ -1,0 +1,56 @@
+// Every change the user can make, as undo commands. They hold ids, never pointers into the project.
+#pragma once
+
+#include "model/document.h"
+
+#include <QUndoCommand>
+
+#include <memory>
+
+namespace hairpaint::model {
+
+using CommandPtr = std::unique_ptr<QUndoCommand>;
+
+/// Swaps tiles of one layer. `after`: tile index and its new content. `text`: what undo says, "Brush on Length".
+[[nodiscard]] CommandPtr paintCommand(Document& document, const LayerAddress& address,
+                                      std::vector<std::pair<int, sim::RasterTilePtr>> after, const QString& text);
+
+[[nodiscard]] CommandPtr addLayerCommand(Document& document, Id group, MapKind map, const QString& name);
+/// Adds a copy of `layer` (with a new id) above the topmost; image import and paste as layer use it.
+[[nodiscard]] CommandPtr insertLayerCommand(Document& document, Id group, MapKind map, Layer layer, int position,
+                                            const QString& text);
+[[nodiscard]] CommandPtr removeLayerCommand(Document& document, const LayerAddress& address);
+[[nodiscard]] CommandPtr moveLayerCommand(Document& document, const LayerAddress& address, int newPosition);
+
+struct LayerProperties
+{
+    QString name;
+    bool visible = true;
+    float opacity = 1.0F;
+    BlendMode blend = BlendMode::Normal;
+    bool locked = false;
+    friend bool operator==(const LayerProperties&, const LayerProperties&) = default;
+};
+[[nodiscard]] LayerProperties propertiesOf(const Layer& layer);
+/// Null where nothing differs. `text` names the change.
+[[nodiscard]] CommandPtr setLayerPropertiesCommand(Document& document, const LayerAddress& address,
+                                                   const LayerProperties& properties, const QString& text);
+
+[[nodiscard]] CommandPtr addGroupCommand(Document& document, const QString& name);
+[[nodiscard]] CommandPtr removeGroupCommand(Document& document, Id group);
+[[nodiscard]] CommandPtr renameGroupCommand(Document& document, Id group, const QString& name);
+[[nodiscard]] CommandPtr showGroupCommand(Document& document, Id group, bool visible);
+/// Null where nothing differs; likewise the next ones.
+[[nodiscard]] CommandPtr setSettingsCommand(Document& document, Id group, const sim::GroupSettings& settings,
+                                            const QString& text);
+[[nodiscard]] CommandPtr setWindCommand(Document& document, const sim::Wind& wind);
+[[nodiscard]] CommandPtr setLightCommand(Document& document, const LightSettings& light);
+[[nodiscard]] CommandPtr setBackgroundCommand(Document& document, QRgb background);
+[[nodiscard]] CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head,
+                                        std::vector<sim::Ellipsoid> ellipsoids);
+/// Replaces all groups by a preset's (model/preset.h). Groups with the same name keep their ids.
+[[nodiscard]] CommandPtr applyPresetCommand(Document& document, const struct Preset& preset);
+/// The edit of applyPresetCommand on any project, for previews.
+void applyPreset(Project& project, const struct Preset& preset);
+
+} // namespace hairpaint::model

@@ -1,0 +1,99 @@
+// The open project: its content, its undo history and the resolved maps. Every change goes through it.
+#pragma once
+
+#include "model/project.h"
+#include "sim/groom_input.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace hairpaint::model {
+
+struct LayerAddress
+{
+    Id group = 0;
+    MapKind map = MapKind::Density;
+    Id layer = 0;
+    friend bool operator==(const LayerAddress&, const LayerAddress&) = default;
+};
+
+/// What one edit touched. `aspect` says which of the other members mean something.
+struct Change
+{
+    enum class Aspect : std::uint8_t
+    {
+        Texels,      ///< group, map, layer, tiles
+        LayerList,   ///< group, map: layers added, removed, moved, renamed, or their properties
+        GroupList,   ///< groups added, removed, renamed, reordered, shown
+        Settings,    ///< group: its settings
+        Environment, ///< wind, light, background
+        Head,
+        Everything ///< another project
+    };
+    Aspect aspect = Aspect::Everything;
+    Id group = 0;
+    MapKind map = MapKind::Density;
+    Id layer = 0;
+    std::vector<int> tiles; ///< Of the map's raster; empty with Texels means all.
+    bool preview = false;   ///< Not committed yet, or a preview taken back.
+};
+
+/// Lives on the GUI thread. Content changes only through undo commands (model/commands) and previews; both take the
+/// same path, so a preview gives the bytes of its commit.
+class Document : public QObject
+{
+    Q_OBJECT
+public:
+    explicit Document(Project project, QObject* parent = nullptr);
+    ~Document() override;
+
+    [[nodiscard]] const Project& project() const;
+    [[nodiscard]] QUndoStack& undoStack();
+    [[nodiscard]] bool modified() const; ///< Since the last markSaved().
+    void markSaved();
+    /// Puts another project in place of this one; clears the history.
+    void replace(Project project);
+
+    /// The map with all visible layers (and a running preview) applied: `spec.valueChannels` channels.
+    [[nodiscard]] std::shared_ptr<const sim::TiledRaster> resolved(Id group, MapKind map) const;
+    /// Everything the simulation needs, sharing tiles.
+    [[nodiscard]] sim::GroomInput groomInput() const;
+
+    /// Runs `edit` on the content and tells of `change`; re-resolves what it names. For undo commands and previews
+    /// only: everybody else pushes a command.
+    void apply(const Change& change, const std::function<void(Project&)>& edit);
+
+    /// Previews (a hovered preset, a slider being dragged, a running stroke): `edit` runs on a copy-on-write copy of
+    /// the committed content; a further preview replaces the first. commit... ends with the copy thrown away, then the
+    /// command that gives the same bytes is pushed.
+    void setPreview(const Change& change, const std::function<void(Project&)>& edit);
+    void clearPreview();
+    [[nodiscard]] bool previewing() const;
+    /// The content without any preview; what files are written from.
+    [[nodiscard]] const Project& committed() const;
+
+Q_SIGNALS:
+    void changed(const hairpaint::model::Change& change);
+    void modifiedChanged(bool modified);
+    /// Somebody other than the stroke changes the document: the stroke must end. `undoing`: it is cancelled, else
+    /// committed.
+    void strokeMustEnd(bool undoing);
+
+public:
+    /// Undo and redo as the user means them: a running stroke is cancelled by undo, committed by anything else.
+    void undo();
+    void redo();
+    /// Pushes after ending what is running.
+    void push(std::unique_ptr<QUndoCommand> command);
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace hairpaint::model

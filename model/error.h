@@ -1,0 +1,24 @@
+// What went wrong outside the program, in one sentence for the user.
+#pragma once
+
+#include <QString>
+
+#include <tl/expected.hpp>
+
+namespace hairpaint::model {
+
+/// `message` is one whole translated sentence that names the file and the way on.
+struct Error
+{
+    QString message;
+};
+
+template<typename T>
+using Result = tl::expected<T, Error>;
+
+[[nodiscard]] inline tl::unexpected<Error> failure(QString message)
+{
+    return tl::unexpected<Error>(Error{std::move(message)});
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,13 @@
+// Hair in Cem Yuksel's `.hair` format.
+#pragma once
+
+#include "model/error.h"
+#include "sim/strand_frame.h"
+
+namespace hairpaint::model {
+
+/// Every drawn hair as its curve: segments, points, thickness, transparency and colours per point, in metres, y up (the
+/// header's text says so), ordered by group and by the candidates' rank. Atomic.
+[[nodiscard]] Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path);
+
+} // namespace hairpaint::model

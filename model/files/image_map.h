@@ -1,0 +1,22 @@
+// Images as maps and maps as images, through each map's colour scale.
+#pragma once
+
+#include "model/error.h"
+#include "model/files/importer_client.h"
+#include "model/project.h"
+
+namespace hairpaint::model {
+
+/// Reads an image as a layer of the map: by the map's scale, or `grey` as the value itself. Resampled bilinearly
+/// (indices: nearest) to `size`, or where `size` is 0 to the next power of two of 256..8192. Alpha becomes coverage.
+[[nodiscard]] Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec& spec, bool grey,
+                                                      int size);
+
+/// A resolved map as an image in its scale, white to colour as in the paper.
+[[nodiscard]] ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec);
+
+/// For the paint area: texels of `rect` as ARGB32, night paper or white.
+void paintMapTexels(const sim::TiledRaster& resolved, const MapSpec& spec, bool nightPaper, const sim::TexelRect& rect,
+                    QRgb* pixels, int stride);
+
+} // namespace hairpaint::model

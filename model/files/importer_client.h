@@ -1,0 +1,35 @@
+// The editor's side of hairpaint-import: foreign images and meshes, decoded in another process.
+#pragma once
+
+#include "model/error.h"
+#include "model/files/project_file.h"
+#include "model/project.h"
+
+namespace hairpaint::model {
+
+/// 16-bit pixels, row 0 on top. `channels` 1 to 4 (grey, grey and alpha, RGB, RGBA), unassociated.
+struct ForeignImage
+{
+    int width = 0, height = 0, channels = 0;
+    std::vector<std::uint16_t> pixels;
+};
+
+/// Runs the helper program beside this one (or `HAIRPAINT_IMPORT`, for tests). Each call waits at most `timeoutMs`,
+/// polls `progress` for cancelling, and bounds the helper's memory. A helper that crashes, hangs or answers nonsense is
+/// an Error naming the file. Any thread.
+class ImporterClient
+{
+public:
+    explicit ImporterClient(QString helperPath = {}, int timeoutMs = 18'000);
+
+    [[nodiscard]] Result<ForeignImage> readImage(const QString& path, const Progress& progress = {}) const;
+    /// PNG, TIFF, EXR, ... by the file's ending; 8 or 16 bits a channel.
+    [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16) const;
+    [[nodiscard]] Result<sim::HeadMesh> readMesh(const QString& path, const Progress& progress = {}) const;
+
+private:
+    QString m_helperPath;
+    int m_timeoutMs;
+};
+
+} // namespace hairpaint::model

@@ -1,0 +1,26 @@
+// Hairstyles on disk: `.hairpreset`, and the library of built-in and own ones.
+#pragma once
+
+#include "model/error.h"
+#include "model/preset.h"
+
+namespace hairpaint::model {
+
+[[nodiscard]] Result<Preset> loadPreset(const QString& path); ///< Also resource paths (":/presets/bob.hairpreset").
+[[nodiscard]] Result<void> savePreset(const Preset& preset, const QString& path);
+
+/// What the library knows without reading the maps.
+struct PresetEntry
+{
+    QString path;
+    QString name;
+    QStringList tags;
+    QString folder; ///< "built-in" or "own".
+    QImage picture;
+};
+
+/// Built-in styles in their own order, then those in `ownFolder` by name. Files that can't be read are left out and
+/// named in `problems`.
+[[nodiscard]] std::vector<PresetEntry> listPresets(const QString& ownFolder, QStringList* problems = nullptr);
+
+} // namespace hairpaint::model

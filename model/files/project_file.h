@@ -1,0 +1,33 @@
+// Projects on disk: `.hairpaint`. The format is specified in model/files/hairpaint_format.md.
+#pragma once
+
+#include "model/error.h"
+#include "model/project.h"
+
+#include <QImage>
+
+#include <atomic>
+#include <functional>
+
+namespace hairpaint::model {
+
+/// Called with 0..1 from the thread that works; returns false to cancel.
+using Progress = std::function<bool(double)>;
+
+/// Remembers the encoded bytes of unchanged layers, so that saving again costs what changed. Give the same one to load
+/// and to every save of one document.
+class EncodedLayers;
+[[nodiscard]] std::shared_ptr<EncodedLayers> makeEncodedLayers();
+
+/// Any thread. Runs no foreign decoder. A file that is missing, truncated, foreign, hostile or oversized gives an
+/// error.
+[[nodiscard]] Result<Project> loadProject(const QString& path, EncodedLayers* cache = nullptr,
+                                          const Progress& progress = {});
+/// Atomic (QSaveFile). Same project, same bytes, the thumbnail aside. Any thread, on a copy of the project.
+[[nodiscard]] Result<void> saveProject(const Project& project, const QString& path, const QImage& thumbnail,
+                                       EncodedLayers* cache = nullptr, const Progress& progress = {});
+
+/// A new project on the built-in head with one empty group "Scalp".
+[[nodiscard]] Project newProject();
+
+} // namespace hairpaint::model

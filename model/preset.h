@@ -1,0 +1,24 @@
+// A hairstyle without a head: what `.hairpreset` files hold and the style strip shows.
+#pragma once
+
+#include "model/project.h"
+
+#include <QImage>
+#include <QStringList>
+
+namespace hairpaint::model {
+
+/// One flattened raster a map (in a stack of one layer) and the settings, for one or more groups.
+struct Preset
+{
+    QString name;
+    QStringList tags;
+    QString folder;                ///< "" for built-in ones; the user's own carry the file's path.
+    std::vector<HairGroup> groups; ///< Ids are local to the preset.
+    QImage picture;                ///< 96 px and more a side; null where none was saved.
+};
+
+/// Flattens every stack of every group of a project.
+[[nodiscard]] Preset presetFrom(const Project& project, const QString& name);
+
+} // namespace hairpaint::model

@@ -1,0 +1,102 @@
+// The document's content as plain values. Copies share tiles, so they are cheap.
+#pragma once
+
+#include "model/map_spec.h"
+#include "sim/ellipsoid.h"
+#include "sim/group_settings.h"
+#include "sim/skin.h"
+#include "sim/wind.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+namespace hairpaint::model {
+
+using Id = int; ///< From a counter that the file keeps; unique within the project; 0 is none.
+
+struct Layer
+{
+    Id id = 0;
+    QString name;
+    bool visible = true;
+    float opacity = 1.0F; ///< 0..1
+    BlendMode blend = BlendMode::Normal;
+    bool locked = false;
+    sim::TiledRaster raster; ///< Value channels, then coverage; unassociated.
+};
+
+/// Resolving starts from the spec's default. `layers` from the bottom up. Every map of a group is present.
+struct MapStack
+{
+    MapKind kind = MapKind::Density;
+    int size = 1024; ///< Texels a side.
+    std::vector<Layer> layers;
+};
+
+struct HairGroup
+{
+    Id id = 0;
+    QString name;
+    bool visible = true;
+    sim::GroupSettings settings;
+    std::vector<MapStack> maps; ///< kMapKindCount, in the order of MapKind.
+    [[nodiscard]] MapStack& map(MapKind kind) { return maps[static_cast<std::size_t>(kind)]; }
+    [[nodiscard]] const MapStack& map(MapKind kind) const { return maps[static_cast<std::size_t>(kind)]; }
+};
+
+enum class UpAxis : std::uint8_t
+{
+    Y,
+    Z
+};
+
+/// The head under the hair. Shared and immutable: replaced whole.
+struct Head
+{
+    QString name; ///< "bust-1", or the imported file's base name.
+    bool builtIn = true;
+    float unitScale = 1.0F; ///< Metres per unit of the source; 1 for a built-in head.
+    UpAxis upAxis = UpAxis::Y;
+    QByteArray sourceGlb;                  ///< Source positions, before scale and axis; empty for a built-in head.
+    std::shared_ptr<const sim::Skin> skin; ///< Scale and axis applied.
+    std::shared_ptr<const sim::HeadMesh> shownMesh; ///< What is drawn; finer than the skin's for a built-in head.
+};
+
+/// Wo. One key light; the paper's keys change its colour.
+struct LightSettings
+{
+    float azimuthRad = 0.6F;                       ///< Around y from +z toward +x.
+    float elevationRad = 0.7F;                     ///< Above the horizon.
+    float intensity = 1.0F;                        ///< 0..4
+    float ambient = 0.35F;                         ///< 0..1
+    float red = 1.0F, green = 0.97F, blue = 0.93F; ///< 0..1, linear.
+    friend bool operator==(const LightSettings&, const LightSettings&) = default;
+};
+
+struct Project
+{
+    Id nextId = 1;
+    std::uint64_t seed = 1;
+    int maxHairs = 1'000'000; ///< Limit on candidates.
+    std::shared_ptr<const Head> head;
+    std::vector<sim::Ellipsoid> ellipsoids;
+    std::vector<HairGroup> groups;
+    sim::Wind wind;
+    LightSettings light;
+    QRgb background = 0xFF2A2C30;
+
+    [[nodiscard]] const HairGroup* group(Id id) const;
+    [[nodiscard]] HairGroup* group(Id id);
+    [[nodiscard]] const Layer* layer(Id groupId, MapKind kind, Id layerId) const;
+    [[nodiscard]] Layer* layer(Id groupId, MapKind kind, Id layerId);
+    [[nodiscard]] Id takeId() { return nextId++; }
+};
+
+/// A group named `name` with every map present and empty (default values, one empty layer a map).
+[[nodiscard]] HairGroup makeGroup(Project& project, const QString& name, int mapSize = 1024);
+[[nodiscard]] Layer makeLayer(Project& project, const MapSpec& spec, int size, const QString& name);
+
+} // namespace hairpaint::model

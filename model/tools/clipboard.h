@@ -1,0 +1,30 @@
+// Cut, copy and paste of the selected texels, inside a map and between maps.
+#pragma once
+
+#include "model/commands/commands.h"
+#include "model/tools/selection.h"
+
+#include <optional>
+
+namespace hairpaint::model {
+
+/// A copied rectangle of one layer.
+struct Clip
+{
+    MapKind map = MapKind::Density;
+    QRectF uvRect;
+    int width = 0, height = 0;
+    std::vector<sim::Texel> texels; ///< Row by row from the top; value channels, then coverage.
+};
+
+/// The active layer's texels inside the selection (the whole map where nothing is selected).
+[[nodiscard]] Clip copyClip(const Document& document, const LayerAddress& address, const Selection& selection);
+/// Clears the selected texels' coverage. "Cut Length", "Clear Length".
+[[nodiscard]] CommandPtr clearCommand(Document& document, const LayerAddress& address, const Selection& selection,
+                                      const QString& text);
+/// Pastes at the clip's own place, or centred in the selection. Between maps: scalar to scalar keeps the value; other
+/// pairs go through the colours that the images have.
+[[nodiscard]] CommandPtr pasteCommand(Document& document, const LayerAddress& address, const Clip& clip,
+                                      const Selection& selection);
+
+} // namespace hairpaint::model

@@ -1,0 +1,88 @@
+// What every tool is: plain events on the skin in, a live edit of one layer out. Tools never touch widgets.
+#pragma once
+
+#include "model/document.h"
+#include "model/tools/tool_settings.h"
+#include "sim/skin.h"
+
+#include <QCoreApplication>
+#include <QKeySequence>
+#include <QPolygonF>
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+enum class Area : std::uint8_t
+{
+    Paint,
+    Head
+};
+
+/// One pointer event, made alike by the paint area and the 3D area.
+struct ToolEvent
+{
+    Area area = Area::Paint;
+    /// uv of the pointer; in the paint area possibly off every island or outside 0..1.
+    glm::vec2 uv{0.0F};
+    /// Where the pointer is on the skin; none off the head.
+    std::optional<sim::SurfacePoint> point;
+    float pressure = 1.0F; ///< 0..1; 1 for a mouse.
+    double seconds = 0.0;
+    Qt::KeyboardModifiers modifiers;
+};
+
+/// What is drawn over the areas while a tool is in use. uv space; closed where marked.
+struct OverlayShape
+{
+    QPolygonF uvOutline;
+    bool closed = true;
+    bool marching = false; ///< A selection: drawn as a moving dashed line.
+};
+
+class Selection;
+
+/// What tools work with; owned by the app, passed in.
+struct ToolContext
+{
+    Document& document;
+    LayerAddress target;    ///< The active layer.
+    ToolSettings& settings; ///< Brush size, value, ...; tools may change them (the picker does).
+    Selection& selection;
+    bool mirror = false; ///< Paint the reflected place too.
+};
+
+/// A small state machine. One press..release is one undo command; cancel() leaves no trace.
+class Tool
+{
+    Q_DECLARE_TR_FUNCTIONS(Tool)
+public:
+    virtual ~Tool() = default;
+
+    [[nodiscard]] virtual const char* id() const = 0; ///< "brush"; names the icon too.
+    [[nodiscard]] virtual QString title() const = 0;
+    [[nodiscard]] virtual QKeySequence defaultKey() const = 0;
+    /// What the status bar says the tool does next.
+    [[nodiscard]] virtual QString hint() const = 0;
+    /// The settings that the option bar shows for it.
+    [[nodiscard]] virtual std::vector<ToolOption> options() const = 0;
+    [[nodiscard]] virtual bool hasRing() const { return false; } ///< The cursor is a brush ring.
+
+    virtual void press(const ToolEvent& event, ToolContext& context) = 0;
+    virtual void move(const ToolEvent& event, ToolContext& context) = 0;
+    virtual void release(const ToolEvent& event, ToolContext& context) = 0;
+    virtual void cancel(ToolContext& context) = 0;
+    /// Ends a running action early, keeping it.
+    virtual void commit(ToolContext& context) = 0;
+    [[nodiscard]] virtual bool active() const = 0;
+    [[nodiscard]] virtual std::vector<OverlayShape> overlay() const { return {}; }
+};
+
+/// Every tool, in tool-bar order. A new tool is one file with its class and one line here.
+[[nodiscard]] std::vector<std::unique_ptr<Tool>> makeTools();
+
+} // namespace hairpaint::model

@@ -1,0 +1,62 @@
+// The settings that tools share: what is painted and how large, hard and strong the brush is.
+#pragma once
+
+#include "model/map_spec.h"
+
+#include <QColor>
+
+#include <array>
+
+namespace hairpaint::model {
+
+enum class ToolOption : std::uint8_t
+{
+    Size,
+    Hardness,
+    Opacity,
+    Pressure,
+    Value,
+    ShapeKind,
+    GradientKind,
+    FillTolerance
+};
+enum class ShapeKind : std::uint8_t
+{
+    Rectangle,
+    Ellipse,
+    Polygon
+};
+enum class GradientKind : std::uint8_t
+{
+    Linear,
+    Radial
+};
+
+/// The value painted on a map: a scalar in `scalar`, an index in `index`, a colour in `colour`.
+struct PaintValue
+{
+    float scalar = 1.0F; ///< 0..1
+    int index = 1;
+    QColor colour = QColor(0x5A, 0x38, 0x22);
+    friend bool operator==(const PaintValue&, const PaintValue&) = default;
+    /// As a raster's texel, without coverage.
+    [[nodiscard]] sim::Texel texel(const MapSpec& spec) const;
+};
+
+struct ToolSettings
+{
+    float brushSizeM = 0.03F; ///< Diameter on the skin, 0.001..0.3 m.
+    float hardness = 0.6F;    ///< 0..1
+    float opacity = 1.0F;     ///< 0..1, of the whole stroke.
+    bool pressureSize = true;
+    bool pressureOpacity = false;
+    float fillTolerance = 0.05F; ///< 0..1
+    ShapeKind shape = ShapeKind::Ellipse;
+    GradientKind gradient = GradientKind::Linear;
+    std::array<PaintValue, kMapKindCount> values{};       ///< What each map is painted with.
+    std::array<PaintValue, kMapKindCount> secondValues{}; ///< What X swaps in; the far end of gradients.
+    [[nodiscard]] PaintValue& value(MapKind map) { return values[static_cast<std::size_t>(map)]; }
+    [[nodiscard]] PaintValue& secondValue(MapKind map) { return secondValues[static_cast<std::size_t>(map)]; }
+};
+
+} // namespace hairpaint::model

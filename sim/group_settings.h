@@ -1,0 +1,57 @@
+// What a hair group's maps are measured in and how its hairs behave and look.
+#pragma once
+
+#include <cstdint>
+
+namespace hairpaint::sim {
+
+enum class TurnsMode : std::uint8_t
+{
+    PerHair,
+    PerLength
+};
+
+/// How the hairs of a group move. All gains are those of a step of 1/60 s and are rescaled to the real step.
+struct PhysicsSettings
+{
+    float damping = 2.0F;      ///< 1/s, 0..20: velocity decays by exp(-damping t).
+    float gravityScale = 1.0F; ///< 0..2, of 9.81 m/s2.
+    float windScale = 1.0F;    ///< 0..4.
+    float body = 0.15F;        ///< 0..1: how strongly the hair keeps its rest shape at the root; fades to the tip.
+    float friction = 0.4F;     ///< 0..1 on the head: share of the tangential motion lost in a step of contact.
+    float volumeM = 0.008F;    ///< m, 0..0.05: thickness of the whole coat; each hair lies at its own height in it.
+    friend bool operator==(const PhysicsSettings&, const PhysicsSettings&) = default;
+};
+
+/// How the hairs of a group look.
+struct StrandMaterial
+{
+    float shine = 0.5F;            ///< 0..1: strength of the highlights.
+    float roughness = 0.35F;       ///< 0.05..1: width of the highlights.
+    float rootAlpha = 1.0F;        ///< 0..1.
+    float tipAlpha = 0.35F;        ///< 0..1: strands thin out to the tip.
+    float colourVariation = 0.12F; ///< 0..1: difference in lightness between neighbouring hairs.
+    friend bool operator==(const StrandMaterial&, const StrandMaterial&) = default;
+};
+
+/// SI units. A map value of 1 means the `greatest...` of its kind.
+struct GroupSettings
+{
+    float greatestDensityPerM2 = 1.5e6F; ///< 1e4..4e6.
+    float greatestLengthM = 0.30F;       ///< 0.001..2.
+    float shortestLengthM = 0.0F;        ///< The length where the map is 0.
+    float hairWidthM = 80e-6F;           ///< Diameter, 10e-6..1e-3.
+    int nodesPerHair = 8;                ///< 4..32, root and tip included.
+    int basisHairs = 4096;               ///< Of the candidates, the solved ones; 256..1,000,000.
+    TurnsMode turnsMode = TurnsMode::PerHair;
+    bool steppedTurns = false;          ///< Table 1's levels only.
+    float turnsPerLengthM = 0.10F;      ///< With PerLength: the length that table 1's turns are for.
+    float greatestCurlRadiusM = 0.012F; ///< A curl-size value of 1; the map's default is 1/2.
+    float braidSpacingM = 0.30F;        ///< Distance of braid centres within one painted region.
+    float braidRadiusM = 0.014F;        ///< Radius r of equation 3.
+    PhysicsSettings physics;
+    StrandMaterial material;
+    friend bool operator==(const GroupSettings&, const GroupSettings&) = default;
+};
+
+} // namespace hairpaint::sim

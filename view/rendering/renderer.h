@@ -1,0 +1,77 @@
+// Draws head and hair with OpenGL 4.3 or later into its own targets.
+#pragma once
+
+#include "view/rendering/scene.h"
+
+#include <tl/expected.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hairpaint::rendering {
+
+/// How much is drawn.
+struct Quality
+{
+    float detail = 1.0F;    ///< 0..1: share of the hairs; those drawn are widened so that coverage stays the same.
+    int samples = 4;        ///< 1, 2, 4: multisampling of the renderer's own targets.
+    int smoothSegments = 8; ///< Segments of a straight hair.
+};
+
+struct FrameStatistics
+{
+    std::size_t drawnHairs = 0;
+    std::size_t drawnSegments = 0;
+    std::size_t uploadedBytes = 0;
+    double milliseconds = 0.0; ///< Wall clock of the last draw, finished.
+};
+
+/// Every call needs the same OpenGL context current. Made anew when the context is lost. Uploads are lazy and cover
+/// only the chunks that differ from the frame before.
+class Renderer
+{
+public:
+    /// Fails with one sentence where the context is too old or a shader does not compile.
+    [[nodiscard]] static tl::expected<std::unique_ptr<Renderer>, std::string> create();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Draws into the renderer's own target of width x height pixels.
+    void draw(const Scene& scene, const Quality& quality, int width, int height);
+    /// Copies the last picture to the framebuffer object bound by the caller.
+    void blitTo(unsigned framebuffer, int width, int height);
+    /// Reads the last picture: RGBA8, row 0 on top, sRGB as encoded. Reuses `pixels`.
+    void read(std::vector<std::uint8_t>& pixels);
+    [[nodiscard]] const FrameStatistics& statistics() const;
+    [[nodiscard]] bool software() const;                  ///< llvmpipe, softpipe or the like.
+    [[nodiscard]] const std::string& description() const; ///< GL_RENDERER.
+
+private:
+    Renderer();
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+/// Picks `detail` from the measured time of frames, so that drawing stays near the wanted time; finer when nothing
+/// moves.
+class DetailGovernor
+{
+public:
+    /// `wantedMs`: time a frame may take while something moves.
+    explicit DetailGovernor(double wantedMs = 33.0);
+    /// After each frame: its statistics and whether the picture is still (no motion, no input).
+    void observe(const FrameStatistics& statistics, std::size_t allHairs, bool still);
+    [[nodiscard]] const Quality& quality() const { return m_quality; }
+    /// Whether a still picture would gain from another frame.
+    [[nodiscard]] bool wantsRefinement() const { return m_wantsRefinement; }
+
+private:
+    double m_wantedMs;
+    Quality m_quality;
+    bool m_wantsRefinement = false;
+};
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,54 @@
+// What the renderer is asked to show, besides the hair itself.
+#pragma once
+
+#include "sim/head_mesh.h"
+#include "sim/strand_frame.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <optional>
+
+namespace hairpaint::rendering {
+
+/// Orbits a target. Wo, m, rad.
+struct Camera
+{
+    glm::vec3 targetWo{0.0F, -0.01F, 0.0F};
+    float distanceM = 0.75F;
+    float azimuthRad = 0.0F;      ///< 0 looks at the face (from +z); positive moves the eye toward +x.
+    float elevationRad = 0.05F;   ///< -pi/2..pi/2
+    float fieldOfViewRad = 0.52F; ///< Vertical.
+    [[nodiscard]] glm::vec3 eyeWo() const;
+    [[nodiscard]] glm::mat4 view() const;
+    [[nodiscard]] glm::mat4 projection(float aspect) const;
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+struct Light
+{
+    glm::vec3 directionWo{0.4F, 0.6F, 0.7F}; ///< Toward the light, unit.
+    glm::vec3 colour{1.0F};                  ///< Linear, intensity included.
+    float ambient = 0.35F;
+};
+
+/// The brush ring on the skin: drawn as a line around `radiusM`, and hair inside fades.
+struct Ring
+{
+    glm::vec3 centreHd{0.0F};
+    glm::vec3 normalHd{0.0F, 1.0F, 0.0F};
+    float radiusM = 0.015F;
+};
+
+struct Scene
+{
+    std::shared_ptr<const sim::HeadMesh> head;
+    std::shared_ptr<const sim::StrandFrame> hair;
+    Camera camera;
+    Light light;
+    glm::vec3 background{0.03F}; ///< Linear.
+    std::optional<Ring> ring;
+    std::optional<Ring> mirroredRing;
+};
+
+} // namespace hairpaint::rendering
