@@ -1,0 +1,71 @@
+// Colours of the two themes.
+#include "view/theme.h"
+
+#include <QFile>
+
+namespace hairpaint::view {
+
+Theme Theme::of(ThemeKind kind)
+{
+    if (kind == ThemeKind::Light)
+        return {.kind = kind,
+                .window = QColor(0xEA, 0xE8, 0xE4),
+                .panel = QColor(0xF6, 0xF5, 0xF2),
+                .raised = QColor(0xFF, 0xFF, 0xFF),
+                .line = QColor(0xD3, 0xD0, 0xCA),
+                .text = QColor(0x25, 0x27, 0x2A),
+                .dimText = QColor(0x62, 0x67, 0x6C),
+                .accent = QColor(0x8A, 0x53, 0x10),
+                .onAccent = QColor(0xFF, 0xFF, 0xFF),
+                .error = QColor(0xB3, 0x37, 0x2F)};
+    return {.kind = kind,
+            .window = QColor(0x1B, 0x1C, 0x1E),
+            .panel = QColor(0x23, 0x25, 0x28),
+            .raised = QColor(0x2C, 0x2F, 0x33),
+            .line = QColor(0x3A, 0x3E, 0x43),
+            .text = QColor(0xD9, 0xDB, 0xDD),
+            .dimText = QColor(0x9A, 0xA0, 0xA6),
+            .accent = QColor(0xE3, 0xA8, 0x57),
+            .onAccent = QColor(0x1B, 0x1C, 0x1E),
+            .error = QColor(0xE5, 0x73, 0x6B)};
+}
+
+QPalette Theme::palette() const
+{
+    QPalette palette;
+    palette.setColor(QPalette::Window, window);
+    palette.setColor(QPalette::WindowText, text);
+    palette.setColor(QPalette::Base, panel);
+    palette.setColor(QPalette::AlternateBase, raised);
+    palette.setColor(QPalette::Text, text);
+    palette.setColor(QPalette::Button, raised);
+    palette.setColor(QPalette::ButtonText, text);
+    palette.setColor(QPalette::BrightText, error);
+    palette.setColor(QPalette::Highlight, accent);
+    palette.setColor(QPalette::HighlightedText, onAccent);
+    palette.setColor(QPalette::ToolTipBase, raised);
+    palette.setColor(QPalette::ToolTipText, text);
+    palette.setColor(QPalette::PlaceholderText, dimText);
+    palette.setColor(QPalette::Link, accent);
+    palette.setColor(QPalette::Mid, line);
+    palette.setColor(QPalette::Dark, line);
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, dimText);
+    return palette;
+}
+
+QString Theme::styleSheet() const
+{
+    QFile file(QStringLiteral(":/themes/hairpaint.qss"));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    QString sheet = QString::fromUtf8(file.readAll());
+    const std::pair<const char*, QColor> colours[] = {
+        {"@window", window},   {"@panel", panel},   {"@raised", raised},     {"@line", line},  {"@text", text},
+        {"@dimText", dimText}, {"@accent", accent}, {"@onAccent", onAccent}, {"@error", error}};
+    for (const auto& [name, colour] : colours)
+        sheet.replace(QLatin1String(name) + QLatin1Char(';'), colour.name() + QLatin1Char(';'));
+    return sheet;
+}
+
+} // namespace hairpaint::view
