@@ -1,0 +1,100 @@
+// What the user is working on and with: shared by every view, changed by every view, outside undo.
+#pragma once
+
+#include "model/tools/tool.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace hairpaint::view {
+
+/// Where the pointer is, as both areas show it.
+struct Hover
+{
+    model::Area area = model::Area::Paint;
+    glm::vec2 uv{0.0F};
+    std::optional<sim::SurfacePoint> point;
+};
+
+/// Lives on the GUI thread. Views read it and call its setters; each setter returns false and tells nothing where
+/// nothing differs. Pointer events on the skin go through press/move/release to the active tool, whichever area made
+/// them.
+class EditorState : public QObject
+{
+    Q_OBJECT
+public:
+    explicit EditorState(model::Document& document, QObject* parent = nullptr);
+    ~EditorState() override;
+
+    [[nodiscard]] model::Document& document() const { return m_document; }
+
+    [[nodiscard]] model::Id activeGroup() const { return m_activeGroup; }
+    bool setActiveGroup(model::Id group);
+    [[nodiscard]] model::MapKind activeMap() const { return m_activeMap; }
+    bool setActiveMap(model::MapKind map);
+    /// The layer that tools paint on in the active map; kept per group and map; 0 where the map has none.
+    [[nodiscard]] model::Id activeLayer() const;
+    bool setActiveLayer(model::Id layer);
+    [[nodiscard]] model::LayerAddress target() const;
+
+    [[nodiscard]] const std::vector<std::unique_ptr<model::Tool>>& tools() const { return m_tools; }
+    [[nodiscard]] model::Tool& activeTool() const { return *m_tools[m_activeTool]; }
+    bool setActiveTool(QLatin1StringView id);
+    /// Back to the tool before the last setActiveTool: E toggles brush and eraser.
+    void toggleTool(QLatin1StringView id);
+
+    [[nodiscard]] const model::ToolSettings& toolSettings() const { return m_toolSettings; }
+    bool setToolSettings(const model::ToolSettings& settings);
+    [[nodiscard]] model::Selection& selection() { return m_selection; }
+
+    [[nodiscard]] bool mirror() const { return m_mirror; }
+    bool setMirror(bool mirror);
+    [[nodiscard]] bool nightPaper() const { return m_nightPaper; }
+    bool setNightPaper(bool night);
+    [[nodiscard]] bool wireframe() const { return m_wireframe; }
+    bool setWireframe(bool shown);
+
+    [[nodiscard]] const std::optional<Hover>& hover() const { return m_hover; }
+    void setHover(std::optional<Hover> hover);
+
+    /// Pointer events on the skin. press() does nothing where the target layer is missing, hidden or locked: refused()
+    /// says why.
+    void press(const model::ToolEvent& event);
+    void move(const model::ToolEvent& event);
+    void release(const model::ToolEvent& event);
+    void cancelStroke();
+    [[nodiscard]] bool stroking() const;
+
+Q_SIGNALS:
+    void targetChanged(); ///< Active group, map or layer.
+    void activeToolChanged();
+    void toolSettingsChanged();
+    void viewOptionsChanged(); ///< Mirror, night paper, wireframe.
+    void hoverChanged();
+    void overlayChanged(); ///< The active tool's overlay or the selection.
+    void refused(const QString& reason);
+
+private:
+    void onDocumentChanged(const model::Change& change);
+    void onStrokeMustEnd(bool undoing);
+    [[nodiscard]] model::ToolContext context();
+
+    model::Document& m_document;
+    std::vector<std::unique_ptr<model::Tool>> m_tools;
+    std::size_t m_activeTool = 0;
+    std::size_t m_previousTool = 0;
+    model::ToolSettings m_toolSettings;
+    model::Selection m_selection;
+    model::Id m_activeGroup = 0;
+    model::MapKind m_activeMap = model::MapKind::Length;
+    std::vector<model::LayerAddress> m_activeLayers; ///< One for each group and map that was ever active.
+    bool m_mirror = true;
+    bool m_nightPaper = true;
+    bool m_wireframe = true;
+    std::optional<Hover> m_hover;
+};
+
+} // namespace hairpaint::view
