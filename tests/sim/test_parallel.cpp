@@ -1,0 +1,107 @@
+// Parallel loops cover the whole range once, on as many threads as were asked for.
+#include "sim/parallel.h"
+
+#include <QtTest>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <thread>
+#include <vector>
+
+using namespace hairpaint::sim;
+
+class TestParallel : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void cleanup() { setThreadCount(0); }
+    void everyIndexIsVisitedOnceInRangesOfTheGrain_data();
+    void everyIndexIsVisitedOnceInRangesOfTheGrain();
+    void eightThreadsAreEightOnAnyMachine();
+    void theCountIsKeptWithinItsRange();
+    void loopsMayBeNested();
+};
+
+void TestParallel::everyIndexIsVisitedOnceInRangesOfTheGrain_data()
+{
+    QTest::addColumn<int>("count");
+    QTest::addColumn<int>("grain");
+    QTest::addColumn<int>("threads");
+    QTest::newRow("nothing") << 0 << 4 << 2;
+    QTest::newRow("one") << 1 << 4 << 2;
+    QTest::newRow("less than the grain") << 3 << 4 << 2;
+    QTest::newRow("a rest") << 1003 << 10 << 2;
+    QTest::newRow("one thread") << 1003 << 10 << 1;
+    QTest::newRow("eight threads") << 100000 << 1 << 8;
+    QTest::newRow("grain of none") << 17 << 0 << 3;
+}
+
+void TestParallel::everyIndexIsVisitedOnceInRangesOfTheGrain()
+{
+    QFETCH(int, count);
+    QFETCH(int, grain);
+    QFETCH(int, threads);
+    setThreadCount(threads);
+    std::vector<std::atomic<int>> visits(static_cast<std::size_t>(count));
+    std::atomic<bool> tooShort{false};
+    parallelFor(static_cast<std::size_t>(count), static_cast<std::size_t>(grain),
+                [&](std::size_t begin, std::size_t end) {
+                    if (end - begin < static_cast<std::size_t>(std::min(grain, count)))
+                        tooShort = true;
+                    for (std::size_t i = begin; i < end; ++i)
+                        ++visits[i];
+                });
+    QVERIFY(!tooShort);
+    for (const std::atomic<int>& visit : visits)
+        QCOMPARE(visit.load(), 1);
+}
+
+void TestParallel::eightThreadsAreEightOnAnyMachine()
+{
+    setThreadCount(8);
+    QCOMPARE(threadCount(), 8);
+    std::mutex mutex;
+    std::set<std::thread::id> seen;
+    // A piece waits until eight threads have come, so that a quick one cannot take them all; it gives up in the end.
+    const auto giveUp = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    parallelFor(64, 1, [&](std::size_t, std::size_t) {
+        for (;;) {
+            {
+                const std::lock_guard lock(mutex);
+                seen.insert(std::this_thread::get_id());
+                if (seen.size() >= 8)
+                    return;
+            }
+            if (std::chrono::steady_clock::now() > giveUp)
+                return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    });
+    QCOMPARE(seen.size(), std::size_t{8});
+}
+
+void TestParallel::theCountIsKeptWithinItsRange()
+{
+    setThreadCount(1000);
+    QCOMPARE(threadCount(), 64);
+    setThreadCount(3);
+    QCOMPARE(threadCount(), 3);
+    setThreadCount(0);
+    QVERIFY(threadCount() >= 1);
+}
+
+void TestParallel::loopsMayBeNested()
+{
+    setThreadCount(4);
+    std::atomic<int> total{0};
+    parallelFor(20, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            parallelFor(50, 1, [&](std::size_t b, std::size_t e) { total += static_cast<int>(e - b); });
+    });
+    QCOMPARE(total.load(), 1000);
+}
+
+QTEST_APPLESS_MAIN(TestParallel)
+#include "test_parallel.moc"
