@@ -1,0 +1,16 @@
+// What the program is, its version and licence, and the work it builds on.
+#pragma once
+
+#include <QDialog>
+
+namespace hairpaint::view {
+
+class AboutDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// `renderer`: what draws the 3D area; left out where empty.
+    explicit AboutDialog(const QString& version, const QString& renderer = {}, QWidget* parent = nullptr);
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,46 @@
+// Asks what unit and which axis an imported mesh has, with a guess and the height that follows from it.
+#pragma once
+
+#include "model/project.h"
+#include "sim/head_mesh.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+
+namespace hairpaint::view {
+
+class BarSlider;
+class MeshSilhouette;
+
+/// Modal. When accepted, pass unitScale() and upAxis() to model::makeHead.
+class HeadImportDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    HeadImportDialog(sim::HeadMesh source, const QString& fileName, QWidget* parent = nullptr);
+    [[nodiscard]] float unitScale() const;
+    [[nodiscard]] model::UpAxis upAxis() const;
+    /// Height along the chosen axis at the chosen scale, cm.
+    [[nodiscard]] double heightCm() const;
+
+    /// Why the mesh can't be a head (no uv layout, no triangles); empty where it can.
+    [[nodiscard]] static QString refusal(const sim::HeadMesh& source, const QString& fileName);
+
+private:
+    void follow();
+
+    sim::HeadMesh m_source;
+    QString m_refusal;
+    QComboBox* m_unit = nullptr;
+    QComboBox* m_axis = nullptr;
+    BarSlider* m_height = nullptr;
+    QLabel* m_remark = nullptr;
+    MeshSilhouette* m_silhouette = nullptr;
+    QDialogButtonBox* m_buttons = nullptr;
+    double m_ownScale = 0.0; ///< Metres per unit, when the height was set by hand.
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,76 @@
+// The program's own settings: look, language, how the 3D area is shown, keys.
+#pragma once
+
+#include "view/theme.h"
+
+#include <QAction>
+#include <QDialog>
+#include <QKeySequence>
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QTreeWidget;
+
+namespace hairpaint::view {
+
+enum class Presenter
+{
+    Automatic,
+    Widget, ///< QOpenGLWidget
+    Image   ///< Read back and painted.
+};
+
+struct Preferences
+{
+    ThemeKind theme = ThemeKind::Dark;
+    QString language; ///< "de"; empty: the system's.
+    Presenter presenter = Presenter::Automatic;
+    bool whitePaper = false;
+    friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+
+/// An action whose key can be changed.
+struct KeyBinding
+{
+    QAction* action = nullptr; ///< Not owned; its text and shortcut are shown.
+    QString section;           ///< "File"
+    QKeySequence defaultKey;
+};
+
+/// Not modal; changes take effect at once.
+class PreferencesDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// `languages`: code and own name, "de" and "Deutsch".
+    PreferencesDialog(const Preferences& preferences, std::vector<std::pair<QString, QString>> languages,
+                      std::vector<KeyBinding> bindings, QWidget* parent = nullptr);
+    [[nodiscard]] const Preferences& preferences() const { return m_preferences; }
+    void setPreferences(const Preferences& preferences); ///< Tells nothing.
+
+Q_SIGNALS:
+    void preferencesChanged(const hairpaint::view::Preferences& preferences);
+    /// The dialog set it on the action already; the application remembers it.
+    void keyChanged(QAction* action, const QKeySequence& key);
+
+private:
+    [[nodiscard]] QWidget* buildGeneral(const std::vector<std::pair<QString, QString>>& languages);
+    [[nodiscard]] QWidget* buildKeys();
+    void readGeneral();
+    void fillKeys();
+    void filterKeys(const QString& text);
+    void setKey(std::size_t binding, const QKeySequence& key);
+
+    Preferences m_preferences;
+    std::vector<KeyBinding> m_bindings;
+    QComboBox* m_theme = nullptr;
+    QComboBox* m_language = nullptr;
+    QComboBox* m_presenter = nullptr;
+    QCheckBox* m_whitePaper = nullptr;
+    QLineEdit* m_filter = nullptr;
+    QTreeWidget* m_keys = nullptr;
+    bool m_filling = false;
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,51 @@
+// The layers of the active map.
+#pragma once
+
+#include "model/commands/commands.h"
+#include "view/editor_state.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QListWidget;
+class QListWidgetItem;
+class QToolButton;
+
+namespace hairpaint::view {
+
+class BarSlider;
+class LayerList;
+
+/// Topmost first. Opacity and blend mode are the active layer's. Every change is one undo step.
+class LayersPanel : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit LayersPanel(EditorState& state, QWidget* parent = nullptr);
+
+    void addLayer();
+    void removeLayer();
+    void duplicateLayer();
+    void moveLayer(int steps); ///< Upward when positive.
+
+private:
+    void rebuild();
+    void refreshThumbnails();
+    void followActive();
+    [[nodiscard]] const model::MapStack* stack() const;
+    [[nodiscard]] const model::Layer* activeLayer() const;
+    void change(model::Id layer, const QString& text, const std::function<void(model::LayerProperties&)>& edit);
+
+    EditorState& m_state;
+    LayerList* m_list = nullptr;
+    BarSlider* m_opacity = nullptr;
+    QComboBox* m_blend = nullptr;
+    QToolButton* m_remove = nullptr;
+    QToolButton* m_up = nullptr;
+    QToolButton* m_down = nullptr;
+    QTimer m_thumbnails;
+    bool m_filling = false;
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,37 @@
+// The maps of the active group; a click makes one the map that is painted.
+#pragma once
+
+#include "view/editor_state.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+
+namespace hairpaint::view {
+
+class MapRow;
+
+/// Thumbnails follow strokes and previews, at most some twenty times a second and only of maps that changed.
+class MapsPanel : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit MapsPanel(EditorState& state, QWidget* parent = nullptr);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void onChanged(const model::Change& change);
+    void markAll();
+    void follow();
+    void redraw();
+
+    EditorState& m_state;
+    std::array<MapRow*, model::kMapKindCount> m_rows{};
+    std::array<bool, model::kMapKindCount> m_stale{};
+    QTimer m_redraw;
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,57 @@
+// The bar over the areas: the settings of the active tool and the value it paints.
+#pragma once
+
+#include "view/editor_state.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace hairpaint::view {
+
+class BarSlider;
+class MapBadge;
+class ValuePalette;
+class ValuePair;
+
+/// 40 px high. Shows exactly the active tool's options.
+class OptionBar : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit OptionBar(EditorState& state, QWidget* parent = nullptr);
+    /// Opens the value palette under its button, as the picker's key may.
+    void showPalette();
+
+private:
+    void buildValue();
+    void buildBrush();
+    void buildKinds();
+    void showOptions();
+    void follow();
+    void change(const std::function<void(model::ToolSettings&)>& edit);
+
+    EditorState& m_state;
+    QLabel* m_toolIcon = nullptr;
+    QLabel* m_toolName = nullptr;
+    QWidget* m_valueBox = nullptr;
+    MapBadge* m_badge = nullptr;
+    BarSlider* m_scalar = nullptr;
+    QToolButton* m_valueButton = nullptr;
+    BarSlider* m_size = nullptr;
+    BarSlider* m_hardness = nullptr;
+    BarSlider* m_opacity = nullptr;
+    BarSlider* m_tolerance = nullptr;
+    QWidget* m_pressureBox = nullptr;
+    QToolButton* m_pressureSize = nullptr;
+    QToolButton* m_pressureOpacity = nullptr;
+    QWidget* m_shapeBox = nullptr;
+    QWidget* m_gradientBox = nullptr;
+    std::vector<QToolButton*> m_shapes;
+    std::vector<QToolButton*> m_gradients;
+    QWidget* m_popup = nullptr;
+};
+
+} // namespace hairpaint::view

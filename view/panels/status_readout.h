@@ -1,0 +1,40 @@
+// The line at the window's foot: hairs, times, the value under the pointer, what the tool does next.
+#pragma once
+
+#include "view/editor_state.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+
+namespace hairpaint::view {
+
+/// 24 px high, 11 px text with tabular figures.
+class StatusReadout : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit StatusReadout(EditorState& state, QWidget* parent = nullptr);
+
+    void setHairs(qint64 drawn, qint64 all);
+    void setSimulationMs(double milliseconds);
+    void setFramesPerSecond(double frames);
+    /// Instead of the tool's hint, for `milliseconds`; errors are marked as such.
+    void showMessage(const QString& text, bool error = false, int milliseconds = 6000);
+
+private:
+    void follow();
+    void followHover();
+
+    EditorState& m_state;
+    QLabel* m_hint = nullptr;
+    QLabel* m_errorIcon = nullptr;
+    QLabel* m_value = nullptr;
+    QLabel* m_hairs = nullptr;
+    QLabel* m_simulation = nullptr;
+    QLabel* m_frames = nullptr;
+    QTimer m_message;
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,71 @@
+// Hairstyles side by side: pointing at one shows it on the head, clicking keeps it.
+#pragma once
+
+#include "model/error.h"
+#include "model/files/preset_file.h"
+#include "view/editor_state.h"
+
+#include <QThreadPool>
+#include <QTimer>
+#include <QWidget>
+
+#include <map>
+
+class QHBoxLayout;
+class QScrollArea;
+
+namespace hairpaint::view {
+
+class StyleTile;
+
+/// 132 px high. Files are read on another thread; the last few stay in memory. Built-in ones come first, then the
+/// user's own, then "Save style".
+class StyleStrip : public QWidget
+{
+    Q_OBJECT
+public:
+    using Loader = std::function<model::Result<model::Preset>(const QString& path)>;
+
+    /// `loader` is called from another thread.
+    explicit StyleStrip(EditorState& state, Loader loader = model::loadPreset, QWidget* parent = nullptr);
+    ~StyleStrip() override;
+
+    void setEntries(const std::vector<model::PresetEntry>& entries);
+    [[nodiscard]] std::vector<QString> paths() const;
+
+public Q_SLOTS:
+    void setPicture(const QString& path, const QImage& picture);
+
+Q_SIGNALS:
+    void saveStyleRequested();
+    void deleteStyleRequested(const QString& path); ///< Of the user's own ones, from the context menu.
+    void pictureWanted(const QString& path);        ///< For each entry that has none.
+    void failed(const QString& message);            ///< A style could not be read.
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    using PresetPtr = std::shared_ptr<const model::Preset>;
+    void wish(const QString& path, bool commit);
+    void arrived(const QString& path, const model::Result<PresetPtr>& preset);
+    void preview(const model::Preset& preset);
+    void apply(const model::Preset& preset);
+    void endPreview();
+
+    EditorState& m_state;
+    Loader m_loader;
+    QScrollArea* m_scroll = nullptr;
+    QHBoxLayout* m_row = nullptr;
+    std::vector<StyleTile*> m_tiles;
+    QTimer m_pause; ///< Between pointing at a style and showing it.
+    QString m_hovered;
+    QString m_toCommit;
+    bool m_previewing = false;
+    std::vector<std::pair<QString, PresetPtr>> m_recent;
+    std::vector<QString> m_loading;
+    QThreadPool m_threads;
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,33 @@
+// The column of tools at the left edge.
+#pragma once
+
+#include "view/editor_state.h"
+
+#include <QWidget>
+
+class QButtonGroup;
+class QToolButton;
+class QVBoxLayout;
+
+namespace hairpaint::view {
+
+/// 44 px wide. One checkable button a tool, below them the value pair, at the foot the actions given by addAction.
+class ToolBar : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ToolBar(EditorState& state, QWidget* parent = nullptr);
+    /// What the tooltip says after a key was rebound.
+    void setKey(QLatin1StringView toolId, const QKeySequence& key);
+    /// A button for one of the main window's actions (mirror, wireframe, ...) at the foot. Not owned.
+    void addFootAction(QAction* action);
+
+private:
+    void follow();
+
+    EditorState& m_state;
+    std::vector<QToolButton*> m_buttons; ///< In the order of state.tools().
+    QVBoxLayout* m_foot = nullptr;
+};
+
+} // namespace hairpaint::view

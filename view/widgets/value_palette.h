@@ -1,0 +1,48 @@
+// Picks what the active map is painted with: numbers in the map's own unit, named kinds, or hair colours.
+#pragma once
+
+#include "view/editor_state.h"
+
+#include <QWidget>
+
+class QLineEdit;
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace hairpaint::view {
+
+class BarSlider;
+class MapBadge;
+class Swatch;
+
+/// Follows the active map and group. Also keys: X swaps with the second value, D resets both.
+class ValuePalette : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ValuePalette(EditorState& state, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    void picked(); ///< A swatch was clicked: popups close.
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void rebuild();
+    void refresh();
+    void setValue(const model::PaintValue& value);
+    void buildScalar(QVBoxLayout& layout);
+    void buildIndex(QVBoxLayout& layout);
+    void buildColour(QVBoxLayout& layout);
+    void chooseColour();
+
+    EditorState& m_state;
+    QWidget* m_body = nullptr;
+    BarSlider* m_slider = nullptr;
+    QLineEdit* m_hex = nullptr;
+    std::vector<std::pair<Swatch*, model::PaintValue>> m_swatches;
+    QString m_builtFor; ///< Map and units that the swatches stand for.
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,39 @@
+// What a map's value means in the group's units, as the user reads it.
+#pragma once
+
+#include "model/project.h"
+#include "model/tools/tool_settings.h"
+
+#include <QList>
+
+namespace hairpaint::view {
+
+/// How a scalar map's 0..1 is shown: `shown = offset + value * scale` (curl goes by the paper's table 1 instead).
+struct ValueUnit
+{
+    QString unit; ///< "cm", translated.
+    double minimum = 0.0;
+    double maximum = 1.0;
+    int decimals = 0;
+};
+
+[[nodiscard]] ValueUnit valueUnit(const sim::GroupSettings& settings, model::MapKind map);
+/// From 0..1 to the shown number and back.
+[[nodiscard]] double shownValue(const sim::GroupSettings& settings, model::MapKind map, double value);
+[[nodiscard]] double mapValue(const sim::GroupSettings& settings, model::MapKind map, double shown);
+
+/// "15 cm", "140 hairs/cm\u00b2", "plait", "#5a3822".
+[[nodiscard]] QString valueText(const sim::GroupSettings& settings, const model::MapSpec& spec,
+                                const model::PaintValue& value);
+/// "0\u201330 cm"; empty for indices and colours.
+[[nodiscard]] QString rangeText(const sim::GroupSettings& settings, const model::MapSpec& spec);
+/// The colour that shows it.
+[[nodiscard]] QColor valueColour(const model::MapSpec& spec, const model::PaintValue& value, bool nightPaper);
+/// The value of one resolved texel.
+[[nodiscard]] model::PaintValue valueOfTexel(const model::MapSpec& spec, const sim::Texel& texel);
+/// The scale from 0 to 1 in `steps` colours.
+[[nodiscard]] QList<QColor> scaleGradient(const model::MapSpec& spec, bool nightPaper, int steps = 9);
+/// "Plait" of an index map, translated.
+[[nodiscard]] QString paletteTitle(const model::PaletteEntry& entry);
+
+} // namespace hairpaint::view
