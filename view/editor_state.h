@@ -1,6 +1,7 @@
 // What the user is working on and with: shared by every view, changed by every view, outside undo.
 #pragma once
 
+#include "model/tools/selection.h"
 #include "model/tools/tool.h"
 
 #include <QObject>
@@ -66,6 +67,7 @@ public:
     void move(const model::ToolEvent& event);
     void release(const model::ToolEvent& event);
     void cancelStroke();
+    void commitStroke(); ///< Ends what a tool still has open (a polygon), keeping it.
     [[nodiscard]] bool stroking() const;
 
 Q_SIGNALS:
@@ -81,11 +83,19 @@ private:
     void onDocumentChanged(const model::Change& change);
     void onStrokeMustEnd(bool undoing);
     [[nodiscard]] model::ToolContext context();
+    [[nodiscard]] std::optional<std::size_t> toolIndex(QLatin1StringView id) const;
+    bool setOption(bool& option, bool value);
+    /// Why `tool` can't start on the target; empty where it can.
+    [[nodiscard]] QString refusal(const model::Tool& tool) const;
+    template<typename Call>
+    void withTool(const Call& call);
 
     model::Document& m_document;
     std::vector<std::unique_ptr<model::Tool>> m_tools;
     std::size_t m_activeTool = 0;
     std::size_t m_previousTool = 0;
+    std::size_t m_strokeTool = 0;       ///< The one that got the last press: a picker for Ctrl+click.
+    model::LayerAddress m_strokeTarget; ///< Stays the same from press to release.
     model::ToolSettings m_toolSettings;
     model::Selection m_selection;
     model::Id m_activeGroup = 0;

@@ -1,0 +1,298 @@
+// Targets, tools and the running stroke.
+#include "view/editor_state.h"
+
+#include <algorithm>
+
+namespace hairpaint::view {
+
+using model::Change;
+using model::MapKind;
+
+namespace {
+
+bool sameSettings(const model::ToolSettings& a, const model::ToolSettings& b)
+{
+    return a.brushSizeM == b.brushSizeM && a.hardness == b.hardness && a.opacity == b.opacity &&
+           a.pressureSize == b.pressureSize && a.pressureOpacity == b.pressureOpacity &&
+           a.fillTolerance == b.fillTolerance && a.shape == b.shape && a.gradient == b.gradient &&
+           a.values == b.values && a.secondValues == b.secondValues;
+}
+
+/// Tools that leave the layer as it is need none.
+bool onlyLooks(const model::Tool& tool)
+{
+    const QLatin1StringView id(tool.id());
+    return id == QLatin1StringView("picker") || id == QLatin1StringView("select");
+}
+
+/// The Length brush is ready with 15 cm.
+model::ToolSettings startSettings(const model::Project& project)
+{
+    model::ToolSettings settings;
+    const float greatest = project.groups.empty() ? 0.3F : project.groups.front().settings.greatestLengthM;
+    settings.value(MapKind::Length).scalar = std::clamp(0.15F / greatest, 0.05F, 1.0F);
+    settings.value(MapKind::Curl).scalar = 0.6F;
+    settings.value(MapKind::Clump).scalar = 0.5F;
+    for (model::PaintValue& second : settings.secondValues)
+        second = {.scalar = 0.0F, .index = 0, .colour = QColor(0xC8, 0x9B, 0x5A)};
+    return settings;
+}
+
+} // namespace
+
+EditorState::EditorState(model::Document& document, QObject* parent)
+    : QObject(parent), m_document(document), m_tools(model::makeTools()),
+      m_toolSettings(startSettings(document.project()))
+{
+    if (!document.project().groups.empty())
+        m_activeGroup = document.project().groups.front().id;
+    connect(&document, &model::Document::changed, this, &EditorState::onDocumentChanged);
+    connect(&document, &model::Document::strokeMustEnd, this, &EditorState::onStrokeMustEnd);
+    connect(&m_selection, &model::Selection::changed, this, &EditorState::overlayChanged);
+}
+
+EditorState::~EditorState() = default;
+
+bool EditorState::setActiveGroup(model::Id group)
+{
+    if (group == m_activeGroup || m_document.project().group(group) == nullptr)
+        return false;
+    onStrokeMustEnd(false);
+    m_activeGroup = group;
+    Q_EMIT targetChanged();
+    return true;
+}
+
+bool EditorState::setActiveMap(MapKind map)
+{
+    if (map == m_activeMap)
+        return false;
+    onStrokeMustEnd(false);
+    m_activeMap = map;
+    Q_EMIT targetChanged();
+    return true;
+}
+
+model::Id EditorState::activeLayer() const
+{
+    const model::HairGroup* group = m_document.project().group(m_activeGroup);
+    if (group == nullptr || group->map(m_activeMap).layers.empty())
+        return 0;
+    for (const model::LayerAddress& address : m_activeLayers) {
+        if (address.group == m_activeGroup && address.map == m_activeMap &&
+            m_document.project().layer(address.group, address.map, address.layer) != nullptr)
+            return address.layer;
+    }
+    return group->map(m_activeMap).layers.back().id;
+}
+
+bool EditorState::setActiveLayer(model::Id layer)
+{
+    if (layer == activeLayer() || m_document.project().layer(m_activeGroup, m_activeMap, layer) == nullptr)
+        return false;
+    onStrokeMustEnd(false);
+    std::erase_if(m_activeLayers, [this](const model::LayerAddress& address) {
+        return address.group == m_activeGroup && address.map == m_activeMap;
+    });
+    m_activeLayers.push_back({.group = m_activeGroup, .map = m_activeMap, .layer = layer});
+    Q_EMIT targetChanged();
+    return true;
+}
+
+model::LayerAddress EditorState::target() const
+{
+    return {.group = m_activeGroup, .map = m_activeMap, .layer = activeLayer()};
+}
+
+std::optional<std::size_t> EditorState::toolIndex(QLatin1StringView id) const
+{
+    const auto found =
+        std::ranges::find_if(m_tools, [id](const auto& tool) { return id == QLatin1StringView(tool->id()); });
+    if (found == m_tools.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - m_tools.begin());
+}
+
+bool EditorState::setActiveTool(QLatin1StringView id)
+{
+    const std::optional<std::size_t> index = toolIndex(id);
+    if (!index || *index == m_activeTool)
+        return false;
+    onStrokeMustEnd(false);
+    m_previousTool = m_activeTool;
+    m_activeTool = *index;
+    Q_EMIT activeToolChanged();
+    Q_EMIT overlayChanged();
+    return true;
+}
+
+void EditorState::toggleTool(QLatin1StringView id)
+{
+    if (!setActiveTool(id))
+        setActiveTool(QLatin1StringView(m_tools[m_previousTool]->id()));
+}
+
+bool EditorState::setToolSettings(const model::ToolSettings& settings)
+{
+    if (sameSettings(settings, m_toolSettings))
+        return false;
+    m_toolSettings = settings;
+    Q_EMIT toolSettingsChanged();
+    return true;
+}
+
+bool EditorState::setOption(bool& option, bool value)
+{
+    if (option == value)
+        return false;
+    option = value;
+    Q_EMIT viewOptionsChanged();
+    return true;
+}
+
+bool EditorState::setMirror(bool mirror)
+{
+    return setOption(m_mirror, mirror);
+}
+
+bool EditorState::setNightPaper(bool night)
+{
+    return setOption(m_nightPaper, night);
+}
+
+bool EditorState::setWireframe(bool shown)
+{
+    return setOption(m_wireframe, shown);
+}
+
+void EditorState::setHover(std::optional<Hover> hover)
+{
+    if (!hover && !m_hover)
+        return;
+    m_hover = std::move(hover);
+    Q_EMIT hoverChanged();
+}
+
+QString EditorState::refusal(const model::Tool& tool) const
+{
+    const model::HairGroup* group = m_document.project().group(m_activeGroup);
+    if (group == nullptr)
+        return tr("There is no hair group to paint on; add one in the Maps panel.");
+    if (onlyLooks(tool))
+        return {};
+    const model::Layer* layer = m_document.project().layer(m_activeGroup, m_activeMap, activeLayer());
+    if (layer == nullptr)
+        return tr("This map has no layer to paint on; add one in the Layers panel.");
+    if (!group->visible)
+        return tr("“%1” is hidden; show the group to paint on it.").arg(group->name);
+    if (!layer->visible)
+        return tr("“%1” is hidden; show the layer to paint on it.").arg(layer->name);
+    if (layer->locked)
+        return tr("“%1” is locked; unlock the layer to paint on it.").arg(layer->name);
+    return {};
+}
+
+template<typename Call>
+void EditorState::withTool(const Call& call)
+{
+    model::Tool& tool = *m_tools[m_strokeTool];
+    const bool hadOverlay = !tool.overlay().empty();
+    const model::ToolSettings before = m_toolSettings;
+    model::ToolContext toolContext = context();
+    call(tool, toolContext);
+    if (!sameSettings(before, m_toolSettings))
+        Q_EMIT toolSettingsChanged();
+    if (hadOverlay || !tool.overlay().empty())
+        Q_EMIT overlayChanged();
+}
+
+void EditorState::press(const model::ToolEvent& event)
+{
+    // Ctrl+click takes the value under the pointer, whatever the tool.
+    const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().hasRing();
+    const std::size_t wanted = picks ? toolIndex(QLatin1StringView("picker")).value_or(m_activeTool) : m_activeTool;
+    if (const QString reason = refusal(*m_tools[wanted]); !reason.isEmpty()) {
+        Q_EMIT refused(reason);
+        return;
+    }
+    m_strokeTool = wanted;
+    m_strokeTarget = target();
+    withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.press(event, toolContext); });
+}
+
+void EditorState::move(const model::ToolEvent& event)
+{
+    if (stroking())
+        withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.move(event, toolContext); });
+}
+
+void EditorState::release(const model::ToolEvent& event)
+{
+    if (stroking())
+        withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.release(event, toolContext); });
+}
+
+void EditorState::cancelStroke()
+{
+    if (stroking())
+        withTool([](model::Tool& tool, model::ToolContext& toolContext) { tool.cancel(toolContext); });
+}
+
+void EditorState::commitStroke()
+{
+    onStrokeMustEnd(false);
+}
+
+bool EditorState::stroking() const
+{
+    return m_tools[m_strokeTool]->active();
+}
+
+void EditorState::onDocumentChanged(const Change& change)
+{
+    if (change.aspect == Change::Aspect::Texels && !change.preview &&
+        (change.group != m_activeGroup || change.map != m_activeMap)) {
+        // Painting only reaches the target, so this is an undo or an import: show what changed.
+        if (m_document.project().group(change.group) != nullptr) {
+            m_activeGroup = change.group;
+            m_activeMap = change.map;
+            Q_EMIT targetChanged();
+        }
+        return;
+    }
+    const bool listsChanged = change.aspect == Change::Aspect::LayerList ||
+                              change.aspect == Change::Aspect::GroupList || change.aspect == Change::Aspect::Everything;
+    if (!listsChanged)
+        return;
+    const model::Project& project = m_document.project();
+    if (project.group(m_activeGroup) == nullptr)
+        m_activeGroup = project.groups.empty() ? 0 : project.groups.front().id;
+    if (change.aspect == Change::Aspect::Everything) {
+        m_activeLayers.clear();
+        m_selection.setRectangle(std::nullopt);
+    }
+    Q_EMIT targetChanged();
+}
+
+void EditorState::onStrokeMustEnd(bool undoing)
+{
+    if (!stroking())
+        return;
+    withTool([undoing](model::Tool& tool, model::ToolContext& toolContext) {
+        if (undoing)
+            tool.cancel(toolContext);
+        else
+            tool.commit(toolContext);
+    });
+}
+
+model::ToolContext EditorState::context()
+{
+    return {.document = m_document,
+            .target = m_strokeTarget,
+            .settings = m_toolSettings,
+            .selection = m_selection,
+            .mirror = m_mirror};
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,88 @@
+// The 3D area: hair in motion on the head, orbited, painted and blown upon.
+#pragma once
+
+#include "model/project.h"
+#include "sim/strand_frame.h"
+#include "view/rendering/renderer.h"
+#include "view/rendering/scene.h"
+#include "view/theme.h"
+
+#include <QImage>
+#include <QWidget>
+
+#include <memory>
+
+namespace hairpaint::view {
+
+class EditorState;
+
+/// How pictures come to the screen. Automatic: a QOpenGLWidget where a real GPU renders, else frames drawn on a thread
+/// of their own, read back and painted.
+enum class PresenterChoice
+{
+    Automatic,
+    Gl,
+    Software
+};
+
+enum class StandardView
+{
+    Front,
+    Back,
+    Left, ///< The head's own left side, from +x.
+    Right,
+    Top,
+    ThreeQuarter
+};
+
+/// Without OpenGL it shows a sentence of what is missing; everything else works.
+class HeadView : public QWidget
+{
+    Q_OBJECT
+public:
+    HeadView(EditorState& state, const Theme& theme, PresenterChoice choice = PresenterChoice::Automatic,
+             QWidget* parent = nullptr);
+    ~HeadView() override;
+
+    void setTheme(const Theme& theme);
+    void setFrame(std::shared_ptr<const sim::StrandFrame> frame);
+
+    [[nodiscard]] const rendering::Camera& camera() const;
+    void setCamera(const rendering::Camera& camera);
+    void setView(StandardView view); ///< Turns there in a moment.
+
+    /// Draws the present moment at full quality without rings; waits for it. Null where there is no OpenGL.
+    [[nodiscard]] QImage grabPicture(QSize size);
+    /// The skin that a position in this widget shows, hair ignored; none where the ray misses the head.
+    [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
+    /// Where a point of the head lies in this widget.
+    [[nodiscard]] QPointF positionOf(glm::vec3 positionHd) const;
+    /// What draws, for the status bar and bug reports: "llvmpipe ..."; empty until the first frame.
+    [[nodiscard]] QString rendererDescription() const;
+    [[nodiscard]] bool weatherShown() const;
+
+public Q_SLOTS:
+    void resetCamera(); ///< Also turns the head back.
+    void fit();
+    void zoomIn();
+    void zoomOut();
+    void setWeatherShown(bool shown); ///< F7: the paper's keys for wind and light.
+
+Q_SIGNALS:
+    void puffWanted(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);
+    void poseWanted(const hairpaint::sim::HeadPose& pose);
+    /// `done`: false while it is being changed (a preview), true for the last one (one undo step).
+    void lightWanted(const hairpaint::model::LightSettings& light, bool done);
+    void windWanted(const hairpaint::sim::Wind& wind, bool done);
+    void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
+    void glUnavailable(const QString& reason);
+    void statusText(const QString& text);
+    void contextMenuWanted(const QPoint& globalPosition);
+    void weatherShownChanged(bool shown);
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace hairpaint::view
