@@ -1,0 +1,175 @@
+// Thinning, triangles, mirroring.
+#include "bust_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "parallel_for.h"
+
+namespace hairpaint::heads {
+
+namespace {
+
+// Columns are kept in steps of a power of two that keeps a ring's quads about square near the pole.
+int columnStep(int ring, int columns)
+{
+    const float room = 1.15F * static_cast<float>(columns) / (std::numbers::pi_v<float> * static_cast<float>(ring));
+    int step = 1;
+    while (step < 16 && static_cast<float>(step * 2) <= room)
+        step *= 2;
+    return step;
+}
+
+glm::vec3 faceNormal(const HalfMesh& half, const Triangle& t)
+{
+    const glm::vec3& a = half.positions[t[0]];
+    return glm::cross(half.positions[t[1]] - a, half.positions[t[2]] - a);
+}
+
+// Least cosine between the face and its corners' normals.
+float agreement(const HalfMesh& half, const Triangle& t)
+{
+    const glm::vec3 normal = faceNormal(half, t);
+    float least = 1.0F;
+    for (const std::uint32_t v : t)
+        least = std::min(least, glm::dot(normal, half.normals[v]));
+    return least / (glm::length(normal) + 1.0e-20F);
+}
+
+float aspect(const HalfMesh& half, const Triangle& t)
+{
+    float longest = 0.0F;
+    for (std::size_t i = 0; i < 3; ++i)
+        longest = std::max(longest, glm::distance(half.positions[t[i]], half.positions[t[(i + 1) % 3]]));
+    return longest * longest / (glm::length(faceNormal(half, t)) + 1.0e-20F);
+}
+
+// Splits a quad along the diagonal that follows the surface better.
+void addQuad(HalfMesh& half, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
+{
+    const std::array<Triangle, 2> first = {{{a, b, c}, {a, c, d}}};
+    const std::array<Triangle, 2> second = {{{a, b, d}, {b, c, d}}};
+    const auto score = [&](const std::array<Triangle, 2>& pair) {
+        const float shape = std::max(aspect(half, pair[0]), aspect(half, pair[1]));
+        return std::min(agreement(half, pair[0]), agreement(half, pair[1])) - 0.02F * shape;
+    };
+    const auto& best = score(first) >= score(second) ? first : second;
+    half.triangles.insert(half.triangles.end(), best.begin(), best.end());
+}
+
+} // namespace
+
+HalfMesh halfMesh(const PolarGrid& grid)
+{
+    const int columns = grid.columns();
+    HalfMesh half;
+    std::vector<std::uint32_t> ids(grid.index(grid.rings(), columns) + 1, 0);
+    half.places.push_back({0, 0});
+    for (int i = 1; i <= grid.rings(); ++i) {
+        for (int j = 0; j <= columns; j += columnStep(i, columns)) {
+            ids[grid.index(i, j)] = static_cast<std::uint32_t>(half.places.size());
+            half.places.push_back({i, j});
+        }
+    }
+    half.positions.resize(half.places.size());
+    half.normals.resize(half.places.size());
+    parallelFor(static_cast<int>(half.places.size()), [&](int v) {
+        const auto k = static_cast<std::size_t>(v);
+        half.positions[k] = grid.at(half.places[k].ring, half.places[k].column);
+        glm::vec3 gradient = bustGradient(half.positions[k], {}, 0.0003F);
+        if (half.isMiddle(k))
+            gradient.x = 0.0F;
+        half.normals[k] = glm::normalize(gradient);
+    });
+
+    const auto id = [&](int ring, int column) { return ids[grid.index(ring, column)]; };
+    const int poleStep = columnStep(1, columns);
+    for (int j = 0; j < columns; j += poleStep)
+        half.triangles.push_back({0, id(1, j), id(1, j + poleStep)});
+    for (int i = 1; i < grid.rings(); ++i) {
+        const int upper = columnStep(i, columns);
+        const int lower = columnStep(i + 1, columns);
+        for (int j = 0; j < columns; j += upper) {
+            if (upper == lower) {
+                addQuad(half, id(i, j), id(i + 1, j), id(i + 1, j + upper), id(i, j + upper));
+                continue;
+            }
+            // A fan to each end of the upper edge, and one triangle between the fans.
+            const int middle = j + upper / lower / 2 * lower;
+            for (int k = j; k < j + upper; k += lower)
+                half.triangles.push_back({id(i, k < middle ? j : j + upper), id(i + 1, k), id(i + 1, k + lower)});
+            half.triangles.push_back({id(i, j), id(i + 1, middle), id(i, j + upper)});
+        }
+    }
+    return half;
+}
+
+Mesh mirroredMesh(const HalfMesh& half)
+{
+    // Multiples of 2^-22 near 0.5 are exact in float, and so is 1 minus them.
+    constexpr double lattice = 4194304.0;
+    Mesh mesh;
+    mesh.positions = half.positions;
+    mesh.normals = half.normals;
+    mesh.triangles = half.triangles;
+    for (const glm::dvec2& uv : half.uvs)
+        mesh.uvs.emplace_back(0.5 + std::round(uv.x * lattice) / lattice, 0.5 + std::round(uv.y * lattice) / lattice);
+    std::vector<std::uint32_t> twin(half.positions.size());
+    for (std::size_t v = 0; v < half.positions.size(); ++v) {
+        twin[v] = static_cast<std::uint32_t>(half.isMiddle(v) ? v : mesh.positions.size());
+        if (half.isMiddle(v))
+            continue;
+        const glm::vec3 p = half.positions[v];
+        const glm::vec3 n = half.normals[v];
+        const glm::vec2 uv = mesh.uvs[v];
+        mesh.positions.emplace_back(-p.x, p.y, p.z);
+        mesh.normals.emplace_back(-n.x, n.y, n.z);
+        mesh.uvs.emplace_back(1.0F - uv.x, uv.y);
+    }
+    for (const Triangle& t : half.triangles)
+        mesh.triangles.push_back({twin[t[0]], twin[t[2]], twin[t[1]]});
+    return mesh;
+}
+
+std::vector<glm::dvec2> interpolatedUvs(const HalfMesh& fine, const HalfMesh& coarse, int coarseColumns,
+                                        int coarseRings)
+{
+    const auto stride = static_cast<std::size_t>(coarseColumns + 1);
+    std::vector<glm::dvec2> grid(stride * static_cast<std::size_t>(coarseRings + 1), glm::dvec2(0.0));
+    // Columns that thinning left out lie between those it kept.
+    for (std::size_t v = 1; v < coarse.places.size(); ++v) {
+        const auto [ring, column] = coarse.places[v];
+        const std::size_t at = static_cast<std::size_t>(ring) * stride + static_cast<std::size_t>(column);
+        grid[at] = coarse.uvs[v];
+        if (column == 0)
+            continue;
+        const int step = column - coarse.places[v - 1].column;
+        for (int k = 1; k < step; ++k)
+            grid[at - static_cast<std::size_t>(k)] =
+                glm::mix(coarse.uvs[v], coarse.uvs[v - 1], static_cast<double>(k) / static_cast<double>(step));
+    }
+    std::vector<glm::dvec2> uvs;
+    for (const auto& [ring, column] : fine.places) {
+        const std::size_t row = static_cast<std::size_t>(ring / 2) * stride;
+        const std::size_t nextRow = ring % 2 == 0 ? row : row + stride;
+        const auto left = static_cast<std::size_t>(column / 2);
+        const std::size_t right = column % 2 == 0 ? left : left + 1;
+        uvs.push_back(0.25 * (grid[row + left] + grid[row + right] + grid[nextRow + left] + grid[nextRow + right]));
+    }
+    return uvs;
+}
+
+MeshReport inspected(const HalfMesh& half)
+{
+    MeshReport report{0.0F, 1.0F, 0};
+    for (const Triangle& t : half.triangles) {
+        report.worstAspect = std::max(report.worstAspect, aspect(half, t));
+        const float fit = agreement(half, t);
+        report.worstAgreement = std::min(report.worstAgreement, fit);
+        report.foldedFaces += fit <= 0.0F ? 1 : 0;
+    }
+    return report;
+}
+
+} // namespace hairpaint::heads

@@ -1,0 +1,61 @@
+// Triangles over a polar grid: the left half with its columns thinned by powers of two near the pole, then mirrored.
+//
+// Half: vertices in ring order, the pole first. Whole: the left half, then the mirrored vertices that do not lie in the
+// middle.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "polar_grid.h"
+
+namespace hairpaint::heads {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+struct HalfMesh
+{
+    struct Place
+    {
+        int ring;
+        int column;
+    };
+
+    std::vector<Place> places;
+    std::vector<glm::vec3> positions; // m
+    std::vector<glm::vec3> normals;   // unit, the distance's gradient
+    std::vector<glm::dvec2> uvs;      // relative to the pole, u > 0
+    std::vector<Triangle> triangles;  // counter-clockwise from outside
+
+    bool isMiddle(std::size_t vertex) const { return positions[vertex].x == 0.0F; }
+};
+
+struct Mesh
+{
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec2> uvs; // v up
+    std::vector<Triangle> triangles;
+};
+
+HalfMesh halfMesh(const PolarGrid& grid);
+
+// uv = 0.5 + half uv, on a lattice so that 1 - u is exact.
+Mesh mirroredMesh(const HalfMesh& half);
+
+// Linear between the places of a mesh with half the rings and columns: textures lie the same on both.
+std::vector<glm::dvec2> interpolatedUvs(const HalfMesh& fine, const HalfMesh& coarse, int coarseColumns,
+                                        int coarseRings);
+
+struct MeshReport
+{
+    float worstAspect;    // longest edge over the height on it
+    float worstAgreement; // least cosine between a face and the surface's normal at its corners
+    int foldedFaces;
+};
+
+MeshReport inspected(const HalfMesh& half);
+
+} // namespace hairpaint::heads

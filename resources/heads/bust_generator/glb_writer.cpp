@@ -1,0 +1,109 @@
+// Two chunks: JSON padded with spaces, then the binary one.
+#include "glb_writer.h"
+
+#include <bit>
+#include <cstring>
+#include <fstream>
+#include <locale>
+#include <span>
+#include <sstream>
+#include <string>
+
+namespace hairpaint::heads {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the arrays are written as they lie in memory");
+
+std::string text(const glm::vec3& v)
+{
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(9); // enough to bring a float back exactly
+    out << '[' << v.x << ',' << v.y << ',' << v.z << ']';
+    return out.str();
+}
+
+template<typename T>
+std::string bytes(const std::vector<T>& values)
+{
+    std::string out(values.size() * sizeof(T), '\0');
+    std::memcpy(out.data(), values.data(), out.size());
+    return out;
+}
+
+std::string word(std::size_t value)
+{
+    return bytes(std::vector<std::uint32_t>{static_cast<std::uint32_t>(value)});
+}
+
+struct Block
+{
+    std::string bytes;
+    std::string accessor; // its JSON members after bufferView and count
+    std::size_t count;
+    int target;
+};
+
+std::string description(std::span<const Block> blocks, std::size_t size)
+{
+    std::string views;
+    std::string accessors;
+    std::size_t offset = 0;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const std::string comma = i == 0 ? "" : ",";
+        views += comma + "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) +
+                 ",\"byteLength\":" + std::to_string(blocks[i].bytes.size()) +
+                 ",\"target\":" + std::to_string(blocks[i].target) + "}";
+        accessors += comma + "{\"bufferView\":" + std::to_string(i) + ",\"count\":" + std::to_string(blocks[i].count) +
+                     "," + blocks[i].accessor + "}";
+        offset += blocks[i].bytes.size();
+    }
+    return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"hairpaint_bust_generator\"},\"scene\":0,\"scenes\":[{"
+           "\"nodes\":[0]}],"
+           "\"nodes\":[{\"mesh\":0,\"name\":\"bust-1\"}],\"meshes\":[{\"name\":\"bust-1\",\"primitives\":[{"
+           "\"attributes\":{"
+           "\"POSITION\":1,\"NORMAL\":2,\"TEXCOORD_0\":3,\"_UV\":4},\"indices\":0,\"mode\":4}]}],\"buffers\":[{"
+           "\"byteLength\":" +
+           std::to_string(size) + "}],\"bufferViews\":[" + views + "],\"accessors\":[" + accessors + "]}";
+}
+
+} // namespace
+
+bool writeGlb(const Mesh& mesh, const std::filesystem::path& path)
+{
+    glm::vec3 low = mesh.positions.front();
+    glm::vec3 high = low;
+    for (const glm::vec3& p : mesh.positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    std::vector<glm::vec2> flipped;
+    for (const glm::vec2& uv : mesh.uvs)
+        flipped.emplace_back(uv.x, 1.0F - uv.y);
+
+    constexpr int vertexTarget = 34962;
+    constexpr int indexTarget = 34963;
+    const std::size_t count = mesh.positions.size();
+    const std::string vec3 = "\"componentType\":5126,\"type\":\"VEC3\"";
+    const std::string vec2 = "\"componentType\":5126,\"type\":\"VEC2\"";
+    const std::vector<Block> blocks = {
+        {bytes(mesh.triangles), "\"componentType\":5125,\"type\":\"SCALAR\"", mesh.triangles.size() * 3, indexTarget},
+        {bytes(mesh.positions), vec3 + ",\"min\":" + text(low) + ",\"max\":" + text(high), count, vertexTarget},
+        {bytes(mesh.normals), vec3, count, vertexTarget},
+        {bytes(flipped), vec2, count, vertexTarget},
+        {bytes(mesh.uvs), vec2, count, vertexTarget}};
+    std::string binary;
+    for (const Block& block : blocks)
+        binary += block.bytes; // each a multiple of four bytes long
+    std::string json = description(blocks, binary.size());
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+
+    const std::size_t total = 12 + 8 + json.size() + 8 + binary.size();
+    std::ofstream file(path, std::ios::binary);
+    file << "glTF" << word(2) << word(total) << word(json.size()) << "JSON" << json << word(binary.size())
+         << std::string("BIN\0", 4) << binary;
+    return static_cast<bool>(file.flush());
+}
+
+} // namespace hairpaint::heads
