@@ -39,8 +39,8 @@ struct Change
     Id group = 0;
     MapKind map = MapKind::Density;
     Id layer = 0;
-    std::vector<int> tiles; ///< Of the map's raster; empty with Texels means all.
-    bool preview = false;   ///< Not committed yet, or a preview taken back.
+    std::vector<int> tiles = {}; ///< Of the map's raster; empty with Texels means all.
+    bool preview = false;        ///< Not committed yet, or a preview taken back.
 };
 
 /// Lives on the GUI thread. Content changes only through undo commands (model/commands) and previews; both take the
@@ -73,6 +73,9 @@ public:
     /// command that gives the same bytes is pushed.
     void setPreview(const Change& change, const std::function<void(Project&)>& edit);
     void clearPreview();
+    /// The preview of a running stroke: these tiles in place of the layer's, all others as they are. Work in proportion
+    /// to the tiles. A preview of another kind or layer is dropped first.
+    void previewTiles(const LayerAddress& address, const std::vector<std::pair<int, sim::RasterTilePtr>>& tiles);
     [[nodiscard]] bool previewing() const;
     /// The content without any preview; what files are written from.
     [[nodiscard]] const Project& committed() const;
@@ -88,11 +91,14 @@ public:
     /// Undo and redo as the user means them: a running stroke is cancelled by undo, committed by anything else.
     void undo();
     void redo();
-    /// Pushes after ending what is running.
+    /// Pushes after ending what is running. Null is ignored.
     void push(std::unique_ptr<QUndoCommand> command);
 
 private:
     struct State;
+    void tell(Change change, bool preview);
+    void dropPreview();
+
     std::unique_ptr<State> m_state;
 };
 

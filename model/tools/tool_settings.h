@@ -43,6 +43,10 @@ struct PaintValue
     [[nodiscard]] sim::Texel texel(const MapSpec& spec) const;
 };
 
+/// What D sets the values of all maps to: 15 of 30 cm, a plait, chestnut, ...; and the ones that X swaps in.
+[[nodiscard]] std::array<PaintValue, kMapKindCount> firstPaintValues();
+[[nodiscard]] std::array<PaintValue, kMapKindCount> secondPaintValues();
+
 struct ToolSettings
 {
     float brushSizeM = 0.03F; ///< Diameter on the skin, 0.001..0.3 m.
@@ -53,10 +57,17 @@ struct ToolSettings
     float fillTolerance = 0.05F; ///< 0..1
     ShapeKind shape = ShapeKind::Ellipse;
     GradientKind gradient = GradientKind::Linear;
-    std::array<PaintValue, kMapKindCount> values{};       ///< What each map is painted with.
-    std::array<PaintValue, kMapKindCount> secondValues{}; ///< What X swaps in; the far end of gradients.
+    std::array<PaintValue, kMapKindCount> values = firstPaintValues(); ///< What each map is painted with.
+    std::array<PaintValue, kMapKindCount> secondValues =
+        secondPaintValues(); ///< What X swaps in; the far end of gradients.
     [[nodiscard]] PaintValue& value(MapKind map) { return values[static_cast<std::size_t>(map)]; }
     [[nodiscard]] PaintValue& secondValue(MapKind map) { return secondValues[static_cast<std::size_t>(map)]; }
+    [[nodiscard]] const PaintValue& value(MapKind map) const { return values[static_cast<std::size_t>(map)]; }
+    [[nodiscard]] const PaintValue& secondValue(MapKind map) const
+    {
+        return secondValues[static_cast<std::size_t>(map)];
+    }
+    friend bool operator==(const ToolSettings&, const ToolSettings&) = default;
 };
 
 } // namespace hairpaint::model

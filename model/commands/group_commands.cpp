@@ -1,0 +1,115 @@
+// Groups added, removed, renamed, shown and replaced by a preset's.
+#include "model/commands/commands.h"
+#include "model/commands/slice_command.h"
+#include "model/preset.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace hairpaint::model {
+
+namespace {
+
+class Commands
+{
+    Q_DECLARE_TR_FUNCTIONS(Commands)
+};
+
+struct GroupsSlice
+{
+    std::vector<HairGroup> groups;
+    Id nextId = 1;
+
+    static GroupsSlice take(const Project& project, const Change& /*change*/)
+    {
+        return {project.groups, project.nextId};
+    }
+    void put(Project& project, const Change& /*change*/) const
+    {
+        project.groups = groups;
+        project.nextId = nextId;
+    }
+};
+
+struct SettingsSlice
+{
+    sim::GroupSettings settings;
+
+    static SettingsSlice take(const Project& project, const Change& change)
+    {
+        const HairGroup* group = project.group(change.group);
+        return {group != nullptr ? group->settings : sim::GroupSettings{}};
+    }
+    void put(Project& project, const Change& change) const
+    {
+        if (HairGroup* group = project.group(change.group))
+            group->settings = settings;
+    }
+};
+
+CommandPtr groupsCommand(Document& document, Id group, const QString& text, std::function<void(Project&)> edit)
+{
+    const Change change{.aspect = Change::Aspect::GroupList, .group = group};
+    return std::make_unique<SliceCommand<GroupsSlice>>(document, change, text, std::move(edit));
+}
+
+QString nameOf(const Document& document, Id id)
+{
+    const HairGroup* group = document.committed().group(id);
+    return group != nullptr ? group->name : QString();
+}
+
+} // namespace
+
+CommandPtr addGroupCommand(Document& document, const QString& name)
+{
+    return groupsCommand(document, 0, Commands::tr("Add group \"%1\"").arg(name),
+                         [name](Project& project) { project.groups.push_back(makeGroup(project, name)); });
+}
+
+CommandPtr removeGroupCommand(Document& document, Id group)
+{
+    return groupsCommand(document, group, Commands::tr("Remove group \"%1\"").arg(nameOf(document, group)),
+                         [group](Project& project) {
+                             std::erase_if(project.groups, [group](const HairGroup& one) { return one.id == group; });
+                         });
+}
+
+CommandPtr renameGroupCommand(Document& document, Id group, const QString& name)
+{
+    return groupsCommand(document, group, Commands::tr("Rename group \"%1\"").arg(nameOf(document, group)),
+                         [group, name](Project& project) {
+                             if (HairGroup* one = project.group(group))
+                                 one->name = name;
+                         });
+}
+
+CommandPtr showGroupCommand(Document& document, Id group, bool visible)
+{
+    const QString text = visible ? Commands::tr("Show group \"%1\"") : Commands::tr("Hide group \"%1\"");
+    return groupsCommand(document, group, text.arg(nameOf(document, group)), [group, visible](Project& project) {
+        if (HairGroup* one = project.group(group))
+            one->visible = visible;
+    });
+}
+
+CommandPtr setSettingsCommand(Document& document, Id group, const sim::GroupSettings& settings, const QString& text)
+{
+    const HairGroup* found = document.committed().group(group);
+    if (found == nullptr || found->settings == settings)
+        return nullptr;
+    const Change change{.aspect = Change::Aspect::Settings, .group = group};
+    return std::make_unique<SliceCommand<SettingsSlice>>(document, change, text, [group, settings](Project& project) {
+        if (HairGroup* one = project.group(group))
+            one->settings = settings;
+    });
+}
+
+CommandPtr applyPresetCommand(Document& document, const Preset& preset)
+{
+    return groupsCommand(document, 0, Commands::tr("Apply style \"%1\"").arg(preset.name),
+                         [preset](Project& project) { applyPreset(project, preset); });
+}
+
+} // namespace hairpaint::model

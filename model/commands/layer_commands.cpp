@@ -1,0 +1,130 @@
+// Layers added, removed, moved and changed.
+#include "model/commands/commands.h"
+#include "model/commands/slice_command.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace hairpaint::model {
+
+namespace {
+
+class Commands
+{
+    Q_DECLARE_TR_FUNCTIONS(Commands)
+};
+
+/// The layers of one map.
+struct LayersSlice
+{
+    std::vector<Layer> layers;
+    Id nextId = 1;
+
+    static LayersSlice take(const Project& project, const Change& change)
+    {
+        const HairGroup* group = project.group(change.group);
+        return {group != nullptr ? group->map(change.map).layers : std::vector<Layer>{}, project.nextId};
+    }
+    void put(Project& project, const Change& change) const
+    {
+        if (HairGroup* group = project.group(change.group))
+            group->map(change.map).layers = layers;
+        project.nextId = nextId;
+    }
+};
+
+CommandPtr layersCommand(Document& document, Id groupId, MapKind map, const QString& text,
+                         std::function<void(Project&, std::vector<Layer>&)> edit)
+{
+    const Change change{.aspect = Change::Aspect::LayerList, .group = groupId, .map = map};
+    return std::make_unique<SliceCommand<LayersSlice>>(document, change, text,
+                                                       [groupId, map, edit = std::move(edit)](Project& project) {
+                                                           if (HairGroup* group = project.group(groupId))
+                                                               edit(project, group->map(map).layers);
+                                                       });
+}
+
+std::vector<Layer>::iterator findLayer(std::vector<Layer>& layers, Id id)
+{
+    return std::ranges::find(layers, id, &Layer::id);
+}
+
+void insertAt(std::vector<Layer>& layers, Layer layer, int position)
+{
+    layers.insert(layers.begin() + std::clamp(position, 0, static_cast<int>(layers.size())), std::move(layer));
+}
+
+QString nameOf(const Document& document, const LayerAddress& address)
+{
+    const Layer* layer = document.committed().layer(address.group, address.map, address.layer);
+    return layer != nullptr ? layer->name : QString();
+}
+
+} // namespace
+
+CommandPtr addLayerCommand(Document& document, Id group, MapKind map, const QString& name)
+{
+    const QString text = Commands::tr("Add layer to %1").arg(mapSpec(map).titleText());
+    return layersCommand(document, group, map, text, [=](Project& project, std::vector<Layer>& layers) {
+        const int size = project.group(group)->map(map).size;
+        layers.push_back(makeLayer(project, mapSpec(map), size, name));
+    });
+}
+
+CommandPtr insertLayerCommand(Document& document, Id group, MapKind map, Layer layer, int position, const QString& text)
+{
+    return layersCommand(document, group, map, text,
+                         [layer = std::move(layer), position](Project& project, std::vector<Layer>& layers) mutable {
+                             layer.id = project.takeId();
+                             insertAt(layers, std::move(layer), position);
+                         });
+}
+
+CommandPtr removeLayerCommand(Document& document, const LayerAddress& address)
+{
+    const QString text = Commands::tr("Remove layer \"%1\"").arg(nameOf(document, address));
+    return layersCommand(document, address.group, address.map, text, [address](Project&, std::vector<Layer>& layers) {
+        std::erase_if(layers, [address](const Layer& layer) { return layer.id == address.layer; });
+    });
+}
+
+CommandPtr moveLayerCommand(Document& document, const LayerAddress& address, int newPosition)
+{
+    const QString text = Commands::tr("Move layer \"%1\"").arg(nameOf(document, address));
+    return layersCommand(document, address.group, address.map, text,
+                         [address, newPosition](Project&, std::vector<Layer>& layers) {
+                             const auto found = findLayer(layers, address.layer);
+                             if (found == layers.end())
+                                 return;
+                             Layer layer = std::move(*found);
+                             layers.erase(found);
+                             insertAt(layers, std::move(layer), newPosition);
+                         });
+}
+
+LayerProperties propertiesOf(const Layer& layer)
+{
+    return {layer.name, layer.visible, layer.opacity, layer.blend, layer.locked};
+}
+
+CommandPtr setLayerPropertiesCommand(Document& document, const LayerAddress& address, const LayerProperties& properties,
+                                     const QString& text)
+{
+    const Layer* layer = document.committed().layer(address.group, address.map, address.layer);
+    if (layer == nullptr || propertiesOf(*layer) == properties)
+        return nullptr;
+    return layersCommand(document, address.group, address.map, text,
+                         [address, properties](Project&, std::vector<Layer>& layers) {
+                             const auto found = findLayer(layers, address.layer);
+                             if (found == layers.end())
+                                 return;
+                             found->name = properties.name;
+                             found->visible = properties.visible;
+                             found->opacity = properties.opacity;
+                             found->blend = properties.blend;
+                             found->locked = properties.locked;
+                         });
+}
+
+} // namespace hairpaint::model

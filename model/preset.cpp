@@ -1,0 +1,95 @@
+// Projects flattened to presets, and presets applied to projects.
+#include "model/preset.h"
+
+#include "model/commands/commands.h"
+#include "model/compositor.h"
+
+#include <algorithm>
+
+namespace hairpaint::model {
+
+namespace {
+
+/// The resolved map as one fully covering layer's raster.
+sim::TiledRaster coveredRaster(const sim::TiledRaster& resolved)
+{
+    const int channels = resolved.channels();
+    sim::TiledRaster layer(resolved.size(), channels + 1);
+    for (int index = 0; index < resolved.tileCount(); ++index) {
+        const sim::RasterTile& source = *resolved.tile(index);
+        sim::Texel uniform = source.uniform;
+        uniform[static_cast<std::size_t>(channels)] = 65535;
+        layer.setUniform(index, uniform);
+        if (source.isUniform())
+            continue;
+        const std::span<std::uint16_t> target = layer.writableTile(index);
+        auto from = source.pixels.begin();
+        for (auto to = target.begin(); to != target.end(); from += channels, to += channels + 1) {
+            std::copy_n(from, channels, to);
+            *(to + channels) = 65535;
+        }
+    }
+    return layer;
+}
+
+MapStack stackOf(Project& project, const HairGroup& group, const MapSpec& spec, const QString& layerName)
+{
+    const auto found = std::ranges::find(group.maps, spec.kind, &MapStack::kind);
+    if (found == group.maps.end() || found->layers.empty()) {
+        MapStack stack{.kind = spec.kind, .layers = {}};
+        if (found != group.maps.end())
+            stack.size = found->size;
+        stack.layers.push_back(makeLayer(project, spec, stack.size, layerName));
+        return stack;
+    }
+    Layer layer = found->layers.front();
+    layer.id = project.takeId();
+    layer.name = layerName;
+    return {.kind = spec.kind, .size = found->size, .layers = {std::move(layer)}};
+}
+
+} // namespace
+
+Preset presetFrom(const Project& project, const QString& name)
+{
+    Preset preset;
+    preset.name = name;
+    Id nextId = 1;
+    for (const HairGroup& group : project.groups) {
+        HairGroup flat;
+        flat.id = nextId++;
+        flat.name = group.name;
+        flat.visible = group.visible;
+        flat.settings = group.settings;
+        for (const MapStack& stack : group.maps) {
+            Layer layer{.id = nextId++, .name = name, .raster = coveredRaster(resolveStack(stack))};
+            flat.maps.push_back({.kind = stack.kind, .size = stack.size, .layers = {std::move(layer)}});
+        }
+        preset.groups.push_back(std::move(flat));
+    }
+    return preset;
+}
+
+void applyPreset(Project& project, const Preset& preset)
+{
+    std::vector<HairGroup> before = std::move(project.groups);
+    project.groups.clear();
+    for (const HairGroup& style : preset.groups) {
+        HairGroup group;
+        const auto sameName = std::ranges::find(before, style.name, &HairGroup::name);
+        if (sameName != before.end()) {
+            group.id = sameName->id;
+            before.erase(sameName); // A name that occurs twice matches one group each time.
+        } else {
+            group.id = project.takeId();
+        }
+        group.name = style.name;
+        group.visible = style.visible;
+        group.settings = style.settings;
+        for (const MapSpec& spec : mapSpecs())
+            group.maps.push_back(stackOf(project, style, spec, preset.name));
+        project.groups.push_back(std::move(group));
+    }
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,115 @@
+// The path of a brush over the skin, from pointer events to evenly spaced places for dabs.
+#pragma once
+
+#include "model/tools/dab_shape.h"
+#include "model/tools/tool.h"
+
+#include <optional>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// Where a dab goes.
+struct BrushPlace
+{
+    glm::vec2 uv{0.0F};
+    std::optional<sim::SurfacePoint> point; ///< None off every island.
+    SkinMetric metric;
+    float pressure = 1.0F;
+};
+
+/// Steps along the straight lines between events in uv, measured on the skin with the metric of the last place; so
+/// however a line is cut into events, the places are the same. On the 3D head a line that jumps in uv (across a seam)
+/// is walked on the skin instead, and one that jumps on the skin too starts anew.
+class BrushPath
+{
+public:
+    /// `skin` may be null: then uv units count as 0.5 m.
+    BrushPath(const sim::Skin* skin, float spacingM);
+
+    /// The spacing after the next place; brushes that shrink with pressure step more finely.
+    void setSpacing(float spacingM) { m_spacingM = spacingM; }
+
+    /// Appends the places reached by the event; the first event gives one at once.
+    /// `onPlace` sees each place as it is made and may set the spacing.
+    template<typename OnPlace>
+    void moveTo(const ToolEvent& event, const OnPlace& onPlace)
+    {
+        if (event.area == Area::Head && !event.point) {
+            lift();
+            return;
+        }
+        if (!m_cursor || leaps(event))
+            start(event), onPlace(m_last);
+        else if (jumpsInUv(event))
+            walkOnSkin(event, onPlace);
+        else
+            walkInUv(event, onPlace);
+    }
+    /// The next event starts anew.
+    void lift() { m_cursor.reset(); }
+    /// Stands at the event without giving a place.
+    void standAt(const ToolEvent& event) { start(event); }
+
+private:
+    struct Cursor
+    {
+        glm::vec2 uv;
+        glm::vec3 positionHd;
+        bool onSkin;
+        float pressure;
+    };
+
+    void start(const ToolEvent& event);
+    [[nodiscard]] bool leaps(const ToolEvent& event) const;
+    [[nodiscard]] bool jumpsInUv(const ToolEvent& event) const;
+    [[nodiscard]] BrushPlace placeAtUv(glm::vec2 uv, float pressure) const;
+    [[nodiscard]] BrushPlace placeAt(const sim::SurfacePoint& point, float pressure) const;
+    [[nodiscard]] static Cursor cursorOf(const ToolEvent& event);
+
+    template<typename OnPlace>
+    void walkInUv(const ToolEvent& event, const OnPlace& onPlace)
+    {
+        const Cursor end = cursorOf(event);
+        for (;;) {
+            const float ahead = m_last.metric.lengthM(end.uv - m_cursor->uv);
+            if (m_carriedM + ahead < m_spacingM || ahead <= 0.0F)
+                break;
+            const float share = std::max(0.0F, m_spacingM - m_carriedM) / ahead;
+            m_cursor->uv += (end.uv - m_cursor->uv) * share;
+            m_cursor->pressure += (end.pressure - m_cursor->pressure) * share;
+            m_last = placeAtUv(m_cursor->uv, m_cursor->pressure);
+            m_carriedM = 0.0F;
+            onPlace(m_last);
+        }
+        m_carriedM += m_last.metric.lengthM(end.uv - m_cursor->uv);
+        m_cursor = end;
+    }
+
+    template<typename OnPlace>
+    void walkOnSkin(const ToolEvent& event, const OnPlace& onPlace)
+    {
+        const Cursor end = cursorOf(event);
+        const Cursor begin = *m_cursor;
+        const float lengthM = glm::length(end.positionHd - begin.positionHd);
+        for (float along = m_spacingM - m_carriedM; along < lengthM; along += m_spacingM) {
+            const float share = along / lengthM;
+            const glm::vec3 positionHd = begin.positionHd + (end.positionHd - begin.positionHd) * share;
+            m_last = placeAt(m_skin->nearest(positionHd), begin.pressure + (end.pressure - begin.pressure) * share);
+            onPlace(m_last);
+        }
+        m_last = placeAt(*event.point, end.pressure);
+        onPlace(m_last);
+        m_carriedM = 0.0F;
+        m_cursor = end;
+    }
+
+    const sim::Skin* m_skin;
+    SkinMetric m_average;
+    float m_spacingM;
+    std::optional<Cursor> m_cursor; ///< Where the path ends.
+    BrushPlace m_last;              ///< The last dab's place.
+    float m_carriedM = 0.0F;        ///< Way made since the last place.
+};
+
+} // namespace hairpaint::model

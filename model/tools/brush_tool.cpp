@@ -1,0 +1,165 @@
+// The brush and the eraser: a disc on the skin, dabbed along the pointer's way.
+#include "model/compositor.h"
+#include "model/tools/brush_path.h"
+#include "model/tools/live_edit.h"
+#include "model/tools/picker.h"
+#include "model/tools/tool_list.h"
+
+#include <algorithm>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr float kSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
+constexpr float kLeastPressure = 0.05F; ///< A pen that only just touches still leaves a trace.
+constexpr float kSmallestSpacingM = 0.0002F;
+
+class BrushTool : public Tool
+{
+    Q_DECLARE_TR_FUNCTIONS(Tool)
+public:
+    explicit BrushTool(bool erases) : m_erases(erases) {}
+
+    [[nodiscard]] const char* id() const override { return m_erases ? "eraser" : "brush"; }
+    [[nodiscard]] QString title() const override { return m_erases ? tr("Eraser") : tr("Brush"); }
+    [[nodiscard]] QKeySequence defaultKey() const override { return m_erases ? Qt::Key_E : Qt::Key_B; }
+    [[nodiscard]] QString hint() const override
+    {
+        return m_erases ? tr("Drag to erase; Shift+click for a straight line from the last point")
+                        : tr("Drag to paint; Shift+click for a straight line from the last point; Ctrl+click picks");
+    }
+    [[nodiscard]] std::vector<ToolOption> options() const override
+    {
+        std::vector<ToolOption> options{ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity,
+                                        ToolOption::Pressure};
+        if (!m_erases)
+            options.insert(options.begin(), ToolOption::Value);
+        return options;
+    }
+    [[nodiscard]] bool hasRing() const override { return true; }
+
+    void press(const ToolEvent& event, ToolContext& context) override;
+    void move(const ToolEvent& event, ToolContext& context) override;
+    void release(const ToolEvent& event, ToolContext& context) override;
+    void cancel(ToolContext& context) override;
+    void commit(ToolContext& context) override;
+    [[nodiscard]] bool active() const override { return m_edit.active(); }
+
+private:
+    void paintTo(const ToolEvent& event, ToolContext& context);
+    void dab(const BrushPlace& place, const ToolContext& context);
+    void show(ToolContext& context);
+
+    bool m_erases;
+    LiveEdit m_edit;
+    std::optional<StrokeBuffer> m_buffer;
+    std::optional<BrushPath> m_path;
+    std::optional<ToolEvent> m_last; ///< Where the next straight line starts; kept between strokes.
+    TilePaint m_paint;
+};
+
+void BrushTool::press(const ToolEvent& event, ToolContext& context)
+{
+    if (picksInstead(event, context) || active() || !m_edit.begin(context))
+        return;
+    const Head* head = context.document.project().head.get();
+    m_buffer.emplace(m_edit.size());
+    m_path.emplace(head != nullptr ? head->skin.get() : nullptr, context.settings.brushSizeM * kSpacing);
+    m_paint = {.value = context.settings.value(context.target.map).texel(m_edit.spec()),
+               .opacity = unit16(context.settings.opacity),
+               .erase = m_erases};
+    if (event.modifiers.testFlag(Qt::ShiftModifier) && m_last) {
+        m_last->pressure = event.pressure;
+        m_path->standAt(*m_last);
+    }
+    paintTo(event, context);
+}
+
+void BrushTool::move(const ToolEvent& event, ToolContext& context)
+{
+    if (active())
+        paintTo(event, context);
+}
+
+void BrushTool::release(const ToolEvent& event, ToolContext& context)
+{
+    if (!active())
+        return;
+    // A pen's last event has no pressure left; it still says where the stroke ends.
+    ToolEvent end = event;
+    if (m_last)
+        end.pressure = m_last->pressure;
+    paintTo(end, context);
+    commit(context);
+}
+
+void BrushTool::cancel(ToolContext& context)
+{
+    m_edit.cancel(context.document);
+    m_buffer.reset();
+    m_path.reset();
+}
+
+void BrushTool::commit(ToolContext& context)
+{
+    m_edit.commit(context.document, title());
+    m_buffer.reset();
+    m_path.reset();
+}
+
+void BrushTool::paintTo(const ToolEvent& event, ToolContext& context)
+{
+    m_path->moveTo(event, [&](const BrushPlace& place) { dab(place, context); });
+    if (event.area == Area::Paint || event.point)
+        m_last = event;
+    show(context);
+}
+
+void BrushTool::dab(const BrushPlace& place, const ToolContext& context)
+{
+    const ToolSettings& settings = context.settings;
+    const float pressure = std::clamp(place.pressure, kLeastPressure, 1.0F);
+    const float sizeM = settings.brushSizeM * (settings.pressureSize ? pressure : 1.0F);
+    m_path->setSpacing(std::max(sizeM * kSpacing, kSmallestSpacingM));
+
+    const int size = m_edit.size();
+    Dab dab = dabAt(place.metric, place.uv, 0.5F * sizeM, size);
+    dab.hardness = settings.hardness;
+    dab.strength = settings.pressureOpacity && m_edit.spec().texel != TexelKind::Index ? pressure : 1.0F;
+    m_buffer->add(dab, m_edit.clip());
+    if (!context.mirror)
+        return;
+    const Head* head = context.document.project().head.get();
+    if (head == nullptr || head->builtIn) {
+        m_buffer->add(mirroredInU(dab, size), m_edit.clip());
+    } else if (place.point) {
+        if (const auto other = head->skin->mirrored(*place.point)) {
+            Dab twin = dabAt(SkinMetric::at(*other), other->uv, 0.5F * sizeM, size);
+            twin.hardness = dab.hardness;
+            twin.strength = dab.strength;
+            m_buffer->add(twin, m_edit.clip());
+        }
+    }
+}
+
+void BrushTool::show(ToolContext& context)
+{
+    m_edit.update(context.document, m_buffer->takeDirty(), [this](int index, const sim::RasterTilePtr& before) {
+        return paintTile(m_edit.spec(), before, *m_buffer->mask(index), m_paint);
+    });
+}
+
+} // namespace
+
+std::unique_ptr<Tool> makeBrushTool()
+{
+    return std::make_unique<BrushTool>(false);
+}
+
+std::unique_ptr<Tool> makeEraserTool()
+{
+    return std::make_unique<BrushTool>(true);
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,93 @@
+// Previews and commits of a tool's tiles.
+#include "model/tools/live_edit.h"
+
+#include "model/commands/commands.h"
+#include "model/tools/selection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::model {
+
+sim::TexelRect selectedTexels(const Selection& selection, int size)
+{
+    if (!selection.rectangle())
+        return {0, 0, size, size};
+    const QRectF uv = selection.rectangle()->normalized();
+    const auto texel = [size](double share) {
+        return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * size));
+    };
+    return {texel(uv.left()), texel(1.0 - uv.bottom()), texel(uv.right()), texel(1.0 - uv.top())};
+}
+
+QString actionText(const QString& title, MapKind map)
+{
+    return QCoreApplication::translate("Tool", "%1 on %2").arg(title, mapSpec(map).titleText());
+}
+
+bool LiveEdit::begin(const ToolContext& context)
+{
+    const LayerAddress& at = context.target;
+    const Layer* layer = context.document.committed().layer(at.group, at.map, at.layer);
+    if (layer == nullptr || !layer->visible || layer->locked)
+        return false;
+    m_target = at;
+    m_before = layer->raster;
+    m_clip = selectedTexels(context.selection, m_before->size());
+    m_shown.clear();
+    return true;
+}
+
+void LiveEdit::update(Document& document, const std::vector<int>& tiles, const MakeTile& make)
+{
+    if (!active())
+        return;
+    std::vector<std::pair<int, sim::RasterTilePtr>> changed;
+    for (const int index : tiles) {
+        const sim::RasterTilePtr& before = m_before->tile(index);
+        sim::RasterTilePtr tile = make(index, before);
+        const auto shown = m_shown.find(index);
+        if (tile == (shown == m_shown.end() ? before : shown->second))
+            continue;
+        changed.emplace_back(index, tile);
+        m_shown.insert_or_assign(index, std::move(tile));
+    }
+    if (!changed.empty())
+        document.previewTiles(m_target, changed);
+}
+
+void LiveEdit::replace(Document& document, const std::vector<int>& tiles, const MakeTile& make)
+{
+    std::vector<int> all = tiles;
+    for (const auto& [index, tile] : m_shown)
+        if (!std::ranges::binary_search(tiles, index))
+            all.push_back(index);
+    update(document, all, [&](int index, const sim::RasterTilePtr& before) {
+        return std::ranges::binary_search(tiles, index) ? make(index, before) : before;
+    });
+}
+
+void LiveEdit::commit(Document& document, const QString& title)
+{
+    if (!active())
+        return;
+    m_before.reset();
+    const std::map<int, sim::RasterTilePtr> shown = std::exchange(m_shown, {});
+    CommandPtr command =
+        paintCommand(document, m_target, {shown.begin(), shown.end()}, actionText(title, m_target.map));
+    if (command != nullptr)
+        document.push(std::move(command));
+    else if (!shown.empty())
+        document.clearPreview();
+}
+
+void LiveEdit::cancel(Document& document)
+{
+    if (!active())
+        return;
+    m_before.reset();
+    if (!std::exchange(m_shown, {}).empty())
+        document.clearPreview();
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,47 @@
+// A tool's running edit of one layer: shown as a preview, ended as one command or without a trace.
+#pragma once
+
+#include "model/tools/stroke_buffer.h"
+#include "model/tools/tile_paint.h"
+#include "model/tools/tool.h"
+
+#include <functional>
+#include <map>
+
+namespace hairpaint::model {
+
+/// Begins where the layer is there, visible and unlocked; elsewhere it stays inactive and everything else does nothing.
+class LiveEdit
+{
+public:
+    [[nodiscard]] bool begin(const ToolContext& context);
+    [[nodiscard]] bool active() const { return m_before.has_value(); }
+    [[nodiscard]] const MapSpec& spec() const { return mapSpec(m_target.map); }
+    [[nodiscard]] int size() const { return m_before->size(); }
+    [[nodiscard]] const sim::TiledRaster& before() const { return *m_before; }
+    /// The texels that may change: those in the selection.
+    [[nodiscard]] const sim::TexelRect& clip() const { return m_clip; }
+
+    /// Shows these tiles as `make` gives them, from those before the edit; other tiles stay as last shown.
+    using MakeTile = std::function<sim::RasterTilePtr(int tileIndex, const sim::RasterTilePtr& before)>;
+    void update(Document& document, const std::vector<int>& tiles, const MakeTile& make);
+    /// The same, where all tiles not named go back to what they were before the edit.
+    void replace(Document& document, const std::vector<int>& tiles, const MakeTile& make);
+
+    /// Pushes "TITLE on MAP" with the tiles as last shown; nothing where none differs.
+    void commit(Document& document, const QString& title);
+    void cancel(Document& document);
+
+private:
+    LayerAddress m_target;
+    std::optional<sim::TiledRaster> m_before;
+    sim::TexelRect m_clip;
+    std::map<int, sim::RasterTilePtr> m_shown;
+};
+
+/// The texels whose centres lie in the selection; all of them where nothing is selected.
+[[nodiscard]] sim::TexelRect selectedTexels(const Selection& selection, int size);
+/// "Brush on Length".
+[[nodiscard]] QString actionText(const QString& title, MapKind map);
+
+} // namespace hairpaint::model

@@ -1,0 +1,73 @@
+// The picker.
+#include "model/tools/picker.h"
+#include "model/tools/tool_list.h"
+
+namespace hairpaint::model {
+
+namespace {
+
+class PickerTool : public Tool
+{
+    Q_DECLARE_TR_FUNCTIONS(Tool)
+public:
+    [[nodiscard]] const char* id() const override { return "picker"; }
+    [[nodiscard]] QString title() const override { return tr("Picker"); }
+    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_I; }
+    [[nodiscard]] QString hint() const override { return tr("Click to take the value under the pointer"); }
+    [[nodiscard]] std::vector<ToolOption> options() const override { return {ToolOption::Value}; }
+
+    void press(const ToolEvent& event, ToolContext& context) override
+    {
+        m_active = true;
+        pickValue(event, context);
+    }
+    void move(const ToolEvent& event, ToolContext& context) override
+    {
+        if (m_active)
+            pickValue(event, context);
+    }
+    void release(const ToolEvent& event, ToolContext& context) override
+    {
+        move(event, context);
+        m_active = false;
+    }
+    void cancel(ToolContext& /*context*/) override { m_active = false; }
+    void commit(ToolContext& /*context*/) override { m_active = false; }
+    [[nodiscard]] bool active() const override { return m_active; }
+
+private:
+    bool m_active = false;
+};
+
+} // namespace
+
+void pickValue(const ToolEvent& event, ToolContext& context)
+{
+    const auto map = context.document.resolved(context.target.group, context.target.map);
+    if (map == nullptr || (event.area == Area::Head && !event.point))
+        return;
+    const MapSpec& spec = mapSpec(context.target.map);
+    const sim::Texel texel = map->sampleNearest(event.uv);
+    PaintValue& value = context.settings.value(spec.kind);
+    if (spec.texel == TexelKind::Index)
+        value.index = texel[0];
+    else if (spec.texel == TexelKind::Scalar)
+        value.scalar = static_cast<float>(texel[0]) / 65535.0F;
+    else
+        value.colour = QColor::fromRgba64(texel[0], texel[1], texel[2]);
+}
+
+bool picksInstead(const ToolEvent& event, ToolContext& context)
+{
+    if (!event.modifiers.testFlag(Qt::ControlModifier))
+        return false;
+    pickValue(event, context);
+    return true;
+}
+
+std::unique_ptr<Tool> makePickerTool()
+{
+    return std::make_unique<PickerTool>();
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,164 @@
+// The dab kernel: row by row, a fill where the dab is full and one polynomial where it fades.
+#include "model/tools/stroke_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr int kTile = sim::TiledRaster::kTileSize;
+
+int clampedInt(float value, int low, int high)
+{
+    return static_cast<int>(std::clamp(value, static_cast<float>(low), static_cast<float>(high)));
+}
+
+/// The mask of `count` texels from `dx` on, maximised into `row`. `rowTerm` is c dy2, `cross` 2 b dy.
+void fadeRow(std::uint16_t* row, int count, float dx, float a, float cross, float rowTerm, float slope, float full)
+{
+    for (int i = 0; i < count; ++i) {
+        const float x = dx + static_cast<float>(i);
+        const float q = (a * x + cross) * x + rowTerm;
+        const float t = std::min(std::max((1.0F - q) * slope, 0.0F), 1.0F);
+        const auto mask = static_cast<std::uint16_t>(static_cast<int>(t * t * (3.0F - 2.0F * t) * full + 0.5F));
+        row[i] = std::max(row[i], mask);
+    }
+}
+
+void fillRow(std::uint16_t* row, int count, std::uint16_t full)
+{
+    if (full == 65535) {
+        std::fill_n(row, count, full);
+        return;
+    }
+    for (int i = 0; i < count; ++i)
+        row[i] = std::max(row[i], full);
+}
+
+} // namespace
+
+/// A dab made ready: the mask falls from `full` where q <= 1 - 1/slope smoothly to 0 where q = 1.
+struct StrokeBuffer::Kernel
+{
+    Dab dab;
+    float slope;
+    float full;
+    float halfWidth, halfHeight; ///< Of the bounding box.
+
+    explicit Kernel(const Dab& source) : dab(source)
+    {
+        const float determinant = std::max(dab.a * dab.c - dab.b * dab.b, 1e-12F);
+        halfWidth = std::sqrt(dab.c / determinant);
+        halfHeight = std::sqrt(dab.a / determinant);
+        // q rises by 2/r a texel at the rim: even the hardest dab fades over about a texel.
+        const float shortest = 1.0F / std::sqrt(std::max(dab.a, dab.c));
+        const float fade = std::max(1.0F - dab.hardness * dab.hardness, std::min(1.0F, 2.0F / shortest));
+        slope = 1.0F / std::max(fade, 1e-4F);
+        full = std::round(std::clamp(dab.strength, 0.0F, 1.0F) * 65535.0F);
+    }
+};
+
+StrokeBuffer::StrokeBuffer(int size) : m_size(size), m_tilesAcross(size / kTile)
+{
+    const auto count = static_cast<std::size_t>(m_tilesAcross) * static_cast<std::size_t>(m_tilesAcross);
+    m_tiles.resize(count);
+    m_isDirty.resize(count);
+}
+
+StrokeBuffer::MaskTile& StrokeBuffer::writableMask(int tileIndex)
+{
+    const auto index = static_cast<std::size_t>(tileIndex);
+    if (m_tiles[index] == nullptr)
+        m_tiles[index] = std::make_unique<MaskTile>();
+    if (!m_isDirty[index]) {
+        m_isDirty[index] = true;
+        m_dirty.push_back(tileIndex);
+    }
+    return *m_tiles[index];
+}
+
+std::vector<int> StrokeBuffer::takeDirty()
+{
+    for (const int index : m_dirty)
+        m_isDirty[static_cast<std::size_t>(index)] = false;
+    std::ranges::sort(m_dirty);
+    return std::exchange(m_dirty, {});
+}
+
+/// Roots of q(x) = limit in every row. Rounding is on the safe side; the texels themselves decide by the polynomial.
+void StrokeBuffer::findSpans(const Kernel& kernel, const sim::TexelRect& rect)
+{
+    const Dab& dab = kernel.dab;
+    const float fullLimit = 1.0F - 1.0F / kernel.slope;
+    m_spans.clear();
+    for (int y = rect.y0; y < rect.y1; ++y) {
+        const float dy = static_cast<float>(y) + 0.5F - dab.yTx;
+        const float middle = dab.xTx - 0.5F - dab.b * dy / dab.a;
+        // a (x - middle)2 = limit - dy2 (c - b2/a)
+        const float rest = dy * dy * (dab.c - dab.b * dab.b / dab.a);
+        const float half = std::sqrt(std::max(1.0F - rest, 0.0F) / dab.a);
+        Span span{clampedInt(std::floor(middle - half), rect.x0, rect.x1),
+                  clampedInt(std::ceil(middle + half) + 1.0F, rect.x0, rect.x1), 0, 0};
+        span.full0 = span.full1 = span.x1;
+        if (rest < fullLimit) {
+            const float fullHalf = std::sqrt((fullLimit - rest) / dab.a);
+            const int full0 = clampedInt(std::ceil(middle - fullHalf) + 1.0F, span.x0, span.x1);
+            const int full1 = clampedInt(std::floor(middle + fullHalf), span.x0, span.x1);
+            if (full0 < full1) {
+                span.full0 = full0;
+                span.full1 = full1;
+            }
+        }
+        m_spans.push_back(span);
+    }
+}
+
+void StrokeBuffer::add(const Dab& dab, const sim::TexelRect& clip)
+{
+    const Kernel kernel(dab);
+    const sim::TexelRect rect{std::max({clip.x0, 0, clampedInt(std::floor(dab.xTx - kernel.halfWidth), 0, m_size)}),
+                              std::max({clip.y0, 0, clampedInt(std::floor(dab.yTx - kernel.halfHeight), 0, m_size)}),
+                              std::min({clip.x1, clampedInt(std::ceil(dab.xTx + kernel.halfWidth), 0, m_size)}),
+                              std::min({clip.y1, clampedInt(std::ceil(dab.yTx + kernel.halfHeight), 0, m_size)})};
+    if (rect.empty() || kernel.full <= 0.0F)
+        return;
+    findSpans(kernel, rect);
+    const auto full = static_cast<std::uint16_t>(kernel.full);
+    for (int tileY = rect.y0 / kTile; tileY <= (rect.y1 - 1) / kTile; ++tileY) {
+        for (int tileX = rect.x0 / kTile; tileX <= (rect.x1 - 1) / kTile; ++tileX) {
+            const int left = tileX * kTile;
+            const int right = left + kTile;
+            const int top = std::max(rect.y0, tileY * kTile);
+            const int bottom = std::min(rect.y1, (tileY + 1) * kTile);
+            const Span* spans = m_spans.data() + (top - rect.y0);
+            const auto meets = [&](const Span& span) { return span.x0 < right && span.x1 > left && span.x0 < span.x1; };
+            if (std::none_of(spans, spans + (bottom - top), meets))
+                continue;
+            MaskTile& tile = writableMask(tileY * m_tilesAcross + tileX);
+            for (int y = top; y < bottom; ++y, ++spans) {
+                if (!meets(*spans))
+                    continue;
+                std::uint16_t* row = tile.data() + static_cast<std::size_t>(y % kTile) * kTile;
+                const float dy = static_cast<float>(y) + 0.5F - dab.yTx;
+                const auto fade = [&](int from, int to) {
+                    from = std::max(from, left);
+                    to = std::min(to, right);
+                    if (from < to)
+                        fadeRow(row + (from - left), to - from, static_cast<float>(from) + 0.5F - dab.xTx, dab.a,
+                                2.0F * dab.b * dy, dab.c * dy * dy, kernel.slope, kernel.full);
+                };
+                fade(spans->x0, spans->full0);
+                const int full0 = std::max(spans->full0, left);
+                const int full1 = std::min(spans->full1, right);
+                if (full0 < full1)
+                    fillRow(row + (full0 - left), full1 - full0, full);
+                fade(spans->full1, spans->x1);
+            }
+        }
+    }
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,64 @@
+// What a running stroke has covered: a 16-bit mask over a map, and the dabs that fill it.
+#pragma once
+
+#include "sim/tiled_raster.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// One dab: inside where `a dx2 + 2 b dx dy + c dy2 < 1`, dx and dy in texels from the centre, y down.
+struct Dab
+{
+    float xTx = 0.0F, yTx = 0.0F; ///< Texel (0, 0)'s centre is (1/2, 1/2).
+    float a = 1.0F, b = 0.0F, c = 1.0F;
+    float hardness = 1.0F; ///< 0..1: share of the radius that is fully covered.
+    float strength = 1.0F; ///< 0..1: coverage at the centre.
+};
+
+/// A dab never adds to an earlier one: each texel keeps the greatest mask of all dabs. So neither the order of the dabs
+/// nor their overlap shows, and a mirrored stroke meets itself without a seam.
+class StrokeBuffer
+{
+public:
+    static constexpr std::size_t kTileTexels =
+        static_cast<std::size_t>(sim::TiledRaster::kTileSize) * sim::TiledRaster::kTileSize;
+    using MaskTile = std::array<std::uint16_t, kTileTexels>;
+
+    explicit StrokeBuffer(int size);
+
+    /// Paints inside `clip` only. Allocates the tiles it meets first.
+    void add(const Dab& dab, const sim::TexelRect& clip);
+
+    /// Null where no dab has been.
+    [[nodiscard]] const MaskTile* mask(int tileIndex) const
+    {
+        return m_tiles[static_cast<std::size_t>(tileIndex)].get();
+    }
+    /// For tools that write masks themselves; zeroed when it is new.
+    [[nodiscard]] MaskTile& writableMask(int tileIndex);
+    /// Tiles touched since the last call, each once, in ascending order.
+    [[nodiscard]] std::vector<int> takeDirty();
+
+private:
+    /// Texels of one row: [x0, x1) may be covered, [full0, full1) certainly is.
+    struct Span
+    {
+        int x0, x1, full0, full1;
+    };
+    struct Kernel;
+    void findSpans(const Kernel& kernel, const sim::TexelRect& rect);
+
+    int m_size;
+    int m_tilesAcross;
+    std::vector<std::unique_ptr<MaskTile>> m_tiles;
+    std::vector<bool> m_isDirty;
+    std::vector<int> m_dirty;
+    std::vector<Span> m_spans; ///< Kept from dab to dab, so that a dab does not allocate.
+};
+
+} // namespace hairpaint::model

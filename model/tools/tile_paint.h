@@ -1,0 +1,28 @@
+// How a mask lays a value onto a layer's tile, or takes coverage away.
+#pragma once
+
+#include "model/map_spec.h"
+#include "model/tools/stroke_buffer.h"
+#include "sim/tiled_raster.h"
+
+namespace hairpaint::model {
+
+/// What is laid on the texels of a tile. Where `values` is set it holds [64][64][valueChannels], else `value` is laid
+/// everywhere.
+struct TilePaint
+{
+    sim::Texel value{};
+    const std::uint16_t* values = nullptr;
+    std::uint16_t opacity = 65535;
+    bool erase = false;
+};
+
+/// `before` with `paint` through `mask`, where `share = mask * opacity`:
+/// laid: coverage' = coverage + (1 - coverage) share, value' = value moved by share / coverage' toward the paint;
+/// erased: coverage' = coverage (1 - share), and the default value where nothing is left.
+/// An index is laid, or taken away, whole where the mask alone is 1/2 or more.
+/// Returns `before` itself where no texel changes; a tile of equal texels comes back uniform.
+[[nodiscard]] sim::RasterTilePtr paintTile(const MapSpec& spec, const sim::RasterTilePtr& before,
+                                           const StrokeBuffer::MaskTile& mask, const TilePaint& paint);
+
+} // namespace hairpaint::model

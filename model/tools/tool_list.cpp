@@ -1,0 +1,15 @@
+// The tools, in tool-bar order.
+#include "model/tools/tool_list.h"
+
+namespace hairpaint::model {
+
+std::vector<std::unique_ptr<Tool>> makeTools()
+{
+    std::vector<std::unique_ptr<Tool>> tools;
+    tools.push_back(makeBrushTool());
+    tools.push_back(makeEraserTool());
+    tools.push_back(makePickerTool());
+    return tools;
+}
+
+} // namespace hairpaint::model
