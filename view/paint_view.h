@@ -9,12 +9,17 @@
 
 #include <memory>
 
+namespace hairpaint::model {
+struct Change;
+}
+
 namespace hairpaint::view {
 
 class EditorState;
+struct PointerSample;
 
 /// Painted with QPainter alone, so that it works without OpenGL. Home, F and Shift+M are the window's actions, which
-/// call the slots; Space, O and Esc are read here while the pointer is used.
+/// call the slots; Space, O, Esc and Enter are read here.
 class PaintView : public QWidget
 {
     Q_OBJECT
@@ -30,6 +35,9 @@ public:
     /// 1 shows the whole map just fitting.
     [[nodiscard]] double zoom() const;
     [[nodiscard]] bool mirrored() const;
+    [[nodiscard]] double rotationDeg() const;
+
+    [[nodiscard]] QSize sizeHint() const override;
 
 public Q_SLOTS:
     void zoomIn();
@@ -47,8 +55,39 @@ Q_SIGNALS:
     void contextMenuWanted(const QPoint& globalPosition);
     void viewChanged();
 
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void timerEvent(QTimerEvent* event) override;
+
 private:
     struct State;
+
+    void pointerPressed(const PointerSample& sample);
+    void pointerMoved(const PointerSample& sample);
+    void pointerReleased(const PointerSample& sample);
+    void hoverAt(const PointerSample& sample);
+    void showValueAt(glm::vec2 uv);
+    void updateCursor();
+
+    void onDocumentChanged(const model::Change& change);
+    void refreshMap(); ///< Takes the active map's resolved raster and repaints what differs.
+    void refreshHead();
+    void refreshHover();
+    void refreshOverlay();
+    void lookChanged();
+    void paintOverlay(QPainter& painter) const;
+    void paintRings(QPainter& painter) const;
+
     std::unique_ptr<State> m_state;
 };
 

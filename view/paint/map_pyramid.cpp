@@ -1,0 +1,265 @@
+// Tiles of a map's picture.
+#include "view/paint/map_pyramid.h"
+
+#include "model/files/image_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::view {
+
+namespace {
+
+/// More changed tiles than this are made anew when they are wanted.
+constexpr int kMendedAtOnce = 96;
+/// Finest pictures kept though out of sight: 48 MB.
+constexpr int kKeptTiles = 192;
+/// Of a larger map the finest pictures go as soon as they are halved.
+constexpr int kLargestKeptSide = 4096;
+
+QRgb averaged(QRgb a, QRgb b, QRgb c, QRgb d)
+{
+    return qRgba(
+        (qRed(a) + qRed(b) + qRed(c) + qRed(d) + 2) / 4, (qGreen(a) + qGreen(b) + qGreen(c) + qGreen(d) + 2) / 4,
+        (qBlue(a) + qBlue(b) + qBlue(c) + qBlue(d) + 2) / 4, (qAlpha(a) + qAlpha(b) + qAlpha(c) + qAlpha(d) + 2) / 4);
+}
+
+/// Halves `rect` (of the target, in pixels) from `source` at twice the offset less `sourceOrigin`.
+void halve(const QImage& source, QPoint sourceOrigin, QImage& target, const QRect& rect)
+{
+    for (int y = rect.top(); y <= rect.bottom(); ++y) {
+        const auto* upper = reinterpret_cast<const QRgb*>(source.constScanLine(2 * y - sourceOrigin.y()));
+        const auto* lower = reinterpret_cast<const QRgb*>(source.constScanLine(2 * y + 1 - sourceOrigin.y()));
+        auto* line = reinterpret_cast<QRgb*>(target.scanLine(y));
+        for (int x = rect.left(); x <= rect.right(); ++x) {
+            const int at = 2 * x - sourceOrigin.x();
+            line[x] = averaged(upper[at], upper[at + 1], lower[at], lower[at + 1]);
+        }
+    }
+}
+
+QRectF paperRect(const sim::TexelRect& rect, int size)
+{
+    const double scale = 1.0 / size;
+    return {rect.x0 * scale, rect.y0 * scale, (rect.x1 - rect.x0) * scale, (rect.y1 - rect.y0) * scale};
+}
+
+bool single(const QImage& image)
+{
+    return image.width() == 1;
+}
+
+} // namespace
+
+QList<QRectF> MapPyramid::setSource(std::shared_ptr<const sim::TiledRaster> raster, const model::MapSpec& spec,
+                                    bool nightPaper)
+{
+    const std::shared_ptr<const sim::TiledRaster> before = std::exchange(m_raster, std::move(raster));
+    const bool alike =
+        before && m_raster && before->size() == m_raster->size() && m_spec == &spec && m_nightPaper == nightPaper;
+    m_spec = &spec;
+    m_nightPaper = nightPaper;
+    if (!alike) {
+        rebuildLevels();
+        return {QRectF(0.0, 0.0, 1.0, 1.0)};
+    }
+    std::vector<int> changed;
+    QList<QRectF> changedPaper;
+    for (int i = 0; i < m_raster->tileCount(); ++i) {
+        if (m_raster->tile(i) != before->tile(i)) {
+            changed.push_back(i);
+            changedPaper.push_back(paperRect(m_raster->tileRect(i), m_raster->size()));
+        }
+    }
+    if (static_cast<int>(changed.size()) > kMendedAtOnce) {
+        rebuildLevels();
+        return {QRectF(0.0, 0.0, 1.0, 1.0)};
+    }
+    std::ranges::for_each(changed, [this](int i) { mend(i); });
+    return changedPaper;
+}
+
+void MapPyramid::rebuildLevels()
+{
+    m_levels.clear();
+    if (!m_raster)
+        return;
+    int side = m_raster->size();
+    while (true) {
+        const int tileSide = std::min(side, kTileSide);
+        const int across = side / tileSide;
+        m_levels.push_back({side, across, tileSide, std::vector<QImage>(static_cast<std::size_t>(across) * across)});
+        if (side <= kTileSide)
+            break;
+        side /= 2;
+    }
+}
+
+void MapPyramid::mend(int rasterTile)
+{
+    sim::TexelRect rect = m_raster->tileRect(rasterTile);
+    const Level* below = nullptr;
+    QPoint belowTile;
+    for (Level& level : m_levels) {
+        const QPoint tile(rect.x0 / level.tileSide, rect.y0 / level.tileSide);
+        QImage& image = level.tiles[static_cast<std::size_t>(tile.y() * level.across + tile.x())];
+        if (image.isNull() || single(image)) {
+            // What lies above it can't be mended from it: made anew when wanted.
+            image = QImage();
+        } else {
+            const QRect inTile(rect.x0 - tile.x() * level.tileSide, rect.y0 - tile.y() * level.tileSide,
+                               std::max(1, rect.x1 - rect.x0), std::max(1, rect.y1 - rect.y0));
+            if (below == nullptr) {
+                auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(inTile.top())) + inTile.left();
+                model::paintMapTexels(*m_raster, *m_spec, m_nightPaper, rect, pixels,
+                                      static_cast<int>(image.bytesPerLine() / 4));
+            } else {
+                const QImage& source =
+                    below->tiles[static_cast<std::size_t>(belowTile.y() * below->across + belowTile.x())];
+                if (source.isNull() || single(source)) {
+                    image = QImage();
+                } else {
+                    const QPoint origin = belowTile * below->tileSide - 2 * tile * level.tileSide;
+                    halve(source, origin, image, inTile);
+                }
+            }
+        }
+        below = &level;
+        belowTile = tile;
+        rect = {rect.x0 / 2, rect.y0 / 2, (rect.x1 + 1) / 2, (rect.y1 + 1) / 2};
+    }
+}
+
+bool MapPyramid::uniform(const sim::TexelRect& rect, sim::Texel& value) const
+{
+    bool first = true;
+    for (int y = rect.y0; y < rect.y1; y += sim::TiledRaster::kTileSize) {
+        for (int x = rect.x0; x < rect.x1; x += sim::TiledRaster::kTileSize) {
+            const sim::RasterTilePtr& tile = m_raster->tile(m_raster->tileIndexAt(x, y));
+            if (!tile->isUniform() || (!first && tile->uniform != value))
+                return false;
+            value = tile->uniform;
+            first = false;
+        }
+    }
+    return true;
+}
+
+QImage MapPyramid::paintedTile(int column, int row) const
+{
+    const int side = m_levels.front().tileSide;
+    sim::TexelRect rect{column * side, row * side, (column + 1) * side, (row + 1) * side};
+    sim::Texel value{};
+    if (uniform(rect, value))
+        rect = {rect.x0, rect.y0, rect.x0 + 1, rect.y0 + 1};
+    QImage image(rect.x1 - rect.x0, rect.y1 - rect.y0, QImage::Format_RGB32);
+    model::paintMapTexels(*m_raster, *m_spec, m_nightPaper, rect, reinterpret_cast<QRgb*>(image.bits()),
+                          static_cast<int>(image.bytesPerLine() / 4));
+    return image;
+}
+
+QImage MapPyramid::halvedTile(std::size_t level, int column, int row)
+{
+    bool allSingle = true;
+    std::array<QImage, 4> children;
+    for (int i = 0; i < 4; ++i) {
+        QImage& child = children[static_cast<std::size_t>(i)];
+        child = tile(level - 1, 2 * column + i % 2, 2 * row + i / 2);
+        allSingle = allSingle && single(child) && child.pixel(0, 0) == children[0].pixel(0, 0);
+    }
+    if (allSingle)
+        return children[0];
+    if (level == 1 && m_levels.front().side > kLargestKeptSide) {
+        for (int i = 0; i < 4; ++i)
+            m_levels.front()
+                .tiles[static_cast<std::size_t>((2 * row + i / 2) * m_levels.front().across + 2 * column + i % 2)] =
+                QImage();
+    }
+    QImage image(kTileSide, kTileSide, QImage::Format_RGB32);
+    constexpr int kHalf = kTileSide / 2;
+    for (int i = 0; i < 4; ++i) {
+        const QRect part(i % 2 * kHalf, i / 2 * kHalf, kHalf, kHalf);
+        const QImage& child = children[static_cast<std::size_t>(i)];
+        if (!single(child)) {
+            halve(child, part.topLeft() * 2, image, part);
+            continue;
+        }
+        for (int y = part.top(); y <= part.bottom(); ++y) {
+            auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+            std::fill(line + part.left(), line + part.right() + 1, child.pixel(0, 0));
+        }
+    }
+    return image;
+}
+
+const QImage& MapPyramid::tile(std::size_t level, int column, int row)
+{
+    const auto index = static_cast<std::size_t>(row * m_levels[level].across + column);
+    if (m_levels[level].tiles[index].isNull())
+        m_levels[level].tiles[index] = level == 0 ? paintedTile(column, row) : halvedTile(level, column, row);
+    return m_levels[level].tiles[index];
+}
+
+void MapPyramid::draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper,
+                      double devicePixelRatio)
+{
+    if (!m_raster)
+        return;
+    const double pxPerPaper = std::sqrt(std::abs(paperToWidget.determinant())) * devicePixelRatio;
+    std::size_t chosen = 0;
+    while (chosen + 1 < m_levels.size() && pxPerPaper < 0.7 * m_levels[chosen].side)
+        ++chosen;
+    const int across = m_levels[chosen].across;
+    const bool square = paperToWidget.m12() == 0.0 && paperToWidget.m21() == 0.0;
+    // Edges on whole device pixels leave no hairlines between tiles.
+    const QTransform toDevice = paperToWidget * QTransform::fromScale(devicePixelRatio, devicePixelRatio);
+    const QTransform fromDevice = toDevice.inverted();
+    const auto snapped = [&](QPointF paper) {
+        return square ? fromDevice.map(QPointF(toDevice.map(paper).toPoint())) : paper;
+    };
+    painter.save();
+    painter.setTransform(paperToWidget, true);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, pxPerPaper < 2.0 * m_levels[chosen].side);
+    const auto cell = [across](double x) {
+        return std::clamp(static_cast<int>(std::floor(x * across)), 0, across - 1);
+    };
+    for (int row = cell(visiblePaper.top()); row <= cell(visiblePaper.bottom()); ++row) {
+        for (int column = cell(visiblePaper.left()); column <= cell(visiblePaper.right()); ++column) {
+            const QPointF topLeft = snapped(QPointF(column, row) / across);
+            const QPointF bottomRight = snapped(QPointF(column + 1, row + 1) / across);
+            const QImage& image = tile(chosen, column, row);
+            if (single(image))
+                painter.fillRect(QRectF(topLeft, bottomRight), QColor(image.pixel(0, 0)));
+            else
+                painter.drawImage(QRectF(topLeft, bottomRight), image);
+        }
+    }
+    painter.restore();
+    trim(visiblePaper);
+}
+
+void MapPyramid::trim(const QRectF& visiblePaper)
+{
+    Level& finest = m_levels.front();
+    const auto kept = std::ranges::count_if(finest.tiles, [](const QImage& image) { return image.width() > 1; });
+    if (kept <= kKeptTiles)
+        return;
+    for (int i = 0; i < static_cast<int>(finest.tiles.size()); ++i) {
+        const QPointF topLeft = QPointF(i % finest.across, i / finest.across) / finest.across;
+        if (!visiblePaper.intersects(QRectF(topLeft, QSizeF(1.0, 1.0) / finest.across)))
+            finest.tiles[static_cast<std::size_t>(i)] = QImage();
+    }
+}
+
+std::size_t MapPyramid::byteCount() const
+{
+    std::size_t bytes = 0;
+    for (const Level& level : m_levels) {
+        for (const QImage& image : level.tiles)
+            bytes += static_cast<std::size_t>(image.sizeInBytes());
+    }
+    return bytes;
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,57 @@
+// A map's picture in tiles at every halving, made when wanted and mended where the map changes.
+#pragma once
+
+#include "model/map_spec.h"
+#include "sim/tiled_raster.h"
+
+#include <QImage>
+#include <QList>
+#include <QPainter>
+#include <QRectF>
+
+#include <memory>
+#include <vector>
+
+namespace hairpaint::view {
+
+/// Paper coordinates: the unit square, y down. Uniform tiles are one pixel. GUI thread.
+class MapPyramid
+{
+public:
+    static constexpr int kTileSide = 256;
+
+    /// Shows another state of a map. Returns the parts of the paper that look different.
+    QList<QRectF> setSource(std::shared_ptr<const sim::TiledRaster> raster, const model::MapSpec& spec,
+                            bool nightPaper);
+    [[nodiscard]] const std::shared_ptr<const sim::TiledRaster>& raster() const { return m_raster; }
+
+    /// Draws what `visiblePaper` covers. Smooth where texels are smaller than pixels, crisp where they are larger.
+    void draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper, double devicePixelRatio);
+    /// Pictures held, in bytes.
+    [[nodiscard]] std::size_t byteCount() const;
+
+private:
+    struct Level
+    {
+        int side = 0;   ///< Texels.
+        int across = 0; ///< Tiles.
+        int tileSide = kTileSide;
+        std::vector<QImage> tiles; ///< Null: to be made.
+    };
+
+    void rebuildLevels();
+    /// Repaints one raster tile in every picture that shows it.
+    void mend(int rasterTile);
+    const QImage& tile(std::size_t level, int column, int row);
+    [[nodiscard]] QImage paintedTile(int column, int row) const;
+    [[nodiscard]] QImage halvedTile(std::size_t level, int column, int row);
+    [[nodiscard]] bool uniform(const sim::TexelRect& rect, sim::Texel& value) const;
+    void trim(const QRectF& visiblePaper);
+
+    std::shared_ptr<const sim::TiledRaster> m_raster;
+    const model::MapSpec* m_spec = nullptr;
+    bool m_nightPaper = true;
+    std::vector<Level> m_levels;
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,130 @@
+// The layers of the paint area.
+#include "view/paint/paint_canvas.h"
+
+#include "view/paint/uv_shading.h"
+
+#include <cmath>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr int kShadingSide = 512;
+/// Landmarks are named where the map is at least that large, and until the user has zoomed in on a detail.
+constexpr double kLeastLabelledPx = 320.0;
+constexpr double kMostLabelledPx = 6000.0;
+
+QRectF visiblePaper(const UvTransform& transform, const QRectF& widgetRect)
+{
+    return transform.paperToWidget().inverted().mapRect(widgetRect);
+}
+
+} // namespace
+
+void PaintCanvas::setHead(std::shared_ptr<const model::Head> head)
+{
+    if (head == m_head)
+        return;
+    m_head = std::move(head);
+    m_shading = QImage();
+    m_veil = QImage();
+    m_wireframe.reset();
+    m_landmarks.clear();
+    m_upperValid = false;
+    if (!m_head || !m_head->skin)
+        return;
+    const sim::HeadMesh& coarse = m_head->skin->mesh();
+    const bool hasShown = m_head->shownMesh && m_head->shownMesh->uvs.size() == m_head->shownMesh->positionsHd.size();
+    m_shading = bakeUvShading(hasShown ? *m_head->shownMesh : coarse, kShadingSide);
+    m_wireframe.emplace(coarse);
+    m_landmarks = landmarksOf(*m_head);
+}
+
+QList<QRectF> PaintCanvas::setMap(std::shared_ptr<const sim::TiledRaster> raster, const model::MapSpec& spec,
+                                  bool nightPaper)
+{
+    return m_pyramid.setSource(std::move(raster), spec, nightPaper);
+}
+
+void PaintCanvas::invalidate()
+{
+    m_upperValid = false;
+}
+
+void PaintCanvas::paint(QPainter& painter, const QRect& dirty, const Look& look)
+{
+    painter.fillRect(dirty, look.theme.window);
+    const QTransform toWidget = look.transform.paperToWidget();
+    m_pyramid.draw(painter, toWidget, visiblePaper(look.transform, dirty), look.devicePixelRatio);
+    drawUpper(look);
+    const double ratio = look.devicePixelRatio;
+    painter.drawImage(QRectF(dirty), m_upper,
+                      QRectF(dirty.x() * ratio, dirty.y() * ratio, dirty.width() * ratio, dirty.height() * ratio));
+}
+
+void PaintCanvas::drawUpper(const Look& look)
+{
+    const QSize size = (look.transform.widget * look.devicePixelRatio).toSize();
+    if (m_upperValid && m_upper.size() == size)
+        return;
+    if (m_upper.size() != size)
+        m_upper = QImage(size, QImage::Format_ARGB32_Premultiplied);
+    m_upper.setDevicePixelRatio(look.devicePixelRatio);
+    m_upper.fill(Qt::transparent);
+    m_upperValid = true;
+
+    const QColor outside = look.theme.window;
+    if (!m_shading.isNull() && (m_veil.isNull() || m_veilIsNight != look.nightPaper || m_veilOutside != outside)) {
+        m_veil = shadingVeil(m_shading, look.nightPaper, outside);
+        m_veilIsNight = look.nightPaper;
+        m_veilOutside = outside;
+    }
+    QPainter painter(&m_upper);
+    const QTransform toWidget = look.transform.paperToWidget();
+    if (!m_veil.isNull()) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.setTransform(toWidget);
+        painter.drawImage(QRectF(0.0, 0.0, 1.0, 1.0), m_veil);
+        painter.resetTransform();
+    }
+    const QColor ink = look.nightPaper ? QColor(255, 255, 255) : QColor(20, 24, 30);
+    const auto faded = [&ink](int alpha) { return QColor(ink.red(), ink.green(), ink.blue(), alpha); };
+    if (look.wireframe && m_wireframe) {
+        // Fainter from afar, where many edges would make a fog.
+        const double nearness = std::clamp(std::log2(look.transform.pxPerPaper / 400.0) / 4.0, 0.0, 1.0);
+        m_wireframe->draw(painter, toWidget, visiblePaper(look.transform, QRectF(QPointF(), look.transform.widget)),
+                          faded(static_cast<int>(26.0 + 34.0 * nearness)), faded(110));
+    }
+    painter.setPen(QPen(look.theme.line, 1.0));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawPolygon(toWidget.map(QPolygonF(QRectF(0.0, 0.0, 1.0, 1.0))));
+    drawLandmarks(painter, look);
+}
+
+void PaintCanvas::drawLandmarks(QPainter& painter, const Look& look) const
+{
+    if (look.transform.pxPerPaper < kLeastLabelledPx || look.transform.pxPerPaper > kMostLabelledPx)
+        return;
+    QFont font = look.font;
+    font.setPixelSize(11);
+    painter.setFont(font);
+    const QFontMetricsF metrics(font);
+    const QColor text = look.nightPaper ? QColor(255, 255, 255, 150) : QColor(20, 24, 30, 160);
+    const QColor halo = look.nightPaper ? QColor(0, 0, 0, 120) : QColor(255, 255, 255, 140);
+    for (const Landmark& landmark : m_landmarks) {
+        const QPointF at = look.transform.toWidget(landmark.uv);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(halo);
+        painter.drawEllipse(at, 3.0, 3.0);
+        painter.setBrush(text);
+        painter.drawEllipse(at, 1.75, 1.75);
+        painter.setBrush(Qt::NoBrush);
+        const QPointF base = at + QPointF(-metrics.horizontalAdvance(landmark.name) / 2.0, metrics.ascent() + 4.0);
+        painter.setPen(halo);
+        painter.drawText(base + QPointF(0.0, 1.0), landmark.name);
+        painter.setPen(text);
+        painter.drawText(base, landmark.name);
+    }
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,59 @@
+// What the paint area shows under rings and overlays: paper, painted map, the head's shading, wireframe, landmarks.
+#pragma once
+
+#include "model/project.h"
+#include "view/paint/landmarks.h"
+#include "view/paint/map_pyramid.h"
+#include "view/paint/uv_transform.h"
+#include "view/paint/uv_wireframe.h"
+#include "view/theme.h"
+
+#include <QFont>
+#include <QImage>
+
+#include <memory>
+#include <optional>
+
+namespace hairpaint::view {
+
+/// Everything over the painted map is drawn once per look into one picture of the widget's size, so a dab costs its
+/// own tiles and a copy. GUI thread.
+class PaintCanvas
+{
+public:
+    /// How it is looked at; another look draws the upper picture anew.
+    struct Look
+    {
+        UvTransform transform;
+        double devicePixelRatio = 1.0;
+        bool nightPaper = true;
+        bool wireframe = true;
+        Theme theme;
+        QFont font;
+    };
+
+    void setHead(std::shared_ptr<const model::Head> head);
+    /// Returns the parts of the paper that changed.
+    QList<QRectF> setMap(std::shared_ptr<const sim::TiledRaster> raster, const model::MapSpec& spec, bool nightPaper);
+    [[nodiscard]] const MapPyramid& pyramid() const { return m_pyramid; }
+    void invalidate(); ///< The look changed.
+
+    void paint(QPainter& painter, const QRect& dirty, const Look& look);
+
+private:
+    void drawUpper(const Look& look);
+    void drawLandmarks(QPainter& painter, const Look& look) const;
+
+    std::shared_ptr<const model::Head> m_head;
+    MapPyramid m_pyramid;
+    QImage m_shading;
+    QImage m_veil;
+    std::optional<UvWireframe> m_wireframe;
+    std::vector<Landmark> m_landmarks;
+    QImage m_upper;
+    bool m_upperValid = false;
+    bool m_veilIsNight = true;
+    QColor m_veilOutside;
+};
+
+} // namespace hairpaint::view

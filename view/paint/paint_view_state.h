@@ -1,0 +1,51 @@
+// What the paint area remembers between events.
+#pragma once
+
+#include "view/editor_state.h"
+#include "view/held_keys.h"
+#include "view/paint/paint_canvas.h"
+#include "view/paint_view.h"
+#include "view/pointer.h"
+
+#include <QBasicTimer>
+
+namespace hairpaint::view {
+
+struct PaintView::State
+{
+    enum class Drag
+    {
+        None,
+        Stroke,
+        Pan,
+        Rotate,
+        Brush,
+        Opacity
+    };
+
+    State(EditorState& editorState, const Theme& startTheme, QObject* parent)
+        : editor(editorState), theme(startTheme), keys({Qt::Key_Space, Qt::Key_O}, parent)
+    {}
+
+    EditorState& editor;
+    Theme theme;
+    HeldKeys keys;
+    PaintCanvas canvas;
+    UvTransform transform;
+    bool fitted = true; ///< Nobody has moved the view: resizing fits it again.
+
+    Drag drag = Drag::None;
+    PointerSample pressed;
+    QPointF last;
+    model::ToolSettings settingsBefore; ///< Of a brush or opacity drag.
+    bool eraserTurned = false;          ///< The pen's other end chose the eraser for this stroke.
+
+    std::vector<QPolygonF> rings; ///< On the widget: the pointer's and its mirrored twin.
+    QRect ringsBounds;
+    std::vector<model::OverlayShape> overlay;
+    QRect overlayBounds;
+    QBasicTimer march;
+    int marchStep = 0;
+};
+
+} // namespace hairpaint::view

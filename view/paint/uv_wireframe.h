@@ -1,0 +1,53 @@
+// The edges of the uv layout, the paper's second layer, thinned where they would run together.
+#pragma once
+
+#include "sim/head_mesh.h"
+
+#include <QColor>
+#include <QPainter>
+#include <QRectF>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace hairpaint::view {
+
+/// Immutable after making, but for coarser meshes made when first wanted. GUI thread. The thinned mesh at spacing d:
+/// vertices at least d apart each own the vertices nearest to them along the edges; owners that meet are joined.
+class UvWireframe
+{
+public:
+    explicit UvWireframe(const sim::HeadMesh& mesh);
+
+    /// Island borders always, edges with about `kSpacingPx` between them. `visiblePaper` bounds the work.
+    void draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper, const QColor& edge,
+              const QColor& border);
+    /// Edges shown at that size of the map, for tests.
+    [[nodiscard]] std::size_t edgeCount(double pxPerPaper);
+
+private:
+    static constexpr double kSpacingPx = 15.0;
+    static constexpr int kLevels = 9; ///< Level k has a spacing of 2^-(k + 2).
+    struct Edge
+    {
+        unsigned a = 0, b = 0;
+    };
+
+    [[nodiscard]] const std::vector<Edge>& edgesAt(double pxPerPaper);
+    [[nodiscard]] std::vector<unsigned> owners(double spacing) const;
+    [[nodiscard]] std::vector<Edge> thinned(double spacing) const;
+    void drawEdges(QPainter& painter, const std::vector<Edge>& edges, const QTransform& paperToWidget,
+                   const QRectF& visiblePaper) const;
+
+    std::vector<QPointF> m_paper; ///< [vertices]
+    std::vector<Edge> m_edges;
+    std::vector<Edge> m_borders;
+    std::vector<bool> m_onBorder;           ///< [vertices]
+    std::vector<unsigned> m_neighbourStart; ///< [vertices + 1]
+    std::vector<unsigned> m_neighbours;
+    double m_meanLength = 0.0; ///< Of the edges, in paper units.
+    std::array<std::optional<std::vector<Edge>>, kLevels> m_thinned;
+};
+
+} // namespace hairpaint::view
