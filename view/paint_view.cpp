@@ -136,7 +136,7 @@ void PaintView::refreshMap()
     const EditorState& editor = m_state->editor;
     const model::MapSpec& spec = model::mapSpec(editor.activeMap());
     const bool exists = editor.document().project().group(editor.activeGroup()) != nullptr;
-    const QRectF changed =
+    const QList<QRectF> changed =
         m_state->canvas.setMap(exists ? editor.document().resolved(editor.activeGroup(), editor.activeMap()) : nullptr,
                                spec, editor.nightPaper());
     const QTransform toWidget = m_state->transform.paperToWidget();
