@@ -70,8 +70,10 @@ public:
 
 private:
     double m_wantedMs;
-    Quality m_quality;
-    bool m_wantsRefinement = false;
+    Quality m_quality{.detail = 0.25F, .samples = 1};
+    Quality m_moving = m_quality;
+    bool m_wasStill = false;
+    bool m_wantsRefinement = true;
 };
 
 } // namespace hairpaint::rendering

@@ -1,0 +1,87 @@
+// What every shader of the renderer shares: the frame's constants, the layout of strands and the packing of samples.
+// Spaces: Wo world, m; Sp samples of the picture, x right, y up, samplesPerPixel in each direction.
+
+layout(std140, binding = 0) uniform Frame
+{
+    mat4 projectionFromWo;  // Jittered by a part of a pixel where pictures are accumulated.
+    mat4 woFromProjection;
+    mat4 woFromHd;
+    mat4 gridFromWo;        // Wo -> 0..1 in the opacity grid; z runs away from the light.
+    vec4 eyeWo;
+    vec4 lightWo;           // Toward the light, unit; w: ambient share.
+    vec4 lightColour;       // Linear.
+    vec4 headWo;            // Centre; w: radius, m.
+    vec4 depthRange;        // Distance along the view of key 0, keys a metre; then c0, c1 of linearDepth.
+    vec4 target;            // Samples across and up, samples a pixel across and up.
+    vec4 gridSize;          // Extent in m of the grid's x and y, area of a voxel seen from the light in m2, samples a metre at
+                            // distance 1.
+    vec4 background[2];     // Linear; bottom and top of the picture.
+    vec4 ringWo[2];         // Centre; w: radius, 0 where there is no ring.
+};
+
+const float kPi = 3.14159265;
+
+// A sample is one 32-bit number, so that the nearest one wins by atomicMin: 13 bits of depth, then 19 of colour.
+const uint kDepthShift = 19u;
+const uint kColourMask = 0x7FFFFu;
+const uint kHeadColour = 0x7FFFFu; // Not a colour of hair: the head's own layer shows.
+const uint kEmptySample = 0xFFFFFFFFu;
+const float kDepthKeys = 8191.0;
+
+uint depthKey(float distanceM)
+{
+    return uint(clamp((distanceM - depthRange.x) * depthRange.y, 0.0, kDepthKeys - 1.0));
+}
+
+// Distance along the view from a depth buffer's value.
+float linearDepth(float depth)
+{
+    return depthRange.z / (depthRange.w - (2.0 * depth - 1.0));
+}
+
+// Linear colour <-> 19 bits: luma 8, orange 6, green 5, of its square root.
+uint packColour(vec3 colour, float dither)
+{
+    vec3 c = sqrt(clamp(colour, 0.0, 1.0));
+    float luma = 0.25 * c.r + 0.5 * c.g + 0.25 * c.b;
+    float orange = 0.5 * (c.r - c.b);
+    float green = c.g - luma;
+    uvec3 q = uvec3(clamp(luma * 254.0 + dither, 0.0, 254.0), clamp((orange + 0.5) * 62.0 + dither, 0.0, 62.0),
+                    clamp((green + 0.5) * 30.0 + dither, 0.0, 30.0));
+    return (q.y << 13) | (q.z << 8) | q.x;
+}
+
+vec3 unpackColour(uint packedColour)
+{
+    float luma = float(packedColour & 0xFFu) * (1.0 / 254.0);
+    float orange = float((packedColour >> 13) & 0x3Fu) * (1.0 / 62.0) - 0.5;
+    float green = float((packedColour >> 8) & 0x1Fu) * (1.0 / 30.0) - 0.5;
+    vec3 c = vec3(luma - green + orange, luma + green, luma - green - orange);
+    c = max(c, 0.0);
+    return c * c;
+}
+
+vec3 linearFromSrgb(vec3 c)
+{
+    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
+}
+
+vec3 srgbFromLinear(vec3 c)
+{
+    c = clamp(c, 0.0, 1.0);
+    return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, c * 12.92, lessThan(c, vec3(0.0031308)));
+}
+
+uint hashOf(uint x)
+{
+    x ^= x >> 16;
+    x *= 0x7FEB352Du;
+    x ^= x >> 15;
+    x *= 0x846CA68Bu;
+    return x ^ (x >> 16);
+}
+
+float unitHash(uint x)
+{
+    return float(hashOf(x) >> 8) * (1.0 / 16777216.0);
+}

@@ -1,0 +1,44 @@
+// Adds the hair's area to the voxels of the opacity grid. Each place is moved by up to half a voxel at random (the same
+// for the same strand), which over many strands is a smooth splat for the price of one. One invocation a strand.
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) readonly buffer Strands { uvec2 strands[]; };
+layout(std430, binding = 2) readonly buffer Skeletons { float skeletons[]; };
+layout(std430, binding = 3) buffer Voxels { uint voxels[]; };
+
+uniform uint strandCount;
+uniform uint strandStep; // Every how many-th strand is splatted.
+uniform int nodes;
+uniform int gridSide;
+uniform float weight; // Voxel units for a metre of hair.
+
+vec3 node(uint slot, int k)
+{
+    uint at = ((slot >> 4) * uint(nodes) + uint(k)) * 48u + (slot & 15u);
+    return vec3(skeletons[at], skeletons[at + 16u], skeletons[at + 32u]);
+}
+
+void main()
+{
+    uint strand = gl_GlobalInvocationID.x * strandStep;
+    if (strand >= strandCount)
+        return;
+    uint slot = strands[strand].x;
+    vec3 a = node(slot, 0);
+    for (int k = 1; k < nodes; ++k) {
+        vec3 b = node(slot, k);
+        float lengthM = distance(a, b);
+        vec3 from = (gridFromWo * vec4(a, 1.0)).xyz * float(gridSide);
+        vec3 to = (gridFromWo * vec4(b, 1.0)).xyz * float(gridSide);
+        int steps = clamp(int(distance(from, to)) + 1, 1, 8);
+        uint add = uint(lengthM * weight / float(steps) + 0.5);
+        for (int n = 0; n < steps; ++n) {
+            uint random = hashOf(slot * 64u + uint(k * 8 + n));
+            vec3 jitter = vec3(random & 0x3FFu, (random >> 10) & 0x3FFu, (random >> 20) & 0x3FFu) * (1.0 / 1024.0) - 0.5;
+            ivec3 at = ivec3(floor(mix(from, to, (float(n) + 0.5) / float(steps)) + jitter));
+            if (all(greaterThanEqual(at, ivec3(0))) && all(lessThan(at, ivec3(gridSide))))
+                atomicAdd(voxels[(at.z * gridSide + at.y) * gridSide + at.x], add);
+        }
+        a = b;
+    }
+}

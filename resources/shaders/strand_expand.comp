@@ -1,0 +1,116 @@
+// Walks each strand's skeleton by Catmull-Rom in its rotation-minimising frame (double reflection, Wang et al. 2008) and
+// adds curl (Hernandez and Rudomin 2004, equation 1) and braid (equation 3). sim/strand_curve.h says the same for the CPU.
+// In: skeletons, Wo, m. Out: points, Wo, m; w holds the strand's number as bits. One invocation a strand.
+layout(local_size_x = 64) in;
+
+struct Style
+{
+    float lengthM, turns, curlRadiusM, phase;
+    uint rootColour, tipColour;
+    float widthM, detail;
+    uint braid;
+    float braidRadiusM, braidStart, braidTurns;
+    float placeX, placeY, variation;
+    uint tangentHd;
+};
+layout(std430, binding = 0) readonly buffer Strands { uvec2 strands[]; }; // Slot, first point; one more at the end.
+layout(std430, binding = 1) readonly buffer Styles { Style styles[]; };
+layout(std430, binding = 2) readonly buffer Skeletons { float skeletons[]; }; // [slots / 16][nodes][3][16]
+layout(std430, binding = 3) writeonly buffer Points { vec4 pointsWo[]; };
+
+uniform uint firstStrand;
+uniform uint strandCount;
+uniform int nodes;
+
+vec3 node(uint slot, int k)
+{
+    uint at = ((slot >> 4) * uint(nodes) + uint(k)) * 48u + (slot & 15u);
+    return vec3(skeletons[at], skeletons[at + 16u], skeletons[at + 32u]);
+}
+
+vec3 unpackDirection(uint bits)
+{
+    vec2 e = unpackSnorm2x16(bits);
+    vec3 v = vec3(e, 1.0 - abs(e.x) - abs(e.y));
+    if (v.z < 0.0)
+        v.xy = (1.0 - abs(v.yx)) * vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0);
+    return normalize(v);
+}
+
+vec3 perpendicular(vec3 reference, vec3 tangent)
+{
+    vec3 v = reference - tangent * dot(reference, tangent);
+    float length2 = dot(v, v);
+    if (length2 > 1e-8)
+        return v * inversesqrt(length2);
+    v = abs(tangent.x) < 0.7 ? vec3(1, 0, 0) : vec3(0, 1, 0);
+    return normalize(v - tangent * dot(v, tangent));
+}
+
+void main()
+{
+    uint strand = gl_GlobalInvocationID.x;
+    if (strand >= strandCount)
+        return;
+    strand += firstStrand;
+    uint slot = strands[strand].x;
+    uint base = strands[firstStrand].y;
+    uint first = strands[strand].y - base;
+    int segments = int(strands[strand + 1u].y - strands[strand].y) - 1;
+
+    float turns = styles[slot].turns;
+    float radius = styles[slot].curlRadiusM;
+    float phase = styles[slot].phase;
+    vec3 reference = mat3(woFromHd) * unpackDirection(styles[slot].tangentHd);
+    float inverseSegments = 1.0 / float(segments);
+
+    int k = 0;
+    vec3 p1 = node(slot, 0);
+    vec3 p2 = node(slot, 1);
+    vec3 p0 = 2.0 * p1 - p2;
+    vec3 p3 = nodes > 2 ? node(slot, 2) : 2.0 * p2 - p1;
+    vec3 lastPoint = p1;
+    vec3 lastTangent = normalize(p2 - p0);
+    reference = perpendicular(reference, lastTangent);
+    for (int j = 0; j <= segments; ++j) {
+        float s = float(j) * inverseSegments;
+        float u = s * float(nodes - 1);
+        int segment = min(int(u), nodes - 2);
+        while (k < segment) {
+            ++k;
+            p0 = p1;
+            p1 = p2;
+            p2 = p3;
+            p3 = k + 2 < nodes ? node(slot, k + 2) : 2.0 * p2 - p1;
+        }
+        float t = u - float(k);
+        vec3 c1 = 0.5 * (p2 - p0);
+        vec3 c2 = p0 - 2.5 * p1 + 2.0 * p2 - 0.5 * p3;
+        vec3 c3 = 0.5 * (p3 - p0) + 1.5 * (p1 - p2);
+        vec3 point = p1 + t * (c1 + t * (c2 + t * c3));
+        vec3 tangent = c1 + t * (2.0 * c2 + 3.0 * t * c3);
+        float length2 = dot(tangent, tangent);
+        tangent = length2 > 1e-16 ? tangent * inversesqrt(length2) : lastTangent;
+
+        vec3 v1 = point - lastPoint;
+        float d1 = dot(v1, v1);
+        if (d1 > 1e-16) {
+            vec3 r = reference - v1 * (2.0 * dot(v1, reference) / d1);
+            vec3 tl = lastTangent - v1 * (2.0 * dot(v1, lastTangent) / d1);
+            vec3 v2 = tangent - tl;
+            float d2 = dot(v2, v2);
+            reference = d2 > 1e-16 ? r - v2 * (2.0 * dot(v2, r) / d2) : r;
+        }
+        lastPoint = point;
+        lastTangent = tangent;
+
+        if (turns > 0.0 && radius > 0.0) {
+            float angle = phase + 2.0 * kPi * turns * s;
+            float c = cos(angle);
+            float n = sin(angle);
+            float r = radius * min(1.0, s * 4.0);
+            point += r * (c * reference + n * cross(tangent, reference) + c * n * tangent);
+        }
+        pointsWo[first + uint(j)] = vec4(point, uintBitsToFloat(strand));
+    }
+}

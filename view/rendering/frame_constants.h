@@ -1,0 +1,42 @@
+// What every shader knows about the frame, laid out as common.glsl has it, and how it is derived from the scene.
+#pragma once
+
+#include "view/rendering/scene.h"
+
+#include <array>
+
+namespace hairpaint::rendering {
+
+/// std140. See common.glsl for the meaning of each.
+struct FrameConstants
+{
+    glm::mat4 projectionFromWo;
+    glm::mat4 woFromProjection;
+    glm::mat4 woFromHd;
+    glm::mat4 gridFromWo;
+    glm::vec4 eyeWo;
+    glm::vec4 lightWo;
+    glm::vec4 lightColour;
+    glm::vec4 headWo;
+    glm::vec4 depthRange;
+    glm::vec4 target;
+    glm::vec4 gridSize;
+    std::array<glm::vec4, 2> background;
+    std::array<glm::vec4, 2> ringWo;
+    friend bool operator==(const FrameConstants&, const FrameConstants&) = default;
+};
+
+/// A picture's grid of samples.
+struct Target
+{
+    int width = 0; ///< Pixels.
+    int height = 0;
+    glm::ivec2 samples{1};  ///< A pixel, across and up.
+    glm::vec2 jitter{0.0F}; ///< Pixels, -0.5..0.5.
+};
+
+inline constexpr int kGridSide = 48; ///< Voxels of the opacity grid in each direction.
+
+[[nodiscard]] FrameConstants frameConstants(const Scene& scene, const Target& target);
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,284 @@
+#include "view/rendering/gl_objects.h"
+
+#include "view/rendering/shader_sources.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+
+namespace hairpaint::rendering {
+
+void deleteBuffer(unsigned id)
+{
+    glDeleteBuffers(1, &id);
+}
+
+void deleteTexture(unsigned id)
+{
+    glDeleteTextures(1, &id);
+}
+
+void deleteProgram(unsigned id)
+{
+    glDeleteProgram(id);
+}
+
+void deleteFramebuffer(unsigned id)
+{
+    glDeleteFramebuffers(1, &id);
+}
+
+void deleteVertexArray(unsigned id)
+{
+    glDeleteVertexArrays(1, &id);
+}
+
+Framebuffer makeFramebuffer()
+{
+    unsigned id = 0;
+    glGenFramebuffers(1, &id);
+    return Framebuffer(id);
+}
+
+VertexArray makeVertexArray()
+{
+    unsigned id = 0;
+    glGenVertexArrays(1, &id);
+    return VertexArray(id);
+}
+
+void Buffer::reserve(std::size_t bytes)
+{
+    bytes = std::max<std::size_t>(bytes, 16);
+    if (bytes <= m_capacity)
+        return;
+    // Some room to grow, so that a stroke that adds hair does not allocate every frame.
+    m_capacity = m_capacity == 0 ? bytes : bytes + bytes / 4;
+    unsigned id = 0;
+    glGenBuffers(1, &id);
+    m_name = GlName<deleteBuffer>(id);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, id);
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(m_capacity), nullptr, GL_DYNAMIC_DRAW);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+void Buffer::assign(const void* data, std::size_t bytes)
+{
+    reserve(bytes);
+    write(0, data, bytes);
+}
+
+void Buffer::write(std::size_t offset, const void* data, std::size_t bytes)
+{
+    if (bytes == 0)
+        return;
+    glBindBuffer(GL_COPY_WRITE_BUFFER, m_name.id());
+    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+void Buffer::bindStorage(unsigned index) const
+{
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, m_name.id());
+}
+
+void Buffer::bindUniform(unsigned index) const
+{
+    glBindBufferBase(GL_UNIFORM_BUFFER, index, m_name.id());
+}
+
+void Texture::resize2D(unsigned internalFormat, int width, int height)
+{
+    make(GL_TEXTURE_2D, internalFormat, {width, height, 1});
+}
+
+void Texture::resize3D(unsigned internalFormat, int side)
+{
+    make(GL_TEXTURE_3D, internalFormat, {side, side, side});
+}
+
+void Texture::make(unsigned target, unsigned internalFormat, glm::ivec3 size)
+{
+    if (m_format == internalFormat && m_size == size)
+        return;
+    m_target = target;
+    m_format = internalFormat;
+    m_size = size;
+    unsigned id = 0;
+    glGenTextures(1, &id);
+    m_name = GlName<deleteTexture>(id);
+    glBindTexture(target, id);
+    const int filter = target == GL_TEXTURE_3D ? GL_LINEAR : GL_NEAREST;
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+    if (target == GL_TEXTURE_3D)
+        glTexStorage3D(target, 1, internalFormat, size.x, size.y, size.z);
+    else
+        glTexStorage2D(target, 1, internalFormat, size.x, size.y);
+    glBindTexture(target, 0);
+}
+
+void Texture::bind(unsigned unit) const
+{
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(m_target, m_name.id());
+}
+
+tl::expected<Program, std::string> Program::compute(std::string_view shader)
+{
+    return link({{GL_COMPUTE_SHADER, shader}});
+}
+
+tl::expected<Program, std::string> Program::graphics(std::string_view vertex, std::string_view fragment)
+{
+    return link({{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}});
+}
+
+tl::expected<Program, std::string> Program::link(std::initializer_list<Stage> stages)
+{
+    Program program;
+    program.m_name = GlName<deleteProgram>(glCreateProgram());
+    const unsigned id = program.m_name.id();
+    std::array<char, 1024> log{};
+    for (const Stage& stage : stages) {
+        const unsigned shader = glCreateShader(stage.kind);
+        const std::string_view common = shaderSource("common.glsl");
+        const std::string_view text = shaderSource(stage.file);
+        const std::array<const char*, 3> parts{"#version 430 core\n", common.data(), text.data()};
+        const std::array<int, 3> lengths{-1, static_cast<int>(common.size()), static_cast<int>(text.size())};
+        glShaderSource(shader, 3, parts.data(), lengths.data());
+        glCompileShader(shader);
+        int done = 0;
+        glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
+        if (done == 0)
+            glGetShaderInfoLog(shader, static_cast<int>(log.size()), nullptr, log.data());
+        else
+            glAttachShader(id, shader);
+        glDeleteShader(shader);
+        if (done == 0)
+            return tl::unexpected("The shader " + std::string(stage.file) + " does not compile: " + log.data());
+    }
+    glLinkProgram(id);
+    int done = 0;
+    glGetProgramiv(id, GL_LINK_STATUS, &done);
+    if (done == 0) {
+        glGetProgramInfoLog(id, static_cast<int>(log.size()), nullptr, log.data());
+        return tl::unexpected("The shader " + std::string(stages.begin()->file) + " does not link: " + log.data());
+    }
+    return program;
+}
+
+void Program::use() const
+{
+    glUseProgram(m_name.id());
+}
+
+void Program::set(const char* name, int value) const
+{
+    glUniform1i(glGetUniformLocation(m_name.id(), name), value);
+}
+
+void Program::set(const char* name, unsigned value) const
+{
+    glUniform1ui(glGetUniformLocation(m_name.id(), name), value);
+}
+
+void Program::set(const char* name, float value) const
+{
+    glUniform1f(glGetUniformLocation(m_name.id(), name), value);
+}
+
+void Program::set(const char* name, glm::vec2 value) const
+{
+    glUniform2f(glGetUniformLocation(m_name.id(), name), value.x, value.y);
+}
+
+void Program::set(const char* name, glm::ivec2 value) const
+{
+    glUniform2i(glGetUniformLocation(m_name.id(), name), value.x, value.y);
+}
+
+void Program::set(const char* name, const glm::vec4& value) const
+{
+    glUniform4f(glGetUniformLocation(m_name.id(), name), value.x, value.y, value.z, value.w);
+}
+
+namespace {
+
+void enable(unsigned what, bool on)
+{
+    if (on)
+        glEnable(what);
+    else
+        glDisable(what);
+}
+
+} // namespace
+
+StateGuard::StateGuard()
+{
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_drawFramebuffer);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_readFramebuffer);
+    glGetIntegerv(GL_CURRENT_PROGRAM, &m_program);
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &m_vertexArray);
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &m_activeTexture);
+    for (int unit = 0; unit < kTextureUnits; ++unit) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
+        glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_textures[unit]);
+        glGetIntegerv(GL_TEXTURE_BINDING_3D, &m_textures3D[unit]);
+    }
+    glGetIntegerv(GL_VIEWPORT, m_viewport);
+    glGetIntegerv(GL_PACK_ALIGNMENT, &m_packAlignment);
+    glGetIntegerv(GL_DEPTH_FUNC, &m_depthFunction);
+    glGetBooleanv(GL_DEPTH_WRITEMASK, &m_depthMask);
+    glGetBooleanv(GL_COLOR_WRITEMASK, m_colourMask);
+    m_depthTest = glIsEnabled(GL_DEPTH_TEST) != 0;
+    m_blend = glIsEnabled(GL_BLEND) != 0;
+    m_cull = glIsEnabled(GL_CULL_FACE) != 0;
+    m_scissor = glIsEnabled(GL_SCISSOR_TEST) != 0;
+    m_stencil = glIsEnabled(GL_STENCIL_TEST) != 0;
+    m_multisample = glIsEnabled(GL_MULTISAMPLE) != 0;
+    m_srgb = glIsEnabled(GL_FRAMEBUFFER_SRGB) != 0;
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_MULTISAMPLE);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+}
+
+StateGuard::~StateGuard()
+{
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<unsigned>(m_drawFramebuffer));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned>(m_readFramebuffer));
+    glUseProgram(static_cast<unsigned>(m_program));
+    glBindVertexArray(static_cast<unsigned>(m_vertexArray));
+    for (int unit = 0; unit < kTextureUnits; ++unit) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
+        glBindTexture(GL_TEXTURE_2D, static_cast<unsigned>(m_textures[unit]));
+        glBindTexture(GL_TEXTURE_3D, static_cast<unsigned>(m_textures3D[unit]));
+    }
+    glActiveTexture(static_cast<unsigned>(m_activeTexture));
+    glViewport(m_viewport[0], m_viewport[1], m_viewport[2], m_viewport[3]);
+    glPixelStorei(GL_PACK_ALIGNMENT, m_packAlignment);
+    glDepthFunc(static_cast<unsigned>(m_depthFunction));
+    glDepthMask(m_depthMask);
+    glColorMask(m_colourMask[0], m_colourMask[1], m_colourMask[2], m_colourMask[3]);
+    enable(GL_DEPTH_TEST, m_depthTest);
+    enable(GL_BLEND, m_blend);
+    enable(GL_CULL_FACE, m_cull);
+    enable(GL_SCISSOR_TEST, m_scissor);
+    enable(GL_STENCIL_TEST, m_stencil);
+    enable(GL_MULTISAMPLE, m_multisample);
+    enable(GL_FRAMEBUFFER_SRGB, m_srgb);
+}
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,147 @@
+// OpenGL names that delete themselves. The context they were made in must be current whenever they are used or die.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <tl/expected.hpp>
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace hairpaint::rendering {
+
+/// A name that is deleted by `Deleter` unless it is 0.
+template<void (*Deleter)(unsigned)>
+class GlName
+{
+public:
+    GlName() = default;
+    explicit GlName(unsigned id) : m_id(id) {}
+    GlName(GlName&& other) noexcept : m_id(std::exchange(other.m_id, 0U)) {}
+    GlName& operator=(GlName&& other) noexcept
+    {
+        std::swap(m_id, other.m_id);
+        return *this;
+    }
+    GlName(const GlName&) = delete;
+    GlName& operator=(const GlName&) = delete;
+    ~GlName()
+    {
+        if (m_id != 0)
+            Deleter(m_id);
+    }
+    [[nodiscard]] unsigned id() const { return m_id; }
+
+private:
+    unsigned m_id = 0;
+};
+
+void deleteBuffer(unsigned id);
+void deleteTexture(unsigned id);
+void deleteProgram(unsigned id);
+void deleteFramebuffer(unsigned id);
+void deleteVertexArray(unsigned id);
+
+using Framebuffer = GlName<deleteFramebuffer>;
+using VertexArray = GlName<deleteVertexArray>;
+[[nodiscard]] Framebuffer makeFramebuffer();
+[[nodiscard]] VertexArray makeVertexArray();
+
+/// A buffer that grows and never shrinks.
+class Buffer
+{
+public:
+    /// Makes room for `bytes`; what it held is lost when it grows. At least 16 bytes, so that it can always be bound.
+    void reserve(std::size_t bytes);
+    /// Room for at least `bytes`, and those written.
+    void assign(const void* data, std::size_t bytes);
+    void write(std::size_t offset, const void* data, std::size_t bytes);
+    void bindStorage(unsigned index) const;
+    void bindUniform(unsigned index) const;
+    [[nodiscard]] unsigned id() const { return m_name.id(); }
+    [[nodiscard]] std::size_t capacity() const { return m_capacity; }
+
+private:
+    GlName<deleteBuffer> m_name;
+    std::size_t m_capacity = 0;
+};
+
+/// A texture without mipmaps, made anew when its size or format differs.
+class Texture
+{
+public:
+    void resize2D(unsigned internalFormat, int width, int height);
+    void resize3D(unsigned internalFormat, int side);
+    void bind(unsigned unit) const;
+    [[nodiscard]] unsigned id() const { return m_name.id(); }
+
+private:
+    void make(unsigned target, unsigned internalFormat, glm::ivec3 size);
+    GlName<deleteTexture> m_name;
+    unsigned m_target = 0;
+    unsigned m_format = 0;
+    glm::ivec3 m_size{0};
+};
+
+/// A linked program. Uniforms are set by name; a name that the shader does not have is ignored.
+class Program
+{
+public:
+    /// Names of files in resources/shaders; "common.glsl" and the version line come before each.
+    [[nodiscard]] static tl::expected<Program, std::string> compute(std::string_view shader);
+    [[nodiscard]] static tl::expected<Program, std::string> graphics(std::string_view vertex,
+                                                                     std::string_view fragment);
+
+    void use() const;
+    void set(const char* name, int value) const;
+    void set(const char* name, unsigned value) const;
+    void set(const char* name, float value) const;
+    void set(const char* name, glm::vec2 value) const;
+    void set(const char* name, glm::ivec2 value) const;
+    void set(const char* name, const glm::vec4& value) const;
+
+private:
+    struct Stage
+    {
+        unsigned kind;
+        std::string_view file;
+    };
+    [[nodiscard]] static tl::expected<Program, std::string> link(std::initializer_list<Stage> stages);
+    GlName<deleteProgram> m_name;
+};
+
+/// Remembers the parts of the context's state that the renderer changes, and puts them back.
+class StateGuard
+{
+public:
+    StateGuard();
+    ~StateGuard();
+    StateGuard(const StateGuard&) = delete;
+    StateGuard& operator=(const StateGuard&) = delete;
+
+private:
+    static constexpr int kTextureUnits = 4;
+    int m_drawFramebuffer = 0;
+    int m_readFramebuffer = 0;
+    int m_program = 0;
+    int m_vertexArray = 0;
+    int m_activeTexture = 0;
+    int m_textures[kTextureUnits] = {};
+    int m_textures3D[kTextureUnits] = {};
+    int m_viewport[4] = {};
+    int m_packAlignment = 4;
+    int m_depthFunction = 0;
+    unsigned char m_depthMask = 1;
+    unsigned char m_colourMask[4] = {};
+    bool m_depthTest = false;
+    bool m_blend = false;
+    bool m_cull = false;
+    bool m_scissor = false;
+    bool m_stencil = false;
+    bool m_multisample = false;
+    bool m_srgb = false;
+};
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,89 @@
+#include "view/rendering/hair_group.h"
+
+#include <bit>
+#include <cmath>
+
+namespace hairpaint::rendering {
+namespace {
+
+/// A unit vector in an octahedron's two coordinates of 16 bits, as unpackSnorm2x16 reads them.
+std::uint32_t packDirection(glm::vec3 v)
+{
+    v /= std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+    glm::vec2 e(v);
+    if (v.z < 0.0F)
+        e = (1.0F - glm::abs(glm::vec2(v.y, v.x))) * glm::vec2(v.x >= 0.0F ? 1.0F : -1.0F, v.y >= 0.0F ? 1.0F : -1.0F);
+    const auto bits = [](float f) {
+        return static_cast<std::uint32_t>(static_cast<std::uint16_t>(std::lround(f * 32767.0F)));
+    };
+    return bits(e.x) | (bits(e.y) << 16U);
+}
+
+} // namespace
+
+std::size_t HairGroup::upload(const std::shared_ptr<const sim::StrandFrame>& frame, const sim::GroupFrame& group,
+                              float detail, int smoothSegments)
+{
+    std::size_t bytes = 0;
+    if (m_list.update(group.groom, detail, smoothSegments)) {
+        const std::vector<DrawnStrand>& strands = m_list.strands();
+        m_strands.assign(strands.data(), strands.size() * sizeof(DrawnStrand));
+        bytes += strands.size() * sizeof(DrawnStrand);
+    }
+    if (group.groom != m_groom) {
+        m_groom = group.groom;
+        bytes += uploadStyles();
+    }
+    if (frame != m_frame) {
+        m_frame = frame;
+        bytes += uploadPositions(group);
+    }
+    return bytes;
+}
+
+std::size_t HairGroup::uploadStyles()
+{
+    constexpr std::size_t chunkBytes = sim::kChunkSlots * sizeof(sim::StrandStyle);
+    const auto places = static_cast<std::size_t>(m_groom->placedChunks);
+    if (places * chunkBytes > m_styles.capacity() || m_roots != m_groom->roots)
+        m_uploaded.clear();
+    m_roots = m_groom->roots;
+    m_styles.reserve(places * chunkBytes);
+    m_uploaded.resize(std::max(places, m_uploaded.size()));
+    std::size_t bytes = 0;
+    std::vector<sim::StrandStyle> styles;
+    for (std::size_t c = 0; c < m_groom->chunks.size(); ++c) {
+        const auto& chunk = m_groom->chunks[c];
+        if (!chunk || m_groom->chunkPlace[c] < 0)
+            continue;
+        const auto place = static_cast<std::size_t>(m_groom->chunkPlace[c]);
+        if (m_uploaded[place] == chunk)
+            continue;
+        m_uploaded[place] = chunk;
+        styles = chunk->styles;
+        for (std::size_t slot = 0; slot < styles.size(); ++slot) {
+            const std::size_t candidate = c * sim::kChunkSlots + slot;
+            if (m_roots && candidate < m_roots->tangentHd.size())
+                styles[slot].reserved = std::bit_cast<float>(packDirection(m_roots->tangentHd[candidate]));
+        }
+        m_styles.write(place * chunkBytes, styles.data(), chunkBytes);
+        bytes += chunkBytes;
+    }
+    return bytes;
+}
+
+std::size_t HairGroup::uploadPositions(const sim::GroupFrame& group)
+{
+    const std::size_t bytes = group.positions.size() * sizeof(float);
+    m_positions.assign(group.positions.data(), bytes);
+    return bytes;
+}
+
+void HairGroup::bind() const
+{
+    m_strands.bindStorage(0);
+    m_styles.bindStorage(1);
+    m_positions.bindStorage(2);
+}
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,102 @@
+#include "view/rendering/hair_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::rendering {
+namespace {
+
+constexpr int kMostSegments = 256;
+constexpr float kPointsPerTurn = 8.0F;
+
+/// At least 8 segments a turn; a braid's wisp swings twice as fast sideways as it turns.
+int curveSegments(const sim::StrandStyle& style)
+{
+    float segments = 0.0F;
+    if (style.curlRadiusM > 0.0F)
+        segments = style.turns * kPointsPerTurn;
+    if ((style.braid & 0xFFU) != 0)
+        segments = std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn + 8.0F);
+    return std::clamp(static_cast<int>(std::ceil(segments)), 0, kMostSegments);
+}
+
+} // namespace
+
+void HairList::index(ChunkPart& part)
+{
+    part.entries.clear();
+    part.begin.fill(0);
+    if (!part.chunk)
+        return;
+    const sim::StrandChunk& chunk = *part.chunk;
+    const auto stepOf = [](float detail) {
+        return std::min(static_cast<std::size_t>(std::max(detail, 0.0F) * static_cast<float>(kSteps)), kSteps - 1);
+    };
+    for (std::size_t slot = 0; slot < sim::kChunkSlots; ++slot)
+        if (chunk.drawn[slot])
+            ++part.begin[stepOf(chunk.styles[slot].detail) + 1];
+    for (std::size_t step = 0; step < kSteps; ++step)
+        part.begin[step + 1] = static_cast<std::uint16_t>(part.begin[step + 1] + part.begin[step]);
+    part.entries.resize(part.begin[kSteps]);
+    std::array<std::uint16_t, kSteps + 1> next = part.begin;
+    for (std::size_t slot = 0; slot < sim::kChunkSlots; ++slot) {
+        if (!chunk.drawn[slot])
+            continue;
+        const sim::StrandStyle& style = chunk.styles[slot];
+        part.entries[next[stepOf(style.detail)]++] = {.slot = static_cast<std::uint16_t>(slot),
+                                                      .curveSegments = static_cast<std::uint16_t>(curveSegments(style)),
+                                                      .detail = style.detail};
+    }
+}
+
+bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float detail, int smoothSegments)
+{
+    if (groom == m_groom && detail == m_detail && smoothSegments == m_smoothSegments)
+        return false;
+    m_detail = detail;
+    m_smoothSegments = smoothSegments;
+    if (groom != m_groom) {
+        m_groom = groom;
+        m_parts.resize(groom->chunks.size());
+        for (std::size_t i = 0; i < m_parts.size(); ++i)
+            if (m_parts[i].chunk != groom->chunks[i]) {
+                m_parts[i].chunk = groom->chunks[i];
+                index(m_parts[i]);
+            }
+    }
+    m_strands.clear();
+    m_batches.clear();
+    m_segments = 0;
+    std::uint32_t point = 0;
+    StrandBatch batch{};
+    const auto steps = static_cast<std::size_t>(
+        std::clamp(std::ceil(detail * static_cast<float>(kSteps)), 0.0F, static_cast<float>(kSteps)));
+    for (std::size_t step = 0; step < steps; ++step)
+        for (std::size_t c = 0; c < m_parts.size(); ++c) {
+            const ChunkPart& part = m_parts[c];
+            const auto chunkBase = static_cast<std::uint32_t>(std::max(groom->chunkPlace[c], 0)) * sim::kChunkSlots;
+            for (std::size_t e = part.begin[step]; e < part.begin[step + 1]; ++e) {
+                const Entry& entry = part.entries[e];
+                if (!(entry.detail < detail))
+                    continue;
+                const int segments = std::max<int>(entry.curveSegments, smoothSegments);
+                const auto points = static_cast<std::uint32_t>(segments + 1);
+                if (batch.pointCount + points > kBatchPoints) {
+                    m_batches.push_back(batch);
+                    batch = {
+                        .firstStrand = static_cast<std::uint32_t>(m_strands.size()), .strandCount = 0, .pointCount = 0};
+                }
+                m_strands.push_back({.slot = chunkBase + entry.slot, .firstPoint = point});
+                point += points;
+                batch.pointCount += points;
+                ++batch.strandCount;
+                m_segments += static_cast<std::size_t>(segments);
+            }
+        }
+    if (batch.strandCount > 0)
+        m_batches.push_back(batch);
+    m_strands.push_back({.slot = 0, .firstPoint = point});
+    return true;
+}
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,69 @@
+// Which strands of a group are drawn, and where each one's points begin.
+#pragma once
+
+#include "sim/groom.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace hairpaint::rendering {
+
+/// One strand as the shaders read it.
+struct DrawnStrand
+{
+    std::uint32_t slot;       ///< Place of the chunk * kChunkSlots + slot in it.
+    std::uint32_t firstPoint; ///< Of segments + 1.
+};
+
+/// A run of strands whose points fit into the renderer's buffers together.
+struct StrandBatch
+{
+    std::uint32_t firstStrand;
+    std::uint32_t strandCount;
+    std::uint32_t pointCount;
+};
+
+/// The drawn strands in steps of detail, so that a coarser picture's list is the beginning of a finer one's. Chunks
+/// that did not change keep their part. No OpenGL in it.
+class HairList
+{
+public:
+    static constexpr std::uint32_t kBatchPoints = 1U << 20U;
+
+    /// Brings the list up to date; false where nothing differs from the call before.
+    bool update(const std::shared_ptr<const sim::Groom>& groom, float detail, int smoothSegments);
+
+    /// The strands and one more, whose firstPoint ends the last one.
+    [[nodiscard]] const std::vector<DrawnStrand>& strands() const { return m_strands; }
+    [[nodiscard]] const std::vector<StrandBatch>& batches() const { return m_batches; }
+    [[nodiscard]] std::size_t strandCount() const { return m_strands.empty() ? 0 : m_strands.size() - 1; }
+    [[nodiscard]] std::size_t segmentCount() const { return m_segments; }
+
+private:
+    static constexpr std::size_t kSteps = 64; ///< Of detail.
+    struct Entry
+    {
+        std::uint16_t slot;
+        std::uint16_t curveSegments; ///< That curl and braid ask for.
+        float detail;
+    };
+    struct ChunkPart
+    {
+        std::shared_ptr<const sim::StrandChunk> chunk;
+        std::vector<Entry> entries; ///< By step of detail, then slot.
+        std::array<std::uint16_t, kSteps + 1> begin{};
+    };
+    static void index(ChunkPart& part);
+
+    std::shared_ptr<const sim::Groom> m_groom;
+    float m_detail = -1.0F;
+    int m_smoothSegments = 0;
+    std::vector<ChunkPart> m_parts;
+    std::vector<DrawnStrand> m_strands;
+    std::vector<StrandBatch> m_batches;
+    std::size_t m_segments = 0;
+};
+
+} // namespace hairpaint::rendering

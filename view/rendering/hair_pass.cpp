@@ -1,0 +1,149 @@
+#include "view/rendering/hair_pass.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::rendering {
+namespace {
+
+constexpr unsigned kWorkgroup = 64;
+constexpr float kVoxelUnitM2 = 1e-9F;             ///< Hair's area that one unit of a voxel stands for.
+constexpr std::uint32_t kSplattedStrands = 16384; ///< About as many are enough for a smooth grid.
+
+void dispatch(std::size_t invocations)
+{
+    // No more than 65535 workgroups are promised in one direction; batches keep below.
+    glDispatchCompute(static_cast<unsigned>((invocations + kWorkgroup - 1) / kWorkgroup), 1, 1);
+}
+
+} // namespace
+
+tl::expected<std::unique_ptr<HairPass>, std::string> HairPass::create()
+{
+    std::unique_ptr<HairPass> pass(new HairPass);
+    const std::pair<Program HairPass::*, const char*> programs[] = {{&HairPass::m_splat, "grid_splat.comp"},
+                                                                    {&HairPass::m_sum, "grid_sum.comp"},
+                                                                    {&HairPass::m_expand, "strand_expand.comp"},
+                                                                    {&HairPass::m_shade, "strand_shade.comp"},
+                                                                    {&HairPass::m_raster, "strand_raster.comp"}};
+    for (const auto& [member, file] : programs) {
+        auto program = Program::compute(file);
+        if (!program)
+            return tl::unexpected(program.error());
+        (*pass).*member = std::move(*program);
+    }
+    const std::vector<std::uint32_t> empty(static_cast<std::size_t>(kGridSide) * kGridSide * kGridSide, 0U);
+    pass->m_voxels.assign(empty.data(), empty.size() * sizeof(std::uint32_t));
+    pass->m_opacity.resize3D(GL_R32F, kGridSide);
+    return pass;
+}
+
+HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>& frame, float detail,
+                                  int smoothSegments)
+{
+    Report report;
+    m_visible.clear();
+    if (!frame) {
+        m_groups.clear();
+        return report;
+    }
+    std::erase_if(m_groups, [&](const auto& entry) {
+        return std::none_of(frame->groups.begin(), frame->groups.end(), [&](const sim::GroupFrame& group) {
+            return group.groom && group.groom->groupId == entry.first;
+        });
+    });
+    for (const sim::GroupFrame& group : frame->groups) {
+        if (!group.groom || !group.groom->visible || group.groom->placedChunks == 0)
+            continue;
+        HairGroup& held = m_groups[group.groom->groupId];
+        report.uploadedBytes += held.upload(frame, group, detail, smoothSegments);
+        if (held.list().strandCount() == 0)
+            continue;
+        m_visible.push_back(group.groom->groupId);
+        report.hairs += held.list().strandCount();
+        report.segments += held.list().segmentCount();
+    }
+    return report;
+}
+
+void HairPass::draw(const FrameConstants& constants, float detail, const Buffer& samples)
+{
+    if (m_visible.empty())
+        return;
+    fillGrid(constants, detail);
+    for (const int id : m_visible)
+        drawGroup(m_groups.at(id), constants, detail, samples);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void HairPass::fillGrid(const FrameConstants& constants, float detail)
+{
+    m_voxels.bindStorage(3);
+    m_splat.use();
+    m_splat.set("gridSide", kGridSide);
+    for (const int id : m_visible) {
+        const HairGroup& group = m_groups.at(id);
+        group.bind();
+        const auto strands = static_cast<std::uint32_t>(group.list().strandCount());
+        const std::uint32_t step = std::max(1U, strands / kSplattedStrands);
+        m_splat.set("strandCount", strands);
+        m_splat.set("strandStep", step);
+        m_splat.set("nodes", group.groom().nodes);
+        m_splat.set("weight", group.groom().settings.hairWidthM * static_cast<float>(step) / (detail * kVoxelUnitM2));
+        dispatch((strands + step - 1) / step);
+    }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    m_sum.use();
+    m_sum.set("gridSide", kGridSide);
+    m_sum.set("unit", kVoxelUnitM2 / constants.gridSize.z);
+    glBindImageTexture(0, m_opacity.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
+    dispatch(static_cast<std::size_t>(kGridSide) * kGridSide);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples)
+{
+    const sim::GroupSettings& settings = group.groom().settings;
+    std::uint32_t mostPoints = 0;
+    for (const StrandBatch& batch : group.list().batches())
+        mostPoints = std::max(mostPoints, batch.pointCount);
+    m_points.reserve(mostPoints * sizeof(glm::vec4));
+    m_projected.reserve(mostPoints * sizeof(glm::uvec4));
+    m_opacity.bind(0);
+
+    for (const StrandBatch& batch : group.list().batches()) {
+        group.bind();
+        m_points.bindStorage(3);
+        m_expand.use();
+        m_expand.set("firstStrand", batch.firstStrand);
+        m_expand.set("strandCount", batch.strandCount);
+        m_expand.set("nodes", group.groom().nodes);
+        dispatch(batch.strandCount);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+
+        m_points.bindStorage(2);
+        m_projected.bindStorage(3);
+        m_shade.use();
+        m_shade.set("firstStrand", batch.firstStrand);
+        m_shade.set("pointCount", batch.pointCount);
+        m_shade.set("widening", 1.0F / detail);
+        m_shade.set("leastWidth", 0.35F);
+        m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness,
+                                          settings.material.rootAlpha, settings.material.tipAlpha));
+        m_shade.set("variationScale", settings.material.colourVariation);
+        dispatch(batch.pointCount);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+
+        m_projected.bindStorage(0);
+        samples.bindStorage(1);
+        m_raster.use();
+        m_raster.set("pointCount", batch.pointCount);
+        dispatch(batch.pointCount);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+    static_cast<void>(constants);
+}
+
+} // namespace hairpaint::rendering

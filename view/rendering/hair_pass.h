@@ -1,0 +1,52 @@
+// Draws the strands of all groups into the sample buffer with compute shaders.
+#pragma once
+
+#include "view/rendering/frame_constants.h"
+#include "view/rendering/gl_objects.h"
+#include "view/rendering/hair_group.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace hairpaint::rendering {
+
+class HairPass
+{
+public:
+    [[nodiscard]] static tl::expected<std::unique_ptr<HairPass>, std::string> create();
+
+    struct Report
+    {
+        std::size_t hairs = 0;
+        std::size_t segments = 0;
+        std::size_t uploadedBytes = 0;
+    };
+    /// Sends what differs from the frame before; null shows no hair.
+    Report upload(const std::shared_ptr<const sim::StrandFrame>& frame, float detail, int smoothSegments);
+    /// With the frame's constants bound to uniform buffer 0: fills the opacity grid, then draws into `samples`, which
+    /// already hold the head's depth.
+    void draw(const FrameConstants& constants, float detail, const Buffer& samples);
+
+    /// The points of the last batch drawn, Wo, xyz and the strand's number. For tests.
+    [[nodiscard]] const Buffer& points() const { return m_points; }
+
+private:
+    HairPass() = default;
+    void fillGrid(const FrameConstants& constants, float detail);
+    void drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples);
+
+    Program m_splat;
+    Program m_sum;
+    Program m_expand;
+    Program m_shade;
+    Program m_raster;
+    Buffer m_points;
+    Buffer m_projected;
+    Buffer m_voxels;
+    Texture m_opacity;
+    std::map<int, HairGroup> m_groups; ///< By the group's id.
+    std::vector<int> m_visible;        ///< Ids, in the frame's order.
+};
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,98 @@
+#include "view/rendering/head_layer.h"
+
+#include <epoxy/gl.h>
+
+namespace hairpaint::rendering {
+namespace {
+
+struct Vertex
+{
+    glm::vec3 positionHd;
+    glm::vec3 normalHd;
+};
+
+/// The part of the constants that the head's picture depends on.
+FrameConstants partOfHead(FrameConstants constants)
+{
+    constants.gridFromWo = glm::mat4(0.0F);
+    constants.depthRange = glm::vec4(0.0F);
+    constants.gridSize = glm::vec4(0.0F);
+    constants.background = {};
+    constants.ringWo = {};
+    return constants;
+}
+
+} // namespace
+
+tl::expected<std::unique_ptr<HeadLayer>, std::string> HeadLayer::create()
+{
+    std::unique_ptr<HeadLayer> layer(new HeadLayer);
+    auto program = Program::graphics("head.vert", "head.frag");
+    if (!program)
+        return tl::unexpected(program.error());
+    layer->m_program = std::move(*program);
+    layer->m_vertexArray = makeVertexArray();
+    layer->m_framebuffer = makeFramebuffer();
+    return layer;
+}
+
+void HeadLayer::upload(const sim::HeadMesh& head)
+{
+    std::vector<Vertex> vertices(head.positionsHd.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        vertices[i] = {.positionHd = head.positionsHd[i], .normalHd = head.normalsHd[i]};
+    m_vertices.assign(vertices.data(), vertices.size() * sizeof(Vertex));
+    m_indices.assign(head.triangles.data(), head.triangles.size() * sizeof(glm::uvec3));
+    m_indexCount = static_cast<int>(head.triangles.size() * 3);
+    glBindVertexArray(m_vertexArray.id());
+    glBindBuffer(GL_ARRAY_BUFFER, m_vertices.id());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.id());
+    for (unsigned attribute = 0; attribute < 2; ++attribute) {
+        glEnableVertexAttribArray(attribute);
+        glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                              reinterpret_cast<const void*>(attribute * sizeof(glm::vec3)));
+    }
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head, const FrameConstants& constants)
+{
+    const FrameConstants part = partOfHead(constants);
+    if (head == m_head && part == m_drawnWith)
+        return false;
+    if (head != m_head && head)
+        upload(*head);
+    m_head = head;
+    m_drawnWith = part;
+
+    const auto width = static_cast<int>(constants.target.x);
+    const auto height = static_cast<int>(constants.target.y);
+    m_colour.resize2D(GL_RGBA8, width, height);
+    m_depth.resize2D(GL_DEPTH_COMPONENT32F, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_colour.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_depth.id(), 0);
+    glViewport(0, 0, width, height);
+    const float nothing[] = {0.0F, 0.0F, 0.0F, 0.0F};
+    const float far = 1.0F;
+    glClearBufferfv(GL_COLOR, 0, nothing);
+    glClearBufferfv(GL_DEPTH, 0, &far);
+    if (!head || m_indexCount == 0)
+        return true;
+    glEnable(GL_DEPTH_TEST);
+    m_program.use();
+    glBindVertexArray(m_vertexArray.id());
+    glDrawElements(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(0);
+    glDisable(GL_DEPTH_TEST);
+    return true;
+}
+
+void HeadLayer::bind(unsigned colourUnit, unsigned depthUnit) const
+{
+    m_colour.bind(colourUnit);
+    m_depth.bind(depthUnit);
+}
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,167 @@
+#include "view/rendering/renderer.h"
+
+#include "view/rendering/gl_objects.h"
+#include "view/rendering/hair_pass.h"
+#include "view/rendering/head_layer.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+
+namespace hairpaint::rendering {
+
+struct Renderer::State
+{
+    std::string description;
+    bool software = false;
+    FrameStatistics statistics;
+    std::unique_ptr<HeadLayer> head;
+    std::unique_ptr<HairPass> hair;
+    Program clear;
+    Program resolve;
+    VertexArray noVertices;
+    Buffer constants;
+    Buffer samples;
+    Framebuffer framebuffer;
+    Texture picture;
+    int width = 0;
+    int height = 0;
+};
+
+Renderer::Renderer() : m_state(std::make_unique<State>()) {}
+
+Renderer::~Renderer() = default;
+
+tl::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
+{
+    if (epoxy_gl_version() < 43 || !epoxy_is_desktop_gl())
+        return tl::unexpected("OpenGL 4.3 is needed; this driver has " +
+                              std::string(reinterpret_cast<const char*>(glGetString(GL_VERSION))) + ".");
+    std::unique_ptr<Renderer> renderer(new Renderer);
+    State& state = *renderer->m_state;
+    state.description = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "Microsoft Basic"})
+        state.software = state.software || state.description.find(name) != std::string::npos;
+
+    auto head = HeadLayer::create();
+    if (!head)
+        return tl::unexpected(head.error());
+    state.head = std::move(*head);
+    auto hair = HairPass::create();
+    if (!hair)
+        return tl::unexpected(hair.error());
+    state.hair = std::move(*hair);
+    auto clear = Program::compute("samples_clear.comp");
+    if (!clear)
+        return tl::unexpected(clear.error());
+    state.clear = std::move(*clear);
+    auto resolve = Program::graphics("screen.vert", "resolve.frag");
+    if (!resolve)
+        return tl::unexpected(resolve.error());
+    state.resolve = std::move(*resolve);
+    state.resolve.use();
+    state.resolve.set("headDepth", 1);
+    glUseProgram(0);
+    state.noVertices = makeVertexArray();
+    state.framebuffer = makeFramebuffer();
+    return renderer;
+}
+
+void Renderer::draw(const Scene& scene, const Quality& quality, int width, int height)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    State& state = *m_state;
+    const StateGuard guard;
+    state.width = std::clamp(width, 1, 8192);
+    state.height = std::clamp(height, 1, 8192);
+    Target target{.width = state.width, .height = state.height};
+    target.samples = quality.samples >= 4 ? glm::ivec2(2, 2) : glm::ivec2(quality.samples >= 2 ? 2 : 1, 1);
+    const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
+    const FrameConstants constants = frameConstants(scene, target);
+    state.constants.assign(&constants, sizeof(constants));
+    state.constants.bindUniform(0);
+
+    const HairPass::Report report = state.hair->upload(scene.hair, detail, std::clamp(quality.smoothSegments, 1, 256));
+    state.head->draw(scene.head, constants);
+    state.head->bind(0, 1);
+
+    const std::size_t sampleCount = static_cast<std::size_t>(state.width * target.samples.x) *
+                                    static_cast<std::size_t>(state.height * target.samples.y);
+    state.samples.reserve(sampleCount * sizeof(std::uint32_t));
+    state.samples.bindStorage(0);
+    state.clear.use();
+    state.clear.set("headDepth", 1);
+    glDispatchCompute(static_cast<unsigned>((sampleCount + 63) / 64), 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+
+    state.hair->draw(constants, detail, state.samples);
+
+    state.picture.resize2D(GL_RGBA8, state.width, state.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, state.framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, state.picture.id(), 0);
+    glViewport(0, 0, state.width, state.height);
+    state.samples.bindStorage(0);
+    state.head->bind(0, 1);
+    state.resolve.use();
+    glBindVertexArray(state.noVertices.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glFinish();
+
+    state.statistics = {
+        .drawnHairs = report.hairs,
+        .drawnSegments = report.segments,
+        .uploadedBytes = report.uploadedBytes,
+        .milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count()};
+}
+
+void Renderer::blitTo(unsigned framebuffer, int width, int height)
+{
+    if (m_state->width == 0)
+        return;
+    const StateGuard guard;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_state->framebuffer.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    const bool same = width == m_state->width && height == m_state->height;
+    glBlitFramebuffer(0, 0, m_state->width, m_state->height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                      same ? GL_NEAREST : GL_LINEAR);
+}
+
+void Renderer::read(std::vector<std::uint8_t>& pixels)
+{
+    const std::size_t row = static_cast<std::size_t>(m_state->width) * 4;
+    pixels.resize(row * static_cast<std::size_t>(m_state->height));
+    if (pixels.empty())
+        return;
+    const StateGuard guard;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_state->framebuffer.id());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, m_state->width, m_state->height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    // OpenGL's first row is at the bottom.
+    std::vector<std::uint8_t> swap(row);
+    for (int top = 0, bottom = m_state->height - 1; top < bottom; ++top, --bottom) {
+        std::uint8_t* a = pixels.data() + static_cast<std::size_t>(top) * row;
+        std::uint8_t* b = pixels.data() + static_cast<std::size_t>(bottom) * row;
+        std::memcpy(swap.data(), a, row);
+        std::memcpy(a, b, row);
+        std::memcpy(b, swap.data(), row);
+    }
+}
+
+const FrameStatistics& Renderer::statistics() const
+{
+    return m_state->statistics;
+}
+
+bool Renderer::software() const
+{
+    return m_state->software;
+}
+
+const std::string& Renderer::description() const
+{
+    return m_state->description;
+}
+
+} // namespace hairpaint::rendering
