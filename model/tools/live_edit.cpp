@@ -20,6 +20,18 @@ sim::TexelRect selectedTexels(const Selection& selection, int size)
     return {texel(uv.left()), texel(1.0 - uv.bottom()), texel(uv.right()), texel(1.0 - uv.top())};
 }
 
+std::vector<int> tilesIn(const sim::TiledRaster& raster, const sim::TexelRect& rect)
+{
+    std::vector<int> tiles;
+    if (rect.empty())
+        return tiles;
+    constexpr int kTile = sim::TiledRaster::kTileSize;
+    for (int row = rect.y0 / kTile; row <= (rect.y1 - 1) / kTile; ++row)
+        for (int column = rect.x0 / kTile; column <= (rect.x1 - 1) / kTile; ++column)
+            tiles.push_back(row * raster.tilesAcross() + column);
+    return tiles;
+}
+
 QString actionText(const QString& title, MapKind map)
 {
     return QCoreApplication::translate("Tool", "%1 on %2").arg(title, mapSpec(map).titleText());

@@ -41,6 +41,8 @@ private:
 
 /// The texels whose centres lie in the selection; all of them where nothing is selected.
 [[nodiscard]] sim::TexelRect selectedTexels(const Selection& selection, int size);
+/// The tiles that meet a rectangle, in ascending order.
+[[nodiscard]] std::vector<int> tilesIn(const sim::TiledRaster& raster, const sim::TexelRect& rect);
 /// "Brush on Length".
 [[nodiscard]] QString actionText(const QString& title, MapKind map);
 

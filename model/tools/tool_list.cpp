@@ -8,6 +8,10 @@ std::vector<std::unique_ptr<Tool>> makeTools()
     std::vector<std::unique_ptr<Tool>> tools;
     tools.push_back(makeBrushTool());
     tools.push_back(makeEraserTool());
+    tools.push_back(makeGradientTool());
+    tools.push_back(makeFillTool());
+    tools.push_back(makeShapeTool());
+    tools.push_back(makeSelectTool());
     tools.push_back(makePickerTool());
     return tools;
 }

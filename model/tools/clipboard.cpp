@@ -1,0 +1,151 @@
+// Copying texels out of a layer and pasting them into one.
+#include "model/tools/clipboard.h"
+
+#include "model/compositor.h"
+#include "model/tools/live_edit.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+class Clipboard
+{
+    Q_DECLARE_TR_FUNCTIONS(Clipboard)
+};
+
+const Layer* paintable(const Document& document, const LayerAddress& address)
+{
+    const Layer* layer = document.committed().layer(address.group, address.map, address.layer);
+    return layer != nullptr && layer->visible && !layer->locked ? layer : nullptr;
+}
+
+/// A value of one map as one of another; coverage stays. Scalars pass as they are, other pairs through their colours.
+sim::Texel converted(const sim::Texel& from, const MapSpec& source, const MapSpec& target)
+{
+    sim::Texel to{};
+    to[static_cast<std::size_t>(target.valueChannels)] = from[static_cast<std::size_t>(source.valueChannels)];
+    if (source.kind == target.kind || (source.texel == TexelKind::Scalar && target.texel == TexelKind::Scalar)) {
+        std::copy_n(from.begin(), target.valueChannels, to.begin());
+        return to;
+    }
+    std::array<float, 3> colour{};
+    if (source.texel == TexelKind::Colour) {
+        for (std::size_t i = 0; i < 3; ++i)
+            colour[i] = static_cast<float>(from[i]) / 65535.0F;
+    } else {
+        const QRgb shown = source.texel == TexelKind::Index
+                               ? source.palette[std::min<std::size_t>(from[0], source.palette.size() - 1)].colour
+                               : scaleToColour(source, static_cast<float>(from[0]) / 65535.0F, false);
+        colour = {static_cast<float>(qRed(shown)) / 255.0F, static_cast<float>(qGreen(shown)) / 255.0F,
+                  static_cast<float>(qBlue(shown)) / 255.0F};
+    }
+    if (target.texel == TexelKind::Colour)
+        for (std::size_t i = 0; i < 3; ++i)
+            to[i] = unit16(colour[i]);
+    else if (target.texel == TexelKind::Index)
+        to[0] = colourToIndex(target, colour[0], colour[1], colour[2]);
+    else
+        to[0] = unit16(colourToScale(target, colour[0], colour[1], colour[2]));
+    return to;
+}
+
+/// The tiles of `raster` that are not `before`'s, made compact.
+std::vector<std::pair<int, sim::RasterTilePtr>> differences(sim::TiledRaster& raster, const sim::TiledRaster& before)
+{
+    std::vector<std::pair<int, sim::RasterTilePtr>> tiles;
+    for (int index = 0; index < raster.tileCount(); ++index) {
+        if (raster.tile(index) == before.tile(index))
+            continue;
+        raster.compact(index);
+        const sim::RasterTile& now = *raster.tile(index);
+        const sim::RasterTile& was = *before.tile(index);
+        if (now.uniform != was.uniform || now.pixels != was.pixels)
+            tiles.emplace_back(index, raster.tile(index));
+    }
+    return tiles;
+}
+
+} // namespace
+
+Clip copyClip(const Document& document, const LayerAddress& address, const Selection& selection)
+{
+    Clip clip{.map = address.map, .uvRect = {}, .texels = {}};
+    const Layer* layer = document.committed().layer(address.group, address.map, address.layer);
+    if (layer == nullptr)
+        return clip;
+    const int size = layer->raster.size();
+    const sim::TexelRect rect = selectedTexels(selection, size);
+    if (rect.empty())
+        return clip;
+    clip.width = rect.x1 - rect.x0;
+    clip.height = rect.y1 - rect.y0;
+    const double scale = 1.0 / size;
+    clip.uvRect = {rect.x0 * scale, 1.0 - rect.y1 * scale, clip.width * scale, clip.height * scale};
+    clip.texels.reserve(static_cast<std::size_t>(clip.width) * static_cast<std::size_t>(clip.height));
+    for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1; ++x)
+            clip.texels.push_back(layer->raster.texel(x, y));
+    return clip;
+}
+
+CommandPtr clearCommand(Document& document, const LayerAddress& address, const Selection& selection,
+                        const QString& text)
+{
+    const Layer* layer = paintable(document, address);
+    if (layer == nullptr)
+        return nullptr;
+    const MapSpec& spec = mapSpec(address.map);
+    sim::TiledRaster raster = layer->raster;
+    const sim::TexelRect selected = selectedTexels(selection, raster.size());
+    for (const int index : tilesIn(raster, selected)) {
+        const sim::TexelRect rect = raster.tileRect(index);
+        if (rect.x0 >= selected.x0 && rect.y0 >= selected.y0 && rect.x1 <= selected.x1 && rect.y1 <= selected.y1) {
+            raster.setUniform(index, spec.defaultValue);
+            continue;
+        }
+        for (int y = std::max(rect.y0, selected.y0); y < std::min(rect.y1, selected.y1); ++y)
+            for (int x = std::max(rect.x0, selected.x0); x < std::min(rect.x1, selected.x1); ++x)
+                raster.setTexel(x, y, spec.defaultValue);
+    }
+    return paintCommand(document, address, differences(raster, layer->raster), text);
+}
+
+CommandPtr pasteCommand(Document& document, const LayerAddress& address, const Clip& clip, const Selection& selection)
+{
+    const Layer* layer = paintable(document, address);
+    if (layer == nullptr || clip.texels.empty())
+        return nullptr;
+    const MapSpec& source = mapSpec(clip.map);
+    const MapSpec& target = mapSpec(address.map);
+    sim::TiledRaster raster = layer->raster;
+    const int size = raster.size();
+    QPointF centre = clip.uvRect.center();
+    if (selection.rectangle())
+        centre = selection.rectangle()->center();
+    // Maps of another size get the clip at its uv size, by the nearest texel.
+    const int width = std::max(1, static_cast<int>(std::lround(clip.uvRect.width() * size)));
+    const int height = std::max(1, static_cast<int>(std::lround(clip.uvRect.height() * size)));
+    const int left = static_cast<int>(std::lround((centre.x() - 0.5 * clip.uvRect.width()) * size));
+    const int top = static_cast<int>(std::lround((1.0 - centre.y() - 0.5 * clip.uvRect.height()) * size));
+    for (int y = std::max(0, top); y < std::min(size, top + height); ++y) {
+        for (int x = std::max(0, left); x < std::min(size, left + width); ++x) {
+            const int column = (x - left) * clip.width / width;
+            const int row = (y - top) * clip.height / height;
+            const sim::Texel texel =
+                converted(clip.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(clip.width) +
+                                      static_cast<std::size_t>(column)],
+                          source, target);
+            if (texel[static_cast<std::size_t>(target.valueChannels)] != 0)
+                raster.setTexel(x, y, texel);
+        }
+    }
+    return paintCommand(document, address, differences(raster, layer->raster),
+                        Clipboard::tr("Paste into %1").arg(target.titleText()));
+}
+
+} // namespace hairpaint::model

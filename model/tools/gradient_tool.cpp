@@ -1,0 +1,184 @@
+// Linear and radial gradients over the map or the selection, live while they are dragged.
+#include "model/compositor.h"
+#include "model/tools/live_edit.h"
+#include "model/tools/mirror.h"
+#include "model/tools/picker.h"
+#include "model/tools/tool_list.h"
+#include "sim/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr int kTile = sim::TiledRaster::kTileSize;
+
+/// The way from a place (0) to another (1), in texels.
+struct Ramp
+{
+    glm::vec2 startTx{0.0F};
+    glm::vec2 alongTx{0.0F}; ///< From start to end; linear: over its squared length.
+    float perTx = 0.0F;      ///< Radial: 1 / radius.
+    GradientKind kind = GradientKind::Linear;
+
+    Ramp(GradientKind gradient, glm::vec2 start, glm::vec2 end) : startTx(start), kind(gradient)
+    {
+        const glm::vec2 way = end - start;
+        alongTx = way / std::max(glm::dot(way, way), 1e-6F);
+        perTx = 1.0F / std::max(glm::length(way), 1e-3F);
+    }
+    [[nodiscard]] float at(glm::vec2 tx) const
+    {
+        const glm::vec2 offset = tx - startTx;
+        const float share = kind == GradientKind::Linear ? glm::dot(offset, alongTx) : glm::length(offset) * perTx;
+        return std::clamp(share, 0.0F, 1.0F);
+    }
+};
+
+/// What a gradient lays on texels: the first value turning into the second; where both are equal, into nothing.
+struct GradientPaint
+{
+    sim::Texel first{}, second{};
+    std::vector<Ramp> ramps; ///< The mirrored one too; the nearest to its start counts.
+    std::uint16_t opacity = 65535;
+};
+
+class GradientTool : public Tool
+{
+    Q_DECLARE_TR_FUNCTIONS(Tool)
+public:
+    [[nodiscard]] const char* id() const override { return "gradient"; }
+    [[nodiscard]] QString title() const override { return tr("Gradient"); }
+    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_G; }
+    [[nodiscard]] QString hint() const override
+    {
+        return tr("Drag from the first value to the second; Shift keeps to steps of 45 degrees");
+    }
+    [[nodiscard]] std::vector<ToolOption> options() const override
+    {
+        return {ToolOption::Value, ToolOption::GradientKind, ToolOption::Opacity};
+    }
+
+    void press(const ToolEvent& event, ToolContext& context) override
+    {
+        if (picksInstead(event, context) || active() || (event.area == Area::Head && !event.point))
+            return;
+        if (m_edit.begin(context))
+            m_startUv = m_endUv = event.uv;
+    }
+    void move(const ToolEvent& event, ToolContext& context) override
+    {
+        if (!active() || (event.area == Area::Head && !event.point))
+            return;
+        m_endUv = event.uv;
+        if (event.modifiers.testFlag(Qt::ShiftModifier))
+            m_endUv = m_startUv + constrained(event.uv - m_startUv);
+        show(context);
+    }
+    void release(const ToolEvent& event, ToolContext& context) override
+    {
+        move(event, context);
+        commit(context);
+    }
+    void cancel(ToolContext& context) override { m_edit.cancel(context.document); }
+    void commit(ToolContext& context) override { m_edit.commit(context.document, title()); }
+    [[nodiscard]] bool active() const override { return m_edit.active(); }
+    [[nodiscard]] std::vector<OverlayShape> overlay() const override
+    {
+        if (!active())
+            return {};
+        QPolygonF line;
+        line << QPointF(m_startUv.x, m_startUv.y) << QPointF(m_endUv.x, m_endUv.y);
+        return {{.uvOutline = line, .closed = false}};
+    }
+
+private:
+    static glm::vec2 constrained(glm::vec2 way)
+    {
+        constexpr float kStep = 0.785398163F;
+        const float angle = std::round(std::atan2(way.y, way.x) / kStep) * kStep;
+        const glm::vec2 direction(std::cos(angle), std::sin(angle));
+        return direction * glm::dot(way, direction);
+    }
+
+    [[nodiscard]] GradientPaint paintOf(const ToolContext& context) const
+    {
+        const MapSpec& spec = m_edit.spec();
+        const auto size = static_cast<float>(m_edit.size());
+        const auto texel = [size](glm::vec2 uv) { return glm::vec2(uv.x, 1.0F - uv.y) * size; };
+        const GradientKind kind = context.settings.gradient;
+        GradientPaint paint{.first = context.settings.value(spec.kind).texel(spec),
+                            .second = context.settings.secondValue(spec.kind).texel(spec),
+                            .ramps = {Ramp(kind, texel(m_startUv), texel(m_endUv))},
+                            .opacity = unit16(context.settings.opacity)};
+        if (context.mirror) {
+            const Head* head = context.document.project().head.get();
+            const std::optional<glm::vec2> start = mirroredUv(head, m_startUv);
+            const std::optional<glm::vec2> end = mirroredUv(head, m_endUv);
+            if (start && end)
+                paint.ramps.emplace_back(kind, texel(*start), texel(*end));
+        }
+        return paint;
+    }
+
+    void show(ToolContext& context)
+    {
+        const GradientPaint paint = paintOf(context);
+        std::vector<int> tiles;
+        if (m_startUv != m_endUv)
+            tiles = tilesIn(m_edit.before(), m_edit.clip());
+        // Each tile by itself, so several threads may make them; shown in order afterwards.
+        std::vector<sim::RasterTilePtr> made(tiles.size());
+        sim::parallelFor(tiles.size(), 4, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                made[i] = makeTile(tiles[i], paint);
+        });
+        m_edit.replace(context.document, tiles, [&](int index, const sim::RasterTilePtr& /*before*/) {
+            return made[static_cast<std::size_t>(std::ranges::lower_bound(tiles, index) - tiles.begin())];
+        });
+    }
+
+    [[nodiscard]] sim::RasterTilePtr makeTile(int index, const GradientPaint& paint) const
+    {
+        const MapSpec& spec = m_edit.spec();
+        const auto channels = static_cast<std::size_t>(spec.valueChannels);
+        const bool fades = paint.first == paint.second;
+        StrokeBuffer::MaskTile mask{};
+        std::vector<std::uint16_t> values(StrokeBuffer::kTileTexels * channels);
+        const sim::TexelRect rect = m_edit.before().tileRect(index);
+        const sim::TexelRect& clip = m_edit.clip();
+        for (int y = std::max(rect.y0, clip.y0); y < std::min(rect.y1, clip.y1); ++y) {
+            for (int x = std::max(rect.x0, clip.x0); x < std::min(rect.x1, clip.x1); ++x) {
+                const auto texel =
+                    static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0);
+                const glm::vec2 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+                float share = 1.0F;
+                for (const Ramp& ramp : paint.ramps)
+                    share = std::min(share, ramp.at(centre));
+                const std::uint16_t share16 = unit16Fast(share);
+                mask[texel] = fades ? static_cast<std::uint16_t>(65535 - share16) : std::uint16_t{65535};
+                for (std::size_t i = 0; i < channels; ++i)
+                    values[texel * channels + i] = spec.texel == TexelKind::Index
+                                                       ? (share16 < kHalfCoverage ? paint.first : paint.second)[i]
+                                                       : lerp16(paint.first[i], paint.second[i], share16);
+            }
+        }
+        return paintTile(spec, m_edit.before().tile(index), mask, {.values = values.data(), .opacity = paint.opacity});
+    }
+
+    static std::uint16_t unit16Fast(float share) { return static_cast<std::uint16_t>(share * 65535.0F + 0.5F); }
+
+    LiveEdit m_edit;
+    glm::vec2 m_startUv{0.0F}, m_endUv{0.0F};
+};
+
+} // namespace
+
+std::unique_ptr<Tool> makeGradientTool()
+{
+    return std::make_unique<GradientTool>();
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,82 @@
+// Rectangle selection.
+#include "model/tools/picker.h"
+#include "model/tools/selection.h"
+#include "model/tools/tool_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr double kSmallestUv = 0.002; ///< Less is a click, which selects nothing.
+
+class SelectTool : public Tool
+{
+    Q_DECLARE_TR_FUNCTIONS(Tool)
+public:
+    [[nodiscard]] const char* id() const override { return "select"; }
+    [[nodiscard]] QString title() const override { return tr("Select"); }
+    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_M; }
+    [[nodiscard]] QString hint() const override
+    {
+        return tr("Drag a rectangle, Shift for a square; click to select nothing");
+    }
+    [[nodiscard]] std::vector<ToolOption> options() const override { return {}; }
+
+    void press(const ToolEvent& event, ToolContext& context) override
+    {
+        if (picksInstead(event, context) || m_active || (event.area == Area::Head && !event.point))
+            return;
+        m_active = true;
+        m_before = context.selection.rectangle();
+        m_startUv = event.uv;
+    }
+    void move(const ToolEvent& event, ToolContext& context) override
+    {
+        if (m_active && (event.area == Area::Paint || event.point))
+            context.selection.setRectangle(rectangleTo(event));
+    }
+    void release(const ToolEvent& event, ToolContext& context) override
+    {
+        move(event, context);
+        m_active = false;
+    }
+    void cancel(ToolContext& context) override
+    {
+        if (m_active)
+            context.selection.setRectangle(m_before);
+        m_active = false;
+    }
+    void commit(ToolContext& /*context*/) override { m_active = false; }
+    [[nodiscard]] bool active() const override { return m_active; }
+
+private:
+    [[nodiscard]] std::optional<QRectF> rectangleTo(const ToolEvent& event) const
+    {
+        glm::vec2 way = event.uv - m_startUv;
+        if (event.modifiers.testFlag(Qt::ShiftModifier)) {
+            const float side = std::max(std::abs(way.x), std::abs(way.y));
+            way = {std::copysign(side, way.x), std::copysign(side, way.y)};
+        }
+        const QRectF whole(0.0, 0.0, 1.0, 1.0);
+        const QRectF rectangle = QRectF(m_startUv.x, m_startUv.y, way.x, way.y).normalized().intersected(whole);
+        if (rectangle.width() < kSmallestUv || rectangle.height() < kSmallestUv)
+            return std::nullopt;
+        return rectangle;
+    }
+
+    bool m_active = false;
+    std::optional<QRectF> m_before;
+    glm::vec2 m_startUv{0.0F};
+};
+
+} // namespace
+
+std::unique_ptr<Tool> makeSelectTool()
+{
+    return std::make_unique<SelectTool>();
+}
+
+} // namespace hairpaint::model

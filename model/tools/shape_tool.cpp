@@ -1,0 +1,178 @@
+// Filled rectangles, ellipses and polygons.
+#include "model/compositor.h"
+#include "model/tools/live_edit.h"
+#include "model/tools/mirror.h"
+#include "model/tools/picker.h"
+#include "model/tools/shape_mask.h"
+#include "model/tools/tool_list.h"
+
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr int kEllipseCorners = 128;
+constexpr float kFreehandStepUv = 0.004F;
+constexpr float kCloseUv = 0.012F; ///< A click this near the first corner closes a polygon.
+
+glm::vec2 squared(glm::vec2 way)
+{
+    const float side = std::max(std::abs(way.x), std::abs(way.y));
+    return {std::copysign(side, way.x), std::copysign(side, way.y)};
+}
+
+/// Rectangles and ellipses are dragged from corner to corner. Polygons are clicked corner by corner, or drawn by
+/// dragging; a click near the first corner, or on the last one again, closes them.
+class ShapeTool : public Tool
+{
+    Q_DECLARE_TR_FUNCTIONS(Tool)
+public:
+    [[nodiscard]] const char* id() const override { return "shape"; }
+    [[nodiscard]] QString title() const override { return tr("Shape"); }
+    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_U; }
+    [[nodiscard]] QString hint() const override
+    {
+        return m_kind == ShapeKind::Polygon && active()
+                   ? tr("Click corner by corner; click the first one to close")
+                   : tr("Drag a filled shape; Shift makes it a square or a circle; polygons: click corner by corner");
+    }
+    [[nodiscard]] std::vector<ToolOption> options() const override
+    {
+        return {ToolOption::Value, ToolOption::ShapeKind, ToolOption::Opacity};
+    }
+
+    void press(const ToolEvent& event, ToolContext& context) override;
+    void move(const ToolEvent& event, ToolContext& context) override;
+    void release(const ToolEvent& event, ToolContext& context) override;
+    void cancel(ToolContext& context) override { m_edit.cancel(context.document); }
+    void commit(ToolContext& context) override { m_edit.commit(context.document, title()); }
+    [[nodiscard]] bool active() const override { return m_edit.active(); }
+    [[nodiscard]] std::vector<OverlayShape> overlay() const override
+    {
+        if (!active())
+            return {};
+        return {{.uvOutline = outlineUv(), .closed = m_kind != ShapeKind::Polygon || m_corners.size() > 2}};
+    }
+
+private:
+    [[nodiscard]] QPolygonF outlineUv() const;
+    void show(ToolContext& context);
+
+    LiveEdit m_edit;
+    ShapeKind m_kind = ShapeKind::Ellipse;
+    std::vector<glm::vec2> m_corners; ///< uv; of a rectangle or ellipse: start and end.
+    bool m_freehand = false;
+};
+
+void ShapeTool::press(const ToolEvent& event, ToolContext& context)
+{
+    if (picksInstead(event, context) || (event.area == Area::Head && !event.point))
+        return;
+    m_freehand = false;
+    if (!active()) {
+        if (!m_edit.begin(context))
+            return;
+        m_kind = context.settings.shape;
+        m_corners = {event.uv};
+        if (m_kind != ShapeKind::Polygon)
+            m_corners.push_back(event.uv);
+        return;
+    }
+    const bool closes = m_corners.size() > 2 && (glm::length(event.uv - m_corners.front()) < kCloseUv ||
+                                                 glm::length(event.uv - m_corners.back()) < kFreehandStepUv);
+    if (closes) {
+        commit(context);
+        return;
+    }
+    m_corners.push_back(event.uv);
+    show(context);
+}
+
+void ShapeTool::move(const ToolEvent& event, ToolContext& context)
+{
+    if (!active() || (event.area == Area::Head && !event.point))
+        return;
+    if (m_kind == ShapeKind::Polygon) {
+        if (glm::length(event.uv - m_corners.back()) < kFreehandStepUv)
+            return;
+        m_freehand = true;
+        m_corners.push_back(event.uv);
+    } else {
+        const glm::vec2 way = event.uv - m_corners.front();
+        m_corners.back() = m_corners.front() + (event.modifiers.testFlag(Qt::ShiftModifier) ? squared(way) : way);
+    }
+    show(context);
+}
+
+void ShapeTool::release(const ToolEvent& event, ToolContext& context)
+{
+    if (!active())
+        return;
+    move(event, context);
+    if (m_kind != ShapeKind::Polygon || (m_freehand && m_corners.size() > 2))
+        commit(context);
+}
+
+QPolygonF ShapeTool::outlineUv() const
+{
+    QPolygonF outline;
+    if (m_kind == ShapeKind::Polygon) {
+        for (const glm::vec2& corner : m_corners)
+            outline << QPointF(corner.x, corner.y);
+        return outline;
+    }
+    const glm::dvec2 a(m_corners.front());
+    const glm::dvec2 b(m_corners.back());
+    if (m_kind == ShapeKind::Rectangle) {
+        outline << QPointF(a.x, a.y) << QPointF(b.x, a.y) << QPointF(b.x, b.y) << QPointF(a.x, b.y);
+        return outline;
+    }
+    const glm::dvec2 centre = 0.5 * (a + b);
+    const glm::dvec2 radius = 0.5 * glm::abs(b - a);
+    for (int i = 0; i < kEllipseCorners; ++i) {
+        const double angle = 2.0 * 3.14159265358979323846 * i / kEllipseCorners;
+        outline << QPointF(centre.x + radius.x * std::cos(angle), centre.y + radius.y * std::sin(angle));
+    }
+    return outline;
+}
+
+void ShapeTool::show(ToolContext& context)
+{
+    const int size = m_edit.size();
+    const auto inTexels = [size](const QPolygonF& uv) {
+        QPolygonF tx;
+        for (const QPointF& point : uv)
+            tx << QPointF(point.x() * size, (1.0 - point.y()) * size);
+        return tx;
+    };
+    StrokeBuffer buffer(size);
+    const QPolygonF outline = outlineUv();
+    const ShapeMask mask(inTexels(outline), size);
+    mask.addTo(buffer, m_edit.clip(), false);
+    const Head* head = context.document.project().head.get();
+    if (context.mirror && (head == nullptr || head->builtIn)) {
+        mask.addTo(buffer, m_edit.clip(), true);
+    } else if (context.mirror) {
+        QPolygonF twin;
+        for (const QPointF& point : outline)
+            if (const auto uv = mirroredUv(head, glm::vec2(point.x(), point.y())))
+                twin << QPointF(uv->x, uv->y);
+        if (twin.size() == outline.size())
+            ShapeMask(inTexels(twin), size).addTo(buffer, m_edit.clip(), false);
+    }
+    const TilePaint paint{.value = context.settings.value(context.target.map).texel(m_edit.spec()),
+                          .opacity = unit16(context.settings.opacity)};
+    m_edit.replace(context.document, buffer.takeDirty(), [&](int index, const sim::RasterTilePtr& before) {
+        return paintTile(m_edit.spec(), before, *buffer.mask(index), paint);
+    });
+}
+
+} // namespace
+
+std::unique_ptr<Tool> makeShapeTool()
+{
+    return std::make_unique<ShapeTool>();
+}
+
+} // namespace hairpaint::model
