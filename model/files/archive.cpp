@@ -1,0 +1,293 @@
+// Checked reading and reproducible writing of ZIP archives.
+#include "model/files/archive.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QSaveFile>
+
+#include <zip.h>
+
+#include <algorithm>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr qsizetype kEndRecordBytes = 22;
+constexpr quint64 kMostDeflateRatio = 1032; // one bit of deflate stands for at most 258 bytes, twice over a code of 2
+constexpr zip_uint16_t kDosDate1980 = (0U << 9U) | (1U << 5U) | 1U;
+
+QString say(const char* text)
+{
+    return QCoreApplication::translate("Files", text);
+}
+
+tl::unexpected<Error> brokenArchive()
+{
+    return failure(say(QT_TRANSLATE_NOOP("Files", "its archive is cut short or broken")));
+}
+
+struct ErrorHolder
+{
+    ErrorHolder() { zip_error_init(&error); }
+    ~ErrorHolder() { zip_error_fini(&error); }
+    ErrorHolder(const ErrorHolder&) = delete;
+    ErrorHolder& operator=(const ErrorHolder&) = delete;
+    zip_error_t error{};
+};
+
+/// What libzip's source callback reads from.
+struct FileSource
+{
+    QFile file;
+};
+
+zip_int64_t readFile(void* user, void* data, zip_uint64_t length, zip_source_cmd_t command)
+{
+    auto& source = *static_cast<FileSource*>(user);
+    switch (command) {
+    case ZIP_SOURCE_OPEN:
+        return source.file.seek(0) ? 0 : -1;
+    case ZIP_SOURCE_READ:
+        return source.file.read(static_cast<char*>(data), static_cast<qint64>(std::min<zip_uint64_t>(length, 1U << 30U)));
+    case ZIP_SOURCE_CLOSE:
+    case ZIP_SOURCE_FREE:
+        return 0;
+    case ZIP_SOURCE_STAT: {
+        auto* stat = static_cast<zip_stat_t*>(data);
+        zip_stat_init(stat);
+        stat->valid = ZIP_STAT_SIZE;
+        stat->size = static_cast<zip_uint64_t>(source.file.size());
+        return sizeof(*stat);
+    }
+    case ZIP_SOURCE_ERROR: {
+        auto* codes = static_cast<int*>(data);
+        codes[0] = ZIP_ER_READ;
+        codes[1] = 0;
+        return 2 * sizeof(int);
+    }
+    case ZIP_SOURCE_SEEK: {
+        ErrorHolder error;
+        const zip_int64_t offset =
+            zip_source_seek_compute_offset(static_cast<zip_uint64_t>(source.file.pos()),
+                                           static_cast<zip_uint64_t>(source.file.size()), data, length, &error.error);
+        return offset >= 0 && source.file.seek(offset) ? 0 : -1;
+    }
+    case ZIP_SOURCE_TELL:
+        return source.file.pos();
+    case ZIP_SOURCE_SUPPORTS:
+        return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT,
+                                              ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, ZIP_SOURCE_SEEK, ZIP_SOURCE_TELL,
+                                              ZIP_SOURCE_SUPPORTS, -1);
+    default:
+        return -1;
+    }
+}
+
+/// libzip believes the entry count of ZIP64 records and allocates for it, so those never reach it.
+Result<void> checkTail(QFile& file)
+{
+    const qint64 tailBytes = std::min<qint64>(file.size(), 65'535 + 2 * kEndRecordBytes);
+    if (tailBytes < kEndRecordBytes || !file.seek(file.size() - tailBytes))
+        return brokenArchive();
+    const QByteArray tail = file.read(tailBytes);
+    if (tail.size() != tailBytes)
+        return brokenArchive();
+    const QByteArray endMark("PK\x05\x06", 4);
+    const QByteArray zip64Mark("PK\x06\x07", 4);
+    const QByteArray end = tail.last(kEndRecordBytes);
+    if (!end.startsWith(endMark) || end[20] != 0 || end[21] != 0)
+        return brokenArchive();
+    for (qsizetype at = tail.indexOf(endMark); at >= 0; at = tail.indexOf(endMark, at + 1))
+        if (at >= 20 && tail.sliced(at - 20, 4) == zip64Mark)
+            return brokenArchive();
+    return {};
+}
+
+bool acceptableName(const QString& name)
+{
+    if (name.isEmpty() || name.toUtf8().size() > 200 || name.startsWith(QLatin1Char('/')))
+        return false;
+    for (const QChar c : name)
+        if (c == QLatin1Char('\\') || c == QLatin1Char(':') || c.category() == QChar::Other_Control ||
+            c == QChar::ReplacementCharacter)
+            return false;
+    const QStringList segments = name.split(QLatin1Char('/'));
+    return std::ranges::none_of(
+        segments, [](const QString& s) { return s == QLatin1String(".") || s == QLatin1String(".."); });
+}
+
+} // namespace
+
+struct ArchiveReader::Handle
+{
+    Handle() = default;
+    ~Handle()
+    {
+        if (zip != nullptr)
+            zip_discard(zip);
+    }
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+
+    FileSource source;
+    zip_t* zip = nullptr;
+};
+
+ArchiveReader::ArchiveReader() : m_handle(std::make_unique<Handle>()) {}
+ArchiveReader::ArchiveReader(ArchiveReader&& other) noexcept = default;
+ArchiveReader& ArchiveReader::operator=(ArchiveReader&& other) noexcept = default;
+ArchiveReader::~ArchiveReader() = default;
+
+Result<ArchiveReader> ArchiveReader::open(const QString& path)
+{
+    ArchiveReader reader;
+    QFile& file = reader.m_handle->source.file;
+    file.setFileName(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return failure(file.errorString());
+    if (!file.peek(2).startsWith("PK"))
+        return failure(say(QT_TRANSLATE_NOOP("Files", "it is not an archive of Hair Paint")));
+    if (Result<void> tail = checkTail(file); !tail)
+        return tl::unexpected(tail.error());
+
+    ErrorHolder error;
+    zip_source_t* source = zip_source_function_create(readFile, &reader.m_handle->source, &error.error);
+    if (source == nullptr)
+        return brokenArchive();
+    reader.m_handle->zip = zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error.error);
+    if (reader.m_handle->zip == nullptr) {
+        zip_source_free(source);
+        return brokenArchive();
+    }
+    if (Result<void> directory = reader.readDirectory(); !directory)
+        return tl::unexpected(directory.error());
+    return reader;
+}
+
+Result<void> ArchiveReader::readDirectory()
+{
+    const zip_int64_t count = zip_get_num_entries(m_handle->zip, 0);
+    if (count < 0 || count > kMostArchiveEntries)
+        return failure(say(QT_TRANSLATE_NOOP("Files", "it holds more than %1 entries")).arg(kMostArchiveEntries));
+    for (zip_uint64_t index = 0; index < static_cast<zip_uint64_t>(count); ++index) {
+        zip_stat_t stat;
+        constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_CRC |
+                                         ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
+        if (zip_stat_index(m_handle->zip, index, 0, &stat) != 0 || (stat.valid & kNeeded) != kNeeded)
+            return brokenArchive();
+        const QString name = QString::fromUtf8(stat.name);
+        if (!acceptableName(name))
+            return failure(say(QT_TRANSLATE_NOOP("Files", "one of its entries has an unacceptable name")));
+        if (m_entries.contains(name))
+            return failure(say(QT_TRANSLATE_NOOP("Files", "it holds two entries named '%1'")).arg(name));
+        const bool stored = stat.comp_method == ZIP_CM_STORE;
+        const quint64 plausible = stored ? stat.comp_size : stat.comp_size * kMostDeflateRatio + 64;
+        if ((!stored && stat.comp_method != ZIP_CM_DEFLATE) || stat.encryption_method != ZIP_EM_NONE ||
+            stat.comp_size > (1ULL << 32U) || stat.size > plausible)
+            return failure(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is packed in an unacceptable way")).arg(name));
+        m_entries.insert(name, Entry{.index = index, .size = stat.size, .crc = stat.crc});
+    }
+    return {};
+}
+
+Result<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes) const
+{
+    const auto found = m_entries.constFind(name);
+    if (found == m_entries.constEnd())
+        return failure(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is missing")).arg(name));
+    if (found->size > static_cast<quint64>(mostBytes))
+        return failure(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is too large")).arg(name));
+    const auto broken = [&name] {
+        return failure(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is broken")).arg(name));
+    };
+    zip_file_t* file = zip_fopen_index(m_handle->zip, found->index, 0);
+    if (file == nullptr)
+        return broken();
+    QByteArray bytes(static_cast<qsizetype>(found->size), Qt::Uninitialized);
+    quint64 done = 0;
+    while (done < found->size) {
+        const zip_int64_t got = zip_fread(file, bytes.data() + done, found->size - done);
+        if (got <= 0)
+            break;
+        done += static_cast<quint64>(got);
+    }
+    // One more read runs into the end, where libzip compares the checksum.
+    char more = 0;
+    const bool ended = done == found->size && zip_fread(file, &more, 1) == 0;
+    if (zip_fclose(file) != 0 || !ended)
+        return broken();
+    return bytes;
+}
+
+void ArchiveWriter::add(const QByteArray& name, const QByteArray& bytes, Method method)
+{
+    m_entries.push_back({.name = name, .bytes = bytes, .method = method});
+}
+
+namespace {
+
+/// The archive lies in a memory source; it is copied out in pieces.
+Result<void> copyOut(zip_source_t* source, const QString& path)
+{
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return failure(file.errorString());
+    if (zip_source_open(source) != 0)
+        return failure(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
+    QByteArray piece(1 << 20, Qt::Uninitialized);
+    zip_int64_t got = 0;
+    bool written = true;
+    while (written && (got = zip_source_read(source, piece.data(), static_cast<zip_uint64_t>(piece.size()))) > 0)
+        written = file.write(piece.constData(), got) == got;
+    zip_source_close(source);
+    if (got < 0)
+        return failure(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
+    if (!written || !file.commit())
+        return failure(file.errorString());
+    return {};
+}
+
+} // namespace
+
+Result<void> ArchiveWriter::writeTo(const QString& path) const
+{
+    const auto unmade = [] { return failure(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made"))); };
+    ErrorHolder error;
+    zip_source_t* target = zip_source_buffer_create(nullptr, 0, 0, &error.error);
+    if (target == nullptr)
+        return unmade();
+    const std::unique_ptr<zip_source_t, decltype(&zip_source_free)> kept(target, zip_source_free);
+    zip_source_keep(target);
+    zip_t* zip = zip_open_from_source(target, ZIP_CREATE | ZIP_TRUNCATE, &error.error);
+    if (zip == nullptr) {
+        zip_source_free(target);
+        return unmade();
+    }
+    for (const Entry& entry : m_entries) {
+        zip_source_t* content =
+            zip_source_buffer(zip, entry.bytes.constData(), static_cast<zip_uint64_t>(entry.bytes.size()), 0);
+        const zip_int64_t index =
+            content == nullptr ? -1 : zip_file_add(zip, entry.name.constData(), content, ZIP_FL_ENC_UTF_8);
+        if (index < 0) {
+            if (content != nullptr)
+                zip_source_free(content);
+            zip_discard(zip);
+            return unmade();
+        }
+        const auto at = static_cast<zip_uint64_t>(index);
+        const zip_int32_t method = entry.method == Method::Stored ? ZIP_CM_STORE : ZIP_CM_DEFLATE;
+        if (zip_set_file_compression(zip, at, method, 0) != 0 ||
+            zip_file_set_dostime(zip, at, 0, kDosDate1980, 0) != 0) {
+            zip_discard(zip);
+            return unmade();
+        }
+    }
+    if (zip_close(zip) != 0) {
+        zip_discard(zip);
+        return unmade();
+    }
+    return copyOut(target, path);
+}
+
+} // namespace hairpaint::model

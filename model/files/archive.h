@@ -1,0 +1,72 @@
+// ZIP archives as project and preset files use them. Wraps libzip.
+// Errors: clauses for a sentence of sentences.h.
+#pragma once
+
+#include "model/error.h"
+
+#include <QByteArray>
+#include <QHash>
+
+#include <memory>
+
+namespace hairpaint::model {
+
+inline constexpr int kMostArchiveEntries = 8192;
+
+/// Names and sizes are checked when it opens (see the limits in hairpaint_format.md); bytes are read on demand.
+/// One thread at a time.
+class ArchiveReader
+{
+public:
+    /// The path must be a readable file (checkReadable).
+    [[nodiscard]] static Result<ArchiveReader> open(const QString& path);
+
+    ArchiveReader(ArchiveReader&& other) noexcept;
+    ArchiveReader& operator=(ArchiveReader&& other) noexcept;
+    ~ArchiveReader();
+
+    [[nodiscard]] bool contains(const QString& name) const { return m_entries.contains(name); }
+    /// Refuses an entry that is missing, larger than `mostBytes`, or does not match its checksum.
+    [[nodiscard]] Result<QByteArray> read(const QString& name, qint64 mostBytes) const;
+    [[nodiscard]] quint32 checksum(const QString& name) const { return m_entries.value(name).crc; }
+
+private:
+    struct Entry
+    {
+        quint64 index = 0;
+        quint64 size = 0;
+        quint32 crc = 0;
+    };
+    struct Handle;
+    ArchiveReader();
+    Result<void> readDirectory();
+
+    std::unique_ptr<Handle> m_handle;
+    QHash<QString, Entry> m_entries;
+};
+
+/// Collects entries and writes them all at once. The same entries give the same bytes.
+class ArchiveWriter
+{
+public:
+    enum class Method
+    {
+        Stored,
+        Deflated
+    };
+    /// `name`: ASCII.
+    void add(const QByteArray& name, const QByteArray& bytes, Method method);
+    /// Atomic (QSaveFile): afterwards `path` holds the archive, or what it held before.
+    [[nodiscard]] Result<void> writeTo(const QString& path) const;
+
+private:
+    struct Entry
+    {
+        QByteArray name;
+        QByteArray bytes;
+        Method method = Method::Stored;
+    };
+    std::vector<Entry> m_entries;
+};
+
+} // namespace hairpaint::model

@@ -1,0 +1,42 @@
+// The encoded bytes of layers that have not changed since they were read or written.
+// Any thread: one lock. Holds the tiles it knows, so that their addresses can't come back with other texels.
+#pragma once
+
+#include "sim/tiled_raster.h"
+
+#include <QByteArray>
+
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace hairpaint::model {
+
+class EncodedLayers
+{
+public:
+    /// Known where every tile is the very tile that was inserted, or all texels have the one inserted value.
+    [[nodiscard]] std::optional<QByteArray> find(const sim::TiledRaster& raster);
+    void insert(const sim::TiledRaster& raster, const QByteArray& bytes);
+    /// Forgets what was neither found nor inserted since the last call.
+    void dropUnused();
+
+    /// Layers that were encoded, not found; for tests.
+    [[nodiscard]] int misses() const { return m_misses; }
+
+private:
+    struct Entry
+    {
+        sim::TiledRaster raster;
+        std::optional<sim::Texel> uniform;
+        QByteArray bytes;
+        bool used = true;
+    };
+    Entry* entryOf(const sim::TiledRaster& raster, const std::optional<sim::Texel>& uniform);
+
+    std::mutex m_mutex;
+    std::vector<Entry> m_entries;
+    int m_misses = 0;
+};
+
+} // namespace hairpaint::model

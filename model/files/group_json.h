@@ -1,0 +1,30 @@
+// Hair groups as JSON, shared by projects and presets. Keys, ranges and defaults: hairpaint_format.md.
+#pragma once
+
+#include "model/error.h"
+#include "model/project.h"
+
+#include <QJsonArray>
+#include <QSet>
+
+namespace hairpaint::model {
+
+inline constexpr int kMostGroups = 256;
+inline constexpr int kMostLayersInMap = 256;
+inline constexpr int kMostLayers = 4096;
+inline constexpr Id kGreatestNextId = 2'000'000'000;
+
+[[nodiscard]] QJsonArray groupsToJson(const std::vector<HairGroup>& groups);
+
+/// Groups whose layers have no texels yet: each raster is one tile of the empty texel, to be replaced. Maps that the
+/// file lacks get an empty layer, whose id is 0 for the caller to set. Every id is checked to be unique and below
+/// `nextId`.
+[[nodiscard]] Result<std::vector<HairGroup>> groupsFromJson(const QJsonArray& array, Id nextId);
+
+/// Whether the counts keep to the limits above; an error is a clause.
+[[nodiscard]] Result<void> checkGroupCounts(const std::vector<HairGroup>& groups);
+
+/// "groups/<group>/<map>/<layer>.png"
+[[nodiscard]] QString layerEntryName(const HairGroup& group, const MapStack& stack, const Layer& layer);
+
+} // namespace hairpaint::model

@@ -1,0 +1,32 @@
+// Layers as 16-bit RGBA PNG images, and back: see "Layers" in model/files/hairpaint_format.md.
+// Any thread. Errors: clauses for a sentence of sentences.h.
+#pragma once
+
+#include "model/error.h"
+#include "model/map_spec.h"
+
+#include <QByteArray>
+
+namespace hairpaint::model {
+
+/// Bytes that a layer's PNG may have at most.
+[[nodiscard]] constexpr qint64 mostLayerBytes(int size)
+{
+    const qint64 pixels = qint64{8} * size * size;
+    return pixels + pixels / 64 + 65'536;
+}
+
+/// The same texels give the same bytes.
+[[nodiscard]] QByteArray encodeLayer(const sim::TiledRaster& raster);
+
+struct DecodedLayer
+{
+    sim::TiledRaster raster;
+    /// encodeLayer(raster) may be taken to give the bytes read: nothing in them was left out or mended.
+    bool ours = true;
+};
+
+/// `size`: the side that the image must have. Tiles of one value are folded.
+[[nodiscard]] Result<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, int size);
+
+} // namespace hairpaint::model

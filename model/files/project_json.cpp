@@ -1,0 +1,338 @@
+// project.json of projects and presets.
+#include "model/files/project_json.h"
+
+#include "model/files/group_json.h"
+#include "model/files/json_fields.h"
+#include "model/files/migrations.h"
+#include "sim/roots.h"
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+
+#include <algorithm>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr int kDeepestJson = 32;
+constexpr qsizetype kMostEllipsoids = 8;
+constexpr qsizetype kMostTags = 32;
+constexpr int kMostHairs = 4'000'000;
+constexpr const char* kProjectFormat = "hairpaint project";
+constexpr const char* kPresetFormat = "hairpaint preset";
+constexpr std::array<Choice<UpAxis>, 2> kAxes = {{{"y", UpAxis::Y}, {"z", UpAxis::Z}}};
+
+QString say(const char* text)
+{
+    return QCoreApplication::translate("Files", text);
+}
+
+tl::unexpected<Error> brokenKey(const char* key)
+{
+    return failure(
+        say(QT_TRANSLATE_NOOP("Files", "'%1' in project.json is not what it should be")).arg(QLatin1String(key)));
+}
+
+template<typename Fields, typename AnyWind>
+void visitWind(Fields& fields, AnyWind& wind)
+{
+    fields.boolean("enabled", wind.enabled);
+    fields.numbers("velocity_m_per_s", components(wind.velocity), -100.0F, 100.0F);
+    fields.number("gustiness", wind.gustiness, 0.0F, 1.0F);
+    fields.number("turbulence", wind.turbulence, 0.0F, 1.0F);
+}
+
+template<typename Fields>
+void visitLight(Fields& fields, LightSettings& light)
+{
+    fields.number("azimuth_rad", light.azimuthRad, -1000.0F, 1000.0F);
+    fields.number("elevation_rad", light.elevationRad, -1.5708F, 1.5708F);
+    fields.number("intensity", light.intensity, 0.0F, 4.0F);
+    fields.number("ambient", light.ambient, 0.0F, 1.0F);
+    std::array<float, 3> colour = {light.red, light.green, light.blue};
+    fields.numbers("colour", std::span<float>(colour), 0.0F, 1.0F);
+    light.red = colour[0];
+    light.green = colour[1];
+    light.blue = colour[2];
+}
+
+template<typename Fields, typename AnyEllipsoid>
+void visitEllipsoid(Fields& fields, AnyEllipsoid& ellipsoid)
+{
+    fields.numbers("centre_m", components(ellipsoid.centreHd), -100.0F, 100.0F);
+    fields.numbers("semi_axes_m", components(ellipsoid.semiAxesM), 1e-4F, 100.0F);
+    std::array<float, 4> turn = {ellipsoid.rotation.x, ellipsoid.rotation.y, ellipsoid.rotation.z,
+                                 ellipsoid.rotation.w};
+    fields.numbers("rotation", std::span<float>(turn), -1.0F, 1.0F);
+    ellipsoid.rotation = glm::quat(turn[3], turn[0], turn[1], turn[2]);
+}
+
+template<typename Fields, typename AnyHead>
+void visitHead(Fields& fields, AnyHead& head)
+{
+    fields.text("name", head.name);
+    fields.boolean("built_in", head.builtIn);
+    fields.number("unit_scale_m", head.unitScale, 1e-6F, 1e6F);
+    fields.choice("up_axis", head.upAxis, kAxes);
+}
+
+/// Qt's parser stops at 1024 levels; so deep a value would still be taken.
+bool nestsTooDeep(const QByteArray& json)
+{
+    int depth = 0;
+    bool inString = false;
+    for (qsizetype i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (inString) {
+            if (c == '\\')
+                ++i;
+            else if (c == '"')
+                inString = false;
+        } else if (c == '"') {
+            inString = true;
+        } else if (c == '{' || c == '[') {
+            if (++depth > kDeepestJson)
+                return true;
+        } else if (c == '}' || c == ']') {
+            --depth;
+        }
+    }
+    return false;
+}
+
+Result<QJsonObject> parseRoot(const QByteArray& json, const char* format)
+{
+    if (json.size() > kMostJsonBytes || nestsTooDeep(json))
+        return failure(say(QT_TRANSLATE_NOOP("Files", "its project.json is too large or nested too deep")));
+    QJsonParseError problem;
+    const QJsonDocument document = QJsonDocument::fromJson(json, &problem);
+    if (problem.error != QJsonParseError::NoError || !document.isObject())
+        return failure(say(QT_TRANSLATE_NOOP("Files", "its project.json can't be understood")));
+    if (document.object().value(QLatin1String("format")).toString() != QLatin1String(format))
+        return brokenKey("format");
+    return migrated(document.object());
+}
+
+Result<Id> parseNextId(const QJsonObject& root)
+{
+    const QJsonValue value = root.value(QLatin1String("next_id"));
+    const Id id = value.toInt(0);
+    if (id < 1 || id > kGreatestNextId)
+        return brokenKey("next_id");
+    return id;
+}
+
+/// Gives ids to the layers that stand for absent maps.
+void fillIds(std::vector<HairGroup>& groups, Id& nextId)
+{
+    for (HairGroup& group : groups)
+        for (MapStack& stack : group.maps)
+            for (Layer& layer : stack.layers)
+                if (layer.id == 0)
+                    layer.id = nextId++;
+}
+
+Result<std::vector<HairGroup>> parseGroups(const QJsonObject& root, Id& nextId)
+{
+    const QJsonValue groups = root.value(QLatin1String("groups"));
+    if (!groups.isArray())
+        return brokenKey("groups");
+    Result<std::vector<HairGroup>> parsed = groupsFromJson(groups.toArray(), nextId);
+    if (parsed)
+        fillIds(*parsed, nextId);
+    return parsed;
+}
+
+Result<std::vector<sim::Ellipsoid>> parseEllipsoids(const QJsonValue& value)
+{
+    std::vector<sim::Ellipsoid> ellipsoids;
+    if (value.isUndefined())
+        return ellipsoids;
+    const QJsonArray array = value.toArray();
+    if (!value.isArray() || array.size() > kMostEllipsoids)
+        return brokenKey("ellipsoids");
+    QString problem;
+    for (const QJsonValue& item : array) {
+        sim::Ellipsoid ellipsoid;
+        FieldReader fields(item.toObject(), problem);
+        visitEllipsoid(fields, ellipsoid);
+        const glm::quat& q = ellipsoid.rotation;
+        if (!item.isObject() || !problem.isEmpty() || glm::dot(q, q) < 1e-6F)
+            return brokenKey("ellipsoids");
+        ellipsoids.push_back(ellipsoid);
+    }
+    return ellipsoids;
+}
+
+Result<void> parseSeed(const QJsonObject& root, std::uint64_t& seed)
+{
+    const QJsonValue value = root.value(QLatin1String("seed"));
+    if (value.isUndefined())
+        return {};
+    const QString digits = value.toString();
+    const auto isDigit = [](QChar c) { return c >= QLatin1Char('0') && c <= QLatin1Char('9'); };
+    bool ok = false;
+    seed = digits.toULongLong(&ok);
+    if (!value.isString() || !ok || !std::ranges::all_of(digits, isDigit))
+        return brokenKey("seed");
+    return {};
+}
+
+Result<void> parseBackground(const QJsonObject& root, QRgb& background)
+{
+    const QJsonValue value = root.value(QLatin1String("background"));
+    if (value.isUndefined())
+        return {};
+    const QString text = value.toString();
+    const QColor colour(text);
+    if (text.size() != 7 || !text.startsWith(QLatin1Char('#')) || !colour.isValid())
+        return brokenKey("background");
+    background = colour.rgb();
+    return {};
+}
+
+Result<void> parseRoots(const QJsonObject& root)
+{
+    const QJsonValue roots = root.value(QLatin1String("roots"));
+    if (roots.isUndefined())
+        return {};
+    if (!roots.isObject() || roots.toObject().value(QLatin1String("algorithm")).toInt(0) != sim::kRootsAlgorithm)
+        return failure(
+            say(QT_TRANSLATE_NOOP("Files", "its way of drawing roots is not known to this version of Hair Paint")));
+    return {};
+}
+
+QByteArray toBytes(QJsonObject root, const char* format)
+{
+    root.insert(QStringLiteral("format"), QLatin1String(format));
+    root.insert(QStringLiteral("format_version"), kFormatVersion);
+    return QJsonDocument(root).toJson(QJsonDocument::Indented);
+}
+
+Id nextIdOf(const std::vector<HairGroup>& groups)
+{
+    Id next = 1;
+    for (const HairGroup& group : groups) {
+        next = std::max(next, group.id + 1);
+        for (const MapStack& stack : group.maps)
+            for (const Layer& layer : stack.layers)
+                next = std::max(next, layer.id + 1);
+    }
+    return next;
+}
+
+} // namespace
+
+Result<QByteArray> projectToJson(const Project& project)
+{
+    if (Result<void> counts = checkGroupCounts(project.groups); !counts)
+        return tl::unexpected(counts.error());
+    FieldWriter fields;
+    fields.integer("next_id", std::max(project.nextId, nextIdOf(project.groups)), 1, kGreatestNextId);
+    fields.text("seed", QString::number(project.seed));
+    fields.integer("max_hairs", project.maxHairs, 1, kMostHairs);
+    fields.object("roots", [](FieldWriter& inner) { inner.integer("algorithm", sim::kRootsAlgorithm, 1, 1 << 20); });
+    fields.text("background", QColor(project.background).name(QColor::HexRgb));
+    if (project.head)
+        fields.object("head", [&project](FieldWriter& inner) { visitHead(inner, *project.head); });
+    fields.object("wind", [&project](FieldWriter& inner) { visitWind(inner, project.wind); });
+    fields.object("light", [light = project.light](FieldWriter& inner) mutable { visitLight(inner, light); });
+    QJsonObject root = fields.take();
+    QJsonArray ellipsoids;
+    for (sim::Ellipsoid ellipsoid : project.ellipsoids) {
+        FieldWriter inner;
+        visitEllipsoid(inner, ellipsoid);
+        if (ellipsoids.size() < kMostEllipsoids)
+            ellipsoids.append(inner.take());
+    }
+    root.insert(QStringLiteral("ellipsoids"), ellipsoids);
+    root.insert(QStringLiteral("groups"), groupsToJson(project.groups));
+    return toBytes(std::move(root), kProjectFormat);
+}
+
+Result<ProjectManifest> projectFromJson(const QByteArray& json)
+{
+    const Result<QJsonObject> root = parseRoot(json, kProjectFormat);
+    if (!root)
+        return tl::unexpected(root.error());
+    ProjectManifest manifest;
+    Project& project = manifest.project;
+    const Result<Id> nextId = parseNextId(*root);
+    if (!nextId)
+        return tl::unexpected(nextId.error());
+    project.nextId = *nextId;
+    for (const Result<void>& part :
+         {parseSeed(*root, project.seed), parseBackground(*root, project.background), parseRoots(*root)})
+        if (!part)
+            return tl::unexpected(part.error());
+
+    QString problem;
+    FieldReader fields(*root, problem);
+    fields.integer("max_hairs", project.maxHairs, 1, kMostHairs);
+    fields.object("wind", [&project](FieldReader& inner) { visitWind(inner, project.wind); });
+    fields.object("light", [&project](FieldReader& inner) { visitLight(inner, project.light); });
+    fields.object("head", [&manifest](FieldReader& inner) { visitHead(inner, manifest.head); });
+    if (manifest.head.name.isEmpty())
+        fields.complain("head");
+    if (!problem.isEmpty())
+        return failure(problem);
+
+    Result<std::vector<sim::Ellipsoid>> ellipsoids = parseEllipsoids(root->value(QLatin1String("ellipsoids")));
+    if (!ellipsoids)
+        return tl::unexpected(ellipsoids.error());
+    project.ellipsoids = std::move(*ellipsoids);
+    Result<std::vector<HairGroup>> groups = parseGroups(*root, project.nextId);
+    if (!groups)
+        return tl::unexpected(groups.error());
+    project.groups = std::move(*groups);
+    return manifest;
+}
+
+Result<QByteArray> presetToJson(const Preset& preset)
+{
+    if (Result<void> counts = checkGroupCounts(preset.groups); !counts)
+        return tl::unexpected(counts.error());
+    FieldWriter fields;
+    fields.text("name", preset.name);
+    fields.integer("next_id", nextIdOf(preset.groups), 1, kGreatestNextId);
+    QJsonObject root = fields.take();
+    QJsonArray tags;
+    for (const QString& tag : preset.tags)
+        if (tags.size() < kMostTags)
+            tags.append(tag.left(kLongestName));
+    root.insert(QStringLiteral("tags"), tags);
+    root.insert(QStringLiteral("groups"), groupsToJson(preset.groups));
+    return toBytes(std::move(root), kPresetFormat);
+}
+
+Result<PresetManifest> presetFromJson(const QByteArray& json)
+{
+    const Result<QJsonObject> root = parseRoot(json, kPresetFormat);
+    if (!root)
+        return tl::unexpected(root.error());
+    PresetManifest manifest;
+    Result<Id> nextId = parseNextId(*root);
+    if (!nextId)
+        return tl::unexpected(nextId.error());
+    QString problem;
+    FieldReader fields(*root, problem);
+    fields.text("name", manifest.preset.name);
+    if (!problem.isEmpty())
+        return failure(problem);
+    const QJsonValue tags = root->value(QLatin1String("tags"));
+    if (!(tags.isUndefined() || tags.isArray()) || tags.toArray().size() > kMostTags)
+        return brokenKey("tags");
+    for (const QJsonValue& tag : tags.toArray()) {
+        if (!tag.isString() || tag.toString().size() > kLongestName)
+            return brokenKey("tags");
+        manifest.preset.tags.append(tag.toString());
+    }
+    Result<std::vector<HairGroup>> groups = parseGroups(*root, *nextId);
+    if (!groups)
+        return tl::unexpected(groups.error());
+    manifest.preset.groups = std::move(*groups);
+    return manifest;
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,38 @@
+// project.json: everything of a project or preset that is not a mesh or an image. Keys: hairpaint_format.md.
+// Errors: clauses for a sentence of sentences.h.
+#pragma once
+
+#include "model/error.h"
+#include "model/preset.h"
+#include "model/project.h"
+
+namespace hairpaint::model {
+
+inline constexpr qint64 kMostJsonBytes = 4 << 20;
+
+/// What a project file says of its head; the mesh comes from elsewhere.
+struct HeadReference
+{
+    QString name;
+    bool builtIn = true;
+    float unitScale = 1.0F;
+    UpAxis upAxis = UpAxis::Y;
+};
+
+struct ProjectManifest
+{
+    Project project; ///< Without a head; layers without texels (see groupsFromJson), ids of all set.
+    HeadReference head;
+};
+
+struct PresetManifest
+{
+    Preset preset; ///< Likewise.
+};
+
+[[nodiscard]] Result<QByteArray> projectToJson(const Project& project);
+[[nodiscard]] Result<ProjectManifest> projectFromJson(const QByteArray& json);
+[[nodiscard]] Result<QByteArray> presetToJson(const Preset& preset);
+[[nodiscard]] Result<PresetManifest> presetFromJson(const QByteArray& json);
+
+} // namespace hairpaint::model

@@ -1,0 +1,274 @@
+// Encoding and checked decoding of the helper's messages.
+#include "model/files/wire_format.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace hairpaint::wire {
+
+namespace {
+
+constexpr std::array<char, 8> kMagic = {'H', 'P', 'W', 'I', 'R', 'E', '0', '1'};
+static_assert(std::endian::native == std::endian::little, "arrays are copied as they lie in memory");
+static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec2) == 8 && sizeof(glm::uvec3) == 12);
+
+class Writer
+{
+public:
+    Writer(Kind kind, std::uint64_t bodyBytes)
+    {
+        m_bytes.reserve(kHeaderBytes + bodyBytes);
+        array(std::span(kMagic));
+        value(static_cast<std::uint32_t>(kind));
+        value(bodyBytes);
+    }
+    template<typename T>
+    void value(T number)
+    {
+        array(std::span(&number, 1));
+    }
+    template<typename T, std::size_t N>
+    void array(std::span<T, N> values)
+    {
+        const auto bytes = std::as_bytes(values);
+        m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end());
+    }
+    [[nodiscard]] Bytes take() { return std::move(m_bytes); }
+
+private:
+    Bytes m_bytes;
+};
+
+class Reader
+{
+public:
+    explicit Reader(std::span<const std::byte> bytes) : m_rest(bytes) {}
+
+    template<typename T>
+    bool value(T& number)
+    {
+        if (m_rest.size() < sizeof(T))
+            return false;
+        std::memcpy(&number, m_rest.data(), sizeof(T));
+        m_rest = m_rest.subspan(sizeof(T));
+        return true;
+    }
+    /// Allocates only what the body really holds.
+    template<typename T>
+    bool array(std::vector<T>& values, std::uint64_t count)
+    {
+        if (count > m_rest.size() / sizeof(T))
+            return false;
+        values.resize(static_cast<std::size_t>(count));
+        if (count > 0)
+            std::memcpy(values.data(), m_rest.data(), values.size() * sizeof(T));
+        m_rest = m_rest.subspan(values.size() * sizeof(T));
+        return true;
+    }
+    [[nodiscard]] bool atEnd() const { return m_rest.empty(); }
+    [[nodiscard]] std::span<const std::byte> rest() const { return m_rest; }
+
+private:
+    std::span<const std::byte> m_rest;
+};
+
+std::uint64_t mostBodyBytes(Kind kind)
+{
+    switch (kind) {
+    case Kind::ReadImage:
+    case Kind::ReadMesh:
+        return kLongestPath;
+    case Kind::EncodeImage:
+    case Kind::Image:
+        return 64 + kMostPixels * 8;
+    case Kind::Mesh:
+        return 8 + 32ULL * kMostVertices + 12ULL * kMostTriangles;
+    case Kind::Encoded:
+        return kMostEncodedBytes;
+    case Kind::Refusal:
+        return 4;
+    }
+    return 0;
+}
+
+void writeImage(Writer& writer, const Image& image)
+{
+    writer.value(image.width);
+    writer.value(image.height);
+    writer.value(image.channels);
+    writer.array(std::span(image.samples));
+}
+
+bool finite(const glm::vec3& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+} // namespace
+
+std::optional<Header> decodeHeader(std::span<const std::byte> bytes)
+{
+    if (bytes.size() < kHeaderBytes || std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) != 0)
+        return std::nullopt;
+    Reader reader(bytes.subspan(kMagic.size()));
+    std::uint32_t kind = 0;
+    Header header;
+    if (!reader.value(kind) || !reader.value(header.bodyBytes))
+        return std::nullopt;
+    header.kind = static_cast<Kind>(kind);
+    if (header.bodyBytes == 0 || header.bodyBytes > mostBodyBytes(header.kind))
+        return std::nullopt;
+    return header;
+}
+
+Bytes encodeText(Kind kind, const std::string& text)
+{
+    Writer writer(kind, text.size());
+    writer.array(std::span(text));
+    return writer.take();
+}
+
+Bytes encodeImage(const Image& image)
+{
+    Writer writer(Kind::Image, 12 + image.samples.size() * 2);
+    writeImage(writer, image);
+    return writer.take();
+}
+
+Bytes encodeRequest(const EncodeRequest& request)
+{
+    Writer writer(Kind::EncodeImage, 8 + request.ending.size() + 12 + request.image.samples.size() * 2);
+    writer.value(request.bits);
+    writer.value(static_cast<std::uint32_t>(request.ending.size()));
+    writer.array(std::span(request.ending));
+    writeImage(writer, request.image);
+    return writer.take();
+}
+
+Bytes encodeMesh(const sim::HeadMesh& mesh)
+{
+    Writer writer(Kind::Mesh, 8 + mesh.positionsHd.size() * 32 + mesh.triangles.size() * 12);
+    writer.value(static_cast<std::uint32_t>(mesh.positionsHd.size()));
+    writer.value(static_cast<std::uint32_t>(mesh.triangles.size()));
+    writer.array(std::span(mesh.positionsHd));
+    writer.array(std::span(mesh.normalsHd));
+    writer.array(std::span(mesh.uvs));
+    writer.array(std::span(mesh.triangles));
+    return writer.take();
+}
+
+Bytes encodeFile(std::span<const std::byte> file)
+{
+    Writer writer(Kind::Encoded, file.size());
+    writer.array(file);
+    return writer.take();
+}
+
+Bytes encodeRefusal(Reason reason)
+{
+    Writer writer(Kind::Refusal, 4);
+    writer.value(static_cast<std::uint32_t>(reason));
+    return writer.take();
+}
+
+std::optional<std::string> decodePath(std::span<const std::byte> body)
+{
+    if (body.empty() || body.size() > kLongestPath)
+        return std::nullopt;
+    std::string path(body.size(), '\0');
+    std::memcpy(path.data(), body.data(), body.size());
+    if (path.find('\0') != std::string::npos)
+        return std::nullopt;
+    return path;
+}
+
+bool imageFits(std::uint64_t width, std::uint64_t height, std::uint64_t channels)
+{
+    return width >= 1 && width <= kLargestSide && height >= 1 && height <= kLargestSide &&
+           width * height <= kMostPixels && channels >= 1 && channels <= 4;
+}
+
+std::optional<Image> decodeImage(std::span<const std::byte> body)
+{
+    Reader reader(body);
+    Image image;
+    if (!reader.value(image.width) || !reader.value(image.height) || !reader.value(image.channels) ||
+        !imageFits(image.width, image.height, image.channels))
+        return std::nullopt;
+    const std::uint64_t samples = static_cast<std::uint64_t>(image.width) * image.height * image.channels;
+    if (!reader.array(image.samples, samples) || !reader.atEnd())
+        return std::nullopt;
+    return image;
+}
+
+std::optional<EncodeRequest> decodeRequest(std::span<const std::byte> body)
+{
+    Reader reader(body);
+    EncodeRequest request;
+    std::uint32_t length = 0;
+    if (!reader.value(request.bits) || (request.bits != 8 && request.bits != 16) || !reader.value(length) ||
+        length < 1 || length > kLongestEnding)
+        return std::nullopt;
+    std::vector<char> ending;
+    if (!reader.array(ending, length))
+        return std::nullopt;
+    const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+    if (!std::ranges::all_of(ending, plain))
+        return std::nullopt;
+    request.ending.assign(ending.begin(), ending.end());
+    std::optional<Image> image = decodeImage(reader.rest());
+    if (!image)
+        return std::nullopt;
+    request.image = std::move(*image);
+    return request;
+}
+
+bool meshFits(const sim::HeadMesh& mesh)
+{
+    const std::size_t vertices = mesh.positionsHd.size();
+    if (vertices == 0 || vertices > kMostVertices || mesh.normalsHd.size() != vertices || mesh.uvs.size() != vertices ||
+        mesh.triangles.empty() || mesh.triangles.size() > kMostTriangles)
+        return false;
+    const auto near = [](const glm::vec3& p) {
+        return finite(p) && std::abs(p.x) <= kFarthestPosition && std::abs(p.y) <= kFarthestPosition &&
+               std::abs(p.z) <= kFarthestPosition;
+    };
+    const auto unit = [](const glm::vec3& n) { return finite(n) && std::abs(glm::dot(n, n) - 1.0F) < 0.01F; };
+    // NaN fails every comparison.
+    const auto inUnitSquare = [](const glm::vec2& uv) {
+        return uv.x >= 0.0F && uv.x <= 1.0F && uv.y >= 0.0F && uv.y <= 1.0F;
+    };
+    const auto inRange = [vertices](const glm::uvec3& t) {
+        return t.x < vertices && t.y < vertices && t.z < vertices;
+    };
+    return std::ranges::all_of(mesh.positionsHd, near) && std::ranges::all_of(mesh.normalsHd, unit) &&
+           std::ranges::all_of(mesh.uvs, inUnitSquare) && std::ranges::all_of(mesh.triangles, inRange);
+}
+
+std::optional<sim::HeadMesh> decodeMesh(std::span<const std::byte> body)
+{
+    Reader reader(body);
+    std::uint32_t vertices = 0;
+    std::uint32_t triangles = 0;
+    sim::HeadMesh mesh;
+    if (!reader.value(vertices) || !reader.value(triangles) || vertices > kMostVertices ||
+        triangles > kMostTriangles || !reader.array(mesh.positionsHd, vertices) ||
+        !reader.array(mesh.normalsHd, vertices) || !reader.array(mesh.uvs, vertices) ||
+        !reader.array(mesh.triangles, triangles) || !reader.atEnd() || !meshFits(mesh))
+        return std::nullopt;
+    return mesh;
+}
+
+std::optional<Reason> decodeRefusal(std::span<const std::byte> body)
+{
+    Reader reader(body);
+    std::uint32_t reason = 0;
+    if (!reader.value(reason) || !reader.atEnd() || reason < 1 || reason > 8)
+        return std::nullopt;
+    return static_cast<Reason>(reason);
+}
+
+} // namespace hairpaint::wire

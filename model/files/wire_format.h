@@ -1,0 +1,95 @@
+// The messages between the editor and hairpaint-import: see "Wire format" in model/files/hairpaint_format.md.
+// Errors: every length is checked against a limit and against the body before anything is allocated; a message that
+// breaks a rule decodes to nothing.
+#pragma once
+
+#include "sim/head_mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hairpaint::wire {
+
+using Bytes = std::vector<std::byte>;
+
+enum class Kind : std::uint32_t
+{
+    ReadImage = 1,
+    ReadMesh = 2,
+    EncodeImage = 3,
+    Image = 101,
+    Mesh = 102,
+    Encoded = 103,
+    Refusal = 199
+};
+
+enum class Reason : std::uint32_t
+{
+    CannotOpen = 1,
+    UnknownFormat = 2,
+    Damaged = 3,
+    TooLarge = 4,
+    NoTriangles = 5,
+    NoUvs = 6,
+    CannotWriteEnding = 7,
+    OutOfMemory = 8
+};
+
+inline constexpr std::size_t kHeaderBytes = 20;
+inline constexpr std::uint64_t kLongestPath = 32'768;
+inline constexpr std::uint32_t kLongestEnding = 16;
+inline constexpr std::uint32_t kLargestSide = 32'768;
+inline constexpr std::uint64_t kMostPixels = 1ULL << 26U;
+inline constexpr std::uint32_t kMostVertices = 2'000'000;
+inline constexpr std::uint32_t kMostTriangles = 4'000'000;
+inline constexpr std::uint64_t kMostEncodedBytes = 1ULL << 30U;
+inline constexpr float kFarthestPosition = 1e7F;
+
+/// 16-bit samples, row 0 on top, unassociated; 1 to 4 channels.
+struct Image
+{
+    std::uint32_t width = 0, height = 0, channels = 0;
+    std::vector<std::uint16_t> samples;
+};
+
+struct Header
+{
+    Kind kind = Kind::Refusal;
+    std::uint64_t bodyBytes = 0;
+};
+
+struct EncodeRequest
+{
+    std::uint32_t bits = 16;
+    std::string ending;
+    Image image;
+};
+
+/// The first kHeaderBytes of a message; none where magic, kind or length are not ours.
+[[nodiscard]] std::optional<Header> decodeHeader(std::span<const std::byte> bytes);
+
+/// Whole messages, header included.
+[[nodiscard]] Bytes encodeText(Kind kind, const std::string& text);
+[[nodiscard]] Bytes encodeImage(const Image& image);
+[[nodiscard]] Bytes encodeRequest(const EncodeRequest& request);
+[[nodiscard]] Bytes encodeMesh(const sim::HeadMesh& mesh);
+[[nodiscard]] Bytes encodeFile(std::span<const std::byte> file);
+[[nodiscard]] Bytes encodeRefusal(Reason reason);
+
+/// Bodies, without the header.
+[[nodiscard]] std::optional<std::string> decodePath(std::span<const std::byte> body);
+[[nodiscard]] std::optional<Image> decodeImage(std::span<const std::byte> body);
+[[nodiscard]] std::optional<EncodeRequest> decodeRequest(std::span<const std::byte> body);
+[[nodiscard]] std::optional<sim::HeadMesh> decodeMesh(std::span<const std::byte> body);
+[[nodiscard]] std::optional<Reason> decodeRefusal(std::span<const std::byte> body);
+
+[[nodiscard]] bool imageFits(std::uint64_t width, std::uint64_t height, std::uint64_t channels);
+
+/// Whether a mesh keeps to the limits: counts, finite numbers, uvs in 0..1, unit normals, indices in range.
+[[nodiscard]] bool meshFits(const sim::HeadMesh& mesh);
+
+} // namespace hairpaint::wire
