@@ -1,7 +1,6 @@
 // Checked reading and reproducible writing of ZIP archives.
 #include "model/files/archive.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QSaveFile>
 
@@ -17,14 +16,9 @@ constexpr qsizetype kEndRecordBytes = 22;
 constexpr quint64 kMostDeflateRatio = 1032; // one bit of deflate stands for at most 258 bytes, twice over a code of 2
 constexpr zip_uint16_t kDosDate1980 = (0U << 9U) | (1U << 5U) | 1U;
 
-QString say(const char* text)
+tl::unexpected<Clause> brokenArchive()
 {
-    return QCoreApplication::translate("Files", text);
-}
-
-tl::unexpected<Error> brokenArchive()
-{
-    return failure(say(QT_TRANSLATE_NOOP("Files", "its archive is cut short or broken")));
+    return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive is cut short or broken")));
 }
 
 struct ErrorHolder
@@ -49,7 +43,8 @@ zip_int64_t readFile(void* user, void* data, zip_uint64_t length, zip_source_cmd
     case ZIP_SOURCE_OPEN:
         return source.file.seek(0) ? 0 : -1;
     case ZIP_SOURCE_READ:
-        return source.file.read(static_cast<char*>(data), static_cast<qint64>(std::min<zip_uint64_t>(length, 1U << 30U)));
+        return source.file.read(static_cast<char*>(data),
+                                static_cast<qint64>(std::min<zip_uint64_t>(length, 1U << 30U)));
     case ZIP_SOURCE_CLOSE:
     case ZIP_SOURCE_FREE:
         return 0;
@@ -85,7 +80,7 @@ zip_int64_t readFile(void* user, void* data, zip_uint64_t length, zip_source_cmd
 }
 
 /// libzip believes the entry count of ZIP64 records and allocates for it, so those never reach it.
-Result<void> checkTail(QFile& file)
+Checked<void> checkTail(QFile& file)
 {
     const qint64 tailBytes = std::min<qint64>(file.size(), 65'535 + 2 * kEndRecordBytes);
     if (tailBytes < kEndRecordBytes || !file.seek(file.size() - tailBytes))
@@ -113,8 +108,8 @@ bool acceptableName(const QString& name)
             c == QChar::ReplacementCharacter)
             return false;
     const QStringList segments = name.split(QLatin1Char('/'));
-    return std::ranges::none_of(
-        segments, [](const QString& s) { return s == QLatin1String(".") || s == QLatin1String(".."); });
+    return std::ranges::none_of(segments,
+                                [](const QString& s) { return s == QLatin1String(".") || s == QLatin1String(".."); });
 }
 
 } // namespace
@@ -139,16 +134,17 @@ ArchiveReader::ArchiveReader(ArchiveReader&& other) noexcept = default;
 ArchiveReader& ArchiveReader::operator=(ArchiveReader&& other) noexcept = default;
 ArchiveReader::~ArchiveReader() = default;
 
-Result<ArchiveReader> ArchiveReader::open(const QString& path)
+Checked<ArchiveReader> ArchiveReader::open(const QString& path)
 {
     ArchiveReader reader;
     QFile& file = reader.m_handle->source.file;
     file.setFileName(path);
     if (!file.open(QIODevice::ReadOnly))
-        return failure(file.errorString());
+        return refuse(file.errorString());
     if (!file.peek(2).startsWith("PK"))
-        return failure(say(QT_TRANSLATE_NOOP("Files", "it is not an archive of Hair Paint")));
-    if (Result<void> tail = checkTail(file); !tail)
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "it is not a file of Hair Paint; choose another")),
+                      Clause::Cure::OtherFile);
+    if (Checked<void> tail = checkTail(file); !tail)
         return tl::unexpected(tail.error());
 
     ErrorHolder error;
@@ -160,16 +156,16 @@ Result<ArchiveReader> ArchiveReader::open(const QString& path)
         zip_source_free(source);
         return brokenArchive();
     }
-    if (Result<void> directory = reader.readDirectory(); !directory)
+    if (Checked<void> directory = reader.readDirectory(); !directory)
         return tl::unexpected(directory.error());
     return reader;
 }
 
-Result<void> ArchiveReader::readDirectory()
+Checked<void> ArchiveReader::readDirectory()
 {
     const zip_int64_t count = zip_get_num_entries(m_handle->zip, 0);
     if (count < 0 || count > kMostArchiveEntries)
-        return failure(say(QT_TRANSLATE_NOOP("Files", "it holds more than %1 entries")).arg(kMostArchiveEntries));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "it holds more than %1 entries")).arg(kMostArchiveEntries));
     for (zip_uint64_t index = 0; index < static_cast<zip_uint64_t>(count); ++index) {
         zip_stat_t stat;
         constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_CRC |
@@ -178,28 +174,28 @@ Result<void> ArchiveReader::readDirectory()
             return brokenArchive();
         const QString name = QString::fromUtf8(stat.name);
         if (!acceptableName(name))
-            return failure(say(QT_TRANSLATE_NOOP("Files", "one of its entries has an unacceptable name")));
+            return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its entries has an unacceptable name")));
         if (m_entries.contains(name))
-            return failure(say(QT_TRANSLATE_NOOP("Files", "it holds two entries named '%1'")).arg(name));
+            return refuse(say(QT_TRANSLATE_NOOP("Files", "it holds two entries named '%1'")).arg(name));
         const bool stored = stat.comp_method == ZIP_CM_STORE;
         const quint64 plausible = stored ? stat.comp_size : stat.comp_size * kMostDeflateRatio + 64;
         if ((!stored && stat.comp_method != ZIP_CM_DEFLATE) || stat.encryption_method != ZIP_EM_NONE ||
             stat.comp_size > (1ULL << 32U) || stat.size > plausible)
-            return failure(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is packed in an unacceptable way")).arg(name));
+            return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is packed in an unacceptable way")).arg(name));
         m_entries.insert(name, Entry{.index = index, .size = stat.size, .crc = stat.crc});
     }
     return {};
 }
 
-Result<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes) const
+Checked<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes) const
 {
     const auto found = m_entries.constFind(name);
     if (found == m_entries.constEnd())
-        return failure(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is missing")).arg(name));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is missing")).arg(name));
     if (found->size > static_cast<quint64>(mostBytes))
-        return failure(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is too large")).arg(name));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is too large")).arg(name));
     const auto broken = [&name] {
-        return failure(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is broken")).arg(name));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is broken")).arg(name));
     };
     zip_file_t* file = zip_fopen_index(m_handle->zip, found->index, 0);
     if (file == nullptr)
@@ -228,13 +224,13 @@ void ArchiveWriter::add(const QByteArray& name, const QByteArray& bytes, Method 
 namespace {
 
 /// The archive lies in a memory source; it is copied out in pieces.
-Result<void> copyOut(zip_source_t* source, const QString& path)
+Checked<void> copyOut(zip_source_t* source, const QString& path)
 {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
-        return failure(file.errorString());
+        return refuse(file.errorString());
     if (zip_source_open(source) != 0)
-        return failure(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
     QByteArray piece(1 << 20, Qt::Uninitialized);
     zip_int64_t got = 0;
     bool written = true;
@@ -242,17 +238,17 @@ Result<void> copyOut(zip_source_t* source, const QString& path)
         written = file.write(piece.constData(), got) == got;
     zip_source_close(source);
     if (got < 0)
-        return failure(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
     if (!written || !file.commit())
-        return failure(file.errorString());
+        return refuse(file.errorString());
     return {};
 }
 
 } // namespace
 
-Result<void> ArchiveWriter::writeTo(const QString& path) const
+Checked<void> ArchiveWriter::writeTo(const QString& path) const
 {
-    const auto unmade = [] { return failure(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made"))); };
+    const auto unmade = [] { return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made"))); };
     ErrorHolder error;
     zip_source_t* target = zip_source_buffer_create(nullptr, 0, 0, &error.error);
     if (target == nullptr)

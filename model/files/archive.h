@@ -2,7 +2,7 @@
 // Errors: clauses for a sentence of sentences.h.
 #pragma once
 
-#include "model/error.h"
+#include "model/files/sentences.h"
 
 #include <QByteArray>
 #include <QHash>
@@ -19,7 +19,7 @@ class ArchiveReader
 {
 public:
     /// The path must be a readable file (checkReadable).
-    [[nodiscard]] static Result<ArchiveReader> open(const QString& path);
+    [[nodiscard]] static Checked<ArchiveReader> open(const QString& path);
 
     ArchiveReader(ArchiveReader&& other) noexcept;
     ArchiveReader& operator=(ArchiveReader&& other) noexcept;
@@ -27,7 +27,7 @@ public:
 
     [[nodiscard]] bool contains(const QString& name) const { return m_entries.contains(name); }
     /// Refuses an entry that is missing, larger than `mostBytes`, or does not match its checksum.
-    [[nodiscard]] Result<QByteArray> read(const QString& name, qint64 mostBytes) const;
+    [[nodiscard]] Checked<QByteArray> read(const QString& name, qint64 mostBytes) const;
     [[nodiscard]] quint32 checksum(const QString& name) const { return m_entries.value(name).crc; }
 
 private:
@@ -39,7 +39,7 @@ private:
     };
     struct Handle;
     ArchiveReader();
-    Result<void> readDirectory();
+    Checked<void> readDirectory();
 
     std::unique_ptr<Handle> m_handle;
     QHash<QString, Entry> m_entries;
@@ -57,7 +57,7 @@ public:
     /// `name`: ASCII.
     void add(const QByteArray& name, const QByteArray& bytes, Method method);
     /// Atomic (QSaveFile): afterwards `path` holds the archive, or what it held before.
-    [[nodiscard]] Result<void> writeTo(const QString& path) const;
+    [[nodiscard]] Checked<void> writeTo(const QString& path) const;
 
 private:
     struct Entry

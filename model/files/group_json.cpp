@@ -18,11 +18,6 @@ constexpr std::array<Choice<sim::TurnsMode>, 2> kTurnsModes = {
 constexpr std::array<Choice<BlendMode>, 2> kBlendModes = {
     {{"normal", BlendMode::Normal}, {"multiply", BlendMode::Multiply}}};
 
-QString say(const char* text)
-{
-    return QCoreApplication::translate("Files", text);
-}
-
 template<typename Fields, typename Settings>
 void visitSettings(Fields& fields, Settings& s)
 {
@@ -88,17 +83,21 @@ class GroupsParser
 public:
     explicit GroupsParser(Id nextId) : m_nextId(nextId) {}
 
-    Result<std::vector<HairGroup>> parse(const QJsonArray& array)
+    Checked<std::vector<HairGroup>> parse(const QJsonArray& array)
     {
         std::vector<HairGroup> groups;
         if (array.isEmpty() || array.size() > kMostGroups)
-            return failure(say(QT_TRANSLATE_NOOP("Files", "it holds no hair group, or too many")));
+            return refuse(say(QT_TRANSLATE_NOOP("Files", "it holds no hair group, or too many")));
         for (const QJsonValue& value : array) {
             if (!value.isObject())
                 complain();
             groups.push_back(parseGroup(value.toObject()));
             if (!m_problem.isEmpty())
-                return failure(m_problem);
+                return refuse(m_problem);
+            if (!m_unknownMap.isEmpty())
+                return refuse(
+                    say(QT_TRANSLATE_NOOP("Files", "its map '%1' is not known to this one")).arg(m_unknownMap),
+                    Clause::Cure::NewerProgram);
         }
         return groups;
     }
@@ -128,9 +127,8 @@ private:
             complain();
         const QJsonObject mapObjects = maps.toObject();
         for (const QString& id : mapObjects.keys())
-            if (findMapSpec(id) == nullptr && m_problem.isEmpty())
-                m_problem = say(QT_TRANSLATE_NOOP("Files", "its map '%1' is not known to this version of Hair Paint"))
-                                .arg(id.left(40));
+            if (findMapSpec(id) == nullptr)
+                m_unknownMap = id.left(40);
         for (const MapSpec& spec : mapSpecs())
             group.maps.push_back(parseStack(mapObjects.value(QLatin1String(spec.id)), spec));
         return group;
@@ -163,7 +161,7 @@ private:
 
     Layer parseLayer(const QJsonValue& value, const MapSpec& spec)
     {
-        Layer layer{.raster = emptyRaster(spec, sim::TiledRaster::kTileSize)};
+        Layer layer{.name = {}, .raster = emptyRaster(spec, sim::TiledRaster::kTileSize)};
         if (!value.isObject())
             complain();
         FieldReader fields(value.toObject(), m_problem);
@@ -178,6 +176,7 @@ private:
     int m_layers = 0;
     QSet<Id> m_ids;
     QString m_problem;
+    QString m_unknownMap;
 };
 
 QJsonObject stackToJson(const MapStack& stack)
@@ -209,12 +208,12 @@ QJsonArray groupsToJson(const std::vector<HairGroup>& groups)
     return array;
 }
 
-Result<std::vector<HairGroup>> groupsFromJson(const QJsonArray& array, Id nextId)
+Checked<std::vector<HairGroup>> groupsFromJson(const QJsonArray& array, Id nextId)
 {
     return GroupsParser(nextId).parse(array);
 }
 
-Result<void> checkGroupCounts(const std::vector<HairGroup>& groups)
+Checked<void> checkGroupCounts(const std::vector<HairGroup>& groups)
 {
     std::size_t layers = 0;
     bool fits = !groups.empty() && groups.size() <= kMostGroups;
@@ -224,16 +223,13 @@ Result<void> checkGroupCounts(const std::vector<HairGroup>& groups)
             fits = fits && stack.layers.size() <= kMostLayersInMap;
         }
     if (!fits || layers > kMostLayers)
-        return failure(say(QT_TRANSLATE_NOOP("Files", "it has too many groups or layers; remove some")));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "it has too many groups or layers; remove some")));
     return {};
 }
 
 QString layerEntryName(const HairGroup& group, const MapStack& stack, const Layer& layer)
 {
-    return QStringLiteral("groups/%1/%2/%3.png")
-        .arg(group.id)
-        .arg(QLatin1String(mapSpec(stack.kind).id))
-        .arg(layer.id);
+    return QStringLiteral("groups/%1/%2/%3.png").arg(group.id).arg(QLatin1String(mapSpec(stack.kind).id)).arg(layer.id);
 }
 
 } // namespace hairpaint::model

@@ -1,7 +1,7 @@
 // Hair groups as JSON, shared by projects and presets. Keys, ranges and defaults: hairpaint_format.md.
 #pragma once
 
-#include "model/error.h"
+#include "model/files/sentences.h"
 #include "model/project.h"
 
 #include <QJsonArray>
@@ -19,10 +19,10 @@ inline constexpr Id kGreatestNextId = 2'000'000'000;
 /// Groups whose layers have no texels yet: each raster is one tile of the empty texel, to be replaced. Maps that the
 /// file lacks get an empty layer, whose id is 0 for the caller to set. Every id is checked to be unique and below
 /// `nextId`.
-[[nodiscard]] Result<std::vector<HairGroup>> groupsFromJson(const QJsonArray& array, Id nextId);
+[[nodiscard]] Checked<std::vector<HairGroup>> groupsFromJson(const QJsonArray& array, Id nextId);
 
 /// Whether the counts keep to the limits above; an error is a clause.
-[[nodiscard]] Result<void> checkGroupCounts(const std::vector<HairGroup>& groups);
+[[nodiscard]] Checked<void> checkGroupCounts(const std::vector<HairGroup>& groups);
 
 /// "groups/<group>/<map>/<layer>.png"
 [[nodiscard]] QString layerEntryName(const HairGroup& group, const MapStack& stack, const Layer& layer);

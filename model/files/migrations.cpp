@@ -15,18 +15,17 @@ constexpr std::array<Step, kFormatVersion - 1> kSteps = {};
 
 } // namespace
 
-Result<QJsonObject> migrated(QJsonObject root)
+Checked<QJsonObject> migrated(QJsonObject root)
 {
     const QJsonValue version = root.value(QLatin1String("format_version"));
     const int from = version.toInt(0);
     if (from < 1)
-        return failure(QCoreApplication::translate("Files", "its format version is missing"));
+        return refuse(QCoreApplication::translate("Files", "its format version is missing"));
     if (from > kFormatVersion)
-        return failure(
-            QCoreApplication::translate("Files", "it was made by a newer Hair Paint (format %1, this one reads up to "
-                                                 "%2), so a newer Hair Paint is needed")
-                .arg(from)
-                .arg(kFormatVersion));
+        return refuse(QCoreApplication::translate("Files", "its format is %1, and this Hair Paint reads up to %2")
+                          .arg(from)
+                          .arg(kFormatVersion),
+                      Clause::Cure::NewerProgram);
     for (std::size_t step = static_cast<std::size_t>(from); step <= kSteps.size(); ++step)
         kSteps[step - 1](root);
     root.insert(QLatin1String("format_version"), kFormatVersion);

@@ -1,7 +1,7 @@
 // Bringing the JSON of older format versions up to the present one, a step a version.
 #pragma once
 
-#include "model/error.h"
+#include "model/files/sentences.h"
 
 #include <QJsonObject>
 
@@ -10,6 +10,6 @@ namespace hairpaint::model {
 inline constexpr int kFormatVersion = 1;
 
 /// Errors: a clause, where the version is missing or newer than this program's.
-[[nodiscard]] Result<QJsonObject> migrated(QJsonObject root);
+[[nodiscard]] Checked<QJsonObject> migrated(QJsonObject root);
 
 } // namespace hairpaint::model

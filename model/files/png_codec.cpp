@@ -2,7 +2,6 @@
 #include "model/files/png_codec.h"
 
 #include <QBuffer>
-#include <QCoreApplication>
 #include <QImage>
 #include <QImageReader>
 #include <QImageWriter>
@@ -21,14 +20,9 @@ constexpr int kDotsPerMeter = 2835; // 72 to an inch; Qt would write the screen'
 constexpr int kCompression = 20;    // of 100: zlib's level 1 or 2
 constexpr std::array<char, 8> kSignature = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
 
-QString say(const char* text)
+tl::unexpected<Clause> brokenImage()
 {
-    return QCoreApplication::translate("Files", text);
-}
-
-tl::unexpected<Error> brokenImage()
-{
-    return failure(say(QT_TRANSLATE_NOOP("Files", "one of its images is broken")));
+    return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is broken")));
 }
 
 std::array<quint32, 256> makeCrcTable()
@@ -69,10 +63,10 @@ struct CheckedPng
     bool onlyOurChunks = true;
 };
 
-Result<CheckedPng> checkPng(const QByteArray& png, int size)
+Checked<CheckedPng> checkPng(const QByteArray& png, int size)
 {
     if (png.size() < 8 || std::memcmp(png.constData(), kSignature.data(), kSignature.size()) != 0)
-        return failure(say(QT_TRANSLATE_NOOP("Files", "one of its images is not a PNG")));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not a PNG")));
     CheckedPng checked;
     checked.bytes.reserve(png.size());
     checked.bytes.append(png.constData(), 8);
@@ -91,7 +85,7 @@ Result<CheckedPng> checkPng(const QByteArray& png, int size)
         if (header == sawHeader)
             return brokenImage();
         if (header && !acceptableHeader(chunk + 8, length, size))
-            return failure(say(QT_TRANSLATE_NOOP("Files", "one of its images is not %1 x %1 in 16-bit RGBA")).arg(size));
+            return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not %1 x %1 in 16-bit RGBA")).arg(size));
         sawHeader = true;
         const bool ancillary = (static_cast<unsigned char>(chunk[4]) & 0x20U) != 0;
         if (header || end || type == QByteArrayView("IDAT"))
@@ -103,13 +97,13 @@ Result<CheckedPng> checkPng(const QByteArray& png, int size)
         at += static_cast<qsizetype>(length) + 12;
         if (end) {
             checked.onlyOurChunks = checked.onlyOurChunks && at == png.size();
-            return at == png.size() ? Result<CheckedPng>(std::move(checked)) : Result<CheckedPng>(brokenImage());
+            return at == png.size() ? Checked<CheckedPng>(std::move(checked)) : Checked<CheckedPng>(brokenImage());
         }
     }
     return brokenImage();
 }
 
-Result<QImage> decodeImage(QByteArray& bytes, int size)
+Checked<QImage> decodeImage(QByteArray& bytes, int size)
 {
     QBuffer buffer(&bytes);
     QImageReader reader(&buffer, "png");
@@ -160,9 +154,8 @@ QByteArray encodeLayer(const sim::TiledRaster& raster)
         const sim::TexelRect rect = raster.tileRect(index);
         for (int y = 0; y < kTile; ++y) {
             auto* rgba = reinterpret_cast<quint16*>(image.scanLine(rect.y0 + y)) + std::ptrdiff_t{4} * rect.x0;
-            const std::uint16_t* texel = tile.isUniform()
-                                             ? tile.uniform.data()
-                                             : tile.pixels.data() + std::ptrdiff_t{y} * kTile * channels;
+            const std::uint16_t* texel =
+                tile.isUniform() ? tile.uniform.data() : tile.pixels.data() + std::ptrdiff_t{y} * kTile * channels;
             const int step = tile.isUniform() ? 0 : channels;
             for (int x = 0; x < kTile; ++x, rgba += 4, texel += step) {
                 rgba[0] = texel[0];
@@ -184,12 +177,12 @@ QByteArray encodeLayer(const sim::TiledRaster& raster)
     return bytes;
 }
 
-Result<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, int size)
+Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, int size)
 {
-    Result<CheckedPng> checked = checkPng(png, size);
+    Checked<CheckedPng> checked = checkPng(png, size);
     if (!checked)
         return tl::unexpected(checked.error());
-    const Result<QImage> image = decodeImage(checked->bytes, size);
+    const Checked<QImage> image = decodeImage(checked->bytes, size);
     if (!image)
         return tl::unexpected(image.error());
 

@@ -2,7 +2,7 @@
 // Any thread. Errors: clauses for a sentence of sentences.h.
 #pragma once
 
-#include "model/error.h"
+#include "model/files/sentences.h"
 #include "model/map_spec.h"
 
 #include <QByteArray>
@@ -27,6 +27,6 @@ struct DecodedLayer
 };
 
 /// `size`: the side that the image must have. Tiles of one value are folded.
-[[nodiscard]] Result<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, int size);
+[[nodiscard]] Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, int size);
 
 } // namespace hairpaint::model

@@ -6,7 +6,6 @@
 #include "model/files/migrations.h"
 #include "sim/roots.h"
 
-#include <QCoreApplication>
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -23,14 +22,9 @@ constexpr const char* kProjectFormat = "hairpaint project";
 constexpr const char* kPresetFormat = "hairpaint preset";
 constexpr std::array<Choice<UpAxis>, 2> kAxes = {{{"y", UpAxis::Y}, {"z", UpAxis::Z}}};
 
-QString say(const char* text)
+tl::unexpected<Clause> brokenKey(const char* key)
 {
-    return QCoreApplication::translate("Files", text);
-}
-
-tl::unexpected<Error> brokenKey(const char* key)
-{
-    return failure(
+    return refuse(
         say(QT_TRANSLATE_NOOP("Files", "'%1' in project.json is not what it should be")).arg(QLatin1String(key)));
 }
 
@@ -101,20 +95,20 @@ bool nestsTooDeep(const QByteArray& json)
     return false;
 }
 
-Result<QJsonObject> parseRoot(const QByteArray& json, const char* format)
+Checked<QJsonObject> parseRoot(const QByteArray& json, const char* format)
 {
     if (json.size() > kMostJsonBytes || nestsTooDeep(json))
-        return failure(say(QT_TRANSLATE_NOOP("Files", "its project.json is too large or nested too deep")));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "its project.json is too large or nested too deep")));
     QJsonParseError problem;
     const QJsonDocument document = QJsonDocument::fromJson(json, &problem);
     if (problem.error != QJsonParseError::NoError || !document.isObject())
-        return failure(say(QT_TRANSLATE_NOOP("Files", "its project.json can't be understood")));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "its project.json can't be understood")));
     if (document.object().value(QLatin1String("format")).toString() != QLatin1String(format))
         return brokenKey("format");
     return migrated(document.object());
 }
 
-Result<Id> parseNextId(const QJsonObject& root)
+Checked<Id> parseNextId(const QJsonObject& root)
 {
     const QJsonValue value = root.value(QLatin1String("next_id"));
     const Id id = value.toInt(0);
@@ -133,18 +127,18 @@ void fillIds(std::vector<HairGroup>& groups, Id& nextId)
                     layer.id = nextId++;
 }
 
-Result<std::vector<HairGroup>> parseGroups(const QJsonObject& root, Id& nextId)
+Checked<std::vector<HairGroup>> parseGroups(const QJsonObject& root, Id& nextId)
 {
     const QJsonValue groups = root.value(QLatin1String("groups"));
     if (!groups.isArray())
         return brokenKey("groups");
-    Result<std::vector<HairGroup>> parsed = groupsFromJson(groups.toArray(), nextId);
+    Checked<std::vector<HairGroup>> parsed = groupsFromJson(groups.toArray(), nextId);
     if (parsed)
         fillIds(*parsed, nextId);
     return parsed;
 }
 
-Result<std::vector<sim::Ellipsoid>> parseEllipsoids(const QJsonValue& value)
+Checked<std::vector<sim::Ellipsoid>> parseEllipsoids(const QJsonValue& value)
 {
     std::vector<sim::Ellipsoid> ellipsoids;
     if (value.isUndefined())
@@ -165,7 +159,7 @@ Result<std::vector<sim::Ellipsoid>> parseEllipsoids(const QJsonValue& value)
     return ellipsoids;
 }
 
-Result<void> parseSeed(const QJsonObject& root, std::uint64_t& seed)
+Checked<void> parseSeed(const QJsonObject& root, std::uint64_t& seed)
 {
     const QJsonValue value = root.value(QLatin1String("seed"));
     if (value.isUndefined())
@@ -179,7 +173,7 @@ Result<void> parseSeed(const QJsonObject& root, std::uint64_t& seed)
     return {};
 }
 
-Result<void> parseBackground(const QJsonObject& root, QRgb& background)
+Checked<void> parseBackground(const QJsonObject& root, QRgb& background)
 {
     const QJsonValue value = root.value(QLatin1String("background"));
     if (value.isUndefined())
@@ -192,14 +186,14 @@ Result<void> parseBackground(const QJsonObject& root, QRgb& background)
     return {};
 }
 
-Result<void> parseRoots(const QJsonObject& root)
+Checked<void> parseRoots(const QJsonObject& root)
 {
     const QJsonValue roots = root.value(QLatin1String("roots"));
     if (roots.isUndefined())
         return {};
     if (!roots.isObject() || roots.toObject().value(QLatin1String("algorithm")).toInt(0) != sim::kRootsAlgorithm)
-        return failure(
-            say(QT_TRANSLATE_NOOP("Files", "its way of drawing roots is not known to this version of Hair Paint")));
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "its way of drawing roots is not known to this one")),
+                      Clause::Cure::NewerProgram);
     return {};
 }
 
@@ -224,9 +218,9 @@ Id nextIdOf(const std::vector<HairGroup>& groups)
 
 } // namespace
 
-Result<QByteArray> projectToJson(const Project& project)
+Checked<QByteArray> projectToJson(const Project& project)
 {
-    if (Result<void> counts = checkGroupCounts(project.groups); !counts)
+    if (Checked<void> counts = checkGroupCounts(project.groups); !counts)
         return tl::unexpected(counts.error());
     FieldWriter fields;
     fields.integer("next_id", std::max(project.nextId, nextIdOf(project.groups)), 1, kGreatestNextId);
@@ -237,7 +231,10 @@ Result<QByteArray> projectToJson(const Project& project)
     if (project.head)
         fields.object("head", [&project](FieldWriter& inner) { visitHead(inner, *project.head); });
     fields.object("wind", [&project](FieldWriter& inner) { visitWind(inner, project.wind); });
-    fields.object("light", [light = project.light](FieldWriter& inner) mutable { visitLight(inner, light); });
+    fields.object("light", [light = project.light](FieldWriter& inner) {
+        LightSettings copy = light;
+        visitLight(inner, copy);
+    });
     QJsonObject root = fields.take();
     QJsonArray ellipsoids;
     for (sim::Ellipsoid ellipsoid : project.ellipsoids) {
@@ -251,18 +248,18 @@ Result<QByteArray> projectToJson(const Project& project)
     return toBytes(std::move(root), kProjectFormat);
 }
 
-Result<ProjectManifest> projectFromJson(const QByteArray& json)
+Checked<ProjectManifest> projectFromJson(const QByteArray& json)
 {
-    const Result<QJsonObject> root = parseRoot(json, kProjectFormat);
+    const Checked<QJsonObject> root = parseRoot(json, kProjectFormat);
     if (!root)
         return tl::unexpected(root.error());
     ProjectManifest manifest;
     Project& project = manifest.project;
-    const Result<Id> nextId = parseNextId(*root);
+    const Checked<Id> nextId = parseNextId(*root);
     if (!nextId)
         return tl::unexpected(nextId.error());
     project.nextId = *nextId;
-    for (const Result<void>& part :
+    for (const Checked<void>& part :
          {parseSeed(*root, project.seed), parseBackground(*root, project.background), parseRoots(*root)})
         if (!part)
             return tl::unexpected(part.error());
@@ -276,22 +273,22 @@ Result<ProjectManifest> projectFromJson(const QByteArray& json)
     if (manifest.head.name.isEmpty())
         fields.complain("head");
     if (!problem.isEmpty())
-        return failure(problem);
+        return refuse(problem);
 
-    Result<std::vector<sim::Ellipsoid>> ellipsoids = parseEllipsoids(root->value(QLatin1String("ellipsoids")));
+    Checked<std::vector<sim::Ellipsoid>> ellipsoids = parseEllipsoids(root->value(QLatin1String("ellipsoids")));
     if (!ellipsoids)
         return tl::unexpected(ellipsoids.error());
     project.ellipsoids = std::move(*ellipsoids);
-    Result<std::vector<HairGroup>> groups = parseGroups(*root, project.nextId);
+    Checked<std::vector<HairGroup>> groups = parseGroups(*root, project.nextId);
     if (!groups)
         return tl::unexpected(groups.error());
     project.groups = std::move(*groups);
     return manifest;
 }
 
-Result<QByteArray> presetToJson(const Preset& preset)
+Checked<QByteArray> presetToJson(const Preset& preset)
 {
-    if (Result<void> counts = checkGroupCounts(preset.groups); !counts)
+    if (Checked<void> counts = checkGroupCounts(preset.groups); !counts)
         return tl::unexpected(counts.error());
     FieldWriter fields;
     fields.text("name", preset.name);
@@ -306,33 +303,33 @@ Result<QByteArray> presetToJson(const Preset& preset)
     return toBytes(std::move(root), kPresetFormat);
 }
 
-Result<PresetManifest> presetFromJson(const QByteArray& json)
+Checked<Preset> presetFromJson(const QByteArray& json)
 {
-    const Result<QJsonObject> root = parseRoot(json, kPresetFormat);
+    const Checked<QJsonObject> root = parseRoot(json, kPresetFormat);
     if (!root)
         return tl::unexpected(root.error());
-    PresetManifest manifest;
-    Result<Id> nextId = parseNextId(*root);
+    Preset preset;
+    Checked<Id> nextId = parseNextId(*root);
     if (!nextId)
         return tl::unexpected(nextId.error());
     QString problem;
     FieldReader fields(*root, problem);
-    fields.text("name", manifest.preset.name);
+    fields.text("name", preset.name);
     if (!problem.isEmpty())
-        return failure(problem);
+        return refuse(problem);
     const QJsonValue tags = root->value(QLatin1String("tags"));
     if (!(tags.isUndefined() || tags.isArray()) || tags.toArray().size() > kMostTags)
         return brokenKey("tags");
     for (const QJsonValue& tag : tags.toArray()) {
         if (!tag.isString() || tag.toString().size() > kLongestName)
             return brokenKey("tags");
-        manifest.preset.tags.append(tag.toString());
+        preset.tags.append(tag.toString());
     }
-    Result<std::vector<HairGroup>> groups = parseGroups(*root, *nextId);
+    Checked<std::vector<HairGroup>> groups = parseGroups(*root, *nextId);
     if (!groups)
         return tl::unexpected(groups.error());
-    manifest.preset.groups = std::move(*groups);
-    return manifest;
+    preset.groups = std::move(*groups);
+    return preset;
 }
 
 } // namespace hairpaint::model

@@ -2,7 +2,7 @@
 // Errors: clauses for a sentence of sentences.h.
 #pragma once
 
-#include "model/error.h"
+#include "model/files/sentences.h"
 #include "model/preset.h"
 #include "model/project.h"
 
@@ -25,14 +25,10 @@ struct ProjectManifest
     HeadReference head;
 };
 
-struct PresetManifest
-{
-    Preset preset; ///< Likewise.
-};
-
-[[nodiscard]] Result<QByteArray> projectToJson(const Project& project);
-[[nodiscard]] Result<ProjectManifest> projectFromJson(const QByteArray& json);
-[[nodiscard]] Result<QByteArray> presetToJson(const Preset& preset);
-[[nodiscard]] Result<PresetManifest> presetFromJson(const QByteArray& json);
+[[nodiscard]] Checked<QByteArray> projectToJson(const Project& project);
+[[nodiscard]] Checked<ProjectManifest> projectFromJson(const QByteArray& json);
+[[nodiscard]] Checked<QByteArray> presetToJson(const Preset& preset);
+/// Layers without texels, likewise.
+[[nodiscard]] Checked<Preset> presetFromJson(const QByteArray& json);
 
 } // namespace hairpaint::model

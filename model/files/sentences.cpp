@@ -9,14 +9,10 @@
 
 namespace hairpaint::model {
 
-namespace {
-
 QString say(const char* text)
 {
     return QCoreApplication::translate("Files", text);
 }
-
-} // namespace
 
 QString shownPath(const QString& path)
 {
@@ -27,20 +23,30 @@ QString shownPath(const QString& path)
     return shown;
 }
 
-tl::unexpected<Error> damaged(const QString& path, const QString& clause)
+tl::unexpected<Clause> refuse(QString clause, Clause::Cure cure)
 {
-    return failure(say(QT_TRANSLATE_NOOP("Files", "'%1' is damaged: %2; try an earlier copy of it."))
-                       .arg(shownPath(path), clause));
+    return tl::unexpected<Clause>(Clause{.text = std::move(clause), .cure = cure});
 }
 
-tl::unexpected<Error> cannotOpen(const QString& path, const QString& clause)
+tl::unexpected<Error> cannotOpen(const QString& path, const Clause& clause)
 {
-    return failure(say(QT_TRANSLATE_NOOP("Files", "'%1' can't be opened: %2.")).arg(shownPath(path), clause));
+    const auto sentence = [&clause] {
+        switch (clause.cure) {
+        case Clause::Cure::NewerProgram:
+            return say(QT_TRANSLATE_NOOP("Files", "'%1' can't be opened: %2; open it with a newer Hair Paint."));
+        case Clause::Cure::OtherFile:
+            return say(QT_TRANSLATE_NOOP("Files", "'%1' can't be opened: %2."));
+        case Clause::Cure::EarlierCopy:
+            break;
+        }
+        return say(QT_TRANSLATE_NOOP("Files", "'%1' is damaged: %2; try an earlier copy of it."));
+    };
+    return failure(sentence().arg(shownPath(path), clause.text));
 }
 
-tl::unexpected<Error> cannotWrite(const QString& path, const QString& clause)
+tl::unexpected<Error> cannotWrite(const QString& path, const Clause& clause)
 {
-    return failure(say(QT_TRANSLATE_NOOP("Files", "'%1' can't be written: %2.")).arg(shownPath(path), clause));
+    return failure(say(QT_TRANSLATE_NOOP("Files", "'%1' can't be written: %2.")).arg(shownPath(path), clause.text));
 }
 
 tl::unexpected<Error> cancelled(const QString& path)
@@ -51,21 +57,25 @@ tl::unexpected<Error> cancelled(const QString& path)
 
 Result<void> checkReadable(const QString& path, qint64 mostBytes)
 {
+    const auto refused = [&path](const QString& text) {
+        return cannotOpen(path, Clause{.text = text, .cure = Clause::Cure::OtherFile});
+    };
     const QFileInfo info(path);
     if (path.isEmpty() || !info.exists())
-        return cannotOpen(path, say(QT_TRANSLATE_NOOP("Files", "there is no such file; check the name and the folder")));
+        return refused(say(QT_TRANSLATE_NOOP("Files", "there is no such file; check the name and the folder")));
     if (info.isDir())
-        return cannotOpen(path, say(QT_TRANSLATE_NOOP("Files", "it is a folder; choose a file inside it")));
+        return refused(say(QT_TRANSLATE_NOOP("Files", "it is a folder; choose a file inside it")));
     if (!info.isFile())
-        return cannotOpen(path, say(QT_TRANSLATE_NOOP("Files", "it is not an ordinary file; choose another")));
+        return refused(say(QT_TRANSLATE_NOOP("Files", "it is not an ordinary file; choose another")));
     if (info.size() == 0)
-        return cannotOpen(path, say(QT_TRANSLATE_NOOP("Files", "it is empty; choose another file")));
+        return refused(say(QT_TRANSLATE_NOOP("Files", "it is empty; choose another file")));
     if (info.size() > mostBytes)
-        return cannotOpen(path, say(QT_TRANSLATE_NOOP("Files", "it is larger than %1, the most that is read; choose a smaller file"))
-                                    .arg(QLocale().formattedDataSize(mostBytes)));
+        return refused(
+            say(QT_TRANSLATE_NOOP("Files", "it is larger than %1, the most that is read; choose a smaller file"))
+                .arg(QLocale().formattedDataSize(mostBytes)));
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return cannotOpen(path, say(QT_TRANSLATE_NOOP("Files", "%1; check that you may read it")).arg(file.errorString()));
+        return refused(say(QT_TRANSLATE_NOOP("Files", "%1; check that you may read it")).arg(file.errorString()));
     return {};
 }
 

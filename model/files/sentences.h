@@ -3,18 +3,40 @@
 
 #include "model/error.h"
 
+#include <cstdint>
+
 namespace hairpaint::model {
 
 /// The path as it stands in a sentence: native separators, on one line.
 [[nodiscard]] QString shownPath(const QString& path);
 
-/// Inner functions fail with a clause ("the archive is cut short"); these make it a sentence.
-[[nodiscard]] tl::unexpected<Error> damaged(const QString& path, const QString& clause);
-[[nodiscard]] tl::unexpected<Error> cannotOpen(const QString& path, const QString& clause);
-[[nodiscard]] tl::unexpected<Error> cannotWrite(const QString& path, const QString& clause);
+/// Text in translation context "Files"; mark it with QT_TRANSLATE_NOOP.
+[[nodiscard]] QString say(const char* text);
+
+/// Why reading or writing stopped: inner functions know no path and give a clause ("its archive is cut short").
+struct Clause
+{
+    enum class Cure : std::uint8_t
+    {
+        EarlierCopy,
+        NewerProgram,
+        OtherFile
+    };
+    QString text;
+    Cure cure = Cure::EarlierCopy;
+};
+
+template<typename T>
+using Checked = tl::expected<T, Clause>;
+
+[[nodiscard]] tl::unexpected<Clause> refuse(QString clause, Clause::Cure cure = Clause::Cure::EarlierCopy);
+
+/// Clauses as sentences.
+[[nodiscard]] tl::unexpected<Error> cannotOpen(const QString& path, const Clause& clause);
+[[nodiscard]] tl::unexpected<Error> cannotWrite(const QString& path, const Clause& clause);
 [[nodiscard]] tl::unexpected<Error> cancelled(const QString& path);
 
-/// Opens failures that need no reading: missing, a folder, unreadable, empty, larger than `mostBytes`.
+/// Fails where no reading is needed to know: missing, a folder, unreadable, empty, larger than `mostBytes`.
 [[nodiscard]] Result<void> checkReadable(const QString& path, qint64 mostBytes);
 
 } // namespace hairpaint::model

@@ -18,9 +18,8 @@ static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec2) == 8 && sizeof(glm::u
 class Writer
 {
 public:
-    Writer(Kind kind, std::uint64_t bodyBytes)
+    Writer(Kind kind, std::uint64_t bodyBytes) : m_bytes(kHeaderBytes + bodyBytes)
     {
-        m_bytes.reserve(kHeaderBytes + bodyBytes);
         array(std::span(kMagic));
         value(static_cast<std::uint32_t>(kind));
         value(bodyBytes);
@@ -33,13 +32,16 @@ public:
     template<typename T, std::size_t N>
     void array(std::span<T, N> values)
     {
-        const auto bytes = std::as_bytes(values);
-        m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end());
+        if (values.empty())
+            return;
+        std::memcpy(m_bytes.data() + m_at, values.data(), values.size_bytes());
+        m_at += values.size_bytes();
     }
     [[nodiscard]] Bytes take() { return std::move(m_bytes); }
 
 private:
     Bytes m_bytes;
+    std::size_t m_at = 0;
 };
 
 class Reader
@@ -241,9 +243,7 @@ bool meshFits(const sim::HeadMesh& mesh)
     const auto inUnitSquare = [](const glm::vec2& uv) {
         return uv.x >= 0.0F && uv.x <= 1.0F && uv.y >= 0.0F && uv.y <= 1.0F;
     };
-    const auto inRange = [vertices](const glm::uvec3& t) {
-        return t.x < vertices && t.y < vertices && t.z < vertices;
-    };
+    const auto inRange = [vertices](const glm::uvec3& t) { return t.x < vertices && t.y < vertices && t.z < vertices; };
     return std::ranges::all_of(mesh.positionsHd, near) && std::ranges::all_of(mesh.normalsHd, unit) &&
            std::ranges::all_of(mesh.uvs, inUnitSquare) && std::ranges::all_of(mesh.triangles, inRange);
 }
@@ -254,10 +254,10 @@ std::optional<sim::HeadMesh> decodeMesh(std::span<const std::byte> body)
     std::uint32_t vertices = 0;
     std::uint32_t triangles = 0;
     sim::HeadMesh mesh;
-    if (!reader.value(vertices) || !reader.value(triangles) || vertices > kMostVertices ||
-        triangles > kMostTriangles || !reader.array(mesh.positionsHd, vertices) ||
-        !reader.array(mesh.normalsHd, vertices) || !reader.array(mesh.uvs, vertices) ||
-        !reader.array(mesh.triangles, triangles) || !reader.atEnd() || !meshFits(mesh))
+    if (!reader.value(vertices) || !reader.value(triangles) || vertices > kMostVertices || triangles > kMostTriangles ||
+        !reader.array(mesh.positionsHd, vertices) || !reader.array(mesh.normalsHd, vertices) ||
+        !reader.array(mesh.uvs, vertices) || !reader.array(mesh.triangles, triangles) || !reader.atEnd() ||
+        !meshFits(mesh))
         return std::nullopt;
     return mesh;
 }

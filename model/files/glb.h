@@ -1,0 +1,17 @@
+// Chunks, accessors and buffer views of the subset of binary glTF that heads are kept in: see "head.glb" in
+// model/files/hairpaint_format.md.
+// Any thread. Errors: clauses for a sentence of sentences.h; every index and size is checked.
+#pragma once
+
+#include "model/files/sentences.h"
+#include "sim/head_mesh.h"
+
+#include <QByteArray>
+
+namespace hairpaint::model {
+
+[[nodiscard]] Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb);
+/// The same mesh gives the same bytes.
+[[nodiscard]] QByteArray glbFromMesh(const sim::HeadMesh& mesh);
+
+} // namespace hairpaint::model

@@ -1,0 +1,148 @@
+// The built-in head, and heads made from a source mesh.
+#include "model/files/head_file.h"
+
+#include "model/files/glb.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <array>
+#include <bust_landmarks.h>
+#include <cmath>
+
+/// Resources of a static library are registered on request; the macro must stand outside every namespace.
+static void registerHeads() // NOLINT(misc-use-anonymous-namespace)
+{
+    Q_INIT_RESOURCE(heads);
+}
+
+namespace hairpaint::model {
+
+namespace {
+
+sim::HeadMesh builtInMesh(const QString& resource)
+{
+    QFile file(resource);
+    [[maybe_unused]] const bool opened = file.open(QIODevice::ReadOnly);
+    Checked<sim::HeadMesh> mesh = meshFromGlb(file.readAll());
+    Q_ASSERT(opened && mesh); // Compiled in; a test reads it.
+    return std::move(*mesh);
+}
+
+std::shared_ptr<const Head> loadBuiltIn()
+{
+    registerHeads();
+    auto head = std::make_shared<Head>();
+    head->name = QStringLiteral("bust-1");
+    head->skin = std::make_shared<const sim::Skin>(builtInMesh(QStringLiteral(":/heads/bust-1.glb")));
+    head->shownMesh = std::make_shared<const sim::HeadMesh>(builtInMesh(QStringLiteral(":/heads/bust-1-fine.glb")));
+    return head;
+}
+
+/// Source space to Hd without scale; a rotation, so it serves normals too.
+glm::vec3 turned(const glm::vec3& v, UpAxis upAxis)
+{
+    return upAxis == UpAxis::Y ? v : glm::vec3(v.x, v.z, -v.y);
+}
+
+struct Extent
+{
+    glm::vec3 least{0.0F};
+    glm::vec3 greatest{0.0F};
+    [[nodiscard]] glm::vec3 size() const { return greatest - least; }
+};
+
+Extent extentOf(const sim::HeadMesh& mesh)
+{
+    if (mesh.positionsHd.empty())
+        return {};
+    Extent extent{.least = mesh.positionsHd.front(), .greatest = mesh.positionsHd.front()};
+    for (const glm::vec3& p : mesh.positionsHd) {
+        extent.least = glm::min(extent.least, p);
+        extent.greatest = glm::max(extent.greatest, p);
+    }
+    return extent;
+}
+
+} // namespace
+
+std::shared_ptr<const Head> builtInHead()
+{
+    static const std::shared_ptr<const Head> head = loadBuiltIn();
+    return head;
+}
+
+std::vector<sim::Ellipsoid> builtInEllipsoids()
+{
+    std::vector<sim::Ellipsoid> ellipsoids;
+    for (const heads::EllipsoidSpec& spec : heads::bustColliders())
+        ellipsoids.push_back({.centreHd = spec.centre, .semiAxesM = spec.semiAxes, .rotation = spec.rotation});
+    return ellipsoids;
+}
+
+Result<sim::HeadMesh> readGlb(const QByteArray& glb, const QString& nameForErrors)
+{
+    Checked<sim::HeadMesh> mesh = meshFromGlb(glb);
+    if (!mesh)
+        return cannotOpen(nameForErrors, mesh.error());
+    return std::move(*mesh);
+}
+
+QByteArray writeGlb(const sim::HeadMesh& mesh)
+{
+    return glbFromMesh(mesh);
+}
+
+Result<std::shared_ptr<const Head>> makeHead(const QString& name, const QByteArray& sourceGlb, float unitScale,
+                                             UpAxis upAxis)
+{
+    Checked<sim::HeadMesh> source = meshFromGlb(sourceGlb);
+    if (!source)
+        return cannotOpen(name, source.error());
+    sim::HeadMesh mesh = std::move(*source);
+    for (glm::vec3& p : mesh.positionsHd)
+        p = turned(p, upAxis) * unitScale;
+    for (glm::vec3& n : mesh.normalsHd)
+        n = turned(n, upAxis);
+    const glm::vec3 size = extentOf(mesh).size();
+    constexpr float kSmallestM = 0.001F;
+    constexpr float kLargestM = 100.0F;
+    const float largest = std::max({size.x, size.y, size.z});
+    if (!(largest >= kSmallestM && largest <= kLargestM))
+        return cannotOpen(
+            name, Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its head is %1 m large, and heads of 1 mm to 100 m "
+                                                                "can be used; choose another unit"))
+                                     .arg(static_cast<double>(largest), 0, 'g', 3),
+                         .cure = Clause::Cure::OtherFile});
+    auto head = std::make_shared<Head>();
+    head->name = name;
+    head->builtIn = false;
+    head->unitScale = unitScale;
+    head->upAxis = upAxis;
+    head->sourceGlb = sourceGlb;
+    head->skin = std::make_shared<const sim::Skin>(std::move(mesh));
+    if (!(head->skin->areaM2() > 0.0))
+        return cannotOpen(name,
+                          Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its mesh has no surface; choose another")),
+                                 .cure = Clause::Cure::OtherFile});
+    head->shownMesh = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
+    return head;
+}
+
+HeadGuess guessHead(const sim::HeadMesh& source)
+{
+    const glm::vec3 size = extentOf(source).size();
+    HeadGuess guess;
+    guess.upAxis = size.z > size.y ? UpAxis::Z : UpAxis::Y;
+    const float height = std::max(size.y, size.z);
+    if (!(height > 0.0F))
+        return guess;
+    // From the chin to the crown 0.23 m, a bust with shoulders up to 0.9 m.
+    constexpr float kTypicalM = 0.3F;
+    constexpr std::array kMetresPerUnit = {1.0F, 0.01F, 0.001F, 0.0254F};
+    const auto distance = [height](float scale) { return std::abs(std::log(height * scale / kTypicalM)); };
+    guess.unitScale = *std::ranges::min_element(kMetresPerUnit, {}, distance);
+    return guess;
+}
+
+} // namespace hairpaint::model

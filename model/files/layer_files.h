@@ -1,0 +1,31 @@
+// The texels of groups in an archive: what projects and presets have in common.
+// Errors: clauses for a sentence of sentences.h.
+#pragma once
+
+#include "model/files/archive.h"
+#include "model/files/encoded_layers.h"
+#include "model/files/project_file.h"
+
+namespace hairpaint::model {
+
+inline constexpr qint64 kMostFileBytes = (qint64{1} << 32) - 1;
+inline constexpr qint64 kMostMimetypeBytes = 64;
+inline constexpr qint64 kMostThumbnailBytes = 8 << 20;
+inline constexpr int kLargestThumbnail = 1024;
+
+/// Archives of this kind say so in their first entry.
+void addMimetype(ArchiveWriter& archive, const QByteArray& mimetype);
+[[nodiscard]] Checked<void> checkMimetype(const ArchiveReader& archive, const QByteArray& mimetype);
+
+/// Adds every layer's image, encoding those that `cache` does not know. False where `progress` cancels.
+[[nodiscard]] Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& groups,
+                                      EncodedLayers& cache, const Progress& progress);
+/// Reads the texels of groups from groupsFromJson. Checks the whole file's budget first. False where cancelled.
+[[nodiscard]] Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& groups,
+                                       EncodedLayers& cache, const Progress& progress);
+
+void addThumbnail(ArchiveWriter& archive, const QImage& picture);
+/// Null where there is none or it is broken.
+[[nodiscard]] QImage readThumbnail(const ArchiveReader& archive);
+
+} // namespace hairpaint::model

@@ -1,0 +1,108 @@
+// Projects to files and back.
+#include "model/files/project_file.h"
+
+#include "model/files/head_file.h"
+#include "model/files/layer_files.h"
+#include "model/files/project_json.h"
+
+#include <QCoreApplication>
+
+namespace hairpaint::model {
+
+namespace {
+
+const QByteArray kMimetype = QByteArrayLiteral("application/x-hairpaint");
+constexpr qint64 kMostHeadBytes = 192 << 20;
+
+Result<std::shared_ptr<const Head>> openHead(const ArchiveReader& archive, const HeadReference& reference,
+                                             const QString& path)
+{
+    if (reference.builtIn) {
+        if (reference.name != builtInHead()->name)
+            return cannotOpen(path,
+                              Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its head '%1' is not known to this one"))
+                                                 .arg(shownPath(reference.name)),
+                                     .cure = Clause::Cure::NewerProgram});
+        return builtInHead();
+    }
+    const Checked<QByteArray> glb = archive.read(QStringLiteral("head.glb"), kMostHeadBytes);
+    if (!glb)
+        return cannotOpen(path, glb.error());
+    Result<std::shared_ptr<const Head>> head = makeHead(reference.name, *glb, reference.unitScale, reference.upAxis);
+    if (!head)
+        return cannotOpen(path, Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its head's mesh is broken"))});
+    return head;
+}
+
+} // namespace
+
+Result<Project> loadProject(const QString& path, EncodedLayers* cache, const Progress& progress)
+{
+    if (Result<void> readable = checkReadable(path, kMostFileBytes); !readable)
+        return tl::unexpected(readable.error());
+    const Checked<ArchiveReader> archive = ArchiveReader::open(path);
+    if (!archive)
+        return cannotOpen(path, archive.error());
+    if (Checked<void> kind = checkMimetype(*archive, kMimetype); !kind)
+        return cannotOpen(path, kind.error());
+    const Checked<QByteArray> json = archive->read(QStringLiteral("project.json"), kMostJsonBytes);
+    if (!json)
+        return cannotOpen(path, json.error());
+    Checked<ProjectManifest> manifest = projectFromJson(*json);
+    if (!manifest)
+        return cannotOpen(path, manifest.error());
+    EncodedLayers ownCache;
+    const Checked<bool> read =
+        readLayers(*archive, manifest->project.groups, cache != nullptr ? *cache : ownCache, progress);
+    if (!read)
+        return cannotOpen(path, read.error());
+    if (!*read)
+        return cancelled(path);
+    Result<std::shared_ptr<const Head>> head = openHead(*archive, manifest->head, path);
+    if (!head)
+        return tl::unexpected(head.error());
+    manifest->project.head = std::move(*head);
+    return std::move(manifest->project);
+}
+
+Result<void> saveProject(const Project& project, const QString& path, const QImage& thumbnail, EncodedLayers* cache,
+                         const Progress& progress)
+{
+    const Checked<QByteArray> json = projectToJson(project);
+    if (!json)
+        return cannotWrite(path, json.error());
+    ArchiveWriter archive;
+    addMimetype(archive, kMimetype);
+    archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
+    if (project.head && !project.head->builtIn)
+        archive.add("head.glb", project.head->sourceGlb, ArchiveWriter::Method::Deflated);
+    EncodedLayers ownCache;
+    const Checked<bool> added = addLayers(archive, project.groups, cache != nullptr ? *cache : ownCache, progress);
+    if (!added)
+        return cannotWrite(path, added.error());
+    if (!*added)
+        return cancelled(path);
+    addThumbnail(archive, thumbnail);
+    if (Checked<void> written = archive.writeTo(path); !written)
+        return cannotWrite(path, written.error());
+    return {};
+}
+
+QImage loadThumbnail(const QString& path)
+{
+    if (!checkReadable(path, kMostFileBytes))
+        return {};
+    const Checked<ArchiveReader> archive = ArchiveReader::open(path);
+    return archive ? readThumbnail(*archive) : QImage();
+}
+
+Project newProject()
+{
+    Project project;
+    project.head = builtInHead();
+    project.ellipsoids = builtInEllipsoids();
+    project.groups.push_back(makeGroup(project, QCoreApplication::translate("Project", "Scalp")));
+    return project;
+}
+
+} // namespace hairpaint::model
