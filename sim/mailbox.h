@@ -1,6 +1,7 @@
 // Where two threads meet: a slot that holds the latest value.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -22,9 +23,41 @@ public:
         m_arrived.notify_one();
     }
 
+    /// Changes what lies there, or a new T{} where nothing does: for values that gather until they are taken.
+    template<typename Edit>
+    void update(Edit&& edit)
+    {
+        {
+            const std::lock_guard lock(m_mutex);
+            if (!m_value)
+                m_value.emplace();
+            std::forward<Edit>(edit)(*m_value);
+        }
+        m_arrived.notify_one();
+    }
+
     [[nodiscard]] std::optional<T> take()
     {
         const std::lock_guard lock(m_mutex);
+        return std::exchange(m_value, std::nullopt);
+    }
+
+    /// Waits until there is a value.
+    [[nodiscard]] T waitAndTake()
+    {
+        std::unique_lock lock(m_mutex);
+        m_arrived.wait(lock, [this] { return m_value.has_value(); });
+        T value = *std::move(m_value);
+        m_value.reset();
+        return value;
+    }
+
+    /// Waits for a value until `deadline`; none where it passes.
+    template<typename Clock, typename Duration>
+    [[nodiscard]] std::optional<T> takeUntil(std::chrono::time_point<Clock, Duration> deadline)
+    {
+        std::unique_lock lock(m_mutex);
+        m_arrived.wait_until(lock, deadline, [this] { return m_value.has_value(); });
         return std::exchange(m_value, std::nullopt);
     }
 
