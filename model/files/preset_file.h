@@ -19,7 +19,8 @@ struct PresetEntry
     QImage picture;
 };
 
-/// Built-in styles in their own order, then those in `ownFolder` by name. Files that can't be read are left out and
+/// Built-in styles (":/presets", in the order of the lines of its order.txt, one base name each), then those in
+/// `ownFolder` by name. Files that can't be read are left out and
 /// named in `problems`.
 [[nodiscard]] std::vector<PresetEntry> listPresets(const QString& ownFolder, QStringList* problems = nullptr);
 

@@ -1,0 +1,122 @@
+// Reading a scene through Assimp and flattening it into one mesh.
+#include "app/importer/mesh_import.h"
+
+#include "app/importer/mesh_builder.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <filesystem>
+#include <optional>
+
+namespace hairpaint::importer {
+
+namespace {
+
+constexpr unsigned kDeepestNode = 256;
+
+glm::vec3 toVec3(const aiVector3D& v)
+{
+    return {v.x, v.y, v.z};
+}
+
+/// What the scene holds, for the reason of a refusal.
+struct Found
+{
+    bool triangles = false;
+    bool uvs = false;
+};
+
+class SceneFlattener
+{
+public:
+    explicit SceneFlattener(const aiScene& scene) : m_scene(scene) {}
+
+    /// False where the limits are passed.
+    bool addNode(const aiNode& node, const aiMatrix4x4& parent, unsigned depth)
+    {
+        if (depth > kDeepestNode)
+            return false;
+        const aiMatrix4x4 toWorld = parent * node.mTransformation;
+        for (unsigned i = 0; i < node.mNumMeshes; ++i)
+            if (node.mMeshes[i] < m_scene.mNumMeshes && !addMesh(*m_scene.mMeshes[node.mMeshes[i]], toWorld))
+                return false;
+        for (unsigned i = 0; i < node.mNumChildren; ++i)
+            if (!addNode(*node.mChildren[i], toWorld, depth + 1))
+                return false;
+        return true;
+    }
+    [[nodiscard]] const Found& found() const { return m_found; }
+    MeshBuilder& builder() { return m_builder; }
+
+private:
+    bool addMesh(const aiMesh& mesh, const aiMatrix4x4& toWorld)
+    {
+        const bool hasTriangles = (mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) != 0;
+        m_found.triangles = m_found.triangles || hasTriangles;
+        if (!hasTriangles || !mesh.HasTextureCoords(0) || !mesh.HasPositions())
+            return true;
+        m_found.uvs = true;
+        aiMatrix3x3 forNormals(toWorld);
+        // A mirrored node turns triangles inside out.
+        const bool mirrored = forNormals.Determinant() < 0.0F;
+        forNormals.Inverse().Transpose();
+        for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+            const aiFace& face = mesh.mFaces[i];
+            if (face.mNumIndices != 3)
+                continue;
+            std::array<Corner, 3> triangle;
+            for (unsigned corner = 0; corner < 3; ++corner) {
+                const unsigned index = face.mIndices[mirrored ? 2 - corner : corner];
+                if (index >= mesh.mNumVertices)
+                    return false;
+                triangle[corner].position = toVec3(toWorld * mesh.mVertices[index]);
+                if (mesh.HasNormals())
+                    triangle[corner].normal = toVec3(forNormals * mesh.mNormals[index]);
+                triangle[corner].uv = {mesh.mTextureCoords[0][index].x, mesh.mTextureCoords[0][index].y};
+            }
+            m_builder.add(triangle);
+            if (m_builder.vertexCount() > wire::kMostVertices || m_builder.triangleCount() > wire::kMostTriangles)
+                return false;
+        }
+        return true;
+    }
+
+    const aiScene& m_scene;
+    MeshBuilder m_builder;
+    Found m_found;
+};
+
+} // namespace
+
+tl::expected<sim::HeadMesh, wire::Reason> readMesh(const std::string& path)
+{
+    Assimp::Importer importer;
+    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 175.0F);
+    const aiScene* scene =
+        importer.ReadFile(path, static_cast<unsigned>(aiProcess_Triangulate) | aiProcess_GenSmoothNormals |
+                                    aiProcess_JoinIdenticalVertices | aiProcess_ValidateDataStructure);
+    if (scene == nullptr) {
+        const std::string ending = std::filesystem::path(path).extension().string();
+        const bool known = ending.size() > 1 && importer.IsExtensionSupported(ending);
+        return tl::unexpected(known ? wire::Reason::Damaged : wire::Reason::UnknownFormat);
+    }
+    if (scene->mRootNode == nullptr || scene->mNumMeshes == 0)
+        return tl::unexpected(wire::Reason::NoTriangles);
+    SceneFlattener flattener(*scene);
+    if (!flattener.addNode(*scene->mRootNode, aiMatrix4x4(), 0))
+        return tl::unexpected(wire::Reason::TooLarge);
+    if (!flattener.found().triangles)
+        return tl::unexpected(wire::Reason::NoTriangles);
+    if (!flattener.found().uvs)
+        return tl::unexpected(wire::Reason::NoUvs);
+    sim::HeadMesh mesh = flattener.builder().take();
+    if (mesh.triangles.empty())
+        return tl::unexpected(wire::Reason::NoTriangles);
+    if (!wire::meshFits(mesh))
+        return tl::unexpected(wire::Reason::Damaged);
+    return mesh;
+}
+
+} // namespace hairpaint::importer

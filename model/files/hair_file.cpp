@@ -1,0 +1,198 @@
+// Writing Cem Yuksel's `.hair` format (http://www.cemyuksel.com/research/hairmodels): header, then one array after
+// another: segments, points, thickness, transparency, colours.
+#include "model/files/hair_file.h"
+
+#include "model/files/sentences.h"
+#include "sim/parallel.h"
+#include "sim/strand_curve.h"
+
+#include <QSaveFile>
+#include <QtEndian>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <limits>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr quint32 kSegmentsFlag = 1;
+constexpr quint32 kPointsFlag = 2;
+constexpr quint32 kThicknessFlag = 4;
+constexpr quint32 kTransparencyFlag = 8;
+constexpr quint32 kColoursFlag = 16;
+constexpr std::size_t kHeaderBytes = 128;
+constexpr std::size_t kTextBytes = 88;
+constexpr const char* kText = "Hair Paint: metres, y up, face toward +z; root to tip; thickness is the diameter in m";
+static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
+
+/// One strand to be written and where its points stand among all.
+struct Strand
+{
+    std::size_t group = 0;
+    std::uint32_t slot = 0;
+    int segments = 0;
+    std::size_t firstPoint = 0;
+};
+
+const sim::StrandChunk& chunkOf(const sim::Groom& groom, std::uint32_t slot)
+{
+    return *groom.chunks[slot / sim::kChunkSlots];
+}
+
+const sim::StrandStyle& styleOf(const sim::StrandFrame& frame, const Strand& strand)
+{
+    return chunkOf(*frame.groups[strand.group].groom, strand.slot).styles[strand.slot % sim::kChunkSlots];
+}
+
+std::vector<Strand> collectStrands(const sim::StrandFrame& frame)
+{
+    std::vector<Strand> strands;
+    std::size_t points = 0;
+    for (std::size_t group = 0; group < frame.groups.size(); ++group) {
+        const sim::Groom& groom = *frame.groups[group].groom;
+        if (!groom.visible || groom.roots == nullptr)
+            continue;
+        for (const std::uint32_t slot : groom.roots->slotOfRank) {
+            const std::size_t chunk = slot / sim::kChunkSlots;
+            if (chunk >= groom.chunks.size() || groom.chunks[chunk] == nullptr || groom.chunkPlace[chunk] < 0 ||
+                !groom.chunks[chunk]->drawn[slot % sim::kChunkSlots])
+                continue;
+            Strand strand{.group = group, .slot = slot, .firstPoint = points};
+            strand.segments = std::max(1, sim::segmentsOf(styleOf(frame, strand), groom.nodes));
+            points += static_cast<std::size_t>(strand.segments) + 1;
+            strands.push_back(strand);
+        }
+    }
+    return strands;
+}
+
+void skeletonOf(const sim::GroupFrame& group, std::uint32_t slot, std::vector<glm::vec3>& nodesWo)
+{
+    const auto nodes = static_cast<std::size_t>(group.groom->nodes);
+    const auto place = static_cast<std::size_t>(group.groom->chunkPlace[slot / sim::kChunkSlots]);
+    const std::size_t block = place * sim::kBlocksPerChunk + slot % sim::kChunkSlots / sim::kLanes;
+    const float* lane = group.positions.data() + block * nodes * 3 * sim::kLanes + slot % sim::kLanes;
+    nodesWo.resize(nodes);
+    for (std::size_t node = 0; node < nodes; ++node)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            nodesWo[node][static_cast<int>(axis)] = lane[(node * 3 + axis) * sim::kLanes];
+}
+
+/// Every strand's curve, points one after another.
+std::vector<glm::vec3> evaluateAll(const sim::StrandFrame& frame, const std::vector<Strand>& strands,
+                                   std::size_t pointCount)
+{
+    std::vector<glm::vec3> points(pointCount);
+    constexpr std::size_t kGrain = 256;
+    sim::parallelFor(strands.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+        std::vector<glm::vec3> skeleton;
+        std::vector<glm::vec3> curve;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Strand& strand = strands[i];
+            const sim::GroupFrame& group = frame.groups[strand.group];
+            skeletonOf(group, strand.slot, skeleton);
+            const glm::vec3 tangentWo = frame.pose.rotation * group.groom->roots->tangentHd[strand.slot];
+            sim::evaluateStrand(skeleton, tangentWo, styleOf(frame, strand), strand.segments, curve);
+            const std::size_t count = std::min(curve.size(), static_cast<std::size_t>(strand.segments) + 1);
+            std::copy_n(curve.begin(), count, points.begin() + static_cast<std::ptrdiff_t>(strand.firstPoint));
+        }
+    });
+    return points;
+}
+
+/// sRGB as encoded, 0..1.
+glm::vec3 colourOf(std::uint32_t packed)
+{
+    return glm::vec3(packed & 0xFFU, (packed >> 8U) & 0xFFU, (packed >> 16U) & 0xFFU) / 255.0F;
+}
+
+std::array<char, kHeaderBytes> makeHeader(std::size_t strands, std::size_t points)
+{
+    std::array<char, kHeaderBytes> header{};
+    std::memcpy(header.data(), "HAIR", 4);
+    const std::array<quint32, 4> counts = {
+        static_cast<quint32>(strands), static_cast<quint32>(points),
+        kSegmentsFlag | kPointsFlag | kThicknessFlag | kTransparencyFlag | kColoursFlag, 0};
+    std::memcpy(header.data() + 4, counts.data(), sizeof(counts));
+    const std::array<float, 5> defaults = {80e-6F, 0.0F, 0.25F, 0.15F, 0.1F};
+    std::memcpy(header.data() + 20, defaults.data(), sizeof(defaults));
+    std::memcpy(header.data() + 40, kText, std::min(std::strlen(kText), kTextBytes));
+    return header;
+}
+
+/// Writes in pieces and remembers the first failure.
+class Output
+{
+public:
+    explicit Output(QSaveFile& file) : m_file(file) {}
+    template<typename T>
+    void write(const std::vector<T>& values)
+    {
+        write(reinterpret_cast<const char*>(values.data()), static_cast<qint64>(values.size() * sizeof(T)));
+    }
+    void write(const char* bytes, qint64 count) { m_ok = m_ok && m_file.write(bytes, count) == count; }
+    [[nodiscard]] bool ok() const { return m_ok; }
+
+private:
+    QSaveFile& m_file;
+    bool m_ok = true;
+};
+
+/// One value per point, computed from the strand and the share of the way to the tip.
+template<typename T, typename Function>
+void writePerPoint(Output& output, const std::vector<Strand>& strands, const Function& function)
+{
+    constexpr std::size_t kPiece = 1U << 16U;
+    std::vector<T> values;
+    for (const Strand& strand : strands) {
+        for (int i = 0; i <= strand.segments; ++i)
+            values.push_back(function(strand, static_cast<float>(i) / static_cast<float>(strand.segments)));
+        if (values.size() >= kPiece) {
+            output.write(values);
+            values.clear();
+        }
+    }
+    output.write(values);
+}
+
+} // namespace
+
+Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path)
+{
+    const std::vector<Strand> strands = collectStrands(frame);
+    const std::size_t pointCount =
+        strands.empty() ? 0 : strands.back().firstPoint + static_cast<std::size_t>(strands.back().segments) + 1;
+    if (pointCount > std::numeric_limits<quint32>::max())
+        return cannotWrite(path,
+                           {.text = say(QT_TRANSLATE_NOOP("Files", "the hair has too many points for this format"))});
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return cannotWrite(path, {.text = file.errorString()});
+    Output output(file);
+    const std::array<char, kHeaderBytes> header = makeHeader(strands.size(), pointCount);
+    output.write(header.data(), static_cast<qint64>(header.size()));
+    std::vector<quint16> segments;
+    segments.reserve(strands.size());
+    for (const Strand& strand : strands)
+        segments.push_back(static_cast<quint16>(strand.segments));
+    output.write(segments);
+    output.write(evaluateAll(frame, strands, pointCount));
+    writePerPoint<float>(output, strands, [&](const Strand& s, float) { return styleOf(frame, s).widthM; });
+    writePerPoint<float>(output, strands, [&](const Strand& s, float share) {
+        const sim::StrandMaterial& material = frame.groups[s.group].groom->settings.material;
+        return 1.0F - (material.rootAlpha + (material.tipAlpha - material.rootAlpha) * share);
+    });
+    writePerPoint<glm::vec3>(output, strands, [&](const Strand& s, float share) {
+        const sim::StrandStyle& style = styleOf(frame, s);
+        return glm::mix(colourOf(style.rootColour), colourOf(style.tipColour), share);
+    });
+    if (!output.ok() || !file.commit())
+        return cannotWrite(path, {.text = file.errorString()});
+    return {};
+}
+
+} // namespace hairpaint::model

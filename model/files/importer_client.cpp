@@ -1,0 +1,174 @@
+// Requests to hairpaint-import and what its answers mean.
+#include "model/files/importer_client.h"
+
+#include "model/files/helper_process.h"
+#include "model/files/sentences.h"
+#include "model/files/wire_format.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr qint64 kMostForeignBytes = qint64{2} << 30;
+const QString kProgramName = QStringLiteral("hairpaint-import");
+
+QString findHelper()
+{
+    const QString fromEnvironment = qEnvironmentVariable("HAIRPAINT_IMPORT");
+    if (!fromEnvironment.isEmpty())
+        return fromEnvironment;
+    const QDir folder(QCoreApplication::applicationDirPath());
+#ifdef Q_OS_WIN
+    return folder.filePath(kProgramName + QStringLiteral(".exe"));
+#else
+    return folder.filePath(kProgramName);
+#endif
+}
+
+QString failureText(HelperFailure failure)
+{
+    switch (failure) {
+    case HelperFailure::NotStarted:
+        return say(QT_TRANSLATE_NOOP("Files", "the helper program hairpaint-import could not be started; install Hair "
+                                              "Paint again"));
+    case HelperFailure::Crashed:
+        return say(QT_TRANSLATE_NOOP("Files", "reading it failed, so it is likely damaged; convert it with another "
+                                              "program and try again"));
+    case HelperFailure::TimedOut:
+        return say(QT_TRANSLATE_NOOP("Files", "it took too long; try a smaller or simpler file"));
+    case HelperFailure::Nonsense:
+        return say(QT_TRANSLATE_NOOP("Files", "the helper program's answer made no sense; convert the file with "
+                                              "another program and try again"));
+    case HelperFailure::Cancelled:
+        break;
+    }
+    return {};
+}
+
+QString reasonText(wire::Reason reason)
+{
+    switch (reason) {
+    case wire::Reason::CannotOpen:
+        return say(QT_TRANSLATE_NOOP("Files", "it could not be read; check that it is there and may be read"));
+    case wire::Reason::UnknownFormat:
+        return say(
+            QT_TRANSLATE_NOOP("Files", "its format is not known; convert it to PNG (an image) or glTF (a mesh)"));
+    case wire::Reason::Damaged:
+        return say(QT_TRANSLATE_NOOP("Files", "it is damaged or cut short; try another copy of it"));
+    case wire::Reason::TooLarge:
+        return say(QT_TRANSLATE_NOOP("Files", "it is too large; try one of at most 8192 x 8192 pixels or 2 million "
+                                              "vertices"));
+    case wire::Reason::NoTriangles:
+        return say(QT_TRANSLATE_NOOP("Files", "it holds no surface; choose a mesh of triangles or polygons"));
+    case wire::Reason::NoUvs:
+        return say(QT_TRANSLATE_NOOP("Files", "its mesh has no uv coordinates, which the maps need; unwrap it in a 3D "
+                                              "program first"));
+    case wire::Reason::CannotWriteEnding:
+        return say(QT_TRANSLATE_NOOP("Files", "images with this ending can't be written; use .png, .tif or .exr"));
+    case wire::Reason::OutOfMemory:
+        return say(QT_TRANSLATE_NOOP("Files", "there was not enough memory for it; try a smaller one"));
+    }
+    return {};
+}
+
+using Phrase = tl::unexpected<Error> (*)(const QString& path, const Clause& clause);
+
+/// Runs the helper and returns the body of the wanted answer; everything else as a sentence.
+Result<wire::Bytes> ask(const QString& helper, int timeoutMs, const wire::Bytes& request, wire::Kind wanted,
+                        const QString& path, const Progress& progress, Phrase phrase)
+{
+    const auto refused = [&](const QString& text) {
+        return phrase(path, Clause{.text = text, .cure = Clause::Cure::OtherFile});
+    };
+    tl::expected<HelperAnswer, HelperFailure> answer = runHelper(helper, request, timeoutMs, progress);
+    if (!answer) {
+        if (answer.error() == HelperFailure::Cancelled)
+            return cancelled(path);
+        return refused(failureText(answer.error()));
+    }
+    if (answer->kind == wire::Kind::Refusal)
+        if (const auto reason = wire::decodeRefusal(answer->body))
+            return refused(reasonText(*reason));
+    if (answer->kind != wanted)
+        return refused(failureText(HelperFailure::Nonsense));
+    return std::move(answer->body);
+}
+
+tl::unexpected<Error> nonsense(const QString& path)
+{
+    return cannotOpen(path, Clause{.text = failureText(HelperFailure::Nonsense), .cure = Clause::Cure::OtherFile});
+}
+
+wire::Bytes readRequest(wire::Kind kind, const QString& path)
+{
+    return wire::encodeText(kind, QFileInfo(path).absoluteFilePath().toUtf8().toStdString());
+}
+
+} // namespace
+
+ImporterClient::ImporterClient(QString helperPath, int timeoutMs)
+    : m_helperPath(helperPath.isEmpty() ? findHelper() : std::move(helperPath)), m_timeoutMs(timeoutMs)
+{}
+
+Result<ForeignImage> ImporterClient::readImage(const QString& path, const Progress& progress) const
+{
+    if (Result<void> readable = checkReadable(path, kMostForeignBytes); !readable)
+        return tl::unexpected(readable.error());
+    Result<wire::Bytes> body = ask(m_helperPath, m_timeoutMs, readRequest(wire::Kind::ReadImage, path),
+                                   wire::Kind::Image, path, progress, cannotOpen);
+    if (!body)
+        return tl::unexpected(body.error());
+    std::optional<wire::Image> image = wire::decodeImage(*body);
+    if (!image)
+        return nonsense(path);
+    return ForeignImage{.width = static_cast<int>(image->width),
+                        .height = static_cast<int>(image->height),
+                        .channels = static_cast<int>(image->channels),
+                        .pixels = std::move(image->samples)};
+}
+
+Result<sim::HeadMesh> ImporterClient::readMesh(const QString& path, const Progress& progress) const
+{
+    if (Result<void> readable = checkReadable(path, kMostForeignBytes); !readable)
+        return tl::unexpected(readable.error());
+    Result<wire::Bytes> body = ask(m_helperPath, m_timeoutMs, readRequest(wire::Kind::ReadMesh, path), wire::Kind::Mesh,
+                                   path, progress, cannotOpen);
+    if (!body)
+        return tl::unexpected(body.error());
+    std::optional<sim::HeadMesh> mesh = wire::decodeMesh(*body);
+    if (!mesh)
+        return nonsense(path);
+    return std::move(*mesh);
+}
+
+Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString& path, int bits) const
+{
+    wire::EncodeRequest request{.bits = bits <= 8 ? 8U : 16U,
+                                .ending = QFileInfo(path).suffix().toLower().toStdString(),
+                                .image = {.width = static_cast<std::uint32_t>(image.width),
+                                          .height = static_cast<std::uint32_t>(image.height),
+                                          .channels = static_cast<std::uint32_t>(image.channels),
+                                          .samples = image.pixels}};
+    const auto refused = [&path](wire::Reason reason) { return cannotWrite(path, Clause{.text = reasonText(reason)}); };
+    if (request.ending.empty() || request.ending.size() > wire::kLongestEnding)
+        return refused(wire::Reason::CannotWriteEnding);
+    if (!wire::imageFits(request.image.width, request.image.height, request.image.channels))
+        return refused(wire::Reason::TooLarge);
+    Result<wire::Bytes> body =
+        ask(m_helperPath, m_timeoutMs, wire::encodeRequest(request), wire::Kind::Encoded, path, {}, cannotWrite);
+    if (!body)
+        return tl::unexpected(body.error());
+    QSaveFile file(path);
+    const auto size = static_cast<qint64>(body->size());
+    if (!file.open(QIODevice::WriteOnly) || file.write(reinterpret_cast<const char*>(body->data()), size) != size ||
+        !file.commit())
+        return cannotWrite(path, Clause{.text = file.errorString()});
+    return {};
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,126 @@
+// Presets to files and back, and the library of them.
+#include "model/files/preset_file.h"
+
+#include "model/files/group_json.h"
+#include "model/files/layer_files.h"
+#include "model/files/project_json.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace hairpaint::model {
+
+namespace {
+
+const QByteArray kMimetype = QByteArrayLiteral("application/x-hairpaint-preset");
+const QString kBuiltInFolder = QStringLiteral(":/presets");
+
+/// The archive and its JSON, the maps unread.
+struct OpenedPreset
+{
+    ArchiveReader archive;
+    Preset preset;
+};
+
+Result<OpenedPreset> openPreset(const QString& path)
+{
+    if (Result<void> readable = checkReadable(path, kMostFileBytes); !readable)
+        return tl::unexpected(readable.error());
+    Checked<ArchiveReader> archive = ArchiveReader::open(path);
+    if (!archive)
+        return cannotOpen(path, archive.error());
+    if (Checked<void> kind = checkMimetype(*archive, kMimetype); !kind)
+        return cannotOpen(path, kind.error());
+    const Checked<QByteArray> json = archive->read(QStringLiteral("project.json"), kMostJsonBytes);
+    if (!json)
+        return cannotOpen(path, json.error());
+    Checked<Preset> preset = presetFromJson(*json);
+    if (!preset)
+        return cannotOpen(path, preset.error());
+    if (preset->name.isEmpty())
+        preset->name = QFileInfo(path).completeBaseName();
+    preset->folder = path.startsWith(QLatin1Char(':')) ? QString() : path;
+    preset->picture = readThumbnail(*archive);
+    return OpenedPreset{.archive = std::move(*archive), .preset = std::move(*preset)};
+}
+
+/// The lines of ":/presets/order.txt", then the others by name.
+QStringList builtInPaths()
+{
+    const QDir folder(kBuiltInFolder);
+    QStringList names = folder.entryList({QStringLiteral("*.hairpreset")}, QDir::Files, QDir::Name);
+    QStringList ordered;
+    QFile order(folder.filePath(QStringLiteral("order.txt")));
+    if (order.open(QIODevice::ReadOnly))
+        for (const QByteArray& line : order.readAll().split('\n')) {
+            const QString name = QString::fromUtf8(line.trimmed()) + QStringLiteral(".hairpreset");
+            if (names.removeOne(name))
+                ordered.append(name);
+        }
+    ordered.append(names);
+    for (QString& name : ordered)
+        name = folder.filePath(name);
+    return ordered;
+}
+
+} // namespace
+
+Result<Preset> loadPreset(const QString& path)
+{
+    Result<OpenedPreset> opened = openPreset(path);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    EncodedLayers cache;
+    const Checked<bool> read = readLayers(opened->archive, opened->preset.groups, cache, {});
+    if (!read)
+        return cannotOpen(path, read.error());
+    return std::move(opened->preset);
+}
+
+Result<void> savePreset(const Preset& preset, const QString& path)
+{
+    const Checked<QByteArray> json = presetToJson(preset);
+    if (!json)
+        return cannotWrite(path, json.error());
+    ArchiveWriter archive;
+    addMimetype(archive, kMimetype);
+    archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
+    EncodedLayers cache;
+    if (Checked<bool> added = addLayers(archive, preset.groups, cache, {}); !added)
+        return cannotWrite(path, added.error());
+    addThumbnail(archive, preset.picture);
+    if (Checked<void> written = archive.writeTo(path); !written)
+        return cannotWrite(path, written.error());
+    return {};
+}
+
+std::vector<PresetEntry> listPresets(const QString& ownFolder, QStringList* problems)
+{
+    std::vector<PresetEntry> entries;
+    const auto add = [&](const QString& path, const QString& folder) {
+        Result<OpenedPreset> opened = openPreset(path);
+        if (!opened) {
+            if (problems != nullptr)
+                problems->append(opened.error().message);
+            return;
+        }
+        const Preset& preset = opened->preset;
+        entries.push_back(
+            {.path = path, .name = preset.name, .tags = preset.tags, .folder = folder, .picture = preset.picture});
+    };
+    for (const QString& path : builtInPaths())
+        add(path, QStringLiteral("built-in"));
+    const auto firstOwn = static_cast<std::ptrdiff_t>(entries.size());
+    const QDir own(ownFolder);
+    if (!ownFolder.isEmpty())
+        for (const QString& name : own.entryList({QStringLiteral("*.hairpreset")}, QDir::Files, QDir::Name))
+            add(own.filePath(name), QStringLiteral("own"));
+    std::stable_sort(entries.begin() + firstOwn, entries.end(), [](const PresetEntry& a, const PresetEntry& b) {
+        return a.name.compare(b.name, Qt::CaseInsensitive) < 0;
+    });
+    return entries;
+}
+
+} // namespace hairpaint::model
