@@ -41,7 +41,8 @@ tl::expected<wire::Image, wire::Reason> readImage(const std::string& path)
     const auto input = OIIO::ImageInput::open(path, &config);
     if (!input) {
         std::error_code unreadable;
-        const bool there = std::filesystem::exists(std::filesystem::path(std::u8string(path.begin(), path.end())), unreadable);
+        const bool there =
+            std::filesystem::exists(std::filesystem::path(std::u8string(path.begin(), path.end())), unreadable);
         const bool mentionsLimit = OIIO::geterror().find("limits:") != std::string::npos;
         if (mentionsLimit)
             return tl::unexpected(wire::Reason::TooLarge);

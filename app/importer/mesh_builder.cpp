@@ -32,9 +32,8 @@ void moveIntoUnitSquare(std::array<Corner, 3>& triangle)
 {
     const glm::vec2 middle = (triangle[0].uv + triangle[1].uv + triangle[2].uv) / 3.0F;
     const glm::vec2 tile = glm::floor(middle);
-    const bool onBorder = std::ranges::all_of(triangle, [](const Corner& c) {
-        return c.uv.x >= 0.0F && c.uv.x <= 1.0F && c.uv.y >= 0.0F && c.uv.y <= 1.0F;
-    });
+    const bool onBorder = std::ranges::all_of(
+        triangle, [](const Corner& c) { return c.uv.x >= 0.0F && c.uv.x <= 1.0F && c.uv.y >= 0.0F && c.uv.y <= 1.0F; });
     for (Corner& corner : triangle) {
         if (!onBorder)
             corner.uv -= tile;
