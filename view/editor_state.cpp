@@ -173,12 +173,12 @@ void EditorState::setHover(std::optional<Hover> hover)
     Q_EMIT hoverChanged();
 }
 
-QString EditorState::refusal(const model::Tool& tool) const
+QString EditorState::refusal(bool picks) const
 {
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
     if (group == nullptr)
         return tr("There is no hair group to paint on; add one in the Maps panel.");
-    if (onlyLooks(tool))
+    if (picks || onlyLooks(activeTool()))
         return {};
     const model::Layer* layer = m_document.project().layer(m_activeGroup, m_activeMap, activeLayer());
     if (layer == nullptr)
@@ -195,7 +195,7 @@ QString EditorState::refusal(const model::Tool& tool) const
 template<typename Call>
 void EditorState::withTool(const Call& call)
 {
-    model::Tool& tool = *m_tools[m_strokeTool];
+    model::Tool& tool = activeTool();
     const bool hadOverlay = !tool.overlay().empty();
     const model::ToolSettings before = m_toolSettings;
     model::ToolContext toolContext = context();
@@ -208,14 +208,12 @@ void EditorState::withTool(const Call& call)
 
 void EditorState::press(const model::ToolEvent& event)
 {
-    // Ctrl+click takes the value under the pointer, whatever the tool.
+    // With Ctrl every painting tool picks the value under the pointer.
     const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().hasRing();
-    const std::size_t wanted = picks ? toolIndex(QLatin1StringView("picker")).value_or(m_activeTool) : m_activeTool;
-    if (const QString reason = refusal(*m_tools[wanted]); !reason.isEmpty()) {
+    if (const QString reason = refusal(picks); !reason.isEmpty()) {
         Q_EMIT refused(reason);
         return;
     }
-    m_strokeTool = wanted;
     m_strokeTarget = target();
     withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.press(event, toolContext); });
 }
@@ -245,7 +243,7 @@ void EditorState::commitStroke()
 
 bool EditorState::stroking() const
 {
-    return m_tools[m_strokeTool]->active();
+    return activeTool().active();
 }
 
 void EditorState::onDocumentChanged(const Change& change)

@@ -85,8 +85,8 @@ private:
     [[nodiscard]] model::ToolContext context();
     [[nodiscard]] std::optional<std::size_t> toolIndex(QLatin1StringView id) const;
     bool setOption(bool& option, bool value);
-    /// Why `tool` can't start on the target; empty where it can.
-    [[nodiscard]] QString refusal(const model::Tool& tool) const;
+    /// Why the active tool can't start on the target; empty where it can.
+    [[nodiscard]] QString refusal(bool picks) const;
     template<typename Call>
     void withTool(const Call& call);
 
@@ -94,7 +94,6 @@ private:
     std::vector<std::unique_ptr<model::Tool>> m_tools;
     std::size_t m_activeTool = 0;
     std::size_t m_previousTool = 0;
-    std::size_t m_strokeTool = 0;       ///< The one that got the last press: a picker for Ctrl+click.
     model::LayerAddress m_strokeTarget; ///< Stays the same from press to release.
     model::ToolSettings m_toolSettings;
     model::Selection m_selection;

@@ -1,55 +1,398 @@
-// The 3D area.
+// The 3D area's scene, presenter and drawing.
 #include "view/head_view.h"
 
-#include "view/editor_state.h"
+#include "view/head/gl_presenter.h"
+#include "view/head/head_view_state.h"
+#include "view/head/software_presenter.h"
+
+#include <QGuiApplication>
+#include <QTimerEvent>
+
+#include <algorithm>
+#include <cmath>
 
 namespace hairpaint::view {
 
-struct HeadView::State
-{
-    EditorState* editor = nullptr;
-    rendering::Camera camera;
-};
+namespace {
 
-HeadView::HeadView(EditorState& state, const Theme&, PresenterChoice, QWidget* parent)
-    : QWidget(parent), m_state(std::make_unique<State>(State{&state, {}}))
-{}
-HeadView::~HeadView() = default;
-void HeadView::setTheme(const Theme&) {}
-void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame>) {}
+constexpr int kLeastMsBetweenDraws = 16;
+constexpr int kSettleMs = 180;
+constexpr int kTurnMs = 240;
+constexpr int kTurnBackMs = 500;
+
+glm::vec3 linear(QRgb encoded)
+{
+    const auto channel = [](int value) {
+        const float x = static_cast<float>(value) / 255.0F;
+        return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+    };
+    return {channel(qRed(encoded)), channel(qGreen(encoded)), channel(qBlue(encoded))};
+}
+
+rendering::Light lightOf(const model::LightSettings& settings)
+{
+    return {.directionWo = {std::sin(settings.azimuthRad) * std::cos(settings.elevationRad),
+                            std::sin(settings.elevationRad),
+                            std::cos(settings.azimuthRad) * std::cos(settings.elevationRad)},
+            .colour = glm::vec3(settings.red, settings.green, settings.blue) * settings.intensity,
+            .ambient = settings.ambient};
+}
+
+rendering::Ring ringAt(const sim::SurfacePoint& point, float radiusM)
+{
+    return {.centreHd = point.positionHd, .normalHd = point.normalHd, .radiusM = radiusM};
+}
+
+/// Where a QOpenGLWidget can't work at all.
+bool headless()
+{
+    const QString platform = QGuiApplication::platformName();
+    return platform == QLatin1StringView("offscreen") || platform == QLatin1StringView("minimal");
+}
+
+} // namespace
+
+HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choice, QWidget* parent)
+    : QWidget(parent), m_state(std::make_unique<State>(state, theme, this))
+{
+    setObjectName(QStringLiteral("headArea"));
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 160);
+    m_state->overlay = new HeadOverlay(theme, this);
+    m_state->weather = new WeatherOverlay(theme, this);
+    m_state->weather->hide();
+    connect(m_state->weather, &WeatherOverlay::windWanted, this, &HeadView::windWanted);
+    connect(m_state->weather, &WeatherOverlay::lightWanted, this, &HeadView::lightWanted);
+    connect(m_state->weather, &WeatherOverlay::leaveWanted, this, [this] { setWeatherShown(false); });
+
+    connect(&state.document(), &model::Document::changed, this, &HeadView::onDocumentChanged);
+    connect(&state, &EditorState::hoverChanged, this, &HeadView::refreshRings);
+    connect(&state, &EditorState::toolSettingsChanged, this, &HeadView::refreshRings);
+    connect(&state, &EditorState::viewOptionsChanged, this, &HeadView::refreshRings);
+    connect(&state, &EditorState::activeToolChanged, this, [this] {
+        refreshRings();
+        refreshOverlay();
+    });
+    connect(&state, &EditorState::overlayChanged, this, &HeadView::refreshOverlay);
+    connect(&m_state->keys, &HeldKeys::changed, this, &HeadView::updateCursor);
+
+    m_state->turning.setDuration(kTurnMs);
+    m_state->turning.setEasingCurve(QEasingCurve::OutCubic);
+    m_state->turning.setStartValue(0.0F);
+    m_state->turning.setEndValue(1.0F);
+    m_state->turningBack.setDuration(kTurnBackMs);
+    m_state->turningBack.setEasingCurve(QEasingCurve::InOutQuad);
+    m_state->turningBack.setStartValue(0.0F);
+    m_state->turningBack.setEndValue(1.0F);
+    connect(&m_state->turningBack, &QVariantAnimation::valueChanged, this, [this](const QVariant& t) {
+        m_state->pose.rotation =
+            glm::slerp(m_state->poseBefore.rotation, glm::quat(1.0F, 0.0F, 0.0F, 0.0F), t.toFloat());
+        Q_EMIT poseWanted(m_state->pose);
+    });
+
+    refreshHead();
+    refreshEnvironment();
+    if (m_state->scene.head)
+        setCamera(rendering::standardCamera(rendering::StandardView::ThreeQuarter, *m_state->scene.head));
+    makePresenter(choice);
+}
+
+HeadView::~HeadView()
+{
+    // Its thread and its context end before the state it reports to.
+    delete m_state->presenter;
+}
+
+void HeadView::makePresenter(PresenterChoice choice)
+{
+    bool usesGl = choice == PresenterChoice::Gl && !headless();
+    std::unique_ptr<RenderThread> thread;
+    if (!usesGl) {
+        thread = std::make_unique<RenderThread>();
+        if (choice == PresenterChoice::Automatic && !headless()) {
+            const RenderStart start = thread->waitForStart();
+            usesGl = start.works && !start.software;
+        }
+    }
+    if (usesGl) {
+        thread.reset();
+        m_state->presenter = new GlPresenter(this);
+    } else {
+        m_state->presenter = new SoftwarePresenter(std::move(thread), this);
+    }
+    connect(m_state->presenter, &FramePresenter::frameDrawn, this, &HeadView::frameDrawn);
+    connect(m_state->presenter, &FramePresenter::failed, this, &HeadView::onPresenterFailed, Qt::QueuedConnection);
+    m_state->presenter->widget().lower();
+    m_state->presenter->widget().show();
+    placeChildren();
+}
+
+void HeadView::onPresenterFailed(const QString& reason)
+{
+    if (qobject_cast<GlPresenter*>(m_state->presenter) != nullptr) {
+        // The window's own context may lack what an off-screen one has.
+        QWidget* shown = &m_state->presenter->widget();
+        delete std::exchange(m_state->presenter, nullptr);
+        delete shown;
+        makePresenter(PresenterChoice::Software);
+        requestDraw();
+        return;
+    }
+    m_state->overlay->setMessage(
+        tr("The hair can't be shown here: %1 Painting, saving and exporting work all the same.").arg(reason));
+    Q_EMIT glUnavailable(reason);
+}
+
+QSize HeadView::sizeHint() const
+{
+    return {620, 560};
+}
+
+void HeadView::setTheme(const Theme& theme)
+{
+    m_state->theme = theme;
+    m_state->overlay->setTheme(theme);
+    m_state->weather->setTheme(theme);
+}
+
+void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
+{
+    m_state->scene.hair = std::move(frame);
+    requestDraw();
+}
+
 const rendering::Camera& HeadView::camera() const
 {
-    return m_state->camera;
+    return m_state->scene.camera;
 }
+
 void HeadView::setCamera(const rendering::Camera& camera)
 {
-    m_state->camera = camera;
+    m_state->turning.stop();
+    if (camera == m_state->scene.camera)
+        return;
+    m_state->scene.camera = camera;
+    cameraMoved();
 }
-void HeadView::setView(StandardView) {}
-QImage HeadView::grabPicture(QSize)
+
+void HeadView::setView(rendering::StandardView view)
 {
-    return {};
+    if (m_state->scene.head)
+        animateTo(rendering::standardCamera(view, *m_state->scene.head));
 }
-std::optional<sim::SurfacePoint> HeadView::skinAt(QPointF) const
+
+void HeadView::resetCamera()
 {
-    return std::nullopt;
+    setView(rendering::StandardView::ThreeQuarter);
+    if (m_state->pose != sim::HeadPose{}) {
+        m_state->poseBefore = m_state->pose;
+        m_state->turningBack.start();
+    }
 }
-QPointF HeadView::positionOf(glm::vec3) const
+
+void HeadView::fit()
 {
-    return {};
+    if (!m_state->scene.head)
+        return;
+    // The whole head from where the camera looks now.
+    rendering::Camera camera = rendering::standardCamera(rendering::StandardView::Front, *m_state->scene.head);
+    camera.azimuthRad = m_state->scene.camera.azimuthRad;
+    camera.elevationRad = m_state->scene.camera.elevationRad;
+    animateTo(camera);
 }
+
+void HeadView::animateTo(const rendering::Camera& camera)
+{
+    m_state->turning.stop();
+    disconnect(&m_state->turning, nullptr, this, nullptr);
+    connect(&m_state->turning, &QVariantAnimation::valueChanged, this,
+            [this, from = m_state->scene.camera, camera](const QVariant& t) {
+                m_state->scene.camera = between(from, camera, t.toFloat());
+                cameraMoved();
+            });
+    m_state->turning.start();
+}
+
+void HeadView::cameraMoved()
+{
+    m_state->moving = true;
+    m_state->settle.start(kSettleMs, this);
+    refreshOverlay();
+    requestDraw();
+}
+
+QImage HeadView::grabPicture(QSize size)
+{
+    rendering::Scene scene = m_state->scene;
+    scene.ring.reset();
+    scene.mirroredRing.reset();
+    return size.isEmpty() ? QImage() : m_state->presenter->grab(scene, size);
+}
+
+std::optional<sim::SurfacePoint> HeadView::skinAt(QPointF position) const
+{
+    const sim::Skin* skin = m_state->skin();
+    if (skin == nullptr)
+        return std::nullopt;
+    return skin->pick(inHead(rayThrough(m_state->scene.camera, position, QSizeF(size())), m_state->shownPose()));
+}
+
+std::optional<QPointF> HeadView::positionOf(glm::vec3 positionHd) const
+{
+    return project(m_state->scene.camera, inWorld(positionHd, m_state->shownPose()), QSizeF(size()));
+}
+
 QString HeadView::rendererDescription() const
 {
-    return {};
+    return m_state->presenter->description();
 }
+
+QString HeadView::missingText() const
+{
+    return m_state->overlay->message();
+}
+
 bool HeadView::weatherShown() const
 {
-    return false;
+    return !m_state->weather->isHidden();
 }
-void HeadView::resetCamera() {}
-void HeadView::fit() {}
-void HeadView::zoomIn() {}
-void HeadView::zoomOut() {}
-void HeadView::setWeatherShown(bool) {}
+
+void HeadView::setWeatherShown(bool shown)
+{
+    if (shown == weatherShown())
+        return;
+    m_state->weather->setVisible(shown);
+    placeChildren();
+    if (shown) {
+        refreshEnvironment();
+        m_state->weather->setFocus(Qt::OtherFocusReason);
+    } else {
+        setFocus(Qt::OtherFocusReason);
+    }
+    Q_EMIT weatherShownChanged(shown);
+}
+
+void HeadView::onDocumentChanged(const model::Change& change)
+{
+    using Aspect = model::Change::Aspect;
+    if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything)
+        refreshHead();
+    if (change.aspect == Aspect::Environment || change.aspect == Aspect::Everything)
+        refreshEnvironment();
+}
+
+void HeadView::refreshHead()
+{
+    const std::shared_ptr<const model::Head>& head = m_state->editor.document().project().head;
+    const std::shared_ptr<const sim::HeadMesh> before = m_state->scene.head;
+    if (!head)
+        m_state->scene.head.reset();
+    else if (head->shownMesh)
+        m_state->scene.head = head->shownMesh;
+    else
+        m_state->scene.head = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
+    if (m_state->scene.head == before)
+        return;
+    m_state->scene.hair.reset();
+    if (before && m_state->scene.head)
+        fit();
+    requestDraw();
+}
+
+void HeadView::refreshEnvironment()
+{
+    const model::Project& project = m_state->editor.document().project();
+    m_state->scene.light = lightOf(m_state->drag == State::Drag::Light ? m_state->light : project.light);
+    m_state->scene.background = linear(project.background);
+    m_state->weather->setValues(project.wind, project.light);
+    requestDraw();
+}
+
+void HeadView::refreshRings()
+{
+    rendering::Scene& scene = m_state->scene;
+    const EditorState& editor = m_state->editor;
+    const bool hadRing = scene.ring.has_value();
+    scene.ring.reset();
+    scene.mirroredRing.reset();
+    if (const std::optional<Hover>& hover = editor.hover(); hover && hover->point && editor.activeTool().hasRing()) {
+        const float radiusM = editor.toolSettings().brushSizeM / 2.0F;
+        scene.ring = ringAt(*hover->point, radiusM);
+        const sim::Skin* skin = m_state->skin();
+        if (editor.mirror() && skin != nullptr) {
+            if (const std::optional<sim::SurfacePoint> twin = skin->mirrored(*hover->point))
+                scene.mirroredRing = ringAt(*twin, radiusM);
+        }
+    }
+    if (hadRing || scene.ring)
+        requestDraw();
+    updateCursor();
+}
+
+void HeadView::refreshOverlay()
+{
+    std::vector<model::OverlayShape> shapes = m_state->editor.activeTool().overlay();
+    if (const std::optional<QRectF>& selected = m_state->editor.selection().rectangle()) {
+        QPolygonF outline(*selected);
+        outline.removeLast();
+        shapes.push_back({.uvOutline = outline, .closed = true, .marching = true});
+    }
+    m_state->overlay->setShapes(shapes, m_state->skin(), m_state->scene.camera, m_state->shownPose());
+}
+
+void HeadView::requestDraw()
+{
+    if (m_state->drawSoon.isActive())
+        return;
+    const qint64 passed = m_state->sinceDraw.isValid() ? m_state->sinceDraw.elapsed() : kLeastMsBetweenDraws;
+    m_state->drawSoon.start(static_cast<int>(std::max<qint64>(0, kLeastMsBetweenDraws - passed)), Qt::PreciseTimer,
+                            this);
+}
+
+void HeadView::timerEvent(QTimerEvent* event)
+{
+    if (event->timerId() == m_state->settle.timerId()) {
+        m_state->settle.stop();
+        m_state->moving = false;
+        requestDraw();
+    } else if (event->timerId() == m_state->drawSoon.timerId()) {
+        m_state->drawSoon.stop();
+        if (!isVisible())
+            return; // showEvent asks again.
+        m_state->sinceDraw.start();
+        const std::shared_ptr<const sim::StrandFrame>& hair = m_state->scene.hair;
+        m_state->presenter->present({.scene = m_state->scene,
+                                     .allHairs = hair ? hair->hairCount : 0,
+                                     .still = !m_state->moving && (!hair || hair->asleep)});
+    } else {
+        QWidget::timerEvent(event);
+    }
+}
+
+void HeadView::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    requestDraw();
+}
+
+void HeadView::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    placeChildren();
+    cameraMoved();
+}
+
+void HeadView::placeChildren()
+{
+    constexpr int kMargin = 12;
+    if (m_state->presenter != nullptr)
+        m_state->presenter->widget().setGeometry(rect());
+    m_state->overlay->setGeometry(rect());
+    const QSize panel = m_state->weather->sizeHint().boundedTo(size() - QSize(2 * kMargin, 2 * kMargin));
+    m_state->weather->setGeometry(QRect(QPoint(kMargin, height() - kMargin - panel.height()), panel));
+    m_state->weather->raise();
+}
 
 } // namespace hairpaint::view

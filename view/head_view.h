@@ -5,16 +5,23 @@
 #include "sim/strand_frame.h"
 #include "view/rendering/renderer.h"
 #include "view/rendering/scene.h"
+#include "view/rendering/standard_views.h"
 #include "view/theme.h"
 
 #include <QImage>
 #include <QWidget>
 
 #include <memory>
+#include <optional>
+
+namespace hairpaint::model {
+struct Change;
+}
 
 namespace hairpaint::view {
 
 class EditorState;
+struct PointerSample;
 
 /// How pictures come to the screen. Automatic: a QOpenGLWidget where a real GPU renders, else frames drawn on a thread
 /// of their own, read back and painted.
@@ -25,17 +32,8 @@ enum class PresenterChoice
     Software
 };
 
-enum class StandardView
-{
-    Front,
-    Back,
-    Left, ///< The head's own left side, from +x.
-    Right,
-    Top,
-    ThreeQuarter
-};
-
-/// Without OpenGL it shows a sentence of what is missing; everything else works.
+/// Without OpenGL it shows a sentence of what is missing; everything else works. The window's actions call the slots;
+/// Space, H, O, Esc, Enter and the Weather overlay's keys are read here.
 class HeadView : public QWidget
 {
     Q_OBJECT
@@ -49,17 +47,21 @@ public:
 
     [[nodiscard]] const rendering::Camera& camera() const;
     void setCamera(const rendering::Camera& camera);
-    void setView(StandardView view); ///< Turns there in a moment.
+    void setView(rendering::StandardView view); ///< Turns there in a moment.
 
     /// Draws the present moment at full quality without rings; waits for it. Null where there is no OpenGL.
     [[nodiscard]] QImage grabPicture(QSize size);
     /// The skin that a position in this widget shows, hair ignored; none where the ray misses the head.
     [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
-    /// Where a point of the head lies in this widget.
-    [[nodiscard]] QPointF positionOf(glm::vec3 positionHd) const;
+    /// Where a point of the head lies in this widget; none behind the eye.
+    [[nodiscard]] std::optional<QPointF> positionOf(glm::vec3 positionHd) const;
     /// What draws, for the status bar and bug reports: "llvmpipe ..."; empty until the first frame.
     [[nodiscard]] QString rendererDescription() const;
+    /// What is shown in place of the head; empty while it can be drawn.
+    [[nodiscard]] QString missingText() const;
     [[nodiscard]] bool weatherShown() const;
+
+    [[nodiscard]] QSize sizeHint() const override;
 
 public Q_SLOTS:
     void resetCamera(); ///< Also turns the head back.
@@ -80,8 +82,43 @@ Q_SIGNALS:
     void contextMenuWanted(const QPoint& globalPosition);
     void weatherShownChanged(bool shown);
 
+protected:
+    bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void timerEvent(QTimerEvent* event) override;
+
 private:
     struct State;
+
+    void makePresenter(PresenterChoice choice);
+    void onPresenterFailed(const QString& reason);
+    void onDocumentChanged(const model::Change& change);
+    void refreshHead();
+    void refreshEnvironment();
+    void refreshRings();
+    void refreshOverlay();
+    void requestDraw(); ///< Soon, at most once in 16 ms.
+    void cameraMoved();
+    void animateTo(const rendering::Camera& camera);
+
+    void pointerPressed(const PointerSample& sample);
+    void pointerMoved(const PointerSample& sample);
+    void pointerReleased(const PointerSample& sample);
+    void hoverAt(const PointerSample& sample);
+    void blowAt(const PointerSample& sample);
+    void dragLight(QPointF pixels);
+    void placeChildren();
+    void updateCursor();
+
     std::unique_ptr<State> m_state;
 };
 

@@ -1,0 +1,49 @@
+// How drawn frames of the 3D area come to the screen.
+#pragma once
+
+#include "view/rendering/renderer.h"
+#include "view/rendering/scene.h"
+
+#include <QImage>
+#include <QObject>
+#include <QWidget>
+
+namespace hairpaint::view {
+
+/// What to draw next.
+struct Shot
+{
+    rendering::Scene scene;
+    std::size_t allHairs = 0;
+    bool still = false; ///< Nothing moves: there is time for a finer picture.
+};
+
+/// Lives on the GUI thread and owns a Renderer, wherever that lives.
+class FramePresenter : public QObject
+{
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+    /// The widget that shows the frames; owned by its parent widget.
+    [[nodiscard]] virtual QWidget& widget() = 0;
+    /// Returns at once; a shot not drawn yet is replaced.
+    virtual void present(const Shot& shot) = 0;
+    /// One picture at full quality, waited for. Null where drawing is impossible.
+    [[nodiscard]] virtual QImage grab(const rendering::Scene& scene, QSize size) = 0;
+    /// GL_RENDERER; empty before the first frame.
+    [[nodiscard]] virtual QString description() const = 0;
+
+Q_SIGNALS:
+    void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
+    /// No picture can be drawn: one sentence.
+    void failed(const QString& reason);
+};
+
+/// Of pictures that are kept.
+[[nodiscard]] inline rendering::Quality pictureQuality()
+{
+    return {.detail = 1.0F, .samples = 4, .smoothSegments = 16};
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,25 @@
+// Shows frames in a QOpenGLWidget, for GPUs.
+#pragma once
+
+#include "view/head/frame_presenter.h"
+
+namespace hairpaint::view {
+
+/// The renderer is made anew whenever Qt makes the context anew: after its loss, or when a dock floats.
+class GlPresenter : public FramePresenter
+{
+    Q_OBJECT
+public:
+    explicit GlPresenter(QWidget* parent);
+
+    [[nodiscard]] QWidget& widget() override;
+    void present(const Shot& shot) override;
+    [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size) override;
+    [[nodiscard]] QString description() const override;
+
+private:
+    class Canvas;
+    Canvas* m_canvas; ///< Owned by its parent widget.
+};
+
+} // namespace hairpaint::view

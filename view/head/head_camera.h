@@ -1,0 +1,39 @@
+// Moving the 3D area's camera, and rays through its pixels. Pure functions.
+#pragma once
+
+#include "sim/skin.h"
+#include "sim/strand_frame.h"
+#include "view/rendering/scene.h"
+
+#include <QPointF>
+#include <QSizeF>
+
+#include <optional>
+
+namespace hairpaint::view {
+
+struct RayWo
+{
+    glm::vec3 originWo{0.0F};
+    glm::vec3 directionWo{0.0F, 0.0F, -1.0F}; ///< Unit.
+};
+
+/// `position` in pixels of a view of `size`.
+[[nodiscard]] RayWo rayThrough(const rendering::Camera& camera, QPointF position, QSizeF size);
+[[nodiscard]] sim::RayHd inHead(const RayWo& ray, const sim::HeadPose& pose);
+[[nodiscard]] glm::vec3 inWorld(glm::vec3 positionHd, const sim::HeadPose& pose);
+/// Where a point lies in the view; none behind the eye.
+[[nodiscard]] std::optional<QPointF> project(const rendering::Camera& camera, glm::vec3 positionWo, QSizeF size);
+
+/// `pixels` since the drag's start, where the camera was `start`.
+[[nodiscard]] rendering::Camera orbited(const rendering::Camera& start, QPointF pixels);
+[[nodiscard]] rendering::Camera panned(const rendering::Camera& start, QPointF pixels, QSizeF size);
+/// Factor above 1 comes nearer; what lies under `position` at the target's depth stays there.
+[[nodiscard]] rendering::Camera zoomed(const rendering::Camera& camera, double factor, QPointF position, QSizeF size);
+/// Between two cameras, the short way round; t 0..1.
+[[nodiscard]] rendering::Camera between(const rendering::Camera& from, const rendering::Camera& to, float t);
+
+/// The head turned by a drag: sideways about the world's up, up and down about the camera's own right.
+[[nodiscard]] sim::HeadPose turned(const sim::HeadPose& start, const rendering::Camera& camera, QPointF pixels);
+
+} // namespace hairpaint::view

@@ -1,0 +1,102 @@
+// Outlines and messages over the 3D area.
+#include "view/head/head_overlay.h"
+
+#include "view/head/head_camera.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr double kStepUv = 1.0 / 128.0;
+constexpr int kMostSteps = 64; ///< Between two corners.
+
+/// Where a place of the map shows; none off the skin or on the far side.
+std::optional<QPointF> shownAt(QPointF uv, const sim::Skin& skin, const rendering::Camera& camera,
+                               const sim::HeadPose& pose, QSizeF size)
+{
+    const std::optional<sim::SurfacePoint> point = skin.atUv({static_cast<float>(uv.x()), static_cast<float>(uv.y())});
+    if (!point)
+        return std::nullopt;
+    const glm::vec3 placeWo = inWorld(point->positionHd, pose);
+    if (glm::dot(pose.rotation * point->normalHd, camera.eyeWo() - placeWo) <= 0.0F)
+        return std::nullopt;
+    return project(camera, placeWo, size);
+}
+
+} // namespace
+
+HeadOverlay::HeadOverlay(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    hide();
+}
+
+void HeadOverlay::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    update();
+}
+
+void HeadOverlay::setMessage(const QString& message)
+{
+    m_message = message;
+    showIfNeeded();
+}
+
+void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
+                            const rendering::Camera& camera, const sim::HeadPose& pose)
+{
+    m_lines.clear();
+    for (const model::OverlayShape& shape : shapes) {
+        const qsizetype corners = shape.uvOutline.size();
+        QPolygonF line;
+        const auto add = [&](QPointF uv) {
+            if (const std::optional<QPointF> at = shownAt(uv, *skin, camera, pose, QSizeF(size()))) {
+                line.push_back(*at);
+            } else if (!line.isEmpty()) {
+                m_lines.push_back(std::exchange(line, {}));
+            }
+        };
+        for (qsizetype i = 0; skin != nullptr && i < (shape.closed ? corners : corners - 1); ++i) {
+            const QPointF from = shape.uvOutline[i];
+            const QPointF to = shape.uvOutline[(i + 1) % corners];
+            const QPointF way = to - from;
+            const int steps = std::clamp(static_cast<int>(std::hypot(way.x(), way.y()) / kStepUv), 1, kMostSteps);
+            for (int k = i == 0 ? 0 : 1; k <= steps; ++k)
+                add(from + way * k / steps);
+        }
+        if (!line.isEmpty())
+            m_lines.push_back(line);
+    }
+    showIfNeeded();
+}
+
+void HeadOverlay::showIfNeeded()
+{
+    setVisible(!m_message.isEmpty() || !m_lines.empty());
+    update();
+}
+
+void HeadOverlay::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 170), 3.0), std::pair(m_theme.accent, 1.5)}) {
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        for (const QPolygonF& line : m_lines)
+            painter.drawPolyline(line);
+    }
+    if (!m_message.isEmpty()) {
+        painter.fillRect(rect(), m_theme.window);
+        painter.setPen(m_theme.dimText);
+        painter.drawText(rect().adjusted(32, 32, -32, -32), Qt::AlignCenter | Qt::TextWordWrap, m_message);
+    }
+}
+
+} // namespace hairpaint::view

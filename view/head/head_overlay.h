@@ -1,0 +1,39 @@
+// What lies over the drawn head: the active tool's outlines, and a sentence where nothing can be drawn.
+#pragma once
+
+#include "model/tools/tool.h"
+#include "view/rendering/scene.h"
+#include "view/theme.h"
+
+#include <QWidget>
+
+#include <vector>
+
+namespace hairpaint::view {
+
+/// Lets every pointer event through. Hidden while there is nothing to show.
+class HeadOverlay : public QWidget
+{
+    Q_OBJECT
+public:
+    HeadOverlay(const Theme& theme, QWidget* parent);
+
+    void setTheme(const Theme& theme);
+    void setMessage(const QString& message);
+    [[nodiscard]] const QString& message() const { return m_message; }
+    /// Outlines on the uv as they lie on the skin; parts that face away are left out.
+    void setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
+                   const rendering::Camera& camera, const sim::HeadPose& pose);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void showIfNeeded();
+
+    Theme m_theme;
+    QString m_message;
+    std::vector<QPolygonF> m_lines; ///< In this widget's coordinates.
+};
+
+} // namespace hairpaint::view

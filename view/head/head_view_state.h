@@ -1,0 +1,75 @@
+// What the 3D area remembers between events.
+#pragma once
+
+#include "view/editor_state.h"
+#include "view/head/frame_presenter.h"
+#include "view/head/head_camera.h"
+#include "view/head/head_overlay.h"
+#include "view/head/puff_gesture.h"
+#include "view/head_view.h"
+#include "view/held_keys.h"
+#include "view/pointer.h"
+#include "view/weather_overlay.h"
+
+#include <QBasicTimer>
+#include <QElapsedTimer>
+#include <QVariantAnimation>
+
+namespace hairpaint::view {
+
+struct HeadView::State
+{
+    enum class Drag
+    {
+        None,
+        Stroke,
+        Orbit,
+        Pan,
+        Light,
+        Turn,
+        Brush,
+        Opacity
+    };
+
+    State(EditorState& editorState, const Theme& startTheme, QObject* parent)
+        : editor(editorState), theme(startTheme), keys({Qt::Key_Space, Qt::Key_H, Qt::Key_O}, parent)
+    {}
+
+    EditorState& editor;
+    Theme theme;
+    HeldKeys keys;
+    FramePresenter* presenter = nullptr; ///< A child; null where nothing can be drawn.
+    HeadOverlay* overlay = nullptr;      ///< Children.
+    WeatherOverlay* weather = nullptr;
+
+    rendering::Scene scene; ///< Its camera is the view's.
+    QVariantAnimation turning;
+    QVariantAnimation turningBack; ///< Of the head.
+    sim::HeadPose pose;            ///< The one asked for last.
+
+    QBasicTimer drawSoon;
+    QElapsedTimer sinceDraw;
+    QBasicTimer settle; ///< Draws once more, finer, when the camera has come to rest.
+    bool moving = false;
+
+    Drag drag = Drag::None;
+    PointerSample pressed;
+    rendering::Camera cameraBefore;
+    sim::HeadPose poseBefore;
+    model::LightSettings lightBefore;
+    model::LightSettings light; ///< While it is dragged.
+    model::ToolSettings settingsBefore;
+    glm::vec2 lastUv{0.0F};
+    bool eraserTurned = false;
+    PuffGesture puffs;
+
+    /// Where the head stands in the frame that is shown.
+    [[nodiscard]] sim::HeadPose shownPose() const { return scene.hair ? scene.hair->pose : pose; }
+    [[nodiscard]] const sim::Skin* skin() const
+    {
+        const std::shared_ptr<const model::Head>& head = editor.document().project().head;
+        return head ? head->skin.get() : nullptr;
+    }
+};
+
+} // namespace hairpaint::view

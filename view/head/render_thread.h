@@ -1,0 +1,53 @@
+// Draws frames on a thread of its own and hands them back as images.
+#pragma once
+
+#include "sim/mailbox.h"
+#include "view/head/frame_presenter.h"
+
+#include <QThread>
+
+#include <memory>
+
+namespace hairpaint::view {
+
+/// What a thread found when it made its context.
+struct RenderStart
+{
+    bool works = false;
+    bool software = false; ///< No GPU behind it.
+    QString text;          ///< The driver's name, or what went wrong.
+};
+
+/// Methods are called on the GUI thread; the off-screen context, the renderer and the governor live on the other.
+/// Shots and finished frames wait in mailboxes: the latest wins on both sides.
+class RenderThread : public QObject
+{
+    Q_OBJECT
+public:
+    explicit RenderThread(QObject* parent = nullptr);
+    ~RenderThread() override; ///< Waits for the frame being drawn.
+
+    /// Waits until the context was made or refused.
+    [[nodiscard]] RenderStart waitForStart();
+    void draw(const Shot& shot, QSize size);
+    [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size);
+
+    struct Frame
+    {
+        QImage image;
+        rendering::FrameStatistics statistics;
+    };
+    /// The newest frame since the last call.
+    [[nodiscard]] std::optional<Frame> takeFrame();
+
+Q_SIGNALS:
+    void started(const hairpaint::view::RenderStart& start);
+    void frameReady();
+
+private:
+    class Worker;
+    QThread m_thread;
+    std::unique_ptr<Worker> m_worker;
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,34 @@
+// Shows frames that another thread draws and reads back.
+#pragma once
+
+#include "view/head/frame_presenter.h"
+#include "view/head/render_thread.h"
+
+#include <memory>
+
+namespace hairpaint::view {
+
+/// Where OpenGL is software a QOpenGLWidget would make every repaint of the whole window slow; here the rest of the
+/// window never waits. Renders at one pixel per point whatever the screen's scale.
+class SoftwarePresenter : public FramePresenter
+{
+    Q_OBJECT
+public:
+    SoftwarePresenter(std::unique_ptr<RenderThread> thread, QWidget* parent);
+    ~SoftwarePresenter() override;
+
+    [[nodiscard]] QWidget& widget() override;
+    void present(const Shot& shot) override;
+    [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size) override;
+    [[nodiscard]] QString description() const override { return m_description; }
+
+private:
+    class Canvas;
+    void onFrameReady();
+
+    std::unique_ptr<RenderThread> m_thread;
+    Canvas* m_canvas; ///< Owned by its parent widget.
+    QString m_description;
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,293 @@
+// The 3D area's pointer, wheel and keys.
+#include "view/head/head_view_state.h"
+#include "view/head_view.h"
+
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPointingDevice>
+#include <QTabletEvent>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr double kZoomPerNotch = 1.15;
+constexpr double kWheelNotch = 120.0;
+constexpr float kLightRadPerPx = 0.01F;
+constexpr double kClickPx = 4.0; ///< A press that moves less is a click.
+
+} // namespace
+
+void HeadView::mousePressEvent(QMouseEvent* event)
+{
+    pointerPressed(PointerSample::of(*event));
+}
+
+void HeadView::mouseMoveEvent(QMouseEvent* event)
+{
+    pointerMoved(PointerSample::of(*event));
+}
+
+void HeadView::mouseReleaseEvent(QMouseEvent* event)
+{
+    pointerReleased(PointerSample::of(*event));
+}
+
+void HeadView::tabletEvent(QTabletEvent* event)
+{
+    const PointerSample sample = PointerSample::of(*event);
+    // Accepted, so that no mouse event without pressure follows.
+    event->accept();
+    if (event->type() == QEvent::TabletPress) {
+        const bool turned = event->pointerType() == QPointingDevice::PointerType::Eraser;
+        m_state->eraserTurned = turned && m_state->editor.setActiveTool(QLatin1StringView("eraser"));
+        pointerPressed(sample);
+    } else if (event->type() == QEvent::TabletMove) {
+        pointerMoved(sample);
+    } else if (event->type() == QEvent::TabletRelease) {
+        pointerReleased(sample);
+        if (std::exchange(m_state->eraserTurned, false))
+            m_state->editor.toggleTool(QLatin1StringView("eraser"));
+    }
+}
+
+namespace {
+
+model::ToolEvent toolEvent(const PointerSample& sample, const std::optional<sim::SurfacePoint>& point,
+                           glm::vec2& lastUv)
+{
+    if (point)
+        lastUv = point->uv;
+    return {.area = model::Area::Head,
+            .uv = lastUv,
+            .point = point,
+            .pressure = sample.pressure,
+            .seconds = sample.seconds,
+            .modifiers = sample.modifiers};
+}
+
+} // namespace
+
+void HeadView::pointerPressed(const PointerSample& sample)
+{
+    State& state = *m_state;
+    if (state.drag != State::Drag::None)
+        return;
+    state.turning.stop();
+    state.puffs.interrupt();
+    state.pressed = sample;
+    state.cameraBefore = state.scene.camera;
+    state.settingsBefore = state.editor.toolSettings();
+    const bool left = sample.button == Qt::LeftButton;
+    const bool shift = sample.modifiers.testFlag(Qt::ShiftModifier);
+    const bool alt = sample.modifiers.testFlag(Qt::AltModifier);
+    if (sample.button == Qt::MiddleButton || (left && state.keys.holds(Qt::Key_Space))) {
+        state.drag = shift && left ? State::Drag::Orbit : State::Drag::Pan;
+    } else if (sample.button == Qt::RightButton && shift) {
+        state.drag = State::Drag::Light;
+        state.lightBefore = state.light = state.editor.document().project().light;
+    } else if (sample.button == Qt::RightButton && sample.modifiers.testFlag(Qt::ControlModifier)) {
+        state.drag = State::Drag::Brush;
+    } else if (sample.button == Qt::RightButton) {
+        state.drag = State::Drag::Orbit;
+    } else if (left && state.keys.holds(Qt::Key_H)) {
+        state.drag = State::Drag::Turn;
+        state.turningBack.stop();
+        state.poseBefore = state.pose;
+    } else if (left && state.keys.holds(Qt::Key_O)) {
+        state.drag = State::Drag::Opacity;
+    } else if (left) {
+        const std::optional<sim::SurfacePoint> point = alt ? std::nullopt : skinAt(sample.position);
+        state.drag = point ? State::Drag::Stroke : State::Drag::Orbit;
+        if (point) {
+            hoverAt(sample);
+            state.editor.press(toolEvent(sample, point, state.lastUv));
+        }
+    }
+    updateCursor();
+}
+
+void HeadView::pointerMoved(const PointerSample& sample)
+{
+    State& state = *m_state;
+    const QPointF moved = sample.position - state.pressed.position;
+    switch (state.drag) {
+    case State::Drag::None:
+        hoverAt(sample);
+        if (sample.buttons == Qt::NoButton)
+            blowAt(sample);
+        break;
+    case State::Drag::Stroke:
+        hoverAt(sample);
+        state.editor.move(toolEvent(sample, skinAt(sample.position), state.lastUv));
+        break;
+    case State::Drag::Orbit:
+        setCamera(orbited(state.cameraBefore, moved));
+        break;
+    case State::Drag::Pan:
+        setCamera(panned(state.cameraBefore, moved, QSizeF(size())));
+        break;
+    case State::Drag::Light:
+        dragLight(moved);
+        break;
+    case State::Drag::Turn:
+        state.pose = turned(state.poseBefore, state.scene.camera, moved);
+        Q_EMIT poseWanted(state.pose);
+        break;
+    case State::Drag::Brush:
+        state.editor.setToolSettings(draggedBrush(state.settingsBefore, moved));
+        Q_EMIT statusText(brushText(state.editor.toolSettings()));
+        break;
+    case State::Drag::Opacity:
+        state.editor.setToolSettings(draggedOpacity(state.settingsBefore, moved));
+        Q_EMIT statusText(brushText(state.editor.toolSettings()));
+        break;
+    }
+}
+
+void HeadView::pointerReleased(const PointerSample& sample)
+{
+    State& state = *m_state;
+    if (state.drag == State::Drag::None || sample.button != state.pressed.button)
+        return;
+    const State::Drag drag = std::exchange(state.drag, State::Drag::None);
+    const QPointF moved = sample.position - state.pressed.position;
+    if (drag == State::Drag::Stroke) {
+        state.editor.release(toolEvent(sample, skinAt(sample.position), state.lastUv));
+    } else if (drag == State::Drag::Light && state.light != state.lightBefore) {
+        Q_EMIT lightWanted(state.light, true);
+    } else if (drag == State::Drag::Orbit && sample.button == Qt::RightButton &&
+               std::hypot(moved.x(), moved.y()) < kClickPx) {
+        setCamera(state.cameraBefore);
+        Q_EMIT contextMenuWanted(mapToGlobal(sample.position.toPoint()));
+    }
+    hoverAt(sample);
+    updateCursor();
+}
+
+void HeadView::dragLight(QPointF pixels)
+{
+    constexpr float kMost = std::numbers::pi_v<float> / 2.0F;
+    State& state = *m_state;
+    state.light.azimuthRad =
+        std::remainder(state.lightBefore.azimuthRad + static_cast<float>(pixels.x()) * kLightRadPerPx, 4.0F * kMost);
+    state.light.elevationRad =
+        std::clamp(state.lightBefore.elevationRad - static_cast<float>(pixels.y()) * kLightRadPerPx, -kMost, kMost);
+    refreshEnvironment();
+    Q_EMIT lightWanted(state.light, false);
+}
+
+void HeadView::hoverAt(const PointerSample& sample)
+{
+    const std::optional<sim::SurfacePoint> point = skinAt(sample.position);
+    if (point)
+        m_state->editor.setHover(Hover{.area = model::Area::Head, .uv = point->uv, .point = point});
+    else
+        m_state->editor.setHover(std::nullopt);
+}
+
+void HeadView::blowAt(const PointerSample& sample)
+{
+    const sim::HeadPose pose = m_state->shownPose();
+    const RayWo ray = rayThrough(m_state->scene.camera, sample.position, QSizeF(size()));
+    const std::optional<Hover>& hover = m_state->editor.hover();
+    const std::optional<glm::vec3> place = placeNearHair(ray, pose, hover ? hover->point : std::nullopt);
+    if (!place) {
+        m_state->puffs.interrupt();
+        return;
+    }
+    if (const std::optional<Puff> puff = m_state->puffs.moved(*place, sample.seconds))
+        Q_EMIT puffWanted(puff->centreWo, puff->velocity, puff->radiusM);
+}
+
+void HeadView::updateCursor()
+{
+    const State& state = *m_state;
+    Qt::CursorShape shape = Qt::ArrowCursor;
+    const std::optional<Hover>& hover = state.editor.hover();
+    if (state.drag == State::Drag::Pan || state.drag == State::Drag::Orbit || state.drag == State::Drag::Turn)
+        shape = Qt::ClosedHandCursor;
+    else if (state.drag == State::Drag::Light)
+        shape = Qt::SizeAllCursor;
+    else if (state.keys.holds(Qt::Key_Space) || state.keys.holds(Qt::Key_H))
+        shape = Qt::OpenHandCursor;
+    else if (hover && hover->area == model::Area::Head)
+        shape = state.scene.ring && missingText().isEmpty() ? Qt::BlankCursor : Qt::CrossCursor;
+    if (cursor().shape() != shape)
+        setCursor(shape);
+}
+
+void HeadView::leaveEvent(QEvent* event)
+{
+    QWidget::leaveEvent(event);
+    m_state->puffs.interrupt();
+    const std::optional<Hover>& hover = m_state->editor.hover();
+    if (m_state->drag == State::Drag::None && hover && hover->area == model::Area::Head)
+        m_state->editor.setHover(std::nullopt);
+}
+
+void HeadView::wheelEvent(QWheelEvent* event)
+{
+    const double notches = (event->angleDelta().y() + event->angleDelta().x()) / kWheelNotch;
+    if (notches != 0.0)
+        setCamera(zoomed(m_state->scene.camera, std::pow(kZoomPerNotch, notches), event->position(), QSizeF(size())));
+    event->accept();
+}
+
+void HeadView::zoomIn()
+{
+    setCamera(zoomed(m_state->scene.camera, kZoomPerNotch, QRectF(rect()).center(), QSizeF(size())));
+}
+
+void HeadView::zoomOut()
+{
+    setCamera(zoomed(m_state->scene.camera, 1.0 / kZoomPerNotch, QRectF(rect()).center(), QSizeF(size())));
+}
+
+bool HeadView::event(QEvent* event)
+{
+    // With the Weather overlay open its keys are its own here too, also those that choose tools elsewhere.
+    if (event->type() == QEvent::ShortcutOverride && weatherShown()) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (WeatherOverlay::isOurKey(key->key()) &&
+            (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void HeadView::keyPressEvent(QKeyEvent* event)
+{
+    State& state = *m_state;
+    if (event->key() == Qt::Key_Escape && state.editor.stroking()) {
+        state.editor.cancelStroke();
+        if (state.drag == State::Drag::Stroke)
+            state.drag = State::Drag::None;
+    } else if (event->key() == Qt::Key_Escape && state.drag == State::Drag::Light) {
+        state.drag = State::Drag::None;
+        Q_EMIT lightWanted(state.lightBefore, true);
+        refreshEnvironment();
+    } else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && state.editor.stroking()) {
+        state.editor.commitStroke();
+    } else if (!weatherShown() || !state.weather->handleKey(event->key(), event->modifiers())) {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void HeadView::contextMenuEvent(QContextMenuEvent* event)
+{
+    // The right button orbits; a click without a drag opens the menu on release.
+    if (event->reason() != QContextMenuEvent::Mouse)
+        Q_EMIT contextMenuWanted(event->globalPos());
+    event->accept();
+}
+
+} // namespace hairpaint::view
