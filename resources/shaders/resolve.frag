@@ -1,28 +1,41 @@
-// Averages a pixel's samples in linear light: hair where hair is nearest, else the head, else the background; then the
-// brush rings. Out: sRGB as encoded.
+// Averages a pixel's samples in linear light: hair where hair is nearest, else the head, else the background.
+// SAMPLES_X and SAMPLES_Y are defined by the program. Out: sRGB as encoded.
 layout(std430, binding = 0) readonly buffer Samples { uint samples[]; };
 layout(binding = 0) uniform sampler2D headColour;
-layout(binding = 1) uniform sampler2D headDepth;
+in vec3 backgroundSrgb;
 layout(location = 0) out vec4 srgb;
+
+// The square root of the linear colour of one sample, squared again.
+vec3 colourOf(uint value, ivec2 at)
+{
+    if ((value & kColourMask) != kHeadColour)
+        return unpackColour(value);
+    if (value == kEmptySample)
+        return backgroundSrgb * (backgroundSrgb * (backgroundSrgb * 0.305306011 + 0.682171111) + 0.012522878);
+    vec3 c = texelFetch(headColour, at, 0).rgb;
+    return c * c;
+}
 
 void main()
 {
-    ivec2 per = ivec2(target.zw);
-    ivec2 corner = ivec2(gl_FragCoord.xy) * per;
-    int across = int(target.x);
-    vec3 behind = mix(background[0].rgb, background[1].rgb, gl_FragCoord.y * target.w / target.y);
-    vec3 sum = vec3(0.0);
-    for (int y = 0; y < per.y; ++y)
-        for (int x = 0; x < per.x; ++x) {
-            ivec2 at = corner + ivec2(x, y);
-            uint value = samples[at.y * across + at.x];
-            if (value == kEmptySample)
-                sum += behind;
-            else if ((value & kColourMask) == kHeadColour) {
-                vec3 c = texelFetch(headColour, at, 0).rgb;
-                sum += c * c;
-            } else
-                sum += unpackColour(value);
-        }
-    srgb = vec4(srgbFromLinear(sum / float(per.x * per.y)), 1.0);
+    ivec2 corner = ivec2(gl_FragCoord.xy) * ivec2(SAMPLES_X, SAMPLES_Y);
+    int first = corner.y * int(target.x) + corner.x;
+    uint a = samples[first];
+#if SAMPLES_X == 1
+    srgb = vec4(a == kEmptySample ? backgroundSrgb : fastSrgb(colourOf(a, corner)), 1.0);
+#else
+    uint b = samples[first + 1];
+#if SAMPLES_Y == 1
+    srgb = vec4(backgroundSrgb, 1.0);
+    if ((a & b) != kEmptySample)
+        srgb.rgb = fastSrgb(0.5 * (colourOf(a, corner) + colourOf(b, corner + ivec2(1, 0))));
+#else
+    uint c = samples[first + int(target.x)];
+    uint d = samples[first + int(target.x) + 1];
+    srgb = vec4(backgroundSrgb, 1.0);
+    if ((a & b & c & d) != kEmptySample)
+        srgb.rgb = fastSrgb(0.25 * (colourOf(a, corner) + colourOf(b, corner + ivec2(1, 0))
+                                    + colourOf(c, corner + ivec2(0, 1)) + colourOf(d, corner + ivec2(1, 1))));
+#endif
+#endif
 }

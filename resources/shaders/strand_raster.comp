@@ -51,30 +51,51 @@ void main()
         distanceA = distanceB;
         distanceB = swap1;
     }
-    int begin = int(ceil(clamp(from.x, 0.0, size.x) - 0.5));
-    int end = int(ceil(clamp(to.x, 0.0, size.x) - 0.5));
     float inverse = 1.0 / max(to.x - from.x, 1e-6);
-    float t = (float(begin) + 0.5 - from.x) * inverse;
-    float across = from.y + t * (to.y - from.y);
     float acrossStep = (to.y - from.y) * inverse;
-    float key = ((distanceA + t * (distanceB - distanceA)) - depthRange.x) * depthRange.y;
+    // Line n of the strand's thickness; kept inside the picture in both directions.
+    float offset = float(gl_GlobalInvocationID.y);
+    float thick = floor(max(width0, width1) * (1.0 / 256.0));
+    if (offset >= thick)
+        return;
+    from.y += offset - 0.5 * (thick - 1.0);
+    vec2 inside = vec2(0.0, size.x);
+    if (abs(acrossStep) > 1e-9) {
+        vec2 cut = from.x + (vec2(0.0, size.y - 0.001) - from.y) / acrossStep;
+        inside = vec2(max(inside.x, min(cut.x, cut.y)), min(inside.y, max(cut.x, cut.y)));
+    } else if (from.y < 0.0 || from.y >= size.y)
+        return;
+    int begin = int(ceil(clamp(from.x, inside.x, inside.y) - 0.5));
+    int end = int(ceil(clamp(to.x, inside.x, inside.y) - 0.5));
+    float t = float(begin) + 0.5 - from.x;
+    float across = from.y + t * acrossStep;
     float keyStep = (distanceB - distanceA) * inverse * depthRange.y;
-    float luma = luma0 + t * (luma1 - luma0) + 0.5;
+    float key = (distanceA - depthRange.x) * depthRange.y + t * keyStep;
     float lumaStep = (luma1 - luma0) * inverse;
-    float width = (width0 + t * (width1 - width0)) * (1.0 / 256.0);
-    float widthStep = (width1 - width0) * inverse * (1.0 / 256.0);
+    float luma = luma0 + t * lumaStep + 0.5;
+    float widthStep = (width1 - width0) * inverse;
+    // The strand ends where it is too thin for this line of samples.
+    float least = (offset + 1.0) * 256.0;
+    if (abs(widthStep) > 1e-9) {
+        float cut = from.x + (least - width0) / widthStep;
+        if (widthStep < 0.0)
+            end = min(end, int(ceil(cut - 0.5)));
+        else
+            begin = max(begin, int(ceil(cut - 0.5)));
+    } else if (width0 < least)
+        return;
+    t = float(begin) + 0.5 - from.x;
+    across = clamp(from.y + t * acrossStep, 0.0, size.y - 0.01);
+    key = clamp((distanceA - depthRange.x) * depthRange.y + t * keyStep, 0.0, kDepthKeys - 1.0);
+    luma = luma0 + t * lumaStep + 0.5;
     uint chroma = a.w & 0x7FF00u;
-    int height = int(size.y);
+    int row = begin * strideMain;
     for (int x = begin; x < end; ++x) {
-        int thick = int(width);
-        int y = int(floor(across - 0.5 * float(thick - 1)));
-        uint value = (uint(clamp(key, 0.0, kDepthKeys - 1.0)) << kDepthShift) | chroma | uint(luma);
-        for (int n = 0; n < thick; ++n, ++y)
-            if (y >= 0 && y < height)
-                atomicMin(samples[x * strideMain + y * strideAcross], value);
+        uint value = (uint(max(key, 0.0)) << kDepthShift) | chroma | uint(luma);
+        atomicMin(samples[row + int(across) * strideAcross], value);
         across += acrossStep;
         key += keyStep;
         luma += lumaStep;
-        width += widthStep;
+        row += strideMain;
     }
 }

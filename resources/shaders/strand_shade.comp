@@ -24,7 +24,8 @@ layout(binding = 0) uniform sampler3D opacity; // Area of hair between the light
 uniform uint firstStrand;
 uniform uint pointCount;
 uniform float widening;   // 1 / share of the hairs drawn.
-uniform float leastWidth; // Samples that the thinnest hair covers.
+uniform float leastWidth; // Samples that the thinnest hair covers, and the widest.
+uniform float greatestWidth;
 uniform vec4 material;    // Shine, roughness, alpha at root and tip.
 uniform float variationScale;
 
@@ -65,7 +66,7 @@ void main()
     uint random = hashOf(slot * 2654435761u + 12345u);
     float alpha = mix(material.z, material.w, s * s);
     float width = max(styles[slot].widthM * gridSize.w / clip.w, leastWidth) * widening * alpha;
-    width = min(width, 24.0) * min(slant, 1.42) + float(random & 0xFFFFu) * (1.0 / 65536.0);
+    width = min(width, greatestWidth) * min(slant, 1.42) + float(random & 0xFFFFu) * (1.0 / 65536.0);
 
     vec3 view = normalize(eyeWo.xyz - position);
     vec3 light = lightWo.xyz;

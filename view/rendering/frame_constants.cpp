@@ -59,6 +59,16 @@ glm::mat3 lightFrame(glm::vec3 towardLightWo)
     return glm::transpose(glm::mat3(x, glm::cross(z, x), z));
 }
 
+glm::vec3 srgbFromLinear(glm::vec3 linear)
+{
+    glm::vec3 srgb(0.0F);
+    for (int i = 0; i < 3; ++i) {
+        const float c = std::clamp(linear[i], 0.0F, 1.0F);
+        srgb[i] = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
+    }
+    return srgb;
+}
+
 } // namespace
 
 FrameConstants frameConstants(const Scene& scene, const Target& target)
@@ -108,7 +118,8 @@ FrameConstants frameConstants(const Scene& scene, const Target& target)
     c.depthRange = glm::vec4(nearest, keys, -c0, -projection[2][2]);
 
     c.target = glm::vec4(target.width * target.samples.x, target.height * target.samples.y, target.samples);
-    c.background = {glm::vec4(scene.background * 0.82F, 1.0F), glm::vec4(scene.background * 1.18F, 1.0F)};
+    const glm::vec3 background = srgbFromLinear(scene.background);
+    c.background = {glm::vec4(background, 1.0F), glm::vec4(background * 0.06F + 0.01F, 0.0F)};
     std::size_t ring = 0;
     for (const auto& wanted : {scene.ring, scene.mirroredRing}) {
         if (wanted)

@@ -78,6 +78,15 @@ void Buffer::write(std::size_t offset, const void* data, std::size_t bytes)
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
+void Buffer::copyFrom(const Buffer& source, std::size_t bytes)
+{
+    glBindBuffer(GL_COPY_READ_BUFFER, source.id());
+    glBindBuffer(GL_COPY_WRITE_BUFFER, m_name.id());
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
 void Buffer::bindStorage(unsigned index) const
 {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, index, m_name.id());
@@ -130,15 +139,16 @@ void Texture::bind(unsigned unit) const
 
 tl::expected<Program, std::string> Program::compute(std::string_view shader)
 {
-    return link({{GL_COMPUTE_SHADER, shader}});
+    return link({{GL_COMPUTE_SHADER, shader}}, {});
 }
 
-tl::expected<Program, std::string> Program::graphics(std::string_view vertex, std::string_view fragment)
+tl::expected<Program, std::string> Program::graphics(std::string_view vertex, std::string_view fragment,
+                                                     std::string_view defines)
 {
-    return link({{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}});
+    return link({{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}}, defines);
 }
 
-tl::expected<Program, std::string> Program::link(std::initializer_list<Stage> stages)
+tl::expected<Program, std::string> Program::link(std::initializer_list<Stage> stages, std::string_view defines)
 {
     Program program;
     program.m_name = GlName<deleteProgram>(glCreateProgram());
@@ -148,9 +158,11 @@ tl::expected<Program, std::string> Program::link(std::initializer_list<Stage> st
         const unsigned shader = glCreateShader(stage.kind);
         const std::string_view common = shaderSource("common.glsl");
         const std::string_view text = shaderSource(stage.file);
-        const std::array<const char*, 3> parts{"#version 430 core\n", common.data(), text.data()};
-        const std::array<int, 3> lengths{-1, static_cast<int>(common.size()), static_cast<int>(text.size())};
-        glShaderSource(shader, 3, parts.data(), lengths.data());
+        const std::array<const char*, 4> parts{"#version 430 core\n", defines.empty() ? "" : defines.data(),
+                                               common.data(), text.data()};
+        const std::array<int, 4> lengths{-1, static_cast<int>(defines.size()), static_cast<int>(common.size()),
+                                         static_cast<int>(text.size())};
+        glShaderSource(shader, 4, parts.data(), lengths.data());
         glCompileShader(shader);
         int done = 0;
         glGetShaderiv(shader, GL_COMPILE_STATUS, &done);

@@ -58,6 +58,8 @@ public:
     /// Room for at least `bytes`, and those written.
     void assign(const void* data, std::size_t bytes);
     void write(std::size_t offset, const void* data, std::size_t bytes);
+    /// Copies the first `bytes` on the GPU; both have room for them.
+    void copyFrom(const Buffer& source, std::size_t bytes);
     void bindStorage(unsigned index) const;
     void bindUniform(unsigned index) const;
     [[nodiscard]] unsigned id() const { return m_name.id(); }
@@ -91,8 +93,9 @@ class Program
 public:
     /// Names of files in resources/shaders; "common.glsl" and the version line come before each.
     [[nodiscard]] static tl::expected<Program, std::string> compute(std::string_view shader);
-    [[nodiscard]] static tl::expected<Program, std::string> graphics(std::string_view vertex,
-                                                                     std::string_view fragment);
+    /// `defines`: lines of preprocessor that come before the shaders.
+    [[nodiscard]] static tl::expected<Program, std::string> graphics(std::string_view vertex, std::string_view fragment,
+                                                                     std::string_view defines = {});
 
     void use() const;
     void set(const char* name, int value) const;
@@ -108,7 +111,8 @@ private:
         unsigned kind;
         std::string_view file;
     };
-    [[nodiscard]] static tl::expected<Program, std::string> link(std::initializer_list<Stage> stages);
+    [[nodiscard]] static tl::expected<Program, std::string> link(std::initializer_list<Stage> stages,
+                                                                 std::string_view defines);
     GlName<deleteProgram> m_name;
 };
 

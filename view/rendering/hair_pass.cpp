@@ -12,10 +12,13 @@ constexpr unsigned kWorkgroup = 64;
 constexpr float kVoxelUnitM2 = 1e-9F;             ///< Hair's area that one unit of a voxel stands for.
 constexpr std::uint32_t kSplattedStrands = 16384; ///< About as many are enough for a smooth grid.
 
-void dispatch(std::size_t invocations)
+constexpr float kLeastWidth = 0.35F;    ///< Samples: what the thinnest hair covers.
+constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
+
+/// No more than 65535 workgroups are promised in one direction; batches keep below.
+void dispatch(std::size_t invocations, unsigned rows = 1)
 {
-    // No more than 65535 workgroups are promised in one direction; batches keep below.
-    glDispatchCompute(static_cast<unsigned>((invocations + kWorkgroup - 1) / kWorkgroup), 1, 1);
+    glDispatchCompute(static_cast<unsigned>((invocations + kWorkgroup - 1) / kWorkgroup), rows, 1);
 }
 
 } // namespace
@@ -113,6 +116,10 @@ void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants
     m_projected.reserve(mostPoints * sizeof(glm::uvec4));
     m_opacity.bind(0);
 
+    const float thickest = std::max(settings.hairWidthM * constants.gridSize.w / constants.depthRange.x, kLeastWidth) /
+                           detail * std::max(settings.material.rootAlpha, settings.material.tipAlpha);
+    const auto rows = static_cast<unsigned>(std::min(thickest, kGreatestWidth) * 1.42F) + 1U;
+
     for (const StrandBatch& batch : group.list().batches()) {
         group.bind();
         m_points.bindStorage(3);
@@ -129,7 +136,8 @@ void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants
         m_shade.set("firstStrand", batch.firstStrand);
         m_shade.set("pointCount", batch.pointCount);
         m_shade.set("widening", 1.0F / detail);
-        m_shade.set("leastWidth", 0.35F);
+        m_shade.set("leastWidth", kLeastWidth);
+        m_shade.set("greatestWidth", kGreatestWidth);
         m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness,
                                           settings.material.rootAlpha, settings.material.tipAlpha));
         m_shade.set("variationScale", settings.material.colourVariation);
@@ -140,10 +148,9 @@ void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants
         samples.bindStorage(1);
         m_raster.use();
         m_raster.set("pointCount", batch.pointCount);
-        dispatch(batch.pointCount);
+        dispatch(batch.pointCount, rows);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
-    static_cast<void>(constants);
 }
 
 } // namespace hairpaint::rendering

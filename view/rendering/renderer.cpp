@@ -7,6 +7,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstring>
 
@@ -20,9 +21,11 @@ struct Renderer::State
     std::unique_ptr<HeadLayer> head;
     std::unique_ptr<HairPass> hair;
     Program clear;
-    Program resolve;
+    std::array<Program, 3> resolve; ///< For 1, 2 and 4 samples a pixel.
     VertexArray noVertices;
     Buffer constants;
+    Buffer prepared; ///< The samples with the head's depth and no hair, kept while the head's picture holds.
+    glm::vec4 preparedFor{0.0F}; ///< The range of depth keys.
     Buffer samples;
     Framebuffer framebuffer;
     Texture picture;
@@ -57,13 +60,15 @@ tl::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
     if (!clear)
         return tl::unexpected(clear.error());
     state.clear = std::move(*clear);
-    auto resolve = Program::graphics("screen.vert", "resolve.frag");
-    if (!resolve)
-        return tl::unexpected(resolve.error());
-    state.resolve = std::move(*resolve);
-    state.resolve.use();
-    state.resolve.set("headDepth", 1);
-    glUseProgram(0);
+    constexpr std::array defines{"#define SAMPLES_X 1\n#define SAMPLES_Y 1\n",
+                                 "#define SAMPLES_X 2\n#define SAMPLES_Y 1\n",
+                                 "#define SAMPLES_X 2\n#define SAMPLES_Y 2\n"};
+    for (std::size_t i = 0; i < defines.size(); ++i) {
+        auto resolve = Program::graphics("screen.vert", "resolve.frag", defines[i]);
+        if (!resolve)
+            return tl::unexpected(resolve.error());
+        state.resolve[i] = std::move(*resolve);
+    }
     state.noVertices = makeVertexArray();
     state.framebuffer = makeFramebuffer();
     return renderer;
@@ -84,17 +89,22 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     state.constants.bindUniform(0);
 
     const HairPass::Report report = state.hair->upload(scene.hair, detail, std::clamp(quality.smoothSegments, 1, 256));
-    state.head->draw(scene.head, constants);
-    state.head->bind(0, 1);
+    const bool headDrawn = state.head->draw(scene.head, constants);
 
     const std::size_t sampleCount = static_cast<std::size_t>(state.width * target.samples.x) *
                                     static_cast<std::size_t>(state.height * target.samples.y);
     state.samples.reserve(sampleCount * sizeof(std::uint32_t));
-    state.samples.bindStorage(0);
-    state.clear.use();
-    state.clear.set("headDepth", 1);
-    glDispatchCompute(static_cast<unsigned>((sampleCount + 63) / 64), 1, 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    if (headDrawn || constants.depthRange != state.preparedFor) {
+        state.preparedFor = constants.depthRange;
+        state.prepared.reserve(sampleCount * sizeof(std::uint32_t));
+        state.prepared.bindStorage(0);
+        state.head->bind(0, 1);
+        state.clear.use();
+        state.clear.set("headDepth", 1);
+        glDispatchCompute(static_cast<unsigned>((sampleCount + 63) / 64), 1, 1);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    }
+    state.samples.copyFrom(state.prepared, sampleCount * sizeof(std::uint32_t));
 
     state.hair->draw(constants, detail, state.samples);
 
@@ -104,7 +114,7 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     glViewport(0, 0, state.width, state.height);
     state.samples.bindStorage(0);
     state.head->bind(0, 1);
-    state.resolve.use();
+    state.resolve[static_cast<std::size_t>(target.samples.x * target.samples.y / 2)].use();
     glBindVertexArray(state.noVertices.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glFinish();
