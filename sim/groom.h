@@ -27,22 +27,24 @@ enum class BraidKind : std::uint32_t
 /// What a strand looks like, laid out as the shaders read it (std430, 16 floats).
 struct StrandStyle
 {
-    float lengthM = 0.0F; ///< The skeleton's.
+    float lengthM = 0.0F; ///< The skeleton's; a braided hair's is that of its way and its braid.
     float turns = 0.0F;   ///< Of equation 1 over the whole hair.
     float curlRadiusM = 0.0F;
     float phase = 0.0F;           ///< t at the root, rad.
     std::uint32_t rootColour = 0; ///< 0xAABBGGRR, sRGB as encoded.
     std::uint32_t tipColour = 0;
-    float widthM = 0.0F;       ///< Diameter.
-    float detail = 2.0F;       ///< threshold/density, 0..1: drawn at level of detail f where detail < f; 2: not a hair.
-    std::uint32_t braid = 0;   ///< BraidKind; bits 8..9 the wisp (0..2).
+    float widthM = 0.0F;     ///< Diameter.
+    float detail = 2.0F;     ///< threshold/density, 0..1: drawn at level of detail f where detail < f; 2: never drawn.
+    std::uint32_t braid = 0; ///< BraidKind; bits 8..9 the wisp (0..2).
     float braidRadiusM = 0.0F; ///< r of equation 3.
-    float braidStart = 0.0F;   ///< Share of the drawn skeleton, 0..1, where the braid begins.
-    float braidTurns = 0.0F;
-    float placeX = 0.0F; ///< Place inside the wisp, in units of the wisp's radius, -1..1.
+    /// Share of the skeleton, 0..1, where the braid begins: node braidStart * (nodes - 1) stands on the centre's root,
+    /// those before it lie on the scalp, those after it follow the centre's skeleton, evenly to its tip.
+    float braidStart = 0.0F;
+    float braidTurns = 0.0F; ///< Of equation 3, from there to the tip.
+    float placeX = 0.0F;     ///< Place inside the wisp, in units of the wisp's radius, -1..1.
     float placeY = 0.0F;
     float variation = 0.0F; ///< -1..1, this hair's own lightness.
-    float reserved = 0.0F;
+    float reserved = 0.0F;  ///< 0 in the groom; the renderer packs the frame's tangent here.
 };
 static_assert(sizeof(StrandStyle) == 64);
 
@@ -53,7 +55,8 @@ struct StrandChunk
     std::bitset<kChunkSlots> drawn;    ///< Those long enough to be drawn and exported.
     std::vector<StrandStyle> styles;   ///< [kChunkSlots]
     std::vector<float> restPositions;  ///< [kBlocksPerChunk][nodes][3][kLanes]; clump already in it.
-    std::vector<float> segmentLengths; ///< [kBlocksPerChunk][kLanes]: distance of neighbouring nodes; 0 where no hair.
+    std::vector<float> segmentLengths; ///< [kBlocksPerChunk][kLanes]: distance of neighbouring nodes (their mean
+                                       ///< where braided); 0 where no hair.
     /// For braided hairs: index into basis hairs of the braid's centre, else kNoCentre.
     std::vector<std::uint32_t> braidCentre; ///< [kChunkSlots]
 };

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace hairpaint::sim {
 
@@ -17,6 +16,44 @@ std::size_t texelOffset(int x, int y, int channels)
     return (static_cast<std::size_t>(y % kTile) * kTile + static_cast<std::size_t>(x % kTile)) *
            static_cast<std::size_t>(channels);
 }
+
+/// Not a number becomes 0.
+float unitClamp(float x)
+{
+    if (!(x > 0.0F))
+        return 0.0F;
+    return x < 1.0F ? x : 1.0F;
+}
+
+/// The four texels around a uv and its place between them.
+struct Footprint
+{
+    Footprint(glm::vec2 uv, int size)
+    {
+        const float x = unitClamp(uv.x) * static_cast<float>(size) - 0.5F;
+        const float y = (1.0F - unitClamp(uv.y)) * static_cast<float>(size) - 0.5F;
+        const int left = x < 0.0F ? -1 : static_cast<int>(x);
+        const int top = y < 0.0F ? -1 : static_cast<int>(y);
+        shareX = x - static_cast<float>(left);
+        shareY = y - static_cast<float>(top);
+        x0 = std::max(left, 0);
+        y0 = std::max(top, 0);
+        x1 = std::min(left + 1, size - 1);
+        y1 = std::min(top + 1, size - 1);
+    }
+
+    /// In this form equal texels give exactly their value, however they are stored.
+    [[nodiscard]] float blend(std::uint16_t a, std::uint16_t b, std::uint16_t c, std::uint16_t d) const
+    {
+        const auto mix = [](float from, float to, float share) { return from + (to - from) * share; };
+        const float upper = mix(static_cast<float>(a), static_cast<float>(b), shareX);
+        const float lower = mix(static_cast<float>(c), static_cast<float>(d), shareX);
+        return mix(upper, lower, shareY) / 65535.0F;
+    }
+
+    int x0, y0, x1, y1;
+    float shareX, shareY;
+};
 
 } // namespace
 
@@ -100,31 +137,56 @@ void TiledRaster::setTexel(int x, int y, Texel value)
     std::copy_n(value.begin(), m_channels, pixels.begin() + static_cast<std::ptrdiff_t>(texelOffset(x, y, m_channels)));
 }
 
+glm::ivec2 TiledRaster::footprint(glm::vec2 uv, int size)
+{
+    const Footprint f(uv, size);
+    return {f.x0, f.y0};
+}
+
 glm::vec4 TiledRaster::sampleBilinear(glm::vec2 uv) const
 {
-    const auto size = static_cast<float>(m_size);
-    const float x = std::clamp(uv.x, 0.0F, 1.0F) * size - 0.5F;
-    const float y = (1.0F - std::clamp(uv.y, 0.0F, 1.0F)) * size - 0.5F;
-    const float floorX = std::floor(x);
-    const float floorY = std::floor(y);
-    const float shareX = x - floorX;
-    const float shareY = y - floorY;
-    const int x0 = std::clamp(static_cast<int>(floorX), 0, m_size - 1);
-    const int y0 = std::clamp(static_cast<int>(floorY), 0, m_size - 1);
-    const int x1 = std::clamp(static_cast<int>(floorX) + 1, 0, m_size - 1);
-    const int y1 = std::clamp(static_cast<int>(floorY) + 1, 0, m_size - 1);
-    const auto asVector = [](const Texel& t) { return glm::vec4(t[0], t[1], t[2], t[3]) * (1.0F / 65535.0F); };
-    const glm::vec4 top = asVector(texel(x0, y0)) * (1.0F - shareX) + asVector(texel(x1, y0)) * shareX;
-    const glm::vec4 bottom = asVector(texel(x0, y1)) * (1.0F - shareX) + asVector(texel(x1, y1)) * shareX;
-    return top * (1.0F - shareY) + bottom * shareY;
+    const Footprint f(uv, m_size);
+    const Texel a = texel(f.x0, f.y0);
+    const Texel b = texel(f.x1, f.y0);
+    const Texel c = texel(f.x0, f.y1);
+    const Texel d = texel(f.x1, f.y1);
+    glm::vec4 value(0.0F);
+    for (int channel = 0; channel < m_channels; ++channel) {
+        const auto i = static_cast<std::size_t>(channel);
+        value[channel] = f.blend(a[i], b[i], c[i], d[i]);
+    }
+    return value;
+}
+
+float TiledRaster::sampleScalar(glm::vec2 uv) const
+{
+    const Footprint f(uv, m_size);
+    if (f.x0 / kTile != f.x1 / kTile || f.y0 / kTile != f.y1 / kTile)
+        return f.blend(texel(f.x0, f.y0)[0], texel(f.x1, f.y0)[0], texel(f.x0, f.y1)[0], texel(f.x1, f.y1)[0]);
+    const RasterTile& tile = *m_tiles[static_cast<std::size_t>(tileIndexAt(f.x0, f.y0))];
+    if (tile.isUniform())
+        return static_cast<float>(tile.uniform[0]) / 65535.0F;
+    const std::uint16_t* upper = tile.pixels.data() + texelOffset(f.x0, f.y0, m_channels);
+    const std::uint16_t* lower = tile.pixels.data() + texelOffset(f.x0, f.y1, m_channels);
+    const std::ptrdiff_t right = f.x1 > f.x0 ? m_channels : 0;
+    return f.blend(upper[0], upper[right], lower[0], lower[right]);
 }
 
 Texel TiledRaster::sampleNearest(glm::vec2 uv) const
 {
     const auto size = static_cast<float>(m_size);
-    const int x = std::clamp(static_cast<int>(std::clamp(uv.x, 0.0F, 1.0F) * size), 0, m_size - 1);
-    const int y = std::clamp(static_cast<int>((1.0F - std::clamp(uv.y, 0.0F, 1.0F)) * size), 0, m_size - 1);
+    const int x = std::min(static_cast<int>(unitClamp(uv.x) * size), m_size - 1);
+    const int y = std::min(static_cast<int>((1.0F - unitClamp(uv.y)) * size), m_size - 1);
     return texel(x, y);
+}
+
+std::optional<Texel> TiledRaster::uniformValue() const
+{
+    const RasterTilePtr& first = m_tiles.front();
+    for (const RasterTilePtr& tile : m_tiles)
+        if (tile != first && !(tile->isUniform() && tile->uniform == first->uniform))
+            return std::nullopt;
+    return first->isUniform() ? std::optional(first->uniform) : std::nullopt;
 }
 
 std::size_t TiledRaster::byteCount() const

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,9 +68,17 @@ public:
     [[nodiscard]] Texel texel(int x, int y) const;
     void setTexel(int x, int y, Texel value);
 
-    /// Bilinear at a uv (clamped), each channel 0..1. Texel centres at (i + 1/2)/size, row 0 at v = 1.
+    /// Bilinear at a uv (clamped; not a number is 0), each channel 0..1; exact between equal texels. Texel centres at
+    /// (i + 1/2)/size, row 0 at v = 1.
     [[nodiscard]] glm::vec4 sampleBilinear(glm::vec2 uv) const;
+    /// The first channel of sampleBilinear.
+    [[nodiscard]] float sampleScalar(glm::vec2 uv) const;
     [[nodiscard]] Texel sampleNearest(glm::vec2 uv) const;
+    /// The upper left one of the four texels that sampleBilinear reads; the others are its neighbours.
+    /// sampleNearest reads one of them.
+    [[nodiscard]] static glm::ivec2 footprint(glm::vec2 uv, int size);
+    /// The value of every texel where all tiles are uniform and equal; not searched for inside tiles that hold pixels.
+    [[nodiscard]] std::optional<Texel> uniformValue() const;
 
     /// Bytes of pixels held by this raster, counting shared tiles in full.
     [[nodiscard]] std::size_t byteCount() const;

@@ -1,0 +1,73 @@
+// Inputs for grooms in tests: maps of plain values, and dabs on them.
+#pragma once
+
+#include "sim/groom_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+namespace hairpaint::test {
+
+/// 0..1 as a texel's channel.
+inline std::uint16_t channelOf(float value)
+{
+    return static_cast<std::uint16_t>(std::clamp(value, 0.0F, 1.0F) * 65535.0F + 0.5F);
+}
+
+inline std::shared_ptr<const sim::TiledRaster> uniformMap(float value, int size = 512)
+{
+    return std::make_shared<const sim::TiledRaster>(size, 1, sim::Texel{channelOf(value)});
+}
+
+inline std::shared_ptr<const sim::TiledRaster> uniformColour(glm::vec3 value, int size = 512)
+{
+    return std::make_shared<const sim::TiledRaster>(
+        size, 3, sim::Texel{channelOf(value.x), channelOf(value.y), channelOf(value.z)});
+}
+
+inline std::shared_ptr<const sim::TiledRaster> indexMap(std::uint16_t index, int size = 512)
+{
+    return std::make_shared<const sim::TiledRaster>(size, 1, sim::Texel{index});
+}
+
+/// The map with `texel` at every texel whose centre lies within `radius` of `centre`, both in uv.
+inline std::shared_ptr<const sim::TiledRaster> withDab(const std::shared_ptr<const sim::TiledRaster>& map,
+                                                       glm::vec2 centre, float radius, sim::Texel texel)
+{
+    auto painted = std::make_shared<sim::TiledRaster>(*map);
+    const auto size = static_cast<float>(map->size());
+    const glm::vec2 centreTx(centre.x * size - 0.5F, (1.0F - centre.y) * size - 0.5F);
+    const float radiusTx = radius * size;
+    const auto first = [&](float middle) { return std::max(static_cast<int>(std::ceil(middle - radiusTx)), 0); };
+    const auto last = [&](float middle) {
+        return std::min(static_cast<int>(std::floor(middle + radiusTx)), map->size() - 1);
+    };
+    for (int y = first(centreTx.y); y <= last(centreTx.y); ++y)
+        for (int x = first(centreTx.x); x <= last(centreTx.x); ++x)
+            if (glm::length(glm::vec2(x, y) - centreTx) <= radiusTx)
+                painted->setTexel(x, y, texel);
+    return painted;
+}
+
+/// One group with uniform maps: full density, half length, straight, brown.
+inline sim::GroupInput uniformGroup(int id = 1)
+{
+    sim::GroupInput group;
+    group.id = id;
+    group.maps = {uniformMap(1.0F), uniformMap(0.5F), uniformMap(0.0F), indexMap(0), uniformColour({0.3F, 0.2F, 0.1F}),
+                  uniformMap(0.0F), uniformMap(0.0F)};
+    return group;
+}
+
+inline sim::GroomInput inputOf(std::shared_ptr<const sim::Skin> skin, sim::GroupInput group = uniformGroup())
+{
+    sim::GroomInput input;
+    input.skin = std::move(skin);
+    input.groups.push_back(std::move(group));
+    return input;
+}
+
+} // namespace hairpaint::test
