@@ -33,7 +33,7 @@ struct ToolEvent
     std::optional<sim::SurfacePoint> point;
     float pressure = 1.0F; ///< 0..1; 1 for a mouse.
     double seconds = 0.0;
-    Qt::KeyboardModifiers modifiers;
+    Qt::KeyboardModifiers modifiers = {};
 };
 
 /// What is drawn over the areas while a tool is in use. uv space; closed where marked.
