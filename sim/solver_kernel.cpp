@@ -248,7 +248,7 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
                     placed = choose(second.touched, atLength(d, parent, placed, length, lie), placed);
             }
             // Whatever went wrong (not a number, far away), the node goes back to where it was styled.
-            const hn::Mask<D> lost = hn::Not(hn::Lt(dot(placed, placed), hn::Set(d, 100.0F)));
+            const hn::Mask<D> lost = hn::Not(hn::Lt(dot(sub(placed, root), sub(placed, root)), hn::Set(d, 1e4F)));
             if (HWY_UNLIKELY(!hn::AllFalse(d, lost)))
                 placed = choose(lost, load3(d, rest + offset), placed);
 

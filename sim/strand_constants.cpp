@@ -16,7 +16,7 @@ namespace {
 constexpr auto kStep = static_cast<float>(Simulation::kStepSeconds);
 constexpr float kWindRate = 2.4F; ///< 1/s: how fast hair takes over the air's motion across it.
 constexpr float kShortStiffness = 0.6F;
-constexpr float kStraightenShare = 0.12F; ///< Of body.
+constexpr float kStraightenShare = 0.02F; ///< Of body.
 /// Below this gain a held shape is only a leaning, and its other nodes may lie on the ellipsoids.
 constexpr float kHeldShape = 0.2F;
 
@@ -51,8 +51,8 @@ GroupGains gainsOf(const PhysicsSettings& physics, int nodes)
         const auto node = static_cast<std::size_t>(i);
         const float share = static_cast<float>(i) / static_cast<float>(nodes - 1);
         const float left = 1.0F - share;
-        const float left3 = left * left * left;
-        const float fading = left3 * left3 + (left - left3 * left3) * physics.body;
+        const float left5 = left * left * left * left * left;
+        const float fading = left5 * left5 + (left - left5 * left5) * physics.body; // full body reaches far
         gains.body[node] = rescaled(physics.body * fading);
         gains.bodyKeep[node] = damped(gains.body[node]);
     }
