@@ -194,18 +194,19 @@ float beardDistance(const glm::vec3& p)
 {
     // The chest lies in the directions of the jaw's underside.
     const float aboveNeck = p.y + 0.128F;
-    return std::min({beardline().signedDistance(p), outsideLips(p), outsideEar(p), aboveNeck});
+    const float belowSideburn = -hairline().signedDistance(p);
+    return std::min({beardline().signedDistance(p), outsideLips(p), outsideEar(p), belowSideburn, aboveNeck});
 }
 
 BustLandmarks bustLandmarks()
 {
-    return {.crown = {0.0F, 0.1120F, -0.0350F},
-            .forehead = {0.0F, 0.0745F, 0.0770F},
-            .earLeft = {0.0760F, -0.0180F, -0.0060F},
-            .earRight = {-0.0760F, -0.0180F, -0.0060F},
-            .nape = {0.0F, -0.0630F, -0.0770F},
-            .chin = {0.0F, -0.1140F, 0.0800F},
-            .noseTip = {0.0F, -0.0375F, 0.1100F}};
+    return {.crown = {0.0F, 0.11097F, -0.03705F},
+            .forehead = {0.0F, 0.0745F, 0.0782F},
+            .earLeft = {0.0744F, -0.0173F, -0.0065F},
+            .earRight = {-0.0744F, -0.0173F, -0.0065F},
+            .nape = {0.0F, -0.0625F, -0.0770F},
+            .chin = {0.0F, -0.1120F, 0.0881F},
+            .noseTip = {0.0F, -0.0351F, 0.1105F}};
 }
 
 } // namespace hairpaint::heads

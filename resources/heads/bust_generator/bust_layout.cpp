@@ -33,8 +33,8 @@ UvGoal goalAt(const glm::vec3& p)
     const auto trunk = static_cast<double>(1.0F - smoothStep(-0.20F, -0.11F, p.y));
     UvGoal goal{};
     const auto beard = static_cast<double>(smoothStep(-0.010F, 0.002F, beardDistance(p))) * (1.0 - scalp);
-    goal.scale = std::lerp(std::lerp(0.50 - 0.25 * trunk, 0.80, std::max(face, beard)), 1.0, scalp);
-    goal.weight = (0.10 - 0.04 * trunk + 0.9 * std::max(face, beard) + 5.0 * scalp) * (1.0 - 0.7 * ear);
+    goal.scale = std::lerp(std::lerp(0.40 - 0.24 * trunk, 0.95, std::max(face, beard)), 1.0, scalp);
+    goal.weight = (0.10 - 0.04 * trunk + 1.5 * std::max(face, beard) + 5.0 * scalp) * (1.0 - 0.7 * ear);
     goal.areaWeight = 2.0 * scalp;
     return goal;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "parallel_for.h"
 
@@ -45,6 +46,24 @@ float aspect(const HalfMesh& half, const Triangle& t)
     return longest * longest / (glm::length(faceNormal(half, t)) + 1.0e-20F);
 }
 
+bool isUvFlipped(const HalfMesh& half, const Triangle& t)
+{
+    if (half.uvs.empty())
+        return false;
+    const glm::dvec2 first = half.uvs[t[1]] - half.uvs[t[0]];
+    const glm::dvec2 second = half.uvs[t[2]] - half.uvs[t[0]];
+    return first.x * second.y <= first.y * second.x;
+}
+
+// By grid index; the pole has all of ring 0.
+std::vector<std::uint32_t> verticesByPlace(const HalfMesh& half, const PolarGrid& grid)
+{
+    std::vector<std::uint32_t> ids(grid.index(grid.rings(), grid.columns()) + 1, 0);
+    for (std::size_t v = 0; v < half.places.size(); ++v)
+        ids[grid.index(half.places[v].ring, half.places[v].column)] = static_cast<std::uint32_t>(v);
+    return ids;
+}
+
 // Splits a quad along the diagonal that follows the surface better.
 void addQuad(HalfMesh& half, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
 {
@@ -52,7 +71,8 @@ void addQuad(HalfMesh& half, std::uint32_t a, std::uint32_t b, std::uint32_t c, 
     const std::array<Triangle, 2> second = {{{a, b, d}, {b, c, d}}};
     const auto score = [&](const std::array<Triangle, 2>& pair) {
         const float shape = std::max(aspect(half, pair[0]), aspect(half, pair[1]));
-        return std::min(agreement(half, pair[0]), agreement(half, pair[1])) - 0.02F * shape;
+        const float flip = isUvFlipped(half, pair[0]) || isUvFlipped(half, pair[1]) ? 10.0F : 0.0F;
+        return std::min(agreement(half, pair[0]), agreement(half, pair[1])) - 0.02F * shape - flip;
     };
     const auto& best = score(first) >= score(second) ? first : second;
     half.triangles.insert(half.triangles.end(), best.begin(), best.end());
@@ -60,29 +80,33 @@ void addQuad(HalfMesh& half, std::uint32_t a, std::uint32_t b, std::uint32_t c, 
 
 } // namespace
 
-HalfMesh halfMesh(const PolarGrid& grid)
+HalfMesh halfVertices(const PolarGrid& grid)
 {
     const int columns = grid.columns();
     HalfMesh half;
-    std::vector<std::uint32_t> ids(grid.index(grid.rings(), columns) + 1, 0);
+
     half.places.push_back({0, 0});
-    for (int i = 1; i <= grid.rings(); ++i) {
-        for (int j = 0; j <= columns; j += columnStep(i, columns)) {
-            ids[grid.index(i, j)] = static_cast<std::uint32_t>(half.places.size());
+    for (int i = 1; i <= grid.rings(); ++i)
+        for (int j = 0; j <= columns; j += columnStep(i, columns))
             half.places.push_back({i, j});
-        }
-    }
     half.positions.resize(half.places.size());
     half.normals.resize(half.places.size());
     parallelFor(static_cast<int>(half.places.size()), [&](int v) {
         const auto k = static_cast<std::size_t>(v);
         half.positions[k] = grid.at(half.places[k].ring, half.places[k].column);
-        glm::vec3 gradient = bustGradient(half.positions[k], {}, 0.0003F);
+        glm::vec3 gradient = bustGradient(half.positions[k], {}, 0.0006F);
         if (half.isMiddle(k))
             gradient.x = 0.0F;
         half.normals[k] = glm::normalize(gradient);
     });
 
+    return half;
+}
+
+void addTriangles(HalfMesh& half, const PolarGrid& grid)
+{
+    const int columns = grid.columns();
+    const std::vector<std::uint32_t> ids = verticesByPlace(half, grid);
     const auto id = [&](int ring, int column) { return ids[grid.index(ring, column)]; };
     const int poleStep = columnStep(1, columns);
     for (int j = 0; j < columns; j += poleStep)
@@ -102,7 +126,6 @@ HalfMesh halfMesh(const PolarGrid& grid)
             half.triangles.push_back({id(i, j), id(i + 1, middle), id(i, j + upper)});
         }
     }
-    return half;
 }
 
 Mesh mirroredMesh(const HalfMesh& half)
@@ -132,32 +155,40 @@ Mesh mirroredMesh(const HalfMesh& half)
     return mesh;
 }
 
-std::vector<glm::dvec2> interpolatedUvs(const HalfMesh& fine, const HalfMesh& coarse, int coarseColumns,
-                                        int coarseRings)
+std::vector<glm::dvec2> interpolatedUvs(const HalfMesh& fine, const HalfMesh& coarse, const PolarGrid& coarseGrid)
 {
-    const auto stride = static_cast<std::size_t>(coarseColumns + 1);
-    std::vector<glm::dvec2> grid(stride * static_cast<std::size_t>(coarseRings + 1), glm::dvec2(0.0));
+    std::vector<glm::dvec2> uvs(coarseGrid.index(coarseGrid.rings(), coarseGrid.columns()) + 1, glm::dvec2(0.0));
     // Columns that thinning left out lie between those it kept.
     for (std::size_t v = 1; v < coarse.places.size(); ++v) {
         const auto [ring, column] = coarse.places[v];
-        const std::size_t at = static_cast<std::size_t>(ring) * stride + static_cast<std::size_t>(column);
-        grid[at] = coarse.uvs[v];
-        if (column == 0)
-            continue;
-        const int step = column - coarse.places[v - 1].column;
+        const std::size_t at = coarseGrid.index(ring, column);
+        uvs[at] = coarse.uvs[v];
+        const int step = column == 0 ? 1 : column - coarse.places[v - 1].column;
         for (int k = 1; k < step; ++k)
-            grid[at - static_cast<std::size_t>(k)] =
+            uvs[at - static_cast<std::size_t>(k)] =
                 glm::mix(coarse.uvs[v], coarse.uvs[v - 1], static_cast<double>(k) / static_cast<double>(step));
     }
-    std::vector<glm::dvec2> uvs;
+    const std::vector<std::uint32_t> ids = verticesByPlace(coarse, coarseGrid);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const Triangle& t : coarse.triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
+
+    std::vector<glm::dvec2> fineUvs;
     for (const auto& [ring, column] : fine.places) {
-        const std::size_t row = static_cast<std::size_t>(ring / 2) * stride;
-        const std::size_t nextRow = ring % 2 == 0 ? row : row + stride;
-        const auto left = static_cast<std::size_t>(column / 2);
-        const std::size_t right = column % 2 == 0 ? left : left + 1;
-        uvs.push_back(0.25 * (grid[row + left] + grid[row + right] + grid[nextRow + left] + grid[nextRow + right]));
+        const std::size_t a = coarseGrid.index(ring / 2, column / 2);
+        const std::size_t b = coarseGrid.index((ring + 1) / 2, column / 2);
+        const std::size_t c = coarseGrid.index((ring + 1) / 2, (column + 1) / 2);
+        const std::size_t d = coarseGrid.index(ring / 2, (column + 1) / 2);
+        // In the middle of a quad the uv lies on the diagonal that splits it.
+        if (edges.contains(std::minmax(ids[a], ids[c])))
+            fineUvs.push_back(0.5 * (uvs[a] + uvs[c]));
+        else if (edges.contains(std::minmax(ids[b], ids[d])))
+            fineUvs.push_back(0.5 * (uvs[b] + uvs[d]));
+        else
+            fineUvs.push_back(0.25 * (uvs[a] + uvs[b] + uvs[c] + uvs[d]));
     }
-    return uvs;
+    return fineUvs;
 }
 
 MeshReport inspected(const HalfMesh& half)

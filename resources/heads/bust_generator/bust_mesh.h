@@ -40,14 +40,15 @@ struct Mesh
     std::vector<Triangle> triangles;
 };
 
-HalfMesh halfMesh(const PolarGrid& grid);
+// Vertices first, then triangles: quads are split so that no uv triangle flips, where uvs are there already.
+HalfMesh halfVertices(const PolarGrid& grid);
+void addTriangles(HalfMesh& half, const PolarGrid& grid);
 
 // uv = 0.5 + half uv, on a lattice so that 1 - u is exact.
 Mesh mirroredMesh(const HalfMesh& half);
 
-// Linear between the places of a mesh with half the rings and columns: textures lie the same on both.
-std::vector<glm::dvec2> interpolatedUvs(const HalfMesh& fine, const HalfMesh& coarse, int coarseColumns,
-                                        int coarseRings);
+// Linear on the triangles of the mesh with half the rings and columns: textures lie the same on both.
+std::vector<glm::dvec2> interpolatedUvs(const HalfMesh& fine, const HalfMesh& coarse, const PolarGrid& coarseGrid);
 
 struct MeshReport
 {

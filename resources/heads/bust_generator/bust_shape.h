@@ -15,7 +15,7 @@ struct ShapeOptions
 };
 
 // The bust ends at this height; the mesh's rim lies in the plane.
-inline constexpr float baseHeight = -0.352F;
+inline constexpr float baseHeight = -0.372F;
 
 float bustDistance(const glm::vec3& p, const ShapeOptions& options);
 

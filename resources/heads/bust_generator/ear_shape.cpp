@@ -29,8 +29,8 @@ constexpr std::array<Bead, 12> helix = {{{{-0.0040F, -0.0012F}, 0.0002F},
                                          {{0.0095F, 0.0240F}, 0.0027F},
                                          {{0.0138F, 0.0160F}, 0.0027F},
                                          {{0.0147F, 0.0055F}, 0.0026F},
-                                         {{0.0132F, -0.0060F}, 0.0023F},
-                                         {{0.0085F, -0.0170F}, 0.0016F},
+                                         {{0.0132F, -0.0060F}, 0.0020F},
+                                         {{0.0085F, -0.0170F}, 0.0011F},
                                          {{0.0040F, -0.0230F}, 0.0004F}}};
 constexpr std::array<Bead, 5> furrow = {{{{-0.0020F, 0.0222F}, -0.0004F},
                                          {{0.0060F, 0.0205F}, -0.0010F},
@@ -96,12 +96,12 @@ float ear(const glm::vec3& e)
     float d = ellipsoid(e, {0.0005F, 0.0010F, -0.0012F}, {0.0172F, 0.0290F, 0.0062F});
     d = smoothMin(d, ellipsoid(e, {-0.0055F, -0.0255F, -0.0003F}, {0.0078F, 0.0090F, 0.0044F}), 0.007F);
     d = smoothMax(d, -ellipsoid(e, {-0.0040F, -0.0055F, 0.0062F}, {0.0088F, 0.0112F, 0.0082F}), 0.005F);
-    const float outside = smoothStep(-0.0055F, 0.0005F, e.z);
+    const float outside = smoothStep(-0.0065F, 0.0030F, e.z);
     static const std::vector<Bead> rim = smoothed(helix);
     static const std::vector<Bead> groove = smoothed(furrow);
     static const std::vector<Bead> fold = smoothed(antihelix);
     const glm::vec2 place(e);
-    d -= outside * (ridge(place, rim, 0.0031F) + ridge(place, groove, 0.0024F));
+    d -= outside * (ridge(place, rim, 0.0034F) + ridge(place, groove, 0.0024F));
     d -= outside * std::max(ridge(place, fold, 0.0030F), ridge(place, lowerLeg, 0.0025F));
     d = smoothMin(d, ellipsoid(e, {-0.0132F, -0.0070F, 0.0026F}, {0.0040F, 0.0062F, 0.0042F}), 0.005F);
     // The root that ties the shell to the skull.

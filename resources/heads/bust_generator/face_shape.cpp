@@ -8,8 +8,8 @@ namespace {
 
 float jaw(const glm::vec3& soft)
 {
-    const float body = roundCone(soft, {0.0385F, -0.0670F, 0.0080F}, {0.0085F, -0.0980F, 0.0735F}, 0.0140F, 0.0145F);
-    const float ramus = roundCone(soft, {0.0450F, -0.0100F, 0.0020F}, {0.0385F, -0.0670F, 0.0080F}, 0.0160F, 0.0140F);
+    const float body = roundCone(soft, {0.0365F, -0.0650F, 0.0080F}, {0.0120F, -0.0955F, 0.0695F}, 0.0140F, 0.0160F);
+    const float ramus = roundCone(soft, {0.0450F, -0.0100F, 0.0020F}, {0.0365F, -0.0650F, 0.0080F}, 0.0160F, 0.0140F);
     return smoothMin(body, ramus, 0.020F);
 }
 
@@ -28,7 +28,7 @@ float browRelief(const glm::vec3& folded)
         0.0215F + 0.0070F * std::sin(glm::radians(90.0F) * std::clamp((x - 0.010F) / 0.026F, 0.0F, 1.6F));
     const float along = smoothStep(0.008F, 0.017F, x) * (1.0F - smoothStep(0.040F, 0.054F, x));
     const float front = smoothStep(0.035F, 0.055F, folded.z);
-    return 0.0013F * bell(folded.y - arch, 0.0042F) * along * front;
+    return 0.0009F * bell(folded.y - arch, 0.0050F) * along * front;
 }
 
 } // namespace
@@ -40,15 +40,17 @@ float joinFace(float d, const MirroredPoint& p)
     d = smoothMin(d, ellipsoid(p.plain, {0.0F, -0.0260F, 0.0320F}, {0.0565F, 0.0680F, 0.0550F}), 0.045F);
     d = smoothMin(d, jaw(soft), 0.036F);
     d = smoothMin(d, ellipsoid(p.plain, {0.0F, -0.0780F, 0.0350F}, {0.0380F, 0.0220F, 0.0450F}), 0.028F);
-    d = smoothMin(d, ellipsoid(soft, {0.0310F, -0.0500F, 0.0520F}, {0.0250F, 0.0330F, 0.0280F}), 0.030F);
-    d = smoothMin(d, ellipsoid(p.plain, {0.0F, -0.0995F, 0.0785F}, {0.0150F, 0.0140F, 0.0150F}), 0.024F);
+    d = smoothMin(d, ellipsoid(soft, {0.0315F, -0.0480F, 0.0490F}, {0.0250F, 0.0350F, 0.0300F}), 0.034F);
+    d = smoothMin(d, ellipsoid(p.plain, {0.0F, -0.0980F, 0.0765F}, {0.0185F, 0.0150F, 0.0155F}), 0.036F);
     // Cheekbone and the arch that runs back from it.
     d = smoothMin(d, ellipsoid(soft, {0.0400F, -0.0250F, 0.0580F}, {0.0200F, 0.0170F, 0.0200F}), 0.030F);
     d = smoothMin(d, roundCone(soft, {0.0470F, -0.0200F, 0.0480F}, {0.0570F, -0.0100F, 0.0050F}, 0.0110F, 0.0100F),
                   0.036F);
+    // The temple, without which the arch would stand out as a ridge.
+    d = smoothMin(d, ellipsoid(soft, {0.0450F, 0.0080F, 0.0300F}, {0.0185F, 0.0300F, 0.0300F}), 0.030F);
     // Muzzle, brow, the hollow of the eye socket, the flesh over the upper lid.
     d = smoothMin(d, ellipsoid(p.plain, {0.0F, -0.0680F, 0.0660F}, {0.0290F, 0.0270F, 0.0285F}), 0.024F);
-    d = smoothMin(d, browBone(soft), 0.028F);
+    d = smoothMin(d, browBone(soft), 0.034F);
     const glm::vec3 socket = turnedY(soft - glm::vec3(0.0330F, 0.0005F, 0.0880F), -20.0F);
     d = smoothMax(d, -ellipsoid(socket, glm::vec3(0.0F), {0.0195F, 0.0120F, 0.0120F}), 0.024F);
     d = smoothMin(d, roundCone(soft, {0.0190F, 0.0105F, 0.0725F}, {0.0400F, 0.0115F, 0.0675F}, 0.0055F, 0.0055F),
@@ -80,12 +82,10 @@ float joinEyes(float d, const MirroredPoint& p)
     const float arc = std::max(1.0F - 0.80F * t * t, 0.0F);
     const float creaseFade = (1.0F - smoothStep(0.0110F, 0.0180F, std::abs(x))) * inFront;
     d += 0.0010F * bell(above - 0.0030F - 0.0095F * arc, 0.0016F) * creaseFade;
-    d += 0.0004F * bell(above + 0.0062F, 0.0022F) * creaseFade;
-    // Corners: the inner one is a small pit that points at the nose.
+    d += 0.0002F * bell(above + 0.0066F, 0.0026F) * creaseFade;
+    // The inner corner is a small pit that points at the nose.
     const glm::vec3 inner(-0.0165F, -0.0026F, 0.0080F);
-    d += 0.0009F * bell(q, inner, {0.0032F, 0.0024F, 0.0060F});
-    const glm::vec3 outer(0.0165F, -0.0018F, 0.0060F);
-    return d + 0.0005F * bell(q, outer, {0.0030F, 0.0018F, 0.0060F});
+    return d + 0.0008F * bell(q, inner, {0.0034F, 0.0026F, 0.0060F});
 }
 
 } // namespace hairpaint::heads

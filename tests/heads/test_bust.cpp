@@ -1,0 +1,281 @@
+// The built-in head bust-1: its two files, their shape and their uv layout.
+#include <QCryptographicHash>
+#include <QFile>
+#include <QtTest>
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "bust_landmarks.h"
+#include "bust_measures.h"
+#include "glb_reader.h"
+
+using namespace hairpaint;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+QByteArray contents(const QString& name)
+{
+    QFile file(u"" HAIRPAINT_SOURCE_DIR "/resources/heads/"_s + name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+bool isScalp(const tests::GlbMesh& mesh, const std::array<std::uint32_t, 3>& triangle)
+{
+    return heads::scalpDistance(tests::faceCentre(mesh, triangle)) > 0.0F;
+}
+
+} // namespace
+
+class TestBust : public QObject
+{
+    Q_OBJECT
+
+private:
+    std::map<QString, tests::GlbMesh> m_meshes;
+
+    // The row's mesh.
+    const tests::GlbMesh& mesh()
+    {
+        QFETCH_GLOBAL(QString, file);
+        return m_meshes.at(file);
+    }
+
+    const tests::GlbMesh& carrying() { return m_meshes.at(u"bust-1.glb"_s); }
+
+private Q_SLOTS:
+    void initTestCase_data();
+    void initTestCase();
+    void filesKeepToTheProjectsSubsetOfGltf();
+    void sizeIsWhatWasPlanned();
+    void halvesAreMirrorImagesToTheLastBit();
+    void normalsAreUnitVectorsOnTheFacesSide();
+    void everyEdgeHasTwoFacesOrLiesOnTheOneRim();
+    void noFaceIsFolded();
+    void noTriangleIsMoreSlenderThanEight();
+    void uvLiesWithinTheMargins();
+    void bothUvSetsDifferOnlyInTheirDirection();
+    void crownLiesInTheMiddleOfTheLayout();
+    void noUvTriangleIsFlipped();
+    void uvTrianglesDoNotOverlap();
+    void scalpIsScaledEvenly();
+    void scalpIsHardlyStretched();
+    void scalpHasItsShareOfTheLayout();
+    void fineMeshKeepsEveryCarryingVertex();
+};
+
+void TestBust::initTestCase_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::newRow("carrying mesh") << u"bust-1.glb"_s;
+    QTest::newRow("fine mesh") << u"bust-1-fine.glb"_s;
+}
+
+void TestBust::initTestCase()
+{
+    for (const QString& name : {u"bust-1.glb"_s, u"bust-1-fine.glb"_s})
+        m_meshes[name] = tests::readGlb(contents(name));
+}
+
+void TestBust::filesKeepToTheProjectsSubsetOfGltf()
+{
+    QCOMPARE(mesh().error, QString());
+    glm::vec3 low = mesh().positions.front();
+    glm::vec3 high = low;
+    for (const glm::vec3& p : mesh().positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    QVERIFY(low == mesh().declaredLow);
+    QVERIFY(high == mesh().declaredHigh);
+}
+
+void TestBust::sizeIsWhatWasPlanned()
+{
+    QFETCH_GLOBAL(QString, file);
+    QCOMPARE(mesh().positions.size(), file == "bust-1.glb"_L1 ? 19011U : 75821U);
+    const float width = mesh().declaredHigh.x - mesh().declaredLow.x;
+    const float height = mesh().declaredHigh.y - mesh().declaredLow.y;
+    QVERIFY2(width > 0.30F && width < 0.36F, qPrintable(QString::number(static_cast<double>(width))));
+    QVERIFY2(height > 0.44F && height < 0.52F, qPrintable(QString::number(static_cast<double>(height))));
+}
+
+void TestBust::halvesAreMirrorImagesToTheLastBit()
+{
+    using Key = std::tuple<float, float, float, float, float, float, float, float>;
+    std::map<Key, std::uint32_t> vertices;
+    const auto key = [](const glm::vec3& p, const glm::vec3& n, const glm::vec2& uv) {
+        return Key(p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y);
+    };
+    for (std::uint32_t v = 0; v < mesh().positions.size(); ++v)
+        vertices[key(mesh().positions[v], mesh().normals[v], mesh().uvs[v])] = v;
+    QCOMPARE(vertices.size(), mesh().positions.size());
+    std::vector<std::uint32_t> twin;
+    for (std::size_t v = 0; v < mesh().positions.size(); ++v) {
+        const glm::vec3 flip(-1.0F, 1.0F, 1.0F);
+        const glm::vec2 uv(1.0F - mesh().uvs[v].x, mesh().uvs[v].y);
+        const auto found = vertices.find(key(mesh().positions[v] * flip, mesh().normals[v] * flip, uv));
+        QVERIFY2(found != vertices.end(), qPrintable(u"vertex %1 has no twin"_s.arg(v)));
+        twin.push_back(found->second);
+    }
+    std::set<std::array<std::uint32_t, 3>> faces;
+    const auto sorted = [](std::array<std::uint32_t, 3> face) {
+        std::sort(face.begin(), face.end());
+        return face;
+    };
+    for (const auto& t : mesh().triangles)
+        faces.insert(sorted(t));
+    for (const auto& t : mesh().triangles)
+        QVERIFY(faces.contains(sorted({twin[t[0]], twin[t[1]], twin[t[2]]})));
+}
+
+void TestBust::normalsAreUnitVectorsOnTheFacesSide()
+{
+    for (const glm::vec3& n : mesh().normals)
+        QVERIFY(std::abs(glm::length(n) - 1.0F) < 1.0e-5F);
+    int against = 0;
+    for (const auto& t : mesh().triangles)
+        for (const std::uint32_t v : t)
+            against += glm::dot(tests::faceNormal(mesh(), t), mesh().normals[v]) <= 0.0F ? 1 : 0;
+    QCOMPARE(against, 0);
+}
+
+void TestBust::everyEdgeHasTwoFacesOrLiesOnTheOneRim()
+{
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
+    for (const auto& t : mesh().triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            ++directed[{t[i], t[(i + 1) % 3]}];
+    std::map<std::uint32_t, std::uint32_t> rim;
+    for (const auto& [edge, count] : directed) {
+        QCOMPARE(count, 1);
+        if (!directed.contains({edge.second, edge.first}))
+            QVERIFY2(rim.emplace(edge.first, edge.second).second, "two rims meet in a vertex");
+    }
+    // One closed loop, and Euler's number of a disc: V - E + F = 1.
+    std::size_t length = 0;
+    std::uint32_t v = rim.begin()->first;
+    do {
+        v = rim.at(v);
+        ++length;
+    } while (v != rim.begin()->first && length <= rim.size());
+    QCOMPARE(length, rim.size());
+    const auto edges = static_cast<qint64>((directed.size() + rim.size()) / 2);
+    QCOMPARE(static_cast<qint64>(mesh().positions.size()) - edges + static_cast<qint64>(mesh().triangles.size()), 1);
+}
+
+void TestBust::noFaceIsFolded()
+{
+    std::map<std::pair<std::uint32_t, std::uint32_t>, glm::vec3> normals;
+    for (const auto& t : mesh().triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            normals[{t[i], t[(i + 1) % 3]}] = tests::faceNormal(mesh(), t);
+    float least = 1.0F;
+    for (const auto& [edge, normal] : normals)
+        if (const auto other = normals.find({edge.second, edge.first}); other != normals.end())
+            least = std::min(least, glm::dot(normal, other->second));
+    qInfo("least cosine between neighbours %.3f", static_cast<double>(least));
+    QVERIFY(least > -0.5F);
+}
+
+void TestBust::noTriangleIsMoreSlenderThanEight()
+{
+    double worst = 0.0;
+    for (const auto& t : mesh().triangles)
+        worst = std::max(worst, tests::measured(mesh(), t).aspect);
+    qInfo("worst aspect %.2f", worst);
+    QVERIFY(worst <= 8.0);
+}
+
+void TestBust::uvLiesWithinTheMargins()
+{
+    for (const glm::vec2& uv : mesh().uvs)
+        QVERIFY(uv.x >= 0.01F && uv.x <= 0.99F && uv.y >= 0.01F && uv.y <= 0.99F);
+}
+
+void TestBust::bothUvSetsDifferOnlyInTheirDirection()
+{
+    for (std::size_t v = 0; v < mesh().uvs.size(); ++v)
+        QVERIFY(mesh().texCoords[v] == glm::vec2(mesh().uvs[v].x, 1.0F - mesh().uvs[v].y));
+}
+
+void TestBust::crownLiesInTheMiddleOfTheLayout()
+{
+    const auto at = std::find(mesh().uvs.begin(), mesh().uvs.end(), glm::vec2(0.5F));
+    QVERIFY(at != mesh().uvs.end());
+    const glm::vec3 crown = mesh().positions[static_cast<std::size_t>(at - mesh().uvs.begin())];
+    QVERIFY(glm::distance(crown, heads::bustLandmarks().crown) < 0.001F);
+    // The face lies below it.
+    for (std::size_t v = 0; v < mesh().uvs.size(); ++v)
+        if (mesh().positions[v].z > 0.090F)
+            QVERIFY(mesh().uvs[v].y < 0.5F);
+}
+
+void TestBust::noUvTriangleIsFlipped()
+{
+    for (const auto& t : mesh().triangles)
+        QVERIFY(tests::measured(mesh(), t).uvArea > 0.0);
+}
+
+void TestBust::uvTrianglesDoNotOverlap()
+{
+    QCOMPARE(tests::doublyCoveredPoints(mesh(), 2048), 0);
+}
+
+void TestBust::scalpIsScaledEvenly()
+{
+    std::vector<std::pair<double, double>> scales;
+    for (const auto& t : mesh().triangles) {
+        const tests::FaceMeasure face = tests::measured(mesh(), t);
+        if (isScalp(mesh(), t))
+            scales.emplace_back(face.uvArea / face.skinArea, face.skinArea);
+    }
+    const double ratio = tests::quantile(scales, 1.0) / tests::quantile(scales, 0.0);
+    qInfo("area scale %.2f : 1, %.2f : 1 for 99 %%", ratio,
+          tests::quantile(scales, 0.995) / tests::quantile(scales, 0.005));
+    QVERIFY(ratio < 2.0);
+}
+
+void TestBust::scalpIsHardlyStretched()
+{
+    std::vector<std::pair<double, double>> stretches;
+    for (const auto& t : mesh().triangles) {
+        const tests::FaceMeasure face = tests::measured(mesh(), t);
+        if (isScalp(mesh(), t))
+            stretches.emplace_back(face.stretch, face.skinArea);
+    }
+    const double worst = tests::quantile(stretches, 1.0);
+    qInfo("stretch %.2f : 1, %.2f : 1 for 99 %%", worst, tests::quantile(stretches, 0.99));
+    QVERIFY(worst < 2.0);
+}
+
+void TestBust::scalpHasItsShareOfTheLayout()
+{
+    double scalp = 0.0;
+    double all = 0.0;
+    for (const auto& t : mesh().triangles) {
+        const double area = tests::measured(mesh(), t).uvArea;
+        all += area;
+        scalp += isScalp(mesh(), t) ? area : 0.0;
+    }
+    qInfo("scalp %.1f %% of the used area, used %.1f %% of the square", 100.0 * scalp / all, 100.0 * all);
+    QVERIFY(scalp >= 0.35 * all);
+}
+
+void TestBust::fineMeshKeepsEveryCarryingVertex()
+{
+    std::set<std::tuple<float, float, float, float, float>> kept;
+    const auto key = [](const glm::vec3& p, const glm::vec2& uv) { return std::tuple(p.x, p.y, p.z, uv.x, uv.y); };
+    const tests::GlbMesh& fine = m_meshes.at(u"bust-1-fine.glb"_s);
+    for (std::size_t v = 0; v < fine.positions.size(); ++v)
+        kept.insert(key(fine.positions[v], fine.uvs[v]));
+    std::size_t lost = 0;
+    for (std::size_t v = 0; v < carrying().positions.size(); ++v)
+        lost += kept.contains(key(carrying().positions[v], carrying().uvs[v])) ? 0 : 1;
+    QCOMPARE(lost, 0U);
+}
+
+QTEST_APPLESS_MAIN(TestBust)
+#include "test_bust.moc"
