@@ -15,12 +15,29 @@ namespace hairpaint::sim {
 /// Equation 3 without its linear part, for wisp offset w: (cos(t + w), 0, sin(2(t + w))), in units of r.
 [[nodiscard]] glm::vec3 braidOffset(float t, float w);
 
-/// Segments that a style asks for: at least 8 points a turn, `smooth` for a straight hair; at most 256.
+/// Share of the strand, from the root, over which the curl's radius grows from 0.
+inline constexpr float kCurlEaseShare = 0.25F;
+/// Part of a turn of the braid over which its wisps part where it begins.
+inline constexpr float kBraidEaseTurns = 0.5F;
+inline constexpr float kWispRadiusShare = 0.45F; ///< A wisp's radius in units of r.
+/// Last share of the braid, a tuft: there the wisps close up to kTuftBraidShare of r while each opens by
+/// kTuftWispShare.
+inline constexpr float kTuftShare = 0.12F;
+inline constexpr float kTuftBraidShare = 0.35F;
+inline constexpr float kTuftWispShare = 1.6F;
+
+/// Segments that a style asks for: at least 8 points a turn, two a skeleton's segment for a straight hair; at most 256.
 [[nodiscard]] int segmentsOf(const StrandStyle& style, int nodes);
 
-/// Evaluates segments + 1 points, root first, along the skeleton (Catmull-Rom through `skeletonHd`) in its
-/// rotation-minimising frame (double reflection, Wang et al. 2008). `rootTangentHd` starts the frame. The shader
-/// strand_expand.comp does the same. Radius eases in from 0 at the root.
+/// The tangent that a hair's frame starts from: its root's, or for a braided hair that of its braid's centre, so that
+/// all hairs of a braid are turned alike.
+[[nodiscard]] glm::vec3 frameTangentHd(const Groom& groom, std::uint32_t slot);
+
+/// Evaluates segments + 1 points, root first, along the skeleton (Catmull-Rom through `skeletonHd`, evenly by node).
+/// `rootTangentHd`: frameTangentHd, turned as the head is. A curl stands in the skeleton's rotation-minimising frame,
+/// which starts from that tangent (double reflection, Wang et al. 2008); a braid in the frame that has the tangent's
+/// own projection as its first axis at every point, since hairs reach the braid from all sides. The shader
+/// strand_expand.comp does the same.
 void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangentHd, const StrandStyle& style,
                     int segments, std::vector<glm::vec3>& pointsHd);
 
