@@ -8,7 +8,7 @@
 namespace hairpaint::view {
 
 /// Azimuth around y from +z toward +x, elevation above the horizon, rad. The near half is drawn solid, the far half
-/// hollow; a press on the handle in the far half keeps that half, and F (or double-click) turns to the other. Signals
+/// hollow; a drag keeps its half, a double-click turns to the other. Signals
 /// as BarSlider's: changed while moving, then finished or cancelled once.
 class DirectionBall : public QWidget
 {
