@@ -2,8 +2,8 @@
 #include "view/panels/maps_panel.h"
 
 #include "view/panels/map_row.h"
+#include "view/panels/map_thumbnail.h"
 #include "view/theme.h"
-#include "view/thumbnails.h"
 #include "view/widgets/value_text.h"
 
 #include <QKeyEvent>

@@ -92,14 +92,19 @@ void BarSlider::setGradient(const QList<QColor>& colours)
     update();
 }
 
+void BarSlider::setHint(const QString& hint)
+{
+    m_hint = hint;
+    describe();
+}
+
 void BarSlider::describe()
 {
     setAccessibleName(m_label);
     setAccessibleDescription(valueText());
-    setToolTip(
-        m_hasDefault
-            ? tr("%1: %2. Ctrl-drag for fine, double-click to type, right-click to reset").arg(m_label, valueText())
-            : tr("%1: %2. Ctrl-drag for fine, double-click to type").arg(m_label, valueText()));
+    const QString use = m_hasDefault ? tr("Ctrl-drag for fine, double-click to type, right-click to reset")
+                                     : tr("Ctrl-drag for fine, double-click to type");
+    setToolTip((m_hint.isEmpty() ? m_label : m_hint) + QLatin1Char('\n') + use);
 }
 
 double BarSlider::rounded(double value) const

@@ -22,6 +22,7 @@ public:
     explicit DirectionBall(Meaning meaning, QWidget* parent = nullptr);
     [[nodiscard]] glm::vec3 direction() const { return m_direction; }
     void setDirection(glm::vec3 direction); ///< Unit. Tells nothing; ignored while the user is turning it.
+    [[nodiscard]] bool editing() const { return m_editing; }
     [[nodiscard]] QSize sizeHint() const override { return {148, 148}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {120, 120}; }
 
