@@ -6,27 +6,38 @@ layout(std140, binding = 0) uniform Frame
     mat4 projectionFromWo;  // Jittered by a part of a pixel where pictures are accumulated.
     mat4 woFromProjection;
     mat4 woFromHd;
-    mat4 gridFromWo;        // Wo -> 0..1 in the opacity grid; z runs away from the light.
+    mat4 gridFromWo[2];     // Wo -> 0..1 in the opacity grids; z runs away from the light, from the eye.
     vec4 eyeWo;
     vec4 lightWo;           // Toward the light, unit; w: ambient share.
     vec4 lightColour;       // Linear.
     vec4 headWo;            // Centre; w: radius, m.
     vec4 depthRange;        // Distance along the view of key 0, keys a metre; then c0, c1 of linearDepth.
     vec4 target;            // Samples across and up, samples a pixel across and up.
-    vec4 gridSize;          // Extent in m of the grid's x and y, area of a voxel seen from the light in m2, samples a metre at
-                            // distance 1.
+    vec4 gridSize;          // Area in m2 of a voxel of either grid, seen along z; samples that a metre covers at 1 m.
     vec4 background[2];     // sRGB as encoded: in the middle of the picture, and how much it rises to the top.
     vec4 ringWo[2];         // Centre; w: radius, 0 where there is no ring.
 };
 
+// sim::StrandStyle, with the root's tangent (octahedral, two snorm16) in its reserved place.
+struct Style
+{
+    float lengthM, turns, curlRadiusM, phase;
+    uint rootColour, tipColour;
+    float widthM, detail;
+    uint braid;
+    float braidRadiusM, braidStart, braidTurns;
+    float placeX, placeY, variation;
+    uint tangentHd;
+};
+
 const float kPi = 3.14159265;
 
-// A sample is one 32-bit number, so that the nearest one wins by atomicMin: 13 bits of depth, then 19 of colour.
-const uint kDepthShift = 19u;
-const uint kColourMask = 0x7FFFFu;
-const uint kHeadColour = 0x7FFFFu; // Not a colour of hair: the head's own layer shows.
+// A sample is one 32-bit number, so that the nearest one wins by atomicMin: 12 bits of depth, then 20 of colour.
+const uint kDepthShift = 20u;
+const uint kColourMask = 0xFFFFFu;
+const uint kHeadColour = 0xFFFFFu; // Not a colour of hair: the head's own layer shows.
 const uint kEmptySample = 0xFFFFFFFFu;
-const float kDepthKeys = 8191.0;
+const float kDepthKeys = 4095.0;
 
 uint depthKey(float distanceM)
 {
@@ -39,7 +50,8 @@ float linearDepth(float depth)
     return depthRange.z / (depthRange.w - (2.0 * depth - 1.0));
 }
 
-// Linear colour <-> 19 bits: luma 8, orange 6, green 5, of its square root.
+// Linear colour <-> 20 bits: luma 8, orange 6, green 6, of its square root. Chroma lies within +-1/2, mostly within a
+// quarter of that.
 uint packColour(vec3 colour, float dither)
 {
     vec3 c = sqrt(clamp(colour, 0.0, 1.0));
@@ -47,15 +59,15 @@ uint packColour(vec3 colour, float dither)
     float orange = 0.5 * (c.r - c.b);
     float green = c.g - luma;
     uvec3 q = uvec3(clamp(luma * 254.0 + dither, 0.0, 254.0), clamp((orange + 0.5) * 62.0 + dither, 0.0, 62.0),
-                    clamp((green + 0.5) * 30.0 + dither, 0.0, 30.0));
-    return (q.y << 13) | (q.z << 8) | q.x;
+                    clamp((green + 0.5) * 62.0 + dither, 0.0, 62.0));
+    return (q.y << 14) | (q.z << 8) | q.x;
 }
 
 vec3 unpackColour(uint packedColour)
 {
     float luma = float(packedColour & 0xFFu) * (1.0 / 254.0);
-    float orange = float((packedColour >> 13) & 0x3Fu) * (1.0 / 62.0) - 0.5;
-    float green = float((packedColour >> 8) & 0x1Fu) * (1.0 / 30.0) - 0.5;
+    float orange = float((packedColour >> 14) & 0x3Fu) * (1.0 / 62.0) - 0.5;
+    float green = float((packedColour >> 8) & 0x3Fu) * (1.0 / 62.0) - 0.5;
     vec3 c = vec3(luma - green + orange, luma + green, luma - green - orange);
     c = max(c, 0.0);
     return c * c;

@@ -1,4 +1,4 @@
-// Adds the hair's area to the voxels of the opacity grid. Each place is moved by up to half a voxel at random (the same
+// Adds the hair's area to the voxels of both opacity grids. Each place is moved by up to half a voxel at random (the same
 // for the same strand), which over many strands is a smooth splat for the price of one. One invocation a strand.
 layout(local_size_x = 64) in;
 
@@ -28,16 +28,20 @@ void main()
     for (int k = 1; k < nodes; ++k) {
         vec3 b = node(slot, k);
         float lengthM = distance(a, b);
-        vec3 from = (gridFromWo * vec4(a, 1.0)).xyz * float(gridSide);
-        vec3 to = (gridFromWo * vec4(b, 1.0)).xyz * float(gridSide);
-        int steps = clamp(int(distance(from, to)) + 1, 1, 8);
+        vec3 from0 = (gridFromWo[0] * vec4(a, 1.0)).xyz * float(gridSide);
+        vec3 to0 = (gridFromWo[0] * vec4(b, 1.0)).xyz * float(gridSide);
+        vec3 from1 = (gridFromWo[1] * vec4(a, 1.0)).xyz * float(gridSide);
+        vec3 to1 = (gridFromWo[1] * vec4(b, 1.0)).xyz * float(gridSide);
+        int steps = clamp(int(max(distance(from0, to0), distance(from1, to1))) + 1, 1, 8);
         uint add = uint(lengthM * weight / float(steps) + 0.5);
         for (int n = 0; n < steps; ++n) {
             uint random = hashOf(slot * 64u + uint(k * 8 + n));
             vec3 jitter = vec3(random & 0x3FFu, (random >> 10) & 0x3FFu, (random >> 20) & 0x3FFu) * (1.0 / 1024.0) - 0.5;
-            ivec3 at = ivec3(floor(mix(from, to, (float(n) + 0.5) / float(steps)) + jitter));
-            if (all(greaterThanEqual(at, ivec3(0))) && all(lessThan(at, ivec3(gridSide))))
-                atomicAdd(voxels[(at.z * gridSide + at.y) * gridSide + at.x], add);
+            float t = (float(n) + 0.5) / float(steps);
+            ivec3 at = clamp(ivec3(mix(from0, to0, t) + jitter), ivec3(0), ivec3(gridSide - 1));
+            atomicAdd(voxels[(at.z * gridSide + at.y) * gridSide + at.x], add);
+            at = clamp(ivec3(mix(from1, to1, t) + jitter), ivec3(0), ivec3(gridSide - 1));
+            atomicAdd(voxels[((gridSide + at.z) * gridSide + at.y) * gridSide + at.x], add);
         }
         a = b;
     }

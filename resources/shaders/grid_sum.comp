@@ -1,4 +1,4 @@
-// Sums each column of the opacity grid away from the light (after deep opacity maps, Yuksel and Keyser 2008, in even
+// Sums each column of an opacity grid away from the light or the eye (after deep opacity maps, Yuksel and Keyser 2008, in even
 // layers), and clears it for the next frame. Out: hair's area over the area it covers. One invocation a column.
 layout(local_size_x = 64) in;
 
@@ -6,6 +6,7 @@ layout(std430, binding = 3) buffer Voxels { uint voxels[]; };
 layout(r32f, binding = 0) writeonly uniform image3D opacity;
 
 uniform int gridSide;
+uniform int firstLayer; // Of this grid in the voxels.
 uniform float unit; // Opacity of one voxel unit.
 
 void main()
@@ -16,7 +17,7 @@ void main()
     ivec2 xy = ivec2(column % gridSide, column / gridSide);
     float sum = 0.0;
     for (int z = 0; z < gridSide; ++z) {
-        int at = (z * gridSide + xy.y) * gridSide + xy.x;
+        int at = ((firstLayer + z) * gridSide + xy.y) * gridSide + xy.x;
         float here = float(voxels[at]) * unit;
         voxels[at] = 0u;
         imageStore(opacity, ivec3(xy, z), vec4(sum + 0.5 * here));

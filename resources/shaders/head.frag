@@ -11,7 +11,7 @@ void main()
     if (dot(n, v) < 0.0 && !gl_FrontFacing)
         n = -n;
     vec3 l = lightWo.xyz;
-    const vec3 albedo = vec3(0.50, 0.455, 0.42);
+    const vec3 albedo = vec3(0.51, 0.455, 0.412);
     float key = clamp(dot(n, l) * 0.75 + 0.25, 0.0, 1.0);
     key *= key;
     vec3 sky = mix(vec3(0.78, 0.72, 0.68), vec3(0.98, 1.0, 1.05), n.y * 0.5 + 0.5);

@@ -4,6 +4,9 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) writeonly buffer Samples { uint samples[]; };
 layout(binding = 0) uniform sampler2D headDepth;
 
+// Hair that lies flat dips into the skin here and there; it is shown all the same.
+const float kSkinDepthM = 0.006;
+
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
@@ -11,5 +14,5 @@ void main()
     if (i >= across * uint(target.y))
         return;
     float depth = texelFetch(headDepth, ivec2(i % across, i / across), 0).x;
-    samples[i] = depth < 1.0 ? (depthKey(linearDepth(depth)) << kDepthShift) | kHeadColour : kEmptySample;
+    samples[i] = depth < 1.0 ? (depthKey(linearDepth(depth) + kSkinDepthM) << kDepthShift) | kHeadColour : kEmptySample;
 }

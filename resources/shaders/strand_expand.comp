@@ -3,20 +3,18 @@
 // In: skeletons, Wo, m. Out: points, Wo, m; w holds the strand's number as bits. One invocation a strand.
 layout(local_size_x = 64) in;
 
-struct Style
-{
-    float lengthM, turns, curlRadiusM, phase;
-    uint rootColour, tipColour;
-    float widthM, detail;
-    uint braid;
-    float braidRadiusM, braidStart, braidTurns;
-    float placeX, placeY, variation;
-    uint tangentHd;
-};
 layout(std430, binding = 0) readonly buffer Strands { uvec2 strands[]; }; // Slot, first point; one more at the end.
 layout(std430, binding = 1) readonly buffer Styles { Style styles[]; };
 layout(std430, binding = 2) readonly buffer Skeletons { float skeletons[]; }; // [slots / 16][nodes][3][16]
 layout(std430, binding = 3) writeonly buffer Points { vec4 pointsWo[]; };
+
+// As in sim/strand_curve.h.
+const float kCurlEaseShare = 0.25;
+const float kBraidEaseTurns = 0.5;
+const float kWispRadiusShare = 0.45;
+const float kTuftShare = 0.12;
+const float kTuftBraidShare = 0.35;
+const float kTuftWispShare = 1.6;
 
 uniform uint firstStrand;
 uniform uint strandCount;
@@ -47,6 +45,19 @@ vec3 perpendicular(vec3 reference, vec3 tangent)
     return normalize(v - tangent * dot(v, tangent));
 }
 
+// Across the braid at share q of it: equation 3 for the wisp, and the hair's place in the wisp; in the end the wisps
+// close up and open into a tuft.
+vec2 braidedOffset(uint slot, uint braid, float q)
+{
+    float turns = styles[slot].braidTurns;
+    float tuft = max(q - (1.0 - kTuftShare), 0.0) / kTuftShare;
+    float r = styles[slot].braidRadiusM * min(q * turns / kBraidEaseTurns, 1.0);
+    float wispRadius = r * kWispRadiusShare * mix(1.0, kTuftWispShare, tuft);
+    float angle = 2.0 * kPi * (turns * q + float((braid >> 8) & 3u) / 3.0);
+    return vec2(cos(angle), sin(2.0 * angle)) * (r * mix(1.0, kTuftBraidShare, tuft))
+           + vec2(styles[slot].placeX, styles[slot].placeY) * wispRadius;
+}
+
 void main()
 {
     uint strand = gl_GlobalInvocationID.x;
@@ -61,7 +72,11 @@ void main()
     float turns = styles[slot].turns;
     float radius = styles[slot].curlRadiusM;
     float phase = styles[slot].phase;
-    vec3 reference = mat3(woFromHd) * unpackDirection(styles[slot].tangentHd);
+    uint braid = styles[slot].braid;
+    float braidStart = styles[slot].braidStart;
+    bool isBraided = (braid & 0xFFu) != 0u && braidStart < 1.0;
+    bool isCurled = turns > 0.0 && radius > 0.0;
+    vec3 rootTangent = mat3(woFromHd) * unpackDirection(styles[slot].tangentHd);
     float inverseSegments = 1.0 / float(segments);
 
     int k = 0;
@@ -71,7 +86,7 @@ void main()
     vec3 p3 = nodes > 2 ? node(slot, 2) : 2.0 * p2 - p1;
     vec3 lastPoint = p1;
     vec3 lastTangent = normalize(p2 - p0);
-    reference = perpendicular(reference, lastTangent);
+    vec3 reference = perpendicular(rootTangent, lastTangent);
     for (int j = 0; j <= segments; ++j) {
         float s = float(j) * inverseSegments;
         float u = s * float(nodes - 1);
@@ -104,11 +119,15 @@ void main()
         lastPoint = point;
         lastTangent = tangent;
 
-        if (turns > 0.0 && radius > 0.0) {
+        if (isBraided && s > braidStart) {
+            vec3 across = perpendicular(rootTangent, tangent);
+            vec2 offset = braidedOffset(slot, braid, (s - braidStart) / (1.0 - braidStart));
+            point += across * offset.x + cross(across, tangent) * offset.y;
+        } else if (isCurled) {
             float angle = phase + 2.0 * kPi * turns * s;
             float c = cos(angle);
             float n = sin(angle);
-            float r = radius * min(1.0, s * 4.0);
+            float r = radius * min(1.0, s / kCurlEaseShare);
             point += r * (c * reference + n * cross(tangent, reference) + c * n * tangent);
         }
         pointsWo[first + uint(j)] = vec4(point, uintBitsToFloat(strand));

@@ -16,7 +16,7 @@ void main()
     uvec4 a = projected[i];
     uvec4 b = projected[i + 1u];
     float distanceA = uintBitsToFloat(a.z);
-    if (a.w == 0xFFFFFFFFu || b.w == 0xFFFFFFFFu || distanceA < 0.0 || max(a.w, b.w) < (256u << 19))
+    if (a.w == 0xFFFFFFFFu || b.w == 0xFFFFFFFFu || distanceA < 0.0 || max(a.w, b.w) < (128u << 20))
         return;
     float distanceB = abs(uintBitsToFloat(b.z));
     vec2 from = uintBitsToFloat(a.xy);
@@ -35,8 +35,8 @@ void main()
     // Walk upward; the values at both ends follow.
     float luma0 = float(a.w & 0xFFu);
     float luma1 = float(b.w & 0xFFu);
-    float width0 = float(a.w >> 19);
-    float width1 = float(b.w >> 19);
+    float width0 = float(a.w >> 20);
+    float width1 = float(b.w >> 20);
     if (from.x > to.x) {
         vec2 swap2 = from;
         from = to;
@@ -55,7 +55,7 @@ void main()
     float acrossStep = (to.y - from.y) * inverse;
     // Line n of the strand's thickness; kept inside the picture in both directions.
     float offset = float(gl_GlobalInvocationID.y);
-    float thick = floor(max(width0, width1) * (1.0 / 256.0));
+    float thick = floor(max(width0, width1) * (1.0 / 128.0));
     if (offset >= thick)
         return;
     from.y += offset - 0.5 * (thick - 1.0);
@@ -75,7 +75,7 @@ void main()
     float luma = luma0 + t * lumaStep + 0.5;
     float widthStep = (width1 - width0) * inverse;
     // The strand ends where it is too thin for this line of samples.
-    float least = (offset + 1.0) * 256.0;
+    float least = (offset + 1.0) * 128.0;
     if (abs(widthStep) > 1e-9) {
         float cut = from.x + (least - width0) / widthStep;
         if (widthStep < 0.0)
@@ -88,7 +88,7 @@ void main()
     across = clamp(from.y + t * acrossStep, 0.0, size.y - 0.01);
     key = clamp((distanceA - depthRange.x) * depthRange.y + t * keyStep, 0.0, kDepthKeys - 1.0);
     luma = luma0 + t * lumaStep + 0.5;
-    uint chroma = a.w & 0x7FF00u;
+    uint chroma = a.w & 0xFFF00u;
     int row = begin * strideMain;
     for (int x = begin; x < end; ++x) {
         uint value = (uint(max(key, 0.0)) << kDepthShift) | chroma | uint(luma);

@@ -4,22 +4,14 @@
 // strand's own number, so that thin hair neither flickers nor turns to dust. One invocation a point.
 layout(local_size_x = 64) in;
 
-struct Style
-{
-    float lengthM, turns, curlRadiusM, phase;
-    uint rootColour, tipColour;
-    float widthM, detail;
-    uint braid;
-    float braidRadiusM, braidStart, braidTurns;
-    float placeX, placeY, variation;
-    uint tangentHd;
-};
 layout(std430, binding = 0) readonly buffer Strands { uvec2 strands[]; };
 layout(std430, binding = 1) readonly buffer Styles { Style styles[]; };
 layout(std430, binding = 2) readonly buffer Points { vec4 pointsWo[]; };
-// x, y in Sp; distance, negative at a strand's last point; colour in 19 bits, width in samples / 256 in 13.
+// x, y in Sp; distance, negative at a strand's last point; colour in 20 bits, width in samples / 128 in 12.
 layout(std430, binding = 3) writeonly buffer Projected { uvec4 projected[]; };
-layout(binding = 0) uniform sampler3D opacity; // Area of hair between the light and a place over the area it covers.
+// Area of hair between a place and the light, the eye, over the area it covers.
+layout(binding = 0) uniform sampler3D opacityToLight;
+layout(binding = 1) uniform sampler3D opacityToEye;
 
 uniform uint firstStrand;
 uniform uint pointCount;
@@ -65,7 +57,7 @@ void main()
     float slant = length(steep) / max(max(steep.x, steep.y), 1e-12);
     uint random = hashOf(slot * 2654435761u + 12345u);
     float alpha = mix(material.z, material.w, s * s);
-    float width = max(styles[slot].widthM * gridSize.w / clip.w, leastWidth) * widening * alpha;
+    float width = max(styles[slot].widthM * gridSize.z / clip.w, leastWidth) * widening * alpha;
     width = min(width, greatestWidth) * min(slant, 1.42) + float(random & 0xFFFFu) * (1.0 / 65536.0);
 
     vec3 view = normalize(eyeWo.xyz - position);
@@ -74,41 +66,41 @@ void main()
     vec3 hair = mix(colourFromBytes(styles[slot].rootColour), colourFromBytes(styles[slot].tipColour), s);
     hair *= exp2(variation * 1.8);
 
-    // Light that reaches this place through the other hair.
-    vec3 gridPlace = (gridFromWo * vec4(position, 1.0)).xyz;
-    float above = texture(opacity, gridPlace).x;
-    float direct = exp2(-above * 0.55);
-    float around = exp2(-above * 0.16);
+    // Light that reaches this place through the other hair: from the light, and from all around on the eye's side.
+    float direct = exp2(-0.40 * texture(opacityToLight, (gridFromWo[0] * vec4(position, 1.0)).xyz).x);
+    float around = exp2(-0.30 * texture(opacityToEye, (gridFromWo[1] * vec4(position, 1.0)).xyz).x);
 
     vec3 outward = position - headWo.xyz;
     outward = outward * inversesqrt(dot(outward, outward) + 1e-8);
     float facing = dot(outward, light);
-    float hemisphere = 0.6 + 0.4 * outward.y;
+    float hemisphere = 0.75 + 0.35 * outward.y;
 
     float tl = dot(tangent, light);
     float tv = dot(tangent, view);
     float sl = sqrt(max(1.0 - tl * tl, 0.0));
-    float sv = sqrt(max(1.0 - tv * tv, 0.0));
     // Only the part of the coat that faces the light; softly, since light scatters round.
-    float wrap = clamp(facing * 0.6 + 0.4, 0.0, 1.0);
-    float diffuse = mix(sl, clamp(facing * 0.5 + 0.5, 0.0, 1.0), 0.4) * wrap;
+    float wrap = clamp(facing * 0.62 + 0.38, 0.0, 1.0);
+    float diffuse = (0.35 + 0.65 * sl) * wrap * wrap;
+    // A dim fill from the eye shows the hair's form where the light does not reach.
+    float fill = 0.35 * sqrt(max(1.0 - tv * tv, 0.0));
 
-    float roughness = material.y;
+    // Two highlights: one in the light's colour moved toward the root, a wider one in the hair's toward the tip.
+    float width2 = 0.012 + 0.35 * material.y * material.y;
     float sum = tl + tv;
-    float narrow = 1.0 / (0.04 + 0.55 * roughness * roughness);
-    float a = sum + 0.10; // Toward the root.
-    float b = sum - 0.22 + variation;
-    float first1 = exp2(-a * a * narrow * 4.0);
-    float second = exp2(-b * b * narrow);
-    float lobe = material.x * wrap * sl;
+    float a = sum - 0.07 + 0.05 * variation;
+    float b = sum + 0.16 + 0.25 * variation;
+    float first1 = exp2(-a * a / width2);
+    float second = exp2(-b * b / (width2 * 3.0));
+    float lobe = material.x * wrap * sl * direct;
 
-    vec3 lit = hair * (diffuse * 1.15 * direct * lightColour.rgb + lightWo.w * hemisphere * around);
-    lit += lobe * direct * lightColour.rgb * (first1 * 0.22 + second * 1.3 * hair);
-    lit = lit / (1.0 + 0.25 * max(lit.r, max(lit.g, lit.b)));
+    // Light bounces from hair to hair: fair hair brightens more than dark.
+    vec3 lit = hair * (diffuse * 2.3 * direct * lightColour.rgb + lightWo.w * (hemisphere + fill) * 1.7 * around);
+    lit += lobe * lightColour.rgb * (first1 * vec3(0.16) + second * 0.9 * sqrt(hair) * hair);
+    lit = lit / (1.0 + 0.35 * max(lit.r, max(lit.g, lit.b)));
 
-    uint colour = packColour(lit, float(random >> 16) * (1.0 / 65536.0));
-    uint widthBits = uint(clamp(width * 256.0, 0.0, 8190.0));
+    uint colour = packColour(lit, unitHash(slot * 257u + (i - first)));
+    uint widthBits = uint(clamp(width * 128.0, 0.0, 4094.0));
     float distanceM = i == last ? -clip.w : clip.w;
     projected[i] = uvec4(floatBitsToUint(placeSp.x), floatBitsToUint(placeSp.y), floatBitsToUint(distanceM),
-                         colour | (widthBits << 19));
+                         colour | (widthBits << 20));
 }

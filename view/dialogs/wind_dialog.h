@@ -5,8 +5,6 @@
 
 #include <QDialog>
 
-#include <functional>
-
 class QCheckBox;
 
 namespace hairpaint::view {
@@ -22,15 +20,11 @@ public:
     explicit WindDialog(EditorState& state, QWidget* parent = nullptr);
 
 private:
-    using Edit = std::function<void(sim::Wind&)>;
-    [[nodiscard]] BarSlider* makeSlider(const QString& label, double minimum, double maximum, int decimals,
-                                        const QString& unit);
-    void bind(BarSlider& slider, const Edit& edit);
-    [[nodiscard]] bool editing() const;
     void follow();
-    void preview(const Edit& edit);
-    void commit(const Edit& edit);
+    void preview();
+    void commit();
     void revert();
+    [[nodiscard]] sim::Wind shown() const;
 
     EditorState& m_state;
     QCheckBox* m_enabled = nullptr;
@@ -40,6 +34,7 @@ private:
     BarSlider* m_strength = nullptr;
     BarSlider* m_gustiness = nullptr;
     BarSlider* m_turbulence = nullptr;
+    bool m_filling = false;
 };
 
 } // namespace hairpaint::view

@@ -5,8 +5,7 @@
 
 #include <QWidget>
 
-#include <functional>
-
+class QComboBox;
 class QLabel;
 class QToolButton;
 
@@ -14,6 +13,8 @@ namespace hairpaint::view {
 
 class BarSlider;
 class MapBadge;
+class ValuePalette;
+class ValuePair;
 
 /// 40 px high. Shows exactly the active tool's options.
 class OptionBar : public QWidget
@@ -23,9 +24,6 @@ public:
     explicit OptionBar(EditorState& state, QWidget* parent = nullptr);
     /// Opens the value palette under its button, as the picker's key may.
     void showPalette();
-
-protected:
-    void changeEvent(QEvent* event) override;
 
 private:
     void buildValue();
@@ -53,6 +51,7 @@ private:
     QWidget* m_gradientBox = nullptr;
     std::vector<QToolButton*> m_shapes;
     std::vector<QToolButton*> m_gradients;
+    QWidget* m_popup = nullptr;
 };
 
 } // namespace hairpaint::view

@@ -5,13 +5,13 @@
 
 #include <QWidget>
 
-class QAction;
+class QButtonGroup;
 class QToolButton;
 class QVBoxLayout;
 
 namespace hairpaint::view {
 
-/// 44 px wide. One checkable button a tool, below them the value pair; at the foot the actions of addFootAction.
+/// 44 px wide. One checkable button a tool, below them the value pair, at the foot the actions given by addAction.
 class ToolBar : public QWidget
 {
     Q_OBJECT

@@ -21,15 +21,14 @@ struct Box
     [[nodiscard]] bool empty() const { return low.x > high.x; }
 };
 
-/// Bounds of the hair in the light's frame, from some of its blocks: the grid and the depth keys only need to be near.
-Box hairBounds(const sim::StrandFrame& frame, const glm::mat3& lightFromWo)
+/// Bounds of the hair in two frames, from some of its blocks: grids and depth keys only need to be near.
+std::array<Box, 2> hairBounds(const sim::StrandFrame& frame, const std::array<glm::mat3, 2>& gridAxesFromWo)
 {
-    Box box;
+    std::array<Box, 2> boxes;
     for (const sim::GroupFrame& group : frame.groups) {
         if (!group.groom || !group.groom->visible)
             continue;
-        const sim::Groom& groom = *group.groom;
-        const auto nodes = static_cast<std::size_t>(groom.nodes);
+        const auto nodes = static_cast<std::size_t>(group.groom->nodes);
         const std::size_t blockFloats = nodes * 3 * sim::kLanes;
         const std::size_t blocks = group.positions.size() / blockFloats;
         const std::size_t step = std::max<std::size_t>(1, blocks / 512);
@@ -39,10 +38,11 @@ Box hairBounds(const sim::StrandFrame& frame, const glm::mat3& lightFromWo)
                     const float* p = group.positions.data() + block * blockFloats + node * 3 * sim::kLanes + lane;
                     const glm::vec3 wo(p[0], p[sim::kLanes], p[2 * sim::kLanes]);
                     if (wo != glm::vec3(0.0F))
-                        box.add(lightFromWo * wo);
+                        for (std::size_t grid = 0; grid < boxes.size(); ++grid)
+                            boxes[grid].add(gridAxesFromWo[grid] * wo);
                 }
     }
-    return box;
+    return boxes;
 }
 
 /// Rounds a box outward to whole steps, so that it rests while the hair moves.
@@ -52,9 +52,10 @@ void settle(Box& box, float stepM)
     box.high = glm::ceil(box.high / stepM + 0.2F) * stepM;
 }
 
-glm::mat3 lightFrame(glm::vec3 towardLightWo)
+/// Axes with z along `away`, as rows.
+glm::mat3 axesAlong(glm::vec3 away)
 {
-    const glm::vec3 z = -glm::normalize(towardLightWo);
+    const glm::vec3 z = glm::normalize(away);
     const glm::vec3 x = glm::normalize(glm::cross(std::abs(z.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0), z));
     return glm::transpose(glm::mat3(x, glm::cross(z, x), z));
 }
@@ -90,32 +91,31 @@ FrameConstants frameConstants(const Scene& scene, const Target& target)
     c.lightColour = glm::vec4(scene.light.colour, 0.0F);
     c.headWo = c.woFromHd * glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
 
-    const glm::mat3 lightFromWo = lightFrame(light);
-    Box box;
+    const std::array<glm::mat3, 2> axes{axesAlong(-light), axesAlong(scene.camera.targetWo - glm::vec3(c.eyeWo))};
+    std::array<Box, 2> boxes;
     if (scene.hair)
-        box = hairBounds(*scene.hair, lightFromWo);
-    if (box.empty())
-        box.add(lightFromWo * glm::vec3(c.headWo));
-    settle(box, 0.02F);
-    const glm::vec3 extent = box.high - box.low;
-    c.gridFromWo =
-        glm::scale(glm::mat4(1.0F), 1.0F / extent) * glm::translate(glm::mat4(1.0F), -box.low) * glm::mat4(lightFromWo);
-    const float side = static_cast<float>(kGridSide);
-    const float projectionScale = scene.camera.projection(aspect)[1][1];
-    c.gridSize = glm::vec4(extent.x, extent.y, extent.x * extent.y / (side * side),
-                           0.5F * projectionScale * static_cast<float>(target.height * target.samples.y));
+        boxes = hairBounds(*scene.hair, axes);
+    for (std::size_t grid = 0; grid < boxes.size(); ++grid) {
+        Box& box = boxes[grid];
+        if (box.empty())
+            box.add(axes[grid] * glm::vec3(c.headWo));
+        settle(box, 0.02F);
+        const glm::vec3 extent = box.high - box.low;
+        c.gridFromWo[grid] = glm::scale(glm::mat4(1.0F), 1.0F / extent) * glm::translate(glm::mat4(1.0F), -box.low) *
+                             glm::mat4(axes[grid]);
+        c.gridSize[static_cast<int>(grid)] = extent.x * extent.y / static_cast<float>(kGridSide * kGridSide);
+    }
+    c.gridSize.z = 0.5F * projection[1][1] * static_cast<float>(target.height * target.samples.y);
 
     // Depth keys reach over a ball around hair and head.
-    const glm::vec3 middle = glm::transpose(lightFromWo) * (0.5F * (box.low + box.high));
+    const glm::vec3 middle = glm::transpose(axes[0]) * (0.5F * (boxes[0].low + boxes[0].high));
     constexpr float headRadiusM = 0.22F;
-    const float radius = std::max(0.5F * glm::length(extent), glm::distance(middle, glm::vec3(c.headWo)) + headRadiusM);
+    const float radius = std::max(0.5F * glm::length(boxes[0].high - boxes[0].low),
+                                  glm::distance(middle, glm::vec3(c.headWo)) + headRadiusM);
     const float middleDistance = -(view * glm::vec4(middle, 1.0F)).z;
     const float nearest = std::max(middleDistance - radius, 0.005F);
-    const float keys = 8191.0F / std::max(middleDistance + radius - nearest, 0.01F);
-    const float c0 = projection[3][2] / 1.0F;
-    // ndc = (P22 * z + P32) / -z with z = -distance, so distance = -P32 / (-P22 - ndc) ... solved for common.glsl's
-    // form.
-    c.depthRange = glm::vec4(nearest, keys, -c0, -projection[2][2]);
+    const float keys = 4095.0F / std::max(middleDistance + radius - nearest, 0.01F);
+    c.depthRange = glm::vec4(nearest, keys, -projection[3][2], -projection[2][2]);
 
     c.target = glm::vec4(target.width * target.samples.x, target.height * target.samples.y, target.samples);
     const glm::vec3 background = srgbFromLinear(scene.background);

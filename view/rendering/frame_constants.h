@@ -13,7 +13,7 @@ struct FrameConstants
     glm::mat4 projectionFromWo;
     glm::mat4 woFromProjection;
     glm::mat4 woFromHd;
-    glm::mat4 gridFromWo;
+    std::array<glm::mat4, 2> gridFromWo;
     glm::vec4 eyeWo;
     glm::vec4 lightWo;
     glm::vec4 lightColour;

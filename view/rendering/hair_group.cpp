@@ -62,9 +62,12 @@ std::size_t HairGroup::uploadStyles()
         m_uploaded[place] = chunk;
         styles = chunk->styles;
         for (std::size_t slot = 0; slot < styles.size(); ++slot) {
-            const std::size_t candidate = c * sim::kChunkSlots + slot;
-            if (m_roots && candidate < m_roots->tangentHd.size())
-                styles[slot].reserved = std::bit_cast<float>(packDirection(m_roots->tangentHd[candidate]));
+            // All hairs of a braid are turned as its centre is.
+            const std::uint32_t centre = chunk->braidCentre[slot];
+            const std::size_t root =
+                centre == sim::kNoCentre ? c * sim::kChunkSlots + slot : m_roots->basisSlot[centre];
+            if (root < m_roots->tangentHd.size())
+                styles[slot].reserved = std::bit_cast<float>(packDirection(m_roots->tangentHd[root]));
         }
         m_styles.write(place * chunkBytes, styles.data(), chunkBytes);
         bytes += chunkBytes;

@@ -16,7 +16,8 @@ int curveSegments(const sim::StrandStyle& style)
     if (style.curlRadiusM > 0.0F)
         segments = style.turns * kPointsPerTurn;
     if ((style.braid & 0xFFU) != 0)
-        segments = std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn + 8.0F);
+        segments =
+            std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F));
     return std::clamp(static_cast<int>(std::ceil(segments)), 0, kMostSegments);
 }
 

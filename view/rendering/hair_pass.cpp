@@ -37,9 +37,10 @@ tl::expected<std::unique_ptr<HairPass>, std::string> HairPass::create()
             return tl::unexpected(program.error());
         (*pass).*member = std::move(*program);
     }
-    const std::vector<std::uint32_t> empty(static_cast<std::size_t>(kGridSide) * kGridSide * kGridSide, 0U);
+    const std::vector<std::uint32_t> empty(2U * kGridSide * kGridSide * kGridSide, 0U);
     pass->m_voxels.assign(empty.data(), empty.size() * sizeof(std::uint32_t));
-    pass->m_opacity.resize3D(GL_R32F, kGridSide);
+    for (Texture& opacity : pass->m_opacity)
+        opacity.resize3D(GL_R32F, kGridSide);
     return pass;
 }
 
@@ -81,6 +82,12 @@ void HairPass::draw(const FrameConstants& constants, float detail, const Buffer&
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
+void HairPass::bindOpacity(unsigned lightUnit, unsigned eyeUnit) const
+{
+    m_opacity[0].bind(lightUnit);
+    m_opacity[1].bind(eyeUnit);
+}
+
 void HairPass::fillGrid(const FrameConstants& constants, float detail)
 {
     m_voxels.bindStorage(3);
@@ -100,9 +107,12 @@ void HairPass::fillGrid(const FrameConstants& constants, float detail)
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     m_sum.use();
     m_sum.set("gridSide", kGridSide);
-    m_sum.set("unit", kVoxelUnitM2 / constants.gridSize.z);
-    glBindImageTexture(0, m_opacity.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
-    dispatch(static_cast<std::size_t>(kGridSide) * kGridSide);
+    for (int grid = 0; grid < 2; ++grid) {
+        m_sum.set("firstLayer", grid * kGridSide);
+        m_sum.set("unit", kVoxelUnitM2 / constants.gridSize[grid]);
+        glBindImageTexture(0, m_opacity.at(static_cast<std::size_t>(grid)).id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
+        dispatch(static_cast<std::size_t>(kGridSide) * kGridSide);
+    }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -114,9 +124,9 @@ void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants
         mostPoints = std::max(mostPoints, batch.pointCount);
     m_points.reserve(mostPoints * sizeof(glm::vec4));
     m_projected.reserve(mostPoints * sizeof(glm::uvec4));
-    m_opacity.bind(0);
+    bindOpacity(0, 1);
 
-    const float thickest = std::max(settings.hairWidthM * constants.gridSize.w / constants.depthRange.x, kLeastWidth) /
+    const float thickest = std::max(settings.hairWidthM * constants.gridSize.z / constants.depthRange.x, kLeastWidth) /
                            detail * std::max(settings.material.rootAlpha, settings.material.tipAlpha);
     const auto rows = static_cast<unsigned>(std::min(thickest, kGreatestWidth) * 1.42F) + 1U;
 

@@ -5,6 +5,7 @@
 #include "view/rendering/gl_objects.h"
 #include "view/rendering/hair_group.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -28,6 +29,9 @@ public:
     /// already hold the head's depth.
     void draw(const FrameConstants& constants, float detail, const Buffer& samples);
 
+    /// Binds the opacity grids of the last draw to two texture units.
+    void bindOpacity(unsigned lightUnit, unsigned eyeUnit) const;
+
     /// The points of the last batch drawn, Wo, xyz and the strand's number. For tests.
     [[nodiscard]] const Buffer& points() const { return m_points; }
 
@@ -44,7 +48,7 @@ private:
     Buffer m_points;
     Buffer m_projected;
     Buffer m_voxels;
-    Texture m_opacity;
+    std::array<Texture, 2> m_opacity;  ///< Toward the light, the eye.
     std::map<int, HairGroup> m_groups; ///< By the group's id.
     std::vector<int> m_visible;        ///< Ids, in the frame's order.
 };

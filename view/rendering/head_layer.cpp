@@ -14,7 +14,7 @@ struct Vertex
 /// The part of the constants that the head's picture depends on.
 FrameConstants partOfHead(FrameConstants constants)
 {
-    constants.gridFromWo = glm::mat4(0.0F);
+    constants.gridFromWo = {};
     constants.depthRange = glm::vec4(0.0F);
     constants.gridSize = glm::vec4(0.0F);
     constants.background = {};
@@ -81,6 +81,7 @@ bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head, const Fra
     if (!head || m_indexCount == 0)
         return true;
     glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
     m_program.use();
     glBindVertexArray(m_vertexArray.id());
     glDrawElements(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_INT, nullptr);

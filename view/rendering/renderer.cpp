@@ -114,7 +114,10 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     glViewport(0, 0, state.width, state.height);
     state.samples.bindStorage(0);
     state.head->bind(0, 1);
-    state.resolve[static_cast<std::size_t>(target.samples.x * target.samples.y / 2)].use();
+    state.hair->bindOpacity(2, 3);
+    const Program& resolve = state.resolve.at(static_cast<std::size_t>(target.samples.x * target.samples.y / 2));
+    resolve.use();
+    resolve.set("shaded", report.hairs > 0 ? 1 : 0);
     glBindVertexArray(state.noVertices.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glFinish();

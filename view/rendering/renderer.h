@@ -15,9 +15,9 @@ namespace hairpaint::rendering {
 /// How much is drawn.
 struct Quality
 {
-    float detail = 1.0F;    ///< 0..1: share of the hairs; those drawn are widened so that coverage stays the same.
-    int samples = 4;        ///< 1, 2, 4: multisampling of the renderer's own targets.
-    int smoothSegments = 8; ///< Segments of a straight hair.
+    float detail = 1.0F;     ///< 0..1: share of the hairs; those drawn are widened so that coverage stays the same.
+    int samples = 4;         ///< 1, 2, 4: multisampling of the renderer's own targets.
+    int smoothSegments = 16; ///< Segments of a straight hair.
 };
 
 struct FrameStatistics
