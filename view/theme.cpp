@@ -1,7 +1,12 @@
-// Colours of the two themes.
+// Colours of the two themes, and the look of the whole program.
 #include "view/theme.h"
 
+#include "view/resources.h"
+
+#include <QApplication>
 #include <QFile>
+#include <QFontDatabase>
+#include <QStyleFactory>
 
 namespace hairpaint::view {
 
@@ -28,6 +33,12 @@ Theme Theme::of(ThemeKind kind)
             .accent = QColor(0xE3, 0xA8, 0x57),
             .onAccent = QColor(0x1B, 0x1C, 0x1E),
             .error = QColor(0xE5, 0x73, 0x6B)};
+}
+
+Theme Theme::current()
+{
+    return of(QGuiApplication::palette().color(QPalette::Window).lightness() < 128 ? ThemeKind::Dark
+                                                                                   : ThemeKind::Light);
 }
 
 QPalette Theme::palette() const
@@ -60,12 +71,47 @@ QString Theme::styleSheet() const
     if (!file.open(QIODevice::ReadOnly))
         return {};
     QString sheet = QString::fromUtf8(file.readAll());
+    const QString folder = kind == ThemeKind::Light ? QStringLiteral("light") : QStringLiteral("dark");
+    sheet.replace(QStringLiteral("@theme;"), folder);
     const std::pair<const char*, QColor> colours[] = {
         {"@window", window},   {"@panel", panel},   {"@raised", raised},     {"@line", line},  {"@text", text},
         {"@dimText", dimText}, {"@accent", accent}, {"@onAccent", onAccent}, {"@error", error}};
     for (const auto& [name, colour] : colours)
         sheet.replace(QLatin1String(name) + QLatin1Char(';'), colour.name() + QLatin1Char(';'));
     return sheet;
+}
+
+QFont themeFont(TextRole role)
+{
+    static const bool hasInter = QFontDatabase::hasFamily(QStringLiteral("Inter"));
+    QFont font = hasInter ? QFont(QStringLiteral("Inter")) : QFontDatabase::systemFont(QFontDatabase::GeneralFont);
+    font.setStyleHint(QFont::SansSerif);
+    switch (role) {
+    case TextRole::Body:
+        font.setPixelSize(13);
+        break;
+    case TextRole::Label:
+        font.setPixelSize(12);
+        break;
+    case TextRole::Status:
+        font.setPixelSize(11);
+        break;
+    case TextRole::Title:
+        font.setPixelSize(15);
+        font.setWeight(QFont::DemiBold);
+        break;
+    }
+    return font;
+}
+
+void applyTheme(QApplication& application, ThemeKind kind)
+{
+    initResources();
+    const Theme theme = Theme::of(kind);
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setFont(themeFont(TextRole::Body));
+    QApplication::setPalette(theme.palette());
+    application.setStyleSheet(theme.styleSheet());
 }
 
 } // namespace hairpaint::view

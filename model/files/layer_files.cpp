@@ -3,11 +3,14 @@
 
 #include "model/files/group_json.h"
 #include "model/files/png_codec.h"
+#include "sim/parallel.h"
 
 #include <QBuffer>
 #include <QImageReader>
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -62,32 +65,76 @@ Checked<void> checkBudget(const ArchiveReader& archive, const std::vector<Place>
     return {};
 }
 
-/// Decoded images by their bytes, so that the many equal ones (empty layers) are decoded once.
-class ImagePool
+/// How many images of this size are worked on at once: large ones would take too much memory together.
+std::size_t batchOf(int size)
 {
-public:
-    Checked<sim::TiledRaster> take(const QByteArray& png, const MapSpec& spec, int size, EncodedLayers& cache)
-    {
-        const Key key{png, spec.texel};
-        const auto known = m_rasters.find(key);
-        if (known != m_rasters.end())
-            return known->second;
-        Checked<DecodedLayer> layer = decodeLayer(png, spec, size);
-        if (!layer)
-            return tl::unexpected(layer.error());
-        m_heldBytes += layer->raster.byteCount();
-        if (m_heldBytes > kMostHeldBytes)
-            return tooMuch();
-        if (layer->ours)
-            cache.insert(layer->raster, png);
-        return m_rasters.emplace(key, layer->raster).first->second;
-    }
+    constexpr int kLargestTogether = 2048;
+    return size > kLargestTogether ? 1 : static_cast<std::size_t>(sim::threadCount());
+}
 
-private:
-    using Key = std::pair<QByteArray, TexelKind>;
-    std::map<Key, sim::TiledRaster> m_rasters;
-    std::size_t m_heldBytes = 0;
+/// Runs `work` over all items, several at once, and asks `progress` between. False where cancelled.
+template<typename Item>
+bool inBatches(std::vector<Item>& items, const Progress& progress, const std::function<void(Item&)>& work)
+{
+    for (std::size_t done = 0; done < items.size();) {
+        if (progress && !progress(static_cast<double>(done) / static_cast<double>(items.size())))
+            return false;
+        const std::size_t count = std::min(items.size() - done, batchOf(items[done].size));
+        sim::parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                work(items[done + i]);
+        });
+        done += count;
+    }
+    return true;
+}
+
+/// A raster that several layers may have, and its bytes.
+struct Encoding
+{
+    sim::TiledRaster raster;
+    int size = 0;
+    QByteArray png;
 };
+
+/// An image that several layers may have. Equal checksums alone don't make images equal.
+struct Decoding
+{
+    QByteArray png;
+    const MapSpec* spec = nullptr;
+    int size = 0;
+    std::vector<Layer*> layers;
+    Checked<DecodedLayer> result = refuse({});
+};
+
+/// Every image once, with the layers it is for.
+Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const std::vector<Place>& places)
+{
+    std::vector<Decoding> images;
+    std::multimap<quint32, std::size_t> byChecksum;
+    for (const Place& place : places) {
+        const int size = place.stack->size;
+        if (place.layer->raster.size() == size)
+            continue; // stands for a map that the file lacks
+        Checked<QByteArray> png = archive.read(place.entry, mostLayerBytes(size));
+        if (!png)
+            return tl::unexpected(png.error());
+        const MapSpec& spec = mapSpec(place.stack->kind);
+        const quint32 checksum = archive.checksum(place.entry);
+        const auto [first, last] = byChecksum.equal_range(checksum);
+        const auto known = std::find_if(first, last, [&](const auto& candidate) {
+            const Decoding& image = images[candidate.second];
+            return image.size == size && image.spec->texel == spec.texel && image.png == *png;
+        });
+        if (known != last) {
+            images[known->second].layers.push_back(place.layer);
+            continue;
+        }
+        byChecksum.emplace(checksum, images.size());
+        images.push_back({.png = std::move(*png), .spec = &spec, .size = size, .layers = {place.layer}});
+    }
+    return images;
+}
 
 } // namespace
 
@@ -114,25 +161,31 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
 {
     std::vector<HairGroup> copies = groups; // shares every tile
     const std::vector<Place> places = placesOf(copies);
+    std::vector<Encoding> missing;
+    EncodedLayers seen;
     std::size_t heldBytes = 0;
     qint64 texels = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (progress && !progress(static_cast<double>(i) / static_cast<double>(places.size())))
-            return false;
-        const sim::TiledRaster& raster = places[i].layer->raster;
-        std::optional<QByteArray> bytes = cache.find(raster);
-        if (!bytes) {
-            bytes = encodeLayer(raster);
-            if (bytes->isEmpty())
-                return refuse(say(QT_TRANSLATE_NOOP("Files", "there is not enough memory to encode its maps")));
-            cache.insert(raster, *bytes);
-        }
+    for (const Place& place : places) {
+        const sim::TiledRaster& raster = place.layer->raster;
         heldBytes += raster.byteCount();
         texels += qint64{raster.size()} * raster.size();
-        if (texels > kMostTexels || heldBytes > kMostHeldBytes)
-            return tooMuch();
-        archive.add(places[i].entry.toLatin1(), *bytes, ArchiveWriter::Method::Stored);
+        if (cache.find(raster) || seen.find(raster))
+            continue;
+        seen.insert(raster, {});
+        missing.push_back({.raster = raster, .size = raster.size(), .png = {}});
     }
+    if (texels > kMostTexels || heldBytes > kMostHeldBytes)
+        return tooMuch();
+    if (!inBatches<Encoding>(missing, progress, [](Encoding& one) { one.png = encodeLayer(one.raster); }))
+        return false;
+    for (const Encoding& one : missing) {
+        if (one.png.isEmpty())
+            return refuse(say(QT_TRANSLATE_NOOP("Files", "there is not enough memory to encode its maps")));
+        cache.insert(one.raster, one.png);
+    }
+    for (const Place& place : places)
+        archive.add(place.entry.toLatin1(), cache.find(place.layer->raster).value_or(QByteArray()),
+                    ArchiveWriter::Method::Stored);
     cache.dropUnused();
     return true;
 }
@@ -143,20 +196,25 @@ Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& g
     const std::vector<Place> places = placesOf(groups);
     if (Checked<void> budget = checkBudget(archive, places); !budget)
         return tl::unexpected(budget.error());
-    ImagePool pool;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (progress && !progress(static_cast<double>(i) / static_cast<double>(places.size())))
-            return false;
-        const Place& place = places[i];
-        if (place.layer->raster.size() == place.stack->size)
-            continue; // stands for a map that the file lacks
-        const Checked<QByteArray> png = archive.read(place.entry, mostLayerBytes(place.stack->size));
-        if (!png)
-            return tl::unexpected(png.error());
-        Checked<sim::TiledRaster> raster = pool.take(*png, mapSpec(place.stack->kind), place.stack->size, cache);
-        if (!raster)
-            return tl::unexpected(raster.error());
-        place.layer->raster = std::move(*raster);
+    Checked<std::vector<Decoding>> images = collectImages(archive, places);
+    if (!images)
+        return tl::unexpected(images.error());
+    std::atomic<std::size_t> heldBytes = 0;
+    const bool finished = inBatches<Decoding>(*images, progress, [&heldBytes](Decoding& image) {
+        image.result = heldBytes > kMostHeldBytes ? Checked<DecodedLayer>(tooMuch())
+                                                  : decodeLayer(image.png, *image.spec, image.size);
+        if (image.result)
+            heldBytes += image.result->raster.byteCount();
+    });
+    if (!finished)
+        return false;
+    for (const Decoding& image : *images) {
+        if (!image.result)
+            return tl::unexpected(image.result.error());
+        for (Layer* layer : image.layers)
+            layer->raster = image.result->raster;
+        if (image.result->ours)
+            cache.insert(image.result->raster, image.png);
     }
     return true;
 }

@@ -72,6 +72,7 @@ Checked<CheckedPng> checkPng(const QByteArray& png, int size)
     checked.bytes.append(png.constData(), 8);
     qsizetype at = 8;
     bool sawHeader = false;
+    bool sawPixels = false;
     while (at + 12 <= png.size()) {
         const char* chunk = png.constData() + at;
         const auto length = qFromBigEndian<quint32>(chunk);
@@ -82,13 +83,15 @@ Checked<CheckedPng> checkPng(const QByteArray& png, int size)
             return brokenImage();
         const bool header = type == QByteArrayView("IHDR");
         const bool end = type == QByteArrayView("IEND");
-        if (header == sawHeader)
+        const bool pixels = type == QByteArrayView("IDAT");
+        if (header == sawHeader || (end && !sawPixels))
             return brokenImage();
+        sawPixels = sawPixels || pixels;
         if (header && !acceptableHeader(chunk + 8, length, size))
             return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not %1 x %1 in 16-bit RGBA")).arg(size));
         sawHeader = true;
         const bool ancillary = (static_cast<unsigned char>(chunk[4]) & 0x20U) != 0;
-        if (header || end || type == QByteArrayView("IDAT"))
+        if (header || end || pixels)
             checked.bytes.append(chunk, static_cast<qsizetype>(length) + 12);
         else if (!ancillary && type != QByteArrayView("PLTE"))
             return brokenImage();

@@ -8,6 +8,8 @@
 
 class QComboBox;
 class QDialogButtonBox;
+class QFormLayout;
+class QHBoxLayout;
 class QLabel;
 
 namespace hairpaint::view {
@@ -30,6 +32,10 @@ public:
     [[nodiscard]] static QString refusal(const sim::HeadMesh& source, const QString& fileName);
 
 private:
+    [[nodiscard]] QFormLayout* buildForm();
+    [[nodiscard]] QHBoxLayout* buildRemark();
+    void guess();
+    [[nodiscard]] double sourceHeight() const; ///< Along the chosen axis, in the source's units.
     void follow();
 
     sim::HeadMesh m_source;
@@ -38,6 +44,7 @@ private:
     QComboBox* m_axis = nullptr;
     BarSlider* m_height = nullptr;
     QLabel* m_remark = nullptr;
+    QLabel* m_remarkIcon = nullptr;
     MeshSilhouette* m_silhouette = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
     double m_ownScale = 0.0; ///< Metres per unit, when the height was set by hand.

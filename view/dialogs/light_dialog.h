@@ -5,6 +5,10 @@
 
 #include <QDialog>
 
+#include <functional>
+
+class QVBoxLayout;
+
 namespace hairpaint::view {
 
 class BarSlider;
@@ -19,15 +23,21 @@ public:
     explicit LightDialog(EditorState& state, QWidget* parent = nullptr);
 
 private:
+    using Edit = std::function<void(model::LightSettings&)>;
+    [[nodiscard]] BarSlider* addSlider(const QString& label, double minimum, double maximum, const QString& unit,
+                                       double standard);
+    void bind(BarSlider& slider, const Edit& edit);
+    void buildSliders();
+    void buildColours();
     void follow();
-    void preview();
-    void commit();
+    void preview(const Edit& edit);
+    void commit(const Edit& edit);
     void revert();
     void chooseColour();
     void chooseBackground();
-    [[nodiscard]] model::LightSettings shown() const;
 
     EditorState& m_state;
+    QVBoxLayout* m_column = nullptr;
     DirectionBall* m_ball = nullptr;
     BarSlider* m_azimuth = nullptr;
     BarSlider* m_elevation = nullptr;
@@ -38,7 +48,6 @@ private:
     BarSlider* m_blue = nullptr;
     Swatch* m_colour = nullptr;
     Swatch* m_background = nullptr;
-    bool m_filling = false;
 };
 
 } // namespace hairpaint::view

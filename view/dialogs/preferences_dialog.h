@@ -7,10 +7,16 @@
 #include <QDialog>
 #include <QKeySequence>
 
+#include <vector>
+
 class QCheckBox;
 class QComboBox;
+class QKeySequenceEdit;
+class QLabel;
 class QLineEdit;
+class QPushButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace hairpaint::view {
 
@@ -60,7 +66,10 @@ private:
     void readGeneral();
     void fillKeys();
     void filterKeys(const QString& text);
-    void setKey(std::size_t binding, const QKeySequence& key);
+    void followKey();
+    void setKey(int binding, const QKeySequence& key);
+    [[nodiscard]] int currentBinding() const; ///< -1: none.
+    [[nodiscard]] int ownerOf(const QKeySequence& key, int except) const;
 
     Preferences m_preferences;
     std::vector<KeyBinding> m_bindings;
@@ -70,6 +79,12 @@ private:
     QCheckBox* m_whitePaper = nullptr;
     QLineEdit* m_filter = nullptr;
     QTreeWidget* m_keys = nullptr;
+    std::vector<QTreeWidgetItem*> m_items; ///< One for each binding.
+    QKeySequenceEdit* m_newKey = nullptr;
+    QPushButton* m_assign = nullptr;
+    QPushButton* m_clear = nullptr;
+    QPushButton* m_reset = nullptr;
+    QLabel* m_remark = nullptr;
     bool m_filling = false;
 };
 

@@ -5,6 +5,8 @@
 
 #include <QDialog>
 
+#include <functional>
+
 class QCheckBox;
 
 namespace hairpaint::view {
@@ -20,11 +22,15 @@ public:
     explicit WindDialog(EditorState& state, QWidget* parent = nullptr);
 
 private:
+    using Edit = std::function<void(sim::Wind&)>;
+    [[nodiscard]] BarSlider* makeSlider(const QString& label, double minimum, double maximum, int decimals,
+                                        const QString& unit);
+    void bind(BarSlider& slider, const Edit& edit);
+    [[nodiscard]] bool editing() const;
     void follow();
-    void preview();
-    void commit();
+    void preview(const Edit& edit);
+    void commit(const Edit& edit);
     void revert();
-    [[nodiscard]] sim::Wind shown() const;
 
     EditorState& m_state;
     QCheckBox* m_enabled = nullptr;
@@ -34,7 +40,6 @@ private:
     BarSlider* m_strength = nullptr;
     BarSlider* m_gustiness = nullptr;
     BarSlider* m_turbulence = nullptr;
-    bool m_filling = false;
 };
 
 } // namespace hairpaint::view

@@ -3,17 +3,20 @@
 
 #include "view/editor_state.h"
 
-#include <QScrollArea>
+#include <QWidget>
+
+#include <functional>
 
 class QCheckBox;
 class QComboBox;
-class QListWidget;
 class QToolButton;
 class QVBoxLayout;
 
 namespace hairpaint::view {
 
 class BarSlider;
+class LayerList;
+class Section;
 struct SettingRow;
 
 class HairPanel : public QWidget
@@ -28,14 +31,19 @@ public:
 private:
     void buildGroups(QVBoxLayout& layout);
     void buildSettings(QVBoxLayout& layout);
+    void buildTurns(Section& section);
+    [[nodiscard]] BarSlider* makeSlider(const SettingRow& row, QWidget* parent);
+    /// Previews while the slider moves, one command when it is let go.
+    void bind(BarSlider& slider, void (*write)(sim::GroupSettings&, double));
     void rebuildGroups();
     void follow();
     [[nodiscard]] const model::HairGroup* group() const;
-    void changeSettings(const QString& text, const std::function<void(sim::GroupSettings&)>& edit);
+    void changeSettings(const QString& what, const std::function<void(sim::GroupSettings&)>& edit);
 
     EditorState& m_state;
-    QListWidget* m_groups = nullptr;
+    LayerList* m_groups = nullptr;
     QToolButton* m_remove = nullptr;
+    std::vector<QWidget*> m_settings; ///< Sections that need a group.
     std::vector<std::pair<const SettingRow*, BarSlider*>> m_sliders;
     QComboBox* m_turnsMode = nullptr;
     QCheckBox* m_stepped = nullptr;

@@ -7,9 +7,9 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <functional>
+
 class QComboBox;
-class QListWidget;
-class QListWidgetItem;
 class QToolButton;
 
 namespace hairpaint::view {
@@ -30,6 +30,10 @@ public:
     void moveLayer(int steps); ///< Upward when positive.
 
 private:
+    void connectList();
+    void connectProperties();
+    void onChanged(const model::Change& change);
+    void moveTo(model::Id layer, int position);
     void rebuild();
     void refreshThumbnails();
     void followActive();
@@ -41,6 +45,7 @@ private:
     LayerList* m_list = nullptr;
     BarSlider* m_opacity = nullptr;
     QComboBox* m_blend = nullptr;
+    QToolButton* m_duplicate = nullptr;
     QToolButton* m_remove = nullptr;
     QToolButton* m_up = nullptr;
     QToolButton* m_down = nullptr;

@@ -1,17 +1,16 @@
-// Small pictures of rasters as the paint area shows them.
+// Small pictures of maps and layers as the paint area shows them.
 #pragma once
 
-#include "model/map_spec.h"
+#include "model/project.h"
 
 #include <QImage>
 
 namespace hairpaint::view {
 
-/// A resolved map.
+/// A resolved map, `side` pixels square.
 [[nodiscard]] QImage mapThumbnail(const sim::TiledRaster& resolved, const model::MapSpec& spec, bool nightPaper,
                                   int side);
-/// One layer; texels without coverage are transparent.
-[[nodiscard]] QImage layerThumbnail(const sim::TiledRaster& layer, const model::MapSpec& spec, bool nightPaper,
-                                    int side);
+/// One layer; transparent where it covers nothing.
+[[nodiscard]] QImage layerThumbnail(const model::Layer& layer, const model::MapSpec& spec, bool nightPaper, int side);
 
 } // namespace hairpaint::view

@@ -31,6 +31,7 @@ private:
     EditorState& m_state;
     std::array<MapRow*, model::kMapKindCount> m_rows{};
     std::array<bool, model::kMapKindCount> m_stale{};
+    model::Id m_shownGroup = 0;
     QTimer m_redraw;
 };
 

@@ -5,7 +5,8 @@
 
 #include <QWidget>
 
-class QComboBox;
+#include <functional>
+
 class QLabel;
 class QToolButton;
 
@@ -13,8 +14,6 @@ namespace hairpaint::view {
 
 class BarSlider;
 class MapBadge;
-class ValuePalette;
-class ValuePair;
 
 /// 40 px high. Shows exactly the active tool's options.
 class OptionBar : public QWidget
@@ -24,6 +23,9 @@ public:
     explicit OptionBar(EditorState& state, QWidget* parent = nullptr);
     /// Opens the value palette under its button, as the picker's key may.
     void showPalette();
+
+protected:
+    void changeEvent(QEvent* event) override;
 
 private:
     void buildValue();
@@ -51,7 +53,6 @@ private:
     QWidget* m_gradientBox = nullptr;
     std::vector<QToolButton*> m_shapes;
     std::vector<QToolButton*> m_gradients;
-    QWidget* m_popup = nullptr;
 };
 
 } // namespace hairpaint::view

@@ -3,13 +3,14 @@
 
 #include "model/error.h"
 #include "model/files/preset_file.h"
+#include "model/preset.h"
 #include "view/editor_state.h"
 
 #include <QThreadPool>
 #include <QTimer>
 #include <QWidget>
 
-#include <map>
+#include <functional>
 
 class QHBoxLayout;
 class QScrollArea;
@@ -48,9 +49,12 @@ protected:
 
 private:
     using PresetPtr = std::shared_ptr<const model::Preset>;
+    void addTile(StyleTile* tile, const QImage& picture);
+    [[nodiscard]] StyleTile* tile(const QString& path) const;
     void wish(const QString& path, bool commit);
-    void arrived(const QString& path, const model::Result<PresetPtr>& preset);
-    void preview(const model::Preset& preset);
+    void loaded(const QString& path, const model::Result<PresetPtr>& preset);
+    void arrived(const QString& path, const PresetPtr& preset);
+    void preview(const PresetPtr& preset);
     void apply(const model::Preset& preset);
     void endPreview();
 
@@ -63,6 +67,8 @@ private:
     QString m_hovered;
     QString m_toCommit;
     bool m_previewing = false;
+    model::Id m_groupBefore = 0; ///< What was active before a style was shown.
+    model::Id m_layerBefore = 0;
     std::vector<std::pair<QString, PresetPtr>> m_recent;
     std::vector<QString> m_loading;
     QThreadPool m_threads;

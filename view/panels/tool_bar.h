@@ -5,13 +5,13 @@
 
 #include <QWidget>
 
-class QButtonGroup;
+class QAction;
 class QToolButton;
 class QVBoxLayout;
 
 namespace hairpaint::view {
 
-/// 44 px wide. One checkable button a tool, below them the value pair, at the foot the actions given by addAction.
+/// 44 px wide. One checkable button a tool, below them the value pair; at the foot the actions of addFootAction.
 class ToolBar : public QWidget
 {
     Q_OBJECT

@@ -34,6 +34,7 @@ public:
     void setExponent(double exponent);
     void setDefaultValue(double value); ///< What right-click resets to.
     void setLabel(const QString& label);
+    void setHint(const QString& hint); ///< What the value does; in the tooltip.
     [[nodiscard]] const QString& label() const { return m_label; }
     /// Fills the whole bar with a map's scale, from the smallest to the greatest value; empty for the plain fill.
     void setGradient(const QList<QColor>& colours);
@@ -58,6 +59,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
@@ -71,7 +73,7 @@ private:
     void finish();
     void cancel();
     void stepBy(double steps);
-    void openEditor(const QString& text);
+    void openEditor();
     void closeEditor(bool keep);
     [[nodiscard]] double fractionOf(double value) const;
     [[nodiscard]] double valueAt(double fraction) const;
@@ -79,6 +81,7 @@ private:
     void describe();
 
     QString m_label;
+    QString m_hint;
     QString m_unit;
     double m_minimum = 0.0;
     double m_maximum = 1.0;
@@ -91,11 +94,12 @@ private:
     QList<QColor> m_gradient;
     bool m_editing = false;
     bool m_dragging = false;
+    bool m_moved = false;
     double m_before = 0.0;
     double m_dragFraction = 0.0;
     double m_lastX = 0.0;
     int m_wheelRest = 0;
-    QTimer m_wheelPause;
+    QTimer m_settle; ///< After a click or a notch of the wheel, until the change counts as done.
     QPointer<QLineEdit> m_editor;
 };
 

@@ -8,7 +8,7 @@
 namespace hairpaint::view {
 
 /// Azimuth around y from +z toward +x, elevation above the horizon, rad. The near half is drawn solid, the far half
-/// hollow; a press on the handle in the far half keeps that half, and F (or double-click) turns to the other. Signals
+/// hollow; a drag keeps its half, a double-click turns to the other. Signals
 /// as BarSlider's: changed while moving, then finished or cancelled once.
 class DirectionBall : public QWidget
 {
@@ -22,6 +22,7 @@ public:
     explicit DirectionBall(Meaning meaning, QWidget* parent = nullptr);
     [[nodiscard]] glm::vec3 direction() const { return m_direction; }
     void setDirection(glm::vec3 direction); ///< Unit. Tells nothing; ignored while the user is turning it.
+    [[nodiscard]] bool editing() const { return m_editing; }
     [[nodiscard]] QSize sizeHint() const override { return {148, 148}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {120, 120}; }
 

@@ -6,13 +6,11 @@
 #include <QWidget>
 
 class QLineEdit;
-class QStackedWidget;
 class QVBoxLayout;
 
 namespace hairpaint::view {
 
 class BarSlider;
-class MapBadge;
 class Swatch;
 
 /// Follows the active map and group. Also keys: X swaps with the second value, D resets both.
@@ -36,6 +34,8 @@ private:
     void buildIndex(QVBoxLayout& layout);
     void buildColour(QVBoxLayout& layout);
     void chooseColour();
+    Swatch* addSwatch(const model::PaintValue& value, const QString& name);
+    [[nodiscard]] const sim::GroupSettings& settings() const;
 
     EditorState& m_state;
     QWidget* m_body = nullptr;

@@ -1,0 +1,75 @@
+// groom_build/hairs:H: grooming H hairs from their maps, with roots and neighbours ready.
+// groom_update_dab/hairs:H: bringing the groom up to date after a dab over one per cent of the head.
+#include "bench_scene.h"
+
+#include "sim/groom.h"
+
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+namespace {
+
+using namespace hairpaint;
+
+/// Every map has other tiles, so that all hairs are built again while the roots stay.
+sim::GroomInput repainted(const sim::GroomInput& input, std::uint16_t length)
+{
+    sim::GroomInput other = input;
+    sim::GroupMaps& maps = other.groups.front().maps;
+    const int size = maps.length->size();
+    maps.density = std::make_shared<const sim::TiledRaster>(size, 1, sim::Texel{65535});
+    maps.length = std::make_shared<const sim::TiledRaster>(size, 1, sim::Texel{length});
+    return other;
+}
+
+void groomBuild(benchmark::State& state)
+{
+    const sim::GroomInput input = bench::sceneOf(static_cast<int>(state.range(0)), 8, false);
+    sim::GroomBuilder builder;
+    benchmark::DoNotOptimize(builder.update(input));
+    std::uint16_t length = 20000;
+    std::size_t rebuilt = 0;
+    for (auto step : state) {
+        static_cast<void>(step);
+        state.PauseTiming();
+        const sim::GroomInput next = repainted(input, ++length);
+        state.ResumeTiming();
+        const sim::GroomBuilder::Report report = builder.update(next);
+        rebuilt = report.rebuiltStrands;
+    }
+    state.counters["rebuilt"] = static_cast<double>(rebuilt);
+}
+
+void groomUpdateDab(benchmark::State& state)
+{
+    sim::GroomInput input = bench::sceneOf(static_cast<int>(state.range(0)), 8, false);
+    sim::GroomBuilder builder;
+    benchmark::DoNotOptimize(builder.update(input));
+    int number = 0;
+    std::size_t rebuilt = 0;
+    for (auto step : state) {
+        static_cast<void>(step);
+        state.PauseTiming();
+        input = bench::dabbed(input, ++number);
+        state.ResumeTiming();
+        const sim::GroomBuilder::Report report = builder.update(input);
+        rebuilt = report.rebuiltStrands;
+    }
+    state.counters["rebuilt"] = static_cast<double>(rebuilt);
+}
+
+BENCHMARK(groomBuild)
+    ->Name("groom_build")
+    ->ArgNames({"hairs"})
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(groomUpdateDab)
+    ->Name("groom_update_dab")
+    ->ArgNames({"hairs"})
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+} // namespace

@@ -1,0 +1,66 @@
+// The benchmarks' head, maps and dabs.
+#include "bench_scene.h"
+
+#include "tests/support/test_heads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hairpaint::bench {
+
+namespace {
+
+constexpr int kMapSize = 1024;
+
+std::shared_ptr<const sim::TiledRaster> uniform(int channels, sim::Texel value)
+{
+    return std::make_shared<const sim::TiledRaster>(kMapSize, channels, value);
+}
+
+} // namespace
+
+sim::GroomInput sceneOf(int hairs, int nodes, bool allBasis)
+{
+    sim::GroomInput input;
+    const auto skin = std::make_shared<const sim::Skin>(test::makeBallHead());
+    input.skin = skin;
+    for (const float y : {0.0F, -0.08F, -0.2F})
+        input.colliders.push_back({glm::vec3(0.0F, y, 0.0F), glm::vec3(0.095F, 0.1F, 0.095F), glm::quat(1, 0, 0, 0)});
+    sim::GroupInput group;
+    group.id = 1;
+    group.settings.nodesPerHair = nodes;
+    group.settings.greatestDensityPerM2 = static_cast<float>((hairs + 0.5) / skin->areaM2());
+    if (allBasis)
+        group.settings.basisHairs = hairs;
+    constexpr std::uint16_t kFull = 65535;
+    group.maps.density = uniform(1, {kFull});
+    group.maps.length = uniform(1, {52000});
+    group.maps.curl = uniform(1, {13000});
+    group.maps.braid = uniform(1, {0});
+    group.maps.colour = uniform(3, {20000, 12000, 8000});
+    group.maps.clump = uniform(1, {20000});
+    group.maps.gel = uniform(1, {9000});
+    input.groups.push_back(std::move(group));
+    input.maxHairs = std::max(hairs, input.maxHairs);
+    return input;
+}
+
+sim::GroomInput dabbed(const sim::GroomInput& before, int number)
+{
+    // On the ball, a square of u x v around the equator covers side^2 * pi/2 of the area: 0.08 is one per cent.
+    constexpr int kSide = static_cast<int>(0.08 * kMapSize);
+    sim::GroomInput after = before;
+    auto length = std::make_shared<sim::TiledRaster>(*before.groups.front().maps.length);
+    const int x0 = 100 + number * 37 % 700;
+    const int y0 = (kMapSize - kSide) / 2;
+    const auto value = static_cast<std::uint16_t>(30000 + number * 997 % 30000);
+    for (int y = y0; y < y0 + kSide; ++y) {
+        for (int x = x0; x < x0 + kSide; ++x)
+            length->setTexel(x, y, {value});
+    }
+    after.groups.front().maps.length = std::move(length);
+    return after;
+}
+
+} // namespace hairpaint::bench

@@ -1,0 +1,66 @@
+// sim_step/hairs:H/nodes:N/threads:T: one step of H basis hairs with wind, gel, three ellipsoids and two length
+// iterations. dependents/hairs:H/nodes:N/threads:T: one frame of H hairs around 4096 basis hairs.
+#include "bench_scene.h"
+
+#include "sim/parallel.h"
+#include "sim/simulation.h"
+
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace hairpaint;
+
+const sim::Wind kBreeze{true, glm::vec3(3.0F, 0.0F, 1.0F), 0.5F, 0.3F};
+
+void simStep(benchmark::State& state)
+{
+    sim::setThreadCount(static_cast<int>(state.range(2)));
+    sim::Simulation simulation;
+    simulation.setInput(bench::sceneOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), true));
+    simulation.setWind(kBreeze);
+    simulation.settle(0.5);
+    // As in a program that shows 60 frames a second: two steps each time.
+    constexpr int kSteps = 2;
+    while (state.KeepRunningBatch(kSteps))
+        simulation.advance(kSteps * sim::Simulation::kStepSeconds);
+    const double nodeSteps =
+        static_cast<double>(state.iterations()) * static_cast<double>(state.range(0) * state.range(1));
+    state.counters["ns_per_node"] =
+        benchmark::Counter(nodeSteps * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    sim::setThreadCount(0);
+}
+
+void dependents(benchmark::State& state)
+{
+    sim::setThreadCount(static_cast<int>(state.range(2)));
+    sim::Simulation simulation;
+    simulation.setInput(bench::sceneOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), false));
+    simulation.setWind(kBreeze);
+    simulation.settle(0.5);
+    sim::StrandFrame frame;
+    for (auto step : state) {
+        static_cast<void>(step);
+        simulation.writeFrame(frame);
+        benchmark::DoNotOptimize(frame.groups.front().positions.data());
+    }
+    const double nodes = static_cast<double>(state.iterations()) * static_cast<double>(state.range(0) * state.range(1));
+    state.counters["ns_per_node"] =
+        benchmark::Counter(nodes * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+    sim::setThreadCount(0);
+}
+
+BENCHMARK(simStep)
+    ->Name("sim_step")
+    ->ArgNames({"hairs", "nodes", "threads"})
+    ->ArgsProduct({{10000, 100000}, {5}, {1, 2}})
+    ->Unit(benchmark::kMicrosecond)
+    ->UseRealTime();
+BENCHMARK(dependents)
+    ->Name("dependents")
+    ->ArgNames({"hairs", "nodes", "threads"})
+    ->ArgsProduct({{100000}, {8}, {1, 2}})
+    ->Unit(benchmark::kMicrosecond)
+    ->UseRealTime();
+
+} // namespace

@@ -1,0 +1,54 @@
+// Whether two grooms are the same, byte by byte.
+#pragma once
+
+#include "sim/groom.h"
+
+#include <cstring>
+#include <vector>
+
+namespace hairpaint::test {
+
+template<typename T>
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b)
+{
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+/// Null, or what differs first.
+inline const char* differenceOf(const sim::Groom& a, const sim::Groom& b)
+{
+    if (a.hairCount != b.hairCount || a.drawnCount != b.drawnCount || a.basisCount != b.basisCount)
+        return "counts";
+    if (a.groupId != b.groupId || a.visible != b.visible || a.capped != b.capped || a.nodes != b.nodes ||
+        a.settings != b.settings)
+        return "settings";
+    if (!sameBytes(a.roots->rankOfSlot, b.roots->rankOfSlot) || !sameBytes(a.roots->positionHd, b.roots->positionHd))
+        return "roots";
+    if (!sameBytes(a.chunkPlace, b.chunkPlace) || a.placedChunks != b.placedChunks)
+        return "places of chunks";
+    if (!sameBytes(a.basis->wanted, b.basis->wanted))
+        return "wanted basis hairs";
+    if (!sameBytes(a.basis->restPositions, b.basis->restPositions) ||
+        !sameBytes(a.basis->segmentLengths, b.basis->segmentLengths) || !sameBytes(a.basis->gel, b.basis->gel) ||
+        !sameBytes(a.basis->height, b.basis->height))
+        return "basis hairs";
+    for (std::size_t i = 0; i < a.chunks.size(); ++i) {
+        if (!a.chunks[i] && !b.chunks[i])
+            continue;
+        if (!a.chunks[i] || !b.chunks[i])
+            return "chunks";
+        const sim::StrandChunk& x = *a.chunks[i];
+        const sim::StrandChunk& y = *b.chunks[i];
+        if (x.hairs != y.hairs || x.drawn != y.drawn)
+            return "hairs";
+        if (!sameBytes(x.styles, y.styles))
+            return "styles";
+        if (!sameBytes(x.restPositions, y.restPositions) || !sameBytes(x.segmentLengths, y.segmentLengths))
+            return "rest shapes";
+        if (!sameBytes(x.braidCentre, y.braidCentre))
+            return "braid centres";
+    }
+    return nullptr;
+}
+
+} // namespace hairpaint::test

@@ -1,0 +1,269 @@
+// Braids grow in connected regions, and their hairs gather at the middle.
+#include "sim/braid_layout.h"
+#include "sim/groom.h"
+#include "tests/support/test_grooms.h"
+#include "tests/support/test_heads.h"
+
+#include <QtTest>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace hairpaint::sim;
+using namespace hairpaint::test;
+
+namespace {
+
+GroomInput braidInput(std::shared_ptr<const Skin> skin)
+{
+    GroupInput group = uniformGroup();
+    group.settings.greatestDensityPerM2 = 5e5F;
+    group.settings.basisHairs = 1024;
+    return inputOf(std::move(skin), group);
+}
+
+std::shared_ptr<const Skin> patch()
+{
+    return std::make_shared<const Skin>(makePatchHead(16, 0.2F));
+}
+
+/// Hairs by the basis hair at their braid's centre.
+std::map<std::uint32_t, std::vector<std::uint32_t>> hairsByCentre(const Groom& groom)
+{
+    std::map<std::uint32_t, std::vector<std::uint32_t>> hairs;
+    for (std::uint32_t slot = 0; slot < groom.roots->count(); ++slot) {
+        const auto& chunk = groom.chunks[slot / kChunkSlots];
+        if (chunk && chunk->hairs[slot % kChunkSlots] && chunk->braidCentre[slot % kChunkSlots] != kNoCentre)
+            hairs[chunk->braidCentre[slot % kChunkSlots]].push_back(slot);
+    }
+    return hairs;
+}
+
+glm::vec3 restNode(const Groom& groom, std::uint32_t slot, int node)
+{
+    const StrandChunk& chunk = *groom.chunks[slot / kChunkSlots];
+    const std::size_t local = slot % kChunkSlots;
+    const float* at =
+        chunk.restPositions.data() +
+        (local / kLanes * static_cast<std::size_t>(groom.nodes) + static_cast<std::size_t>(node)) * 3 * kLanes +
+        local % kLanes;
+    return {at[0], at[kLanes], at[2 * kLanes]};
+}
+
+const StrandStyle& styleOf(const Groom& groom, std::uint32_t slot)
+{
+    return groom.chunks[slot / kChunkSlots]->styles[slot % kChunkSlots];
+}
+
+} // namespace
+
+class TestBraids : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void withoutBraidsNoHairIsBraided();
+    void aRegionSmallerThanTheSpacingIsOneBraidFromItsMiddle();
+    void separateRegionsAreSeparateBraids();
+    void aLargeRegionHasBraidsAsFarApartAsAsked();
+    void allHairsOfABraidShareItsSkeleton();
+    void hairsOnTheirWayStayOutsideTheHead();
+    void wispsAndPlacesAreSpreadEvenly();
+    void paintingElsewhereLeavesABraidAlone();
+    void theLengthAtTheCentreIsTheBraids();
+    void aTinyDabBetweenBasisHairsIsNoBraid();
+};
+
+void TestBraids::withoutBraidsNoHairIsBraided()
+{
+    const auto groom = GroomBuilder().update(braidInput(patch())).grooms[0];
+    QVERIFY(hairsByCentre(*groom).empty());
+    QVERIFY(groom->hairCount > 0);
+    for (std::uint32_t slot = 0; slot < 1000; ++slot)
+        QCOMPARE(styleOf(*groom, slot).braid, 0U);
+}
+
+void TestBraids::aRegionSmallerThanTheSpacingIsOneBraidFromItsMiddle()
+{
+    GroomInput input = braidInput(patch());
+    auto& maps = input.groups[0].maps;
+    maps.braid = withDab(maps.braid, {0.4F, 0.6F}, 0.25F, {1});
+    const auto groom = GroomBuilder().update(input).grooms[0];
+    const auto braids = hairsByCentre(*groom);
+    QCOMPARE(braids.size(), std::size_t{1});
+    const std::uint32_t centre = groom->roots->basisSlot[braids.begin()->first];
+    QVERIFY(glm::length(groom->roots->uv[centre] - glm::vec2(0.4F, 0.6F)) < 0.06F);
+    for (const std::uint32_t slot : braids.begin()->second)
+        QVERIFY(glm::length(groom->roots->uv[slot] - glm::vec2(0.4F, 0.6F)) < 0.255F);
+    // A circle's share of the patch.
+    QVERIFY(std::abs(static_cast<double>(braids.begin()->second.size()) - 20000.0 * 3.14159 * 0.0625) < 100.0);
+}
+
+void TestBraids::separateRegionsAreSeparateBraids()
+{
+    GroomInput input = braidInput(patch());
+    auto& maps = input.groups[0].maps;
+    maps.braid = withDab(withDab(maps.braid, {0.25F, 0.5F}, 0.15F, {1}), {0.75F, 0.5F}, 0.15F, {1});
+    const auto groom = GroomBuilder().update(input).grooms[0];
+    const auto braids = hairsByCentre(*groom);
+    QCOMPARE(braids.size(), std::size_t{2});
+    for (const auto& [centre, slots] : braids) {
+        const bool left = groom->roots->uv[groom->roots->basisSlot[centre]].x < 0.5F;
+        for (const std::uint32_t slot : slots)
+            QCOMPARE(groom->roots->uv[slot].x < 0.5F, left);
+    }
+}
+
+void TestBraids::aLargeRegionHasBraidsAsFarApartAsAsked()
+{
+    GroomInput input = braidInput(patch());
+    input.groups[0].maps.braid = indexMap(1);
+    input.groups[0].settings.braidSpacingM = 0.05F;
+    const auto groom = GroomBuilder().update(input).grooms[0];
+    const auto braids = hairsByCentre(*groom);
+    // Circles 5 cm apart on 20 x 20 cm: 16 in a square grid, between loosely and densely packed.
+    QVERIFY2(braids.size() >= 9 && braids.size() <= 25, qPrintable(QString::number(braids.size())));
+    std::vector<glm::vec3> centres;
+    for (const auto& [centre, slots] : braids)
+        centres.push_back(groom->roots->positionHd[groom->roots->basisSlot[centre]]);
+    for (std::size_t i = 0; i < centres.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY(glm::length(centres[i] - centres[j]) > 0.03F);
+    // Each hair belongs to the nearest.
+    for (const auto& [centre, slots] : braids) {
+        for (const std::uint32_t slot : slots) {
+            const glm::vec3 root = groom->roots->positionHd[slot];
+            const float own = glm::length(root - groom->roots->positionHd[groom->roots->basisSlot[centre]]);
+            for (const glm::vec3& other : centres)
+                QVERIFY(own <= glm::length(root - other) + 1e-6F);
+        }
+    }
+}
+
+void TestBraids::allHairsOfABraidShareItsSkeleton()
+{
+    GroomInput input = braidInput(std::make_shared<const Skin>(makeBallHead(48)));
+    input.groups[0].settings.greatestDensityPerM2 = 1e5F;
+    auto& maps = input.groups[0].maps;
+    maps.braid = withDab(maps.braid, {0.4F, 0.6F}, 0.2F, {1});
+    const auto groom = GroomBuilder().update(input).grooms[0];
+    const auto braids = hairsByCentre(*groom);
+    QVERIFY(!braids.empty());
+    for (const auto& [centre, slots] : braids) {
+        const std::uint32_t centreSlot = groom->roots->basisSlot[centre];
+        const float centreLengthM = groom->basis->segmentLengths[centre] * 7.0F;
+        for (const std::uint32_t slot : slots) {
+            const StrandStyle& style = styleOf(*groom, slot);
+            const int gathered = static_cast<int>(std::lround(style.braidStart * 7.0F));
+            QVERIFY(gathered >= 1 && gathered < 6);
+            QVERIFY(restNode(*groom, slot, 0) == groom->roots->positionHd[slot]);
+            for (int node = gathered; node < 8; ++node) {
+                const float share = static_cast<float>(node - gathered) / static_cast<float>(7 - gathered);
+                const glm::vec3 expected =
+                    groom->roots->positionHd[centreSlot] + groom->roots->normalHd[centreSlot] * (centreLengthM * share);
+                QVERIFY(glm::length(restNode(*groom, slot, node) - expected) < 1e-6F);
+            }
+            QVERIFY(style.lengthM >= centreLengthM);
+            QCOMPARE(style.turns, 0.0F);
+            QVERIFY(style.braidTurns > 1.0F);
+        }
+    }
+}
+
+void TestBraids::hairsOnTheirWayStayOutsideTheHead()
+{
+    GroomInput input = braidInput(std::make_shared<const Skin>(makeBallHead(96, 0.1F)));
+    input.groups[0].settings.greatestDensityPerM2 = 1e5F;
+    input.groups[0].settings.nodesPerHair = 16;
+    auto& maps = input.groups[0].maps;
+    maps.braid = withDab(maps.braid, {0.5F, 0.55F}, 0.25F, {1});
+    const auto groom = GroomBuilder().update(input).grooms[0];
+    const auto braids = hairsByCentre(*groom);
+    QVERIFY(!braids.empty());
+    for (const auto& [centre, slots] : braids)
+        for (const std::uint32_t slot : slots)
+            for (int node = 0; node < 16; ++node)
+                QVERIFY(glm::length(restNode(*groom, slot, node)) > 0.0995F);
+}
+
+void TestBraids::wispsAndPlacesAreSpreadEvenly()
+{
+    GroomInput input = braidInput(patch());
+    input.groups[0].maps.braid = indexMap(1);
+    const auto groom = GroomBuilder().update(input).grooms[0];
+    std::array<int, 3> wisps{};
+    glm::vec2 mean(0.0F);
+    float meanSquare = 0.0F;
+    for (std::uint32_t slot = 0; slot < groom->roots->count(); ++slot) {
+        const StrandStyle& style = styleOf(*groom, slot);
+        QCOMPARE(style.braid & 0xFFU, 1U);
+        ++wisps[(style.braid >> 8U) & 3U];
+        const glm::vec2 place(style.placeX, style.placeY);
+        QVERIFY(glm::length(place) <= 1.0F);
+        mean += place / 20000.0F;
+        meanSquare += glm::dot(place, place) / 20000.0F;
+    }
+    for (const int count : wisps)
+        QVERIFY(std::abs(count - 6667) < 300);
+    QVERIFY(glm::length(mean) < 0.03F);
+    QVERIFY(std::abs(meanSquare - 0.5F) < 0.02F); // Of a disc filled evenly.
+}
+
+void TestBraids::paintingElsewhereLeavesABraidAlone()
+{
+    GroomInput input = braidInput(patch());
+    auto& maps = input.groups[0].maps;
+    maps.braid = withDab(withDab(maps.braid, {0.2F, 0.5F}, 0.12F, {1}), {0.8F, 0.5F}, 0.12F, {1});
+    GroomBuilder builder;
+    builder.setCollectSlots(true);
+    (void)builder.update(input);
+    maps.braid = withDab(maps.braid, {0.9F, 0.7F}, 0.15F, {1});
+    const auto report = builder.update(input);
+    QVERIFY(report.rebuiltStrands > 500);
+    for (const std::uint32_t slot : report.rebuiltSlots)
+        QVERIFY(report.grooms[0]->roots->uv[slot].x > 0.6F);
+}
+
+void TestBraids::theLengthAtTheCentreIsTheBraids()
+{
+    GroomInput input = braidInput(patch());
+    auto& maps = input.groups[0].maps;
+    maps.braid = withDab(maps.braid, {0.5F, 0.5F}, 0.3F, {1});
+    GroomBuilder builder;
+    const auto before = builder.update(input);
+    const auto braids = hairsByCentre(*before.grooms[0]);
+    QCOMPARE(braids.size(), std::size_t{1});
+    // A dab on the length around the centre lengthens every hair of the braid.
+    maps.length = withDab(maps.length, {0.5F, 0.5F}, 0.08F, {65535});
+    const auto after = builder.update(input);
+    QVERIFY(after.rebuiltStrands >= braids.begin()->second.size());
+    for (const std::uint32_t slot : braids.begin()->second) {
+        const float grown = styleOf(*after.grooms[0], slot).lengthM - styleOf(*before.grooms[0], slot).lengthM;
+        QVERIFY(std::abs(grown - 0.15F) < 1e-5F);
+    }
+}
+
+void TestBraids::aTinyDabBetweenBasisHairsIsNoBraid()
+{
+    GroomInput input = braidInput(patch());
+    const auto roots = GroomBuilder().update(input).grooms[0]->roots;
+    // The candidate furthest from every basis hair, and a dab that ends before the nearest.
+    std::uint32_t furthest = 0;
+    float distance = 0.0F;
+    for (std::uint32_t slot = 0; slot < roots->count(); ++slot) {
+        const glm::vec2 nearest = roots->uv[roots->basisSlot[roots->neighbours[slot][0]]];
+        if (glm::length(nearest - roots->uv[slot]) > distance) {
+            distance = glm::length(nearest - roots->uv[slot]);
+            furthest = slot;
+        }
+    }
+    auto& maps = input.groups[0].maps;
+    maps.braid = withDab(maps.braid, roots->uv[furthest], distance - 2.0F / 512.0F, {1});
+    const auto groom = GroomBuilder().update(input).grooms[0];
+    QVERIFY(hairsByCentre(*groom).empty());
+    QCOMPARE(groom->hairCount, std::size_t{20000});
+}
+
+QTEST_APPLESS_MAIN(TestBraids)
+#include "test_braids.moc"

@@ -1,0 +1,409 @@
+// Hairs are where the maps say, as the maps say, and painting in one place changes nothing elsewhere.
+#include "sim/groom.h"
+#include "sim/parallel.h"
+#include "tests/support/test_grooms.h"
+#include "tests/support/test_heads.h"
+
+#include <QtTest>
+
+#include <array>
+#include <cmath>
+#include <set>
+
+using namespace hairpaint::sim;
+using namespace hairpaint::test;
+
+namespace {
+
+/// A flat square of 0.04 m2 with about 20,000 candidates.
+std::shared_ptr<const Skin> patch()
+{
+    return std::make_shared<const Skin>(makePatchHead(16, 0.2F));
+}
+
+GroupInput smallGroup()
+{
+    GroupInput group = uniformGroup();
+    group.settings.greatestDensityPerM2 = 5e5F;
+    group.settings.basisHairs = 256;
+    return group;
+}
+
+std::shared_ptr<const Groom> groomOf(const GroomInput& input)
+{
+    return GroomBuilder().update(input).grooms.front();
+}
+
+const StrandStyle* styleAt(const Groom& groom, std::uint32_t slot)
+{
+    const auto& chunk = groom.chunks[slot / kChunkSlots];
+    return chunk && chunk->hairs[slot % kChunkSlots] ? &chunk->styles[slot % kChunkSlots] : nullptr;
+}
+
+glm::vec3 restNode(const Groom& groom, std::uint32_t slot, int node)
+{
+    const StrandChunk& chunk = *groom.chunks[slot / kChunkSlots];
+    const std::size_t local = slot % kChunkSlots;
+    const float* at =
+        chunk.restPositions.data() +
+        (local / kLanes * static_cast<std::size_t>(groom.nodes) + static_cast<std::size_t>(node)) * 3 * kLanes +
+        local % kLanes;
+    return {at[0], at[kLanes], at[2 * kLanes]};
+}
+
+template<typename Visit>
+void forEachHair(const Groom& groom, const Visit& visit)
+{
+    for (std::uint32_t slot = 0; slot < groom.roots->count(); ++slot)
+        if (const StrandStyle* style = styleAt(groom, slot))
+            visit(slot, *style);
+}
+
+/// Left half one value, right half another.
+std::shared_ptr<const TiledRaster> halves(float left, float right)
+{
+    auto map = std::make_shared<TiledRaster>(512, 1, Texel{channelOf(left)});
+    for (int tile = 0; tile < map->tileCount(); ++tile)
+        if (map->tileRect(tile).x0 >= 256)
+            map->setUniform(tile, {channelOf(right)});
+    return map;
+}
+
+/// Grows with u from 0 to 1.
+std::shared_ptr<const TiledRaster> ramp()
+{
+    auto map = std::make_shared<TiledRaster>(512, 1);
+    for (int y = 0; y < 512; ++y)
+        for (int x = 0; x < 512; ++x)
+            map->setTexel(x, y, {channelOf((static_cast<float>(x) + 0.5F) / 512.0F)});
+    return map;
+}
+
+} // namespace
+
+class TestGroom : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void cleanup() { setThreadCount(0); }
+    void hairsAreProportionalToTheDensity_data();
+    void hairsAreProportionalToTheDensity();
+    void hairsFollowADensityThatVaries();
+    void noHairGrowsWhereDensityIsZero();
+    void aCandidateIsAHairBelowItsThreshold();
+    void detailThinsEvenly();
+    void lengthIsBetweenShortestAndGreatest_data();
+    void lengthIsBetweenShortestAndGreatest();
+    void tooShortHairsCountButAreNotDrawn();
+    void turnsAndRadiusFollowTheCurlMap_data();
+    void turnsAndRadiusFollowTheCurlMap();
+    void coloursAreTheMapsOwn();
+    void restShapesStandOnTheSkinAlongTheNormal();
+    void clumpDrawsTipsToTheBasisHairAndKeepsLengths();
+    void basisHairsHaveStylesOfTheirOwn();
+    void basisHairsAreWantedWhileADependentIsDrawn();
+    void theCandidatesAreCappedInTheGroupsOrder();
+    void groupsStandOnDifferentRoots();
+    void chunksWithoutHairAreNull();
+    void aSkinWithoutFacesGrowsNothing();
+};
+
+void TestGroom::hairsAreProportionalToTheDensity_data()
+{
+    QTest::addColumn<float>("density");
+    for (const float density : {0.0F, 0.01F, 0.25F, 0.5F, 0.9F, 1.0F})
+        QTest::addRow("%g", static_cast<double>(density)) << density;
+}
+
+void TestGroom::hairsAreProportionalToTheDensity()
+{
+    QFETCH(float, density);
+    GroupInput group = smallGroup();
+    group.maps.density = uniformMap(density);
+    const auto groom = groomOf(inputOf(patch(), group));
+    QCOMPARE(groom->roots->count(), std::size_t{20000});
+    QVERIFY2(std::abs(static_cast<double>(groom->hairCount) - 20000.0 * static_cast<double>(density)) <= 1.0,
+             qPrintable(QString::number(groom->hairCount)));
+    QCOMPARE(groom->drawnCount, groom->hairCount);
+}
+
+void TestGroom::hairsFollowADensityThatVaries()
+{
+    GroupInput group = smallGroup();
+    group.maps.density = ramp();
+    const auto groom = groomOf(inputOf(patch(), group));
+    std::array<int, 10> counts{};
+    forEachHair(*groom, [&](std::uint32_t slot, const StrandStyle&) {
+        ++counts[static_cast<std::size_t>(std::min(groom->roots->uv[slot].x * 10.0F, 9.0F))];
+    });
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double expected = 2000.0 * (static_cast<double>(i) + 0.5) / 10.0;
+        QVERIFY2(std::abs(counts[i] - expected) < 20.0, qPrintable(QStringLiteral("%1: %2").arg(i).arg(counts[i])));
+    }
+}
+
+void TestGroom::noHairGrowsWhereDensityIsZero()
+{
+    GroupInput group = smallGroup();
+    group.maps.density = withDab(uniformMap(0.0F), {0.3F, 0.6F}, 0.1F, {65535});
+    const auto groom = groomOf(inputOf(patch(), group));
+    QVERIFY(groom->hairCount > 500);
+    forEachHair(*groom, [&](std::uint32_t slot, const StrandStyle&) {
+        QVERIFY(glm::length(groom->roots->uv[slot] - glm::vec2(0.3F, 0.6F)) < 0.1F + 1.5F / 512.0F);
+    });
+}
+
+void TestGroom::aCandidateIsAHairBelowItsThreshold()
+{
+    GroupInput group = smallGroup();
+    group.maps.density = ramp();
+    const auto groom = groomOf(inputOf(patch(), group));
+    for (std::uint32_t slot = 0; slot < groom->roots->count(); ++slot) {
+        const float density = group.maps.density->sampleScalar(groom->roots->uv[slot]);
+        const float threshold = groom->roots->threshold(slot);
+        const StrandStyle* style = styleAt(*groom, slot);
+        QCOMPARE(style != nullptr, threshold < density);
+        if (style != nullptr)
+            QCOMPARE(style->detail, threshold / density);
+    }
+}
+
+void TestGroom::detailThinsEvenly()
+{
+    GroupInput group = smallGroup();
+    group.maps.density = halves(0.2F, 0.8F);
+    const auto groom = groomOf(inputOf(patch(), group));
+    for (const float detail : {0.1F, 0.5F}) {
+        std::array<double, 2> all{};
+        std::array<double, 2> drawn{};
+        forEachHair(*groom, [&](std::uint32_t slot, const StrandStyle& style) {
+            const std::size_t half = groom->roots->uv[slot].x < 0.5F ? 0 : 1;
+            all[half] += 1.0;
+            drawn[half] += style.detail < detail ? 1.0 : 0.0;
+        });
+        for (std::size_t half = 0; half < 2; ++half)
+            QVERIFY(std::abs(drawn[half] / all[half] - static_cast<double>(detail)) < 0.01);
+    }
+}
+
+void TestGroom::lengthIsBetweenShortestAndGreatest_data()
+{
+    QTest::addColumn<float>("value");
+    QTest::addColumn<float>("shortestM");
+    QTest::addColumn<float>("lengthM");
+    QTest::newRow("full") << 1.0F << 0.0F << 0.4F;
+    QTest::newRow("half") << 0.5F << 0.0F << 0.2F;
+    QTest::newRow("full, with a shortest") << 1.0F << 0.1F << 0.4F;
+    QTest::newRow("half, with a shortest") << 0.5F << 0.1F << 0.25F;
+    QTest::newRow("nothing, with a shortest") << 0.0F << 0.1F << 0.1F;
+}
+
+void TestGroom::lengthIsBetweenShortestAndGreatest()
+{
+    QFETCH(float, value);
+    QFETCH(float, shortestM);
+    QFETCH(float, lengthM);
+    GroupInput group = smallGroup();
+    group.settings.greatestLengthM = 0.4F;
+    group.settings.shortestLengthM = shortestM;
+    group.maps.length = uniformMap(value);
+    const auto groom = groomOf(inputOf(patch(), group));
+    forEachHair(*groom, [&](std::uint32_t slot, const StrandStyle& style) {
+        QVERIFY(std::abs(style.lengthM - lengthM) < 1e-5F);
+        const StrandChunk& chunk = *groom->chunks[slot / kChunkSlots];
+        QVERIFY(std::abs(chunk.segmentLengths[slot % kChunkSlots] * 7.0F - lengthM) < 1e-5F);
+        QVERIFY(std::abs(glm::length(restNode(*groom, slot, 7) - restNode(*groom, slot, 0)) - lengthM) < 1e-5F);
+    });
+}
+
+void TestGroom::tooShortHairsCountButAreNotDrawn()
+{
+    GroupInput group = smallGroup();
+    group.maps.length = halves(0.0F, 1.0F);
+    const auto groom = groomOf(inputOf(patch(), group));
+    QCOMPARE(groom->hairCount, std::size_t{20000});
+    QVERIFY(groom->drawnCount > 9900 && groom->drawnCount < 10100);
+    std::size_t drawn = 0;
+    forEachHair(*groom, [&](std::uint32_t slot, const StrandStyle& style) {
+        const bool isDrawn = groom->chunks[slot / kChunkSlots]->drawn[slot % kChunkSlots];
+        QCOMPARE(isDrawn, style.lengthM >= kShortestDrawnM);
+        QCOMPARE(style.detail < 1.0F, isDrawn);
+        drawn += isDrawn ? 1U : 0U;
+    });
+    QCOMPARE(groom->drawnCount, drawn);
+}
+
+void TestGroom::turnsAndRadiusFollowTheCurlMap_data()
+{
+    QTest::addColumn<float>("curl");
+    QTest::addColumn<bool>("perLength");
+    QTest::addColumn<float>("turns");
+    QTest::addColumn<float>("radiusM");
+    QTest::newRow("straight") << 0.0F << false << 0.0F << 0.0F;
+    QTest::newRow("level 3") << 0.6F << false << 4.0F << 0.006F;
+    QTest::newRow("level 5") << 1.0F << false << 16.0F << 0.006F;
+    QTest::newRow("a quarter turn is half as wide") << 0.1F << false << 0.25F << 0.003F;
+    QTest::newRow("level 3 for every 10 cm of 20") << 0.6F << true << 8.0F << 0.006F;
+    QTest::newRow("no wider than the turns are apart") << 1.0F << true << 32.0F << 0.2F / 32.0F;
+}
+
+void TestGroom::turnsAndRadiusFollowTheCurlMap()
+{
+    QFETCH(float, curl);
+    QFETCH(bool, perLength);
+    QFETCH(float, turns);
+    QFETCH(float, radiusM);
+    GroupInput group = smallGroup();
+    group.settings.greatestLengthM = 0.4F;
+    group.settings.turnsMode = perLength ? TurnsMode::PerLength : TurnsMode::PerHair;
+    group.settings.turnsPerLengthM = 0.1F;
+    group.settings.greatestCurlRadiusM = perLength && curl == 1.0F ? 0.05F : 0.012F;
+    group.maps.curl = uniformMap(curl);
+    const auto groom = groomOf(inputOf(patch(), group));
+    std::set<float> phases;
+    forEachHair(*groom, [&](std::uint32_t, const StrandStyle& style) {
+        QVERIFY(std::abs(style.turns - turns) < 2e-3F);
+        QVERIFY(std::abs(style.curlRadiusM - radiusM) < 1e-5F);
+        phases.insert(style.phase);
+    });
+    QVERIFY(phases.size() > 15000);
+}
+
+void TestGroom::coloursAreTheMapsOwn()
+{
+    GroupInput group = smallGroup();
+    group.maps.colour = uniformColour({1.0F, 128.0F / 255.0F, 3.0F / 255.0F});
+    const auto groom = groomOf(inputOf(patch(), group));
+    forEachHair(*groom, [&](std::uint32_t, const StrandStyle& style) {
+        QCOMPARE(style.rootColour, 0xFF0380FFU);
+        QCOMPARE(style.tipColour, style.rootColour);
+        QVERIFY(style.variation >= -1.0F && style.variation <= 1.0F);
+        QCOMPARE(style.widthM, group.settings.hairWidthM);
+    });
+}
+
+void TestGroom::restShapesStandOnTheSkinAlongTheNormal()
+{
+    GroomInput input = inputOf(std::make_shared<const Skin>(makeBallHead()), smallGroup());
+    input.groups[0].settings.greatestDensityPerM2 = 1e5F;
+    input.groups[0].settings.nodesPerHair = 12;
+    const auto groom = groomOf(input);
+    QCOMPARE(groom->nodes, 12);
+    forEachHair(*groom, [&](std::uint32_t slot, const StrandStyle& style) {
+        QVERIFY(restNode(*groom, slot, 0) == groom->roots->positionHd[slot]);
+        for (int node = 1; node < 12; ++node) {
+            const glm::vec3 expected =
+                groom->roots->positionHd[slot] +
+                groom->roots->normalHd[slot] * (style.lengthM * static_cast<float>(node) / 11.0F);
+            QVERIFY(glm::length(restNode(*groom, slot, node) - expected) < 1e-6F);
+        }
+    });
+}
+
+void TestGroom::clumpDrawsTipsToTheBasisHairAndKeepsLengths()
+{
+    GroupInput group = smallGroup();
+    group.maps.clump = uniformMap(1.0F);
+    const auto groom = groomOf(inputOf(patch(), group));
+    const RootSet& roots = *groom->roots;
+    forEachHair(*groom, [&](std::uint32_t slot, const StrandStyle& style) {
+        QVERIFY(glm::length(restNode(*groom, slot, 0) - roots.positionHd[slot]) < 1e-7F);
+        for (int node = 1; node < groom->nodes; ++node) {
+            const float distance = glm::length(restNode(*groom, slot, node) - restNode(*groom, slot, node - 1));
+            QVERIFY(std::abs(distance - style.lengthM / 7.0F) < 1e-6F);
+        }
+        const std::uint32_t basis = roots.basisSlot[roots.neighbours[slot][0]];
+        const glm::vec3 tip = roots.positionHd[basis] + roots.normalHd[basis] * style.lengthM;
+        const float atRoot = glm::length(roots.positionHd[slot] - roots.positionHd[basis]);
+        QVERIFY(glm::length(restNode(*groom, slot, 7) - tip) <= 0.12F * atRoot + 1e-6F);
+    });
+}
+
+void TestGroom::basisHairsHaveStylesOfTheirOwn()
+{
+    GroupInput group = smallGroup();
+    group.maps.density = halves(0.0F, 1.0F);
+    group.maps.length = halves(0.0F, 1.0F);
+    group.maps.gel = halves(0.25F, 0.75F);
+    const auto groom = groomOf(inputOf(patch(), group));
+    const BasisStyles& basis = *groom->basis;
+    QCOMPARE(basis.blockCount(), std::size_t{16});
+    for (std::uint32_t i = 0; i < 256; ++i) {
+        const glm::vec2 uv = groom->roots->uv[groom->roots->basisSlot[i]];
+        if (std::abs(uv.x - 0.5F) < 0.01F)
+            continue;
+        // Where there is no hair, too, and never shorter than 5 mm.
+        const bool left = uv.x < 0.5F;
+        QVERIFY(std::abs(basis.segmentLengths[i] * 7.0F - (left ? 0.005F : 0.3F)) < 1e-5F);
+        QVERIFY(std::abs(basis.gel[i] - (left ? 0.25F : 0.75F)) < 1e-4F);
+        QVERIFY(basis.height[i] >= 0.0F && basis.height[i] <= 1.0F);
+        const glm::vec3 root = groom->roots->positionHd[groom->roots->basisSlot[i]];
+        QCOMPARE(basis.restPositions[i / kLanes * 8 * 3 * kLanes + i % kLanes], root.x);
+    }
+}
+
+void TestGroom::basisHairsAreWantedWhileADependentIsDrawn()
+{
+    GroupInput group = smallGroup();
+    group.maps.density = withDab(uniformMap(0.0F), {0.3F, 0.6F}, 0.1F, {40000});
+    const auto groom = groomOf(inputOf(patch(), group));
+    std::set<std::uint32_t> followed;
+    forEachHair(*groom, [&](std::uint32_t slot, const StrandStyle&) {
+        for (std::size_t k = 0; k < RootSet::kNeighbours; ++k)
+            if (groom->roots->weights[slot][k] > 0.0F)
+                followed.insert(groom->roots->neighbours[slot][k]);
+    });
+    for (std::uint32_t i = 0; i < 256; ++i)
+        QCOMPARE(((groom->basis->wanted[i / kLanes] >> (i % kLanes)) & 1U) != 0, followed.contains(i));
+    QCOMPARE(groom->basisCount, followed.size());
+    QVERIFY(followed.size() > 5 && followed.size() < 40);
+}
+
+void TestGroom::theCandidatesAreCappedInTheGroupsOrder()
+{
+    GroomInput input = inputOf(patch(), smallGroup());
+    input.groups.push_back(smallGroup());
+    input.groups.push_back(smallGroup());
+    input.groups[1].id = 2;
+    input.groups[2].id = 3;
+    input.maxHairs = 25000;
+    const auto grooms = GroomBuilder().update(input).grooms;
+    QCOMPARE(grooms.size(), std::size_t{3});
+    QCOMPARE(grooms[0]->roots->count(), std::size_t{20000});
+    QCOMPARE(grooms[1]->roots->count(), std::size_t{5000});
+    QCOMPARE(grooms[2]->roots->count(), std::size_t{0});
+    QVERIFY(!grooms[0]->capped && grooms[1]->capped && grooms[2]->capped);
+}
+
+void TestGroom::groupsStandOnDifferentRoots()
+{
+    GroomInput input = inputOf(patch(), smallGroup());
+    input.groups.push_back(smallGroup());
+    input.groups[1].id = 2;
+    const auto grooms = GroomBuilder().update(input).grooms;
+    QVERIFY(grooms[0]->roots->positionHd[100] != grooms[1]->roots->positionHd[100]);
+}
+
+void TestGroom::chunksWithoutHairAreNull()
+{
+    GroupInput group = smallGroup();
+    group.maps.density = halves(0.0F, 1.0F);
+    const auto groom = groomOf(inputOf(patch(), group));
+    QCOMPARE(groom->chunks.size(), std::size_t{20});
+    std::int32_t place = 0;
+    for (std::size_t i = 0; i < groom->chunks.size(); ++i)
+        QCOMPARE(groom->chunkPlace[i], groom->chunks[i] ? place++ : -1);
+    QCOMPARE(groom->placedChunks, place);
+    QVERIFY(place >= 10 && place < 20);
+}
+
+void TestGroom::aSkinWithoutFacesGrowsNothing()
+{
+    const auto groom = groomOf(inputOf(std::make_shared<const Skin>(HeadMesh{}), smallGroup()));
+    QCOMPARE(groom->hairCount, std::size_t{0});
+    QVERIFY(groom->basis && groom->roots);
+    QCOMPARE(groom->basis->blockCount(), std::size_t{0});
+}
+
+QTEST_APPLESS_MAIN(TestGroom)
+#include "test_groom.moc"

@@ -1,0 +1,338 @@
+// An update rebuilds what differs, nothing else, and leaves the bytes of a fresh build.
+#include "groom_bytes.h"
+#include "sim/deterministic.h"
+#include "sim/groom.h"
+#include "sim/parallel.h"
+#include "tests/support/test_grooms.h"
+#include "tests/support/test_heads.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <set>
+
+using namespace hairpaint::sim;
+using namespace hairpaint::test;
+
+namespace {
+
+using MapPointer = std::shared_ptr<const TiledRaster> GroupMaps::*;
+constexpr std::array<MapPointer, 7> kMaps{&GroupMaps::density, &GroupMaps::length, &GroupMaps::curl, &GroupMaps::braid,
+                                          &GroupMaps::colour,  &GroupMaps::clump,  &GroupMaps::gel};
+constexpr std::array<const char*, 7> kMapNames{"density", "length", "curl", "braid", "colour", "clump", "gel"};
+
+GroomInput startInput()
+{
+    GroupInput group = uniformGroup();
+    group.settings.greatestDensityPerM2 = 2e5F;
+    group.settings.basisHairs = 512;
+    group.maps.density = uniformMap(0.6F);
+    return inputOf(std::make_shared<const Skin>(makeBallHead(48, 0.1F)), group);
+}
+
+/// A texel for one of the maps.
+Texel randomTexel(std::size_t map, std::uint64_t hash)
+{
+    if (kMaps[map] == &GroupMaps::braid)
+        return {static_cast<std::uint16_t>(hash % 2)};
+    if (kMaps[map] == &GroupMaps::colour)
+        return {static_cast<std::uint16_t>(hash), static_cast<std::uint16_t>(hash >> 16U),
+                static_cast<std::uint16_t>(hash >> 32U)};
+    // Often one of the ends, where hairs come and go.
+    return {static_cast<std::uint16_t>(hash % 4 == 0 ? 0 : hash % 4 == 1 ? 65535 : hash >> 40U)};
+}
+
+void verifySame(const Groom& a, const Groom& b, const QString& where)
+{
+    const char* difference = differenceOf(a, b);
+    QVERIFY2(difference == nullptr, qPrintable(where + QStringLiteral(": ") + QLatin1StringView(difference)));
+}
+
+} // namespace
+
+class TestGroomUpdates : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void cleanup() { setThreadCount(0); }
+    void nothingChangedIsTheSameGroom();
+    void aDabRebuildsTheStrandsUnderItAndNoOthers_data();
+    void aDabRebuildsTheStrandsUnderItAndNoOthers();
+    void aDabSharesAllOtherChunks();
+    void repaintingTheOldValueBringsTheOldBytesBack_data();
+    void repaintingTheOldValueBringsTheOldBytesBack();
+    void unchangedValuesInNewTilesRebuildNothing();
+    void randomEditsEqualAFreshBuild_data();
+    void randomEditsEqualAFreshBuild();
+    void settingsThatLeaveTheHairsAloneShareThem();
+    void settingsThatChangeTheHairsEqualAFreshBuild_data();
+    void settingsThatChangeTheHairsEqualAFreshBuild();
+    void groupsComeGoAndChangePlaces();
+    void anyNumberOfThreadsGivesTheSameBytes_data();
+    void anyNumberOfThreadsGivesTheSameBytes();
+};
+
+void TestGroomUpdates::nothingChangedIsTheSameGroom()
+{
+    const GroomInput input = startInput();
+    GroomBuilder builder;
+    const auto first = builder.update(input);
+    QCOMPARE(first.rebuiltStrands, first.grooms[0]->hairCount);
+    const auto second = builder.update(input);
+    QVERIFY(first.grooms[0] == second.grooms[0]);
+    QCOMPARE(second.rebuiltStrands, std::size_t{0});
+}
+
+void TestGroomUpdates::aDabRebuildsTheStrandsUnderItAndNoOthers_data()
+{
+    QTest::addColumn<int>("map");
+    QTest::addColumn<float>("u");
+    QTest::addColumn<float>("v");
+    for (int map = 0; map < 7; ++map) {
+        if (kMaps[static_cast<std::size_t>(map)] == &GroupMaps::braid)
+            continue; // May change within its region.
+        const char* name = kMapNames[static_cast<std::size_t>(map)];
+        QTest::addRow("%s, inside a tile", name) << map << 0.56F << 0.56F;
+        QTest::addRow("%s, over tiles' corners", name) << map << 0.5F << 0.625F;
+        QTest::addRow("%s, at the border", name) << map << 0.0F << 0.5F;
+    }
+}
+
+void TestGroomUpdates::aDabRebuildsTheStrandsUnderItAndNoOthers()
+{
+    QFETCH(int, map);
+    QFETCH(float, u);
+    QFETCH(float, v);
+    constexpr float kRadius = 0.05F;
+    constexpr float kTexel = 1.0F / 512.0F;
+    GroomInput input = startInput();
+    GroomBuilder builder;
+    builder.setCollectSlots(true);
+    const auto before = builder.update(input).grooms[0];
+    auto& raster = input.groups[0].maps.*kMaps[static_cast<std::size_t>(map)];
+    raster = withDab(raster, {u, v}, kRadius, {50000, 1000, 1000});
+    const auto report = builder.update(input);
+    const RootSet& roots = *before->roots;
+
+    QCOMPARE(report.rebuiltSlots.size(), report.rebuiltStrands);
+    const std::set<std::uint32_t> rebuilt(report.rebuiltSlots.begin(), report.rebuiltSlots.end());
+    const bool isGel = kMaps[static_cast<std::size_t>(map)] == &GroupMaps::gel;
+    std::size_t inside = 0;
+    for (std::uint32_t slot = 0; slot < roots.count(); ++slot) {
+        const float distance = glm::length(roots.uv[slot] - glm::vec2(u, v));
+        if (distance > kRadius + 1.5F * kTexel)
+            QVERIFY(!rebuilt.contains(slot));
+        const Groom& after = *report.grooms[0];
+        const auto isHair = [&](const Groom& groom) {
+            const auto& chunk = groom.chunks[slot / kChunkSlots];
+            return chunk && chunk->hairs[slot % kChunkSlots];
+        };
+        if (distance < kRadius - kTexel && (isHair(*before) || isHair(after)) &&
+            (!isGel || roots.rankOfSlot[slot] < roots.basisSlot.size())) {
+            QVERIFY(rebuilt.contains(slot));
+            ++inside;
+        }
+    }
+    QVERIFY(inside > (isGel ? 0U : 20U));
+}
+
+void TestGroomUpdates::aDabSharesAllOtherChunks()
+{
+    GroomInput input = startInput();
+    GroomBuilder builder;
+    builder.setCollectSlots(true);
+    const auto before = builder.update(input).grooms[0];
+    auto& length = input.groups[0].maps.length;
+    length = withDab(length, {0.5F, 0.6F}, 0.04F, {50000});
+    const auto report = builder.update(input);
+    std::set<std::size_t> touched;
+    for (const std::uint32_t slot : report.rebuiltSlots)
+        touched.insert(slot / kChunkSlots);
+    QVERIFY(!touched.empty());
+    for (std::size_t i = 0; i < before->chunks.size(); ++i)
+        QCOMPARE(before->chunks[i] == report.grooms[0]->chunks[i], !touched.contains(i));
+}
+
+void TestGroomUpdates::repaintingTheOldValueBringsTheOldBytesBack_data()
+{
+    QTest::addColumn<int>("map");
+    for (int map = 0; map < 7; ++map)
+        QTest::addRow("%s", kMapNames[static_cast<std::size_t>(map)]) << map;
+}
+
+void TestGroomUpdates::repaintingTheOldValueBringsTheOldBytesBack()
+{
+    QFETCH(int, map);
+    GroomInput input = startInput();
+    GroomBuilder builder;
+    const auto before = builder.update(input).grooms[0];
+    auto& raster = input.groups[0].maps.*kMaps[static_cast<std::size_t>(map)];
+    const Texel old = raster->texel(0, 0);
+    const Texel painted = kMaps[static_cast<std::size_t>(map)] == &GroupMaps::braid ? Texel{1} : Texel{};
+    raster = withDab(raster, {0.5F, 0.6F}, 0.1F, painted == old ? Texel{65535} : painted);
+    const auto between = builder.update(input).grooms[0];
+    QVERIFY(differenceOf(*before, *between) != nullptr);
+    // The pixels stay expanded: not the old tiles, but the old values.
+    raster = withDab(raster, {0.5F, 0.6F}, 0.1F, old);
+    verifySame(*before, *builder.update(input).grooms[0], QStringLiteral("repainted"));
+}
+
+void TestGroomUpdates::unchangedValuesInNewTilesRebuildNothing()
+{
+    GroomInput input = startInput();
+    GroomBuilder builder;
+    (void)builder.update(input);
+    for (const MapPointer map : kMaps) {
+        auto copy = std::make_shared<TiledRaster>(*(input.groups[0].maps.*map));
+        for (int tile = 0; tile < copy->tileCount(); ++tile)
+            (void)copy->writableTile(tile);
+        input.groups[0].maps.*map = std::move(copy);
+    }
+    QCOMPARE(builder.update(input).rebuiltStrands, std::size_t{0});
+}
+
+void TestGroomUpdates::randomEditsEqualAFreshBuild_data()
+{
+    QTest::addColumn<quint64>("seed");
+    for (quint64 seed = 1; seed <= 6; ++seed)
+        QTest::addRow("seed %llu", seed) << seed;
+}
+
+void TestGroomUpdates::randomEditsEqualAFreshBuild()
+{
+    QFETCH(quint64, seed);
+    GroomInput input = startInput();
+    GroomBuilder builder;
+    std::vector<GroupMaps> history;
+    for (std::uint64_t edit = 0; edit < 24; ++edit) {
+        history.push_back(input.groups[0].maps);
+        const auto random = [&](std::uint64_t what) { return hash64(seed, edit * 16 + what); };
+        const auto map = static_cast<std::size_t>(random(0) % kMaps.size());
+        auto& raster = input.groups[0].maps.*kMaps[map];
+        if (random(1) % 8 == 0) {
+            raster = history[random(2) % history.size()].*kMaps[map]; // Undo.
+        } else if (random(1) % 8 == 1) {
+            auto filled = std::make_shared<TiledRaster>(*raster);
+            for (int tile = 0; tile < filled->tileCount(); ++tile)
+                filled->setUniform(tile, randomTexel(map, random(3)));
+            raster = std::move(filled);
+        } else {
+            const glm::vec2 centre(unitFloat(random(4)), unitFloat(random(5)));
+            raster = withDab(raster, centre, 0.02F + 0.15F * unitFloat(random(6)), randomTexel(map, random(3)));
+        }
+        const auto incremental = builder.update(input).grooms[0];
+        if (edit % 3 == 2) {
+            const auto fresh = GroomBuilder().update(input).grooms[0];
+            verifySame(*incremental, *fresh,
+                       QStringLiteral("edit %1, %2").arg(edit).arg(QLatin1StringView(kMapNames[map])));
+        }
+    }
+}
+
+void TestGroomUpdates::settingsThatLeaveTheHairsAloneShareThem()
+{
+    GroomInput input = startInput();
+    GroomBuilder builder;
+    const auto before = builder.update(input).grooms[0];
+    input.groups[0].settings.physics.damping = 5.0F;
+    input.groups[0].settings.material.shine = 0.9F;
+    input.groups[0].visible = false;
+    const auto report = builder.update(input);
+    QCOMPARE(report.rebuiltStrands, std::size_t{0});
+    QVERIFY(report.grooms[0] != before);
+    QVERIFY(report.grooms[0]->chunks == before->chunks);
+    QVERIFY(report.grooms[0]->settings == input.groups[0].settings);
+    QVERIFY(!report.grooms[0]->visible);
+}
+
+void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild_data()
+{
+    using Change = std::function<void(GroomInput&)>;
+    QTest::addColumn<Change>("change");
+    const auto row = [](const char* name, Change change) { QTest::newRow(name) << std::move(change); };
+    row("greatest density", [](GroomInput& i) { i.groups[0].settings.greatestDensityPerM2 = 3e5F; });
+    row("greatest length", [](GroomInput& i) { i.groups[0].settings.greatestLengthM = 0.1F; });
+    row("nodes", [](GroomInput& i) { i.groups[0].settings.nodesPerHair = 5; });
+    row("basis hairs", [](GroomInput& i) { i.groups[0].settings.basisHairs = 300; });
+    row("turns per length", [](GroomInput& i) { i.groups[0].settings.turnsMode = TurnsMode::PerLength; });
+    row("width", [](GroomInput& i) { i.groups[0].settings.hairWidthM = 1e-4F; });
+    row("braid spacing", [](GroomInput& i) { i.groups[0].settings.braidSpacingM = 0.05F; });
+    row("seed", [](GroomInput& i) { i.seed = 2; });
+    row("limit", [](GroomInput& i) { i.maxHairs = 5000; });
+    row("skin", [](GroomInput& i) { i.skin = std::make_shared<const Skin>(makeBallHead(30, 0.09F)); });
+    row("size of a map", [](GroomInput& i) { i.groups[0].maps.curl = uniformMap(0.4F, 1024); });
+}
+
+void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild()
+{
+    QFETCH(std::function<void(GroomInput&)>, change);
+    GroomInput input = startInput();
+    auto& maps = input.groups[0].maps;
+    maps.braid = withDab(maps.braid, {0.4F, 0.7F}, 0.15F, {1});
+    maps.curl = withDab(maps.curl, {0.6F, 0.6F}, 0.2F, {40000});
+    GroomBuilder builder;
+    const auto before = builder.update(input).grooms[0];
+    change(input);
+    const auto after = builder.update(input).grooms[0];
+    QVERIFY(differenceOf(*before, *after) != nullptr);
+    verifySame(*after, *GroomBuilder().update(input).grooms[0], QStringLiteral("after"));
+}
+
+void TestGroomUpdates::groupsComeGoAndChangePlaces()
+{
+    GroomInput input = startInput();
+    GroupInput brow = input.groups[0];
+    brow.id = 7;
+    brow.settings.greatestLengthM = 0.01F;
+    GroomBuilder builder;
+    const auto scalp = builder.update(input).grooms[0];
+    input.groups.push_back(brow);
+    auto report = builder.update(input);
+    QCOMPARE(report.grooms.size(), std::size_t{2});
+    QVERIFY(report.grooms[0] == scalp);
+    const auto browGroom = report.grooms[1];
+    QCOMPARE(browGroom->groupId, 7);
+    QCOMPARE(report.rebuiltStrands, browGroom->hairCount);
+    std::swap(input.groups[0], input.groups[1]);
+    report = builder.update(input);
+    QVERIFY(report.grooms[0] == browGroom && report.grooms[1] == scalp);
+    input.groups.erase(input.groups.begin());
+    report = builder.update(input);
+    QCOMPARE(report.grooms.size(), std::size_t{1});
+    QVERIFY(report.grooms[0] == scalp);
+}
+
+void TestGroomUpdates::anyNumberOfThreadsGivesTheSameBytes_data()
+{
+    QTest::addColumn<int>("threads");
+    QTest::newRow("two") << 2;
+    QTest::newRow("eight") << 8;
+}
+
+void TestGroomUpdates::anyNumberOfThreadsGivesTheSameBytes()
+{
+    QFETCH(int, threads);
+    const auto run = [](int count) {
+        setThreadCount(count);
+        GroomInput input = startInput();
+        GroomBuilder builder;
+        std::vector<std::shared_ptr<const Groom>> grooms{builder.update(input).grooms[0]};
+        auto& maps = input.groups[0].maps;
+        maps.braid = withDab(maps.braid, {0.4F, 0.7F}, 0.15F, {1});
+        maps.clump = withDab(maps.clump, {0.5F, 0.5F}, 0.3F, {40000});
+        grooms.push_back(builder.update(input).grooms[0]);
+        maps.length = withDab(maps.length, {0.45F, 0.65F}, 0.1F, {60000});
+        grooms.push_back(builder.update(input).grooms[0]);
+        return grooms;
+    };
+    const auto one = run(1);
+    const auto many = run(threads);
+    for (std::size_t i = 0; i < one.size(); ++i)
+        verifySame(*one[i], *many[i], QStringLiteral("update %1").arg(i));
+}
+
+QTEST_APPLESS_MAIN(TestGroomUpdates)
+#include "test_groom_updates.moc"

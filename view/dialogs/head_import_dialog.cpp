@@ -1,0 +1,202 @@
+// Unit and axis of an imported mesh.
+#include "view/dialogs/head_import_dialog.h"
+
+#include "model/files/head_file.h"
+#include "view/dialogs/mesh_silhouette.h"
+#include "view/theme.h"
+#include "view/widgets/bar_slider.h"
+#include "view/widgets/icons.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr double kCm = 100.0;
+/// Heads, busts and whole bodies lie between these; anything else is most likely a wrong unit.
+constexpr double kShortestCm = 12.0;
+constexpr double kTallestCm = 230.0;
+
+struct Unit
+{
+    const char* title;
+    double metres;
+};
+constexpr Unit kUnits[] = {
+    {QT_TRANSLATE_NOOP("HeadImportDialog", "Millimetres"), 0.001},
+    {QT_TRANSLATE_NOOP("HeadImportDialog", "Centimetres"), 0.01},
+    {QT_TRANSLATE_NOOP("HeadImportDialog", "Inches"), 0.0254},
+    {QT_TRANSLATE_NOOP("HeadImportDialog", "Decimetres"), 0.1},
+    {QT_TRANSLATE_NOOP("HeadImportDialog", "Metres"), 1.0},
+};
+
+} // namespace
+
+QString HeadImportDialog::refusal(const sim::HeadMesh& source, const QString& fileName)
+{
+    if (source.triangles.empty() || source.positionsHd.empty())
+        return tr("“%1” holds no triangles. Export the head as a mesh and try again.").arg(fileName);
+    bool spread = false;
+    for (const glm::vec2& uv : source.uvs)
+        spread = spread || uv != source.uvs.front();
+    if (source.uvs.size() != source.positionsHd.size() || !spread)
+        return tr("“%1” has no UV layout, and without one there is nothing to paint on. Unwrap the head in your 3D "
+                  "program and export it with its UVs.")
+            .arg(fileName);
+    return {};
+}
+
+HeadImportDialog::HeadImportDialog(sim::HeadMesh source, const QString& fileName, QWidget* parent)
+    : QDialog(parent), m_source(std::move(source)), m_refusal(refusal(m_source, fileName))
+{
+    setWindowTitle(tr("Import head"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(metrics::kPadding);
+    auto* title = new QLabel(fileName, this);
+    title->setProperty("role", QStringLiteral("title"));
+    title->setTextFormat(Qt::PlainText);
+    title->setWordWrap(true);
+    layout->addWidget(title);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(16);
+    m_silhouette = new MeshSilhouette(m_source, this);
+    row->addWidget(m_silhouette, 0, Qt::AlignTop);
+    row->addLayout(buildForm(), 1);
+    layout->addLayout(row);
+    layout->addLayout(buildRemark());
+    m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Import"));
+    m_buttons->button(QDialogButtonBox::Cancel)->setText(m_refusal.isEmpty() ? tr("Cancel") : tr("Close"));
+    layout->addWidget(m_buttons);
+    setMinimumWidth(460);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    guess();
+    follow();
+}
+
+QFormLayout* HeadImportDialog::buildForm()
+{
+    auto* form = new QFormLayout;
+    form->setSpacing(metrics::kGap);
+    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    m_unit = new QComboBox(this);
+    for (const Unit& unit : kUnits)
+        m_unit->addItem(tr(unit.title), unit.metres);
+    m_unit->addItem(tr("By height"), 0.0);
+    m_axis = new QComboBox(this);
+    m_axis->addItem(tr("Y (glTF, Maya)"), static_cast<int>(model::UpAxis::Y));
+    m_axis->addItem(tr("Z (Blender, 3ds Max)"), static_cast<int>(model::UpAxis::Z));
+    m_height = new BarSlider(tr("Height"), this);
+    m_height->setRange(1.0, 300.0, 1);
+    m_height->setExponent(2.0);
+    m_height->setUnit(tr("cm"));
+    form->addRow(tr("One &unit is"), m_unit);
+    form->addRow(tr("&Up is"), m_axis);
+    form->addRow(m_height);
+    connect(m_unit, &QComboBox::currentIndexChanged, this, &HeadImportDialog::follow);
+    connect(m_axis, &QComboBox::currentIndexChanged, this, &HeadImportDialog::follow);
+    connect(m_height, &BarSlider::valueChanged, this, [this](double cm) {
+        const double source = sourceHeight();
+        if (source <= 0.0)
+            return;
+        m_ownScale = cm / kCm / source;
+        m_unit->setCurrentIndex(m_unit->count() - 1);
+        follow();
+    });
+    return form;
+}
+
+QHBoxLayout* HeadImportDialog::buildRemark()
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::kGap);
+    m_remarkIcon = new QLabel(this);
+    m_remarkIcon->setPixmap(iconPixmap(QStringLiteral("error"), 20, Theme::current().error, devicePixelRatioF()));
+    m_remark = new QLabel(this);
+    m_remark->setTextFormat(Qt::PlainText);
+    m_remark->setWordWrap(true);
+    row->addWidget(m_remarkIcon, 0, Qt::AlignTop);
+    row->addWidget(m_remark, 1);
+    return row;
+}
+
+void HeadImportDialog::guess()
+{
+    if (!m_refusal.isEmpty())
+        return;
+    const model::HeadGuess likely = model::guessHead(m_source);
+    m_axis->setCurrentIndex(m_axis->findData(static_cast<int>(likely.upAxis)));
+    m_ownScale = static_cast<double>(likely.unitScale);
+    int index = m_unit->count() - 1;
+    for (int i = 0; i < static_cast<int>(std::size(kUnits)); ++i)
+        if (std::abs(kUnits[i].metres - m_ownScale) < m_ownScale * 1e-3)
+            index = i;
+    m_unit->setCurrentIndex(index);
+}
+
+double HeadImportDialog::sourceHeight() const
+{
+    if (m_source.positionsHd.empty())
+        return 0.0;
+    const auto up = [this](const glm::vec3& position) {
+        return upAxis() == model::UpAxis::Y ? position.y : position.z;
+    };
+    const auto [low, high] = std::ranges::minmax(m_source.positionsHd, {}, up);
+    return static_cast<double>(up(high) - up(low));
+}
+
+float HeadImportDialog::unitScale() const
+{
+    const double metres = m_unit->currentData().toDouble();
+    return static_cast<float>(metres > 0.0 ? metres : m_ownScale);
+}
+
+model::UpAxis HeadImportDialog::upAxis() const
+{
+    return static_cast<model::UpAxis>(m_axis->currentData().toInt());
+}
+
+double HeadImportDialog::heightCm() const
+{
+    return sourceHeight() * static_cast<double>(unitScale()) * kCm;
+}
+
+void HeadImportDialog::follow()
+{
+    const bool usable = m_refusal.isEmpty();
+    m_unit->setEnabled(usable);
+    m_axis->setEnabled(usable);
+    m_height->setEnabled(usable);
+    m_silhouette->setUpAxis(upAxis());
+    if (m_unit->currentData().toDouble() > 0.0)
+        m_ownScale = m_unit->currentData().toDouble();
+    const double height = heightCm();
+    m_height->setValue(height);
+    const bool odd = height < kShortestCm || height > kTallestCm;
+    const QString faces = QLocale().toString(static_cast<qulonglong>(m_source.triangles.size()));
+    if (!usable)
+        m_remark->setText(m_refusal);
+    else if (odd)
+        m_remark->setText(tr("%1 triangles. %2 cm is no usual height for a head, a bust or a body: check the unit "
+                             "and the axis.")
+                              .arg(faces, QLocale().toString(height, 'f', 1)));
+    else
+        m_remark->setText(tr("%1 triangles, %2 cm tall.").arg(faces, QLocale().toString(height, 'f', 1)));
+    m_remarkIcon->setVisible(!usable || odd);
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(usable && height > 0.0);
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,29 @@
+// A mesh seen from the front, so that a wrong axis is seen at once.
+#pragma once
+
+#include "model/project.h"
+#include "sim/head_mesh.h"
+
+#include <QWidget>
+
+namespace hairpaint::view {
+
+class MeshSilhouette : public QWidget
+{
+    Q_OBJECT
+public:
+    /// `mesh` must outlive the widget.
+    explicit MeshSilhouette(const sim::HeadMesh& mesh, QWidget* parent = nullptr);
+    void setUpAxis(model::UpAxis axis);
+    [[nodiscard]] QSize sizeHint() const override { return {148, 180}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {120, 140}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    const sim::HeadMesh& m_mesh;
+    model::UpAxis m_axis = model::UpAxis::Y;
+};
+
+} // namespace hairpaint::view

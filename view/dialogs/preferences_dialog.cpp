@@ -1,0 +1,106 @@
+// The program's own settings; the page of keys is in preferences_keys.cpp.
+#include "view/dialogs/preferences_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace hairpaint::view {
+
+PreferencesDialog::PreferencesDialog(const Preferences& preferences, std::vector<std::pair<QString, QString>> languages,
+                                     std::vector<KeyBinding> bindings, QWidget* parent)
+    : QDialog(parent), m_preferences(preferences), m_bindings(std::move(bindings))
+{
+    setWindowTitle(tr("Preferences"));
+    setModal(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(metrics::kPadding, metrics::kPadding, metrics::kPadding, metrics::kPadding);
+    layout->setSpacing(metrics::kPadding);
+    auto* pages = new QTabWidget(this);
+    pages->setDocumentMode(true);
+    pages->addTab(buildGeneral(languages), tr("General"));
+    pages->addTab(buildKeys(), tr("Keys"));
+    layout->addWidget(pages);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    buttons->button(QDialogButtonBox::Close)->setText(tr("Close"));
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    layout->addWidget(buttons);
+    resize(560, 520);
+    setPreferences(preferences);
+}
+
+QWidget* PreferencesDialog::buildGeneral(const std::vector<std::pair<QString, QString>>& languages)
+{
+    auto* page = new QWidget(this);
+    page->setObjectName(QStringLiteral("panel"));
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(metrics::kPadding, 16, metrics::kPadding, metrics::kPadding);
+    form->setSpacing(metrics::kGap);
+    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    m_theme = new QComboBox(page);
+    m_theme->addItem(tr("Dark"), static_cast<int>(ThemeKind::Dark));
+    m_theme->addItem(tr("Light"), static_cast<int>(ThemeKind::Light));
+    m_language = new QComboBox(page);
+    m_language->addItem(tr("As the system"), QString());
+    for (const auto& [code, name] : languages)
+        m_language->addItem(name, code);
+    m_presenter = new QComboBox(page);
+    m_presenter->addItem(tr("Automatic"), static_cast<int>(Presenter::Automatic));
+    m_presenter->addItem(tr("Graphics card (OpenGL)"), static_cast<int>(Presenter::Widget));
+    m_presenter->addItem(tr("As a picture (software)"), static_cast<int>(Presenter::Image));
+    m_whitePaper = new QCheckBox(tr("White &paper under the maps"), page);
+    const auto note = [page](const QString& text) {
+        auto* label = new QLabel(text, page);
+        label->setProperty("role", QStringLiteral("dim"));
+        label->setWordWrap(true);
+        return label;
+    };
+    form->addRow(tr("&Theme"), m_theme);
+    form->addRow(tr("&Language"), m_language);
+    form->addRow(QString(), note(tr("The language changes at the next start.")));
+    form->addRow(tr("3D &area"), m_presenter);
+    form->addRow(QString(), note(tr("Automatic takes the graphics card where there is one. A change takes effect at "
+                                    "the next start.")));
+    form->addRow(QString(), m_whitePaper);
+    form->addRow(QString(), note(tr("Maps go from white to their colour instead of from black. Exported images "
+                                    "always do.")));
+    for (QComboBox* box : {m_theme, m_language, m_presenter})
+        connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::readGeneral);
+    connect(m_whitePaper, &QCheckBox::toggled, this, &PreferencesDialog::readGeneral);
+    return page;
+}
+
+void PreferencesDialog::setPreferences(const Preferences& preferences)
+{
+    m_filling = true;
+    m_preferences = preferences;
+    m_theme->setCurrentIndex(m_theme->findData(static_cast<int>(preferences.theme)));
+    m_language->setCurrentIndex(std::max(m_language->findData(preferences.language), 0));
+    m_presenter->setCurrentIndex(m_presenter->findData(static_cast<int>(preferences.presenter)));
+    m_whitePaper->setChecked(preferences.whitePaper);
+    m_filling = false;
+}
+
+void PreferencesDialog::readGeneral()
+{
+    if (m_filling)
+        return;
+    const Preferences chosen{.theme = static_cast<ThemeKind>(m_theme->currentData().toInt()),
+                             .language = m_language->currentData().toString(),
+                             .presenter = static_cast<Presenter>(m_presenter->currentData().toInt()),
+                             .whitePaper = m_whitePaper->isChecked()};
+    if (chosen == m_preferences)
+        return;
+    m_preferences = chosen;
+    Q_EMIT preferencesChanged(m_preferences);
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,174 @@
+// The page of keys in the preferences.
+#include "view/dialogs/preferences_dialog.h"
+#include "view/widgets/action_button.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr int kNameColumn = 0;
+constexpr int kKeyColumn = 1;
+
+QString plainText(const QAction& action)
+{
+    return QString(action.text()).remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+}
+
+} // namespace
+
+QWidget* PreferencesDialog::buildKeys()
+{
+    auto* page = new QWidget(this);
+    page->setObjectName(QStringLiteral("panel"));
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(metrics::kPadding, metrics::kPadding, metrics::kPadding, metrics::kPadding);
+    layout->setSpacing(metrics::kGap);
+    m_filter = new QLineEdit(page);
+    m_filter->setPlaceholderText(tr("Search by name or key"));
+    m_filter->setAccessibleName(m_filter->placeholderText());
+    m_filter->setClearButtonEnabled(true);
+    layout->addWidget(m_filter);
+    m_keys = new QTreeWidget(page);
+    m_keys->setAccessibleName(tr("Keys"));
+    m_keys->setColumnCount(2);
+    m_keys->setHeaderLabels({tr("Action"), tr("Key")});
+    m_keys->header()->setSectionResizeMode(kNameColumn, QHeaderView::Stretch);
+    m_keys->header()->setSectionResizeMode(kKeyColumn, QHeaderView::ResizeToContents);
+    m_keys->setSelectionMode(QAbstractItemView::SingleSelection);
+    layout->addWidget(m_keys, 1);
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::kGap);
+    auto* label = new QLabel(tr("&New key"), page);
+    m_newKey = new QKeySequenceEdit(page);
+    m_newKey->setAccessibleName(tr("New key of the chosen action"));
+    label->setBuddy(m_newKey);
+    m_assign = new QPushButton(tr("Assign"), page);
+    m_clear = new QPushButton(tr("Clear"), page);
+    m_reset = new QPushButton(tr("Reset"), page);
+    for (QPushButton* button : {m_assign, m_clear, m_reset})
+        button->setAutoDefault(false);
+    row->addWidget(label);
+    row->addWidget(m_newKey, 1);
+    row->addWidget(m_assign);
+    row->addWidget(m_clear);
+    row->addWidget(m_reset);
+    layout->addLayout(row);
+    m_remark = new QLabel(page);
+    m_remark->setProperty("role", QStringLiteral("dim"));
+    m_remark->setWordWrap(true);
+    layout->addWidget(m_remark);
+    fillKeys();
+
+    connect(m_filter, &QLineEdit::textChanged, this, &PreferencesDialog::filterKeys);
+    connect(m_keys, &QTreeWidget::currentItemChanged, this, &PreferencesDialog::followKey);
+    connect(m_newKey, &QKeySequenceEdit::keySequenceChanged, this, &PreferencesDialog::followKey);
+    connect(m_assign, &QPushButton::clicked, this, [this] { setKey(currentBinding(), m_newKey->keySequence()); });
+    connect(m_clear, &QPushButton::clicked, this, [this] { setKey(currentBinding(), {}); });
+    connect(m_reset, &QPushButton::clicked, this, [this] {
+        if (const int binding = currentBinding(); binding >= 0)
+            setKey(binding, m_bindings[static_cast<std::size_t>(binding)].defaultKey);
+    });
+    followKey();
+    return page;
+}
+
+void PreferencesDialog::fillKeys()
+{
+    m_items.clear();
+    m_keys->clear();
+    QTreeWidgetItem* section = nullptr;
+    for (std::size_t i = 0; i < m_bindings.size(); ++i) {
+        const KeyBinding& binding = m_bindings[i];
+        if (section == nullptr || section->text(kNameColumn) != binding.section) {
+            section = new QTreeWidgetItem(m_keys, {binding.section});
+            section->setFlags(Qt::ItemIsEnabled);
+            section->setExpanded(true);
+        }
+        auto* item = new QTreeWidgetItem(section, {plainText(*binding.action)});
+        item->setText(kKeyColumn, binding.action->shortcut().toString(QKeySequence::NativeText));
+        item->setData(kNameColumn, Qt::UserRole, static_cast<int>(i));
+        m_items.push_back(item);
+    }
+}
+
+void PreferencesDialog::filterKeys(const QString& text)
+{
+    for (int i = 0; i < m_keys->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* section = m_keys->topLevelItem(i);
+        bool any = false;
+        for (int j = 0; j < section->childCount(); ++j) {
+            QTreeWidgetItem* item = section->child(j);
+            const bool fits = text.isEmpty() || item->text(kNameColumn).contains(text, Qt::CaseInsensitive) ||
+                              item->text(kKeyColumn).contains(text, Qt::CaseInsensitive);
+            item->setHidden(!fits);
+            any = any || fits;
+        }
+        section->setHidden(!any);
+    }
+}
+
+int PreferencesDialog::currentBinding() const
+{
+    const QTreeWidgetItem* item = m_keys->currentItem();
+    return item != nullptr && item->parent() != nullptr ? item->data(kNameColumn, Qt::UserRole).toInt() : -1;
+}
+
+int PreferencesDialog::ownerOf(const QKeySequence& key, int except) const
+{
+    for (std::size_t i = 0; i < m_bindings.size(); ++i)
+        if (static_cast<int>(i) != except && !key.isEmpty() && m_bindings[i].action->shortcuts().contains(key))
+            return static_cast<int>(i);
+    return -1;
+}
+
+void PreferencesDialog::followKey()
+{
+    const int binding = currentBinding();
+    const bool chosen = binding >= 0;
+    const QKeySequence wanted = m_newKey->keySequence();
+    m_newKey->setEnabled(chosen);
+    m_assign->setEnabled(chosen && !wanted.isEmpty());
+    m_clear->setEnabled(chosen && !m_bindings[static_cast<std::size_t>(binding)].action->shortcut().isEmpty());
+    m_reset->setEnabled(chosen && m_bindings[static_cast<std::size_t>(binding)].action->shortcut() !=
+                                      m_bindings[static_cast<std::size_t>(binding)].defaultKey);
+    const int owner = chosen ? ownerOf(wanted, binding) : -1;
+    if (!chosen)
+        m_remark->setText(tr("Choose an action, then press its new key."));
+    else if (owner >= 0)
+        m_remark->setText(tr("“%1” has this key now and will lose it.")
+                              .arg(plainText(*m_bindings[static_cast<std::size_t>(owner)].action)));
+    else
+        m_remark->setText(tr("Press the new key in the field, then Assign."));
+}
+
+void PreferencesDialog::setKey(int binding, const QKeySequence& key)
+{
+    if (binding < 0)
+        return;
+    const auto put = [this](int index, const QKeySequence& its) {
+        const auto place = static_cast<std::size_t>(index);
+        m_bindings[place].action->setShortcut(its);
+        m_items[place]->setText(kKeyColumn, its.toString(QKeySequence::NativeText));
+        Q_EMIT keyChanged(m_bindings[place].action, its);
+    };
+    if (const int owner = ownerOf(key, binding); owner >= 0)
+        put(owner, {});
+    put(binding, key);
+    m_newKey->clear();
+    followKey();
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,304 @@
+// The layers of the active map.
+#include "view/panels/layers_panel.h"
+
+#include "view/panels/layer_list.h"
+#include "view/panels/map_thumbnail.h"
+#include "view/theme.h"
+#include "view/widgets/action_button.h"
+#include "view/widgets/bar_slider.h"
+#include "view/widgets/live_edit.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace hairpaint::view {
+
+using model::Change;
+using model::Layer;
+using model::LayerProperties;
+
+namespace {
+
+constexpr int kThumbnailMs = 120;
+
+QString blendTitle(model::BlendMode mode)
+{
+    return mode == model::BlendMode::Multiply ? LayersPanel::tr("Multiply") : LayersPanel::tr("Normal");
+}
+
+} // namespace
+
+LayersPanel::LayersPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
+{
+    setObjectName(QStringLiteral("panel"));
+    setAttribute(Qt::WA_StyledBackground);
+    setAccessibleName(tr("Layers"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(metrics::kPadding, metrics::kGap, metrics::kPadding, metrics::kGap);
+    layout->setSpacing(metrics::kGap);
+
+    auto* top = new QHBoxLayout;
+    top->setSpacing(metrics::kGap);
+    m_blend = new QComboBox(this);
+    m_blend->setAccessibleName(tr("Blend mode"));
+    m_blend->setToolTip(tr("How the layer mixes with those below it"));
+    m_opacity = new BarSlider(tr("Opacity"), this);
+    m_opacity->setRange(0.0, 100.0);
+    m_opacity->setUnit(QStringLiteral("%"));
+    m_opacity->setDefaultValue(100.0);
+    top->addWidget(m_blend);
+    top->addWidget(m_opacity, 1);
+    layout->addLayout(top);
+
+    m_list = new LayerList(LayerList::Rows::Layers, this);
+    m_list->setAccessibleName(tr("Layers, topmost first"));
+    layout->addWidget(m_list, 1);
+
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(metrics::kGrid);
+    QToolButton* add = makeActionButton(QStringLiteral("add"), tr("Add layer"), this);
+    m_duplicate = makeActionButton(QStringLiteral("duplicate"), tr("Duplicate layer"), this);
+    m_up = makeActionButton(QStringLiteral("up"), tr("Move layer up (Alt+Up)"), this);
+    m_down = makeActionButton(QStringLiteral("down"), tr("Move layer down (Alt+Down)"), this);
+    m_remove = makeActionButton(QStringLiteral("remove"), tr("Remove layer (Delete)"), this);
+    buttons->addWidget(add);
+    buttons->addWidget(m_duplicate);
+    buttons->addWidget(m_up);
+    buttons->addWidget(m_down);
+    buttons->addStretch(1);
+    buttons->addWidget(m_remove);
+    layout->addLayout(buttons);
+
+    connect(add, &QToolButton::clicked, this, &LayersPanel::addLayer);
+    connect(m_duplicate, &QToolButton::clicked, this, &LayersPanel::duplicateLayer);
+    connect(m_remove, &QToolButton::clicked, this, &LayersPanel::removeLayer);
+    connect(m_up, &QToolButton::clicked, this, [this] { moveLayer(1); });
+    connect(m_down, &QToolButton::clicked, this, [this] { moveLayer(-1); });
+    connectList();
+    connectProperties();
+
+    m_thumbnails.setSingleShot(true);
+    m_thumbnails.setInterval(kThumbnailMs);
+    connect(&m_thumbnails, &QTimer::timeout, this, &LayersPanel::refreshThumbnails);
+    connect(&state, &EditorState::targetChanged, this, &LayersPanel::rebuild);
+    connect(&state, &EditorState::viewOptionsChanged, &m_thumbnails, qOverload<>(&QTimer::start));
+    connect(&state.document(), &model::Document::changed, this, &LayersPanel::onChanged);
+    rebuild();
+}
+
+void LayersPanel::connectList()
+{
+    connect(m_list, &LayerList::currentRowChanged, this, [this](int row) {
+        if (!m_filling && row >= 0)
+            m_state.setActiveLayer(m_list->idAt(row));
+    });
+    connect(m_list, &LayerList::visibleWanted, this, [this](int layer, bool visible) {
+        change(layer, visible ? tr("Show layer") : tr("Hide layer"),
+               [visible](LayerProperties& properties) { properties.visible = visible; });
+    });
+    connect(m_list, &LayerList::lockWanted, this, [this](int layer, bool locked) {
+        change(layer, locked ? tr("Lock layer") : tr("Unlock layer"),
+               [locked](LayerProperties& properties) { properties.locked = locked; });
+    });
+    // Queued: the list is still busy closing its editor or dropping.
+    connect(
+        m_list, &LayerList::renameWanted, this,
+        [this](int layer, const QString& name) {
+            change(layer, tr("Rename layer"), [&](LayerProperties& properties) { properties.name = name; });
+        },
+        Qt::QueuedConnection);
+    connect(
+        m_list, &LayerList::moveWanted, this,
+        [this](int layer, int row) {
+            const model::MapStack* layers = stack();
+            if (layers != nullptr)
+                moveTo(layer, static_cast<int>(layers->layers.size()) - 1 - row);
+        },
+        Qt::QueuedConnection);
+    connect(m_list, &LayerList::removeWanted, this, &LayersPanel::removeLayer);
+}
+
+void LayersPanel::connectProperties()
+{
+    connect(m_opacity, &BarSlider::valueChanged, this, [this](double percent) {
+        const model::LayerAddress target = m_state.target();
+        previewEdit(
+            m_state.document(),
+            {.aspect = Change::Aspect::LayerList, .group = target.group, .map = target.map, .layer = target.layer},
+            [target, percent](model::Project& project) {
+                if (Layer* layer = project.layer(target.group, target.map, target.layer))
+                    layer->opacity = static_cast<float>(percent / 100.0);
+            });
+    });
+    connect(m_opacity, &BarSlider::editingFinished, this, [this](double percent) {
+        change(m_state.activeLayer(), tr("Layer opacity"),
+               [percent](LayerProperties& properties) { properties.opacity = static_cast<float>(percent / 100.0); });
+    });
+    connect(m_opacity, &BarSlider::editingCancelled, this, [this] { m_state.document().clearPreview(); });
+    connect(m_blend, &QComboBox::activated, this, [this](int index) {
+        const auto mode = static_cast<model::BlendMode>(m_blend->itemData(index).toInt());
+        change(m_state.activeLayer(), tr("Layer blend mode"),
+               [mode](LayerProperties& properties) { properties.blend = mode; });
+    });
+}
+
+const model::MapStack* LayersPanel::stack() const
+{
+    const model::HairGroup* group = m_state.document().project().group(m_state.activeGroup());
+    return group != nullptr ? &group->map(m_state.activeMap()) : nullptr;
+}
+
+const Layer* LayersPanel::activeLayer() const
+{
+    const model::LayerAddress target = m_state.target();
+    return m_state.document().project().layer(target.group, target.map, target.layer);
+}
+
+void LayersPanel::onChanged(const Change& change)
+{
+    switch (change.aspect) {
+    case Change::Aspect::Texels:
+        if (change.group == m_state.activeGroup() && change.map == m_state.activeMap() && !m_thumbnails.isActive())
+            m_thumbnails.start();
+        break;
+    case Change::Aspect::LayerList:
+    case Change::Aspect::GroupList:
+    case Change::Aspect::Everything:
+        rebuild();
+        break;
+    default:
+        break;
+    }
+}
+
+void LayersPanel::rebuild()
+{
+    m_filling = true;
+    const model::MapStack* layers = stack();
+    const int count = layers != nullptr ? static_cast<int>(layers->layers.size()) : 0;
+    while (m_list->count() > count)
+        delete m_list->takeItem(m_list->count() - 1);
+    for (int row = 0; row < count; ++row) {
+        const Layer& layer = layers->layers[static_cast<std::size_t>(count - 1 - row)];
+        QListWidgetItem* item = m_list->item(row);
+        if (item == nullptr) {
+            item = new QListWidgetItem(m_list);
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled);
+        }
+        if (item->data(LayerList::IdRole).toInt() != layer.id)
+            item->setData(LayerList::ThumbnailRole, QImage());
+        item->setText(layer.name);
+        item->setData(LayerList::IdRole, layer.id);
+        item->setData(LayerList::VisibleRole, layer.visible);
+        item->setData(LayerList::LockedRole, layer.locked);
+        item->setData(Qt::AccessibleTextRole, layer.name + (layer.visible ? QString() : tr(", hidden")) +
+                                                  (layer.locked ? tr(", locked") : QString()));
+        if (layer.id == m_state.activeLayer())
+            m_list->setCurrentRow(row);
+    }
+    followActive();
+    m_filling = false;
+    refreshThumbnails();
+}
+
+void LayersPanel::followActive()
+{
+    const Layer* layer = activeLayer();
+    const model::MapStack* layers = stack();
+    m_list->setEnabled(layers != nullptr);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_opacity, m_blend, m_remove, m_duplicate, m_up, m_down})
+        widget->setEnabled(layer != nullptr);
+    m_blend->clear();
+    for (const model::BlendMode mode : model::mapSpec(m_state.activeMap()).blendModes)
+        m_blend->addItem(blendTitle(mode), static_cast<int>(mode));
+    if (layer == nullptr)
+        return;
+    m_blend->setCurrentIndex(std::max(m_blend->findData(static_cast<int>(layer->blend)), 0));
+    m_blend->setEnabled(m_blend->count() > 1);
+    m_opacity->setValue(static_cast<double>(layer->opacity) * 100.0);
+    m_up->setEnabled(layers->layers.back().id != layer->id);
+    m_down->setEnabled(layers->layers.front().id != layer->id);
+}
+
+void LayersPanel::refreshThumbnails()
+{
+    m_thumbnails.stop();
+    const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
+    const int side = qRound(LayerList::kThumbnailSide * devicePixelRatioF());
+    for (int row = 0; row < m_list->count(); ++row) {
+        const Layer* layer = m_state.document().project().layer(m_state.activeGroup(), spec.kind, m_list->idAt(row));
+        if (layer != nullptr)
+            m_list->item(row)->setData(LayerList::ThumbnailRole,
+                                       layerThumbnail(*layer, spec, m_state.nightPaper(), side));
+    }
+}
+
+void LayersPanel::change(model::Id layer, const QString& text, const std::function<void(LayerProperties&)>& edit)
+{
+    const model::LayerAddress address{.group = m_state.activeGroup(), .map = m_state.activeMap(), .layer = layer};
+    commitEdit(m_state.document(), [&]() -> model::CommandPtr {
+        const Layer* found = m_state.document().committed().layer(address.group, address.map, address.layer);
+        if (found == nullptr)
+            return nullptr;
+        LayerProperties properties = model::propertiesOf(*found);
+        edit(properties);
+        return setLayerPropertiesCommand(m_state.document(), address, properties, text);
+    });
+}
+
+void LayersPanel::addLayer()
+{
+    const model::MapStack* layers = stack();
+    if (layers == nullptr)
+        return;
+    m_state.document().push(addLayerCommand(m_state.document(), m_state.activeGroup(), m_state.activeMap(),
+                                            tr("Layer %1").arg(layers->layers.size() + 1)));
+    if (const model::MapStack* after = stack(); after != nullptr && !after->layers.empty())
+        m_state.setActiveLayer(after->layers.back().id);
+}
+
+void LayersPanel::removeLayer()
+{
+    if (activeLayer() != nullptr)
+        m_state.document().push(removeLayerCommand(m_state.document(), m_state.target()));
+}
+
+void LayersPanel::duplicateLayer()
+{
+    const Layer* layer = activeLayer();
+    const model::MapStack* layers = stack();
+    if (layer == nullptr || layers == nullptr)
+        return;
+    const auto position = static_cast<int>(layer - layers->layers.data()) + 1;
+    Layer copy = *layer;
+    copy.name = tr("%1 copy").arg(layer->name);
+    m_state.document().push(insertLayerCommand(m_state.document(), m_state.activeGroup(), m_state.activeMap(),
+                                               std::move(copy), position,
+                                               tr("Duplicate layer \"%1\"").arg(layer->name)));
+    if (const model::MapStack* after = stack(); after != nullptr)
+        m_state.setActiveLayer(after->layers[static_cast<std::size_t>(position)].id);
+}
+
+void LayersPanel::moveLayer(int steps)
+{
+    const Layer* layer = activeLayer();
+    if (layer != nullptr)
+        moveTo(layer->id, static_cast<int>(layer - stack()->layers.data()) + steps);
+}
+
+void LayersPanel::moveTo(model::Id layer, int position)
+{
+    const model::MapStack* layers = stack();
+    if (layers == nullptr || position < 0 || position >= static_cast<int>(layers->layers.size()))
+        return;
+    if (layers->layers[static_cast<std::size_t>(position)].id == layer)
+        return;
+    m_state.document().push(moveLayerCommand(
+        m_state.document(), {.group = m_state.activeGroup(), .map = m_state.activeMap(), .layer = layer}, position));
+    m_state.setActiveLayer(layer);
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,87 @@
+// One map in the maps panel.
+#include "view/panels/map_row.h"
+
+#include "view/theme.h"
+#include "view/widgets/map_badge.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+namespace hairpaint::view {
+
+MapRow::MapRow(model::MapKind map, QWidget* parent) : QAbstractButton(parent), m_map(map)
+{
+    const model::MapSpec& spec = model::mapSpec(map);
+    setText(spec.titleText());
+    setAccessibleName(spec.titleText());
+    setToolTip(tr("%1 (%2)").arg(spec.titleText()).arg(static_cast<int>(map) + 1));
+    setCheckable(true);
+    setAutoExclusive(true);
+    setFocusPolicy(Qt::TabFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAttribute(Qt::WA_Hover);
+}
+
+void MapRow::setRange(const QString& range)
+{
+    m_range = range;
+    setAccessibleDescription(range);
+    update();
+}
+
+void MapRow::setThumbnail(const QImage& thumbnail)
+{
+    m_thumbnail = thumbnail;
+    update();
+}
+
+void MapRow::paintEvent(QPaintEvent* /*event*/)
+{
+    const Theme theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+    const QRectF field = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+    if (isChecked() || underMouse()) {
+        QPainterPath ground;
+        ground.addRoundedRect(field, metrics::kRadius, metrics::kRadius);
+        painter.fillPath(ground, isChecked() ? theme.raised : theme.window);
+        if (isChecked()) {
+            painter.save();
+            painter.setClipPath(ground);
+            painter.fillRect(QRectF(0.0, 0.0, 3.0, height()), theme.accent);
+            painter.restore();
+        }
+    }
+    MapBadge::paint(painter, QRect(metrics::kGap, 0, 44, height()), model::mapSpec(m_map), isChecked());
+    const QRectF picture(width() - kThumbnailSide - 4.0, (height() - kThumbnailSide) / 2.0, kThumbnailSide,
+                         kThumbnailSide);
+    if (!m_thumbnail.isNull()) {
+        QPainterPath frame;
+        frame.addRoundedRect(picture, 3.0, 3.0);
+        painter.save();
+        painter.setClipPath(frame);
+        painter.drawImage(picture, m_thumbnail);
+        painter.restore();
+        painter.setPen(QPen(theme.line, 1.0));
+        painter.drawPath(frame);
+    }
+    QRectF text(60.0, 0.0, picture.left() - 68.0, height());
+    painter.setFont(themeFont(TextRole::Status));
+    painter.setPen(theme.dimText);
+    painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, m_range);
+    text.setWidth(text.width() - painter.fontMetrics().horizontalAdvance(m_range) - 8.0);
+    QFont font = themeFont(TextRole::Body);
+    if (isChecked())
+        font.setWeight(QFont::DemiBold);
+    painter.setFont(font);
+    painter.setPen(theme.text);
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(this->text(), Qt::ElideRight, static_cast<int>(text.width())));
+    if (hasFocus()) {
+        painter.setPen(QPen(theme.accent, 1.5));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(field, metrics::kRadius, metrics::kRadius);
+    }
+}
+
+} // namespace hairpaint::view

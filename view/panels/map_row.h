@@ -1,0 +1,31 @@
+// One map in the maps panel: letter and icon, name, range, thumbnail.
+#pragma once
+
+#include "model/map_spec.h"
+
+#include <QAbstractButton>
+#include <QImage>
+
+namespace hairpaint::view {
+
+class MapRow : public QAbstractButton
+{
+    Q_OBJECT
+public:
+    explicit MapRow(model::MapKind map, QWidget* parent = nullptr);
+    void setRange(const QString& range);
+    void setThumbnail(const QImage& thumbnail);
+    [[nodiscard]] QSize sizeHint() const override { return {220, 28}; }
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+    static constexpr int kThumbnailSide = 24;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    model::MapKind m_map;
+    QString m_range;
+    QImage m_thumbnail;
+};
+
+} // namespace hairpaint::view

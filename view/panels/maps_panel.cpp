@@ -1,0 +1,124 @@
+// The maps of the active group.
+#include "view/panels/maps_panel.h"
+
+#include "view/panels/map_row.h"
+#include "view/panels/map_thumbnail.h"
+#include "view/theme.h"
+#include "view/widgets/value_text.h"
+
+#include <QKeyEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace hairpaint::view {
+
+using model::Change;
+using model::MapKind;
+using model::MapSpec;
+
+namespace {
+
+constexpr int kRedrawMs = 50;
+
+std::size_t indexOf(MapKind map)
+{
+    return static_cast<std::size_t>(map);
+}
+
+} // namespace
+
+MapsPanel::MapsPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
+{
+    setObjectName(QStringLiteral("panel"));
+    setAttribute(Qt::WA_StyledBackground);
+    setAccessibleName(tr("Maps"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(metrics::kPadding - metrics::kGrid, metrics::kGap, metrics::kPadding - metrics::kGrid,
+                               metrics::kGap);
+    layout->setSpacing(0);
+    for (const MapSpec& spec : model::mapSpecs()) {
+        auto* row = new MapRow(spec.kind, this);
+        connect(row, &MapRow::clicked, this, [this, kind = spec.kind] { m_state.setActiveMap(kind); });
+        layout->addWidget(row);
+        m_rows[indexOf(spec.kind)] = row;
+    }
+    m_redraw.setSingleShot(true);
+    m_redraw.setInterval(kRedrawMs);
+    connect(&m_redraw, &QTimer::timeout, this, &MapsPanel::redraw);
+    connect(&state, &EditorState::targetChanged, this, &MapsPanel::follow);
+    connect(&state, &EditorState::viewOptionsChanged, this, &MapsPanel::markAll);
+    connect(&state.document(), &model::Document::changed, this, &MapsPanel::onChanged);
+    follow();
+    markAll();
+}
+
+void MapsPanel::onChanged(const Change& change)
+{
+    const bool oneMap = change.aspect == Change::Aspect::Texels || change.aspect == Change::Aspect::LayerList;
+    if (oneMap) {
+        if (change.group != m_shownGroup)
+            return;
+        m_stale[indexOf(change.map)] = true;
+        if (!m_redraw.isActive())
+            m_redraw.start();
+    } else if (change.aspect != Change::Aspect::Environment && change.aspect != Change::Aspect::Head) {
+        follow();
+        if (change.aspect != Change::Aspect::Settings)
+            markAll();
+    }
+}
+
+void MapsPanel::markAll()
+{
+    m_stale.fill(true);
+    if (!m_redraw.isActive())
+        m_redraw.start();
+}
+
+void MapsPanel::follow()
+{
+    const model::HairGroup* group = m_state.document().project().group(m_state.activeGroup());
+    setEnabled(group != nullptr);
+    for (const MapSpec& spec : model::mapSpecs()) {
+        MapRow* row = m_rows[indexOf(spec.kind)];
+        row->setChecked(spec.kind == m_state.activeMap());
+        row->setRange(group != nullptr ? rangeText(group->settings, spec) : QString());
+    }
+    if (m_shownGroup != m_state.activeGroup()) {
+        m_shownGroup = m_state.activeGroup();
+        markAll();
+    }
+}
+
+void MapsPanel::redraw()
+{
+    const int side = qRound(MapRow::kThumbnailSide * devicePixelRatioF());
+    for (const MapSpec& spec : model::mapSpecs()) {
+        if (!std::exchange(m_stale[indexOf(spec.kind)], false))
+            continue;
+        const auto resolved = m_state.document().resolved(m_shownGroup, spec.kind);
+        m_rows[indexOf(spec.kind)]->setThumbnail(
+            resolved == nullptr ? QImage() : mapThumbnail(*resolved, spec, m_state.nightPaper(), side));
+    }
+}
+
+void MapsPanel::keyPressEvent(QKeyEvent* event)
+{
+    int wanted = -1;
+    const int current = static_cast<int>(m_state.activeMap());
+    if (event->key() >= Qt::Key_1 && event->key() < Qt::Key_1 + model::kMapKindCount)
+        wanted = event->key() - Qt::Key_1;
+    else if (event->key() == Qt::Key_Up)
+        wanted = std::max(current - 1, 0);
+    else if (event->key() == Qt::Key_Down)
+        wanted = std::min(current + 1, model::kMapKindCount - 1);
+    if (wanted < 0) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    m_state.setActiveMap(static_cast<MapKind>(wanted));
+    m_rows[static_cast<std::size_t>(wanted)]->setFocus();
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,282 @@
+// The settings of the active tool.
+#include "view/panels/option_bar.h"
+
+#include "view/theme.h"
+#include "view/widgets/action_button.h"
+#include "view/widgets/bar_slider.h"
+#include "view/widgets/icons.h"
+#include "view/widgets/map_badge.h"
+#include "view/widgets/value_pair.h"
+#include "view/widgets/value_palette.h"
+#include "view/widgets/value_text.h"
+
+#include <QButtonGroup>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace hairpaint::view {
+
+using model::GradientKind;
+using model::MapSpec;
+using model::ShapeKind;
+using model::ToolOption;
+using model::ToolSettings;
+
+namespace {
+
+constexpr double kCm = 100.0;
+constexpr double kPercent = 100.0;
+
+const sim::GroupSettings& settingsOf(const EditorState& state)
+{
+    static const sim::GroupSettings none;
+    const model::HairGroup* group = state.document().project().group(state.activeGroup());
+    return group != nullptr ? group->settings : none;
+}
+
+BarSlider* percentSlider(const QString& label, QWidget* parent)
+{
+    auto* slider = new BarSlider(label, parent);
+    slider->setRange(0.0, kPercent);
+    slider->setUnit(QStringLiteral("%"));
+    slider->setMaximumWidth(160);
+    return slider;
+}
+
+QToolButton* toggle(const QString& iconName, const QString& name, QWidget* parent)
+{
+    QToolButton* button = makeActionButton(iconName, name, parent);
+    button->setCheckable(true);
+    return button;
+}
+
+QWidget* box(QWidget* parent)
+{
+    auto* widget = new QWidget(parent);
+    auto* layout = new QHBoxLayout(widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(metrics::kGrid);
+    return widget;
+}
+
+} // namespace
+
+OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
+{
+    setObjectName(QStringLiteral("optionBar"));
+    setAttribute(Qt::WA_StyledBackground);
+    setFixedHeight(metrics::kOptionBar);
+    setAccessibleName(tr("Tool options"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(metrics::kPadding, 0, metrics::kPadding, 1);
+    layout->setSpacing(metrics::kGap);
+    m_toolIcon = new QLabel(this);
+    m_toolName = new QLabel(this);
+    m_toolName->setMinimumWidth(56);
+    layout->addWidget(m_toolIcon);
+    layout->addWidget(m_toolName);
+    auto* line = new QFrame(this);
+    line->setObjectName(QStringLiteral("separator"));
+    line->setFixedSize(1, metrics::kIcon);
+    layout->addWidget(line);
+    buildValue();
+    buildKinds();
+    buildBrush();
+    layout->addStretch(1);
+
+    connect(&state, &EditorState::activeToolChanged, this, &OptionBar::showOptions);
+    connect(&state, &EditorState::toolSettingsChanged, this, &OptionBar::follow);
+    connect(&state, &EditorState::targetChanged, this, &OptionBar::follow);
+    connect(&state, &EditorState::viewOptionsChanged, this, &OptionBar::follow);
+    connect(&state.document(), &model::Document::changed, this, [this](const model::Change& change) {
+        if (change.aspect == model::Change::Aspect::Settings || change.aspect == model::Change::Aspect::Everything)
+            follow();
+    });
+    showOptions();
+}
+
+void OptionBar::buildValue()
+{
+    m_valueBox = box(this);
+    m_badge = new MapBadge(m_state.activeMap(), m_valueBox);
+    m_scalar = new BarSlider(tr("Value"), m_valueBox);
+    m_scalar->setMinimumWidth(150);
+    m_scalar->setMaximumWidth(220);
+    m_valueButton = new QToolButton(m_valueBox);
+    m_valueButton->setObjectName(QStringLiteral("valueButton"));
+    m_valueButton->setPopupMode(QToolButton::InstantPopup);
+    m_valueButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_valueButton->setFixedHeight(metrics::kRow);
+    m_valueButton->setFocusPolicy(Qt::TabFocus);
+    m_valueButton->setToolTip(tr("Choose the value from the palette"));
+    connect(m_scalar, &BarSlider::valueChanged, this, [this](double shown) {
+        const model::MapKind map = m_state.activeMap();
+        change([&](ToolSettings& settings) {
+            settings.value(map).scalar = static_cast<float>(mapValue(settingsOf(m_state), map, shown));
+        });
+    });
+    connect(m_valueButton, &QToolButton::clicked, this, &OptionBar::showPalette);
+    m_valueBox->layout()->addWidget(m_badge);
+    m_valueBox->layout()->addWidget(m_scalar);
+    m_valueBox->layout()->addWidget(m_valueButton);
+    m_valueBox->layout()->addWidget(new ValuePair(m_state, m_valueBox));
+    layout()->addWidget(m_valueBox);
+}
+
+void OptionBar::buildBrush()
+{
+    m_size = new BarSlider(tr("Size"), this);
+    m_size->setRange(0.1, 30.0, 1);
+    m_size->setExponent(2.5);
+    m_size->setUnit(tr("cm"));
+    m_size->setDefaultValue(static_cast<double>(ToolSettings{}.brushSizeM) * kCm);
+    m_size->setMaximumWidth(160);
+    m_hardness = percentSlider(tr("Hardness"), this);
+    m_hardness->setDefaultValue(static_cast<double>(ToolSettings{}.hardness) * kPercent);
+    m_opacity = percentSlider(tr("Opacity"), this);
+    m_opacity->setDefaultValue(kPercent);
+    m_tolerance = percentSlider(tr("Tolerance"), this);
+    m_tolerance->setDefaultValue(static_cast<double>(ToolSettings{}.fillTolerance) * kPercent);
+    connect(m_size, &BarSlider::valueChanged, this, [this](double cm) {
+        change([cm](ToolSettings& settings) { settings.brushSizeM = static_cast<float>(cm / kCm); });
+    });
+    const auto bind = [this](BarSlider* slider, float ToolSettings::*field) {
+        connect(slider, &BarSlider::valueChanged, this, [this, field](double percent) {
+            change([&](ToolSettings& settings) { settings.*field = static_cast<float>(percent / kPercent); });
+        });
+    };
+    bind(m_hardness, &ToolSettings::hardness);
+    bind(m_opacity, &ToolSettings::opacity);
+    bind(m_tolerance, &ToolSettings::fillTolerance);
+
+    m_pressureBox = box(this);
+    m_pressureSize = toggle(QStringLiteral("pressure-size"), tr("Pen pressure changes the size"), m_pressureBox);
+    m_pressureOpacity =
+        toggle(QStringLiteral("pressure-opacity"), tr("Pen pressure changes the opacity"), m_pressureBox);
+    connect(m_pressureSize, &QToolButton::clicked, this,
+            [this](bool on) { change([on](ToolSettings& settings) { settings.pressureSize = on; }); });
+    connect(m_pressureOpacity, &QToolButton::clicked, this,
+            [this](bool on) { change([on](ToolSettings& settings) { settings.pressureOpacity = on; }); });
+    m_pressureBox->layout()->addWidget(m_pressureSize);
+    m_pressureBox->layout()->addWidget(m_pressureOpacity);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_size, m_hardness, m_opacity, m_tolerance, m_pressureBox})
+        layout()->addWidget(widget);
+}
+
+void OptionBar::buildKinds()
+{
+    const auto kinds = [this](QWidget*& parent, std::vector<QToolButton*>& buttons,
+                              const std::vector<std::pair<QString, QString>>& names, auto set) {
+        parent = box(this);
+        auto* group = new QButtonGroup(parent);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            QToolButton* button = toggle(names[i].first, names[i].second, parent);
+            connect(button, &QToolButton::clicked, this,
+                    [this, i, set] { change([&](ToolSettings& settings) { set(settings, static_cast<int>(i)); }); });
+            group->addButton(button);
+            parent->layout()->addWidget(button);
+            buttons.push_back(button);
+        }
+        layout()->addWidget(parent);
+    };
+    kinds(m_shapeBox, m_shapes,
+          {{QStringLiteral("shape-rectangle"), tr("Rectangle")},
+           {QStringLiteral("shape-ellipse"), tr("Ellipse")},
+           {QStringLiteral("shape-polygon"), tr("Polygon")}},
+          [](ToolSettings& settings, int kind) { settings.shape = static_cast<ShapeKind>(kind); });
+    kinds(m_gradientBox, m_gradients,
+          {{QStringLiteral("gradient-linear"), tr("Linear gradient")},
+           {QStringLiteral("gradient-radial"), tr("Radial gradient")}},
+          [](ToolSettings& settings, int kind) { settings.gradient = static_cast<GradientKind>(kind); });
+}
+
+void OptionBar::change(const std::function<void(ToolSettings&)>& edit)
+{
+    ToolSettings settings = m_state.toolSettings();
+    edit(settings);
+    m_state.setToolSettings(settings);
+}
+
+void OptionBar::showOptions()
+{
+    const model::Tool& tool = m_state.activeTool();
+    const std::vector<ToolOption> options = tool.options();
+    const auto has = [&options](ToolOption option) { return std::ranges::find(options, option) != options.end(); };
+    m_toolIcon->setPixmap(
+        iconPixmap(QLatin1String(tool.id()), metrics::kIcon, Theme::current().text, devicePixelRatioF()));
+    m_toolName->setText(tool.title());
+    m_valueBox->setVisible(has(ToolOption::Value));
+    m_size->setVisible(has(ToolOption::Size));
+    m_hardness->setVisible(has(ToolOption::Hardness));
+    m_opacity->setVisible(has(ToolOption::Opacity));
+    m_pressureBox->setVisible(has(ToolOption::Pressure));
+    m_shapeBox->setVisible(has(ToolOption::ShapeKind));
+    m_gradientBox->setVisible(has(ToolOption::GradientKind));
+    m_tolerance->setVisible(has(ToolOption::FillTolerance));
+    follow();
+}
+
+void OptionBar::follow()
+{
+    ToolSettings settings = m_state.toolSettings();
+    const MapSpec& spec = model::mapSpec(m_state.activeMap());
+    const sim::GroupSettings& group = settingsOf(m_state);
+    const model::PaintValue& value = settings.value(spec.kind);
+    m_badge->setMap(spec.kind);
+    const bool scalar = spec.texel == model::TexelKind::Scalar;
+    m_scalar->setVisible(scalar);
+    if (scalar) {
+        const ValueUnit unit = valueUnit(group, spec.kind);
+        m_scalar->setLabel(spec.titleText());
+        m_scalar->setExponent(spec.kind == model::MapKind::Curl ? 2.0 : 1.0);
+        m_scalar->setRange(unit.minimum, unit.maximum, unit.decimals);
+        m_scalar->setUnit(unit.unit);
+        m_scalar->setGradient(scaleGradient(spec, m_state.nightPaper()));
+        m_scalar->setValue(shownValue(group, spec.kind, static_cast<double>(value.scalar)));
+    }
+    m_valueButton->setText(scalar ? QString() : valueText(group, spec, value));
+    QPixmap colour(QSize(16, 16) * devicePixelRatioF());
+    colour.setDevicePixelRatio(devicePixelRatioF());
+    colour.fill(valueColour(spec, value, m_state.nightPaper()));
+    m_valueButton->setIcon(QIcon(colour));
+    m_valueButton->setAccessibleName(tr("Palette, %1").arg(valueText(group, spec, value)));
+    m_size->setValue(static_cast<double>(settings.brushSizeM) * kCm);
+    m_hardness->setValue(static_cast<double>(settings.hardness) * kPercent);
+    m_opacity->setValue(static_cast<double>(settings.opacity) * kPercent);
+    m_tolerance->setValue(static_cast<double>(settings.fillTolerance) * kPercent);
+    m_pressureSize->setChecked(settings.pressureSize);
+    m_pressureOpacity->setChecked(settings.pressureOpacity);
+    for (std::size_t i = 0; i < m_shapes.size(); ++i)
+        m_shapes[i]->setChecked(i == static_cast<std::size_t>(settings.shape));
+    for (std::size_t i = 0; i < m_gradients.size(); ++i)
+        m_gradients[i]->setChecked(i == static_cast<std::size_t>(settings.gradient));
+}
+
+void OptionBar::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_gradientBox != nullptr && m_size != nullptr)
+        showOptions();
+}
+
+void OptionBar::showPalette()
+{
+    auto* popup = new QFrame(this, Qt::Popup);
+    popup->setObjectName(QStringLiteral("popup"));
+    popup->setAttribute(Qt::WA_DeleteOnClose);
+    auto* column = new QVBoxLayout(popup);
+    column->setContentsMargins(metrics::kPadding, metrics::kPadding, metrics::kPadding, metrics::kPadding);
+    auto* palette = new ValuePalette(m_state, popup);
+    column->addWidget(palette);
+    connect(palette, &ValuePalette::picked, popup, &QWidget::close);
+    popup->adjustSize();
+    popup->move(m_valueButton->mapToGlobal(QPoint(0, m_valueButton->height() + metrics::kGrid)));
+    popup->show();
+    palette->setFocus();
+}
+
+} // namespace hairpaint::view

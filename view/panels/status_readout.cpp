@@ -1,0 +1,119 @@
+// The line at the window's foot.
+#include "view/panels/status_readout.h"
+
+#include "view/theme.h"
+#include "view/widgets/icons.h"
+#include "view/widgets/value_text.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+
+namespace hairpaint::view {
+
+namespace {
+
+/// Numbers stand in a field as wide as the widest of them, so that the line does not twitch.
+QLabel* makeNumber(QWidget* parent, const QString& widest)
+{
+    auto* label = new QLabel(parent);
+    label->setProperty("role", QStringLiteral("status"));
+    label->setFont(themeFont(TextRole::Status));
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 2);
+    return label;
+}
+
+/// Digits of equal width: Inter's own are proportional, so a figure space fills the place of missing ones and digits
+/// come from the font's tabular set where Qt can ask for it.
+QString padded(const QString& number, qsizetype digits)
+{
+    return number.rightJustified(digits, QChar(0x2007));
+}
+
+} // namespace
+
+StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
+{
+    setObjectName(QStringLiteral("statusReadout"));
+    setAttribute(Qt::WA_StyledBackground);
+    setFixedHeight(metrics::kStatus);
+    setAccessibleName(tr("Status"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(metrics::kPadding, 0, metrics::kPadding, 0);
+    layout->setSpacing(metrics::kGap);
+    m_errorIcon = new QLabel(this);
+    m_errorIcon->hide();
+    m_hint = new QLabel(this);
+    m_hint->setProperty("role", QStringLiteral("status"));
+    m_hint->setFont(themeFont(TextRole::Status));
+    m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_value = makeNumber(this, tr("Density") + QStringLiteral(": 000 hairs/cm²"));
+    m_hairs = makeNumber(this, tr("%1 of %2 hairs").arg(QLocale().toString(100000), QLocale().toString(100000)));
+    m_simulation = makeNumber(this, tr("%1 ms").arg(QStringLiteral("000.0")));
+    m_simulation->setToolTip(tr("Time of one step of the simulation"));
+    m_frames = makeNumber(this, tr("%1 fps").arg(QStringLiteral("000")));
+    m_frames->setToolTip(tr("Pictures per second"));
+    layout->addWidget(m_errorIcon);
+    layout->addWidget(m_hint, 1);
+    for (QLabel* label : {m_value, m_hairs, m_simulation, m_frames})
+        layout->addWidget(label);
+    m_message.setSingleShot(true);
+    connect(&m_message, &QTimer::timeout, this, &StatusReadout::follow);
+    connect(&state, &EditorState::activeToolChanged, this, &StatusReadout::follow);
+    connect(&state, &EditorState::hoverChanged, this, &StatusReadout::followHover);
+    connect(&state, &EditorState::targetChanged, this, &StatusReadout::followHover);
+    connect(&state, &EditorState::refused, this, [this](const QString& reason) { showMessage(reason, true); });
+    follow();
+}
+
+void StatusReadout::setHairs(qint64 drawn, qint64 all)
+{
+    const QString total = QLocale().toString(all);
+    m_hairs->setText(drawn == all ? tr("%1 hairs").arg(total)
+                                  : tr("%1 of %2 hairs").arg(QLocale().toString(drawn), total));
+}
+
+void StatusReadout::setSimulationMs(double milliseconds)
+{
+    m_simulation->setText(tr("%1 ms").arg(padded(QLocale().toString(milliseconds, 'f', 1), 5)));
+}
+
+void StatusReadout::setFramesPerSecond(double frames)
+{
+    m_frames->setText(tr("%1 fps").arg(padded(QLocale().toString(qRound(frames)), 3)));
+}
+
+void StatusReadout::showMessage(const QString& text, bool error, int milliseconds)
+{
+    m_hint->setText(text);
+    m_hint->setToolTip(text);
+    m_errorIcon->setVisible(error);
+    if (error)
+        m_errorIcon->setPixmap(iconPixmap(QStringLiteral("error"), 16, Theme::current().error, devicePixelRatioF()));
+    m_message.start(milliseconds);
+}
+
+void StatusReadout::follow()
+{
+    m_message.stop();
+    m_errorIcon->hide();
+    m_hint->setText(m_state.activeTool().hint());
+    m_hint->setToolTip(m_hint->text());
+}
+
+void StatusReadout::followHover()
+{
+    const model::HairGroup* group = m_state.document().project().group(m_state.activeGroup());
+    const auto& hover = m_state.hover();
+    const auto resolved = m_state.document().resolved(m_state.activeGroup(), m_state.activeMap());
+    if (group == nullptr || !hover || !hover->point || resolved == nullptr) {
+        m_value->clear();
+        return;
+    }
+    const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
+    model::PaintValue value = valueOfTexel(spec, resolved->sampleNearest(hover->point->uv));
+    m_value->setText(tr("%1: %2").arg(spec.titleText(), valueText(group->settings, spec, value)));
+}
+
+} // namespace hairpaint::view

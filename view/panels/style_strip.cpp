@@ -1,0 +1,254 @@
+// Hairstyles side by side.
+#include "view/panels/style_strip.h"
+
+#include "model/commands/commands.h"
+#include "view/panels/style_tile.h"
+#include "view/theme.h"
+#include "view/widgets/live_edit.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QWheelEvent>
+
+#include <algorithm>
+
+namespace hairpaint::view {
+
+using model::Change;
+using model::Preset;
+
+namespace {
+
+constexpr int kHoverMs = 120;
+constexpr std::size_t kKept = 10; ///< Styles that stay in memory.
+
+} // namespace
+
+StyleStrip::StyleStrip(EditorState& state, Loader loader, QWidget* parent)
+    : QWidget(parent), m_state(state), m_loader(std::move(loader))
+{
+    setObjectName(QStringLiteral("styleStrip"));
+    setAttribute(Qt::WA_StyledBackground);
+    setAccessibleName(tr("Styles"));
+    setFixedHeight(metrics::kStyleStrip);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 1, 0, 0);
+    m_scroll = new QScrollArea(this);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    auto* content = new QWidget(m_scroll);
+    content->setObjectName(QStringLiteral("panel"));
+    m_row = new QHBoxLayout(content);
+    m_row->setContentsMargins(metrics::kGap, 0, metrics::kGap, 0);
+    m_row->setSpacing(metrics::kGrid);
+    m_row->setAlignment(Qt::AlignVCenter);
+    m_scroll->setWidget(content);
+    m_scroll->viewport()->installEventFilter(this);
+    m_scroll->horizontalScrollBar()->setAccessibleName(tr("Styles"));
+    layout->addWidget(m_scroll);
+    m_threads.setMaxThreadCount(1);
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kHoverMs);
+    connect(&m_pause, &QTimer::timeout, this, [this] { wish(m_hovered, false); });
+    // Anybody else's change ends what is shown; the strip must not take that away again.
+    connect(&state.document(), &model::Document::changed, this, [this] {
+        if (m_previewing && !m_state.document().previewing())
+            m_previewing = false;
+    });
+    setEntries({});
+}
+
+StyleStrip::~StyleStrip()
+{
+    m_threads.clear();
+    m_threads.waitForDone();
+}
+
+void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
+{
+    endPreview();
+    while (QLayoutItem* item = m_row->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    m_tiles.clear();
+    m_recent.clear();
+    for (const model::PresetEntry& entry : entries)
+        addTile(new StyleTile(entry.path, entry.name, entry.folder == QLatin1String("own"), this), entry.picture);
+    auto* save = new StyleTile({}, tr("Save style"), false, this);
+    save->setToolTip(tr("Save this hair as a style of your own"));
+    connect(save, &StyleTile::clicked, this, &StyleStrip::saveStyleRequested);
+    m_row->addWidget(save);
+    m_row->addStretch(1);
+}
+
+void StyleStrip::addTile(StyleTile* tile, const QImage& picture)
+{
+    tile->setPicture(picture);
+    tile->setToolTip(tr("%1. Point to see it, click to keep it").arg(tile->text()));
+    m_row->addWidget(tile);
+    m_tiles.push_back(tile);
+    const QString path = tile->path();
+    connect(tile, &StyleTile::entered, this, [this, path] {
+        m_hovered = path;
+        m_pause.start();
+    });
+    connect(tile, &StyleTile::left, this, [this, path] {
+        if (m_hovered == path)
+            endPreview();
+    });
+    connect(tile, &StyleTile::clicked, this, [this, path] { wish(path, true); });
+    tile->installEventFilter(this);
+    if (tile->own()) {
+        tile->setContextMenuPolicy(Qt::CustomContextMenu);
+        connect(tile, &QWidget::customContextMenuRequested, this, [this, tile, path](QPoint position) {
+            auto* menu = new QMenu(this);
+            menu->setAttribute(Qt::WA_DeleteOnClose);
+            menu->addAction(tr("Delete style"), this, [this, path] { Q_EMIT deleteStyleRequested(path); });
+            menu->popup(tile->mapToGlobal(position));
+        });
+    }
+    // Queued, so that whoever fills the strip can connect first.
+    if (picture.isNull())
+        QMetaObject::invokeMethod(
+            this, [this, path] { Q_EMIT pictureWanted(path); }, Qt::QueuedConnection);
+}
+
+std::vector<QString> StyleStrip::paths() const
+{
+    std::vector<QString> all;
+    for (const StyleTile* tile : m_tiles)
+        all.push_back(tile->path());
+    return all;
+}
+
+StyleTile* StyleStrip::tile(const QString& path) const
+{
+    const auto found = std::ranges::find(m_tiles, path, &StyleTile::path);
+    return found != m_tiles.end() ? *found : nullptr;
+}
+
+void StyleStrip::setPicture(const QString& path, const QImage& picture)
+{
+    if (StyleTile* found = tile(path))
+        found->setPicture(picture);
+}
+
+void StyleStrip::wish(const QString& path, bool commit)
+{
+    if (path.isEmpty())
+        return;
+    m_pause.stop();
+    if (commit)
+        m_toCommit = path;
+    const auto known = std::ranges::find(m_recent, path, &std::pair<QString, PresetPtr>::first);
+    if (known != m_recent.end()) {
+        arrived(path, known->second);
+        return;
+    }
+    if (StyleTile* shown = tile(path))
+        shown->setBusy(true);
+    if (std::ranges::find(m_loading, path) != m_loading.end())
+        return;
+    m_loading.push_back(path);
+    m_threads.start([this, path, load = m_loader] {
+        model::Result<Preset> read = load(path);
+        model::Result<PresetPtr> result =
+            read ? model::Result<PresetPtr>(std::make_shared<const Preset>(std::move(*read)))
+                 : model::Result<PresetPtr>(tl::unexpected<model::Error>(read.error()));
+        // The destructor waits for this thread, and a posted call dies with its receiver.
+        QMetaObject::invokeMethod(
+            this, [this, path, result] { loaded(path, result); }, Qt::QueuedConnection);
+    });
+}
+
+void StyleStrip::loaded(const QString& path, const model::Result<PresetPtr>& preset)
+{
+    std::erase(m_loading, path);
+    if (StyleTile* shown = tile(path))
+        shown->setBusy(false);
+    if (!preset) {
+        if (m_toCommit == path)
+            m_toCommit.clear();
+        Q_EMIT failed(preset.error().message);
+        return;
+    }
+    m_recent.emplace_back(path, *preset);
+    if (m_recent.size() > kKept)
+        m_recent.erase(m_recent.begin());
+    arrived(path, *preset);
+}
+
+void StyleStrip::arrived(const QString& path, const PresetPtr& preset)
+{
+    if (m_toCommit == path)
+        apply(*preset);
+    else if (m_hovered == path)
+        preview(preset);
+}
+
+void StyleStrip::preview(const PresetPtr& preset)
+{
+    if (!m_previewing) {
+        m_groupBefore = m_state.activeGroup();
+        m_layerBefore = m_state.activeLayer();
+    }
+    previewEdit(m_state.document(), {.aspect = Change::Aspect::GroupList},
+                [preset](model::Project& project) { applyPreset(project, *preset); });
+    m_previewing = true;
+}
+
+void StyleStrip::apply(const Preset& preset)
+{
+    m_toCommit.clear();
+    m_hovered.clear();
+    m_previewing = false;
+    m_state.document().push(applyPresetCommand(m_state.document(), preset));
+}
+
+void StyleStrip::endPreview()
+{
+    m_pause.stop();
+    m_hovered.clear();
+    if (!std::exchange(m_previewing, false))
+        return;
+    m_state.document().clearPreview();
+    m_state.setActiveGroup(m_groupBefore);
+    m_state.setActiveLayer(m_layerBefore);
+}
+
+bool StyleStrip::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_scroll->viewport() && event->type() == QEvent::Wheel) {
+        const auto* wheel = static_cast<QWheelEvent*>(event);
+        const QPoint angle = wheel->angleDelta();
+        QScrollBar* bar = m_scroll->horizontalScrollBar();
+        bar->setValue(bar->value() - (angle.x() != 0 ? angle.x() : angle.y()));
+        return true;
+    }
+    if (event->type() == QEvent::FocusIn) {
+        if (auto* focused = qobject_cast<StyleTile*>(watched))
+            m_scroll->ensureWidgetVisible(focused);
+    } else if (event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        const auto* focused = qobject_cast<StyleTile*>(watched);
+        if (focused != nullptr && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
+            wish(focused->path(), true);
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void StyleStrip::hideEvent(QHideEvent* event)
+{
+    endPreview();
+    QWidget::hideEvent(event);
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,392 @@
+// Mouse, keys and typing of the filled bar; its picture is in bar_slider_paint.cpp.
+#include "view/widgets/bar_slider.h"
+
+#include "view/theme.h"
+
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QStyleHints>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr double kFine = 0.1;
+constexpr int kWheelPauseMs = 350; ///< Notches closer together than this are one change.
+
+} // namespace
+
+BarSlider::BarSlider(const QString& label, QWidget* parent) : QWidget(parent), m_label(label)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setCursor(Qt::SizeHorCursor);
+    setFont(themeFont(TextRole::Label));
+    m_settle.setSingleShot(true);
+    connect(&m_settle, &QTimer::timeout, this, &BarSlider::finish);
+    describe();
+}
+
+void BarSlider::setValue(double value)
+{
+    value = rounded(value);
+    if (m_editing || value == m_value)
+        return;
+    m_value = value;
+    describe();
+    update();
+}
+
+void BarSlider::setRange(double minimum, double maximum, int decimals)
+{
+    m_minimum = minimum;
+    m_maximum = std::max(minimum, maximum);
+    m_decimals = decimals;
+    m_value = rounded(m_value);
+    describe();
+    update();
+}
+
+void BarSlider::setUnit(const QString& unit)
+{
+    m_unit = unit;
+    describe();
+    update();
+}
+
+void BarSlider::setStep(double step)
+{
+    m_step = step;
+}
+
+void BarSlider::setExponent(double exponent)
+{
+    m_exponent = exponent;
+    update();
+}
+
+void BarSlider::setDefaultValue(double value)
+{
+    m_default = value;
+    m_hasDefault = true;
+    describe();
+}
+
+void BarSlider::setLabel(const QString& label)
+{
+    m_label = label;
+    describe();
+    update();
+}
+
+void BarSlider::setGradient(const QList<QColor>& colours)
+{
+    m_gradient = colours;
+    update();
+}
+
+void BarSlider::setHint(const QString& hint)
+{
+    m_hint = hint;
+    describe();
+}
+
+void BarSlider::describe()
+{
+    setAccessibleName(m_label);
+    setAccessibleDescription(valueText());
+    const QString use = m_hasDefault ? tr("Ctrl-drag for fine, double-click to type, right-click to reset")
+                                     : tr("Ctrl-drag for fine, double-click to type");
+    setToolTip((m_hint.isEmpty() ? m_label : m_hint) + QLatin1Char('\n') + use);
+}
+
+double BarSlider::rounded(double value) const
+{
+    const double power = std::pow(10.0, m_decimals);
+    return std::clamp(std::round(value * power) / power, m_minimum, m_maximum);
+}
+
+double BarSlider::fractionOf(double value) const
+{
+    if (m_maximum <= m_minimum)
+        return 0.0;
+    return std::pow(std::clamp((value - m_minimum) / (m_maximum - m_minimum), 0.0, 1.0), 1.0 / m_exponent);
+}
+
+double BarSlider::valueAt(double fraction) const
+{
+    return rounded(m_minimum + (m_maximum - m_minimum) * std::pow(std::clamp(fraction, 0.0, 1.0), m_exponent));
+}
+
+void BarSlider::begin()
+{
+    m_settle.stop();
+    if (m_editing)
+        return;
+    m_editing = true;
+    m_before = m_value;
+}
+
+void BarSlider::moveTo(double value)
+{
+    value = rounded(value);
+    if (value == m_value)
+        return;
+    m_value = value;
+    describe();
+    update();
+    Q_EMIT valueChanged(m_value);
+}
+
+void BarSlider::finish()
+{
+    m_settle.stop();
+    if (!m_editing)
+        return;
+    m_editing = false;
+    m_dragging = false;
+    update();
+    if (m_value == m_before)
+        Q_EMIT editingCancelled();
+    else
+        Q_EMIT editingFinished(m_value);
+}
+
+void BarSlider::cancel()
+{
+    m_settle.stop();
+    if (!m_editing)
+        return;
+    m_value = m_before;
+    m_editing = false;
+    m_dragging = false;
+    describe();
+    update();
+    Q_EMIT editingCancelled();
+}
+
+void BarSlider::stepBy(double steps)
+{
+    double step = m_step > 0.0 ? m_step : (m_maximum - m_minimum) / 100.0;
+    step = std::max(step, std::pow(10.0, -m_decimals));
+    moveTo(m_value + steps * step);
+}
+
+void BarSlider::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::RightButton) {
+        if (m_dragging) {
+            cancel();
+        } else if (m_hasDefault) {
+            begin();
+            moveTo(m_default);
+            finish();
+        }
+        return;
+    }
+    if (event->button() != Qt::LeftButton)
+        return;
+    begin();
+    m_dragging = true;
+    m_moved = false;
+    m_lastX = event->position().x();
+    m_dragFraction = (event->modifiers() & Qt::ControlModifier) != 0 ? fractionOf(m_value) : m_lastX / width();
+    moveTo(valueAt(m_dragFraction));
+}
+
+void BarSlider::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!m_dragging)
+        return;
+    const double x = event->position().x();
+    const double gain = (event->modifiers() & Qt::ControlModifier) != 0 ? kFine : 1.0;
+    m_dragFraction += (x - m_lastX) / width() * gain;
+    m_moved = m_moved || x != m_lastX;
+    m_lastX = x;
+    moveTo(valueAt(m_dragFraction));
+}
+
+void BarSlider::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton || !m_dragging)
+        return;
+    m_dragging = false;
+    // A click may be the first half of a double-click, which must leave the value as it was.
+    if (m_moved)
+        finish();
+    else
+        m_settle.start(QGuiApplication::styleHints()->mouseDoubleClickInterval());
+}
+
+void BarSlider::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton) {
+        mousePressEvent(event);
+        return;
+    }
+    cancel();
+    openEditor();
+}
+
+void BarSlider::wheelEvent(QWheelEvent* event)
+{
+    if (!hasFocus()) {
+        event->ignore();
+        return;
+    }
+    event->accept();
+    m_wheelRest += event->angleDelta().y();
+    const int notches = m_wheelRest / QWheelEvent::DefaultDeltasPerStep;
+    m_wheelRest -= notches * QWheelEvent::DefaultDeltasPerStep;
+    if (notches == 0)
+        return;
+    begin();
+    stepBy(notches * ((event->modifiers() & Qt::ShiftModifier) != 0 ? 10.0 : 1.0));
+    m_settle.start(kWheelPauseMs);
+}
+
+void BarSlider::keyPressEvent(QKeyEvent* event)
+{
+    const double size = (event->modifiers() & Qt::ShiftModifier) != 0 ? 10.0 : 1.0;
+    switch (event->key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Down:
+        begin();
+        stepBy(-size);
+        return;
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+        begin();
+        stepBy(size);
+        return;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_F2:
+        openEditor();
+        return;
+    case Qt::Key_Escape:
+        if (m_editing) {
+            cancel();
+            return;
+        }
+        break;
+    default:
+        break;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+void BarSlider::keyReleaseEvent(QKeyEvent* event)
+{
+    const bool arrow = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right || event->key() == Qt::Key_Up ||
+                       event->key() == Qt::Key_Down;
+    if (arrow && !event->isAutoRepeat() && !m_dragging)
+        finish();
+    else
+        QWidget::keyReleaseEvent(event);
+}
+
+bool BarSlider::event(QEvent* event)
+{
+    // While a value changes Esc takes it back, whatever else the window uses Esc for.
+    if (event->type() == QEvent::ShortcutOverride && m_editing &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void BarSlider::focusOutEvent(QFocusEvent* event)
+{
+    if (m_editor == nullptr)
+        finish();
+    update();
+    QWidget::focusOutEvent(event);
+}
+
+void BarSlider::hideEvent(QHideEvent* event)
+{
+    closeEditor(false);
+    finish();
+    QWidget::hideEvent(event);
+}
+
+void BarSlider::openEditor()
+{
+    if (m_editor != nullptr)
+        return;
+    m_editor = new QLineEdit(QLocale().toString(m_value, 'f', m_decimals), this);
+    m_editor->setGeometry(rect());
+    m_editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_editor->setAccessibleName(m_label);
+    m_editor->setFrame(false);
+    m_editor->setProperty("inBar", true);
+    m_editor->installEventFilter(this);
+    m_editor->selectAll();
+    m_editor->show();
+    m_editor->setFocus();
+}
+
+void BarSlider::closeEditor(bool keep)
+{
+    if (m_editor == nullptr)
+        return;
+    QLineEdit* editor = m_editor;
+    m_editor = nullptr;
+    editor->removeEventFilter(this);
+    const bool hadFocus = editor->hasFocus();
+    QString text = editor->text().trimmed();
+    editor->hide();
+    editor->deleteLater();
+    if (hadFocus)
+        setFocus();
+    if (!keep)
+        return;
+    if (!m_unit.isEmpty() && text.endsWith(m_unit))
+        text.chop(m_unit.size());
+    bool fine = false;
+    double value = QLocale().toDouble(text.trimmed(), &fine);
+    if (!fine)
+        value = QLocale::c().toDouble(text.trimmed(), &fine);
+    if (!fine)
+        return;
+    begin();
+    moveTo(value);
+    finish();
+}
+
+bool BarSlider::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_editor) {
+        if (event->type() == QEvent::FocusOut) {
+            closeEditor(true);
+        } else if (event->type() == QEvent::ShortcutOverride &&
+                   static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+            event->accept();
+        } else if (event->type() == QEvent::KeyPress) {
+            const int key = static_cast<QKeyEvent*>(event)->key();
+            if (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Escape) {
+                closeEditor(key != Qt::Key_Escape);
+                return true;
+            }
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void BarSlider::resizeEvent(QResizeEvent* event)
+{
+    if (m_editor != nullptr)
+        m_editor->setGeometry(rect());
+    QWidget::resizeEvent(event);
+}
+
+} // namespace hairpaint::view

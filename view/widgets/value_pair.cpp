@@ -1,0 +1,108 @@
+// The value that is painted and the second one.
+#include "view/widgets/value_pair.h"
+
+#include "view/theme.h"
+#include "view/widgets/value_text.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr int kSide = 20;
+
+const sim::GroupSettings& settingsOf(const EditorState& state)
+{
+    static const sim::GroupSettings none;
+    const model::HairGroup* group = state.document().project().group(state.activeGroup());
+    return group != nullptr ? group->settings : none;
+}
+
+} // namespace
+
+ValuePair::ValuePair(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
+{
+    setFocusPolicy(Qt::TabFocus);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setAccessibleName(tr("Value and second value"));
+    const auto redraw = [this] { update(); };
+    connect(&state, &EditorState::toolSettingsChanged, this, redraw);
+    connect(&state, &EditorState::targetChanged, this, redraw);
+    connect(&state, &EditorState::viewOptionsChanged, this, redraw);
+}
+
+void ValuePair::paintEvent(QPaintEvent* /*event*/)
+{
+    const Theme theme = Theme::current();
+    const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
+    model::ToolSettings settings = m_state.toolSettings();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const auto square = [&](QPoint corner, const model::PaintValue& value) {
+        const QRectF field = QRectF(corner, QSizeF(kSide, kSide)).adjusted(0.5, 0.5, -0.5, -0.5);
+        painter.setPen(QPen(theme.panel, 3.0));
+        painter.setBrush(valueColour(spec, value, m_state.nightPaper()));
+        painter.drawRoundedRect(field, 3.0, 3.0);
+        painter.setPen(QPen(theme.dimText, 1.0));
+        painter.drawRoundedRect(field, 3.0, 3.0);
+    };
+    square(QPoint(width() - kSide - 1, height() - kSide - 1), settings.secondValue(spec.kind));
+    square(QPoint(1, 1), settings.value(spec.kind));
+    if (hasFocus()) {
+        painter.setPen(QPen(theme.accent, 1.5));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(0.75, 0.75, -0.75, -0.75), 4.0, 4.0);
+    }
+}
+
+void ValuePair::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && rect().contains(event->position().toPoint()))
+        swapValues(m_state);
+}
+
+void ValuePair::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Return)
+        swapValues(m_state);
+    else
+        QWidget::keyPressEvent(event);
+}
+
+bool ValuePair::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip) {
+        const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
+        model::ToolSettings settings = m_state.toolSettings();
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                           tr("Paints %1; the second value is %2. Click to swap (X)")
+                               .arg(valueText(settingsOf(m_state), spec, settings.value(spec.kind)),
+                                    valueText(settingsOf(m_state), spec, settings.secondValue(spec.kind))),
+                           this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void swapValues(EditorState& state)
+{
+    model::ToolSettings settings = state.toolSettings();
+    std::swap(settings.value(state.activeMap()), settings.secondValue(state.activeMap()));
+    state.setToolSettings(settings);
+}
+
+void resetValues(EditorState& state)
+{
+    model::ToolSettings settings = state.toolSettings();
+    settings.value(state.activeMap()) = model::PaintValue{};
+    settings.secondValue(state.activeMap()) =
+        model::PaintValue{.scalar = 0.0F, .index = 0, .colour = QColor(0xC8, 0x9B, 0x5A)};
+    state.setToolSettings(settings);
+}
+
+} // namespace hairpaint::view

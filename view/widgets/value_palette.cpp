@@ -1,0 +1,289 @@
+// The palettes of scalar, index and colour maps.
+#include "view/widgets/value_palette.h"
+
+#include "view/theme.h"
+#include "view/widgets/action_button.h"
+#include "view/widgets/bar_slider.h"
+#include "view/widgets/hair_colours.h"
+#include "view/widgets/map_badge.h"
+#include "view/widgets/swatch.h"
+#include "view/widgets/value_pair.h"
+#include "view/widgets/value_text.h"
+
+#include <QColorDialog>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QRegularExpressionValidator>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace hairpaint::view {
+
+using model::MapKind;
+using model::MapSpec;
+using model::PaintValue;
+
+namespace {
+
+constexpr int kColourColumns = 10;
+constexpr int kScalarSwatches = 7;
+
+/// Round numbers of the map's own unit from nothing to the greatest value.
+std::vector<double> roundSteps(const sim::GroupSettings& settings, MapKind map)
+{
+    if (map == MapKind::Curl)
+        return {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+    const ValueUnit unit = valueUnit(settings, map);
+    const double range = unit.maximum - unit.minimum;
+    std::vector<double> steps{unit.minimum};
+    const double rough = range / (kScalarSwatches - 1);
+    const double power = std::pow(10.0, std::floor(std::log10(std::max(rough, 1e-6))));
+    double step = power * 10.0;
+    for (const double nice : {1.0, 2.0, 2.5, 5.0}) {
+        if (power * nice >= rough * 0.999) {
+            step = power * nice;
+            break;
+        }
+    }
+    for (double value = std::floor(unit.minimum / step) * step + step; value < unit.maximum - step * 0.4; value += step)
+        steps.push_back(value);
+    steps.push_back(unit.maximum);
+    return steps;
+}
+
+} // namespace
+
+ValuePalette::ValuePalette(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
+{
+    setFocusPolicy(Qt::ClickFocus);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSizeConstraint(QLayout::SetMinAndMaxSize);
+    connect(&state, &EditorState::targetChanged, this, &ValuePalette::refresh);
+    connect(&state, &EditorState::toolSettingsChanged, this, &ValuePalette::refresh);
+    connect(&state, &EditorState::viewOptionsChanged, this, [this] {
+        m_builtFor.clear();
+        refresh();
+    });
+    connect(&state.document(), &model::Document::changed, this, [this](const model::Change& change) {
+        if (change.aspect == model::Change::Aspect::Settings || change.aspect == model::Change::Aspect::Everything)
+            refresh();
+    });
+    refresh();
+}
+
+const sim::GroupSettings& ValuePalette::settings() const
+{
+    static const sim::GroupSettings none;
+    const model::HairGroup* group = m_state.document().project().group(m_state.activeGroup());
+    return group != nullptr ? group->settings : none;
+}
+
+void ValuePalette::rebuild()
+{
+    delete m_body;
+    m_swatches.clear();
+    m_slider = nullptr;
+    m_hex = nullptr;
+    m_body = new QWidget(this);
+    auto* column = new QVBoxLayout(m_body);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(metrics::kGap);
+
+    const MapSpec& spec = model::mapSpec(m_state.activeMap());
+    auto* head = new QHBoxLayout;
+    head->setSpacing(metrics::kGap);
+    head->addWidget(new MapBadge(spec.kind, m_body));
+    auto* title = new QLabel(spec.titleText(), m_body);
+    head->addWidget(title, 1);
+    auto* swap = makeActionButton(QStringLiteral("swap"), tr("Swap the two values (X)"), m_body);
+    auto* reset = makeActionButton(QStringLiteral("reset"), tr("Reset the two values (D)"), m_body);
+    head->addWidget(new ValuePair(m_state, m_body));
+    head->addWidget(swap);
+    head->addWidget(reset);
+    column->addLayout(head);
+    connect(swap, &QToolButton::clicked, this, [this] { swapValues(m_state); });
+    connect(reset, &QToolButton::clicked, this, [this] { resetValues(m_state); });
+
+    switch (spec.texel) {
+    case model::TexelKind::Scalar:
+        buildScalar(*column);
+        break;
+    case model::TexelKind::Index:
+        buildIndex(*column);
+        break;
+    case model::TexelKind::Colour:
+        buildColour(*column);
+        break;
+    }
+    layout()->addWidget(m_body);
+}
+
+void ValuePalette::refresh()
+{
+    const MapSpec& spec = model::mapSpec(m_state.activeMap());
+    const QString wanted = QLatin1String(spec.id) + rangeText(settings(), spec);
+    if (wanted != m_builtFor) {
+        m_builtFor = wanted;
+        rebuild();
+    }
+    model::ToolSettings tools = m_state.toolSettings();
+    const PaintValue& value = tools.value(spec.kind);
+    bool marked = false;
+    for (const auto& [swatch, its] : m_swatches) {
+        const bool same = spec.texel == model::TexelKind::Scalar  ? std::abs(its.scalar - value.scalar) < 0.002F
+                          : spec.texel == model::TexelKind::Index ? its.index == value.index
+                                                                  : its.colour.rgb() == value.colour.rgb();
+        swatch->setChecked(same && !marked);
+        marked = marked || same;
+    }
+    if (m_slider != nullptr)
+        m_slider->setValue(shownValue(settings(), spec.kind, static_cast<double>(value.scalar)));
+    if (m_hex != nullptr && !m_hex->hasFocus())
+        m_hex->setText(value.colour.name());
+}
+
+void ValuePalette::setValue(const PaintValue& value)
+{
+    model::ToolSettings tools = m_state.toolSettings();
+    tools.value(m_state.activeMap()) = value;
+    m_state.setToolSettings(tools);
+    refresh();
+}
+
+Swatch* ValuePalette::addSwatch(const PaintValue& value, const QString& name)
+{
+    auto* swatch =
+        new Swatch(valueColour(model::mapSpec(m_state.activeMap()), value, m_state.nightPaper()), name, m_body);
+    m_swatches.emplace_back(swatch, value);
+    connect(swatch, &Swatch::clicked, this, [this, value] {
+        setValue(value);
+        Q_EMIT picked();
+    });
+    return swatch;
+}
+
+void ValuePalette::buildScalar(QVBoxLayout& layout)
+{
+    const MapSpec& spec = model::mapSpec(m_state.activeMap());
+    const ValueUnit unit = valueUnit(settings(), spec.kind);
+    m_slider = new BarSlider(tr("Value"), m_body);
+    m_slider->setRange(unit.minimum, unit.maximum, unit.decimals);
+    m_slider->setUnit(unit.unit);
+    m_slider->setExponent(spec.kind == MapKind::Curl ? 2.0 : 1.0);
+    m_slider->setGradient(scaleGradient(spec, m_state.nightPaper()));
+    m_slider->setMinimumWidth(260);
+    connect(m_slider, &BarSlider::valueChanged, this, [this, kind = spec.kind](double shown) {
+        model::ToolSettings tools = m_state.toolSettings();
+        PaintValue value = tools.value(kind);
+        value.scalar = static_cast<float>(mapValue(settings(), kind, shown));
+        setValue(value);
+    });
+    layout.addWidget(m_slider);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    for (const double step : roundSteps(settings(), spec.kind)) {
+        PaintValue value;
+        value.scalar = static_cast<float>(mapValue(settings(), spec.kind, step));
+        Swatch* swatch = addSwatch(value, valueText(settings(), spec, value));
+        swatch->setCaption(QLocale().toString(step, 'g', 4));
+        row->addWidget(swatch);
+    }
+    row->addStretch(1);
+    layout.addLayout(row);
+}
+
+void ValuePalette::buildIndex(QVBoxLayout& layout)
+{
+    const MapSpec& spec = model::mapSpec(m_state.activeMap());
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::kGap);
+    for (std::size_t i = 0; i < spec.palette.size(); ++i) {
+        PaintValue value;
+        value.index = static_cast<int>(i);
+        const QString name = paletteTitle(spec.palette[i]);
+        Swatch* swatch = addSwatch(value, name);
+        swatch->setCaption(name);
+        row->addWidget(swatch);
+    }
+    row->addStretch(1);
+    layout.addLayout(row);
+}
+
+void ValuePalette::buildColour(QVBoxLayout& layout)
+{
+    auto* grid = new QGridLayout;
+    grid->setSpacing(2);
+    int line = 0;
+    for (const auto colours : {naturalHairColours(), redAndGreyHairColours(), fashionHairColours()}) {
+        int column = 0;
+        for (const HairColour& colour : colours) {
+            PaintValue value;
+            value.colour = QColor::fromRgb(colour.colour);
+            grid->addWidget(addSwatch(value, hairColourName(colour)), line, column % kColourColumns);
+            ++column;
+        }
+        ++line;
+    }
+    layout.addLayout(grid);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::kGap);
+    auto* label = new QLabel(tr("&Hex"), m_body);
+    m_hex = new QLineEdit(m_body);
+    m_hex->setMaxLength(7);
+    m_hex->setFixedWidth(88);
+    static const QRegularExpression pattern(QStringLiteral("#?[0-9A-Fa-f]{6}"));
+    m_hex->setValidator(new QRegularExpressionValidator(pattern, m_hex));
+    label->setBuddy(m_hex);
+    connect(m_hex, &QLineEdit::editingFinished, this, [this] {
+        QString text = m_hex->text();
+        if (!text.startsWith(QLatin1Char('#')))
+            text.prepend(QLatin1Char('#'));
+        PaintValue value;
+        value.colour = QColor(text);
+        if (value.colour.isValid())
+            setValue(value);
+    });
+    auto* custom = new QPushButton(tr("Custom…"), m_body);
+    connect(custom, &QPushButton::clicked, this, &ValuePalette::chooseColour);
+    row->addWidget(label);
+    row->addWidget(m_hex);
+    row->addStretch(1);
+    row->addWidget(custom);
+    layout.addLayout(row);
+}
+
+void ValuePalette::chooseColour()
+{
+    model::ToolSettings tools = m_state.toolSettings();
+    auto* dialog = new QColorDialog(tools.value(MapKind::Colour).colour, window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Hair colour"));
+    dialog->setOption(QColorDialog::DontUseNativeDialog);
+    connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
+        PaintValue value;
+        value.colour = colour;
+        model::ToolSettings chosen = m_state.toolSettings();
+        chosen.value(MapKind::Colour) = value;
+        m_state.setToolSettings(chosen);
+    });
+    dialog->open();
+    Q_EMIT picked();
+}
+
+void ValuePalette::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_X && event->modifiers() == Qt::NoModifier)
+        swapValues(m_state);
+    else if (event->key() == Qt::Key_D && event->modifiers() == Qt::NoModifier)
+        resetValues(m_state);
+    else
+        QWidget::keyPressEvent(event);
+}
+
+} // namespace hairpaint::view
