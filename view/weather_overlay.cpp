@@ -24,7 +24,7 @@ constexpr float kColourStep = 0.05F;
 constexpr int kPadding = 12;
 constexpr int kRow = 20;
 constexpr int kDial = 44;
-constexpr int kWidth = 316;
+constexpr int kGap = 12;
 
 glm::vec3 directionOf(float azimuthRad, float elevationRad)
 {
@@ -52,9 +52,35 @@ void WeatherOverlay::setTheme(const Theme& theme)
     update();
 }
 
+QFont WeatherOverlay::bodyFont() const
+{
+    QFont body = font();
+    body.setPixelSize(12);
+    return body;
+}
+
+QList<std::pair<QString, QString>> WeatherOverlay::rows() const
+{
+    return {
+        {tr("Arrows"), tr("turn the wind")},
+        {tr("Page Up, Page Down"),
+         m_wind.enabled ? tr("wind %1 m/s").arg(number(glm::length(m_wind.velocity), 1)) : tr("wind is off")},
+        {tr("R  G  B"), tr("more red, green, blue light")},
+        {tr("Shift+R  G  B"), tr("less")},
+        {tr("Esc"), tr("leaves")},
+    };
+}
+
 QSize WeatherOverlay::sizeHint() const
 {
-    return {kWidth, 2 * kPadding + 6 * kRow + 4};
+    const QFontMetrics metrics(bodyFont());
+    int keys = 0;
+    int meanings = 0;
+    for (const auto& [key, meaning] : rows()) {
+        keys = std::max(keys, metrics.horizontalAdvance(key));
+        meanings = std::max(meanings, metrics.horizontalAdvance(meaning));
+    }
+    return {2 * kPadding + keys + kGap + meanings + kGap + kDial, 2 * kPadding + 6 * kRow + 4};
 }
 
 void WeatherOverlay::setValues(const sim::Wind& wind, const model::LightSettings& light)
@@ -207,33 +233,23 @@ void WeatherOverlay::paintEvent(QPaintEvent*)
     QFont titleFont = font();
     titleFont.setPixelSize(15);
     titleFont.setWeight(QFont::DemiBold);
-    QFont bodyFont = font();
-    bodyFont.setPixelSize(12);
     const QRect inner = rect().adjusted(kPadding, kPadding, -kPadding, -kPadding);
     painter.setFont(titleFont);
     painter.setPen(m_theme.text);
     painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop, tr("Weather"));
-    painter.setFont(bodyFont);
+    painter.setFont(bodyFont());
 
-    const std::pair<QString, QString> rows[] = {
-        {tr("Arrows"), tr("turn the wind")},
-        {tr("Page Up, Page Down"),
-         m_wind.enabled ? tr("%1 m/s").arg(number(glm::length(m_wind.velocity), 1)) : tr("wind is off")},
-        {tr("R  G  B"), tr("more red, green, blue")},
-        {tr("Shift+R  G  B"), tr("less")},
-        {tr("Esc"), tr("leaves")},
-    };
-    const QFontMetrics metrics(bodyFont);
+    const QFontMetrics metrics(bodyFont());
     int keyWidth = 0;
-    for (const auto& [keys, meaning] : rows)
+    for (const auto& [keys, meaning] : rows())
         keyWidth = std::max(keyWidth, metrics.horizontalAdvance(keys));
     int y = inner.top() + kRow + 4;
-    for (const auto& [keys, meaning] : rows) {
+    for (const auto& [keys, meaning] : rows()) {
         painter.setPen(m_theme.accent);
         painter.drawText(QRect(inner.left(), y, keyWidth, kRow), Qt::AlignLeft | Qt::AlignVCenter, keys);
         painter.setPen(m_theme.text);
-        painter.drawText(QRect(inner.left() + keyWidth + 12, y, inner.width(), kRow), Qt::AlignLeft | Qt::AlignVCenter,
-                         meaning);
+        painter.drawText(QRect(inner.left() + keyWidth + kGap, y, inner.width(), kRow),
+                         Qt::AlignLeft | Qt::AlignVCenter, meaning);
         y += kRow;
     }
     const QRectF dial(inner.right() - kDial, inner.top(), kDial, kDial);

@@ -44,6 +44,8 @@ private:
     bool turnWind(int key);
     bool strengthenWind(int key);
     bool tintLight(int key, bool lower);
+    [[nodiscard]] QFont bodyFont() const;
+    [[nodiscard]] QList<std::pair<QString, QString>> rows() const; ///< Keys and what they do.
     void paintDial(QPainter& painter, const QRectF& place) const;
 
     Theme m_theme;

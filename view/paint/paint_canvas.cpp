@@ -87,18 +87,35 @@ void PaintCanvas::drawUpper(const Look& look)
         painter.drawImage(QRectF(0.0, 0.0, 1.0, 1.0), m_veil);
         painter.resetTransform();
     }
-    const QColor ink = look.nightPaper ? QColor(255, 255, 255) : QColor(20, 24, 30);
-    const auto faded = [&ink](int alpha) { return QColor(ink.red(), ink.green(), ink.blue(), alpha); };
-    if (look.wireframe && m_wireframe) {
-        // Fainter from afar, where many edges would make a fog.
-        const double nearness = std::clamp(std::log2(look.transform.pxPerPaper / 400.0) / 4.0, 0.0, 1.0);
-        m_wireframe->draw(painter, toWidget, visiblePaper(look.transform, QRectF(QPointF(), look.transform.widget)),
-                          faded(static_cast<int>(26.0 + 34.0 * nearness)), faded(110));
-    }
+    if (look.wireframe && m_wireframe)
+        painter.drawImage(QPointF(), wireframePicture(look, size));
     painter.setPen(QPen(look.theme.line, 1.0));
     painter.setRenderHint(QPainter::Antialiasing);
     painter.drawPolygon(toWidget.map(QPolygonF(QRectF(0.0, 0.0, 1.0, 1.0))));
     drawLandmarks(painter, look);
+}
+
+QImage PaintCanvas::wireframePicture(const Look& look, QSize size)
+{
+    QImage lines(size, QImage::Format_Grayscale8);
+    lines.setDevicePixelRatio(look.devicePixelRatio);
+    lines.fill(Qt::black);
+    {
+        // Fainter from afar, where many edges would make a fog.
+        const double nearness = std::clamp(std::log2(look.transform.pxPerPaper / 400.0) / 4.0, 0.0, 1.0);
+        QPainter painter(&lines);
+        m_wireframe->draw(painter, look.transform.paperToWidget(),
+                          visiblePaper(look.transform, QRectF(QPointF(), look.transform.widget)),
+                          static_cast<int>(30.0 + 34.0 * nearness), 110);
+    }
+    QImage ink(size, QImage::Format_ARGB32_Premultiplied);
+    ink.setDevicePixelRatio(look.devicePixelRatio);
+    ink.fill(look.nightPaper ? QColor(255, 255, 255) : QColor(20, 24, 30));
+    lines.reinterpretAsFormat(QImage::Format_Alpha8);
+    QPainter painter(&ink);
+    painter.setCompositionMode(QPainter::CompositionMode_DestinationIn);
+    painter.drawImage(QPointF(), lines);
+    return ink;
 }
 
 void PaintCanvas::drawLandmarks(QPainter& painter, const Look& look) const

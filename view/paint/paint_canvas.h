@@ -42,6 +42,7 @@ public:
 
 private:
     void drawUpper(const Look& look);
+    [[nodiscard]] QImage wireframePicture(const Look& look, QSize size);
     void drawLandmarks(QPainter& painter, const Look& look) const;
 
     std::shared_ptr<const model::Head> m_head;

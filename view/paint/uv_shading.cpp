@@ -120,7 +120,7 @@ QImage bakeUvShading(const sim::HeadMesh& mesh, int side)
 
 QImage shadingVeil(const QImage& shading, bool nightPaper, const QColor& outside)
 {
-    constexpr float kBrightening = 0.24F;
+    constexpr float kBrightening = 0.34F;
     constexpr float kDarkening = 0.34F;
     constexpr float kOutside = 0.62F;
     QImage veil(shading.size(), QImage::Format_ARGB32_Premultiplied);

@@ -186,15 +186,15 @@ void UvWireframe::drawEdges(QPainter& painter, const std::vector<Edge>& edges, c
     painter.drawLines(lines);
 }
 
-void UvWireframe::draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper,
-                       const QColor& edge, const QColor& border)
+void UvWireframe::draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper, int edge,
+                       int border)
 {
     const double pxPerPaper = std::sqrt(std::abs(paperToWidget.determinant()));
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(edge, 1.0));
+    painter.setPen(QPen(QColor(edge, edge, edge), 1.0));
     drawEdges(painter, edgesAt(pxPerPaper), paperToWidget, visiblePaper);
-    painter.setPen(QPen(border, 1.25));
+    painter.setPen(QPen(QColor(border, border, border), 1.25));
     drawEdges(painter, m_borders, paperToWidget, visiblePaper);
     painter.restore();
 }

@@ -3,7 +3,6 @@
 
 #include "sim/head_mesh.h"
 
-#include <QColor>
 #include <QPainter>
 #include <QRectF>
 
@@ -20,9 +19,9 @@ class UvWireframe
 public:
     explicit UvWireframe(const sim::HeadMesh& mesh);
 
-    /// Island borders always, edges with about `kSpacingPx` between them. `visiblePaper` bounds the work.
-    void draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper, const QColor& edge,
-              const QColor& border);
+    /// Draws on black in grey: island borders always, edges with about `kSpacingPx` between them, each as bright as
+    /// wanted. `visiblePaper` bounds the work. Where lines cross they do not add up.
+    void draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper, int edge, int border);
     /// Edges shown at that size of the map, for tests.
     [[nodiscard]] std::size_t edgeCount(double pxPerPaper);
 

@@ -1,0 +1,340 @@
+// The 3D area driven by mouse, wheel and keys; its pictures come from an off-screen context.
+#include "sim/simulation.h"
+#include "tests/support/view_fixture.h"
+#include "view/head/head_camera.h"
+#include "view/head/puff_gesture.h"
+#include "view/head_view.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <cmath>
+#include <random>
+
+using namespace hairpaint;
+
+namespace {
+
+constexpr float kBallM = 0.1F;
+
+struct Fixture
+{
+    Fixture()
+        : editor(test::makeProject(test::makeBallHead())),
+          area(editor.state, view::Theme::of(view::ThemeKind::Dark), view::PresenterChoice::Software)
+    {
+        area.resize(480, 400);
+        area.setCamera(camera());
+        area.show();
+    }
+
+    [[nodiscard]] static rendering::Camera camera()
+    {
+        rendering::Camera camera;
+        camera.targetWo = glm::vec3(0.0F);
+        camera.distanceM = 0.6F;
+        return camera;
+    }
+
+    void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
+              Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+    {
+        QTest::mousePress(&area, button, modifiers, from);
+        for (int i = 1; i <= 5; ++i)
+            move(from + (to - from) * i / 5, button, modifiers);
+        QTest::mouseRelease(&area, button, modifiers, to);
+    }
+
+    /// QTest::mouseMove has neither buttons nor modifiers.
+    void move(QPointF at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers)
+    {
+        QMouseEvent event(QEvent::MouseMove, at, area.mapToGlobal(at), Qt::NoButton, buttons, modifiers);
+        QApplication::sendEvent(&area, &event);
+    }
+
+    void wheel(QPointF at, int notches)
+    {
+        QWheelEvent event(at, area.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&area, &event);
+    }
+
+    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> frame() const
+    {
+        sim::Simulation simulation;
+        simulation.setInput(editor.document.groomInput());
+        simulation.advance(1.0 / 60.0);
+        auto frame = std::make_shared<sim::StrandFrame>();
+        simulation.writeFrame(*frame);
+        return frame;
+    }
+
+    test::Editor editor;
+    view::HeadView area;
+};
+
+const QPoint kMiddle(240, 200);
+const QPoint kBackground(20, 20);
+
+int differingPixels(const QImage& a, const QImage& b, const QRect& rect)
+{
+    int count = 0;
+    for (int y = rect.top(); y <= rect.bottom(); ++y) {
+        for (int x = rect.left(); x <= rect.right(); ++x) {
+            const QColor p = a.pixelColor(x, y);
+            const QColor q = b.pixelColor(x, y);
+            count += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue()) > 24;
+        }
+    }
+    return count;
+}
+
+} // namespace
+
+class HeadViewTest : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void raysAndProjectionAgree_data()
+    {
+        QTest::addColumn<float>("azimuth");
+        QTest::addColumn<float>("elevation");
+        QTest::newRow("front") << 0.0F << 0.0F;
+        QTest::newRow("side and above") << 1.3F << 0.7F;
+        QTest::newRow("straight down") << 0.4F << 1.5707963F;
+    }
+    void raysAndProjectionAgree()
+    {
+        QFETCH(float, azimuth);
+        QFETCH(float, elevation);
+        rendering::Camera camera = Fixture::camera();
+        camera.azimuthRad = azimuth;
+        camera.elevationRad = elevation;
+        const QSizeF size(480.0, 400.0);
+        for (const QPointF at : {QPointF(240, 200), QPointF(10, 30), QPointF(470, 390)}) {
+            const view::RayWo ray = view::rayThrough(camera, at, size);
+            const std::optional<QPointF> back = view::project(camera, ray.originWo + ray.directionWo * 0.5F, size);
+            QVERIFY(back.has_value());
+            QVERIFY(QLineF(*back, at).length() < 0.05);
+        }
+    }
+
+    void paintingHitsThePlaceThatShowsThere_data()
+    {
+        QTest::addColumn<QPoint>("at");
+        QTest::addColumn<bool>("turned");
+        QTest::newRow("middle") << kMiddle << false;
+        QTest::newRow("cheek") << QPoint(285, 230) << false;
+        QTest::newRow("head turned") << QPoint(210, 170) << true;
+    }
+    void paintingHitsThePlaceThatShowsThere()
+    {
+        QFETCH(QPoint, at);
+        QFETCH(bool, turned);
+        Fixture f;
+        if (turned) {
+            auto frame = std::make_shared<sim::StrandFrame>();
+            frame->pose.rotation = glm::angleAxis(0.6F, glm::vec3(0.0F, 1.0F, 0.0F));
+            f.area.setFrame(frame);
+        }
+        const std::optional<sim::SurfacePoint> point = f.area.skinAt(at);
+        QVERIFY(point.has_value());
+        QVERIFY(QLineF(f.area.positionOf(point->positionHd).value_or(QPointF()), at).length() < 0.1);
+        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, at);
+        QCOMPARE(f.editor.document.undoStack().count(), 1);
+        QVERIFY(f.editor.density(point->uv) > 0.99F);
+        // 5 cm beside it on the ball nothing is painted.
+        const glm::vec3 beside = glm::normalize(point->positionHd + glm::vec3(0.0F, 0.05F, 0.0F)) * kBallM;
+        QVERIFY(f.editor.density(f.editor.document.project().head->skin->nearest(beside).uv) < 0.01F);
+    }
+
+    void draggingTheBackgroundOrbitsAndPaintsNothing_data()
+    {
+        QTest::addColumn<QPoint>("from");
+        QTest::addColumn<int>("button");
+        QTest::addColumn<int>("modifiers");
+        QTest::newRow("from the background") << kBackground << int(Qt::LeftButton) << int(Qt::NoModifier);
+        QTest::newRow("Alt anywhere") << kMiddle << int(Qt::LeftButton) << int(Qt::AltModifier);
+        QTest::newRow("right button anywhere") << kMiddle << int(Qt::RightButton) << int(Qt::NoModifier);
+    }
+    void draggingTheBackgroundOrbitsAndPaintsNothing()
+    {
+        QFETCH(QPoint, from);
+        QFETCH(int, button);
+        QFETCH(int, modifiers);
+        Fixture f;
+        const rendering::Camera before = f.area.camera();
+        f.drag(from, from + QPoint(50, 40), Qt::MouseButton(button), Qt::KeyboardModifiers(modifiers));
+        const rendering::Camera after = f.area.camera();
+        QVERIFY(after.azimuthRad < before.azimuthRad - 0.1F);
+        QVERIFY(after.elevationRad > before.elevationRad + 0.1F);
+        QCOMPARE(after.distanceM, before.distanceM);
+        QCOMPARE(f.editor.document.undoStack().count(), 0);
+    }
+
+    void theMiddleButtonPans()
+    {
+        Fixture f;
+        const glm::vec3 held(0.0F, 0.0F, 0.0F);
+        f.drag(kMiddle, kMiddle + QPoint(30, -20), Qt::MiddleButton);
+        QVERIFY(QLineF(f.area.positionOf(held).value_or(QPointF()), kMiddle + QPoint(30, -20)).length() < 1.0);
+    }
+
+    void theWheelZoomsAtThePointer()
+    {
+        Fixture f;
+        const float before = f.area.camera().distanceM;
+        const QPointF at(300.0, 150.0);
+        // A place at the target's depth.
+        const glm::vec3 held(0.06F * (300.0F - 240.0F) / 50.0F, 0.0F, 0.0F);
+        const QPointF heldAt = f.area.positionOf(held).value_or(QPointF());
+        f.wheel(heldAt, 2);
+        QVERIFY(f.area.camera().distanceM < before * 0.85F);
+        QVERIFY(QLineF(f.area.positionOf(held).value_or(QPointF()), heldAt).length() < 1.0);
+    }
+
+    void aRightClickOpensTheMenuAndMovesNothing()
+    {
+        Fixture f;
+        QSignalSpy menu(&f.area, &view::HeadView::contextMenuWanted);
+        const rendering::Camera before = f.area.camera();
+        QTest::mouseClick(&f.area, Qt::RightButton, Qt::NoModifier, kMiddle);
+        QCOMPARE(menu.count(), 1);
+        QCOMPARE(f.area.camera(), before);
+    }
+
+    void shiftAndRightDragTurnsTheLight()
+    {
+        Fixture f;
+        std::vector<std::pair<model::LightSettings, bool>> wanted;
+        connect(&f.area, &view::HeadView::lightWanted, &f.area,
+                [&](const model::LightSettings& light, bool done) { wanted.emplace_back(light, done); });
+        const model::LightSettings before = f.editor.document.project().light;
+        f.drag(kMiddle, kMiddle + QPoint(60, 0), Qt::RightButton, Qt::ShiftModifier);
+        QVERIFY(wanted.size() >= 2);
+        QVERIFY(wanted.back().second);
+        QVERIFY(!wanted.front().second);
+        QVERIFY(wanted.back().first.azimuthRad > before.azimuthRad + 0.3F);
+    }
+
+    void holdingHTurnsTheHead()
+    {
+        Fixture f;
+        std::vector<sim::HeadPose> poses;
+        connect(&f.area, &view::HeadView::poseWanted, &f.area,
+                [&](const sim::HeadPose& pose) { poses.push_back(pose); });
+        QTest::keyPress(&f.area, Qt::Key_H);
+        f.drag(kMiddle, kMiddle + QPoint(80, 0));
+        QTest::keyRelease(&f.area, Qt::Key_H);
+        QVERIFY(!poses.empty());
+        const glm::vec3 face = poses.back().rotation * glm::vec3(0.0F, 0.0F, 1.0F);
+        QVERIFY(face.x > 0.3F);
+        QCOMPARE(f.editor.document.undoStack().count(), 0);
+        // Resetting the view turns it back.
+        f.area.resetCamera();
+        QTRY_VERIFY(glm::dot(poses.back().rotation * glm::vec3(0.0F, 0.0F, 1.0F), glm::vec3(0.0F, 0.0F, 1.0F)) >
+                    0.9999F);
+    }
+
+    void aFastPointerBlowsAPuffAndASlowOneDoesNot()
+    {
+        view::PuffGesture gesture;
+        QVERIFY(!gesture.moved({0.0F, 0.1F, 0.0F}, 1.0));
+        QVERIFY(!gesture.moved({0.001F, 0.1F, 0.0F}, 1.016));                              // 6 cm/s
+        const std::optional<view::Puff> puff = gesture.moved({0.033F, 0.1F, 0.0F}, 1.032); // 2 m/s
+        QVERIFY(puff.has_value());
+        QVERIFY(puff->velocity.x > 0.5F && puff->velocity.x <= 2.5F);
+        QVERIFY(std::abs(puff->velocity.y) < 1e-5F);
+        QVERIFY(!gesture.moved({0.065F, 0.1F, 0.0F}, 1.040)); // Not twice in a moment.
+        gesture.interrupt();
+        QVERIFY(!gesture.moved({0.3F, 0.1F, 0.0F}, 1.1));
+    }
+
+    void thePointerSweepingThroughTheHairBlows()
+    {
+        Fixture f;
+        QSignalSpy puffs(&f.area, &view::HeadView::puffWanted);
+        ulong time = 1000;
+        for (int i = 0; i <= 12; ++i) {
+            const QPointF at(140.0 + 16.0 * i, 180.0);
+            QMouseEvent event(QEvent::MouseMove, at, f.area.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                              Qt::NoModifier);
+            event.setTimestamp(time += 10);
+            QApplication::sendEvent(&f.area, &event);
+        }
+        QVERIFY(puffs.count() >= 1);
+    }
+
+    void hoveringSharesThePlace()
+    {
+        Fixture f;
+        QTest::mouseMove(&f.area, kMiddle);
+        QVERIFY(f.editor.state.hover().has_value());
+        QCOMPARE(f.editor.state.hover()->area, model::Area::Head);
+        QVERIFY(glm::length(f.editor.state.hover()->uv - f.area.skinAt(kMiddle)->uv) < 1e-6F);
+        QTest::mouseMove(&f.area, kBackground);
+        QVERIFY(!f.editor.state.hover().has_value());
+    }
+
+    void escCancelsTheStroke()
+    {
+        Fixture f;
+        QTest::mousePress(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
+        const glm::vec2 uv = f.area.skinAt(kMiddle)->uv;
+        QVERIFY(f.editor.density(uv) > 0.99F);
+        QTest::keyClick(&f.area, Qt::Key_Escape);
+        QTest::mouseRelease(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
+        QVERIFY(f.editor.density(uv) < 0.01F);
+        QCOMPARE(f.editor.document.undoStack().count(), 0);
+    }
+
+    void standardViewsTurnThere()
+    {
+        Fixture f;
+        f.area.setView(rendering::StandardView::Left);
+        QTRY_VERIFY(std::abs(f.area.camera().azimuthRad - 1.5708F) < 0.01F);
+    }
+
+    void hairAppearsWhereADabWasPainted()
+    {
+        Fixture f;
+        model::ToolSettings settings = f.editor.state.toolSettings();
+        settings.brushSizeM = 0.04F;
+        f.editor.state.setToolSettings(settings);
+        f.area.setFrame(f.frame());
+        const QImage before = f.area.grabPicture({480, 400});
+        QCOMPARE(before.size(), QSize(480, 400));
+        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
+        const std::shared_ptr<const sim::StrandFrame> frame = f.frame();
+        QVERIFY(frame->hairCount > 100);
+        f.area.setFrame(frame);
+        const QImage after = f.area.grabPicture({480, 400});
+        QVERIFY(differingPixels(before, after, QRect(kMiddle - QPoint(30, 30), QSize(60, 60))) > 200);
+        QCOMPARE(differingPixels(before, after, QRect(0, 0, 100, 400)), 0);
+    }
+
+    void theAreaShowsTheHead()
+    {
+        Fixture f;
+        QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
+        QTRY_VERIFY(drawn.count() >= 1);
+        QTRY_VERIFY(!f.area.rendererDescription().isEmpty());
+        const QImage shown = f.area.grab().toImage();
+        QVERIFY(shown.pixelColor(kMiddle).lightness() > shown.pixelColor(kBackground).lightness() + 30);
+        QVERIFY(f.area.missingText().isEmpty());
+    }
+
+    void nothingChangedNothingIsDrawn()
+    {
+        Fixture f;
+        QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
+        QTRY_VERIFY(drawn.count() >= 1);
+        // Refinement of a still picture comes to an end.
+        int before = -1;
+        QTRY_VERIFY((drawn.wait(400), std::exchange(before, int(drawn.count())) == drawn.count()));
+    }
+};
+
+QTEST_MAIN(HeadViewTest)
+#include "test_head_view.moc"

@@ -1,0 +1,40 @@
+// Where no OpenGL driver is found the 3D area says so and the rest works.
+#include "tests/support/view_fixture.h"
+#include "view/head_view.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace hairpaint;
+
+class HeadViewWithoutGlTest : public QObject
+{
+    Q_OBJECT
+public:
+    static void initMain()
+    {
+        // The loader then finds no driver at all.
+        qputenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent.json");
+        qputenv("LIBGL_DRIVERS_PATH", "/nonexistent");
+    }
+
+private Q_SLOTS:
+    void aSentenceStandsInForTheHead()
+    {
+        test::Editor editor(test::makeProject(test::makeBallHead()));
+        view::HeadView area(editor.state, view::Theme::of(view::ThemeKind::Dark));
+        QSignalSpy unavailable(&area, &view::HeadView::glUnavailable);
+        area.resize(480, 400);
+        area.show();
+        QTRY_COMPARE(unavailable.count(), 1);
+        QVERIFY(!area.missingText().isEmpty());
+        QVERIFY(area.grabPicture({64, 64}).isNull());
+        // What needs no picture goes on.
+        QVERIFY(area.skinAt({240, 200}).has_value());
+        QTest::mouseClick(&area, Qt::LeftButton, Qt::NoModifier, {240, 200});
+        QCOMPARE(editor.document.undoStack().count(), 1);
+    }
+};
+
+QTEST_MAIN(HeadViewWithoutGlTest)
+#include "test_head_view_without_gl.moc"
