@@ -9,9 +9,12 @@ constexpr float kLeapM = 0.06F; ///< A pointer that moves further over the head 
 
 } // namespace
 
-BrushPath::BrushPath(const sim::Skin* skin, float spacingM)
-    : m_skin(skin), m_average(skin != nullptr ? SkinMetric::average(*skin) : SkinMetric{}), m_spacingM(spacingM)
-{}
+BrushPath::BrushPath(const sim::Skin* skin, float spacingM, float leastStepUv)
+    : m_skin(skin), m_spacingM(spacingM), m_leastStepUv(leastStepUv)
+{
+    if (skin != nullptr)
+        m_last.metric = SkinMetric::average(*skin);
+}
 
 BrushPath::Cursor BrushPath::cursorOf(const ToolEvent& event)
 {
@@ -47,7 +50,7 @@ BrushPlace BrushPath::placeAtUv(glm::vec2 uv, float pressure) const
         if (const std::optional<sim::SurfacePoint> point = m_skin->atUv(uv))
             return {uv, point, SkinMetric::at(*point), pressure};
     // Off the islands the size on the last island goes on.
-    return {uv, std::nullopt, m_last.point || m_cursor ? m_last.metric : m_average, pressure};
+    return {uv, std::nullopt, m_last.metric, pressure};
 }
 
 BrushPlace BrushPath::placeAt(const sim::SurfacePoint& point, float pressure) const

@@ -4,6 +4,7 @@
 #include "model/tools/dab_shape.h"
 #include "model/tools/tool.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct BrushPlace
 class BrushPath
 {
 public:
-    /// `skin` may be null: then uv units count as 0.5 m.
-    BrushPath(const sim::Skin* skin, float spacingM);
+    /// `skin` may be null: then uv units count as 0.5 m. Places are never nearer than `leastStepUv`, however stretched
+    /// the layout is.
+    BrushPath(const sim::Skin* skin, float spacingM, float leastStepUv);
 
     /// The spacing after the next place; brushes that shrink with pressure step more finely.
     void setSpacing(float spacingM) { m_spacingM = spacingM; }
@@ -39,12 +41,14 @@ public:
             lift();
             return;
         }
-        if (!m_cursor || leaps(event))
-            start(event), onPlace(m_last);
-        else if (jumpsInUv(event))
+        if (!m_cursor || leaps(event)) {
+            start(event);
+            onPlace(m_last);
+        } else if (jumpsInUv(event)) {
             walkOnSkin(event, onPlace);
-        else
+        } else {
             walkInUv(event, onPlace);
+        }
     }
     /// The next event starts anew.
     void lift() { m_cursor.reset(); }
@@ -72,10 +76,14 @@ private:
     {
         const Cursor end = cursorOf(event);
         for (;;) {
+            const float aheadUv = glm::length(end.uv - m_cursor->uv);
             const float ahead = m_last.metric.lengthM(end.uv - m_cursor->uv);
-            if (m_carriedM + ahead < m_spacingM || ahead <= 0.0F)
+            if (!(ahead > 0.0F))
                 break;
-            const float share = std::max(0.0F, m_spacingM - m_carriedM) / ahead;
+            const float spacingM = std::max(m_spacingM, m_leastStepUv * ahead / aheadUv);
+            if (m_carriedM + ahead < spacingM)
+                break;
+            const float share = std::max(0.0F, spacingM - m_carriedM) / ahead;
             m_cursor->uv += (end.uv - m_cursor->uv) * share;
             m_cursor->pressure += (end.pressure - m_cursor->pressure) * share;
             m_last = placeAtUv(m_cursor->uv, m_cursor->pressure);
@@ -105,10 +113,10 @@ private:
     }
 
     const sim::Skin* m_skin;
-    SkinMetric m_average;
     float m_spacingM;
+    float m_leastStepUv;
     std::optional<Cursor> m_cursor; ///< Where the path ends.
-    BrushPlace m_last;              ///< The last dab's place.
+    BrushPlace m_last;              ///< The last dab's place; its metric is the average at first.
     float m_carriedM = 0.0F;        ///< Way made since the last place.
 };
 

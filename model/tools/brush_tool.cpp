@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kLeastPressure = 0.05F; ///< A pen that only just touches still leaves a trace.
-constexpr float kSmallestSpacingM = 0.0002F;
+constexpr float kLeastStepTx = 0.25F;
 
 class BrushTool : public Tool
 {
@@ -65,7 +65,8 @@ void BrushTool::press(const ToolEvent& event, ToolContext& context)
         return;
     const Head* head = context.document.project().head.get();
     m_buffer.emplace(m_edit.size());
-    m_path.emplace(head != nullptr ? head->skin.get() : nullptr, context.settings.brushSizeM * kSpacing);
+    m_path.emplace(head != nullptr ? head->skin.get() : nullptr, context.settings.brushSizeM * kSpacing,
+                   kLeastStepTx / static_cast<float>(m_edit.size()));
     m_paint = {.value = context.settings.value(context.target.map).texel(m_edit.spec()),
                .opacity = unit16(context.settings.opacity),
                .erase = m_erases};
@@ -121,7 +122,7 @@ void BrushTool::dab(const BrushPlace& place, const ToolContext& context)
     const ToolSettings& settings = context.settings;
     const float pressure = std::clamp(place.pressure, kLeastPressure, 1.0F);
     const float sizeM = settings.brushSizeM * (settings.pressureSize ? pressure : 1.0F);
-    m_path->setSpacing(std::max(sizeM * kSpacing, kSmallestSpacingM));
+    m_path->setSpacing(sizeM * kSpacing);
 
     const int size = m_edit.size();
     Dab dab = dabAt(place.metric, place.uv, 0.5F * sizeM, size);

@@ -40,8 +40,10 @@ void limitAxes(Dab& dab, float least, float most)
 
 SkinMetric SkinMetric::at(const sim::SurfacePoint& point)
 {
-    return {glm::dot(point.dPduHd, point.dPduHd), glm::dot(point.dPduHd, point.dPdvHd),
-            glm::dot(point.dPdvHd, point.dPdvHd)};
+    const SkinMetric metric{glm::dot(point.dPduHd, point.dPduHd), glm::dot(point.dPduHd, point.dPdvHd),
+                            glm::dot(point.dPdvHd, point.dPdvHd)};
+    // A face without area in uv has no derivatives.
+    return std::isfinite(metric.e + metric.f + metric.g) ? metric : SkinMetric{};
 }
 
 SkinMetric SkinMetric::average(const sim::Skin& skin)

@@ -16,16 +16,28 @@ int clampedInt(float value, int low, int high)
     return static_cast<int>(std::clamp(value, static_cast<float>(low), static_cast<float>(high)));
 }
 
-/// The mask of `count` texels from `dx` on, maximised into `row`. `rowTerm` is c dy2, `cross` 2 b dy.
-void fadeRow(std::uint16_t* row, int count, float dx, float a, float cross, float rowTerm, float slope, float full)
+constexpr int kLanes = 8;      ///< Texels that are worked on at a time; a tile's row is a multiple of it.
+constexpr int kNarrowest = 48; ///< A row's full part is filled apart where it is this wide; else finding it costs more.
+
+/// One row of a dab: q = (a x + cross) x + rowTerm, the mask smooth from 0 where q = 1 to `full` where (1 - q) slope
+/// = 1.
+struct RowTerms
 {
-    for (int i = 0; i < count; ++i) {
-        const float x = dx + static_cast<float>(i);
+    float a, cross, rowTerm, slope, full;
+
+    [[nodiscard]] std::uint16_t mask(float x) const
+    {
         const float q = (a * x + cross) * x + rowTerm;
         const float t = std::min(std::max((1.0F - q) * slope, 0.0F), 1.0F);
-        const auto mask = static_cast<std::uint16_t>(static_cast<int>(t * t * (3.0F - 2.0F * t) * full + 0.5F));
-        row[i] = std::max(row[i], mask);
+        return static_cast<std::uint16_t>(static_cast<int>(t * t * (3.0F - 2.0F * t) * full + 0.5F));
     }
+};
+
+/// The masks of `count` texels, the first `dx` from the centre, maximised into `row`.
+void fadeRow(std::uint16_t* row, int count, float dx, RowTerms terms)
+{
+    for (int i = 0; i < count; ++i)
+        row[i] = std::max(row[i], terms.mask(dx + static_cast<float>(i)));
 }
 
 void fillRow(std::uint16_t* row, int count, std::uint16_t full)
@@ -103,7 +115,7 @@ void StrokeBuffer::findSpans(const Kernel& kernel, const sim::TexelRect& rect)
         Span span{clampedInt(std::floor(middle - half), rect.x0, rect.x1),
                   clampedInt(std::ceil(middle + half) + 1.0F, rect.x0, rect.x1), 0, 0};
         span.full0 = span.full1 = span.x1;
-        if (rest < fullLimit) {
+        if (rest < fullLimit && span.x1 - span.x0 >= kNarrowest) {
             const float fullHalf = std::sqrt((fullLimit - rest) / dab.a);
             const int full0 = clampedInt(std::ceil(middle - fullHalf) + 1.0F, span.x0, span.x1);
             const int full1 = clampedInt(std::floor(middle + fullHalf), span.x0, span.x1);
@@ -126,39 +138,52 @@ void StrokeBuffer::add(const Dab& dab, const sim::TexelRect& clip)
     if (rect.empty() || kernel.full <= 0.0F)
         return;
     findSpans(kernel, rect);
-    const auto full = static_cast<std::uint16_t>(kernel.full);
     for (int tileY = rect.y0 / kTile; tileY <= (rect.y1 - 1) / kTile; ++tileY) {
         for (int tileX = rect.x0 / kTile; tileX <= (rect.x1 - 1) / kTile; ++tileX) {
             const int left = tileX * kTile;
-            const int right = left + kTile;
             const int top = std::max(rect.y0, tileY * kTile);
             const int bottom = std::min(rect.y1, (tileY + 1) * kTile);
-            const Span* spans = m_spans.data() + (top - rect.y0);
-            const auto meets = [&](const Span& span) { return span.x0 < right && span.x1 > left && span.x0 < span.x1; };
-            if (std::none_of(spans, spans + (bottom - top), meets))
+            const std::span<const Span> spans(m_spans.data() + (top - rect.y0), static_cast<std::size_t>(bottom - top));
+            const bool meets = std::ranges::any_of(spans, [left](const Span& span) {
+                return span.x0 < left + kTile && span.x1 > left && span.x0 < span.x1;
+            });
+            if (!meets)
                 continue;
             MaskTile& tile = writableMask(tileY * m_tilesAcross + tileX);
-            for (int y = top; y < bottom; ++y, ++spans) {
-                if (!meets(*spans))
-                    continue;
-                std::uint16_t* row = tile.data() + static_cast<std::size_t>(y % kTile) * kTile;
-                const float dy = static_cast<float>(y) + 0.5F - dab.yTx;
-                const auto fade = [&](int from, int to) {
-                    from = std::max(from, left);
-                    to = std::min(to, right);
-                    if (from < to)
-                        fadeRow(row + (from - left), to - from, static_cast<float>(from) + 0.5F - dab.xTx, dab.a,
-                                2.0F * dab.b * dy, dab.c * dy * dy, kernel.slope, kernel.full);
-                };
-                fade(spans->x0, spans->full0);
-                const int full0 = std::max(spans->full0, left);
-                const int full1 = std::min(spans->full1, right);
-                if (full0 < full1)
-                    fillRow(row + (full0 - left), full1 - full0, full);
-                fade(spans->full1, spans->x1);
-            }
+            for (int y = top; y < bottom; ++y)
+                addRow(kernel, spans[static_cast<std::size_t>(y - top)], clip, y, left,
+                       tile.data() + static_cast<std::size_t>(y % kTile) * kTile);
         }
     }
+}
+
+/// One row of one tile; `left` is the texel that `row` starts with.
+void StrokeBuffer::addRow(const Kernel& kernel, const Span& span, const sim::TexelRect& clip, int y, int left,
+                          std::uint16_t* row)
+{
+    const Dab& dab = kernel.dab;
+    const float dy = static_cast<float>(y) + 0.5F - dab.yTx;
+    const RowTerms terms{dab.a, 2.0F * dab.b * dy, dab.c * dy * dy, kernel.slope, kernel.full};
+    const auto fade = [&](int from, int to) {
+        from = std::max(from, left);
+        to = std::min(to, left + kTile);
+        if (from >= to)
+            return;
+        // Whole blocks, for the vector loop: the polynomial is 0 past the rim. Not across the clip's sides.
+        const int blockFrom = from / kLanes * kLanes;
+        const int blockTo = (to + kLanes - 1) / kLanes * kLanes;
+        if (blockFrom >= clip.x0 && blockTo <= clip.x1) {
+            from = blockFrom;
+            to = blockTo;
+        }
+        fadeRow(row + (from - left), to - from, static_cast<float>(from) + 0.5F - dab.xTx, terms);
+    };
+    fade(span.x0, span.full0);
+    const int full0 = std::max(span.full0, left);
+    const int full1 = std::min(span.full1, left + kTile);
+    if (full0 < full1)
+        fillRow(row + (full0 - left), full1 - full0, static_cast<std::uint16_t>(kernel.full));
+    fade(span.full1, span.x1);
 }
 
 } // namespace hairpaint::model

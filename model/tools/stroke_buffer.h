@@ -52,6 +52,8 @@ private:
     };
     struct Kernel;
     void findSpans(const Kernel& kernel, const sim::TexelRect& rect);
+    static void addRow(const Kernel& kernel, const Span& span, const sim::TexelRect& clip, int y, int left,
+                       std::uint16_t* row);
 
     int m_size;
     int m_tilesAcross;

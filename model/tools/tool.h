@@ -30,7 +30,7 @@ struct ToolEvent
     /// uv of the pointer; in the paint area possibly off every island or outside 0..1.
     glm::vec2 uv{0.0F};
     /// Where the pointer is on the skin; none off the head.
-    std::optional<sim::SurfacePoint> point;
+    std::optional<sim::SurfacePoint> point = {};
     float pressure = 1.0F; ///< 0..1; 1 for a mouse.
     double seconds = 0.0;
     Qt::KeyboardModifiers modifiers = {};

@@ -1,0 +1,201 @@
+// Copy, cut, clear and paste, inside a map and between maps.
+#include "model/compositor.h"
+#include "model/tools/clipboard.h"
+#include "tests/model/fixtures.h"
+
+#include <QTest>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+using namespace hairpaint::test;
+
+namespace {
+
+/// A project with a value in the texels 64..96 x 64..80 of one map.
+Project projectWith(MapKind map, const sim::Texel& texel)
+{
+    Project project = patchProject();
+    for (int y = 64; y < 80; ++y)
+        for (int x = 64; x < 96; ++x)
+            project.groups.front().map(map).layers.front().raster.setTexel(x, y, texel);
+    return project;
+}
+
+const QRectF kThere(0.25, 1.0 - 80.0 / 256.0, 0.125, 0.0625); // Those texels.
+
+const sim::TiledRaster& rasterOf(const Document& document, MapKind map)
+{
+    const LayerAddress at = firstLayer(document, map);
+    return document.project().layer(at.group, at.map, at.layer)->raster;
+}
+
+} // namespace
+
+class TestClipboard : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aCopyHoldsTheSelectedTexels();
+    void pastingBackChangesNothing();
+    void pastingGoesToTheMiddleOfTheSelection();
+    void pastingAtTheBorderIsCutOff();
+    void clearingTakesAwayTheSelectedTexelsOnly();
+    void pastingBetweenMapsConverts_data();
+    void pastingBetweenMapsConverts();
+    void mapsOfAnotherSizeGetTheSamePlace();
+    void lockedLayersAreNotPastedInto();
+};
+
+void TestClipboard::aCopyHoldsTheSelectedTexels()
+{
+    Document document(projectWith(MapKind::Gel, {40000, 65535, 0, 0}));
+    Selection selection;
+    selection.setRectangle(kThere);
+    const Clip clip = copyClip(document, firstLayer(document, MapKind::Gel), selection);
+    QCOMPARE(clip.width, 32);
+    QCOMPARE(clip.height, 16);
+    QCOMPARE(clip.uvRect, kThere);
+    QVERIFY(std::ranges::all_of(clip.texels, [](const sim::Texel& t) { return t == sim::Texel{40000, 65535, 0, 0}; }));
+    selection.setRectangle(std::nullopt);
+    QCOMPARE(copyClip(document, firstLayer(document, MapKind::Gel), selection).width, 256);
+}
+
+void TestClipboard::pastingBackChangesNothing()
+{
+    Document document(projectWith(MapKind::Gel, {40000, 30000, 0, 0}));
+    Selection selection;
+    for (const std::optional<QRectF>& rectangle : {std::optional<QRectF>(), std::optional(kThere)}) {
+        selection.setRectangle(rectangle);
+        const Clip clip = copyClip(document, firstLayer(document, MapKind::Gel), selection);
+        QCOMPARE(pasteCommand(document, firstLayer(document, MapKind::Gel), clip, selection), nullptr);
+    }
+}
+
+void TestClipboard::pastingGoesToTheMiddleOfTheSelection()
+{
+    Document document(projectWith(MapKind::Gel, {40000, 65535, 0, 0}));
+    const LayerAddress gel = firstLayer(document, MapKind::Gel);
+    Selection selection;
+    selection.setRectangle(kThere);
+    const Clip clip = copyClip(document, gel, selection);
+    selection.setRectangle(QRectF(0.5, 0.25, 0.25, 0.25)); // Middle: texel (160, 160).
+    document.push(pasteCommand(document, gel, clip, selection));
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Paste into Gel"));
+    for (int y = 130; y < 190; ++y)
+        for (int x = 130; x < 190; ++x)
+            QCOMPARE(rasterOf(document, MapKind::Gel).texel(x, y)[0],
+                     x >= 144 && x < 176 && y >= 152 && y < 168 ? 40000 : 0);
+}
+
+void TestClipboard::pastingAtTheBorderIsCutOff()
+{
+    Document document(projectWith(MapKind::Gel, {40000, 65535, 0, 0}));
+    const LayerAddress gel = firstLayer(document, MapKind::Gel);
+    Selection selection;
+    selection.setRectangle(kThere);
+    const Clip clip = copyClip(document, gel, selection);
+    selection.setRectangle(QRectF(0.0, 0.0, 0.01, 0.01));
+    document.push(pasteCommand(document, gel, clip, selection));
+    QCOMPARE(static_cast<int>(rasterOf(document, MapKind::Gel).texel(0, 255)[0]), 40000);
+    QCOMPARE(static_cast<int>(rasterOf(document, MapKind::Gel).texel(255, 0)[0]), 0);
+}
+
+void TestClipboard::clearingTakesAwayTheSelectedTexelsOnly()
+{
+    Project project = patchProject();
+    sim::TiledRaster& raster = project.groups.front().map(MapKind::Gel).layers.front().raster;
+    for (int index = 0; index < raster.tileCount(); ++index)
+        raster.setUniform(index, {50000, 65535, 0, 0});
+    Document document(project);
+    Selection selection;
+    selection.setRectangle(QRectF(0.25, 0.25, 0.3, 0.3));
+    document.push(clearCommand(document, firstLayer(document, MapKind::Gel), selection, QStringLiteral("Cut Gel")));
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Cut Gel"));
+    for (int y = 0; y < 256; y += 3)
+        for (int x = 0; x < 256; x += 3)
+            QCOMPARE(rasterOf(document, MapKind::Gel).texel(x, y)[1],
+                     x >= 64 && x < 141 && y >= 115 && y < 192 ? 0 : 65535);
+    document.undo();
+    QVERIFY(sameProjects(document.project(), project));
+    selection.setRectangle(std::nullopt);
+    document.push(clearCommand(document, firstLayer(document, MapKind::Gel), selection, QString()));
+    QCOMPARE(rasterOf(document, MapKind::Gel).byteCount(), 0U);
+}
+
+void TestClipboard::pastingBetweenMapsConverts_data()
+{
+    QTest::addColumn<int>("from");
+    QTest::addColumn<QList<int>>("value");
+    QTest::addColumn<int>("to");
+    QTest::addColumn<QList<int>>("expected");
+    const auto row = [](const char* name, MapKind from, QList<int> value, MapKind to, QList<int> expected) {
+        QTest::newRow(name) << static_cast<int>(from) << value << static_cast<int>(to) << expected;
+    };
+    row("scalars keep the value", MapKind::Length, {12345, 0, 0}, MapKind::Curl, {12345, 0, 0});
+    row("a colour's green is density", MapKind::Colour, {13107, 52428, 13107}, MapKind::Density, {39321, 0, 0});
+    row("a grey colour is no density", MapKind::Colour, {40000, 40000, 40000}, MapKind::Density, {0, 0, 0});
+    row("full length is blue", MapKind::Length, {65535, 0, 0}, MapKind::Colour, {0, 0, 65535});
+    row("no length is white", MapKind::Length, {0, 0, 0}, MapKind::Colour, {65535, 65535, 65535});
+    row("magenta is a plait", MapKind::Colour, {65535, 0, 65535}, MapKind::Braid, {1, 0, 0});
+    row("a plait is magenta", MapKind::Braid, {1, 0, 0}, MapKind::Colour, {65535, 0, 65535});
+    row("braids keep the kind", MapKind::Braid, {3, 0, 0}, MapKind::Braid, {3, 0, 0});
+}
+
+void TestClipboard::pastingBetweenMapsConverts()
+{
+    QFETCH(int, from);
+    QFETCH(QList<int>, value);
+    QFETCH(int, to);
+    QFETCH(QList<int>, expected);
+    const auto source = static_cast<MapKind>(from);
+    const auto target = static_cast<MapKind>(to);
+    sim::Texel texel{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(mapSpec(source).valueChannels); ++i)
+        texel[i] = static_cast<std::uint16_t>(value[static_cast<qsizetype>(i)]);
+    texel[static_cast<std::size_t>(mapSpec(source).valueChannels)] = 50000;
+    Document document(projectWith(source, texel));
+    Selection selection;
+    selection.setRectangle(kThere);
+    const Clip clip = copyClip(document, firstLayer(document, source), selection);
+    selection.setRectangle(QRectF(0.5, 0.5, 0.25, 0.25));
+    document.push(pasteCommand(document, firstLayer(document, target), clip, selection));
+    const sim::Texel pasted = rasterOf(document, target).texel(160, 96);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(mapSpec(target).valueChannels); ++i)
+        QCOMPARE(static_cast<int>(pasted[i]), expected[static_cast<qsizetype>(i)]);
+    QCOMPARE(static_cast<int>(pasted[static_cast<std::size_t>(mapSpec(target).valueChannels)]), 50000);
+}
+
+void TestClipboard::mapsOfAnotherSizeGetTheSamePlace()
+{
+    Project project = projectWith(MapKind::Gel, {40000, 65535, 0, 0});
+    MapStack& curl = project.groups.front().map(MapKind::Curl);
+    curl.size = 512;
+    curl.layers.front() = makeLayer(project, mapSpec(MapKind::Curl), 512, QStringLiteral("L"));
+    Document document(project);
+    Selection selection;
+    selection.setRectangle(kThere);
+    const Clip clip = copyClip(document, firstLayer(document, MapKind::Gel), selection);
+    document.push(pasteCommand(document, firstLayer(document, MapKind::Curl), clip, selection));
+    for (int y = 100; y < 180; ++y)
+        for (int x = 100; x < 220; ++x)
+            QCOMPARE(rasterOf(document, MapKind::Curl).texel(x, y)[0],
+                     x >= 128 && x < 192 && y >= 128 && y < 160 ? 40000 : 0);
+}
+
+void TestClipboard::lockedLayersAreNotPastedInto()
+{
+    Project project = projectWith(MapKind::Gel, {40000, 65535, 0, 0});
+    project.groups.front().map(MapKind::Gel).layers.front().locked = true;
+    Document document(project);
+    Selection selection;
+    selection.setRectangle(kThere);
+    const LayerAddress gel = firstLayer(document, MapKind::Gel);
+    const Clip clip = copyClip(document, gel, selection);
+    QCOMPARE(clip.width, 32);
+    QCOMPARE(clearCommand(document, gel, selection, QString()), nullptr);
+    selection.setRectangle(QRectF(0.5, 0.5, 0.25, 0.25));
+    QCOMPARE(pasteCommand(document, gel, clip, selection), nullptr);
+}
+
+QTEST_APPLESS_MAIN(TestClipboard)
+#include "test_clipboard.moc"
