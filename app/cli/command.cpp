@@ -1,0 +1,103 @@
+// What the verbs share: the table of them, their errors, their options.
+#include "app/cli/command.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace hairpaint::app {
+
+namespace {
+
+constexpr std::array<Command, 5> kCommands = {{
+    {"new",
+     "-o P.hairpaint [--head MESH] [--preset NAME] [--map [GROUP/]KIND[:grey]=IMAGE]... [--seed N] [--max-hairs N]",
+     "makes a project", runNew},
+    {"info", "P.hairpaint [--json]", "tells what a project holds", runInfo},
+    {"presets", "[--json]", "lists the library of styles", runPresets},
+    {"export", "P.hairpaint -o FILE.hair [--settle SECONDS]", "writes the hair as curves", runExport},
+    {"render",
+     "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|three-quarter] [--settle SECONDS] "
+     "[--frames A-B] [--fps F] [--wind X,Y,Z]",
+     "takes pictures", runRender},
+}};
+
+void printError(const QString& text)
+{
+    const QByteArray line = text.simplified().toUtf8() + '\n';
+    std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
+}
+
+} // namespace
+
+std::span<const Command> commands()
+{
+    return kCommands;
+}
+
+const Command* findCommand(const QString& name)
+{
+    const auto* const found = std::ranges::find_if(
+        kCommands, [&name](const Command& command) { return name == QLatin1StringView(command.name); });
+    return found == kCommands.end() ? nullptr : &*found;
+}
+
+ExitCode failed(const model::Error& error)
+{
+    printError(error.message);
+    return ExitCode::Failed;
+}
+
+ExitCode wrongUsage(const char* command, const QString& problem)
+{
+    const Command* entry = findCommand(QLatin1StringView(command));
+    printError(QCoreApplication::translate("CommandLine", "%1. Usage: hairpaint %2 %3")
+                   .arg(problem, QLatin1StringView(entry->name), QLatin1StringView(entry->usage)));
+    return ExitCode::WrongUsage;
+}
+
+std::optional<QStringList> parse(QCommandLineParser& parser, const char* command, const QStringList& arguments,
+                                 qsizetype positionals)
+{
+    // The parser expects a program name first.
+    if (!parser.parse(QStringList{QLatin1StringView(command)} + arguments)) {
+        (void)wrongUsage(command, parser.errorText());
+        return std::nullopt;
+    }
+    const QStringList found = parser.positionalArguments();
+    if (found.size() != positionals) {
+        (void)wrongUsage(command, positionals == 0
+                                      ? QCoreApplication::translate("CommandLine", "No file name belongs here")
+                                      : QCoreApplication::translate("CommandLine", "Exactly one project is wanted"));
+        return std::nullopt;
+    }
+    return found;
+}
+
+std::optional<double> numberOption(const QCommandLineParser& parser, const char* command, const QString& option,
+                                   double fallback, double least, double most)
+{
+    if (!parser.isSet(option))
+        return fallback;
+    bool isNumber = false;
+    const double value = parser.value(option).toDouble(&isNumber);
+    if (isNumber && value >= least && value <= most)
+        return value;
+    (void)wrongUsage(command, QCoreApplication::translate("CommandLine", "--%1 takes a number from %2 to %3, not '%4'")
+                                  .arg(option)
+                                  .arg(least)
+                                  .arg(most, 0, 'g', 10)
+                                  .arg(parser.value(option)));
+    return std::nullopt;
+}
+
+void printOut(const QString& text)
+{
+    const QByteArray bytes = text.toUtf8();
+    std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stdout);
+    std::fflush(stdout);
+}
+
+} // namespace hairpaint::app

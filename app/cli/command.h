@@ -1,0 +1,54 @@
+// The command line's verbs: the same program without a window, so that it can be scripted.
+#pragma once
+
+#include "model/error.h"
+
+#include <QCommandLineParser>
+#include <QStringList>
+
+#include <optional>
+#include <span>
+
+namespace hairpaint::app {
+
+/// What the program ends with. Failed comes with exactly one line on standard error that says what and which file.
+enum class ExitCode : int
+{
+    Done = 0,
+    Failed = 1,
+    WrongUsage = 2
+};
+
+/// One verb: "new", "info", "presets", "export", "render".
+struct Command
+{
+    const char* name;
+    const char* usage; ///< What follows the name.
+    const char* purpose;
+    ExitCode (*run)(const QStringList& arguments);
+};
+
+[[nodiscard]] std::span<const Command> commands();
+/// The verb of that name, or null.
+[[nodiscard]] const Command* findCommand(const QString& name);
+
+ExitCode runNew(const QStringList& arguments);
+ExitCode runInfo(const QStringList& arguments);
+ExitCode runPresets(const QStringList& arguments);
+ExitCode runExport(const QStringList& arguments);
+ExitCode runRender(const QStringList& arguments);
+
+/// Prints one line on standard error.
+ExitCode failed(const model::Error& error);
+/// Prints what is wrong and the verb's usage.
+ExitCode wrongUsage(const char* command, const QString& problem);
+/// Parses the arguments after the verb: the positional ones on success, none (with the usage printed) otherwise.
+[[nodiscard]] std::optional<QStringList> parse(QCommandLineParser& parser, const char* command,
+                                               const QStringList& arguments, qsizetype positionals);
+/// A number option within a range; `fallback` where it is not given; none (with the usage printed) where it is
+/// nonsense.
+[[nodiscard]] std::optional<double> numberOption(const QCommandLineParser& parser, const char* command,
+                                                 const QString& option, double fallback, double least, double most);
+void printOut(const QString& text);
+
+} // namespace hairpaint::app

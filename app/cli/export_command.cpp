@@ -1,0 +1,36 @@
+// `hairpaint export`: the hair as curves.
+#include "app/cli/command.h"
+#include "app/cli/settled_hair.h"
+#include "model/files/hair_file.h"
+#include "model/files/project_file.h"
+
+#include <QCoreApplication>
+
+namespace hairpaint::app {
+
+ExitCode runExport(const QStringList& arguments)
+{
+    constexpr const char* kName = "export";
+    QCommandLineParser parser;
+    parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
+                       {QStringLiteral("settle"), {}, QStringLiteral("seconds")}});
+    const std::optional<QStringList> files = parse(parser, kName, arguments, 1);
+    if (!files)
+        return ExitCode::WrongUsage;
+    const QString output = parser.value(QStringLiteral("o"));
+    if (!output.endsWith(QLatin1String(".hair"), Qt::CaseInsensitive))
+        return wrongUsage(kName, QCoreApplication::translate("CommandLine", "-o takes a name that ends in .hair"));
+    const std::optional<double> settle = numberOption(parser, kName, QStringLiteral("settle"), 0.0, 0.0, 60.0);
+    if (!settle)
+        return ExitCode::WrongUsage;
+
+    model::Result<model::Project> project = model::loadProject(files->front());
+    if (!project)
+        return failed(project.error());
+    const SettledHair hair(std::move(*project), *settle);
+    if (const model::Result<void> written = model::writeHairFile(*hair.frame(), output); !written)
+        return failed(written.error());
+    return ExitCode::Done;
+}
+
+} // namespace hairpaint::app

@@ -1,0 +1,143 @@
+// `hairpaint new`: a project from a head, a preset and images.
+#include "app/cli/command.h"
+#include "app/heads.h"
+#include "app/library.h"
+#include "model/commands/commands.h"
+#include "model/files/image_map.h"
+#include "model/files/project_file.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace hairpaint::app {
+
+namespace {
+
+QString text(const char* source)
+{
+    return QCoreApplication::translate("CommandLine", source);
+}
+
+/// `[GROUP/]KIND[:grey]=IMAGE`
+struct MapArgument
+{
+    QString group;
+    const model::MapSpec* spec = nullptr;
+    bool grey = false;
+    QString image;
+};
+
+std::optional<MapArgument> parseMapArgument(const QString& argument)
+{
+    const qsizetype equals = argument.indexOf(QLatin1Char('='));
+    if (equals <= 0 || equals + 1 == argument.size())
+        return std::nullopt;
+    MapArgument result;
+    QString kind = argument.left(equals);
+    result.image = argument.mid(equals + 1);
+    if (const qsizetype slash = kind.lastIndexOf(QLatin1Char('/')); slash >= 0) {
+        result.group = kind.left(slash);
+        kind = kind.mid(slash + 1);
+    }
+    if (kind.endsWith(QLatin1String(":grey"))) {
+        result.grey = true;
+        kind.chop(5);
+    }
+    result.spec = model::findMapSpec(kind);
+    if (result.spec == nullptr)
+        return std::nullopt;
+    return result;
+}
+
+model::HairGroup* findGroup(model::Project& project, const QString& name)
+{
+    if (name.isEmpty())
+        return project.groups.empty() ? nullptr : project.groups.data();
+    const auto found = std::ranges::find(project.groups, name, &model::HairGroup::name);
+    return found == project.groups.end() ? nullptr : &*found;
+}
+
+model::Result<void> importMap(model::Project& project, const MapArgument& argument)
+{
+    model::HairGroup* group = findGroup(project, argument.group);
+    if (group == nullptr)
+        return model::failure(text("'%1' goes to the hair group '%2', and the project has none of that name.")
+                                  .arg(argument.image, argument.group));
+    const model::Result<model::ForeignImage> image = model::ImporterClient().readImage(argument.image);
+    if (!image)
+        return tl::unexpected(image.error());
+    model::Result<sim::TiledRaster> raster = model::layerFromImage(*image, *argument.spec, argument.grey, 0);
+    if (!raster)
+        return tl::unexpected(raster.error());
+    model::MapStack& stack = group->map(argument.spec->kind);
+    stack.size = raster->size();
+    stack.layers.clear();
+    model::Layer layer = model::makeLayer(project, *argument.spec, stack.size, QFileInfo(argument.image).baseName());
+    layer.raster = std::move(*raster);
+    stack.layers.push_back(std::move(layer));
+    return {};
+}
+
+} // namespace
+
+ExitCode runNew(const QStringList& arguments)
+{
+    constexpr const char* kName = "new";
+    QCommandLineParser parser;
+    parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
+                       {QStringLiteral("head"), {}, QStringLiteral("mesh")},
+                       {QStringLiteral("preset"), {}, QStringLiteral("name")},
+                       {QStringLiteral("map"), {}, QStringLiteral("kind=image")},
+                       {QStringLiteral("seed"), {}, QStringLiteral("number")},
+                       {QStringLiteral("max-hairs"), {}, QStringLiteral("number")}});
+    if (!parse(parser, kName, arguments, 0))
+        return ExitCode::WrongUsage;
+    const QString output = parser.value(QStringLiteral("o"));
+    if (output.isEmpty())
+        return wrongUsage(kName, text("-o and the project's name are needed"));
+
+    std::vector<MapArgument> maps;
+    for (const QString& argument : parser.values(QStringLiteral("map"))) {
+        const std::optional<MapArgument> map = parseMapArgument(argument);
+        if (!map)
+            return wrongUsage(kName, text("--map %1 names no map").arg(argument));
+        maps.push_back(*map);
+    }
+    model::Project project = model::newProject();
+    const std::optional<double> maxHairs = numberOption(parser, kName, QStringLiteral("max-hairs"),
+                                                        static_cast<double>(project.maxHairs), 1.0, 10'000'000.0);
+    if (!maxHairs)
+        return ExitCode::WrongUsage;
+    project.maxHairs = static_cast<int>(*maxHairs);
+    if (parser.isSet(QStringLiteral("seed"))) {
+        bool isNumber = false;
+        project.seed = parser.value(QStringLiteral("seed")).toULongLong(&isNumber);
+        // Larger numbers would not survive the file's JSON.
+        if (!isNumber || project.seed > (1ULL << 53U))
+            return wrongUsage(kName, text("--seed takes a whole number up to 2^53"));
+    }
+
+    if (const QString mesh = parser.value(QStringLiteral("head")); !mesh.isEmpty()) {
+        model::Result<ImportedHead> head = importHead(mesh);
+        if (!head)
+            return failed(head.error());
+        project.head = std::move(head->head);
+        project.ellipsoids = std::move(head->ellipsoids);
+    }
+    if (const QString name = parser.value(QStringLiteral("preset")); !name.isEmpty()) {
+        const model::Result<model::Preset> preset = loadPresetNamed(name);
+        if (!preset)
+            return failed(preset.error());
+        model::applyPreset(project, *preset);
+    }
+    for (const MapArgument& map : maps)
+        if (const model::Result<void> imported = importMap(project, map); !imported)
+            return failed(imported.error());
+    if (const model::Result<void> saved = model::saveProject(project, output, {}); !saved)
+        return failed(saved.error());
+    return ExitCode::Done;
+}
+
+} // namespace hairpaint::app

@@ -1,0 +1,23 @@
+// Heads from foreign meshes.
+#pragma once
+
+#include "model/files/head_file.h"
+#include "model/files/importer_client.h"
+
+namespace hairpaint::app {
+
+struct ImportedHead
+{
+    std::shared_ptr<const model::Head> head;
+    std::vector<sim::Ellipsoid> ellipsoids; ///< Fitted.
+    QByteArray sourceGlb;
+    model::HeadGuess guess; ///< The unit and axis it was made with.
+};
+
+/// Any mesh that Assimp reads and that has uvs. Blocking; any thread.
+[[nodiscard]] model::Result<ImportedHead> importHead(const QString& path, const model::Progress& progress = {});
+/// The same source with another unit and axis.
+[[nodiscard]] model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& sourceGlb,
+                                                     const model::HeadGuess& guess);
+
+} // namespace hairpaint::app

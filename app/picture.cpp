@@ -1,0 +1,58 @@
+// Pictures without a window: see the header.
+#include "app/picture.h"
+
+#include "view/scene_light.h"
+
+#include <QCoreApplication>
+
+namespace hairpaint::app {
+
+namespace {
+
+/// Larger pictures are drawn at their own size: memory, and no driver promises more than 16384.
+constexpr int kLargestDoubledPx = 2048;
+
+} // namespace
+
+model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create()
+{
+    std::unique_ptr<PictureMaker> maker(new PictureMaker);
+    const auto failed = [](const std::string& why) {
+        return model::failure(QCoreApplication::translate("Picture",
+                                                          "No picture can be drawn: %1 Install a driver with "
+                                                          "OpenGL 4.3 (Debian: libgl1-mesa-dri).")
+                                  .arg(QString::fromStdString(why)));
+    };
+    auto context = rendering::OffscreenContext::create();
+    if (!context)
+        return failed(context.error());
+    maker->m_context = std::move(*context);
+    if (!maker->m_context->makeCurrent())
+        return failed("the driver refuses a context.");
+    auto renderer = rendering::Renderer::create();
+    if (!renderer)
+        return failed(renderer.error());
+    maker->m_renderer = std::move(*renderer);
+    return maker;
+}
+
+QImage PictureMaker::take(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
+                          rendering::StandardView view, QSize size)
+{
+    const rendering::Scene scene{.head = project.head->shownMesh,
+                                 .hair = std::move(frame),
+                                 .camera = rendering::standardCamera(view, project.head->skin->mesh()),
+                                 .light = view::sceneLight(project.light),
+                                 .background = view::linearColour(project.background),
+                                 .ring = {},
+                                 .mirroredRing = {}};
+    const int scale = std::max(size.width(), size.height()) <= kLargestDoubledPx ? 2 : 1;
+    const QSize drawn = size * scale;
+    m_renderer->draw(scene, {.detail = 1.0F, .samples = 4, .smoothSegments = 12}, drawn.width(), drawn.height());
+    std::vector<std::uint8_t> pixels;
+    m_renderer->read(pixels);
+    const QImage image(pixels.data(), drawn.width(), drawn.height(), drawn.width() * 4, QImage::Format_RGBA8888);
+    return image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB888);
+}
+
+} // namespace hairpaint::app

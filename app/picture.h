@@ -1,0 +1,30 @@
+// Pictures of a project without a window.
+#pragma once
+
+#include "model/error.h"
+#include "model/project.h"
+#include "view/rendering/offscreen_context.h"
+#include "view/rendering/renderer.h"
+#include "view/rendering/standard_views.h"
+
+#include <QImage>
+
+namespace hairpaint::app {
+
+/// One thread.
+class PictureMaker
+{
+public:
+    [[nodiscard]] static model::Result<std::unique_ptr<PictureMaker>> create();
+
+    /// Every hair, four samples, drawn twice as large where that fits and filtered down.
+    [[nodiscard]] QImage take(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
+                              rendering::StandardView view, QSize size);
+
+private:
+    PictureMaker() = default;
+    std::unique_ptr<rendering::OffscreenContext> m_context; ///< Outlives the renderer.
+    std::unique_ptr<rendering::Renderer> m_renderer;
+};
+
+} // namespace hairpaint::app
