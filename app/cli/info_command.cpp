@@ -2,7 +2,8 @@
 #include "app/cli/command.h"
 #include "app/library.h"
 #include "model/document.h"
-#include "model/files/project_file.h"
+#include "model/files/migrations.h"
+"model/files/project_file.h"
 #include "sim/groom.h"
 
 #include <QCoreApplication>
@@ -43,7 +44,7 @@ QJsonObject describe(const model::Project& project, const std::vector<std::share
                                   {QStringLiteral("maps"), mapsOf(group)}});
     }
     const sim::HeadMesh& mesh = project.head->skin->mesh();
-    return {{QStringLiteral("format_version"), model::kProjectFormatVersion},
+    return {{QStringLiteral("format_version"), model::kFormatVersion},
             {QStringLiteral("seed"), static_cast<qint64>(project.seed)},
             {QStringLiteral("head"),
              QJsonObject{{QStringLiteral("name"), project.head->name},

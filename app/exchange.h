@@ -1,0 +1,54 @@
+// What comes in from other programs and goes out to them: images, heads, hair, pictures, styles.
+#pragma once
+
+#include "app/session.h"
+#include "app/settings.h"
+
+#include <QImage>
+#include <QObject>
+
+#include <functional>
+
+namespace hairpaint::app
+{
+
+/// Shows file dialogs, progress and message boxes over `window`.
+class Exchange : public QObject
+{
+    Q_OBJECT
+public:
+    Exchange(Session& session, Settings& settings, QWidget& window);
+
+    /// Draws the present moment, as large as asked.
+    void setPictureMaker(std::function<QImage(QSize)> maker);
+
+    void importImage(); ///< Asks for the file; into the active map.
+    void importImageFrom(const QString& path, bool grey);
+    void exportMap();   ///< The active map in its scale.
+    void importHead();
+    void importHeadFrom(const QString& path);
+    void useBuiltInHead();
+    void exportHair();
+    void savePicture();
+    void saveStyle();
+    void deleteStyle(const QString& path);
+    void applyStyleFrom(const QString& path);
+
+Q_SIGNALS:
+    void stylesChanged();
+    void done(const QString& message); ///< For the status bar.
+
+private:
+    void complain(const QString& message);
+    /// The chosen path with `suffix` added where it has none; empty where cancelled.
+    [[nodiscard]] QString askSavePath(const QString& title, const QString& name, const QString& filter,
+                                      const QString& suffix);
+    [[nodiscard]] QString askOpenPath(const QString& title, const QString& filter);
+
+    Session& m_session;
+    Settings& m_settings;
+    QWidget& m_window;
+    std::function<QImage(QSize)> m_picture;
+};
+
+} // namespace hairpaint::app

@@ -1,0 +1,284 @@
+// Layout and wiring of the window: see the header.
+#include "app/main_window.h"
+
+#include "app/library.h"
+#include "app/physical_keys.h"
+#include "view/head_view.h"
+#include "view/paint_view.h"
+#include "view/panels/option_bar.h"
+#include "view/panels/sidebar.h"
+#include "view/panels/status_readout.h"
+#include "view/panels/style_strip.h"
+#include "view/panels/tool_bar.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+namespace hairpaint::app
+{
+
+namespace
+{
+
+constexpr QSize kSmallestWindow(1100, 680);
+constexpr QSize kFirstWindow(1440, 900);
+
+view::PresenterChoice presenterChoice(view::Presenter presenter)
+{
+    switch (presenter) {
+    case view::Presenter::Widget:
+        return view::PresenterChoice::Gl;
+    case view::Presenter::Image:
+        return view::PresenterChoice::Software;
+    case view::Presenter::Automatic:
+        break;
+    }
+    return view::PresenterChoice::Automatic;
+}
+
+} // namespace
+
+MainWindow::MainWindow(model::Project project, const QString& path, QWidget* parent)
+    : QMainWindow(parent), m_session(std::move(project)), m_files(m_session, m_settings, *this),
+      m_exchange(m_session, m_settings, *this), m_actions(m_settings, *this), m_preferences(m_settings.preferences())
+{
+    setAcceptDrops(true);
+    setMinimumSize(kSmallestWindow);
+    buildLayout();
+    buildMenus();
+    connectViews();
+    applyTheme();
+    refreshStyles();
+    m_files.setPath(path);
+    m_session.editor().setNightPaper(!m_preferences.whitePaper);
+    if (!restoreGeometry(m_settings.windowGeometry()))
+        resize(kFirstWindow);
+    showAreas(Areas::Both);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildLayout()
+{
+    view::EditorState& editor = m_session.editor();
+    const view::Theme theme = view::Theme::of(m_preferences.theme);
+    m_toolBar = new view::ToolBar(editor);
+    m_optionBar = new view::OptionBar(editor);
+    m_paintView = new view::PaintView(editor, theme);
+    m_headView = new view::HeadView(editor, theme, presenterChoice(m_preferences.presenter));
+    m_sidebar = new view::Sidebar(editor);
+    m_styleStrip = new view::StyleStrip(editor);
+    m_status = new view::StatusReadout(editor);
+
+    m_splitter = new QSplitter(Qt::Horizontal);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setHandleWidth(4);
+    m_splitter->addWidget(m_paintView);
+    m_splitter->addWidget(m_headView);
+    m_splitter->setStretchFactor(0, 10);
+    m_splitter->setStretchFactor(1, 11);
+
+    auto* middle = new QVBoxLayout;
+    middle->setContentsMargins(0, 0, 0, 0);
+    middle->setSpacing(0);
+    middle->addWidget(m_splitter, 1);
+    middle->addWidget(m_styleStrip);
+
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(m_toolBar);
+    row->addLayout(middle, 1);
+    row->addWidget(m_sidebar);
+
+    auto* whole = new QWidget;
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_optionBar);
+    column->addLayout(row, 1);
+    column->addWidget(m_status);
+    setCentralWidget(whole);
+}
+
+void MainWindow::connectViews()
+{
+    const auto showMessage = [this](const QString& text) { m_status->showMessage(text); };
+    connect(&m_session, &Session::frameChanged, this, [this](const std::shared_ptr<const sim::StrandFrame>& frame) {
+        m_headView->setFrame(frame);
+        m_status->setSimulationMs(frame->stepMilliseconds);
+    });
+    connect(m_headView, &view::HeadView::puffWanted, &m_session, &Session::puff);
+    connect(m_headView, &view::HeadView::poseWanted, &m_session, &Session::setPose);
+    connect(m_headView, &view::HeadView::lightWanted, &m_session, &Session::changeLight);
+    connect(m_headView, &view::HeadView::windWanted, &m_session, &Session::changeWind);
+    connect(m_headView, &view::HeadView::frameDrawn, this, &MainWindow::onFrameDrawn);
+    connect(m_headView, &view::HeadView::glUnavailable, m_status,
+            [this](const QString& reason) { m_status->showMessage(reason, true, 20'000); });
+    connect(m_headView, &view::HeadView::statusText, this, showMessage);
+    connect(m_headView, &view::HeadView::contextMenuWanted, this, &MainWindow::showAreaMenu);
+    connect(m_headView, &view::HeadView::weatherShownChanged, m_actions.find(QLatin1StringView("hair.weather")),
+            &QAction::setChecked);
+    connect(m_paintView, &view::PaintView::contextMenuWanted, this, &MainWindow::showAreaMenu);
+    connect(&m_session.editor(), &view::EditorState::refused, m_status,
+            [this](const QString& reason) { m_status->showMessage(reason, true); });
+
+    m_files.setThumbnailMaker([this] { return m_headView->grabPicture(QSize(256, 256)); });
+    m_exchange.setPictureMaker([this](QSize size) { return m_headView->grabPicture(size); });
+    connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
+    connect(&m_session.document(), &model::Document::modifiedChanged, this, &MainWindow::setWindowModified);
+    connect(&m_exchange, &Exchange::stylesChanged, this, &MainWindow::refreshStyles);
+    connect(&m_exchange, &Exchange::done, this, showMessage);
+    connect(m_styleStrip, &view::StyleStrip::saveStyleRequested, &m_exchange, &Exchange::saveStyle);
+    connect(m_styleStrip, &view::StyleStrip::deleteStyleRequested, &m_exchange, &Exchange::deleteStyle);
+    connect(m_styleStrip, &view::StyleStrip::failed, m_status,
+            [this](const QString& message) { m_status->showMessage(message, true); });
+}
+
+void MainWindow::openFile(const QString& path)
+{
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix == QLatin1String("hairpaint"))
+        m_files.openPath(path);
+    else if (suffix == QLatin1String("hairpreset"))
+        m_exchange.applyStyleFrom(path);
+    else if (QStringList{QStringLiteral("glb"), QStringLiteral("gltf"), QStringLiteral("obj"), QStringLiteral("fbx"),
+                         QStringLiteral("ply"), QStringLiteral("dae"), QStringLiteral("3ds"), QStringLiteral("x3d")}
+                 .contains(suffix))
+        m_exchange.importHeadFrom(path);
+    else
+        m_exchange.importImageFrom(path, false);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!m_files.mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    m_settings.setWindowGeometry(saveGeometry());
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().constFirst().isLocalFile())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    const QString path = event->mimeData()->urls().constFirst().toLocalFile();
+    event->acceptProposedAction();
+    // The source program waits for the drop to end; a dialog would keep it waiting.
+    QMetaObject::invokeMethod(this, [this, path] { openFile(path); }, Qt::QueuedConnection);
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event)
+{
+    // Brackets and digits go by their place on the keyboard: many layouts can't type them.
+    if (event->modifiers() == Qt::NoModifier) {
+        const PhysicalKey key = physicalKey(*event);
+        if (key == PhysicalKey::BracketLeft || key == PhysicalKey::BracketRight) {
+            changeBrushSize(key == PhysicalKey::BracketLeft ? 1.0F / 1.15F : 1.15F);
+            return;
+        }
+        const int digit = digitOf(key);
+        if (digit >= 1 && digit <= model::kMapKindCount) {
+            m_session.editor().setActiveMap(static_cast<model::MapKind>(digit - 1));
+            return;
+        }
+    }
+    QMainWindow::keyPressEvent(event);
+}
+
+bool MainWindow::focusNextPrevChild(bool next)
+{
+    // Tab hides the panels while an area has the focus; elsewhere it moves the focus.
+    if (next && focusIsInArea()) {
+        setPanelsHidden(!m_panelsHidden);
+        return true;
+    }
+    return QMainWindow::focusNextPrevChild(next);
+}
+
+bool MainWindow::focusIsInArea() const
+{
+    const QWidget* focus = QApplication::focusWidget();
+    return focus == nullptr || focus == m_paintView || focus == m_headView || m_headView->isAncestorOf(focus) ||
+           focus == this;
+}
+
+void MainWindow::showAreas(Areas areas)
+{
+    m_paintView->setVisible(areas != Areas::Head);
+    m_headView->setVisible(areas != Areas::Paint);
+}
+
+void MainWindow::swapAreas()
+{
+    const QList<int> sizes = m_splitter->sizes();
+    m_splitter->insertWidget(0, m_splitter->widget(1));
+    m_splitter->setSizes({sizes.value(1), sizes.value(0)});
+}
+
+void MainWindow::setPanelsHidden(bool hidden)
+{
+    m_panelsHidden = hidden;
+    for (QWidget* panel : {static_cast<QWidget*>(m_toolBar), static_cast<QWidget*>(m_optionBar),
+                           static_cast<QWidget*>(m_sidebar), static_cast<QWidget*>(m_styleStrip)})
+        panel->setVisible(!hidden);
+    if (QAction* action = m_actions.find(QLatin1StringView("view.panels")))
+        action->setChecked(hidden);
+}
+
+void MainWindow::applyTheme()
+{
+    const view::Theme theme = view::Theme::of(m_preferences.theme);
+    QApplication::setPalette(theme.palette());
+    qApp->setStyleSheet(theme.styleSheet());
+    m_paintView->setTheme(theme);
+    m_headView->setTheme(theme);
+}
+
+void MainWindow::showTitle()
+{
+    setWindowTitle(QStringLiteral("%1[*] - Hair Paint").arg(m_files.displayName()));
+    setWindowModified(m_session.document().modified());
+    fillRecentMenu();
+}
+
+void MainWindow::refreshStyles()
+{
+    QStringList problems;
+    m_styleStrip->setEntries(model::listPresets(ownPresetFolder(), &problems));
+    if (!problems.isEmpty())
+        m_status->showMessage(problems.constFirst(), true);
+}
+
+void MainWindow::showAreaMenu(const QPoint& globalPosition)
+{
+    m_areaMenu->popup(globalPosition);
+}
+
+void MainWindow::onFrameDrawn(const rendering::FrameStatistics& statistics)
+{
+    const double seconds = m_sinceFrame.isValid() ? static_cast<double>(m_sinceFrame.nsecsElapsed()) * 1e-9 : 1.0;
+    m_sinceFrame.start();
+    // A pause is no slow frame: the picture was still.
+    if (seconds < 0.5) {
+        const double rate = 1.0 / std::max(seconds, 1e-3);
+        m_frameRate = m_frameRate > 0.0 ? m_frameRate * 0.9 + rate * 0.1 : rate;
+        m_status->setFramesPerSecond(m_frameRate);
+    }
+    const auto& frame = m_session.frame();
+    m_status->setHairs(static_cast<qint64>(statistics.drawnHairs), frame ? static_cast<qint64>(frame->hairCount) : 0);
+}
+
+} // namespace hairpaint::app

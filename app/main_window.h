@@ -1,0 +1,121 @@
+// The window: the paper's three zones, their menus and keys.
+#pragma once
+
+#include "app/action_set.h"
+#include "app/exchange.h"
+#include "app/project_files.h"
+#include "app/session.h"
+#include "app/settings.h"
+#include "model/tools/clipboard.h"
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <QSplitter>
+
+namespace hairpaint::view
+{
+class HeadView;
+class OptionBar;
+class PaintView;
+class Sidebar;
+class StatusReadout;
+class StyleStrip;
+class ToolBar;
+} // namespace hairpaint::view
+
+namespace hairpaint::app
+{
+
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+public:
+    /// `project`: what it opens with; `path`: where that came from, empty for a new one.
+    MainWindow(model::Project project, const QString& path, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] Session& session() { return m_session; }
+    [[nodiscard]] ProjectFiles& files() { return m_files; }
+    [[nodiscard]] ActionSet& actions() { return m_actions; }
+    [[nodiscard]] view::PaintView& paintView() { return *m_paintView; }
+    [[nodiscard]] view::HeadView& headView() { return *m_headView; }
+
+    /// Opens a project, applies a style, imports a mesh or an image: whatever the file is.
+    void openFile(const QString& path);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+
+private:
+    /// Which of the two areas are shown.
+    enum class Areas
+    {
+        Both,
+        Head,
+        Paint
+    };
+
+    void buildLayout();
+    void connectViews();
+    void buildMenus();
+    void buildFileMenu();
+    void buildEditMenu();
+    void buildMapMenu();
+    void buildToolMenu();
+    void buildViewMenu();
+    void buildHairMenu();
+    void buildHelpMenu();
+    void fillRecentMenu();
+
+    void showAreas(Areas areas);
+    void swapAreas();
+    void setPanelsHidden(bool hidden);
+    void applyTheme();
+    void showTitle();
+    void refreshStyles();
+    void showAreaMenu(const QPoint& globalPosition);
+    void onFrameDrawn(const rendering::FrameStatistics& statistics);
+    [[nodiscard]] bool focusIsInArea() const;
+
+    void nextValueStep(int steps);
+    void changeBrushSize(float factor);
+    void selectAll();
+    void copySelection();
+    void cutSelection();
+    void pasteClip();
+    void clearSelection();
+
+    void showPreferences();
+    void showWind();
+    void showLight();
+    void showKeys();
+    void setPreferences(const view::Preferences& preferences);
+
+    Settings m_settings;
+    Session m_session;
+    ProjectFiles m_files;
+    Exchange m_exchange;
+    ActionSet m_actions;
+    view::Preferences m_preferences;
+
+    view::ToolBar* m_toolBar = nullptr;
+    view::OptionBar* m_optionBar = nullptr;
+    QSplitter* m_splitter = nullptr;
+    view::PaintView* m_paintView = nullptr;
+    view::HeadView* m_headView = nullptr;
+    view::Sidebar* m_sidebar = nullptr;
+    view::StyleStrip* m_styleStrip = nullptr;
+    view::StatusReadout* m_status = nullptr;
+    QMenu* m_recentMenu = nullptr;
+    QMenu* m_areaMenu = nullptr;
+    std::optional<model::Clip> m_clip;
+    bool m_panelsHidden = false;
+    double m_frameRate = 0.0;
+    QElapsedTimer m_sinceFrame;
+};
+
+} // namespace hairpaint::app

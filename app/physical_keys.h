@@ -1,0 +1,22 @@
+// Keys by their place on the keyboard, whatever the layout types with them.
+#pragma once
+
+#include <QKeyEvent>
+
+namespace hairpaint::app
+{
+
+enum class PhysicalKey
+{
+    Other,
+    Digit1, Digit2, Digit3, Digit4, Digit5, Digit6, Digit7, Digit8, Digit9,
+    BracketLeft,
+    BracketRight
+};
+
+/// By scan code where the platform gives one, else by what the key types.
+[[nodiscard]] PhysicalKey physicalKey(const QKeyEvent& event);
+/// 1..9, or 0 for any other key.
+[[nodiscard]] int digitOf(PhysicalKey key);
+
+} // namespace hairpaint::app

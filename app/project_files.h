@@ -1,0 +1,53 @@
+// The open project's file: new, open, save, and the question before anything is lost.
+#pragma once
+
+#include "app/session.h"
+#include "app/settings.h"
+#include "model/files/project_file.h"
+
+#include <QImage>
+#include <QObject>
+
+#include <functional>
+
+namespace hairpaint::app
+{
+
+/// Shows message boxes and file dialogs over `window`. Loading and saving run on another thread with progress.
+class ProjectFiles : public QObject
+{
+    Q_OBJECT
+public:
+    ProjectFiles(Session& session, Settings& settings, QWidget& window);
+
+    [[nodiscard]] const QString& path() const { return m_path; } ///< Empty: never saved.
+    [[nodiscard]] QString displayName() const;
+    /// Takes the picture that files are saved with.
+    void setThumbnailMaker(std::function<QImage()> maker);
+    /// The open project came from here.
+    void setPath(const QString& path);
+
+    void newProject();
+    void open(); ///< Asks for the file.
+    bool openPath(const QString& path);
+    bool save();
+    bool saveAs();
+    /// Offers to save; false where the user wants to stay.
+    bool mayDiscard();
+
+Q_SIGNALS:
+    void pathChanged();
+
+private:
+    bool saveTo(const QString& path);
+    void complain(const QString& message);
+
+    Session& m_session;
+    Settings& m_settings;
+    QWidget& m_window;
+    QString m_path;
+    std::function<QImage()> m_thumbnail;
+    std::shared_ptr<model::EncodedLayers> m_encoded;
+};
+
+} // namespace hairpaint::app

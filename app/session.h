@@ -1,0 +1,60 @@
+// The one place where document, editor, simulation and views are connected.
+#pragma once
+
+#include "model/document.h"
+#include "sim/simulation_worker.h"
+#include "view/editor_state.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <atomic>
+
+namespace hairpaint::app
+{
+
+/// Owns what outlives every view: the document, what the user works with, and the simulation. GUI thread.
+///
+/// Document changes are gathered until the event loop is idle, then one snapshot goes to the worker (latest wins); its
+/// frames come back the same way.
+class Session : public QObject
+{
+    Q_OBJECT
+public:
+    explicit Session(model::Project project, QObject* parent = nullptr);
+    ~Session() override;
+
+    [[nodiscard]] model::Document& document() { return m_document; }
+    [[nodiscard]] view::EditorState& editor() { return m_editor; }
+    [[nodiscard]] const std::shared_ptr<const sim::StrandFrame>& frame() const { return m_frame; }
+    [[nodiscard]] bool paused() const { return m_paused; }
+
+public Q_SLOTS:
+    void setPaused(bool paused);
+    void resetHair();
+    void puff(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);
+    void setPose(const hairpaint::sim::HeadPose& pose);
+    /// Previews while `done` is false, then one undo step.
+    void changeLight(const hairpaint::model::LightSettings& light, bool done);
+    void changeWind(const hairpaint::sim::Wind& wind, bool done);
+    void toggleWind();
+
+Q_SIGNALS:
+    void frameChanged(const std::shared_ptr<const hairpaint::sim::StrandFrame>& frame);
+    void pausedChanged(bool paused);
+
+private:
+    void onChanged(const model::Change& change);
+    void sendInput();
+    void takeFrame();
+
+    model::Document m_document;
+    view::EditorState m_editor;
+    std::shared_ptr<const sim::StrandFrame> m_frame;
+    QTimer m_inputTimer; ///< Zero: fires when the event loop has nothing older to do.
+    std::atomic<bool> m_frameAnnounced = false;
+    bool m_paused = false;
+    std::unique_ptr<sim::SimulationWorker> m_worker; ///< Last: it calls back until it is gone.
+};
+
+} // namespace hairpaint::app

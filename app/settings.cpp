@@ -1,0 +1,94 @@
+// The program's memory: see the header.
+#include "app/settings.h"
+
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace hairpaint::app
+{
+
+namespace
+{
+
+constexpr qsizetype kRecentFiles = 10;
+
+} // namespace
+
+view::Preferences Settings::preferences() const
+{
+    view::Preferences preferences;
+    if (m_settings.value(QStringLiteral("theme")).toString() == QLatin1String("light"))
+        preferences.theme = view::ThemeKind::Light;
+    preferences.language = m_settings.value(QStringLiteral("language")).toString();
+    const int presenter = m_settings.value(QStringLiteral("presenter"), 0).toInt();
+    preferences.presenter = static_cast<view::Presenter>(std::clamp(presenter, 0, 2));
+    preferences.whitePaper = m_settings.value(QStringLiteral("whitePaper"), false).toBool();
+    return preferences;
+}
+
+void Settings::setPreferences(const view::Preferences& preferences)
+{
+    m_settings.setValue(QStringLiteral("theme"), preferences.theme == view::ThemeKind::Light ? QStringLiteral("light")
+                                                                                             : QStringLiteral("dark"));
+    m_settings.setValue(QStringLiteral("language"), preferences.language);
+    m_settings.setValue(QStringLiteral("presenter"), static_cast<int>(preferences.presenter));
+    m_settings.setValue(QStringLiteral("whitePaper"), preferences.whitePaper);
+}
+
+QByteArray Settings::windowGeometry() const
+{
+    return m_settings.value(QStringLiteral("geometry")).toByteArray();
+}
+
+void Settings::setWindowGeometry(const QByteArray& geometry)
+{
+    m_settings.setValue(QStringLiteral("geometry"), geometry);
+}
+
+QStringList Settings::recentFiles() const
+{
+    return m_settings.value(QStringLiteral("recentFiles")).toStringList();
+}
+
+void Settings::addRecentFile(const QString& path)
+{
+    QStringList files = recentFiles();
+    files.removeAll(path);
+    files.prepend(path);
+    m_settings.setValue(QStringLiteral("recentFiles"), files.mid(0, kRecentFiles));
+}
+
+void Settings::removeRecentFile(const QString& path)
+{
+    QStringList files = recentFiles();
+    files.removeAll(path);
+    m_settings.setValue(QStringLiteral("recentFiles"), files);
+}
+
+QString Settings::lastFolder() const
+{
+    return m_settings
+        .value(QStringLiteral("lastFolder"), QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
+        .toString();
+}
+
+void Settings::setLastFolder(const QString& folder)
+{
+    m_settings.setValue(QStringLiteral("lastFolder"), folder);
+}
+
+std::optional<QKeySequence> Settings::key(const QString& actionId) const
+{
+    const QVariant value = m_settings.value(QStringLiteral("keys/") + actionId);
+    if (!value.isValid())
+        return std::nullopt;
+    return QKeySequence(value.toString(), QKeySequence::PortableText);
+}
+
+void Settings::setKey(const QString& actionId, const QKeySequence& key)
+{
+    m_settings.setValue(QStringLiteral("keys/") + actionId, key.toString(QKeySequence::PortableText));
+}
+
+} // namespace hairpaint::app

@@ -1,0 +1,43 @@
+// What the program remembers between runs.
+#pragma once
+
+#include "view/dialogs/preferences_dialog.h"
+
+#include <QByteArray>
+#include <QKeySequence>
+#include <QSettings>
+#include <QStringList>
+
+#include <optional>
+
+namespace hairpaint::app
+{
+
+/// Over QSettings; every value has a default. GUI thread.
+class Settings
+{
+public:
+    [[nodiscard]] view::Preferences preferences() const;
+    void setPreferences(const view::Preferences& preferences);
+
+    [[nodiscard]] QByteArray windowGeometry() const;
+    void setWindowGeometry(const QByteArray& geometry);
+
+    /// Newest first, at most ten.
+    [[nodiscard]] QStringList recentFiles() const;
+    void addRecentFile(const QString& path);
+    void removeRecentFile(const QString& path);
+
+    /// Where file dialogs open.
+    [[nodiscard]] QString lastFolder() const;
+    void setLastFolder(const QString& folder);
+
+    /// A rebound key; none where the default holds.
+    [[nodiscard]] std::optional<QKeySequence> key(const QString& actionId) const;
+    void setKey(const QString& actionId, const QKeySequence& key);
+
+private:
+    mutable QSettings m_settings;
+};
+
+} // namespace hairpaint::app
