@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 ActionSet::ActionSet(Settings& settings, QWidget& window) : QObject(&window), m_settings(settings), m_window(window) {}
 

@@ -11,14 +11,13 @@
 #include <functional>
 #include <vector>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 /// How an action is made; everything but id, text and run may be left out.
 struct ActionSpec
 {
-    const char* id;  ///< In the settings and for look-ups: "edit.undo".
-    QString text;    ///< Translated, with its mnemonic.
+    const char* id; ///< In the settings and for look-ups: "edit.undo".
+    QString text;   ///< Translated, with its mnemonic.
     QKeySequence key = {};
     std::function<void()> run = {};
     const char* icon = nullptr;

@@ -12,8 +12,7 @@
 #include <atomic>
 #include <memory>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 /// Runs `work(progress)` on another thread while the window stays alive (but takes no input), and returns its result.
 /// After cancelling, the work returns its own error, which `cancelled` tells apart. Everything the work uses must be

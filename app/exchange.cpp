@@ -17,11 +17,9 @@
 #include <QMessageBox>
 #include <QSaveFile>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
-namespace
-{
+namespace {
 
 constexpr QSize kStylePictureSize(192, 192);
 constexpr QSize kPictureSize(2048, 2048);
@@ -39,8 +37,7 @@ QString fileNameFor(const QString& name)
 
 Exchange::Exchange(Session& session, Settings& settings, QWidget& window)
     : QObject(&window), m_session(session), m_settings(settings), m_window(window)
-{
-}
+{}
 
 void Exchange::setPictureMaker(std::function<QImage(QSize)> maker)
 {
@@ -105,7 +102,8 @@ void Exchange::exportMap()
 
 void Exchange::importHead()
 {
-    const QString path = askOpenPath(tr("Import head"), tr("Meshes (*.glb *.gltf *.obj *.fbx *.ply *.dae *.3ds *.x3d)"));
+    const QString path =
+        askOpenPath(tr("Import head"), tr("Meshes (*.glb *.gltf *.obj *.fbx *.ply *.dae *.3ds *.x3d)"));
     if (!path.isEmpty())
         importHeadFrom(path);
 }
@@ -117,7 +115,8 @@ void Exchange::importHeadFrom(const QString& path)
     const QString name = QFileInfo(path).fileName();
     const model::Result<sim::HeadMesh> mesh = runInBackground<sim::HeadMesh>(
         &m_window, tr("Reading %1 ...").arg(name),
-        [&path](const model::Progress& progress) { return model::ImporterClient().readMesh(path, progress); }, &cancelled);
+        [&path](const model::Progress& progress) { return model::ImporterClient().readMesh(path, progress); },
+        &cancelled);
     if (cancelled)
         return;
     if (!mesh)
@@ -126,8 +125,8 @@ void Exchange::importHeadFrom(const QString& path)
     if (dialog.exec() != QDialog::Accepted)
         return;
     const model::HeadGuess guess{.unitScale = dialog.unitScale(), .upAxis = dialog.upAxis()};
-    const model::Result<ImportedHead> head = runInBackground<ImportedHead>(
-        &m_window, tr("Preparing %1 ...").arg(name), [&](const model::Progress&) {
+    const model::Result<ImportedHead> head =
+        runInBackground<ImportedHead>(&m_window, tr("Preparing %1 ...").arg(name), [&](const model::Progress&) {
             return remakeHead(QFileInfo(path).completeBaseName(), model::writeGlb(*mesh), guess);
         });
     if (!head)
@@ -145,8 +144,7 @@ void Exchange::useBuiltInHead()
 
 void Exchange::exportHair()
 {
-    const QString path =
-        askSavePath(tr("Export hair"), tr("hair"), tr("Hair curves (*.hair)"), QStringLiteral("hair"));
+    const QString path = askSavePath(tr("Export hair"), tr("hair"), tr("Hair curves (*.hair)"), QStringLiteral("hair"));
     const std::shared_ptr<const sim::StrandFrame> frame = m_session.frame();
     if (path.isEmpty() || frame == nullptr)
         return;
@@ -187,8 +185,8 @@ void Exchange::saveStyle()
         return complain(tr("The folder '%1' could not be made; check that you may write there.").arg(folder));
     const QString path = folder + QLatin1Char('/') + fileNameFor(name) + QStringLiteral(".hairpreset");
     if (QFile::exists(path) &&
-        QMessageBox::question(&m_window, tr("Save style"), tr("There is a style '%1' already. Replace it?").arg(name)) !=
-            QMessageBox::Yes)
+        QMessageBox::question(&m_window, tr("Save style"),
+                              tr("There is a style '%1' already. Replace it?").arg(name)) != QMessageBox::Yes)
         return;
     model::Preset preset = model::presetFrom(m_session.document().committed(), name);
     preset.picture = m_picture(kStylePictureSize);
@@ -200,8 +198,8 @@ void Exchange::saveStyle()
 
 void Exchange::deleteStyle(const QString& path)
 {
-    if (QMessageBox::question(&m_window, tr("Delete style"), tr("Move '%1' to the trash?").arg(QFileInfo(path).baseName())) !=
-        QMessageBox::Yes)
+    if (QMessageBox::question(&m_window, tr("Delete style"),
+                              tr("Move '%1' to the trash?").arg(QFileInfo(path).baseName())) != QMessageBox::Yes)
         return;
     if (!QFile::moveToTrash(path))
         return complain(tr("'%1' could not be moved to the trash; delete it by hand.").arg(path));

@@ -9,8 +9,7 @@
 
 #include <functional>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 /// Shows file dialogs, progress and message boxes over `window`.
 class Exchange : public QObject
@@ -24,7 +23,7 @@ public:
 
     void importImage(); ///< Asks for the file; into the active map.
     void importImageFrom(const QString& path, bool grey);
-    void exportMap();   ///< The active map in its scale.
+    void exportMap(); ///< The active map in its scale.
     void importHead();
     void importHeadFrom(const QString& path);
     void useBuiltInHead();

@@ -12,8 +12,7 @@
 
 #include <cstdio>
 
-namespace
-{
+namespace {
 
 using hairpaint::app::Command;
 using hairpaint::app::ExitCode;
@@ -91,7 +90,8 @@ int main(int argc, char** argv)
         }
     }
     if (displayIsMissing()) {
-        std::fputs("There is no display to open a window on. Without one the command line works: hairpaint --help\n", stderr);
+        std::fputs("There is no display to open a window on. Without one the command line works: hairpaint --help\n",
+                   stderr);
         return static_cast<int>(ExitCode::Failed);
     }
     return runEditor(argc, argv);

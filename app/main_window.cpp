@@ -20,11 +20,9 @@
 #include <QUndoStack>
 #include <QVBoxLayout>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
-namespace
-{
+namespace {
 
 constexpr QSize kSmallestWindow(1100, 680);
 constexpr QSize kFirstWindow(1440, 900);
@@ -177,7 +175,8 @@ void MainWindow::dropEvent(QDropEvent* event)
     const QString path = event->mimeData()->urls().constFirst().toLocalFile();
     event->acceptProposedAction();
     // The source program waits for the drop to end; a dialog would keep it waiting.
-    QMetaObject::invokeMethod(this, [this, path] { openFile(path); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, path] { openFile(path); }, Qt::QueuedConnection);
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event)

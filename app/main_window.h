@@ -7,13 +7,13 @@
 #include "app/session.h"
 #include "app/settings.h"
 #include "model/tools/clipboard.h"
+#include "view/rendering/renderer.h"
 
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QSplitter>
 
-namespace hairpaint::view
-{
+namespace hairpaint::view {
 class HeadView;
 class OptionBar;
 class PaintView;
@@ -23,8 +23,7 @@ class StyleStrip;
 class ToolBar;
 } // namespace hairpaint::view
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 class MainWindow : public QMainWindow
 {

@@ -1,11 +1,9 @@
 // Keys by place: see the header.
 #include "app/physical_keys.h"
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
-namespace
-{
+namespace {
 
 PhysicalKey digit(int number)
 {

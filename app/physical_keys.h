@@ -3,13 +3,20 @@
 
 #include <QKeyEvent>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 enum class PhysicalKey
 {
     Other,
-    Digit1, Digit2, Digit3, Digit4, Digit5, Digit6, Digit7, Digit8, Digit9,
+    Digit1,
+    Digit2,
+    Digit3,
+    Digit4,
+    Digit5,
+    Digit6,
+    Digit7,
+    Digit8,
+    Digit9,
     BracketLeft,
     BracketRight
 };

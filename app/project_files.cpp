@@ -8,14 +8,12 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 ProjectFiles::ProjectFiles(Session& session, Settings& settings, QWidget& window)
     : QObject(&window), m_session(session), m_settings(settings), m_window(window),
       m_encoded(model::makeEncodedLayers())
-{
-}
+{}
 
 QString ProjectFiles::displayName() const
 {
@@ -62,7 +60,9 @@ bool ProjectFiles::openPath(const QString& path)
     bool cancelled = false;
     model::Result<model::Project> project = runInBackground<model::Project>(
         &m_window, tr("Opening %1 ...").arg(QFileInfo(path).fileName()),
-        [&path, &encoded](const model::Progress& progress) { return model::loadProject(path, encoded.get(), progress); },
+        [&path, &encoded](const model::Progress& progress) {
+            return model::loadProject(path, encoded.get(), progress);
+        },
         &cancelled);
     if (cancelled)
         return false;
@@ -87,8 +87,8 @@ bool ProjectFiles::saveAs()
     const QString suggested =
         m_path.isEmpty() ? m_settings.lastFolder() + QLatin1Char('/') + displayName() + QStringLiteral(".hairpaint")
                          : m_path;
-    QString path = QFileDialog::getSaveFileName(&m_window, tr("Save project"), suggested,
-                                                tr("Hair Paint projects (*.hairpaint)"));
+    QString path =
+        QFileDialog::getSaveFileName(&m_window, tr("Save project"), suggested, tr("Hair Paint projects (*.hairpaint)"));
     if (path.isEmpty())
         return false;
     if (QFileInfo(path).suffix().isEmpty())

@@ -10,8 +10,7 @@
 
 #include <functional>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 /// Shows message boxes and file dialogs over `window`. Loading and saving run on another thread with progress.
 class ProjectFiles : public QObject

@@ -3,8 +3,7 @@
 
 #include "model/commands/commands.h"
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 Session::Session(model::Project project, QObject* parent)
     : QObject(parent), m_document(std::move(project)), m_editor(m_document)

@@ -10,8 +10,7 @@
 
 #include <atomic>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 /// Owns what outlives every view: the document, what the user works with, and the simulation. GUI thread.
 ///

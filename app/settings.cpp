@@ -5,11 +5,9 @@
 
 #include <algorithm>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
-namespace
-{
+namespace {
 
 constexpr qsizetype kRecentFiles = 10;
 
@@ -29,8 +27,8 @@ view::Preferences Settings::preferences() const
 
 void Settings::setPreferences(const view::Preferences& preferences)
 {
-    m_settings.setValue(QStringLiteral("theme"), preferences.theme == view::ThemeKind::Light ? QStringLiteral("light")
-                                                                                             : QStringLiteral("dark"));
+    m_settings.setValue(QStringLiteral("theme"),
+                        preferences.theme == view::ThemeKind::Light ? QStringLiteral("light") : QStringLiteral("dark"));
     m_settings.setValue(QStringLiteral("language"), preferences.language);
     m_settings.setValue(QStringLiteral("presenter"), static_cast<int>(preferences.presenter));
     m_settings.setValue(QStringLiteral("whitePaper"), preferences.whitePaper);

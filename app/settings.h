@@ -10,8 +10,7 @@
 
 #include <optional>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 /// Over QSettings; every value has a default. GUI thread.
 class Settings

@@ -11,8 +11,7 @@
 #include <QMenuBar>
 #include <QUndoStack>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 void MainWindow::buildMenus()
 {
@@ -26,9 +25,9 @@ void MainWindow::buildMenus()
 
     // What the paper's context menu offers: the same actions, at hand in both areas.
     m_areaMenu = new QMenu(this);
-    for (const char* id : {"edit.undo", "edit.redo", nullptr, "edit.cut", "edit.copy", "edit.paste", "edit.clear", nullptr,
-                           "edit.all", "edit.none", nullptr, "file.loadImage", "file.saveImage", nullptr, "view.wireframe",
-                           "view.night", "view.fit", "view.home"}) {
+    for (const char* id : {"edit.undo", "edit.redo", nullptr, "edit.cut", "edit.copy", "edit.paste", "edit.clear",
+                           nullptr, "edit.all", "edit.none", nullptr, "file.loadImage", "file.saveImage", nullptr,
+                           "view.wireframe", "view.night", "view.fit", "view.home"}) {
         if (id == nullptr)
             m_areaMenu->addSeparator();
         else
@@ -41,33 +40,55 @@ void MainWindow::buildMenus()
 void MainWindow::buildFileMenu()
 {
     QMenu& menu = *menuBar()->addMenu(tr("&File"));
-    m_actions.add(menu, {.id = "file.new", .text = tr("&New"), .key = QKeySequence::New,
-                         .run = [this] { m_files.newProject(); }, .icon = "new"});
-    m_actions.add(menu, {.id = "file.open", .text = tr("&Open ..."), .key = QKeySequence::Open,
-                         .run = [this] { m_files.open(); }, .icon = "open"});
+    m_actions.add(menu, {.id = "file.new",
+                         .text = tr("&New"),
+                         .key = QKeySequence::New,
+                         .run = [this] { m_files.newProject(); },
+                         .icon = "new"});
+    m_actions.add(menu, {.id = "file.open",
+                         .text = tr("&Open ..."),
+                         .key = QKeySequence::Open,
+                         .run = [this] { m_files.open(); },
+                         .icon = "open"});
     m_recentMenu = menu.addMenu(tr("Open &recent"));
-    m_actions.add(menu, {.id = "file.save", .text = tr("&Save"), .key = QKeySequence::Save,
-                         .run = [this] { m_files.save(); }, .icon = "save"});
-    m_actions.add(menu, {.id = "file.saveAs", .text = tr("Save &as ..."), .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+    m_actions.add(menu, {.id = "file.save",
+                         .text = tr("&Save"),
+                         .key = QKeySequence::Save,
+                         .run = [this] { m_files.save(); },
+                         .icon = "save"});
+    m_actions.add(menu, {.id = "file.saveAs",
+                         .text = tr("Save &as ..."),
+                         .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
                          .run = [this] { m_files.saveAs(); }});
     menu.addSeparator();
-    m_actions.add(menu, {.id = "file.loadImage", .text = tr("Load &image into map ..."),
-                         .run = [this] { m_exchange.importImage(); }, .icon = "import"});
-    m_actions.add(menu, {.id = "file.saveImage", .text = tr("Save &map as image ..."),
-                         .run = [this] { m_exchange.exportMap(); }, .icon = "export"});
+    m_actions.add(menu, {.id = "file.loadImage",
+                         .text = tr("Load &image into map ..."),
+                         .run = [this] { m_exchange.importImage(); },
+                         .icon = "import"});
+    m_actions.add(menu, {.id = "file.saveImage",
+                         .text = tr("Save &map as image ..."),
+                         .run = [this] { m_exchange.exportMap(); },
+                         .icon = "export"});
     menu.addSeparator();
-    m_actions.add(menu, {.id = "file.importHead", .text = tr("Import &head ..."),
-                         .run = [this] { m_exchange.importHead(); }});
-    m_actions.add(menu, {.id = "file.builtInHead", .text = tr("Use the &built-in head"),
-                         .run = [this] { m_exchange.useBuiltInHead(); }});
+    m_actions.add(
+        menu, {.id = "file.importHead", .text = tr("Import &head ..."), .run = [this] { m_exchange.importHead(); }});
+    m_actions.add(menu, {.id = "file.builtInHead", .text = tr("Use the &built-in head"), .run = [this] {
+                             m_exchange.useBuiltInHead();
+                         }});
     menu.addSeparator();
-    m_actions.add(menu, {.id = "file.exportHair", .text = tr("&Export hair ..."), .key = QKeySequence(Qt::CTRL | Qt::Key_E),
+    m_actions.add(menu, {.id = "file.exportHair",
+                         .text = tr("&Export hair ..."),
+                         .key = QKeySequence(Qt::CTRL | Qt::Key_E),
                          .run = [this] { m_exchange.exportHair(); }});
-    m_actions.add(menu, {.id = "file.picture", .text = tr("Save &picture ..."),
-                         .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P), .run = [this] { m_exchange.savePicture(); }});
+    m_actions.add(menu, {.id = "file.picture",
+                         .text = tr("Save &picture ..."),
+                         .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P),
+                         .run = [this] { m_exchange.savePicture(); }});
     menu.addSeparator();
-    m_actions.add(menu, {.id = "file.quit", .text = tr("&Quit"), .key = QKeySequence(Qt::CTRL | Qt::Key_Q),
-                         .run = [this] { close(); }});
+    m_actions.add(menu,
+                  {.id = "file.quit", .text = tr("&Quit"), .key = QKeySequence(Qt::CTRL | Qt::Key_Q), .run = [this] {
+                       close();
+                   }});
 }
 
 void MainWindow::fillRecentMenu()
@@ -84,11 +105,16 @@ void MainWindow::buildEditMenu()
     QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
     model::Document& document = m_session.document();
     QUndoStack& stack = document.undoStack();
-    QAction* undo = m_actions.add(menu, {.id = "edit.undo", .text = tr("&Undo"), .key = QKeySequence(Qt::CTRL | Qt::Key_Z),
-                                         .run = [&document] { document.undo(); }, .icon = "undo"});
-    QAction* redo =
-        m_actions.add(menu, {.id = "edit.redo", .text = tr("&Redo"), .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
-                             .run = [&document] { document.redo(); }, .icon = "redo"});
+    QAction* undo = m_actions.add(menu, {.id = "edit.undo",
+                                         .text = tr("&Undo"),
+                                         .key = QKeySequence(Qt::CTRL | Qt::Key_Z),
+                                         .run = [&document] { document.undo(); },
+                                         .icon = "undo"});
+    QAction* redo = m_actions.add(menu, {.id = "edit.redo",
+                                         .text = tr("&Redo"),
+                                         .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
+                                         .run = [&document] { document.redo(); },
+                                         .icon = "redo"});
     redo->setShortcuts({redo->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     const auto follow = [this, undo, redo, &stack] {
         // While a stroke runs, undo cancels it, whatever the stack holds.
@@ -101,28 +127,43 @@ void MainWindow::buildEditMenu()
     connect(&document, &model::Document::changed, this, follow);
     follow();
     menu.addSeparator();
-    m_actions.add(menu, {.id = "edit.cut", .text = tr("Cu&t"), .key = QKeySequence::Cut, .run = [this] { cutSelection(); }});
     m_actions.add(menu,
-                  {.id = "edit.copy", .text = tr("&Copy"), .key = QKeySequence::Copy, .run = [this] { copySelection(); }});
-    m_actions.add(menu, {.id = "edit.paste", .text = tr("&Paste"), .key = QKeySequence::Paste, .run = [this] { pasteClip(); }});
-    m_actions.add(menu, {.id = "edit.duplicate", .text = tr("&Duplicate layer"), .key = QKeySequence(Qt::CTRL | Qt::Key_J),
-                         .run = [this] { m_sidebar->layers().duplicateLayer(); }, .icon = "duplicate"});
-    m_actions.add(menu, {.id = "edit.clear", .text = tr("C&lear"), .key = QKeySequence(Qt::Key_Delete),
-                         .run = [this] { clearSelection(); }});
+                  {.id = "edit.cut", .text = tr("Cu&t"), .key = QKeySequence::Cut, .run = [this] { cutSelection(); }});
+    m_actions.add(
+        menu, {.id = "edit.copy", .text = tr("&Copy"), .key = QKeySequence::Copy, .run = [this] { copySelection(); }});
+    m_actions.add(
+        menu, {.id = "edit.paste", .text = tr("&Paste"), .key = QKeySequence::Paste, .run = [this] { pasteClip(); }});
+    m_actions.add(menu, {.id = "edit.duplicate",
+                         .text = tr("&Duplicate layer"),
+                         .key = QKeySequence(Qt::CTRL | Qt::Key_J),
+                         .run = [this] { m_sidebar->layers().duplicateLayer(); },
+                         .icon = "duplicate"});
+    m_actions.add(menu, {.id = "edit.clear", .text = tr("C&lear"), .key = QKeySequence(Qt::Key_Delete), .run = [this] {
+                             clearSelection();
+                         }});
     menu.addSeparator();
-    m_actions.add(menu, {.id = "edit.all", .text = tr("Select &all"), .key = QKeySequence(Qt::CTRL | Qt::Key_A),
-                         .run = [this] { selectAll(); }});
-    m_actions.add(menu, {.id = "edit.none", .text = tr("Select &none"), .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
+    m_actions.add(
+        menu, {.id = "edit.all", .text = tr("Select &all"), .key = QKeySequence(Qt::CTRL | Qt::Key_A), .run = [this] {
+                   selectAll();
+               }});
+    m_actions.add(menu, {.id = "edit.none",
+                         .text = tr("Select &none"),
+                         .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
                          .run = [this] { m_session.editor().selection().setRectangle({}); }});
     menu.addSeparator();
-    QAction* mirror =
-        m_actions.add(menu, {.id = "edit.mirror", .text = tr("&Mirror painting"), .key = QKeySequence(Qt::Key_L),
-                             .icon = "mirror", .checkable = true});
+    QAction* mirror = m_actions.add(menu, {.id = "edit.mirror",
+                                           .text = tr("&Mirror painting"),
+                                           .key = QKeySequence(Qt::Key_L),
+                                           .icon = "mirror",
+                                           .checkable = true});
     mirror->setChecked(m_session.editor().mirror());
     connect(mirror, &QAction::toggled, this, [this](bool on) { m_session.editor().setMirror(on); });
     menu.addSeparator();
-    m_actions.add(menu, {.id = "edit.preferences", .text = tr("Pre&ferences ..."), .key = QKeySequence(Qt::CTRL | Qt::Key_Comma),
-                         .run = [this] { showPreferences(); }, .icon = "settings"});
+    m_actions.add(menu, {.id = "edit.preferences",
+                         .text = tr("Pre&ferences ..."),
+                         .key = QKeySequence(Qt::CTRL | Qt::Key_Comma),
+                         .run = [this] { showPreferences(); },
+                         .icon = "settings"});
 }
 
 void MainWindow::buildMapMenu()
@@ -144,14 +185,25 @@ void MainWindow::buildMapMenu()
         follow();
     }
     menu.addSeparator();
-    m_actions.add(menu, {.id = "map.addLayer", .text = tr("&Add layer"), .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
-                         .run = [this] { m_sidebar->layers().addLayer(); }, .icon = "add"});
-    m_actions.add(menu, {.id = "map.removeLayer", .text = tr("&Remove layer"),
-                         .run = [this] { m_sidebar->layers().removeLayer(); }, .icon = "remove"});
-    m_actions.add(menu, {.id = "map.layerUp", .text = tr("Layer &up"), .key = QKeySequence(Qt::CTRL | Qt::Key_PageUp),
-                         .run = [this] { m_sidebar->layers().moveLayer(1); }, .icon = "up"});
-    m_actions.add(menu, {.id = "map.layerDown", .text = tr("Layer &down"), .key = QKeySequence(Qt::CTRL | Qt::Key_PageDown),
-                         .run = [this] { m_sidebar->layers().moveLayer(-1); }, .icon = "down"});
+    m_actions.add(menu, {.id = "map.addLayer",
+                         .text = tr("&Add layer"),
+                         .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+                         .run = [this] { m_sidebar->layers().addLayer(); },
+                         .icon = "add"});
+    m_actions.add(menu, {.id = "map.removeLayer",
+                         .text = tr("&Remove layer"),
+                         .run = [this] { m_sidebar->layers().removeLayer(); },
+                         .icon = "remove"});
+    m_actions.add(menu, {.id = "map.layerUp",
+                         .text = tr("Layer &up"),
+                         .key = QKeySequence(Qt::CTRL | Qt::Key_PageUp),
+                         .run = [this] { m_sidebar->layers().moveLayer(1); },
+                         .icon = "up"});
+    m_actions.add(menu, {.id = "map.layerDown",
+                         .text = tr("Layer &down"),
+                         .key = QKeySequence(Qt::CTRL | Qt::Key_PageDown),
+                         .run = [this] { m_sidebar->layers().moveLayer(-1); },
+                         .icon = "down"});
 }
 
 void MainWindow::buildToolMenu()
@@ -160,22 +212,30 @@ void MainWindow::buildToolMenu()
     view::EditorState& editor = m_session.editor();
     for (const auto& tool : editor.tools()) {
         const QByteArray id = QByteArray("tool.") + tool->id();
-        QAction* action = m_actions.add(menu, {.id = id.constData(), .text = tool->title(), .key = tool->defaultKey(),
-                                               .run = [&editor, name = QLatin1StringView(tool->id())] {
-                                                   if (name == QLatin1StringView("eraser"))
-                                                       editor.toggleTool(name);
-                                                   else
-                                                       editor.setActiveTool(name);
-                                               },
+        QAction* action = m_actions.add(menu, {.id = id.constData(),
+                                               .text = tool->title(),
+                                               .key = tool->defaultKey(),
+                                               .run =
+                                                   [&editor, name = QLatin1StringView(tool->id())] {
+                                                       if (name == QLatin1StringView("eraser"))
+                                                           editor.toggleTool(name);
+                                                       else
+                                                           editor.setActiveTool(name);
+                                                   },
                                                .icon = tool->id()});
         m_toolBar->setKey(QLatin1StringView(tool->id()), action->shortcut());
     }
     menu.addSeparator();
-    m_actions.add(menu, {.id = "tool.swapValues", .text = tr("S&wap values"), .key = QKeySequence(Qt::Key_X),
-                         .run = [&editor] { view::swapValues(editor); }});
-    m_actions.add(menu, {.id = "tool.resetValues", .text = tr("&Reset values"), .key = QKeySequence(Qt::Key_D),
-                         .run = [&editor] { view::resetValues(editor); }});
-    m_actions.add(menu, {.id = "tool.smaller", .text = tr("S&maller brush"), .run = [this] { changeBrushSize(1.0F / 1.15F); }});
+    m_actions.add(
+        menu, {.id = "tool.swapValues", .text = tr("S&wap values"), .key = QKeySequence(Qt::Key_X), .run = [&editor] {
+                   view::swapValues(editor);
+               }});
+    m_actions.add(
+        menu, {.id = "tool.resetValues", .text = tr("&Reset values"), .key = QKeySequence(Qt::Key_D), .run = [&editor] {
+                   view::resetValues(editor);
+               }});
+    m_actions.add(
+        menu, {.id = "tool.smaller", .text = tr("S&maller brush"), .run = [this] { changeBrushSize(1.0F / 1.15F); }});
     m_actions.add(menu, {.id = "tool.larger", .text = tr("&Larger brush"), .run = [this] { changeBrushSize(1.15F); }});
 }
 

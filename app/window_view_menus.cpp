@@ -1,6 +1,8 @@
 // The window's View, Hair and Help menus, and what they open.
 #include "app/main_window.h"
 
+#include "view/rendering/standard_views.h"
+
 #include "model/commands/commands.h"
 #include "view/dialogs/about_dialog.h"
 #include "view/dialogs/light_dialog.h"
@@ -13,24 +15,34 @@
 #include <QApplication>
 #include <QMenuBar>
 
-namespace hairpaint::app
-{
+namespace hairpaint::app {
 
 void MainWindow::buildViewMenu()
 {
     QMenu& menu = *menuBar()->addMenu(tr("&View"));
-    m_actions.add(menu, {.id = "view.both", .text = tr("&Both areas"), .key = QKeySequence(Qt::Key_F1),
-                         .run = [this] { showAreas(Areas::Both); }});
-    m_actions.add(menu, {.id = "view.head", .text = tr("&3D area only"), .key = QKeySequence(Qt::Key_F2),
-                         .run = [this] { showAreas(Areas::Head); }});
-    m_actions.add(menu, {.id = "view.paint", .text = tr("&Paint area only"), .key = QKeySequence(Qt::Key_F3),
-                         .run = [this] { showAreas(Areas::Paint); }});
-    m_actions.add(menu, {.id = "view.swap", .text = tr("&Swap sides"), .key = QKeySequence(Qt::Key_F4),
-                         .run = [this] { swapAreas(); }, .icon = "swap"});
+    m_actions.add(menu, {.id = "view.both", .text = tr("&Both areas"), .key = QKeySequence(Qt::Key_F1), .run = [this] {
+                             showAreas(Areas::Both);
+                         }});
+    m_actions.add(menu,
+                  {.id = "view.head", .text = tr("&3D area only"), .key = QKeySequence(Qt::Key_F2), .run = [this] {
+                       showAreas(Areas::Head);
+                   }});
+    m_actions.add(menu,
+                  {.id = "view.paint", .text = tr("&Paint area only"), .key = QKeySequence(Qt::Key_F3), .run = [this] {
+                       showAreas(Areas::Paint);
+                   }});
+    m_actions.add(menu, {.id = "view.swap",
+                         .text = tr("&Swap sides"),
+                         .key = QKeySequence(Qt::Key_F4),
+                         .run = [this] { swapAreas(); },
+                         .icon = "swap"});
     QAction* panels = m_actions.add(menu, {.id = "view.panels", .text = tr("&Hide panels\tTab"), .checkable = true});
     connect(panels, &QAction::triggered, this, [this](bool on) { setPanelsHidden(on); });
     menu.addSeparator();
-    m_actions.add(menu, {.id = "view.fit", .text = tr("&Fit"), .key = QKeySequence(Qt::Key_F), .run =
+    m_actions.add(menu, {.id = "view.fit",
+                         .text = tr("&Fit"),
+                         .key = QKeySequence(Qt::Key_F),
+                         .run =
                              [this] {
                                  if (m_headView->underMouse())
                                      m_headView->fit();
@@ -38,7 +50,10 @@ void MainWindow::buildViewMenu()
                                      m_paintView->fit();
                              },
                          .icon = "fit"});
-    m_actions.add(menu, {.id = "view.home", .text = tr("&Reset view"), .key = QKeySequence(Qt::Key_Home), .run =
+    m_actions.add(menu, {.id = "view.home",
+                         .text = tr("&Reset view"),
+                         .key = QKeySequence(Qt::Key_Home),
+                         .run =
                              [this] {
                                  if (m_headView->underMouse())
                                      m_headView->resetCamera();
@@ -46,12 +61,15 @@ void MainWindow::buildViewMenu()
                                      m_paintView->resetView();
                              },
                          .icon = "home"});
-    m_actions.add(menu, {.id = "view.mirror", .text = tr("&Mirror the paint area"),
-                         .key = QKeySequence(Qt::SHIFT | Qt::Key_M), .run = [this] { m_paintView->mirrorView(); }});
+    m_actions.add(menu, {.id = "view.mirror",
+                         .text = tr("&Mirror the paint area"),
+                         .key = QKeySequence(Qt::SHIFT | Qt::Key_M),
+                         .run = [this] { m_paintView->mirrorView(); }});
     view::EditorState& editor = m_session.editor();
-    QAction* wireframe = m_actions.add(menu, {.id = "view.wireframe", .text = tr("&Wireframe"), .icon = "wireframe",
-                                              .checkable = true});
-    QAction* night = m_actions.add(menu, {.id = "view.night", .text = tr("&Night paper"), .icon = "paper", .checkable = true});
+    QAction* wireframe =
+        m_actions.add(menu, {.id = "view.wireframe", .text = tr("&Wireframe"), .icon = "wireframe", .checkable = true});
+    QAction* night =
+        m_actions.add(menu, {.id = "view.night", .text = tr("&Night paper"), .icon = "paper", .checkable = true});
     wireframe->setChecked(editor.wireframe());
     night->setChecked(editor.nightPaper());
     connect(wireframe, &QAction::toggled, &editor, [&editor](bool on) { editor.setWireframe(on); });
@@ -62,15 +80,15 @@ void MainWindow::buildViewMenu()
     });
     menu.addSeparator();
     QMenu& sides = *menu.addMenu(tr("&Look from"));
-    const std::pair<QString, view::StandardView> views[] = {
-        {tr("&Front"), view::StandardView::Front}, {tr("&Back"), view::StandardView::Back},
-        {tr("&Left"), view::StandardView::Left},   {tr("&Right"), view::StandardView::Right},
-        {tr("&Top"), view::StandardView::Top},     {tr("T&hree-quarter"), view::StandardView::ThreeQuarter}};
+    const std::pair<QString, rendering::StandardView> views[] = {
+        {tr("&Front"), rendering::StandardView::Front}, {tr("&Back"), rendering::StandardView::Back},
+        {tr("&Left"), rendering::StandardView::Left},   {tr("&Right"), rendering::StandardView::Right},
+        {tr("&Top"), rendering::StandardView::Top},     {tr("T&hree-quarter"), rendering::StandardView::ThreeQuarter}};
     for (const auto& [title, side] : views)
         sides.addAction(title, this, [this, side = side] { m_headView->setView(side); });
     menu.addSeparator();
-    for (const auto& [title, kind] : {std::pair(tr("&Dark theme"), view::ThemeKind::Dark),
-                                      std::pair(tr("Li&ght theme"), view::ThemeKind::Light)})
+    for (const auto& [title, kind] :
+         {std::pair(tr("&Dark theme"), view::ThemeKind::Dark), std::pair(tr("Li&ght theme"), view::ThemeKind::Light)})
         menu.addAction(title, this, [this, kind = kind] {
             view::Preferences preferences = m_preferences;
             preferences.theme = kind;
@@ -82,42 +100,67 @@ void MainWindow::buildHairMenu()
 {
     QMenu& menu = *menuBar()->addMenu(tr("&Hair"));
     model::Document& document = m_session.document();
-    QAction* wind = m_actions.add(menu, {.id = "hair.wind", .text = tr("&Wind"), .key = QKeySequence(Qt::Key_W),
-                                         .run = [this] { m_session.toggleWind(); }, .icon = "wind", .checkable = true});
+    QAction* wind = m_actions.add(menu, {.id = "hair.wind",
+                                         .text = tr("&Wind"),
+                                         .key = QKeySequence(Qt::Key_W),
+                                         .run = [this] { m_session.toggleWind(); },
+                                         .icon = "wind",
+                                         .checkable = true});
     const auto followWind = [wind, &document] { wind->setChecked(document.project().wind.enabled); };
     connect(&document, &model::Document::changed, this, followWind);
     followWind();
-    m_actions.add(menu, {.id = "hair.windDialog", .text = tr("W&ind ..."), .key = QKeySequence(Qt::SHIFT | Qt::Key_W),
+    m_actions.add(menu, {.id = "hair.windDialog",
+                         .text = tr("W&ind ..."),
+                         .key = QKeySequence(Qt::SHIFT | Qt::Key_W),
                          .run = [this] { showWind(); }});
-    m_actions.add(menu, {.id = "hair.lightDialog", .text = tr("&Light ..."), .key = QKeySequence(Qt::SHIFT | Qt::Key_L),
-                         .run = [this] { showLight(); }, .icon = "light"});
-    QAction* weather = m_actions.add(menu, {.id = "hair.weather", .text = tr("Weat&her keys"), .key = QKeySequence(Qt::Key_F7),
-                                            .icon = "weather", .checkable = true});
+    m_actions.add(menu, {.id = "hair.lightDialog",
+                         .text = tr("&Light ..."),
+                         .key = QKeySequence(Qt::SHIFT | Qt::Key_L),
+                         .run = [this] { showLight(); },
+                         .icon = "light"});
+    QAction* weather = m_actions.add(menu, {.id = "hair.weather",
+                                            .text = tr("Weat&her keys"),
+                                            .key = QKeySequence(Qt::Key_F7),
+                                            .icon = "weather",
+                                            .checkable = true});
     connect(weather, &QAction::triggered, m_headView, &view::HeadView::setWeatherShown);
     menu.addSeparator();
-    QAction* pause = m_actions.add(menu, {.id = "hair.pause", .text = tr("&Pause"), .key = QKeySequence(Qt::Key_F8),
-                                          .icon = "pause", .checkable = true});
+    QAction* pause = m_actions.add(menu, {.id = "hair.pause",
+                                          .text = tr("&Pause"),
+                                          .key = QKeySequence(Qt::Key_F8),
+                                          .icon = "pause",
+                                          .checkable = true});
     connect(pause, &QAction::triggered, &m_session, &Session::setPaused);
-    m_actions.add(menu, {.id = "hair.reset", .text = tr("&Reset the simulation"), .key = QKeySequence(Qt::SHIFT | Qt::Key_F8),
-                         .run = [this] { m_session.resetHair(); }, .icon = "reset"});
+    m_actions.add(menu, {.id = "hair.reset",
+                         .text = tr("&Reset the simulation"),
+                         .key = QKeySequence(Qt::SHIFT | Qt::Key_F8),
+                         .run = [this] { m_session.resetHair(); },
+                         .icon = "reset"});
     menu.addSeparator();
-    m_actions.add(menu, {.id = "hair.addGroup", .text = tr("&Add hair group"), .run = [this] { m_sidebar->hair().addGroup(); },
+    m_actions.add(menu, {.id = "hair.addGroup",
+                         .text = tr("&Add hair group"),
+                         .run = [this] { m_sidebar->hair().addGroup(); },
                          .icon = "group-add"});
-    m_actions.add(menu, {.id = "hair.removeGroup", .text = tr("Remo&ve hair group"),
-                         .run = [this] { m_sidebar->hair().removeGroup(); }});
+    m_actions.add(menu, {.id = "hair.removeGroup", .text = tr("Remo&ve hair group"), .run = [this] {
+                             m_sidebar->hair().removeGroup();
+                         }});
     menu.addSeparator();
-    m_actions.add(menu, {.id = "hair.saveStyle", .text = tr("&Save style ..."), .run = [this] { m_exchange.saveStyle(); }});
+    m_actions.add(menu,
+                  {.id = "hair.saveStyle", .text = tr("&Save style ..."), .run = [this] { m_exchange.saveStyle(); }});
 }
 
 void MainWindow::buildHelpMenu()
 {
     QMenu& menu = *menuBar()->addMenu(tr("&Help"));
-    m_actions.add(menu, {.id = "help.keys", .text = tr("&Keys ..."), .key = QKeySequence(Qt::SHIFT | Qt::Key_F1),
-                         .run = [this] { showKeys(); }});
-    m_actions.add(menu, {.id = "help.about", .text = tr("&About Hair Paint"), .run = [this] {
-                             view::AboutDialog(QApplication::applicationVersion(), m_headView->rendererDescription(), this)
-                                 .exec();
-                         }});
+    m_actions.add(
+        menu, {.id = "help.keys", .text = tr("&Keys ..."), .key = QKeySequence(Qt::SHIFT | Qt::Key_F1), .run = [this] {
+                   showKeys();
+               }});
+    m_actions.add(
+        menu,
+        {.id = "help.about", .text = tr("&About Hair Paint"), .run = [this] {
+             view::AboutDialog(QApplication::applicationVersion(), m_headView->rendererDescription(), this).exec();
+         }});
 }
 
 void MainWindow::changeBrushSize(float factor)
@@ -152,8 +195,8 @@ void MainWindow::pasteClip()
         m_status->showMessage(tr("Nothing was copied yet: select a part of a map and copy it first"));
         return;
     }
-    m_session.document().push(
-        model::pasteCommand(m_session.document(), m_session.editor().target(), *m_clip, m_session.editor().selection()));
+    m_session.document().push(model::pasteCommand(m_session.document(), m_session.editor().target(), *m_clip,
+                                                  m_session.editor().selection()));
 }
 
 void MainWindow::clearSelection()
@@ -163,8 +206,7 @@ void MainWindow::clearSelection()
                                                   tr("Clear %1").arg(model::mapSpec(target.map).titleText())));
 }
 
-namespace
-{
+namespace {
 
 /// Opens the one dialog of its kind over the window, or brings it to the front.
 template<typename Dialog>

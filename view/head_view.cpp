@@ -1,6 +1,8 @@
 // The 3D area's scene, presenter and drawing.
 #include "view/head_view.h"
 
+#include "view/scene_light.h"
+
 #include "view/head/gl_presenter.h"
 #include "view/head/head_view_state.h"
 #include "view/head/software_presenter.h"
@@ -19,24 +21,6 @@ constexpr int kLeastMsBetweenDraws = 16;
 constexpr int kSettleMs = 180;
 constexpr int kTurnMs = 240;
 constexpr int kTurnBackMs = 500;
-
-glm::vec3 linear(QRgb encoded)
-{
-    const auto channel = [](int value) {
-        const float x = static_cast<float>(value) / 255.0F;
-        return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
-    };
-    return {channel(qRed(encoded)), channel(qGreen(encoded)), channel(qBlue(encoded))};
-}
-
-rendering::Light lightOf(const model::LightSettings& settings)
-{
-    return {.directionWo = {std::sin(settings.azimuthRad) * std::cos(settings.elevationRad),
-                            std::sin(settings.elevationRad),
-                            std::cos(settings.azimuthRad) * std::cos(settings.elevationRad)},
-            .colour = glm::vec3(settings.red, settings.green, settings.blue) * settings.intensity,
-            .ambient = settings.ambient};
-}
 
 rendering::Ring ringAt(const sim::SurfacePoint& point, float radiusM)
 {
@@ -304,8 +288,8 @@ void HeadView::refreshHead()
 void HeadView::refreshEnvironment()
 {
     const model::Project& project = m_state->editor.document().project();
-    m_state->scene.light = lightOf(m_state->drag == State::Drag::Light ? m_state->light : project.light);
-    m_state->scene.background = linear(project.background);
+    m_state->scene.light = sceneLight(m_state->drag == State::Drag::Light ? m_state->light : project.light);
+    m_state->scene.background = linearColour(project.background);
     m_state->weather->setValues(project.wind, project.light);
     requestDraw();
 }

@@ -3,7 +3,7 @@
 #include "app/library.h"
 #include "model/document.h"
 #include "model/files/migrations.h"
-"model/files/project_file.h"
+#include "model/files/project_file.h"
 #include "sim/groom.h"
 
 #include <QCoreApplication>

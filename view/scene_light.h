@@ -1,0 +1,13 @@
+// The document's light and colours as the renderer wants them.
+#pragma once
+
+#include "model/project.h"
+#include "view/rendering/scene.h"
+
+namespace hairpaint::view {
+
+[[nodiscard]] rendering::Light sceneLight(const model::LightSettings& settings);
+/// An sRGB colour in linear light.
+[[nodiscard]] glm::vec3 linearColour(QRgb encoded);
+
+} // namespace hairpaint::view
