@@ -6,6 +6,7 @@
 #include "view/paint_view.h"
 #include "view/panels/sidebar.h"
 #include "view/panels/tool_bar.h"
+#include "view/widgets/value_pair.h"
 
 #include <QFileInfo>
 #include <QMenuBar>
@@ -25,9 +26,10 @@ void MainWindow::buildMenus()
 
     // What the paper's context menu offers: the same actions, at hand in both areas.
     m_areaMenu = new QMenu(this);
-    for (const char* id : {"edit.undo", "edit.redo", nullptr, "edit.cut", "edit.copy", "edit.paste", "edit.clear",
-                           nullptr, "edit.all", "edit.none", nullptr, "file.loadImage", "file.saveImage", nullptr,
-                           "view.wireframe", "view.night", "view.fit", "view.home"}) {
+    for (const char* id : std::initializer_list<const char*>{
+             "edit.undo", "edit.redo", nullptr, "edit.cut", "edit.copy", "edit.paste", "edit.clear", nullptr,
+             "edit.all", "edit.none", nullptr, "file.loadImage", "file.saveImage", nullptr, "view.wireframe",
+             "view.night", "view.fit", "view.home"}) {
         if (id == nullptr)
             m_areaMenu->addSeparator();
         else
