@@ -80,7 +80,8 @@ HWY_INLINE void predict(D d, const GroupGains& gains, const StepForces& step, co
     using V = hn::Vec<D>;
     const V drag = hn::Set(d, gains.drag);
     const V loose = hn::LoadU(d, lanes + kLoose * kLanes);
-    const bool held = !hn::AllTrue(d, hn::Eq(loose, hn::Set(d, 1.0F)));
+    const hn::Mask<D> held = hn::Lt(loose, hn::Set(d, 1.0F));
+    const bool anyHeld = !hn::AllFalse(d, held);
     const V inverseSquare = hn::LoadU(d, lanes + kInverseSquare * kLanes);
     const Vec3<V> gravity = scale(set3(d, step.gravity), hn::Set(d, gains.gravityScale));
     const Vec3<V> lie = scale(load3(d, lanes + kLieX * kLanes), hn::LoadU(d, lanes + kSegmentLength * kLanes));
@@ -119,9 +120,9 @@ HWY_INLINE void predict(D d, const GroupGains& gains, const StepForces& step, co
         }
         if (gains.body[node] > 0.0F)
             next = addScaled(next, sub(add(parent, lie), next), hn::Set(d, gains.body[node]));
-        if (held) {
+        if (anyHeld) {
             const Vec3<V> styled = load3(d, rest + offset);
-            next = addScaled(styled, sub(next, styled), loose);
+            next = choose(held, addScaled(styled, sub(next, styled), loose), next);
         }
         store3(d, next, p + offset);
         parent = next;
@@ -259,8 +260,8 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
             // In contact nothing moves into the surface or springs off it.
             if (!hn::AllFalse(d, contact.touched)) {
                 const V across = hn::Div(dot(onHead, contact.normal), contact.normal2);
-                const V taken = hn::IfThenElseZero(contact.touched, hn::Mul(across, keep));
-                velocity = sub(velocity, scale(contact.normal, taken));
+                const Vec3<V> sliding = sub(velocity, scale(contact.normal, hn::Mul(across, keep)));
+                velocity = choose(contact.touched, sliding, velocity);
             }
             velocity = choose(lost, Vec3<V>{zero, zero, zero}, velocity);
             free = hn::Not(contact.touched);

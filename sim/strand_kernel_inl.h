@@ -1,5 +1,6 @@
 // Small vector algebra and the ellipsoid contact that both kernels share; compiled once for each instruction set.
-// Mul, Add, Div and Sqrt only, so that every instruction set gives the same bytes.
+// Mul, Add, Div and Sqrt only, so that every instruction set gives the same bytes; and what one lane needs never changes
+// a bit of another, so that a strand does not depend on its neighbours in the block.
 #if defined(HAIRPAINT_SIM_STRAND_KERNEL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIRPAINT_SIM_STRAND_KERNEL_INL_H_
 #undef HAIRPAINT_SIM_STRAND_KERNEL_INL_H_
@@ -148,7 +149,7 @@ HWY_INLINE bool pushOut(D d, const Collider& collider, hn::Vec<D> scale2, hn::Ve
         way = hn::IfThenElse(far, hn::Div(furthest, hn::Sqrt(g2)), way);
         depth2 = hn::IfThenElse(far, hn::Mul(furthest, furthest), depth2);
     }
-    p = addScaled(p, g, hn::IfThenElseZero(inside, way));
+    p = choose(inside, addScaled(p, g, way), p);
     contact.normal = choose(inside, g, contact.normal);
     contact.normal2 = hn::IfThenElse(inside, g2, contact.normal2);
     contact.depth2 = hn::IfThenElse(inside, depth2, contact.depth2);

@@ -34,7 +34,7 @@ private:
         float radiusM = 0.0F;
         int stepsLeft = 0;
     };
-    Wind m_wind;
+    Wind m_wind{.enabled = false};
     std::vector<Puff> m_puffs;
     std::uint64_t m_step = 0;
 };

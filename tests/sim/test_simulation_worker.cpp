@@ -1,0 +1,152 @@
+// The worker's thread: frames come by themselves, stop where nothing moves, and the newest input is what they show.
+#include "sim/simulation_worker.h"
+#include "tests/support/painted_ball.h"
+
+#include <QtTest>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+using namespace hairpaint::sim;
+using namespace hairpaint::test;
+
+namespace {
+
+constexpr auto kPatience = std::chrono::seconds(60); // only ever waited for where a test fails
+
+/// Waits for a frame that fulfils the condition; null after kPatience.
+template<typename Condition>
+std::shared_ptr<const StrandFrame> awaitFrame(SimulationWorker& worker, Condition condition)
+{
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    while (std::chrono::steady_clock::now() < deadline) {
+        if (const auto frame = worker.takeFrame(); frame && condition(*frame))
+            return frame;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return nullptr;
+}
+
+bool hasHair(const StrandFrame& frame)
+{
+    return frame.hairCount > 0;
+}
+
+const Wind kBreeze{true, glm::vec3(3.0F, 0.0F, 0.0F), 0.5F, 0.3F};
+
+} // namespace
+
+class TestSimulationWorker : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void framesComeByThemselvesAndAreNumbered();
+    void theLatestInputWins();
+    void aPausedWorkerStillShowsNewInput();
+    void stillHairStopsTheFramesUntilSomethingHappens();
+    void aFrameKeptStaysAsItWas();
+    void itStopsQuicklyInTheMiddleOfAnything();
+};
+
+void TestSimulationWorker::framesComeByThemselvesAndAreNumbered()
+{
+    std::atomic<int> calls{0};
+    SimulationWorker worker([&calls] { ++calls; });
+    worker.setInput(paintedBall(400, 200));
+    worker.setWind(kBreeze);
+    const auto first = awaitFrame(worker, hasHair);
+    QVERIFY(first);
+    const auto later = awaitFrame(worker, [&](const StrandFrame& frame) { return frame.number > first->number + 3; });
+    QVERIFY(later);
+    QVERIFY(later->simulatedSeconds > first->simulatedSeconds);
+    QVERIFY(calls >= 4);
+}
+
+void TestSimulationWorker::theLatestInputWins()
+{
+    SimulationWorker worker(nullptr);
+    GroomInput input = paintedBall(400, 200);
+    for (int i = 0; i < 20; ++i) {
+        input.groups.front().maps.length = uniformMap(1, {static_cast<std::uint16_t>(10000 + i * 2000)});
+        worker.setInput(input);
+    }
+    const auto shows = [&](const StrandFrame& frame) {
+        return hasHair(frame) &&
+               std::abs(frame.groups.front().groom->basis->segmentLengths.front() -
+                        0.2F * 48000.0F / 65535.0F / static_cast<float>(frame.groups.front().groom->nodes - 1)) < 1e-5F;
+    };
+    QVERIFY(awaitFrame(worker, shows));
+}
+
+void TestSimulationWorker::aPausedWorkerStillShowsNewInput()
+{
+    SimulationWorker worker(nullptr);
+    worker.setPaused(true);
+    worker.setInput(paintedBall(400, 200));
+    worker.setWind(kBreeze);
+    const auto first = awaitFrame(worker, hasHair);
+    QVERIFY(first);
+    QCOMPARE(first->simulatedSeconds, 0.0);
+    worker.setInput(paintedBall(800, 200));
+    const auto second = awaitFrame(worker, [&](const StrandFrame& f) { return f.hairCount > first->hairCount; });
+    QVERIFY(second);
+    QCOMPARE(second->simulatedSeconds, 0.0);
+    worker.setPaused(false);
+    QVERIFY(awaitFrame(worker, [](const StrandFrame& frame) { return frame.simulatedSeconds > 0.0; }));
+}
+
+void TestSimulationWorker::stillHairStopsTheFramesUntilSomethingHappens()
+{
+    std::atomic<int> calls{0};
+    SimulationWorker worker([&calls] { ++calls; });
+    GroomInput input = paintedBall(100, 100);
+    input.groups.front().maps.gel = uniformMap(1, {65535}); // nothing to settle
+    worker.setInput(input);
+    const auto last = awaitFrame(worker, [](const StrandFrame& frame) { return hasHair(frame) && frame.asleep; });
+    QVERIFY(last);
+    const int callsBefore = calls;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    QCOMPARE(calls.load(), callsBefore);
+    QVERIFY(!worker.takeFrame());
+    worker.setWind(kBreeze);
+    QVERIFY(awaitFrame(worker, [](const StrandFrame& frame) { return !frame.asleep; }));
+}
+
+void TestSimulationWorker::aFrameKeptStaysAsItWas()
+{
+    SimulationWorker worker(nullptr);
+    worker.setInput(paintedBall(400, 200));
+    worker.setWind(kBreeze);
+    const auto kept = awaitFrame(worker, hasHair);
+    QVERIFY(kept);
+    const std::vector<float> positions = kept->groups.front().positions;
+    const std::uint64_t number = kept->number;
+    // More frames than the pool has: none of them may be written into the one that is kept.
+    QVERIFY(awaitFrame(worker, [&](const StrandFrame& frame) { return frame.number > number + 8; }));
+    QCOMPARE(kept->number, number);
+    QVERIFY(kept->groups.front().positions == positions);
+}
+
+void TestSimulationWorker::itStopsQuicklyInTheMiddleOfAnything()
+{
+    std::shared_ptr<const StrandFrame> survivor;
+    for (int i = 0; i < 20; ++i) {
+        SimulationWorker worker(nullptr);
+        worker.setFrameRate(240.0);
+        worker.setInput(paintedBall(300, 100));
+        worker.setWind(kBreeze);
+        worker.puff(glm::vec3(0.0F), glm::vec3(1.0F), 0.1F);
+        worker.setPose({glm::quat(1.0F, 0.0F, 0.0F, 0.0F), glm::vec3(0.01F * static_cast<float>(i))});
+        if (i % 3 == 0)
+            worker.reset();
+        if (i % 2 == 0)
+            survivor = awaitFrame(worker, hasHair);
+    }
+    QVERIFY(survivor); // a frame outlives its worker
+    QVERIFY(!survivor->groups.empty());
+}
+
+QTEST_APPLESS_MAIN(TestSimulationWorker)
+#include "test_simulation_worker.moc"

@@ -1,0 +1,55 @@
+// A ball of a head with uniform maps, and dabs on them, for tests of groom, simulation and worker.
+#pragma once
+
+#include "sim/groom_input.h"
+#include "tests/support/test_heads.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace hairpaint::test {
+
+inline std::shared_ptr<const sim::TiledRaster> uniformMap(int channels, sim::Texel value, int size = 256)
+{
+    return std::make_shared<const sim::TiledRaster>(size, channels, value);
+}
+
+/// One group on a ball of 0.1 m with its ellipsoid: about `hairs` hairs of 20 cm, `basisHairs` of them solved.
+inline sim::GroomInput paintedBall(int hairs, int basisHairs)
+{
+    sim::GroomInput input;
+    const auto skin = std::make_shared<const sim::Skin>(makeBallHead());
+    input.skin = skin;
+    input.colliders.push_back({glm::vec3(0.0F), glm::vec3(0.1F), glm::quat(1.0F, 0.0F, 0.0F, 0.0F)});
+    sim::GroupInput group;
+    group.id = 1;
+    group.settings.greatestDensityPerM2 = static_cast<float>((hairs + 0.5) / skin->areaM2());
+    group.settings.greatestLengthM = 0.2F;
+    group.settings.basisHairs = basisHairs;
+    group.maps.density = uniformMap(1, {65535});
+    group.maps.length = uniformMap(1, {65535});
+    group.maps.curl = uniformMap(1, {0});
+    group.maps.braid = uniformMap(1, {0});
+    group.maps.colour = uniformMap(3, {20000, 12000, 8000});
+    group.maps.clump = uniformMap(1, {0});
+    group.maps.gel = uniformMap(1, {0});
+    input.groups.push_back(group);
+    return input;
+}
+
+/// `value` in a square of uv.
+inline void paintSquare(std::shared_ptr<const sim::TiledRaster>& map, glm::vec2 lowUv, glm::vec2 highUv,
+                        std::uint16_t value)
+{
+    auto painted = std::make_shared<sim::TiledRaster>(*map);
+    const auto texel = [&](float share) {
+        return std::clamp(static_cast<int>(share * static_cast<float>(painted->size())), 0, painted->size());
+    };
+    for (int y = texel(1.0F - highUv.y); y < texel(1.0F - lowUv.y); ++y) {
+        for (int x = texel(lowUv.x); x < texel(highUv.x); ++x)
+            painted->setTexel(x, y, {value});
+    }
+    map = std::move(painted);
+}
+
+} // namespace hairpaint::test
