@@ -198,6 +198,20 @@ HWY_INLINE Vec3<hn::Vec<D>> limited(D d, const Vec3<hn::Vec<D>>& v)
     return choose(finite, scale(v, hn::IfThenElse(fast, factor, hn::Set(d, 1.0F))), Vec3<hn::Vec<D>>{zero, zero, zero});
 }
 
+/// Which lanes are further than kStillM from the place at `from`.
+template<class D>
+HWY_INLINE hn::Mask<D> departedFrom(D d, const float* HWY_RESTRICT from, const Vec3<hn::Vec<D>>& p)
+{
+    const auto way = sub(p, load3(d, from));
+    return hn::Not(hn::Le(dot(way, way), hn::Set(d, kStillM * kStillM)));
+}
+
+template<class D>
+HWY_INLINE void remember(D d, hn::Mask<D> which, const float* HWY_RESTRICT place, float* HWY_RESTRICT memory)
+{
+    store3(d, choose(which, load3(d, place), load3(d, memory)), memory);
+}
+
 /// One step of the strands in lanes lane..lane + Lanes(d). Every pointer is already at this block and lane.
 template<class D>
 HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& colliders, const StepForces& step,
@@ -219,7 +233,7 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
     const V looseDrag = hn::LoadU(d, lanes + kLooseDrag * kLanes);
     const Vec3<V> lie = load3(d, lanes + kLieX * kLanes);
     const Vec3<V> root = load3(d, rest);
-    V furthest2 = zero;
+    hn::Mask<D> departed = hn::MaskFromVec(zero);
     Vec3<V> parent = root;
     store3(d, root, next);
     store3(d, root, previous);
@@ -267,7 +281,11 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
             free = hn::Not(contact.touched);
             placed = choose(moving, placed, start);
             store3(d, placed, next + offset);
-            furthest2 = hn::Max(furthest2, hn::IfThenElseZero(moving, dot(onHead, onHead)));
+            // Watching two places instead of speeds: a node that trembles where the hair leaves the head does not move.
+            if (i == gains.nodes / 2)
+                departed = hn::Or(departed, departedFrom(d, lanes + kMiddleX * kLanes, placed));
+            if (i + 1 == gains.nodes)
+                departed = hn::Or(departed, departedFrom(d, lanes + kTipX * kLanes, placed));
         }
         if (i > 1) {
             const Vec3<V> kept = limited(d, parentVelocity);
@@ -279,9 +297,12 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
         parentVelocity = velocity;
         parentFree = free;
     }
-    const hn::Mask<D> lies = hn::Lt(furthest2, hn::Set(d, kStillM * kStillM));
+    if (!hn::AllFalse(d, departed)) {
+        remember(d, departed, next + static_cast<std::size_t>(gains.nodes / 2) * 3 * kLanes, lanes + kMiddleX * kLanes);
+        remember(d, departed, next + static_cast<std::size_t>(gains.nodes - 1) * 3 * kLanes, lanes + kTipX * kLanes);
+    }
     const V counted = hn::Add(stillBefore, one);
-    const V still = step.windy ? zero : hn::IfThenElseZero(lies, counted);
+    const V still = step.windy ? zero : hn::IfThenZeroElse(departed, counted);
     hn::StoreU(hn::IfThenElse(moving, still, counted), d, lanes + kStill * kLanes);
 }
 

@@ -25,15 +25,21 @@ enum LaneField : std::uint8_t
     kPhaseGust, ///< Of the wind's waves at this root, rad, 0..2 pi.
     kPhaseA,
     kPhaseB,
-    kStill, ///< Steps without motion; kUnwanted where no hair is solved.
+    kStill,   ///< Steps without motion; kUnwanted where no hair is solved.
+    kMiddleX, ///< Where the middle node was when the hair last moved, Hd, m;
+    kMiddleY,
+    kMiddleZ,
+    kTipX, ///< and the tip.
+    kTipY,
+    kTipZ,
     kScale, ///< [kMaxColliders] rows.
     kLaneFields = kScale + kMaxColliders
 };
 inline constexpr std::size_t kLaneStride = std::size_t{kLaneFields} * kLanes;
 
 inline constexpr float kUnwanted = 1e30F;
-inline constexpr float kStillSteps = 45.0F;     ///< A strand that lay still for so long falls asleep.
-inline constexpr float kStillM = 8e-6F;         ///< What counts as lying still, m a step.
+inline constexpr float kStillSteps = 60.0F; ///< A strand that lay still for so long falls asleep.
+inline constexpr float kStillM = 2e-4F; ///< What counts as lying still: middle and tip stay this close to their place.
 inline constexpr float kFastestM = 10.0F / 120; ///< Speed limit, m a step.
 
 /// A rigid motion: rows * p + offset.

@@ -1,6 +1,6 @@
 // Small vector algebra and the ellipsoid contact that both kernels share; compiled once for each instruction set.
-// Mul, Add, Div and Sqrt only, so that every instruction set gives the same bytes; and what one lane needs never changes
-// a bit of another, so that a strand does not depend on its neighbours in the block.
+// Mul, Add, Div and Sqrt only, so that every instruction set gives the same bytes; and what one lane needs never
+// changes a bit of another, so that a strand does not depend on its neighbours in the block.
 #if defined(HAIRPAINT_SIM_STRAND_KERNEL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIRPAINT_SIM_STRAND_KERNEL_INL_H_
 #undef HAIRPAINT_SIM_STRAND_KERNEL_INL_H_
