@@ -1,0 +1,83 @@
+// Every instruction set that this machine has gives the same bytes. Highway picks the best one at run time; here each
+// of the others is forced in turn.
+#include "sim/simulation.h"
+#include "tests/support/painted_ball.h"
+
+#include <QtTest>
+
+#include <hwy/highway.h>
+
+#include <cstring>
+
+using namespace hairpaint::sim;
+using namespace hairpaint::test;
+
+namespace {
+
+/// Every branch of both kernels: wind, puff, gel, short hair, a moving head, sleep.
+std::vector<float> hairAfterAWhile()
+{
+    GroomInput input = paintedBall(2000, 600);
+    paintSquare(input.groups.front().maps.gel, {0.0F, 0.5F}, {0.3F, 1.0F}, 40000);
+    paintSquare(input.groups.front().maps.length, {0.5F, 0.5F}, {0.8F, 1.0F}, 8000);
+    paintSquare(input.groups.front().maps.clump, {0.4F, 0.5F}, {1.0F, 1.0F}, 50000);
+    Simulation simulation;
+    simulation.setInput(input);
+    simulation.setWind({true, glm::vec3(4.0F, 0.5F, -2.0F), 0.6F, 0.5F});
+    for (int i = 0; i < 30; ++i)
+        simulation.advance(1.0 / 60.0);
+    simulation.puff(glm::vec3(0.1F, 0.0F, 0.05F), glm::vec3(0.0F, 3.0F, 6.0F), 0.15F);
+    for (int i = 0; i < 15; ++i) {
+        simulation.setPose({glm::quat(1.0F, 0.0F, 0.02F * static_cast<float>(i), 0.0F), glm::vec3(0.0F)});
+        simulation.advance(1.0 / 60.0);
+    }
+    simulation.setWind({});
+    for (int i = 0; i < 30; ++i)
+        simulation.advance(1.0 / 60.0);
+    StrandFrame frame;
+    simulation.writeFrame(frame);
+    return frame.groups.front().positions;
+}
+
+/// From now on the kernels run with this instruction set; 0: the best one again.
+void force(std::int64_t target)
+{
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+} // namespace
+
+class TestInstructionSets : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void cleanup() { force(0); }
+    void eachGivesTheSameBytes_data();
+    void eachGivesTheSameBytes();
+};
+
+void TestInstructionSets::eachGivesTheSameBytes_data()
+{
+    QTest::addColumn<qint64>("target");
+    force(0);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+        QTest::newRow(hwy::TargetName(target)) << qint64{target};
+}
+
+void TestInstructionSets::eachGivesTheSameBytes()
+{
+    QFETCH(qint64, target);
+    force(0);
+    const std::vector<float> best = hairAfterAWhile();
+    force(target);
+    QVERIFY(hwy::SupportedTargets() == target);
+    const std::vector<float> forced = hairAfterAWhile();
+    QCOMPARE(forced.size(), best.size());
+    QVERIFY(!best.empty());
+    QVERIFY(std::memcmp(best.data(), forced.data(), best.size() * sizeof(float)) == 0);
+}
+
+QTEST_APPLESS_MAIN(TestInstructionSets)
+#include "test_instruction_sets.moc"
