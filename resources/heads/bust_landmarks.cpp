@@ -202,11 +202,11 @@ BustLandmarks bustLandmarks()
 {
     return {.crown = {0.0F, 0.11097F, -0.03705F},
             .forehead = {0.0F, 0.0745F, 0.0782F},
-            .earLeft = {0.0744F, -0.0173F, -0.0065F},
-            .earRight = {-0.0744F, -0.0173F, -0.0065F},
+            .earLeft = {0.0742F, -0.0178F, -0.0064F},
+            .earRight = {-0.0742F, -0.0178F, -0.0064F},
             .nape = {0.0F, -0.0625F, -0.0770F},
             .chin = {0.0F, -0.1120F, 0.0881F},
-            .noseTip = {0.0F, -0.0351F, 0.1105F}};
+            .noseTip = {0.0F, -0.0363F, 0.1109F}};
 }
 
 } // namespace hairpaint::heads

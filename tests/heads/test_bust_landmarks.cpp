@@ -215,8 +215,8 @@ void TestBustLandmarks::collidersFollowTheScalp()
     }
     qInfo("scalp up to %.2f mm outside the ellipsoids, they up to %.2f mm outside the scalp",
           1000.0 * static_cast<double>(outside), 1000.0 * static_cast<double>(inside));
-    QVERIFY(outside < 0.0022F);
-    QVERIFY(inside < 0.0022F);
+    QVERIFY(outside < 0.0020F);
+    QVERIFY(inside < 0.0020F);
 }
 
 void TestBustLandmarks::collidersHoldLongHairOnTheShoulders()

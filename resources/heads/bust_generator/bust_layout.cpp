@@ -27,14 +27,14 @@ UvGoal goalAt(const glm::vec3& p)
     const glm::vec3 folded(std::abs(p.x), p.y, p.z);
     const auto scalp = scalpness(p);
     const auto face =
-        static_cast<double>(bell(folded, {0.0F, -0.030F, 0.090F}, {0.10F, 0.075F, 0.060F})) * (1.0 - scalp);
+        static_cast<double>(smoothStep(0.000F, 0.030F, p.z) * smoothStep(-0.125F, -0.095F, p.y)) * (1.0 - scalp);
     const auto ear =
         static_cast<double>(bell(folded, {0.082F, -0.016F, -0.014F}, {0.016F, 0.035F, 0.024F})) * (1.0 - scalp);
     const auto trunk = static_cast<double>(1.0F - smoothStep(-0.20F, -0.11F, p.y));
     UvGoal goal{};
     const auto beard = static_cast<double>(smoothStep(-0.010F, 0.002F, beardDistance(p))) * (1.0 - scalp);
     goal.scale = std::lerp(std::lerp(0.40 - 0.24 * trunk, 0.95, std::max(face, beard)), 1.0, scalp);
-    goal.weight = (0.10 - 0.04 * trunk + 1.5 * std::max(face, beard) + 5.0 * scalp) * (1.0 - 0.7 * ear);
+    goal.weight = (0.10 - 0.04 * trunk + 2.0 * std::max(face, beard) + 5.0 * scalp) * (1.0 - 0.7 * ear);
     goal.areaWeight = 2.0 * scalp;
     return goal;
 }

@@ -8,7 +8,7 @@ namespace {
 
 float jaw(const glm::vec3& soft)
 {
-    const float body = roundCone(soft, {0.0365F, -0.0650F, 0.0080F}, {0.0120F, -0.0955F, 0.0695F}, 0.0140F, 0.0160F);
+    const float body = roundCone(soft, {0.0365F, -0.0650F, 0.0080F}, {0.0130F, -0.0950F, 0.0690F}, 0.0150F, 0.0165F);
     const float ramus = roundCone(soft, {0.0450F, -0.0100F, 0.0020F}, {0.0365F, -0.0650F, 0.0080F}, 0.0160F, 0.0140F);
     return smoothMin(body, ramus, 0.020F);
 }
@@ -51,7 +51,7 @@ float joinFace(float d, const MirroredPoint& p)
     // Muzzle, brow, the hollow of the eye socket, the flesh over the upper lid.
     d = smoothMin(d, ellipsoid(p.plain, {0.0F, -0.0680F, 0.0660F}, {0.0290F, 0.0270F, 0.0285F}), 0.024F);
     d = smoothMin(d, browBone(soft), 0.034F);
-    const glm::vec3 socket = turnedY(soft - glm::vec3(0.0330F, 0.0005F, 0.0880F), -20.0F);
+    const glm::vec3 socket = turnedY(soft - glm::vec3(0.0335F, 0.0005F, 0.0890F), -20.0F);
     d = smoothMax(d, -ellipsoid(socket, glm::vec3(0.0F), {0.0195F, 0.0120F, 0.0120F}), 0.024F);
     d = smoothMin(d, roundCone(soft, {0.0190F, 0.0105F, 0.0725F}, {0.0400F, 0.0115F, 0.0675F}, 0.0055F, 0.0055F),
                   0.016F);

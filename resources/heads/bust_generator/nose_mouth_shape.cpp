@@ -13,12 +13,12 @@ float joinNose(float d, const MirroredPoint& p)
     nose = smoothMin(
         nose, roundCone(p.soft, {0.0060F, 0.0040F, 0.0745F}, {0.0090F, -0.0370F, 0.0845F}, 0.0070F, 0.0090F), 0.018F);
     // Tip and wings, the bridge of skin between the nostrils.
-    nose = smoothMin(nose, ellipsoid(p.plain, {0.0F, -0.0372F, 0.1005F}, {0.0095F, 0.0085F, 0.0092F}), 0.012F);
-    nose = smoothMin(nose, ellipsoid(p.soft, {0.0113F, -0.0415F, 0.0900F}, {0.0060F, 0.0066F, 0.0092F}), 0.008F);
+    nose = smoothMin(nose, ellipsoid(p.plain, {0.0F, -0.0370F, 0.1004F}, {0.0090F, 0.0083F, 0.0092F}), 0.015F);
+    nose = smoothMin(nose, ellipsoid(p.soft, {0.0113F, -0.0415F, 0.0900F}, {0.0060F, 0.0064F, 0.0092F}), 0.010F);
     nose = smoothMin(nose, roundCone(p.plain, {0.0F, -0.0430F, 0.1000F}, {0.0F, -0.0490F, 0.0910F}, 0.0038F, 0.0045F),
                      0.007F);
     d = smoothMin(d, nose, 0.015F);
-    return smoothMax(d, -ellipsoid(p.soft, {0.0066F, -0.0496F, 0.0955F}, {0.0027F, 0.0036F, 0.0048F}), 0.005F);
+    return smoothMax(d, -ellipsoid(p.soft, {0.0064F, -0.0488F, 0.0985F}, {0.0024F, 0.0027F, 0.0040F}), 0.006F);
 }
 
 float joinMouth(float d, const MirroredPoint& p)

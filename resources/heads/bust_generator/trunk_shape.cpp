@@ -51,7 +51,7 @@ float joinTrunk(float d, const MirroredPoint& p)
     const float bowl = ellipsoid(p.plain, {0.0F, -0.1900F, -0.0400F}, {0.1700F, 0.1500F, 0.1120F});
     trunk = smoothMax(trunk, bowl, 0.040F);
     d = smoothMin(d, trunk, 0.050F);
-    const float foot = roundCone(p.plain, {0.0F, -0.3100F, -0.0380F}, {0.0F, -0.3600F, -0.0380F}, 0.0380F, 0.0540F);
+    const float foot = roundCone(p.plain, {0.0F, -0.3100F, -0.0380F}, {0.0F, -0.3500F, -0.0380F}, 0.0370F, 0.0520F);
     d = smoothMin(d, foot, 0.040F);
     return d - collarRelief(p);
 }
