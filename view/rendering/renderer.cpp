@@ -118,6 +118,7 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     const Program& resolve = state.resolve.at(static_cast<std::size_t>(target.samples.x * target.samples.y / 2));
     resolve.use();
     resolve.set("shaded", report.hairs > 0 ? 1 : 0);
+    resolve.set("ringed", scene.ring || scene.mirroredRing ? 1 : 0);
     glBindVertexArray(state.noVertices.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glFinish();
