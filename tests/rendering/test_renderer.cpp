@@ -1,12 +1,49 @@
 // The renderer draws what the scene says, off-screen.
+#include "tests/rendering/gl_test.h"
 #include "tests/rendering/hand_made_hair.h"
-#include "view/rendering/offscreen_context.h"
-#include "view/rendering/renderer.h"
 
 #include <QtTest>
 
+#include <cmath>
+
 using namespace hairpaint;
 using namespace hairpaint::testing;
+using rendering::Quality;
+using rendering::Scene;
+
+namespace {
+
+constexpr glm::vec3 kBall(0.08F, 0.11F, 0.1F);
+
+Scene emptyScene()
+{
+    Scene scene;
+    scene.camera.targetWo = glm::vec3(0.0F);
+    scene.camera.elevationRad = 0.0F;
+    return scene;
+}
+
+/// A comb of upright strands 1 mm wide before the middle of the picture.
+std::vector<HandMadeStrand> comb(std::uint32_t colour, int count, float halfWidthM = 0.05F, float widthM = 1e-3F)
+{
+    std::vector<HandMadeStrand> strands;
+    for (int i = 0; i < count; ++i) {
+        const float x = halfWidthM * (2.0F * (static_cast<float>(i) + 0.5F) / static_cast<float>(count) - 1.0F);
+        strands.push_back(straightStrand(glm::vec3(x, 0.1F, 0.0F), glm::vec3(x, -0.1F, 0.0F), colour));
+        strands.back().style.widthM = widthM;
+    }
+    return strands;
+}
+
+sim::GroupSettings plainSettings()
+{
+    sim::GroupSettings settings;
+    settings.material = {
+        .shine = 0.0F, .roughness = 0.5F, .rootAlpha = 1.0F, .tipAlpha = 1.0F, .colourVariation = 0.0F};
+    return settings;
+}
+
+} // namespace
 
 class TestRenderer : public QObject
 {
@@ -14,53 +51,360 @@ class TestRenderer : public QObject
 
 private Q_SLOTS:
     void initTestCase();
+    void cleanup();
+    void cleanupTestCase();
+    void plainBackgroundHasTheColourAskedFor_data();
+    void plainBackgroundHasTheColourAskedFor();
     void headCoversTheMiddleAndNotTheCorners();
+    void strandsShowTheirColourWhereTheyAre_data();
+    void strandsShowTheirColourWhereTheyAre();
+    void fewerHairsCoverAsMuch_data();
+    void fewerHairsCoverAsMuch();
+    void hairThinsOutToTheTip();
+    void hairBehindTheHeadIsHidden();
+    void onlyChangedChunksAreSent();
+    void theSameSceneGivesTheSamePixels_data();
+    void theSameSceneGivesTheSamePixels();
+    void ringShowsOnTheSkinAndHairInsideFades();
+    void hairShadesTheSkin();
+    void emptyAndHiddenHairDrawsNothing();
+    void anySizeIsDrawn_data();
+    void anySizeIsDrawn();
+    void pictureIsCopiedToTheCallersFramebufferAndStateIsKept();
 
 private:
-    struct Picture
+    Picture draw(const Scene& scene, const Quality& quality = {}, int width = 200, int height = 150)
     {
-        int width = 0;
-        std::vector<std::uint8_t> pixels;
-        [[nodiscard]] glm::ivec3 at(int x, int y) const
-        {
-            const auto i = static_cast<std::size_t>((y * width + x) * 4);
-            return {pixels[i], pixels[i + 1], pixels[i + 2]};
-        }
-    };
-    Picture draw(const rendering::Scene& scene, const rendering::Quality& quality = {}, int width = 200,
-                 int height = 150)
-    {
-        Picture picture{.width = width, .pixels = {}};
-        m_renderer->draw(scene, quality, width, height);
-        m_renderer->read(picture.pixels);
-        return picture;
+        return drawn(*m_renderer, scene, quality, width, height);
     }
 
-    std::unique_ptr<rendering::OffscreenContext> m_context;
+    std::unique_ptr<GlTest> m_gl;
     std::unique_ptr<rendering::Renderer> m_renderer;
 };
 
 void TestRenderer::initTestCase()
 {
-    auto context = rendering::OffscreenContext::create();
-    QVERIFY2(context.has_value(), context.has_value() ? "" : context.error().c_str());
-    m_context = std::move(*context);
-    QVERIFY(m_context->makeCurrent());
+    m_gl = std::make_unique<GlTest>();
+    QVERIFY2(m_gl->failure().empty(), m_gl->failure().c_str());
     auto renderer = rendering::Renderer::create();
     QVERIFY2(renderer.has_value(), renderer.has_value() ? "" : renderer.error().c_str());
     m_renderer = std::move(*renderer);
 }
 
+void TestRenderer::cleanup()
+{
+    const std::string errors = m_gl->takeErrors();
+    QVERIFY2(errors.empty(), errors.c_str());
+}
+
+void TestRenderer::cleanupTestCase()
+{
+    m_renderer.reset();
+    m_gl.reset();
+}
+
+void TestRenderer::plainBackgroundHasTheColourAskedFor_data()
+{
+    QTest::addColumn<int>("samples");
+    QTest::addColumn<float>("linear");
+    QTest::addColumn<int>("srgb");
+    QTest::newRow("dark theme, 1 sample") << 1 << 0.010330F << 27;
+    QTest::newRow("dark theme, 4 samples") << 4 << 0.010330F << 27;
+    QTest::newRow("light theme, 2 samples") << 2 << 0.791298F << 230;
+    QTest::newRow("black") << 4 << 0.0F << 0;
+}
+
+void TestRenderer::plainBackgroundHasTheColourAskedFor()
+{
+    QFETCH(int, samples);
+    QFETCH(float, linear);
+    QFETCH(int, srgb);
+    Scene scene = emptyScene();
+    scene.background = glm::vec3(linear);
+    const Picture picture = draw(scene, {.samples = samples});
+    for (int x : {0, 99, 199})
+        for (int channel = 0; channel < 3; ++channel)
+            QVERIFY(std::abs(picture.at(x, 75)[channel] - srgb) <= 1);
+    QVERIFY(picture.at(0, 0).x >= picture.at(0, 149).x);
+}
+
 void TestRenderer::headCoversTheMiddleAndNotTheCorners()
 {
-    rendering::Scene scene;
+    Scene scene = emptyScene();
     const Picture without = draw(scene);
-    scene.head = makeBall(glm::vec3(0.08F, 0.11F, 0.1F));
+    scene.head = makeBall(kBall);
     const Picture with = draw(scene);
-    QVERIFY(with.at(100, 75) != without.at(100, 75));
     QVERIFY(with.at(100, 75).x > without.at(100, 75).x + 40);
     for (const glm::ivec2 corner : {glm::ivec2(0, 0), glm::ivec2(199, 0), glm::ivec2(0, 149), glm::ivec2(199, 149)})
         QCOMPARE(with.at(corner.x, corner.y), without.at(corner.x, corner.y));
+}
+
+void TestRenderer::strandsShowTheirColourWhereTheyAre_data()
+{
+    QTest::addColumn<std::uint32_t>("colour");
+    QTest::addColumn<int>("strongest");
+    QTest::newRow("red") << 0xFF2020C0U << 0;
+    QTest::newRow("green") << 0xFF20C020U << 1;
+    QTest::newRow("blue") << 0xFFC02020U << 2;
+}
+
+void TestRenderer::strandsShowTheirColourWhereTheyAre()
+{
+    QFETCH(std::uint32_t, colour);
+    QFETCH(int, strongest);
+    Scene scene = emptyScene();
+    const Picture without = draw(scene);
+    scene.hair = makeFrame(comb(colour, 120), plainSettings());
+    const Picture with = draw(scene);
+    // The comb is 0.1 by 0.2 m in the middle; a pixel is about 2.7 mm.
+    for (int y = 45; y < 105; y += 5)
+        for (int x = 86; x < 114; ++x) {
+            const glm::ivec3 pixel = with.at(x, y);
+            for (int channel = 0; channel < 3; ++channel)
+                if (channel != strongest)
+                    QVERIFY2(pixel[strongest] > pixel[channel] + 30, qPrintable(QStringLiteral("%1 %2").arg(x).arg(y)));
+        }
+    QCOMPARE(with.difference(without, 0, 0, 78, 150), 0.0);
+    QCOMPARE(with.difference(without, 122, 0, 200, 150), 0.0);
+    QCOMPARE(with.difference(without, 0, 0, 200, 30), 0.0);
+    QCOMPARE(with.difference(without, 0, 120, 200, 150), 0.0);
+}
+
+void TestRenderer::fewerHairsCoverAsMuch_data()
+{
+    QTest::addColumn<float>("detail");
+    QTest::addColumn<int>("samples");
+    QTest::newRow("half, 4 samples") << 0.5F << 4;
+    QTest::newRow("quarter, 4 samples") << 0.25F << 4;
+    QTest::newRow("quarter, 1 sample") << 0.25F << 1;
+    QTest::newRow("tenth, 4 samples") << 0.1F << 4;
+}
+
+void TestRenderer::fewerHairsCoverAsMuch()
+{
+    QFETCH(float, detail);
+    QFETCH(int, samples);
+    Scene scene = emptyScene();
+    scene.background = glm::vec3(0.0F);
+    const Picture without = draw(scene, {.samples = samples});
+    // Thin enough that strands rarely lie over each other.
+    std::vector<HandMadeStrand> strands = comb(0xFFFFFFFFU, 400, 0.12F, 150e-6F);
+    scene.hair = makeFrame(strands, plainSettings());
+    const double all = draw(scene, {.detail = 1.0F, .samples = samples}, 400, 300)
+                           .difference(draw(Scene{.background = glm::vec3(0.0F)}, {.samples = samples}, 400, 300));
+    const double fewer = draw(scene, {.detail = detail, .samples = samples}, 400, 300)
+                             .difference(draw(Scene{.background = glm::vec3(0.0F)}, {.samples = samples}, 400, 300));
+    QVERIFY(all > 5.0);
+    QVERIFY2(std::abs(fewer / all - 1.0) < 0.2, qPrintable(QString::number(fewer / all)));
+    QVERIFY(m_renderer->statistics().drawnHairs > 0);
+}
+
+void TestRenderer::hairThinsOutToTheTip()
+{
+    Scene scene = emptyScene();
+    scene.background = glm::vec3(0.0F);
+    const Picture without = draw(scene);
+    sim::GroupSettings settings = plainSettings();
+    settings.material.tipAlpha = 0.1F;
+    scene.hair = makeFrame(comb(0xFFFFFFFFU, 120, 0.12F, 1e-3F), settings);
+    const Picture with = draw(scene);
+    const double root = with.difference(without, 60, 42, 140, 52);
+    const double middle = with.difference(without, 60, 70, 140, 80);
+    const double tip = with.difference(without, 60, 98, 140, 108);
+    QVERIFY2(root > middle * 1.05 && middle > tip * 1.5,
+             qPrintable(QStringLiteral("%1 %2 %3").arg(root).arg(middle).arg(tip)));
+}
+
+void TestRenderer::hairBehindTheHeadIsHidden()
+{
+    Scene scene = emptyScene();
+    scene.head = makeBall(kBall);
+    const Picture without = draw(scene);
+    std::vector<HandMadeStrand> strands = comb(0xFF20C020U, 50, 0.03F);
+    for (HandMadeStrand& strand : strands)
+        for (glm::vec3& node : strand.nodesWo)
+            node = glm::vec3(node.x, node.y * 0.5F, -0.15F);
+    scene.hair = makeFrame(strands, plainSettings());
+    const Picture behind = draw(scene);
+    QVERIFY(behind.at(100, 75).y <= without.at(100, 75).y); // Never lighter; shade may fall.
+    for (HandMadeStrand& strand : strands)
+        for (glm::vec3& node : strand.nodesWo)
+            node.z = 0.15F;
+    scene.hair = makeFrame(strands, plainSettings());
+    const Picture before = draw(scene);
+    QVERIFY(before.at(100, 75).y > before.at(100, 75).x + 30);
+}
+
+void TestRenderer::onlyChangedChunksAreSent()
+{
+    Scene scene = emptyScene();
+    auto frame = makeFrame(comb(0xFF808080U, 5000), plainSettings(), 77);
+    scene.hair = frame;
+    draw(scene);
+    const std::size_t all = m_renderer->statistics().uploadedBytes;
+    QVERIFY(all > 5 * sim::kChunkSlots * sizeof(sim::StrandStyle));
+    draw(scene);
+    QCOMPARE(m_renderer->statistics().uploadedBytes, std::size_t{0});
+
+    // The hair moved: positions only.
+    auto moved = std::make_shared<sim::StrandFrame>(*frame);
+    scene.hair = moved;
+    draw(scene);
+    const std::size_t positions = frame->groups[0].positions.size() * sizeof(float);
+    QCOMPARE(m_renderer->statistics().uploadedBytes, positions);
+
+    // One chunk has another colour: its styles, the list and the positions.
+    auto groom = std::make_shared<sim::Groom>(*frame->groups[0].groom);
+    auto chunk = std::make_shared<sim::StrandChunk>(*groom->chunks[1]);
+    chunk->styles[3].rootColour = 0xFF0000FFU;
+    groom->chunks[1] = chunk;
+    auto painted = std::make_shared<sim::StrandFrame>(*frame);
+    painted->groups[0].groom = groom;
+    scene.hair = painted;
+    draw(scene);
+    const std::size_t list = 5001 * 8;
+    QCOMPARE(m_renderer->statistics().uploadedBytes, positions + list + sim::kChunkSlots * sizeof(sim::StrandStyle));
+}
+
+void TestRenderer::theSameSceneGivesTheSamePixels_data()
+{
+    QTest::addColumn<int>("samples");
+    QTest::addColumn<float>("detail");
+    QTest::newRow("still") << 4 << 1.0F;
+    QTest::newRow("moving") << 1 << 0.3F;
+    QTest::newRow("between") << 2 << 0.6F;
+}
+
+void TestRenderer::theSameSceneGivesTheSamePixels()
+{
+    QFETCH(int, samples);
+    QFETCH(float, detail);
+    Scene scene = emptyScene();
+    scene.head = makeBall(kBall);
+    scene.hair = makeFrame(hairOnBall(kBall, {.hairs = 3000, .lengthM = 0.15F, .turns = 4.0F, .curlRadiusM = 0.004F}));
+    const Quality quality{.detail = detail, .samples = samples};
+    const Picture first = draw(scene, quality);
+    draw(emptyScene(), {.samples = 4}, 64, 64);
+    const Picture second = draw(scene, quality);
+    QCOMPARE(first.pixels == second.pixels, true);
+    auto other = rendering::Renderer::create();
+    QVERIFY(other.has_value());
+    QCOMPARE(drawn(**other, scene, quality).pixels == first.pixels, true);
+}
+
+void TestRenderer::ringShowsOnTheSkinAndHairInsideFades()
+{
+    Scene scene = emptyScene();
+    scene.head = makeBall(kBall);
+    const Picture without = draw(scene, {}, 400, 300);
+    scene.ring = rendering::Ring{.centreHd = {0.0F, 0.0F, 0.1F}, .normalHd = {0.0F, 0.0F, 1.0F}, .radiusM = 0.02F};
+    const Picture with = draw(scene, {}, 400, 300);
+    // White in a circle round the middle: as many pixels as its radius says.
+    const float metresPerPixel = 2.0F * 0.65F * std::tan(0.26F) / 300.0F;
+    const float radius = 0.02F / metresPerPixel;
+    int white = 0;
+    for (int degree = 0; degree < 360; degree += 10) {
+        const float angle = glm::radians(static_cast<float>(degree));
+        bool found = false;
+        for (float r = radius - 2.5F; r < radius + 2.5F; r += 0.5F) {
+            const glm::ivec3 pixel =
+                with.at(static_cast<int>(200.0F + r * std::cos(angle)), static_cast<int>(150.0F - r * std::sin(angle)));
+            found = found || pixel.x > 225;
+        }
+        white += found ? 1 : 0;
+    }
+    QCOMPARE(white, 36);
+    QCOMPARE(with.difference(without, 0, 0, 150, 300), 0.0);
+
+    std::vector<HandMadeStrand> strands = comb(0xFF20C020U, 400, 0.06F);
+    for (HandMadeStrand& strand : strands)
+        for (glm::vec3& node : strand.nodesWo)
+            node.z = 0.13F;
+    scene.hair = makeFrame(strands, plainSettings());
+    const Picture faded = draw(scene, {}, 400, 300);
+    scene.ring.reset();
+    const Picture covered = draw(scene, {}, 400, 300);
+    const auto greenness = [](glm::ivec3 p) { return p.y - p.x; };
+    QVERIFY(greenness(covered.at(200, 150)) > 30);
+    QVERIFY(greenness(faded.at(200, 150)) < greenness(covered.at(200, 150)) * 2 / 3);
+    QCOMPARE(faded.at(160, 150), covered.at(160, 150));
+}
+
+void TestRenderer::hairShadesTheSkin()
+{
+    Scene scene = emptyScene();
+    scene.light.directionWo = glm::vec3(0.0F, 1.0F, 0.3F);
+    scene.head = makeBall(kBall);
+    const Picture without = draw(scene);
+    std::vector<HandMadeStrand> strands = comb(0xFF202020U, 2000, 0.08F);
+    for (HandMadeStrand& strand : strands) // A roof over the ball.
+        for (std::size_t n = 0; n < strand.nodesWo.size(); ++n)
+            strand.nodesWo[n] = glm::vec3(strand.nodesWo[n].x, 0.13F, 0.15F - 0.03F * static_cast<float>(n));
+    scene.hair = makeFrame(strands, plainSettings());
+    const Picture with = draw(scene);
+    QVERIFY(with.at(100, 60).x < without.at(100, 60).x - 20);
+}
+
+void TestRenderer::emptyAndHiddenHairDrawsNothing()
+{
+    Scene scene = emptyScene();
+    scene.head = makeBall(kBall);
+    const Picture without = draw(scene);
+    scene.hair = std::make_shared<sim::StrandFrame>();
+    QCOMPARE(draw(scene).pixels == without.pixels, true);
+    scene.hair = makeFrame({});
+    QCOMPARE(draw(scene).pixels == without.pixels, true);
+
+    auto frame = makeFrame(comb(0xFF20C020U, 100), plainSettings());
+    scene.hair = frame;
+    QCOMPARE(draw(scene).pixels == without.pixels, false);
+    QCOMPARE(m_renderer->statistics().drawnHairs, std::size_t{100});
+    auto groom = std::make_shared<sim::Groom>(*frame->groups[0].groom);
+    groom->visible = false;
+    auto hidden = std::make_shared<sim::StrandFrame>(*frame);
+    hidden->groups[0].groom = groom;
+    scene.hair = hidden;
+    QCOMPARE(draw(scene).pixels == without.pixels, true);
+    QCOMPARE(m_renderer->statistics().drawnHairs, std::size_t{0});
+    scene.hair = frame;
+    QCOMPARE(draw(scene).pixels == without.pixels, false);
+}
+
+void TestRenderer::anySizeIsDrawn_data()
+{
+    QTest::addColumn<int>("width");
+    QTest::addColumn<int>("height");
+    QTest::newRow("a pixel") << 1 << 1;
+    QTest::newRow("wide") << 701 << 3;
+    QTest::newRow("tall") << 5 << 400;
+    QTest::newRow("odd") << 333 << 217;
+}
+
+void TestRenderer::anySizeIsDrawn()
+{
+    QFETCH(int, width);
+    QFETCH(int, height);
+    Scene scene = emptyScene();
+    scene.head = makeBall(kBall);
+    scene.hair = makeFrame(comb(0xFF20C020U, 300), plainSettings());
+    for (const int samples : {1, 2, 4}) {
+        const Picture picture = draw(scene, {.samples = samples}, width, height);
+        QCOMPARE(picture.pixels.size(), static_cast<std::size_t>(width * height * 4));
+    }
+    // Inside the hair, and with hair behind the eye.
+    scene.camera.distanceM = 0.03F;
+    draw(scene, {}, width, height);
+}
+
+void TestRenderer::pictureIsCopiedToTheCallersFramebufferAndStateIsKept()
+{
+    Scene scene = emptyScene();
+    scene.background = glm::vec3(0.2F, 0.1F, 0.05F);
+    const Picture picture = draw(scene, {}, 60, 40);
+    const ForeignFramebuffer foreign(60, 40);
+    m_renderer->blitTo(foreign.id(), 60, 40);
+    QVERIFY(foreign.isBound());
+    QCOMPARE(foreign.centre(), picture.at(30, 20));
 }
 
 QTEST_APPLESS_MAIN(TestRenderer)

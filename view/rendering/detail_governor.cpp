@@ -8,6 +8,7 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr float kLeastDetail = 1.0F / 64.0F;
+constexpr int kStillSegments = 16;
 constexpr double kRefinementMs = 250.0; ///< A still picture is refined in steps that take no longer.
 
 /// Details come in steps, so that lists of strands are not rebuilt for a difference that nobody sees.
@@ -23,32 +24,62 @@ DetailGovernor::DetailGovernor(double wantedMs) : m_wantedMs(wantedMs) {}
 
 void DetailGovernor::observe(const FrameStatistics& statistics, std::size_t allHairs, bool still)
 {
-    const double milliseconds = std::max(statistics.milliseconds, 0.1);
-    const double limit = still ? kRefinementMs : m_wantedMs;
-    if (!still && m_wasStill)
-        m_quality = m_moving; // What was right when it last moved.
+    // What was right when it last moved; a still picture starts from there.
+    const bool begins = still != m_wasStill;
     m_wasStill = still;
+    if (!still && begins) {
+        m_quality = m_moving;
+        m_wantsRefinement = true;
+        return; // These statistics are those of the fine picture.
+    }
+    const double milliseconds = std::max(statistics.milliseconds, 0.1);
+    if (still)
+        refine(milliseconds, allHairs);
+    else
+        follow(milliseconds);
+}
 
-    // Part of a frame does not depend on the hairs, so the answer is damped; it also keeps single slow frames harmless.
-    const double ratio = std::clamp(limit / milliseconds, 0.4, 2.0);
-    const double detail = static_cast<double>(m_quality.detail);
-    const bool fits = ratio > (still ? 1.3 : 0.85) && ratio < 1.3;
-    const float next = fits ? m_quality.detail : stepped(detail * (ratio > 1.0 ? std::sqrt(ratio) : ratio));
-    if (still) {
-        // Only ever finer: more hairs first, then more samples.
-        if (ratio > 1.3 && m_quality.detail < 1.0F && allHairs > 0)
-            m_quality.detail = std::max(next, stepped(detail * 1.2));
-        else if (m_quality.samples < 4)
+/// Only ever finer: smooth curves and samples first, then more hairs, as long as a frame stays within the limit.
+void DetailGovernor::refine(double milliseconds, std::size_t allHairs)
+{
+    m_wantsRefinement = true;
+    if (m_quality.samples < 4 || m_quality.smoothSegments < kStillSegments) {
+        // Four samples cost up to three times as much as one.
+        if (milliseconds * 2.0 < kRefinementMs) {
             m_quality.samples = 4;
-        else {
-            m_wantsRefinement = false;
+            m_quality.smoothSegments = kStillSegments;
             return;
         }
-        m_wantsRefinement = true;
-        return;
+    } else if (m_quality.detail < 1.0F && allHairs > 0) {
+        const double finer = std::clamp(kRefinementMs / milliseconds, 1.0, 2.0);
+        const float next = stepped(static_cast<double>(m_quality.detail) * finer);
+        if (next > m_quality.detail) {
+            m_quality.detail = next;
+            return;
+        }
     }
-    m_quality.detail = next;
-    m_quality.samples = m_quality.samples >= 4 && next > 0.5F ? 4 : (next >= 1.0F && ratio > 1.9 ? 4 : 1);
+    m_wantsRefinement = false;
+}
+
+/// Damped, since a part of each frame does not depend on the hairs and single frames may be slow for other reasons.
+void DetailGovernor::follow(double milliseconds)
+{
+    m_slow = milliseconds > m_wantedMs * 1.15 ? m_slow + 1 : 0;
+    m_fast = milliseconds < m_wantedMs * 0.70 ? m_fast + 1 : 0;
+    const auto detail = static_cast<double>(m_quality.detail);
+    if (m_slow >= 2 || milliseconds > 3.0 * m_wantedMs) {
+        m_slow = 0;
+        if (m_quality.samples > 1)
+            m_quality.samples = 1;
+        else
+            m_quality.detail = stepped(detail * std::clamp(m_wantedMs / milliseconds, 0.4, 0.84));
+    } else if (m_fast >= 4) {
+        m_fast = 0;
+        if (m_quality.detail < 1.0F)
+            m_quality.detail = stepped(detail * 1.19);
+        else if (m_quality.samples < 4 && milliseconds * 3.0 < m_wantedMs)
+            m_quality.samples = 4;
+    }
     m_moving = m_quality;
     m_wantsRefinement = true;
 }

@@ -78,6 +78,14 @@ void Buffer::write(std::size_t offset, const void* data, std::size_t bytes)
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
+void Buffer::read(void* data, std::size_t bytes) const
+{
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glBindBuffer(GL_COPY_READ_BUFFER, m_name.id());
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+}
+
 void Buffer::copyFrom(const Buffer& source, std::size_t bytes)
 {
     glBindBuffer(GL_COPY_READ_BUFFER, source.id());

@@ -58,6 +58,8 @@ public:
     /// Room for at least `bytes`, and those written.
     void assign(const void* data, std::size_t bytes);
     void write(std::size_t offset, const void* data, std::size_t bytes);
+    /// Waits for the GPU.
+    void read(void* data, std::size_t bytes) const;
     /// Copies the first `bytes` on the GPU; both have room for them.
     void copyFrom(const Buffer& source, std::size_t bytes);
     void bindStorage(unsigned index) const;

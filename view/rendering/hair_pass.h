@@ -34,6 +34,7 @@ public:
 
     /// The points of the last batch drawn, Wo, xyz and the strand's number. For tests.
     [[nodiscard]] const Buffer& points() const { return m_points; }
+    [[nodiscard]] const HairGroup& group(int id) const { return m_groups.at(id); }
 
 private:
     HairPass() = default;

@@ -29,6 +29,7 @@ private:
     Buffer m_vertices;
     Buffer m_indices;
     int m_indexCount = 0;
+    bool m_closed = false; ///< The inside is never seen.
     Framebuffer m_framebuffer;
     Texture m_colour;
     Texture m_depth;

@@ -69,9 +69,14 @@ public:
     [[nodiscard]] bool wantsRefinement() const { return m_wantsRefinement; }
 
 private:
+    void refine(double milliseconds, std::size_t allHairs);
+    void follow(double milliseconds);
+
     double m_wantedMs;
-    Quality m_quality{.detail = 0.25F, .samples = 1};
+    Quality m_quality{.detail = 0.25F, .samples = 1, .smoothSegments = 8};
     Quality m_moving = m_quality;
+    int m_slow = 0; ///< Frames in a row that took too long, and that left time.
+    int m_fast = 0;
     bool m_wasStill = false;
     bool m_wantsRefinement = true;
 };

@@ -1,0 +1,107 @@
+// The points that the compute shader walks are those of sim::evaluateStrand.
+#include "sim/strand_curve.h"
+#include "tests/rendering/gl_test.h"
+#include "tests/rendering/hand_made_hair.h"
+#include "view/rendering/hair_pass.h"
+
+#include <QtTest>
+
+using namespace hairpaint;
+using namespace hairpaint::testing;
+
+class TestStrandCurveOnGpu : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void pointsAreThoseOfTheCpu_data();
+    void pointsAreThoseOfTheCpu();
+
+private:
+    std::unique_ptr<GlTest> m_gl;
+};
+
+void TestStrandCurveOnGpu::initTestCase()
+{
+    m_gl = std::make_unique<GlTest>();
+    QVERIFY2(m_gl->failure().empty(), m_gl->failure().c_str());
+}
+
+void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu_data()
+{
+    QTest::addColumn<int>("nodes");
+    QTest::addColumn<float>("turns");
+    QTest::addColumn<float>("curlRadiusM");
+    QTest::addColumn<int>("braid"); ///< Kind, wisp in bits 8 and 9.
+    QTest::addColumn<bool>("turned");
+    QTest::newRow("straight") << 8 << 0.0F << 0.0F << 0 << false;
+    QTest::newRow("four nodes") << 4 << 2.0F << 0.01F << 0 << false;
+    QTest::newRow("two turns") << 8 << 2.0F << 0.012F << 0 << false;
+    QTest::newRow("sixteen turns") << 8 << 16.0F << 0.006F << 0 << false;
+    QTest::newRow("head turned") << 12 << 5.0F << 0.01F << 0 << true;
+    QTest::newRow("plait, first wisp") << 12 << 0.0F << 0.0F << 0x001 << false;
+    QTest::newRow("plait, second wisp") << 12 << 0.0F << 0.0F << 0x101 << false;
+    QTest::newRow("plait, third wisp, head turned") << 32 << 0.0F << 0.0F << 0x201 << true;
+}
+
+void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
+{
+    QFETCH(int, nodes);
+    QFETCH(float, turns);
+    QFETCH(float, curlRadiusM);
+    QFETCH(int, braid);
+    QFETCH(bool, turned);
+
+    // Bent skeletons from all over a ball.
+    const glm::vec3 axes(0.08F, 0.11F, 0.1F);
+    std::vector<HandMadeStrand> strands =
+        hairOnBall(axes, {.hairs = 200, .lengthM = 0.25F, .turns = turns, .curlRadiusM = curlRadiusM, .nodes = nodes});
+    for (HandMadeStrand& strand : strands) {
+        strand.style.braid = static_cast<std::uint32_t>(braid);
+        strand.style.braidRadiusM = 0.014F;
+        strand.style.braidStart = 0.27F;
+        strand.style.braidTurns = 4.3F;
+        strand.style.placeX = 0.4F;
+        strand.style.placeY = -0.7F;
+    }
+    auto frame = makeFrame(strands);
+    if (turned)
+        frame->pose.rotation = glm::angleAxis(0.7F, glm::normalize(glm::vec3(1.0F, 2.0F, 0.5F)));
+    rendering::Scene scene;
+    scene.hair = frame;
+    const rendering::FrameConstants constants = rendering::frameConstants(scene, {.width = 64, .height = 64});
+
+    auto pass = rendering::HairPass::create();
+    QVERIFY2(pass.has_value(), pass.has_value() ? "" : pass.error().c_str());
+    rendering::Buffer uniforms;
+    uniforms.assign(&constants, sizeof(constants));
+    uniforms.bindUniform(0);
+    const std::vector<std::uint32_t> empty(64 * 64, 0xFFFFFFFFU);
+    rendering::Buffer samples;
+    samples.assign(empty.data(), empty.size() * sizeof(std::uint32_t));
+    const rendering::HairPass::Report report = (*pass)->upload(frame, 1.0F, 8);
+    (*pass)->draw(constants, 1.0F, samples);
+    QCOMPARE(report.hairs, strands.size());
+    std::vector<glm::vec4> points(report.segments + report.hairs);
+    (*pass)->points().read(points.data(), points.size() * sizeof(glm::vec4));
+
+    const rendering::HairList& list = (*pass)->group(frame->groups[0].groom->groupId).list();
+    float worst = 0.0F;
+    std::vector<glm::vec3> expected;
+    for (std::size_t i = 0; i < list.strandCount(); ++i) {
+        const auto [slot, first] = list.strands()[i];
+        const int segments = static_cast<int>(list.strands()[i + 1].firstPoint - first) - 1;
+        const glm::vec3 tangent = frame->pose.rotation * strands[slot].tangentHd;
+        const sim::StrandStyle& style = frame->groups[0].groom->chunks[0]->styles[slot];
+        sim::evaluateStrand(strands[slot].nodesWo, tangent, style, segments, expected);
+        for (std::size_t p = 0; p < expected.size(); ++p)
+            worst = std::max(worst, glm::distance(expected[p], glm::vec3(points[first + p])));
+    }
+    QVERIFY2(worst < 1e-4F, qPrintable(QString::number(static_cast<double>(worst))));
+    const std::string errors = m_gl->takeErrors();
+    QVERIFY2(errors.empty(), errors.c_str());
+}
+
+QTEST_APPLESS_MAIN(TestStrandCurveOnGpu)
+#include "test_strand_curve_on_gpu.moc"
