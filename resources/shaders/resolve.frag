@@ -57,8 +57,8 @@ vec3 withRing(vec3 below, vec4 ring, ivec2 at)
         vec3 skin = texelFetch(headColour, at, 0).rgb;
         below = mix(below, fastSrgb(skin * skin), 0.55);
     }
-    below = mix(below, vec3(0.06), 0.75 * clamp(1.6 - abs(pixels - 1.2), 0.0, 1.0));
-    return mix(below, vec3(0.97), clamp(1.25 - abs(pixels), 0.0, 1.0));
+    below = mix(below, vec3(0.06), 0.75 * clamp(1.7 - abs(pixels - 1.4), 0.0, 1.0));
+    return mix(below, vec3(0.97), clamp(1.5 - abs(pixels), 0.0, 1.0));
 }
 
 bool isHead(uint value)

@@ -67,8 +67,10 @@ void main()
     hair *= exp2(variation * 1.8);
 
     // Light that reaches this place through the other hair: from the light, and from all around on the eye's side.
-    float direct = exp2(-0.40 * texture(opacityToLight, (gridFromWo[0] * vec4(position, 1.0)).xyz).x);
-    float around = exp2(-0.30 * texture(opacityToEye, (gridFromWo[1] * vec4(position, 1.0)).xyz).x);
+    // A little before this place, so that a strand does not shade itself.
+    vec3 before = vec3(0.0, 0.0, 1.5 / float(textureSize(opacityToLight, 0).z));
+    float direct = exp2(-0.40 * texture(opacityToLight, (gridFromWo[0] * vec4(position, 1.0)).xyz - before).x);
+    float around = exp2(-0.30 * texture(opacityToEye, (gridFromWo[1] * vec4(position, 1.0)).xyz - before).x);
 
     vec3 outward = position - headWo.xyz;
     outward = outward * inversesqrt(dot(outward, outward) + 1e-8);
