@@ -1,0 +1,239 @@
+// The eight built-in styles.
+#include "styles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::presets {
+
+namespace {
+
+float smooth(float from, float to, float x)
+{
+    const float t = std::clamp((x - from) / (to - from), 0.0F, 1.0F);
+    return t * t * (3.0F - 2.0F * t);
+}
+
+/// Thin at the hairline, as hair grows, and full within `rampM`.
+ScalarField scalp(float value, float rampM = 0.006F)
+{
+    return [=](const Place& place) { return value * smooth(-0.001F, rampM, place.scalpM); };
+}
+
+ScalarField constant(float value)
+{
+    return [=](const Place&) { return value; };
+}
+
+ColourField plain(const QColor& colour)
+{
+    return [=](const Place&) { return colour; };
+}
+
+/// Lengths (of a greatest `greatestM`) under which hair that falls over the head ends at height `endY`: the way down
+/// from the root, and the way over the crown for hair that grows on top.
+ScalarField endingAt(float endY, float greatestM, float shortestM)
+{
+    return [=](const Place& place) {
+        const float down = place.positionHd.y - endY;
+        const float over = 0.045F * smooth(0.3F, 1.0F, place.normalHd.y);
+        return std::clamp((std::max(down, shortestM) + over) / greatestM, 0.0F, 1.0F);
+    };
+}
+
+sim::GroupSettings settings(float greatestLengthM, float body, float volumeM)
+{
+    sim::GroupSettings result;
+    result.greatestLengthM = greatestLengthM;
+    result.physics.body = body;
+    result.physics.volumeM = volumeM;
+    return result;
+}
+
+Style longStraight()
+{
+    Style style{.id = "long-straight",
+                .name = QStringLiteral("Long straight"),
+                .tags = {QStringLiteral("long"), QStringLiteral("straight")},
+                .settings = settings(0.42F, 0.10F, 0.010F),
+                .density = scalp(0.85F),
+                .length = endingAt(-0.215F, 0.42F, 0.10F),
+                .curl = constant(0.06F),
+                .clump = constant(0.30F),
+                .gel = constant(0.0F),
+                .braid = {},
+                .colour = plain(QColor(0x6B, 0x42, 0x26))};
+    style.settings.greatestCurlRadiusM = 0.010F;
+    style.settings.nodesPerHair = 12;
+    style.settings.material.shine = 0.6F;
+    return style;
+}
+
+Style bob()
+{
+    Style style{.id = "bob",
+                .name = QStringLiteral("Bob"),
+                .tags = {QStringLiteral("medium"), QStringLiteral("straight")},
+                .settings = settings(0.25F, 0.14F, 0.014F),
+                .density = scalp(0.9F),
+                .length = endingAt(-0.085F, 0.25F, 0.05F),
+                .curl = constant(0.0F),
+                .clump = constant(0.25F),
+                .gel = constant(0.0F),
+                .braid = {},
+                .colour = plain(QColor(0x1E, 0x19, 0x1B))};
+    style.settings.nodesPerHair = 10;
+    style.settings.material.shine = 0.75F;
+    style.settings.material.roughness = 0.28F;
+    style.settings.material.tipAlpha = 0.7F;
+    return style;
+}
+
+Style ringlets()
+{
+    Style style{.id = "ringlets",
+                .name = QStringLiteral("Ringlets"),
+                .tags = {QStringLiteral("medium"), QStringLiteral("curly")},
+                .settings = settings(0.30F, 0.20F, 0.020F),
+                .density = scalp(0.6F),
+                .length = endingAt(-0.13F, 0.30F, 0.09F),
+                .curl = constant(0.72F),
+                .clump = constant(0.75F),
+                .gel = constant(0.0F),
+                .braid = {},
+                .colour = plain(QColor(0xA4, 0x4A, 0x22))};
+    style.settings.greatestCurlRadiusM = 0.018F;
+    style.settings.basisHairs = 2048;
+    return style;
+}
+
+Style afro()
+{
+    Style style{.id = "round-afro",
+                .name = QStringLiteral("Round afro"),
+                .tags = {QStringLiteral("short"), QStringLiteral("coily")},
+                .settings = settings(0.12F, 0.6F, 0.0F),
+                .density = scalp(0.8F),
+                .length = {},
+                .curl = constant(1.0F),
+                .clump = constant(0.15F),
+                .gel = constant(0.92F),
+                .braid = {},
+                .colour = plain(QColor(0x24, 0x17, 0x12))};
+    // A ball around the head's middle, cut where it would fall on face and shoulders.
+    style.length = [](const Place& place) {
+        const glm::vec3 fromMiddle = place.positionHd - glm::vec3(0.0F, 0.035F, -0.012F);
+        const float lengthM = std::clamp(0.165F - glm::length(fromMiddle), 0.012F, 0.085F);
+        const float edge = 0.35F + 0.65F * smooth(0.0F, 0.02F, place.scalpM);
+        return lengthM * edge / 0.12F;
+    };
+    style.settings.greatestCurlRadiusM = 0.006F;
+    style.settings.material.shine = 0.25F;
+    return style;
+}
+
+Style twoPlaits()
+{
+    Style style{.id = "two-plaits",
+                .name = QStringLiteral("Two plaits"),
+                .tags = {QStringLiteral("long"), QStringLiteral("braided")},
+                .settings = settings(0.40F, 0.08F, 0.006F),
+                .density = scalp(0.7F),
+                .length = constant(0.92F),
+                .curl = constant(0.0F),
+                .clump = constant(0.0F),
+                .gel = constant(0.0F),
+                .braid = {},
+                .colour = plain(QColor(0x8A, 0x62, 0x38))};
+    // The parting stays free, so that each side is a region of its own.
+    style.braid = [](const Place& place) { return std::abs(place.positionHd.x) > 0.004F ? 1.0F : 0.0F; };
+    style.density = [](const Place& place) {
+        return 0.7F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.002F, 0.005F, std::abs(place.positionHd.x));
+    };
+    style.settings.braidSpacingM = 0.6F;
+    style.settings.braidRadiusM = 0.016F;
+    style.settings.nodesPerHair = 16;
+    return style;
+}
+
+Style mohawk()
+{
+    Style style{.id = "gelled-mohawk",
+                .name = QStringLiteral("Gelled mohawk"),
+                .tags = {QStringLiteral("short"), QStringLiteral("gelled")},
+                .settings = settings(0.15F, 0.5F, 0.0F),
+                .density = scalp(0.8F),
+                .length = {},
+                .curl = constant(0.0F),
+                .clump = constant(0.0F),
+                .gel = constant(1.0F),
+                .braid = {},
+                .colour = {}};
+    const auto crest = [](const Place& place) { return 1.0F - smooth(0.015F, 0.020F, std::abs(place.positionHd.x)); };
+    style.length = [crest](const Place& place) {
+        const float high = 0.115F * (0.55F + 0.45F * smooth(-0.06F, 0.06F, place.positionHd.y));
+        const float shaved = 0.003F;
+        return (shaved + (high - shaved) * crest(place)) / 0.15F;
+    };
+    style.density = [crest](const Place& place) {
+        return smooth(-0.001F, 0.005F, place.scalpM) * (0.55F + 0.4F * crest(place));
+    };
+    style.clump = [crest](const Place& place) { return 0.85F * crest(place); };
+    style.colour = [crest](const Place& place) {
+        return crest(place) > 0.5F ? QColor(0x2F, 0x9A, 0x8C) : QColor(0x2A, 0x22, 0x1E);
+    };
+    style.settings.material.tipAlpha = 0.8F;
+    style.settings.basisHairs = 2048;
+    return style;
+}
+
+Style splitDye()
+{
+    Style style{.id = "split-dye",
+                .name = QStringLiteral("Split dye"),
+                .tags = {QStringLiteral("medium"), QStringLiteral("wavy"), QStringLiteral("coloured")},
+                .settings = settings(0.34F, 0.16F, 0.014F),
+                .density = scalp(0.85F),
+                .length = endingAt(-0.155F, 0.34F, 0.09F),
+                .curl = constant(0.42F),
+                .clump = constant(0.5F),
+                .gel = constant(0.0F),
+                .braid = {},
+                .colour = {}};
+    style.colour = [](const Place& place) {
+        return place.positionHd.x > 0.0F ? QColor(0xC8, 0x36, 0x78) : QColor(0x22, 0x1C, 0x22);
+    };
+    style.settings.greatestCurlRadiusM = 0.016F;
+    style.settings.nodesPerHair = 10;
+    return style;
+}
+
+Style buzzCut()
+{
+    Style style{.id = "buzz-cut",
+                .name = QStringLiteral("Buzz cut"),
+                .tags = {QStringLiteral("short"), QStringLiteral("straight")},
+                .settings = settings(0.03F, 0.8F, 0.0F),
+                .density = scalp(0.95F, 0.012F),
+                .length = {},
+                .curl = constant(0.0F),
+                .clump = constant(0.0F),
+                .gel = constant(1.0F),
+                .braid = {},
+                .colour = plain(QColor(0x3A, 0x2B, 0x22))};
+    // Faded toward the hairline, as clippers leave it.
+    style.length = [](const Place& place) { return (0.003F + 0.006F * smooth(0.0F, 0.045F, place.scalpM)) / 0.03F; };
+    style.settings.nodesPerHair = 4;
+    style.settings.material.tipAlpha = 0.6F;
+    style.settings.material.shine = 0.3F;
+    return style;
+}
+
+} // namespace
+
+std::vector<Style> builtInStyles()
+{
+    return {longStraight(), bob(), ringlets(), afro(), twoPlaits(), mohawk(), splitDye(), buzzCut()};
+}
+
+} // namespace hairpaint::presets
