@@ -4,6 +4,7 @@
 #include "app/picture.h"
 #include "bust_landmarks.h"
 #include "model/commands/commands.h"
+#include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "model/preset.h"
