@@ -20,6 +20,8 @@ struct PhysicsSettings
     float body = 0.15F;        ///< 0..1: how strongly the hair keeps its rest shape at the root; fades to the tip.
     float friction = 0.4F;     ///< 0..1 on the head: share of the tangential motion lost in a step of contact.
     float volumeM = 0.008F;    ///< m, 0..0.05: thickness of the whole coat; each hair lies at its own height in it.
+    float parting = 0.6F;      ///< 0..1: how far long loose hair is combed to its own side of the middle.
+    float sweepBack = 0.3F;    ///< 0..1: how far it is combed away from the face.
     friend bool operator==(const PhysicsSettings&, const PhysicsSettings&) = default;
 };
 

@@ -12,8 +12,8 @@ constexpr float kPartingBlurM = 0.003F; ///< Hairs of both sides mix over this w
 constexpr float kLift = 0.22F;          ///< Of long hair, off the skin: tangent of the angle.
 constexpr float kStiffM = 0.03F;        ///< Hair shorter than this stands on its own;
 constexpr float kLimpM = 0.14F;         ///< longer than this lies.
-constexpr float kSideways = 2.4F;       ///< On top of the head, against 1 for down.
-constexpr float kBackward = 1.1F;
+constexpr float kSideways = 4.0F;       ///< At full parting, on top and at the forehead, against 1 for down.
+constexpr float kBackward = 3.6F;       ///< At full sweep.
 
 float smooth(float from, float to, float x)
 {
@@ -34,7 +34,11 @@ glm::vec3 lieDirection(const StrandRoot& root)
     const glm::vec3 n = root.normalHd;
     const float up = std::clamp(n.y, 0.0F, 1.0F);
     const float side = root.positionHd.x + (root.hash01 - 0.5F) * kPartingBlurM < 0.0F ? -1.0F : 1.0F;
-    const glm::vec3 combed(kSideways * up * side, -1.0F, -kBackward * up);
+    const float front = std::clamp(n.z, 0.0F, 1.0F);
+    const float combing = std::max(up, front);
+    // Over the face nothing falls straight down once it is combed at all.
+    const float down = 1.0F - front * std::min(1.0F, root.parting + root.sweepBack);
+    const glm::vec3 combed(kSideways * root.parting * combing * side, -down, -kBackward * root.sweepBack * combing);
     const glm::vec3 along = unitOr(combed - n * glm::dot(combed, n), glm::vec3(side, 0.0F, 0.0F));
     const float loose = 1.0F - root.gel;
     const float laid = loose * loose * (1.0F - root.body) * smooth(kStiffM, kLimpM, root.lengthM);

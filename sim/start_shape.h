@@ -14,13 +14,15 @@ struct StrandRoot
     glm::vec3 positionHd{0.0F};
     glm::vec3 normalHd{0.0F, 1.0F, 0.0F};
     float lengthM = 0.0F;
-    float gel = 0.0F;    ///< 0..1
-    float body = 0.0F;   ///< 0..1
-    float hash01 = 0.0F; ///< The strand's own number, 0..1.
+    float gel = 0.0F;       ///< 0..1
+    float body = 0.0F;      ///< 0..1
+    float parting = 0.6F;   ///< 0..1
+    float sweepBack = 0.3F; ///< 0..1
+    float hash01 = 0.0F;    ///< The strand's own number, 0..1.
 };
 
 /// The unit direction in which a strand leaves the skin. Short, gelled or full-bodied hair stands along the normal;
-/// long loose hair lies along the head, parted in the middle and combed back from the forehead. Hd.
+/// long loose hair lies along the head, combed to its side of the middle and back from the face. Hd.
 [[nodiscard]] glm::vec3 lieDirection(const StrandRoot& root);
 
 /// A strand that leaves in direction `lie`, bends toward `downHd` and lies on the ellipsoids (scaled by `scales`), into

@@ -99,6 +99,8 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     root.lengthM = segment * static_cast<float>(groom.nodes - 1);
     root.gel = std::clamp(basis.gel[basisIndex], 0.0F, 1.0F);
     root.body = std::clamp(physics.body, 0.0F, 1.0F);
+    root.parting = std::clamp(physics.parting, 0.0F, 1.0F);
+    root.sweepBack = std::clamp(physics.sweepBack, 0.0F, 1.0F);
     root.hash01 = hash;
     const glm::vec3 lie = lieDirection(root);
     const float hold = holdOf(root.gel, root.body, root.lengthM);

@@ -40,6 +40,8 @@ void visitSettings(Fields& fields, Settings& s)
         inner.number("body", p.body, 0.0F, 1.0F);
         inner.number("friction", p.friction, 0.0F, 1.0F);
         inner.number("volume_m", p.volumeM, 0.0F, 0.05F);
+        inner.number("parting", p.parting, 0.0F, 1.0F);
+        inner.number("sweep_back", p.sweepBack, 0.0F, 1.0F);
     });
     fields.object("material", [&m = s.material](Fields& inner) {
         inner.number("shine", m.shine, 0.0F, 1.0F);
