@@ -27,6 +27,18 @@ rendering::Ring ringAt(const sim::SurfacePoint& point, float radiusM)
     return {.centreHd = point.positionHd, .normalHd = point.normalHd, .radiusM = radiusM};
 }
 
+/// The hair's stage: of a bust the head down to the shoulders, of other heads everything.
+rendering::Camera stageCamera(rendering::StandardView view, const model::Head& head, const sim::HeadMesh& mesh)
+{
+    rendering::Camera camera = rendering::standardCamera(view, mesh);
+    if (head.builtIn) {
+        constexpr float kShownHeightM = 0.5F;
+        camera.targetWo = {0.0F, -0.055F, 0.0F};
+        camera.distanceM = 0.5F * kShownHeightM / std::tan(camera.fieldOfViewRad / 2.0F);
+    }
+    return camera;
+}
+
 /// Where a QOpenGLWidget can't work at all.
 bool headless()
 {
@@ -79,7 +91,8 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
     refreshHead();
     refreshEnvironment();
     if (m_state->scene.head)
-        setCamera(rendering::standardCamera(rendering::StandardView::ThreeQuarter, *m_state->scene.head));
+        setCamera(
+            stageCamera(rendering::StandardView::ThreeQuarter, *state.document().project().head, *m_state->scene.head));
     makePresenter(choice);
 }
 
@@ -93,18 +106,19 @@ void HeadView::makePresenter(PresenterChoice choice)
 {
     bool usesGl = choice == PresenterChoice::Gl && !headless();
     std::unique_ptr<RenderThread> thread;
+    std::optional<RenderStart> start;
     if (!usesGl) {
         thread = std::make_unique<RenderThread>();
         if (choice == PresenterChoice::Automatic && !headless()) {
-            const RenderStart start = thread->waitForStart();
-            usesGl = start.works && !start.software;
+            start = thread->waitForStart();
+            usesGl = start->works && !start->software;
         }
     }
     if (usesGl) {
         thread.reset();
         m_state->presenter = new GlPresenter(this);
     } else {
-        m_state->presenter = new SoftwarePresenter(std::move(thread), this);
+        m_state->presenter = new SoftwarePresenter(std::move(thread), start, this);
     }
     connect(m_state->presenter, &FramePresenter::frameDrawn, this, &HeadView::frameDrawn);
     connect(m_state->presenter, &FramePresenter::failed, this, &HeadView::onPresenterFailed, Qt::QueuedConnection);
@@ -164,7 +178,7 @@ void HeadView::setCamera(const rendering::Camera& camera)
 void HeadView::setView(rendering::StandardView view)
 {
     if (m_state->scene.head)
-        animateTo(rendering::standardCamera(view, *m_state->scene.head));
+        animateTo(stageCamera(view, *m_state->editor.document().project().head, *m_state->scene.head));
 }
 
 void HeadView::resetCamera()
@@ -181,7 +195,8 @@ void HeadView::fit()
     if (!m_state->scene.head)
         return;
     // The whole head from where the camera looks now.
-    rendering::Camera camera = rendering::standardCamera(rendering::StandardView::Front, *m_state->scene.head);
+    rendering::Camera camera =
+        stageCamera(rendering::StandardView::Front, *m_state->editor.document().project().head, *m_state->scene.head);
     camera.azimuthRad = m_state->scene.camera.azimuthRad;
     camera.elevationRad = m_state->scene.camera.elevationRad;
     animateTo(camera);

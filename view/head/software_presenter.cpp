@@ -38,17 +38,23 @@ private:
     QImage m_image;
 };
 
-SoftwarePresenter::SoftwarePresenter(std::unique_ptr<RenderThread> thread, QWidget* parent)
+SoftwarePresenter::SoftwarePresenter(std::unique_ptr<RenderThread> thread, const std::optional<RenderStart>& start,
+                                     QWidget* parent)
     : FramePresenter(parent), m_thread(std::move(thread)), m_canvas(new Canvas(parent))
 {
     connect(m_thread.get(), &RenderThread::frameReady, this, &SoftwarePresenter::onFrameReady);
-    const auto take = [this](const RenderStart& start) {
-        if (start.works)
-            m_description = start.text;
-        else
-            Q_EMIT failed(start.text);
-    };
-    connect(m_thread.get(), &RenderThread::started, this, take);
+    connect(m_thread.get(), &RenderThread::started, this, &SoftwarePresenter::onStarted);
+    if (start) // Said before anybody listened; said again when those who made this do.
+        QMetaObject::invokeMethod(
+            this, [this, known = *start] { onStarted(known); }, Qt::QueuedConnection);
+}
+
+void SoftwarePresenter::onStarted(const RenderStart& start)
+{
+    if (start.works)
+        m_description = start.text;
+    else
+        Q_EMIT failed(start.text);
 }
 
 SoftwarePresenter::~SoftwarePresenter() = default;

@@ -5,6 +5,7 @@
 #include "view/head/render_thread.h"
 
 #include <memory>
+#include <optional>
 
 namespace hairpaint::view {
 
@@ -14,7 +15,8 @@ class SoftwarePresenter : public FramePresenter
 {
     Q_OBJECT
 public:
-    SoftwarePresenter(std::unique_ptr<RenderThread> thread, QWidget* parent);
+    /// `start`: where the thread was waited for already.
+    SoftwarePresenter(std::unique_ptr<RenderThread> thread, const std::optional<RenderStart>& start, QWidget* parent);
     ~SoftwarePresenter() override;
 
     [[nodiscard]] QWidget& widget() override;
@@ -24,6 +26,7 @@ public:
 
 private:
     class Canvas;
+    void onStarted(const RenderStart& start);
     void onFrameReady();
 
     std::unique_ptr<RenderThread> m_thread;

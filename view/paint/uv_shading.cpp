@@ -122,7 +122,7 @@ QImage shadingVeil(const QImage& shading, bool nightPaper, const QColor& outside
 {
     constexpr float kBrightening = 0.34F;
     constexpr float kDarkening = 0.34F;
-    constexpr float kOutside = 0.62F;
+    constexpr float kOutside = 0.85F;
     QImage veil(shading.size(), QImage::Format_ARGB32_Premultiplied);
     for (int y = 0; y < shading.height(); ++y) {
         const std::uint8_t* source = shading.constScanLine(y);
