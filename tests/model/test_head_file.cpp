@@ -1,0 +1,228 @@
+// Heads: the built-in one, our subset of binary glTF, and unit and axis of a foreign mesh.
+#include "model/files/head_file.h"
+#include "model/files/json_fields.h"
+#include "tests/model/sample_project.h"
+#include "tests/support/test_heads.h"
+
+#include <QJsonDocument>
+#include <QTest>
+#include <QtEndian>
+
+#include <functional>
+#include <random>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+
+namespace {
+
+bool sameBytes(const sim::HeadMesh& a, const sim::HeadMesh& b)
+{
+    return a.positionsHd == b.positionsHd && a.normalsHd == b.normalsHd && a.uvs == b.uvs && a.triangles == b.triangles;
+}
+
+QByteArray word(quint32 value)
+{
+    const quint32 little = qToLittleEndian(value);
+    return {reinterpret_cast<const char*>(&little), 4};
+}
+
+/// A glb with another JSON chunk.
+QByteArray withJson(const QByteArray& glb, const std::function<void(QJsonObject&)>& change)
+{
+    const auto length = qFromLittleEndian<quint32>(glb.constData() + 12);
+    QJsonObject root = QJsonDocument::fromJson(glb.sliced(20, length)).object();
+    change(root);
+    QByteArray json = QJsonDocument(root).toJson(QJsonDocument::Compact);
+    while (json.size() % 4 != 0)
+        json.append(' ');
+    const QByteArray bin = glb.sliced(20 + static_cast<qsizetype>(length));
+    return glb.first(8) + word(static_cast<quint32>(20 + json.size() + bin.size())) +
+           word(static_cast<quint32>(json.size())) + glb.sliced(16, 4) + json + bin;
+}
+
+/// Changes one number of an accessor or buffer view.
+std::function<void(QJsonObject&)> setting(const char* list, int place, const char* key, const QJsonValue& value)
+{
+    return [=](QJsonObject& root) {
+        QJsonArray array = root.value(QLatin1String(list)).toArray();
+        QJsonObject object = array.at(place).toObject();
+        object.insert(QLatin1String(key), value);
+        array.replace(place, object);
+        root.insert(QLatin1String(list), array);
+    };
+}
+
+} // namespace
+
+class TestHeadFile : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void theBuiltInHeadIsLoadedOnceAndIsAHead()
+    {
+        const std::shared_ptr<const Head> head = builtInHead();
+        QCOMPARE(head, builtInHead());
+        QCOMPARE(head->name, QStringLiteral("bust-1"));
+        QVERIFY(head->shownMesh->positionsHd.size() > 3 * head->skin->mesh().positionsHd.size());
+        const HeadGuess guess = guessHead(head->skin->mesh());
+        QCOMPARE(guess.unitScale, 1.0F);
+        QVERIFY(guess.upAxis == UpAxis::Y);
+        QVERIFY(builtInEllipsoids().size() >= 3 && builtInEllipsoids().size() <= 8);
+    }
+
+    void aMeshComesBackBitForBit()
+    {
+        for (const sim::HeadMesh& mesh : {test::makeBallHead(16), builtInHead()->skin->mesh()}) {
+            const QByteArray glb = writeGlb(mesh);
+            const Result<sim::HeadMesh> back = readGlb(glb, QStringLiteral("x.glb"));
+            QVERIFY(back);
+            QVERIFY(sameBytes(mesh, *back));
+            QVERIFY(writeGlb(*back) == glb);
+        }
+    }
+
+    void uvsAreTakenFromTheTextureWhereOursAreMissing()
+    {
+        const sim::HeadMesh mesh = test::makeBallHead(8);
+        const QByteArray glb = withJson(writeGlb(mesh), [](QJsonObject& root) {
+            QByteArray text = QJsonDocument(root).toJson();
+            text.replace("\"_UV\"", "\"_OTHER\"");
+            root = QJsonDocument::fromJson(text).object();
+        });
+        const Result<sim::HeadMesh> back = readGlb(glb, QStringLiteral("x.glb"));
+        QVERIFY(back);
+        for (std::size_t i = 0; i < mesh.uvs.size(); ++i)
+            QVERIFY(glm::distance(mesh.uvs[i], back->uvs[i]) < 1e-6F);
+    }
+
+    void aBrokenGlbIsRefused_data()
+    {
+        QTest::addColumn<QByteArray>("glb");
+        const QByteArray good = writeGlb(test::makeBallHead(8));
+        const auto row = [](const char* name, const QByteArray& glb) { QTest::newRow(name) << glb; };
+        row("empty", {});
+        row("a text", "glTF is a nice format");
+        row("only a header", good.first(12));
+        row("cut short", good.chopped(100));
+        row("a byte too many", good + "x");
+        row("no JSON", withJson(good, [](QJsonObject& root) { root = {}; }));
+        row("an accessor that is not there",
+            withJson(good, [](QJsonObject& root) { root.remove(QLatin1String("accessors")); }));
+        row("a count above the buffer", withJson(good, setting("accessors", 1, "count", 1'000'000)));
+        row("a count above the limit", withJson(good, setting("accessors", 1, "count", 4e9)));
+        row("a negative count", withJson(good, setting("accessors", 1, "count", -1)));
+        row("fewer normals", withJson(good, setting("accessors", 2, "count", 3)));
+        row("16-bit indices", withJson(good, setting("accessors", 0, "componentType", 5123)));
+        row("a view outside the buffer", withJson(good, setting("bufferViews", 1, "byteOffset", 1 << 30)));
+        row("a view that overflows", withJson(good, setting("bufferViews", 1, "byteOffset", 9.2e18)));
+        row("a negative view", withJson(good, setting("bufferViews", 1, "byteOffset", -4)));
+        row("interleaved", withJson(good, setting("bufferViews", 1, "byteStride", 32)));
+        row("lines", withJson(good, [](QJsonObject& root) {
+                QByteArray text = QJsonDocument(root).toJson();
+                text.replace("\"mode\": 4", "\"mode\": 1");
+                root = QJsonDocument::fromJson(text).object();
+            }));
+        sim::HeadMesh mesh = test::makeBallHead(8);
+        mesh.triangles[3].y = 100'000;
+        row("an index out of range", writeGlb(mesh));
+        mesh = test::makeBallHead(8);
+        mesh.positionsHd[2].z = std::numeric_limits<float>::quiet_NaN();
+        row("a position that is no number", writeGlb(mesh));
+        mesh.positionsHd[2].z = 1e20F;
+        row("a position light years away", writeGlb(mesh));
+        mesh = test::makeBallHead(8);
+        mesh.uvs[2].x = std::numeric_limits<float>::infinity();
+        row("an endless uv", writeGlb(mesh));
+    }
+    void aBrokenGlbIsRefused()
+    {
+        QFETCH(QByteArray, glb);
+        const Result<sim::HeadMesh> mesh = readGlb(glb, QStringLiteral("head.glb"));
+        QVERIFY(!mesh);
+        QVERIFY(test::isOneSentenceNaming(mesh.error().message, QStringLiteral("head.glb")));
+    }
+
+    void flippedBitsOfAGlbNeverCrash()
+    {
+        const QByteArray good = writeGlb(test::makeBallHead(8));
+        std::mt19937 random(99);
+        for (int round = 0; round < 3000; ++round) {
+            QByteArray glb = good;
+            // Mostly in the JSON, which says where everything lies.
+            const auto range = static_cast<quint32>(round % 4 == 0 ? glb.size() : 1400);
+            for (int flips = 0; flips < 3; ++flips) {
+                const auto at = static_cast<qsizetype>(random() % range);
+                glb[at] = static_cast<char>(glb[at] ^ (1 << (random() % 8)));
+            }
+            const auto mesh = readGlb(glb, QStringLiteral("head.glb"));
+            if (!mesh)
+                QVERIFY(test::isOneSentenceNaming(mesh.error().message, QStringLiteral("head.glb")));
+        }
+    }
+
+    void unitAndAxisAreGuessed_data()
+    {
+        QTest::addColumn<glm::vec3>("size");
+        QTest::addColumn<float>("unitScale");
+        QTest::addColumn<int>("upAxis");
+        const auto row = [](const char* name, glm::vec3 size, float scale, UpAxis axis) {
+            QTest::newRow(name) << size << scale << static_cast<int>(axis);
+        };
+        row("a head in metres", {0.16F, 0.23F, 0.2F}, 1.0F, UpAxis::Y);
+        row("a head in centimetres", {16.0F, 23.0F, 20.0F}, 0.01F, UpAxis::Y);
+        row("a head in millimetres", {160.0F, 230.0F, 200.0F}, 0.001F, UpAxis::Y);
+        row("a head in inches", {6.3F, 9.0F, 7.9F}, 0.0254F, UpAxis::Y);
+        row("a head in metres, z up", {0.16F, 0.2F, 0.23F}, 1.0F, UpAxis::Z);
+        row("a head in centimetres, z up", {16.0F, 20.0F, 23.0F}, 0.01F, UpAxis::Z);
+        row("a bust in metres", {0.45F, 0.55F, 0.25F}, 1.0F, UpAxis::Y);
+        row("a bust in centimetres, z up", {45.0F, 25.0F, 60.0F}, 0.01F, UpAxis::Z);
+        row("a whole figure in metres", {0.6F, 1.8F, 0.3F}, 1.0F, UpAxis::Y);
+        row("nothing", {0.0F, 0.0F, 0.0F}, 1.0F, UpAxis::Y);
+    }
+    void unitAndAxisAreGuessed()
+    {
+        QFETCH(glm::vec3, size);
+        QFETCH(float, unitScale);
+        QFETCH(int, upAxis);
+        sim::HeadMesh mesh = test::makeBallHead(12, 0.5F);
+        for (glm::vec3& p : mesh.positionsHd)
+            p *= size;
+        const HeadGuess guess = guessHead(mesh);
+        QCOMPARE(guess.unitScale, unitScale);
+        QCOMPARE(static_cast<int>(guess.upAxis), upAxis);
+    }
+
+    void scaleAndAxisAreAppliedAndNothingIsCentred()
+    {
+        sim::HeadMesh source = test::makeBallHead(12, 10.0F);
+        for (glm::vec3& p : source.positionsHd)
+            p += glm::vec3(1.0F, 2.0F, 150.0F);
+        const auto head = makeHead(QStringLiteral("ball"), writeGlb(source), 0.01F, UpAxis::Z);
+        QVERIFY(head);
+        const sim::HeadMesh& mesh = (*head)->skin->mesh();
+        for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i) {
+            const glm::vec3 p = source.positionsHd[i];
+            QCOMPARE(mesh.positionsHd[i], glm::vec3(p.x, p.z, -p.y) * 0.01F);
+        }
+        QVERIFY(!(*head)->builtIn);
+        QCOMPARE((*head)->shownMesh.get(), &(*head)->skin->mesh());
+    }
+
+    void aHeadOfAnImpossibleSizeIsRefused_data()
+    {
+        QTest::addColumn<float>("unitScale");
+        QTest::newRow("a kilometre") << 10'000.0F;
+        QTest::newRow("an atom") << 1e-6F;
+    }
+    void aHeadOfAnImpossibleSizeIsRefused()
+    {
+        QFETCH(float, unitScale);
+        const auto head = makeHead(QStringLiteral("ball"), writeGlb(test::makeBallHead(8)), unitScale, UpAxis::Y);
+        QVERIFY(!head);
+        QVERIFY(test::isOneSentenceNaming(head.error().message, QStringLiteral("ball")));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestHeadFile)
+#include "test_head_file.moc"
