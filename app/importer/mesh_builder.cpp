@@ -84,7 +84,10 @@ void MeshBuilder::add(std::array<Corner, 3> triangle)
     const glm::vec3 own(across / length);
     for (Corner& corner : triangle)
         corner.normal = unitNormal(corner.normal, own);
-    m_mesh.triangles.emplace_back(indexOf(triangle[0]), indexOf(triangle[1]), indexOf(triangle[2]));
+    // One after another: the order of arguments is not fixed.
+    const std::uint32_t first = indexOf(triangle[0]);
+    const std::uint32_t second = indexOf(triangle[1]);
+    m_mesh.triangles.emplace_back(first, second, indexOf(triangle[2]));
 }
 
 } // namespace hairpaint::importer

@@ -1,0 +1,206 @@
+// Foreign images through the real helper: every depth, alpha as it stands, damage refused.
+#include "model/files/image_map.h"
+#include "model/files/importer_client.h"
+#include "tests/model/archive_maker.h"
+#include "tests/model/sample_project.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <random>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+
+class TestImportImage : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+    ImporterClient m_client{QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), 60'000};
+
+    [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
+
+    static ForeignImage sample(int channels, bool eightBit)
+    {
+        ForeignImage image{.width = 37, .height = 21, .channels = channels, .pixels = {}};
+        std::mt19937 random(static_cast<unsigned>(channels));
+        for (int i = 0; i < image.width * image.height * channels; ++i) {
+            const auto value = static_cast<std::uint16_t>(random());
+            image.pixels.push_back(eightBit ? static_cast<std::uint16_t>((value >> 8U) * 257U) : value);
+        }
+        // Some pixels are wholly transparent and still have a value.
+        if (channels == 2 || channels == 4)
+            for (std::size_t i = static_cast<std::size_t>(channels) - 1; i < image.pixels.size(); i += 40)
+                image.pixels[i] = 0;
+        return image;
+    }
+
+private Q_SLOTS:
+    void whatIsWrittenReadsBackExactly_data()
+    {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<int>("bits");
+        QTest::addColumn<int>("channels");
+        for (const QString& ending : {QStringLiteral("png"), QStringLiteral("tif")})
+            for (const int bits : {8, 16})
+                for (const int channels : {1, 2, 3, 4})
+                    QTest::addRow("%s, %d bits, %d channels", qPrintable(ending), bits, channels)
+                        << ending << bits << channels;
+        QTest::addRow("exr") << QStringLiteral("exr") << 16 << 3;
+    }
+    void whatIsWrittenReadsBackExactly()
+    {
+        QFETCH(QString, ending);
+        QFETCH(int, bits);
+        QFETCH(int, channels);
+        const ForeignImage image = sample(channels, bits == 8);
+        const QString file = path(QStringLiteral("image.") + ending);
+        const auto written = m_client.writeImage(image, file, bits);
+        QVERIFY2(written, written ? "" : qPrintable(written.error().message));
+        const auto back = m_client.readImage(file);
+        QVERIFY2(back, back ? "" : qPrintable(back.error().message));
+        QCOMPARE(back->width, image.width);
+        QCOMPARE(back->height, image.height);
+        QCOMPARE(back->channels, channels);
+        QVERIFY(back->pixels == image.pixels);
+    }
+
+    void anImageDrawnElsewhereIsReadAsItStands_data()
+    {
+        QTest::addColumn<int>("format");
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<int>("channels");
+        QTest::addColumn<int>("tolerance");
+        QTest::newRow("RGB PNG") << static_cast<int>(QImage::Format_RGB888) << QStringLiteral("png") << 3 << 0;
+        QTest::newRow("RGBA PNG") << static_cast<int>(QImage::Format_RGBA8888) << QStringLiteral("png") << 4 << 0;
+        QTest::newRow("16-bit RGBA PNG") << static_cast<int>(QImage::Format_RGBA64) << QStringLiteral("png") << 4 << 0;
+        QTest::newRow("grey PNG") << static_cast<int>(QImage::Format_Grayscale8) << QStringLiteral("png") << 1 << 0;
+        QTest::newRow("16-bit grey PNG") << static_cast<int>(QImage::Format_Grayscale16) << QStringLiteral("png") << 1
+                                         << 0;
+        QTest::newRow("BMP") << static_cast<int>(QImage::Format_RGB888) << QStringLiteral("bmp") << 3 << 0;
+        QTest::newRow("JPEG") << static_cast<int>(QImage::Format_RGB888) << QStringLiteral("jpg") << 3 << 1800;
+    }
+    void anImageDrawnElsewhereIsReadAsItStands()
+    {
+        QFETCH(int, format);
+        QFETCH(QString, ending);
+        QFETCH(int, channels);
+        QFETCH(int, tolerance);
+        QImage drawn(64, 48, QImage::Format_RGBA64);
+        for (int y = 0; y < 48; ++y)
+            for (int x = 0; x < 64; ++x)
+                drawn.setPixelColor(x, y,
+                                    QColor::fromRgba64(static_cast<quint16>(x * 1000), static_cast<quint16>(y * 1300),
+                                                       30'000, static_cast<quint16>(x < 32 ? 65535 : 20'560)));
+        drawn.convertTo(static_cast<QImage::Format>(format));
+        const QString file = path(QStringLiteral("drawn.") + ending);
+        QVERIFY(drawn.save(file, nullptr, 100));
+        const auto image = m_client.readImage(file);
+        QVERIFY2(image, image ? "" : qPrintable(image.error().message));
+        QCOMPARE(image->channels, channels);
+        for (int y = 0; y < 48; y += 5)
+            for (int x = 0; x < 64; x += 3) {
+                const QRgba64 expected = drawn.pixelColor(x, y).rgba64();
+                const std::uint16_t* pixel = image->pixels.data() + (y * 64 + x) * channels;
+                QVERIFY(std::abs(pixel[0] - expected.red()) <= tolerance);
+                if (channels >= 3)
+                    QVERIFY(std::abs(pixel[1] - expected.green()) <= tolerance &&
+                            std::abs(pixel[2] - expected.blue()) <= tolerance);
+                if (channels == 4)
+                    QCOMPARE(pixel[3], expected.alpha());
+            }
+    }
+
+    void aScaleWrittenAndReadIsTheSameToAStepOfItsDepth_data()
+    {
+        QTest::addColumn<int>("map");
+        QTest::addColumn<int>("bits");
+        for (const MapSpec& spec : mapSpecs())
+            for (const int bits : {8, 16})
+                QTest::addRow("%s, %d bits", spec.id, bits) << static_cast<int>(spec.kind) << bits;
+    }
+    void aScaleWrittenAndReadIsTheSameToAStepOfItsDepth()
+    {
+        QFETCH(int, map);
+        QFETCH(int, bits);
+        const MapSpec& spec = mapSpec(static_cast<MapKind>(map));
+        sim::TiledRaster resolved(256, spec.valueChannels);
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 256; ++x) {
+                sim::Texel texel{};
+                for (std::size_t c = 0; c < static_cast<std::size_t>(spec.valueChannels); ++c)
+                    texel[c] = static_cast<std::uint16_t>(spec.texel == TexelKind::Index ? x / 128 : x * 257 - y);
+                resolved.setTexel(x, y, texel);
+            }
+        const QString file = path(QStringLiteral("scale.png"));
+        QVERIFY(m_client.writeImage(imageFromMap(resolved, spec), file, bits));
+        const auto image = m_client.readImage(file);
+        QVERIFY(image);
+        const auto layer = layerFromImage(*image, spec, false, 0);
+        QVERIFY(layer);
+        const int step = spec.texel == TexelKind::Index ? 0 : bits == 8 ? 257 : 1;
+        for (int i = 0; i < 256 * 256; i += 37)
+            QVERIFY(std::abs(layer->texel(i % 256, i / 256)[0] - resolved.texel(i % 256, i / 256)[0]) <= step);
+    }
+
+    void aDamagedImageIsRefusedOrReadWhole_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::addColumn<QString>("name");
+        QByteArray png;
+        QBuffer buffer(&png);
+        buffer.open(QIODevice::WriteOnly);
+        QImage noise(100, 100, QImage::Format_RGB888);
+        std::mt19937 random(3);
+        for (int i = 0; i < 100 * noise.bytesPerLine(); ++i)
+            noise.bits()[i] = static_cast<uchar>(random());
+        noise.save(&buffer, "png");
+        QTest::newRow("a text named PNG") << QByteArray("not a picture at all") << QStringLiteral("a.png");
+        QTest::newRow("a text") << QByteArray("hello") << QStringLiteral("a.txt");
+        QTest::newRow("a signature") << png.first(8) << QStringLiteral("b.png");
+        QTest::newRow("half a PNG") << png.first(png.size() / 2) << QStringLiteral("c.png");
+        QTest::newRow("a PNG of 2 billion pixels a side")
+            << test::pngSignature() + test::pngHeader(0x7FFFFFFF, 0x7FFFFFFF, 16, 6) + test::pngChunk("IDAT", "x")
+            << QStringLiteral("d.png");
+        QTest::newRow("a PNG of 60000 pixels a side")
+            << test::pngSignature() + test::pngHeader(60'000, 60'000, 8, 2) +
+                   test::pngChunk("IDAT", qCompress(QByteArray(1000, '\0')).sliced(4)) + test::pngChunk("IEND", {})
+            << QStringLiteral("e.png");
+        QTest::newRow("a name of odd characters") << QByteArray("x") << QStringLiteral("a b'ü\n.png");
+    }
+    void aDamagedImageIsRefusedOrReadWhole()
+    {
+        QFETCH(QByteArray, bytes);
+        QFETCH(QString, name);
+        const QString file = path(name);
+        test::writeBytes(file, bytes);
+        const auto image = m_client.readImage(file);
+        QVERIFY(!image);
+        QString shown = file;
+        shown.replace(QLatin1Char('\n'), QLatin1Char('?'));
+        QVERIFY2(test::isOneSentenceNaming(image.error().message, shown), qPrintable(image.error().message));
+    }
+
+    void anEndingThatCannotBeWrittenIsRefused_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("unknown") << QStringLiteral("map.xyz");
+        QTest::newRow("none") << QStringLiteral("map");
+        QTest::newRow("odd") << QStringLiteral("map.p/ng");
+        QTest::newRow("a folder that is not there") << QStringLiteral("none/map.png");
+    }
+    void anEndingThatCannotBeWrittenIsRefused()
+    {
+        QFETCH(QString, name);
+        const auto written = m_client.writeImage(sample(3, false), path(name));
+        QVERIFY(!written);
+        QVERIFY2(test::isOneSentenceNaming(written.error().message, path(name)), qPrintable(written.error().message));
+        QVERIFY(!QFile::exists(path(name)));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestImportImage)
+#include "test_import_image.moc"

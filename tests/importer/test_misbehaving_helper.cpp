@@ -1,0 +1,148 @@
+// A helper that crashes, hangs, eats memory or lies costs one sentence and nothing else.
+#include "model/files/importer_client.h"
+#include "tests/model/archive_maker.h"
+#include "tests/model/sample_project.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+
+class TestMisbehavingHelper : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+    QString m_file;
+
+    static constexpr int kTimeoutMs = 3000;
+    static QString helper() { return QStringLiteral(HAIRPAINT_FAKE_HELPER_PROGRAM); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_file = m_folder.filePath(QStringLiteral("head or map.xyz"));
+        test::writeBytes(m_file, "anything");
+    }
+
+    void aWellBehavedHelperIsBelieved()
+    {
+        qputenv("HAIRPAINT_FAKE_HELPER", "good");
+        const auto image = ImporterClient(helper(), 60'000).readImage(m_file);
+        QVERIFY2(image, image ? "" : qPrintable(image.error().message));
+        QCOMPARE(image->pixels, (std::vector<std::uint16_t>{1, 65535}));
+    }
+
+    void misbehaviourCostsOneSentence_data()
+    {
+        QTest::addColumn<QByteArray>("mode");
+        for (const char* mode : {"abort",
+                                 "silent",
+                                 "exit 3",
+                                 "hang",
+                                 "spin",
+                                 "garbage",
+                                 "endless garbage",
+                                 "half a header",
+                                 "huge length",
+                                 "long body never sent",
+                                 "endless body",
+                                 "bytes after the end",
+                                 "a request for an answer",
+                                 "unknown refusal",
+                                 "another answer",
+                                 "image of wrong size",
+                                 "mesh with a wrong index",
+                                 "mesh with NaN",
+                                 "good, then abort",
+                                 "good, then hang"})
+            QTest::newRow(mode) << QByteArray(mode);
+#if !defined(__SANITIZE_ADDRESS__)
+        QTest::newRow("allocate") << QByteArray("allocate");
+#endif
+    }
+    void misbehaviourCostsOneSentence()
+    {
+        QFETCH(QByteArray, mode);
+        qputenv("HAIRPAINT_FAKE_HELPER", mode);
+        const ImporterClient client(helper(), kTimeoutMs);
+        const auto image = client.readImage(m_file);
+        const bool meshMode = mode.startsWith("mesh");
+        QVERIFY(!image);
+        QVERIFY2(test::isOneSentenceNaming(image.error().message, m_file), qPrintable(image.error().message));
+        if (meshMode) {
+            const auto mesh = client.readMesh(m_file);
+            QVERIFY(!mesh);
+            QVERIFY2(test::isOneSentenceNaming(mesh.error().message, m_file), qPrintable(mesh.error().message));
+        }
+    }
+
+    void nothingIsWrittenWhereEncodingFails_data()
+    {
+        QTest::addColumn<QByteArray>("mode");
+        for (const char* mode : {"abort", "garbage", "silent", "good"})
+            QTest::newRow(mode) << QByteArray(mode);
+    }
+    void nothingIsWrittenWhereEncodingFails()
+    {
+        QFETCH(QByteArray, mode);
+        qputenv("HAIRPAINT_FAKE_HELPER", mode);
+        const QString path = m_folder.filePath(QStringLiteral("map.png"));
+        const ForeignImage image{
+            .width = 400, .height = 300, .channels = 1, .pixels = std::vector<std::uint16_t>(120'000)};
+        const auto written = ImporterClient(helper(), kTimeoutMs).writeImage(image, path);
+        QVERIFY(!written);
+        QVERIFY2(test::isOneSentenceNaming(written.error().message, path), qPrintable(written.error().message));
+        QVERIFY(!QFile::exists(path));
+    }
+
+    void cancellingEndsTheHelper()
+    {
+        qputenv("HAIRPAINT_FAKE_HELPER", "hang");
+        int asked = 0;
+        const auto image = ImporterClient(helper(), 60'000).readImage(m_file, [&asked](double) { return ++asked < 3; });
+        QVERIFY(!image);
+        QCOMPARE(asked, 3);
+        QVERIFY(test::isOneSentenceNaming(image.error().message, m_file));
+    }
+
+    void aHelperThatIsNotThereCostsOneSentence()
+    {
+        const auto image = ImporterClient(m_folder.filePath(QStringLiteral("none"))).readImage(m_file);
+        QVERIFY(!image);
+        QVERIFY2(test::isOneSentenceNaming(image.error().message, m_file), qPrintable(image.error().message));
+    }
+
+    void theHelperIsTakenFromTheEnvironment()
+    {
+        qputenv("HAIRPAINT_FAKE_HELPER", "good");
+        qputenv("HAIRPAINT_IMPORT", helper().toLocal8Bit());
+        const bool read = ImporterClient(QString(), 60'000).readImage(m_file).has_value();
+        qunsetenv("HAIRPAINT_IMPORT");
+        QVERIFY(read);
+    }
+
+    void whatIsNoFileNeedsNoHelper_data()
+    {
+        QTest::addColumn<QString>("path");
+        QTest::newRow("missing") << m_folder.filePath(QStringLiteral("none.png"));
+        QTest::newRow("a folder") << m_folder.path();
+        test::writeBytes(m_folder.filePath(QStringLiteral("empty.png")), {});
+        QTest::newRow("empty") << m_folder.filePath(QStringLiteral("empty.png"));
+    }
+    void whatIsNoFileNeedsNoHelper()
+    {
+        QFETCH(QString, path);
+        qputenv("HAIRPAINT_FAKE_HELPER", "good");
+        const ImporterClient client(helper(), 60'000);
+        const auto image = client.readImage(path);
+        const auto mesh = client.readMesh(path);
+        QVERIFY(!image && !mesh);
+        QVERIFY(test::isOneSentenceNaming(image.error().message, path));
+        QVERIFY(test::isOneSentenceNaming(mesh.error().message, path));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestMisbehavingHelper)
+#include "test_misbehaving_helper.moc"
