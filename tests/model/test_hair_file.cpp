@@ -1,0 +1,212 @@
+// Hair written as `.hair` is the hair that is drawn.
+#include "model/files/hair_file.h"
+#include "sim/simulation.h"
+#include "sim/strand_curve.h"
+#include "tests/model/archive_maker.h"
+#include "tests/model/sample_project.h"
+#include "tests/support/test_heads.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cstring>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+
+namespace {
+
+/// The file, read by the format's definition.
+struct HairFile
+{
+    bool whole = false;
+    quint32 flags = 0;
+    QByteArray text;
+    std::vector<quint16> segments;
+    std::vector<glm::vec3> points;
+    std::vector<float> thickness;
+    std::vector<float> transparency;
+    std::vector<glm::vec3> colours;
+};
+
+HairFile parse(const QByteArray& bytes)
+{
+    HairFile file;
+    if (bytes.size() < 128 || !bytes.startsWith("HAIR"))
+        return file;
+    const auto strands = qFromLittleEndian<quint32>(bytes.constData() + 4);
+    const auto points = qFromLittleEndian<quint32>(bytes.constData() + 8);
+    file.flags = qFromLittleEndian<quint32>(bytes.constData() + 12);
+    file.text = bytes.sliced(40, 88);
+    qsizetype at = 128;
+    const auto take = [&](auto& values, quint32 count) {
+        values.resize(count);
+        const auto length = static_cast<qsizetype>(count * sizeof(values[0]));
+        if (bytes.size() - at < length)
+            return false;
+        std::memcpy(values.data(), bytes.constData() + at, static_cast<std::size_t>(length));
+        at += length;
+        return true;
+    };
+    file.whole = take(file.segments, strands) && take(file.points, points) && take(file.thickness, points) &&
+                 take(file.transparency, points) && take(file.colours, points) && at == bytes.size();
+    return file;
+}
+
+std::shared_ptr<const sim::TiledRaster> flat(int channels, sim::Texel value)
+{
+    return std::make_shared<const sim::TiledRaster>(256, channels, value);
+}
+
+sim::GroupInput group(int id, std::uint16_t density, std::uint16_t length, std::uint16_t curl)
+{
+    sim::GroupInput input;
+    input.id = id;
+    input.settings.greatestDensityPerM2 = 20'000.0F;
+    input.settings.greatestLengthM = 0.2F;
+    input.settings.basisHairs = 256;
+    input.maps = {.density = flat(1, {density}),
+                  .length = flat(1, {length}),
+                  .curl = flat(1, {curl}),
+                  .braid = flat(1, {0}),
+                  .colour = flat(3, {65535, 32896, 0}),
+                  .clump = flat(1, {0}),
+                  .gel = flat(1, {0})};
+    return input;
+}
+
+/// The rest shape.
+sim::StrandFrame frameOf(std::vector<sim::GroupInput> groups)
+{
+    sim::GroomInput input;
+    input.skin = std::make_shared<const sim::Skin>(test::makeBallHead());
+    input.groups = std::move(groups);
+    sim::Simulation simulation;
+    simulation.setInput(input);
+    sim::StrandFrame frame;
+    simulation.writeFrame(frame);
+    return frame;
+}
+
+} // namespace
+
+class TestHairFile : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+
+    [[nodiscard]] QString path() const { return m_folder.filePath(QStringLiteral("a.hair")); }
+    [[nodiscard]] HairFile written(const sim::StrandFrame& frame) const
+    {
+        return writeHairFile(frame, path()) ? parse(test::readBytes(path())) : HairFile{};
+    }
+
+private Q_SLOTS:
+    void theHeaderSaysWhatFollows()
+    {
+        const HairFile file = written(frameOf({group(1, 65535, 65535, 0)}));
+        QVERIFY(file.whole);
+        QCOMPARE(file.flags, 31U);
+        QVERIFY(file.text.contains("metres") && file.text.contains("y up"));
+    }
+
+    void everyDrawnHairIsWritten_data()
+    {
+        QTest::addColumn<int>("density");
+        QTest::addColumn<int>("length");
+        QTest::newRow("all") << 65535 << 65535;
+        QTest::newRow("half") << 32768 << 65535;
+        QTest::newRow("none") << 0 << 65535;
+        QTest::newRow("too short to draw") << 65535 << 10;
+    }
+    void everyDrawnHairIsWritten()
+    {
+        QFETCH(int, density);
+        QFETCH(int, length);
+        const sim::StrandFrame frame =
+            frameOf({group(1, static_cast<std::uint16_t>(density), static_cast<std::uint16_t>(length), 0)});
+        const HairFile file = written(frame);
+        QVERIFY(file.whole);
+        QCOMPARE(file.segments.size(), frame.groups.front().groom->drawnCount);
+        std::size_t points = 0;
+        for (const quint16 segments : file.segments)
+            points += segments + 1U;
+        QCOMPARE(file.points.size(), points);
+    }
+
+    void aStraightHairHasTheLengthOfItsMap()
+    {
+        const HairFile file = written(frameOf({group(1, 65535, 16384, 0)}));
+        QVERIFY(file.whole && !file.segments.empty());
+        std::size_t at = 0;
+        for (const quint16 segments : file.segments) {
+            float length = 0.0F;
+            for (std::size_t i = at; i < at + segments; ++i)
+                length += glm::distance(file.points[i], file.points[i + 1]);
+            QVERIFY(std::abs(length - 0.05F) < 0.0005F);
+            // Roots stand on the ball, tips do not lie inside.
+            QVERIFY(std::abs(glm::length(file.points[at]) - 0.1F) < 0.001F);
+            QVERIFY(glm::length(file.points[at + segments]) > 0.099F);
+            at += segments + 1U;
+        }
+    }
+
+    void curlsHaveMorePointsThanStraightHair()
+    {
+        const HairFile straight = written(frameOf({group(1, 65535, 65535, 0)}));
+        const HairFile curled = written(frameOf({group(1, 65535, 65535, 65535)}));
+        QVERIFY(straight.whole && curled.whole && !straight.segments.empty());
+        QCOMPARE(straight.segments.size(), curled.segments.size());
+        QVERIFY(curled.segments.front() >= 8 * 16);
+    }
+
+    void thicknessTransparencyAndColourRunFromRootToTip()
+    {
+        sim::GroupInput input = group(1, 65535, 65535, 0);
+        input.settings.hairWidthM = 70e-6F;
+        input.settings.material.rootAlpha = 0.75F;
+        input.settings.material.tipAlpha = 0.25F;
+        const HairFile file = written(frameOf({input}));
+        QVERIFY(file.whole && !file.segments.empty());
+        const std::size_t tip = file.segments.front();
+        QCOMPARE(file.thickness[0], 70e-6F);
+        QCOMPARE(file.transparency[0], 0.25F);
+        QCOMPARE(file.transparency[tip], 0.75F);
+        QVERIFY(glm::distance(file.colours[0], glm::vec3(1.0F, 128.0F / 255.0F, 0.0F)) < 0.01F);
+    }
+
+    void groupsFollowEachOtherAndHiddenOnesAreLeftOut()
+    {
+        sim::GroupInput hidden = group(2, 65535, 65535, 0);
+        hidden.visible = false;
+        const HairFile both = written(frameOf({group(1, 65535, 65535, 0), group(3, 65535, 32768, 0)}));
+        const HairFile shown = written(frameOf({group(1, 65535, 65535, 0), hidden, group(3, 65535, 32768, 0)}));
+        QVERIFY(both.whole && shown.whole);
+        QCOMPARE(shown.segments.size(), both.segments.size());
+        const float first = glm::distance(both.points.front(), both.points[both.segments.front()]);
+        const float last =
+            glm::distance(both.points.back(), both.points[both.points.size() - 1 - both.segments.back()]);
+        QVERIFY(std::abs(first - 0.2F) < 0.002F && std::abs(last - 0.1F) < 0.001F);
+    }
+
+    void theSameFrameGivesTheSameBytes()
+    {
+        const std::vector<sim::GroupInput> groups = {group(1, 40'000, 50'000, 30'000)};
+        QVERIFY(writeHairFile(frameOf(groups), path()));
+        const QByteArray once = test::readBytes(path());
+        QVERIFY(writeHairFile(frameOf(groups), path()));
+        QVERIFY(once == test::readBytes(path()) && once.size() > 128);
+    }
+
+    void whereItCannotBeWrittenNothingIs()
+    {
+        const QString nowhere = m_folder.filePath(QStringLiteral("none/a.hair"));
+        const Result<void> result = writeHairFile(frameOf({group(1, 65535, 65535, 0)}), nowhere);
+        QVERIFY(!result);
+        QVERIFY2(test::isOneSentenceNaming(result.error().message, nowhere), qPrintable(result.error().message));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestHairFile)
+#include "test_hair_file.moc"
