@@ -19,7 +19,9 @@ struct Ellipsoid
     friend bool operator==(const Ellipsoid&, const Ellipsoid&) = default;
 };
 
-/// `count` (1..8) ellipsoids that together follow the mesh from inside, for a head that brings none.
+/// At most `count` (1..8) ellipsoids that together follow the mesh from inside, for a head that brings none: fewer
+/// where one more would add next to nothing, none for a mesh without an inside. The mesh may be open at the base. Some
+/// 0.1 s.
 [[nodiscard]] std::vector<Ellipsoid> fitEllipsoids(const HeadMesh& mesh, int count);
 
 } // namespace hairpaint::sim
