@@ -71,24 +71,38 @@ void main()
     ivec2 corner = ivec2(gl_FragCoord.xy) * ivec2(SAMPLES_X, SAMPLES_Y);
     int first = corner.y * int(target.x) + corner.x;
     uint a = samples[first];
+#if SAMPLES_X == 1
     if (shaded && isHead(a))
         skinShade = shadeOfHair(corner);
-#if SAMPLES_X == 1
     srgb = vec4(a == kEmptySample ? backgroundSrgb : fastSrgb(colourOf(a, corner)), 1.0);
 #else
     uint b = samples[first + 1];
 #if SAMPLES_Y == 1
-    srgb = vec4(backgroundSrgb, 1.0);
-    if ((a & b) != kEmptySample)
-        srgb.rgb = fastSrgb(0.5 * (colourOf(a, corner) + colourOf(b, corner + ivec2(1, 0))));
+    uint c = b;
+    uint d = b;
 #else
     uint c = samples[first + int(target.x)];
     uint d = samples[first + int(target.x) + 1];
-    srgb = vec4(backgroundSrgb, 1.0);
-    if ((a & b & c & d) != kEmptySample)
-        srgb.rgb = fastSrgb(0.25 * (colourOf(a, corner) + colourOf(b, corner + ivec2(1, 0))
-                                    + colourOf(c, corner + ivec2(0, 1)) + colourOf(d, corner + ivec2(1, 1))));
 #endif
+    // One place of skin stands for the pixel.
+    if (shaded) {
+        if (isHead(a))
+            skinShade = shadeOfHair(corner);
+        else if (isHead(b))
+            skinShade = shadeOfHair(corner + ivec2(1, 0));
+        else if (isHead(c))
+            skinShade = shadeOfHair(corner + ivec2(0, 1));
+        else if (isHead(d))
+            skinShade = shadeOfHair(corner + ivec2(1, 1));
+    }
+    srgb = vec4(backgroundSrgb, 1.0);
+    if ((a & b & c & d) != kEmptySample) {
+        vec3 sum = colourOf(a, corner) + colourOf(b, corner + ivec2(1, 0));
+#if SAMPLES_Y == 2
+        sum = 0.5 * (sum + colourOf(c, corner + ivec2(0, 1)) + colourOf(d, corner + ivec2(1, 1)));
+#endif
+        srgb.rgb = fastSrgb(0.5 * sum);
+    }
 #endif
     if (ringed)
         for (int i = 0; i < 2; ++i)

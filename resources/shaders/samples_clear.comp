@@ -5,7 +5,7 @@ layout(std430, binding = 0) writeonly buffer Samples { uint samples[]; };
 layout(binding = 0) uniform sampler2D headDepth;
 
 // Hair that lies flat dips into the skin here and there; it is shown all the same.
-const float kSkinDepthM = 0.008;
+const float kSkinDepthM = 0.015;
 
 void main()
 {

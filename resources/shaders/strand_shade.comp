@@ -64,7 +64,7 @@ void main()
     vec3 light = lightWo.xyz;
     float variation = styles[slot].variation * variationScale;
     vec3 hair = mix(colourFromBytes(styles[slot].rootColour), colourFromBytes(styles[slot].tipColour), s);
-    hair *= exp2(variation * 1.8);
+    hair *= exp2(variation * 3.0);
 
     // Light that reaches this place through the other hair: from the light, and from all around on the eye's side.
     // A little before this place, so that a strand does not shade itself.
@@ -75,7 +75,7 @@ void main()
     vec3 outward = position - headWo.xyz;
     outward = outward * inversesqrt(dot(outward, outward) + 1e-8);
     float facing = dot(outward, light);
-    float hemisphere = 0.75 + 0.35 * outward.y;
+    float hemisphere = 0.55 + 0.35 * outward.y;
 
     float tl = dot(tangent, light);
     float tv = dot(tangent, view);
@@ -84,7 +84,8 @@ void main()
     float wrap = clamp(facing * 0.62 + 0.38, 0.0, 1.0);
     float diffuse = (0.35 + 0.65 * sl) * wrap * wrap;
     // A dim fill from the eye shows the hair's form where the light does not reach.
-    float fill = 0.35 * sqrt(max(1.0 - tv * tv, 0.0));
+    float toEye = clamp(dot(outward, view) * 0.7 + 0.3, 0.0, 1.0);
+    float fill = 0.75 * toEye * toEye * sqrt(max(1.0 - tv * tv, 0.0));
 
     // Two highlights: one in the light's colour moved toward the root, a wider one in the hair's toward the tip.
     float width2 = 0.012 + 0.35 * material.y * material.y;
@@ -97,7 +98,7 @@ void main()
 
     // Light bounces from hair to hair: fair hair brightens more than dark.
     vec3 lit = hair * (diffuse * 2.3 * direct * lightColour.rgb + lightWo.w * (hemisphere + fill) * 1.7 * around);
-    lit += lobe * lightColour.rgb * (first1 * vec3(0.16) + second * 0.9 * sqrt(hair) * hair);
+    lit += lobe * lightColour.rgb * (first1 * vec3(0.20) + second * 1.1 * sqrt(hair) * hair);
     lit = lit / (1.0 + 0.35 * max(lit.r, max(lit.g, lit.b)));
 
     uint colour = packColour(lit, unitHash(slot * 257u + (i - first)));

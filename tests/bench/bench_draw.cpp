@@ -1,0 +1,198 @@
+// Drawing: 10,000 hairs of 8 segments off-screen, and beside it what the same segments cost as bare lines of OpenGL.
+#include "sim/deterministic.h"
+#include "sim/strand_frame.h"
+#include "view/rendering/offscreen_context.h"
+#include "view/rendering/renderer.h"
+
+#include <benchmark/benchmark.h>
+#include <epoxy/gl.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace hairpaint {
+
+namespace {
+
+constexpr int kWidth = 1024;
+constexpr int kHeight = 768;
+constexpr std::size_t kHairs = 10000;
+constexpr std::size_t kNodes = 9;
+
+/// Hairs of about 20 cm that hang from a cap.
+std::shared_ptr<const sim::StrandFrame> hangingHair()
+{
+    auto groom = std::make_shared<sim::Groom>();
+    auto roots = std::make_shared<sim::RootSet>();
+    sim::GroupFrame group;
+    groom->groupId = 1;
+    groom->nodes = kNodes;
+    const std::size_t chunks = (kHairs + sim::kChunkSlots - 1) / sim::kChunkSlots;
+    group.positions.resize(chunks * sim::kChunkSlots * kNodes * 3);
+    roots->tangentHd.assign(chunks * sim::kChunkSlots, glm::vec3(1.0F, 0.0F, 0.0F));
+    for (std::size_t c = 0; c < chunks; ++c) {
+        auto chunk = std::make_shared<sim::StrandChunk>();
+        chunk->styles.resize(sim::kChunkSlots);
+        chunk->braidCentre.assign(sim::kChunkSlots, sim::kNoCentre);
+        for (std::size_t slot = 0; slot < sim::kChunkSlots && c * sim::kChunkSlots + slot < kHairs; ++slot) {
+            const std::size_t i = c * sim::kChunkSlots + slot;
+            sim::StrandStyle& style = chunk->styles[slot];
+            style.rootColour = 0xFF203A50U;
+            style.tipColour = 0xFF406A90U;
+            style.widthM = 80e-6F;
+            style.detail = 0.5F;
+            chunk->hairs.set(slot);
+            chunk->drawn.set(slot);
+            const float y = 1.0F - static_cast<float>(i) / static_cast<float>(kHairs);
+            const float angle = static_cast<float>(i) * 2.399963F;
+            const float r = std::sqrt(1.0F - y * y);
+            const glm::vec3 root(0.08F * r * std::sin(angle), 0.11F * y, 0.1F * r * std::cos(angle));
+            const float lift = 1.0F + 0.2F * sim::unitFloat(sim::hash64(1, i));
+            for (std::size_t n = 0; n < kNodes; ++n) {
+                const float s = static_cast<float>(n) / static_cast<float>(kNodes - 1);
+                const float out = lift * (1.0F + 0.3F * s);
+                const glm::vec3 place(root.x * out, root.y + 0.03F * s - 0.22F * s * s, root.z * out);
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    group.positions[((((c * sim::kBlocksPerChunk) + slot / sim::kLanes) * kNodes + n) * 3 + axis) *
+                                        sim::kLanes +
+                                    slot % sim::kLanes] = place[static_cast<int>(axis)];
+            }
+        }
+        groom->chunks.push_back(chunk);
+        groom->chunkPlace.push_back(static_cast<std::int32_t>(c));
+    }
+    groom->placedChunks = static_cast<std::int32_t>(chunks);
+    groom->roots = std::move(roots);
+    groom->hairCount = kHairs;
+    groom->drawnCount = kHairs;
+    group.groom = std::move(groom);
+    auto frame = std::make_shared<sim::StrandFrame>();
+    frame->groups.push_back(std::move(group));
+    return frame;
+}
+
+/// A current context and what failed, if anything.
+std::unique_ptr<rendering::OffscreenContext> currentContext(benchmark::State& state)
+{
+    auto context = rendering::OffscreenContext::create();
+    if (!context || !(*context)->makeCurrent()) {
+        state.SkipWithError("no OpenGL context");
+        return nullptr;
+    }
+    return std::move(*context);
+}
+
+/// Positions are sent anew in every frame, as when the hair moves.
+void drawHairs(benchmark::State& state, int samples)
+{
+    const auto context = currentContext(state);
+    if (!context)
+        return;
+    auto renderer = rendering::Renderer::create();
+    if (!renderer) {
+        state.SkipWithError(renderer.error().c_str());
+        return;
+    }
+    const auto still = hangingHair();
+    const auto moved = std::make_shared<const sim::StrandFrame>(*still);
+    rendering::Scene scene;
+    const rendering::Quality quality{.detail = 1.0F, .samples = samples, .smoothSegments = 8};
+    for (const auto& frame : {still, moved}) {
+        scene.hair = frame;
+        (*renderer)->draw(scene, quality, kWidth, kHeight);
+    }
+    bool odd = false;
+    for (auto _ : state) {
+        odd = !odd;
+        scene.hair = odd ? still : moved;
+        (*renderer)->draw(scene, quality, kWidth, kHeight);
+    }
+    state.SetLabel((*renderer)->description() + ", " + std::to_string(samples) + " samples");
+    state.counters["segments"] = static_cast<double>((*renderer)->statistics().drawnSegments);
+    renderer->reset();
+    context->doneCurrent();
+}
+
+unsigned compiled(unsigned program, unsigned kind, const char* text)
+{
+    const unsigned shader = glCreateShader(kind);
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    glAttachShader(program, shader);
+    glDeleteShader(shader);
+    return program;
+}
+
+/// The limit that drawing by lines meets: no lighting, no thickness, no curve, one sample.
+void drawBareLines(benchmark::State& state)
+{
+    const auto context = currentContext(state);
+    if (!context)
+        return;
+    const auto frame = hangingHair();
+    std::vector<glm::vec3> points;
+    for (std::size_t i = 0; i < kHairs; ++i)
+        for (std::size_t n = 0; n + 1 < kNodes; ++n)
+            for (const std::size_t node : {n, n + 1}) {
+                const float* p = frame->groups[0].positions.data() +
+                                 ((i / sim::kLanes) * kNodes + node) * 3 * sim::kLanes + i % sim::kLanes;
+                points.emplace_back(p[0], p[sim::kLanes], p[2 * sim::kLanes]);
+            }
+    const unsigned program = glCreateProgram();
+    compiled(program, GL_VERTEX_SHADER,
+             "#version 430 core\nlayout(location = 0) in vec3 p; uniform mat4 m; void main() { gl_Position = m * "
+             "vec4(p, 1.0); }");
+    compiled(program, GL_FRAGMENT_SHADER,
+             "#version 430 core\nout vec4 c; void main() { c = vec4(0.5, 0.4, 0.3, 1.0); }");
+    glLinkProgram(program);
+    unsigned names[5] = {};
+    glGenTextures(2, names);
+    const unsigned formats[] = {GL_RGBA8, GL_DEPTH_COMPONENT32F};
+    for (int i = 0; i < 2; ++i) {
+        glBindTexture(GL_TEXTURE_2D, names[i]);
+        glTexStorage2D(GL_TEXTURE_2D, 1, formats[i], kWidth, kHeight);
+    }
+    glGenFramebuffers(1, &names[2]);
+    glBindFramebuffer(GL_FRAMEBUFFER, names[2]);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, names[0], 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, names[1], 0);
+    glGenVertexArrays(1, &names[3]);
+    glBindVertexArray(names[3]);
+    glGenBuffers(1, &names[4]);
+    glBindBuffer(GL_ARRAY_BUFFER, names[4]);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(points.size() * sizeof(glm::vec3)), points.data(),
+                 GL_STATIC_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glViewport(0, 0, kWidth, kHeight);
+    glEnable(GL_DEPTH_TEST);
+    glUseProgram(program);
+    const rendering::Camera camera;
+    const glm::mat4 matrix = camera.projection(static_cast<float>(kWidth) / kHeight) * camera.view();
+    glUniformMatrix4fv(glGetUniformLocation(program, "m"), 1, GL_FALSE, &matrix[0][0]);
+    for (auto _ : state) {
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(points.size()));
+        glFinish();
+    }
+    state.SetLabel(std::string(reinterpret_cast<const char*>(glGetString(GL_RENDERER))) + ", bare GL_LINES");
+    glDeleteProgram(program);
+    glDeleteBuffers(1, &names[4]);
+    glDeleteVertexArrays(1, &names[3]);
+    glDeleteFramebuffers(1, &names[2]);
+    glDeleteTextures(2, names);
+    context->doneCurrent();
+}
+
+[[maybe_unused]] const auto* const kHairsOne = benchmark::RegisterBenchmark("draw/hairs:10000/segments:8", drawHairs, 1)
+                                                   -> Unit(benchmark::kMillisecond) -> UseRealTime();
+[[maybe_unused]] const auto* const kHairsFour =
+    benchmark::RegisterBenchmark("draw/hairs:10000/segments:8/samples:4", drawHairs, 4) -> Unit(benchmark::kMillisecond)
+        -> UseRealTime();
+[[maybe_unused]] const auto* const kLines = benchmark::RegisterBenchmark("draw_limit/lines:80000", drawBareLines)
+                                                -> Unit(benchmark::kMillisecond) -> UseRealTime();
+
+} // namespace
+
+} // namespace hairpaint
