@@ -26,7 +26,7 @@ float shadeOfHair(ivec2 at)
     vec4 wo = vec4(skinWo(at), 1.0);
     float above = texture(opacityToLight, (gridFromWo[0] * wo).xyz).x;
     float before = texture(opacityToEye, (gridFromWo[1] * wo).xyz).x;
-    return (0.35 + 0.65 * exp2(-0.6 * above)) * (0.4 + 0.6 * exp2(-0.8 * before));
+    return (0.35 + 0.65 * exp2(-0.6 * above)) * (0.2 + 0.8 * exp2(-2.0 * before));
 }
 
 // The square root of the linear colour of one sample, squared again.
