@@ -27,7 +27,7 @@ constexpr std::array<const char*, 7> kMapNames{"density", "length", "curl", "bra
 GroomInput startInput()
 {
     GroupInput group = uniformGroup();
-    group.settings.greatestDensityPerM2 = 2e5F;
+    group.settings.greatestDensityPerM2 = 1e5F;
     group.settings.basisHairs = 512;
     group.maps.density = uniformMap(0.6F);
     return inputOf(std::make_shared<const Skin>(makeBallHead(48, 0.1F)), group);
@@ -136,7 +136,7 @@ void TestGroomUpdates::aDabRebuildsTheStrandsUnderItAndNoOthers()
             ++inside;
         }
     }
-    QVERIFY(inside > (isGel ? 0U : 20U));
+    QVERIFY(inside > (isGel ? 0U : 10U));
 }
 
 void TestGroomUpdates::aDabSharesAllOtherChunks()
@@ -197,7 +197,7 @@ void TestGroomUpdates::unchangedValuesInNewTilesRebuildNothing()
 void TestGroomUpdates::randomEditsEqualAFreshBuild_data()
 {
     QTest::addColumn<quint64>("seed");
-    for (quint64 seed = 1; seed <= 6; ++seed)
+    for (quint64 seed = 1; seed <= 5; ++seed)
         QTest::addRow("seed %llu", seed) << seed;
 }
 
@@ -261,7 +261,7 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild_data()
     row("width", [](GroomInput& i) { i.groups[0].settings.hairWidthM = 1e-4F; });
     row("braid spacing", [](GroomInput& i) { i.groups[0].settings.braidSpacingM = 0.05F; });
     row("seed", [](GroomInput& i) { i.seed = 2; });
-    row("limit", [](GroomInput& i) { i.maxHairs = 5000; });
+    row("limit", [](GroomInput& i) { i.maxHairs = 3000; });
     row("skin", [](GroomInput& i) { i.skin = std::make_shared<const Skin>(makeBallHead(30, 0.09F)); });
     row("size of a map", [](GroomInput& i) { i.groups[0].maps.curl = uniformMap(0.4F, 1024); });
 }

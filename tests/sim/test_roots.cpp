@@ -96,7 +96,7 @@ void TestRoots::everyPrefixIsMoreEvenThanRandom()
 {
     QFETCH(int, segments);
     QFETCH(double, share);
-    constexpr std::size_t kCount = 40000;
+    constexpr std::size_t kCount = 20000;
     const auto skin = std::make_shared<const Skin>(makePatchHead(segments));
     const auto roots = buildRoots(skin, kCount, 256, kSeed);
     const auto prefix = static_cast<std::size_t>(share * static_cast<double>(kCount));
