@@ -218,7 +218,7 @@ void HeadView::updateCursor()
     else if (state.keys.holds(Qt::Key_Space) || state.keys.holds(Qt::Key_H))
         shape = Qt::OpenHandCursor;
     else if (hover && hover->area == model::Area::Head)
-        shape = state.scene.ring && missingText().isEmpty() ? Qt::BlankCursor : Qt::CrossCursor;
+        shape = Qt::CrossCursor; // Drawing may be slow, so the ring alone would lag behind the hand.
     if (cursor().shape() != shape)
         setCursor(shape);
 }
