@@ -131,9 +131,9 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
             glm::vec3 p = rest[static_cast<std::size_t>(i)];
             if (i > gathered) {
                 const float along = static_cast<float>((i - gathered) * last) / static_cast<float>(last - gathered);
-                const int segment = std::min(static_cast<int>(along), last - 1);
-                const glm::vec3 a = centre[static_cast<std::size_t>(segment)];
-                const glm::vec3 b = centre[static_cast<std::size_t>(segment + 1)];
+                const auto segment = static_cast<std::size_t>(std::min(static_cast<int>(along), last - 1));
+                const glm::vec3 a = centre[segment];
+                const glm::vec3 b = centre[segment + 1];
                 p = a + (b - a) * (along - static_cast<float>(segment));
             }
             p = world.identity ? p : inWorld(world, p);

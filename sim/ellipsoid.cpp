@@ -16,7 +16,7 @@ constexpr int kCells = 36;
 constexpr float kOutsideCosts = 3.0F; ///< A cell outside the mesh, in cells gained inside.
 constexpr double kLeastGain = 0.004;  ///< Share of the inside that one more ellipsoid must take.
 constexpr float kFirstStep = 0.3F;
-constexpr float kLastStep = 0.01F;
+constexpr int kStepSizes = 7;  ///< Each 0.6 of the one before, down to a hundredth.
 constexpr int kMostRounds = 8; ///< With steps of one size.
 
 /// One change of an ellipsoid in the search: shift, scale of an axis, or turn (by the tangent of half the angle).
@@ -84,7 +84,8 @@ Ellipsoid improved(const SolidGrid& grid, const std::vector<std::uint8_t>& left,
                    const std::array<bool, kMoves>& allowed)
 {
     float bestScore = scoreOf(grid, left, best);
-    for (float step = kFirstStep; step > kLastStep; step *= 0.6F) {
+    float step = kFirstStep;
+    for (int size = 0; size < kStepSizes; ++size, step *= 0.6F) {
         bool any = true;
         for (int round = 0; any && round < kMostRounds; ++round) {
             any = false;

@@ -3,6 +3,7 @@
 #include "sim/parallel.h"
 #include "sim/simulation.h"
 #include "tests/support/painted_ball.h"
+#include "tests/support/strand_frames.h"
 
 #include <QtTest>
 
@@ -19,13 +20,6 @@ constexpr int kHairs = 3000;
 constexpr int kBasis = 700;
 const Wind kBreeze{true, glm::vec3(3.0F, 0.5F, 1.0F), 0.5F, 0.4F};
 
-StrandFrame frameOf(const Simulation& simulation)
-{
-    StrandFrame frame;
-    simulation.writeFrame(frame);
-    return frame;
-}
-
 bool sameBytes(const StrandFrame& a, const StrandFrame& b)
 {
     if (a.groups.size() != b.groups.size())
@@ -37,23 +31,6 @@ bool sameBytes(const StrandFrame& a, const StrandFrame& b)
             return false;
     }
     return true;
-}
-
-/// A slot's nodes in the first group; empty where its chunk has no place.
-std::vector<glm::vec3> nodesOf(const StrandFrame& frame, std::size_t slot)
-{
-    const Groom& groom = *frame.groups.front().groom;
-    const std::int32_t place = groom.chunkPlace[slot / kChunkSlots];
-    if (place < 0 || !groom.chunks[slot / kChunkSlots]->drawn[slot % kChunkSlots])
-        return {};
-    const auto nodes = static_cast<std::size_t>(groom.nodes);
-    const std::size_t block = static_cast<std::size_t>(place) * kBlocksPerChunk + slot % kChunkSlots / kLanes;
-    std::vector<glm::vec3> result;
-    for (std::size_t node = 0; node < nodes; ++node) {
-        const float* at = frame.groups.front().positions.data() + (block * nodes + node) * 3 * kLanes + slot % kLanes;
-        result.emplace_back(at[0], at[kLanes], at[2 * kLanes]);
-    }
-    return result;
 }
 
 /// A simulation in wind for a while, with a turn of the head.
@@ -80,7 +57,6 @@ private Q_SLOTS:
     void aDabLeavesAllOtherStrandsUndisturbed();
     void paintedHairStartsHangingStill();
     void hairThatGrowsIsStretchedAboutItsRoot();
-    void dependentsKeepTheirLengthAndStayOutside();
     void stillHairFallsAsleepAndWakes_data();
     void stillHairFallsAsleepAndWakes();
     void resetGivesTheRestShape();
@@ -240,26 +216,6 @@ void TestSimulation::hairThatGrowsIsStretchedAboutItsRoot()
         stretched += glm::distance(expected, b.back()) < 0.02F ? 1 : 0;
     }
     QVERIFY(stretched > kHairs * 9 / 10);
-}
-
-void TestSimulation::dependentsKeepTheirLengthAndStayOutside()
-{
-    Simulation simulation;
-    simulation.setInput(paintedBall(kHairs, 300));
-    live(simulation, std::vector<double>(60, 1.0 / 60.0));
-    const StrandFrame frame = frameOf(simulation);
-    float worst = 0.0F;
-    float deepest = 0.0F;
-    for (std::size_t slot = 0; slot < kHairs; ++slot) {
-        const std::vector<glm::vec3> nodes = nodesOf(frame, slot);
-        for (std::size_t i = 1; i < nodes.size(); ++i) {
-            const float segment = 0.2F / static_cast<float>(nodes.size() - 1);
-            worst = std::max(worst, std::abs(glm::distance(nodes[i - 1], nodes[i]) / segment - 1.0F));
-            deepest = std::max(deepest, 0.1F - glm::length(nodes[i]));
-        }
-    }
-    QVERIFY2(worst < 1e-4F, qPrintable(QString::number(worst)));
-    QVERIFY2(deepest < 0.003F, qPrintable(QString::number(deepest)));
 }
 
 void TestSimulation::stillHairFallsAsleepAndWakes_data()

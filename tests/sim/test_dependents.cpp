@@ -1,0 +1,100 @@
+// Hairs between the basis hairs: their length, the head, and braids that follow their centre.
+#include "sim/simulation.h"
+#include "tests/support/painted_ball.h"
+#include "tests/support/strand_frames.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace hairpaint::sim;
+using namespace hairpaint::test;
+
+namespace {
+
+constexpr int kHairs = 3000;
+
+void blow(Simulation& simulation)
+{
+    simulation.setWind({true, glm::vec3(3.0F, 0.5F, 1.0F), 0.5F, 0.4F});
+    for (int i = 0; i < 60; ++i)
+        simulation.advance(1.0 / 60.0);
+}
+
+} // namespace
+
+class TestDependents : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void dependentsKeepTheirLengthAndStayOutside();
+    void braidedHairFollowsItsCentre();
+};
+
+void TestDependents::dependentsKeepTheirLengthAndStayOutside()
+{
+    Simulation simulation;
+    simulation.setInput(paintedBall(kHairs, 300));
+    blow(simulation);
+    const StrandFrame frame = frameOf(simulation);
+    float worst = 0.0F;
+    float deepest = 0.0F;
+    for (std::size_t slot = 0; slot < kHairs; ++slot) {
+        const std::vector<glm::vec3> nodes = nodesOf(frame, slot);
+        for (std::size_t i = 1; i < nodes.size(); ++i) {
+            const float segment = 0.2F / static_cast<float>(nodes.size() - 1);
+            worst = std::max(worst, std::abs(glm::distance(nodes[i - 1], nodes[i]) / segment - 1.0F));
+            deepest = std::max(deepest, 0.1F - glm::length(nodes[i]));
+        }
+    }
+    QVERIFY2(worst < 1e-4F, qPrintable(QString::number(worst)));
+    QVERIFY2(deepest < 0.003F, qPrintable(QString::number(deepest)));
+}
+
+void TestDependents::braidedHairFollowsItsCentre()
+{
+    GroomInput input = paintedBall(kHairs, 600);
+    input.groups.front().maps.braid = uniformMap(1, {1});
+    Simulation simulation;
+    simulation.setInput(input);
+    blow(simulation);
+    const StrandFrame frame = frameOf(simulation);
+    const Groom& groom = *frame.groups.front().groom;
+    const int last = groom.nodes - 1;
+    std::size_t braided = 0;
+    glm::vec3 tips[2] = {glm::vec3(0.0F), glm::vec3(0.0F)};
+    std::uint32_t centreOfFirst = kNoCentre;
+    for (std::size_t slot = 0; slot < kHairs; ++slot) {
+        const StrandChunk& chunk = *groom.chunks[slot / kChunkSlots];
+        const std::size_t inChunk = slot % kChunkSlots;
+        const std::uint32_t centre = chunk.braidCentre[inChunk];
+        const std::vector<glm::vec3> nodes = nodesOf(frame, slot);
+        if (nodes.empty() || centre == kNoCentre)
+            continue;
+        // The gathering part lies where it was groomed.
+        const int gathered = static_cast<int>(std::lround(chunk.styles[inChunk].braidStart * static_cast<float>(last)));
+        const auto nodeCount = static_cast<std::size_t>(groom.nodes);
+        for (int node = 0; node <= gathered; ++node) {
+            const float* at = chunk.restPositions.data() +
+                              (inChunk / kLanes * nodeCount + static_cast<std::size_t>(node)) * 3 * kLanes +
+                              inChunk % kLanes;
+            const glm::vec3 rest(at[0], at[kLanes], at[2 * kLanes]);
+            QVERIFY(glm::distance(nodes[static_cast<std::size_t>(node)], rest) < 1e-6F);
+        }
+        // All hairs of one braid end at the same tip.
+        if (gathered < last) {
+            centreOfFirst = centreOfFirst == kNoCentre ? centre : centreOfFirst;
+            if (centre == centreOfFirst) {
+                tips[braided == 0 ? 0 : 1] = nodes.back();
+                if (braided > 0)
+                    QVERIFY(glm::distance(tips[0], tips[1]) < 1e-5F);
+                ++braided;
+            }
+        }
+    }
+    QVERIFY(braided > 10);
+}
+
+QTEST_APPLESS_MAIN(TestDependents)
+#include "test_dependents.moc"
