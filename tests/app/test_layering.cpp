@@ -1,0 +1,80 @@
+// The folders' order: sim <- model <- view <- app, never upward.
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QtTest>
+
+namespace {
+
+struct Layer
+{
+    const char* folder;
+    const char* forbidden; ///< Regular expression over what an include names.
+};
+
+constexpr Layer kLayers[] = {
+    {"sim", R"(^(model|view|app|tests|resources)/|^Q[A-Z]|^(zip|epoxy|OpenImageIO|assimp))"},
+    {"model",
+     R"(^(view|app|tests)/|^(QWidget|QApplication|QMessageBox|QDialog|QOpenGL|OpenImageIO|assimp|epoxy|hwy|tbb))"},
+    {"view", R"(^(app|tests)/|^(OpenImageIO|assimp|zip|hwy|tbb))"},
+    {"view/rendering", R"(^(model|app|tests)/|^view/(?!rendering/)|^Q[A-Z])"},
+    {"app", R"(^tests/)"},
+};
+
+} // namespace
+
+class TestLayering : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void noIncludeGoesUpward_data()
+    {
+        QTest::addColumn<QString>("folder");
+        QTest::addColumn<QString>("forbidden");
+        for (const Layer& layer : kLayers)
+            QTest::newRow(layer.folder) << QString::fromLatin1(layer.folder) << QString::fromLatin1(layer.forbidden);
+    }
+
+    void noIncludeGoesUpward()
+    {
+        QFETCH(QString, folder);
+        QFETCH(QString, forbidden);
+        const QRegularExpression include(QStringLiteral(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])"),
+                                         QRegularExpression::MultilineOption);
+        const QRegularExpression bad(forbidden);
+        int files = 0;
+        QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + folder,
+                          {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
+        while (walk.hasNext()) {
+            QFile file(walk.next());
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            ++files;
+            auto match = include.globalMatch(QString::fromUtf8(file.readAll()));
+            while (match.hasNext()) {
+                const QString name = match.next().captured(1);
+                QVERIFY2(!bad.match(name).hasMatch(),
+                         qPrintable(file.fileName() + QStringLiteral(" includes ") + name));
+            }
+        }
+        QVERIFY(files > 3);
+    }
+
+    void noFileIsOverlong()
+    {
+        for (const char* folder : {"app", "model", "view", "sim", "tests", "resources"}) {
+            QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + QLatin1String(folder),
+                              {QStringLiteral("*.h"), QStringLiteral("*.cpp"), QStringLiteral("*.comp"),
+                               QStringLiteral("*.vert"), QStringLiteral("*.frag"), QStringLiteral("*.glsl")},
+                              QDir::Files, QDirIterator::Subdirectories);
+            while (walk.hasNext()) {
+                QFile file(walk.next());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const qsizetype lines = file.readAll().count('\n');
+                QVERIFY2(lines <= 400, qPrintable(QStringLiteral("%1 has %2 lines").arg(file.fileName()).arg(lines)));
+            }
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLayering)
+#include "test_layering.moc"
