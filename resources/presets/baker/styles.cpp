@@ -44,6 +44,8 @@ ScalarField endingAt(float endY, float greatestM, float shortestM)
 sim::GroupSettings settings(float greatestLengthM, float body, float volumeM)
 {
     sim::GroupSettings result;
+    result.physics.parting = 0.5F;
+    result.physics.sweepBack = 0.9F;
     result.greatestLengthM = greatestLengthM;
     result.physics.body = body;
     result.physics.volumeM = volumeM;
@@ -55,14 +57,14 @@ Style longStraight()
     Style style{.id = "long-straight",
                 .name = QStringLiteral("Long straight"),
                 .tags = {QStringLiteral("long"), QStringLiteral("straight")},
-                .settings = settings(0.42F, 0.10F, 0.010F),
+                .settings = settings(0.50F, 0.19F, 0.010F),
                 .density = scalp(0.85F),
-                .length = endingAt(-0.215F, 0.42F, 0.10F),
+                .length = endingAt(-0.26F, 0.50F, 0.12F),
                 .curl = constant(0.06F),
                 .clump = constant(0.30F),
                 .gel = constant(0.0F),
                 .braid = {},
-                .colour = plain(QColor(0x6B, 0x42, 0x26))};
+                .colour = plain(QColor(0x4E, 0x30, 0x1D))};
     style.settings.greatestCurlRadiusM = 0.010F;
     style.settings.nodesPerHair = 12;
     style.settings.material.shine = 0.6F;
@@ -74,7 +76,7 @@ Style bob()
     Style style{.id = "bob",
                 .name = QStringLiteral("Bob"),
                 .tags = {QStringLiteral("medium"), QStringLiteral("straight")},
-                .settings = settings(0.25F, 0.14F, 0.014F),
+                .settings = settings(0.25F, 0.18F, 0.012F),
                 .density = scalp(0.9F),
                 .length = endingAt(-0.085F, 0.25F, 0.05F),
                 .curl = constant(0.0F),
@@ -94,14 +96,14 @@ Style ringlets()
     Style style{.id = "ringlets",
                 .name = QStringLiteral("Ringlets"),
                 .tags = {QStringLiteral("medium"), QStringLiteral("curly")},
-                .settings = settings(0.30F, 0.20F, 0.020F),
+                .settings = settings(0.30F, 0.18F, 0.020F),
                 .density = scalp(0.6F),
                 .length = endingAt(-0.13F, 0.30F, 0.09F),
                 .curl = constant(0.72F),
                 .clump = constant(0.75F),
                 .gel = constant(0.0F),
                 .braid = {},
-                .colour = plain(QColor(0xA4, 0x4A, 0x22))};
+                .colour = plain(QColor(0x70, 0x30, 0x18))};
     style.settings.greatestCurlRadiusM = 0.018F;
     style.settings.basisHairs = 2048;
     return style;
@@ -144,11 +146,11 @@ Style twoPlaits()
                 .clump = constant(0.0F),
                 .gel = constant(0.0F),
                 .braid = {},
-                .colour = plain(QColor(0x8A, 0x62, 0x38))};
+                .colour = plain(QColor(0x6A, 0x4C, 0x2E))};
     // The parting stays free, so that each side is a region of its own.
-    style.braid = [](const Place& place) { return std::abs(place.positionHd.x) > 0.004F ? 1.0F : 0.0F; };
+    style.braid = [](const Place& place) { return std::abs(place.positionHd.x) > 0.003F ? 1.0F : 0.0F; };
     style.density = [](const Place& place) {
-        return 0.7F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.002F, 0.005F, std::abs(place.positionHd.x));
+        return 0.7F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.0045F, 0.006F, std::abs(place.positionHd.x));
     };
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.016F;
@@ -180,7 +182,7 @@ Style mohawk()
     };
     style.clump = [crest](const Place& place) { return 0.85F * crest(place); };
     style.colour = [crest](const Place& place) {
-        return crest(place) > 0.5F ? QColor(0x2F, 0x9A, 0x8C) : QColor(0x2A, 0x22, 0x1E);
+        return crest(place) > 0.5F ? QColor(0x18, 0x6E, 0x66) : QColor(0x2A, 0x22, 0x1E);
     };
     style.settings.material.tipAlpha = 0.8F;
     style.settings.basisHairs = 2048;
@@ -192,7 +194,7 @@ Style splitDye()
     Style style{.id = "split-dye",
                 .name = QStringLiteral("Split dye"),
                 .tags = {QStringLiteral("medium"), QStringLiteral("wavy"), QStringLiteral("coloured")},
-                .settings = settings(0.34F, 0.16F, 0.014F),
+                .settings = settings(0.34F, 0.18F, 0.014F),
                 .density = scalp(0.85F),
                 .length = endingAt(-0.155F, 0.34F, 0.09F),
                 .curl = constant(0.42F),
@@ -201,7 +203,7 @@ Style splitDye()
                 .braid = {},
                 .colour = {}};
     style.colour = [](const Place& place) {
-        return place.positionHd.x > 0.0F ? QColor(0xC8, 0x36, 0x78) : QColor(0x22, 0x1C, 0x22);
+        return place.positionHd.x > 0.0F ? QColor(0xA0, 0x24, 0x5C) : QColor(0x22, 0x1C, 0x22);
     };
     style.settings.greatestCurlRadiusM = 0.016F;
     style.settings.nodesPerHair = 10;
