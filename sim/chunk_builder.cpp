@@ -54,8 +54,12 @@ public:
             straightRest(placeOf(roots, slot), style.lengthM, nodes);
             const std::uint32_t basis = roots.basisSlot[roots.neighbours[slot][0]];
             const float clump = basis == slot ? 0.0F : m_inputs.maps.clump.scalar(uv);
-            if (clump > 0.0F)
+            if (clump > 0.0F) {
                 clumpRest(placeOf(roots, basis), clump, style.lengthM / static_cast<float>(m_nodes - 1), nodes);
+                // Hairs that lie together curl together: a ringlet is one curl of many hairs.
+                const float basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
+                style.phase = basisPhase + (style.phase - basisPhase) * (1.0F - clump);
+            }
         }
         store(slot, style, nodes, isDrawn, centre);
     }

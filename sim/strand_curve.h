@@ -19,7 +19,7 @@ namespace hairpaint::sim {
 inline constexpr float kCurlEaseShare = 0.25F;
 /// Part of a turn of the braid over which its wisps part where it begins.
 inline constexpr float kBraidEaseTurns = 0.5F;
-inline constexpr float kWispRadiusShare = 0.45F; ///< A wisp's radius in units of r.
+inline constexpr float kWispRadiusShare = 0.6F; ///< A wisp's radius in units of r.
 /// Last share of the braid, a tuft: there the wisps close up to kTuftBraidShare of r while each opens by
 /// kTuftWispShare.
 inline constexpr float kTuftShare = 0.12F;

@@ -11,7 +11,7 @@ layout(std430, binding = 3) writeonly buffer Points { vec4 pointsWo[]; };
 // As in sim/strand_curve.h.
 const float kCurlEaseShare = 0.25;
 const float kBraidEaseTurns = 0.5;
-const float kWispRadiusShare = 0.45;
+const float kWispRadiusShare = 0.6;
 const float kTuftShare = 0.12;
 const float kTuftBraidShare = 0.35;
 const float kTuftWispShare = 1.6;

@@ -44,6 +44,7 @@ ScalarField endingAt(float endY, float greatestM, float shortestM)
 sim::GroupSettings settings(float greatestLengthM, float body, float volumeM)
 {
     sim::GroupSettings result;
+    result.basisHairs = 16384; // Some 3,700 on the scalp, 4 mm apart.
     result.physics.parting = 0.5F;
     result.physics.sweepBack = 0.9F;
     result.greatestLengthM = greatestLengthM;
@@ -99,13 +100,14 @@ Style ringlets()
                 .settings = settings(0.30F, 0.18F, 0.020F),
                 .density = scalp(0.6F),
                 .length = endingAt(-0.13F, 0.30F, 0.09F),
-                .curl = constant(0.72F),
-                .clump = constant(0.75F),
+                .curl = constant(0.66F),
+                .clump = constant(0.93F),
                 .gel = constant(0.0F),
                 .braid = {},
                 .colour = plain(QColor(0x70, 0x30, 0x18))};
     style.settings.greatestCurlRadiusM = 0.018F;
-    style.settings.basisHairs = 2048;
+    // One ringlet a basis hair.
+    style.settings.basisHairs = 1800;
     return style;
 }
 
@@ -148,9 +150,11 @@ Style twoPlaits()
                 .braid = {},
                 .colour = plain(QColor(0x6A, 0x4C, 0x2E))};
     // The parting stays free, so that each side is a region of its own.
-    style.braid = [](const Place& place) { return std::abs(place.positionHd.x) > 0.003F ? 1.0F : 0.0F; };
+    style.braid = [](const Place& place) {
+        return std::abs(place.positionHd.x) > 0.005F && place.scalpM > -0.002F ? 1.0F : 0.0F;
+    };
     style.density = [](const Place& place) {
-        return 0.7F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.0045F, 0.006F, std::abs(place.positionHd.x));
+        return 0.7F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.0052F, 0.0062F, std::abs(place.positionHd.x));
     };
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.016F;
@@ -185,7 +189,6 @@ Style mohawk()
         return crest(place) > 0.5F ? QColor(0x18, 0x6E, 0x66) : QColor(0x2A, 0x22, 0x1E);
     };
     style.settings.material.tipAlpha = 0.8F;
-    style.settings.basisHairs = 2048;
     return style;
 }
 
