@@ -10,6 +10,16 @@
 
 #include <algorithm>
 
+namespace {
+
+/// Q_INIT_RESOURCE works outside of namespaces only.
+void initPresetResources()
+{
+    Q_INIT_RESOURCE(presets);
+}
+
+} // namespace
+
 namespace hairpaint::model {
 
 namespace {
@@ -49,6 +59,7 @@ Result<OpenedPreset> openPreset(const QString& path)
 /// The lines of ":/presets/order.txt", then the others by name.
 QStringList builtInPaths()
 {
+    initPresetResources();
     const QDir folder(kBuiltInFolder);
     QStringList names = folder.entryList({QStringLiteral("*.hairpreset")}, QDir::Files, QDir::Name);
     QStringList ordered;
@@ -69,6 +80,7 @@ QStringList builtInPaths()
 
 Result<Preset> loadPreset(const QString& path)
 {
+    initPresetResources();
     Result<OpenedPreset> opened = openPreset(path);
     if (!opened)
         return tl::unexpected(opened.error());

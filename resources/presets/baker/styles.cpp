@@ -97,7 +97,7 @@ Style ringlets()
     Style style{.id = "ringlets",
                 .name = QStringLiteral("Ringlets"),
                 .tags = {QStringLiteral("medium"), QStringLiteral("curly")},
-                .settings = settings(0.30F, 0.18F, 0.020F),
+                .settings = settings(0.30F, 0.22F, 0.020F),
                 .density = scalp(0.6F),
                 .length = endingAt(-0.13F, 0.30F, 0.09F),
                 .curl = constant(0.66F),
