@@ -13,6 +13,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QMenuBar>
@@ -60,7 +61,15 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     showAreas(Areas::Both);
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    // Everything on the window refers to the session, which as a member goes before the window's children would.
+    qDeleteAll(findChildren<QDialog*>(Qt::FindDirectChildrenOnly));
+    delete takeCentralWidget();
+    for (QObject* source : std::initializer_list<QObject*>{&m_session, &m_session.document(), &m_session.editor(),
+                                                           &m_session.document().undoStack()})
+        source->disconnect(this);
+}
 
 void MainWindow::buildLayout()
 {

@@ -10,15 +10,11 @@
 
 #include <algorithm>
 
-namespace {
-
-/// Q_INIT_RESOURCE works outside of namespaces only.
-void initPresetResources()
+/// Resources of a static library are registered on request; the macro must stand outside every namespace.
+static void initPresetResources() // NOLINT(misc-use-anonymous-namespace)
 {
     Q_INIT_RESOURCE(presets);
 }
-
-} // namespace
 
 namespace hairpaint::model {
 

@@ -134,7 +134,7 @@ private Q_SLOTS:
         key(Qt::Key_1);
         view::HeadView& head = m_window->headView();
         const sim::SurfacePoint crown = *session().document().project().head->skin->atUv({0.5F, 0.47F});
-        const QPoint place = head.positionOf(crown.positionHd).toPoint();
+        const QPoint place = head.positionOf(crown.positionHd).value().toPoint();
         QWidget* target = head.childAt(place) != nullptr ? head.childAt(place) : &head;
         const QPoint local = target->mapFrom(&head, place);
         drag(*target, local, local + QPoint(12, 4));
