@@ -76,8 +76,8 @@ private:
     }
     static std::uint64_t keyOf(glm::ivec3 cell)
     {
-        constexpr int kBias = 1 << 20;
-        const auto part = [](int i) { return static_cast<std::uint64_t>(i + kBias); };
+        constexpr std::uint64_t kBias = 1U << 20U;
+        const auto part = [](int i) { return static_cast<std::uint64_t>(i) + kBias; };
         return (part(cell.z) << 42U) | (part(cell.y) << 21U) | part(cell.x);
     }
 

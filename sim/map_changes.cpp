@@ -40,7 +40,8 @@ TileIndex::TileIndex(std::span<const glm::vec2> uvs, int rasterSize)
     const int across = rasterSize / TiledRaster::kTileSize;
     const auto tileOf = [&](glm::vec2 uv) {
         const glm::ivec2 texel = TiledRaster::footprint(uv, rasterSize) / TiledRaster::kTileSize;
-        return static_cast<std::size_t>(texel.y * across + texel.x);
+        const int tile = texel.y * across + texel.x;
+        return static_cast<std::size_t>(tile);
     };
     m_start.assign(static_cast<std::size_t>(across) * static_cast<std::size_t>(across) + 1, 0);
     for (const glm::vec2& uv : uvs)

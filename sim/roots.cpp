@@ -36,7 +36,7 @@ AreaCurve layOutFaces(const Skin& skin)
     }
     const glm::vec3 extent = highest - lowest;
     const float side = std::max({extent.x, extent.y, extent.z, 1e-20F});
-    constexpr float kLastCell = static_cast<float>((1U << static_cast<unsigned>(kHilbertBits)) - 1);
+    constexpr auto kLastCell = static_cast<float>((1U << static_cast<unsigned>(kHilbertBits)) - 1);
 
     std::vector<std::uint64_t> keys; // Place on the curve, then the face: no ties.
     keys.reserve(mesh.triangles.size());

@@ -67,7 +67,7 @@ glm::vec3 carried(glm::vec3 reference, glm::vec3 lastPoint, glm::vec3 lastTangen
 /// along the third.
 glm::vec3 braidedOffset(const StrandStyle& style, float q)
 {
-    const float wisp = static_cast<float>((style.braid >> 8U) & 3U);
+    const auto wisp = static_cast<float>((style.braid >> 8U) & 3U);
     const float parted = std::min(q * style.braidTurns / kBraidEaseTurns, 1.0F);
     const float tuft = std::max(q - (1.0F - kTuftShare), 0.0F) / kTuftShare;
     const float r = style.braidRadiusM * parted;

@@ -17,7 +17,7 @@ constexpr float kDefaultCurlSize = 0.5F;              ///< The curl-size map's d
 
 std::uint32_t byteOf(float value)
 {
-    return static_cast<std::uint32_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
+    return static_cast<std::uint32_t>(std::floor(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F));
 }
 
 /// 0xAABBGGRR.
@@ -48,7 +48,7 @@ float turnsOfCurl(float value, bool stepped)
     constexpr std::array<float, 6> kTurns{0.0F, 0.5F, 1.0F, 4.0F, 8.0F, 16.0F};
     const float level = std::clamp(value, 0.0F, 1.0F) * 5.0F;
     if (stepped)
-        return kTurns[static_cast<std::size_t>(level + 0.5F)];
+        return kTurns[static_cast<std::size_t>(std::floor(level + 0.5F))];
     const auto below = static_cast<std::size_t>(std::min(level, 4.0F));
     return kTurns[below] + (level - static_cast<float>(below)) * (kTurns[below + 1] - kTurns[below]);
 }

@@ -61,7 +61,7 @@ TiledRaster::TiledRaster(int size, int channels, Texel fill)
     : m_size(size), m_channels(channels), m_tilesAcross(size / kTileSize)
 {
     assert(size >= kTileSize && size % kTileSize == 0 && channels >= 1 && channels <= 4);
-    for (std::size_t channel = static_cast<std::size_t>(channels); channel < fill.size(); ++channel)
+    for (auto channel = static_cast<std::size_t>(channels); channel < fill.size(); ++channel)
         fill[channel] = 0;
     auto tile = std::make_shared<RasterTile>();
     tile->uniform = fill;
