@@ -80,15 +80,14 @@ void HeadLayer::upload(const sim::HeadMesh& head)
     m_indexCount = static_cast<int>(head.triangles.size() * 3);
     m_closed = isClosed(head);
     glBindVertexArray(m_vertexArray.id());
-    glBindBuffer(GL_ARRAY_BUFFER, m_vertices.id());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.id());
+    glBindVertexBuffer(0, m_vertices.id(), 0, sizeof(Vertex));
     for (unsigned attribute = 0; attribute < 2; ++attribute) {
         glEnableVertexAttribArray(attribute);
-        glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                              reinterpret_cast<const void*>(attribute * sizeof(glm::vec3)));
+        glVertexAttribFormat(attribute, 3, GL_FLOAT, GL_FALSE, attribute * static_cast<unsigned>(sizeof(glm::vec3)));
+        glVertexAttribBinding(attribute, 0);
     }
     glBindVertexArray(0);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head, const FrameConstants& constants)

@@ -58,7 +58,7 @@ EGLDisplay deviceDisplay()
         return EGL_NO_DISPLAY;
     for (EGLint i = 0; i < count; ++i) {
         EGLDeviceEXT device = devices.at(static_cast<std::size_t>(i));
-        const EGLDisplay display = initialised(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+        EGLDisplay display = initialised(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
         if (display != EGL_NO_DISPLAY)
             return display;
     }
@@ -96,8 +96,8 @@ tl::expected<std::unique_ptr<OffscreenContext>, std::string> OffscreenContext::c
     if (!epoxy_has_egl())
         return tl::unexpected(std::string("EGL is not installed."));
     for (const auto candidate : {surfacelessDisplay, deviceDisplay}) {
-        const EGLDisplay display = candidate();
-        const EGLContext context = makeContext(display);
+        EGLDisplay display = candidate();
+        EGLContext context = makeContext(display);
         if (context != EGL_NO_CONTEXT)
             return std::make_unique<EglContext>(display, context);
     }
