@@ -58,9 +58,19 @@ AboutDialog::AboutDialog(const QString& version, const QString& renderer, QWidge
     layout->addWidget(makeText(facts, "dim", this));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     buttons->button(QDialogButtonBox::Close)->setText(tr("Close"));
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
-    setFixedWidth(440);
+    constexpr int kWidth = 440;
+    setFixedWidth(kWidth);
+}
+
+void AboutDialog::showEvent(QShowEvent* event)
+{
+    // Only now do the labels have their fonts, and wrapped text is as high as they make it.
+    layout()->invalidate();
+    setFixedHeight(layout()->totalHeightForWidth(width()));
+    QDialog::showEvent(event);
 }
 
 } // namespace hairpaint::view

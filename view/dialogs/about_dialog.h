@@ -11,6 +11,9 @@ class AboutDialog : public QDialog
 public:
     /// `renderer`: what draws the 3D area; left out where empty.
     explicit AboutDialog(const QString& version, const QString& renderer = {}, QWidget* parent = nullptr);
+
+protected:
+    void showEvent(QShowEvent* event) override;
 };
 
 } // namespace hairpaint::view

@@ -91,7 +91,7 @@ QFormLayout* HeadImportDialog::buildForm()
 {
     auto* form = new QFormLayout;
     form->setSpacing(metrics::kGap);
-    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_unit = new QComboBox(this);
     for (const Unit& unit : kUnits)
         m_unit->addItem(tr(unit.title), unit.metres);

@@ -8,17 +8,49 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace hairpaint::view {
 
 namespace {
 
-constexpr std::size_t kMostFaces = 20'000; ///< Of larger meshes every so many-th face is drawn.
-
 glm::vec3 turned(glm::vec3 position, model::UpAxis axis)
 {
     return axis == model::UpAxis::Y ? position : glm::vec3(position.x, position.z, -position.y);
+}
+
+/// Fills the pixels whose middles lie in the triangle (pixels, depth toward the eye), where it is nearest.
+void fill(QImage& image, std::vector<float>& depths, const std::array<glm::vec3, 3>& corners, QRgb colour)
+{
+    const auto edge = [](glm::vec3 a, glm::vec3 b, glm::vec2 p) {
+        return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    };
+    const auto& [a, b, c] = corners;
+    const float area = edge(a, b, glm::vec2(c));
+    if (area == 0.0F)
+        return;
+    const glm::vec3 low = glm::min(a, glm::min(b, c));
+    const glm::vec3 high = glm::max(a, glm::max(b, c));
+    const int x1 = std::min(static_cast<int>(high.x), image.width() - 1);
+    const int y1 = std::min(static_cast<int>(high.y), image.height() - 1);
+    for (int y = std::max(static_cast<int>(low.y), 0); y <= y1; ++y) {
+        for (int x = std::max(static_cast<int>(low.x), 0); x <= x1; ++x) {
+            const glm::vec2 middle(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+            const float wa = edge(b, c, middle) / area;
+            const float wb = edge(c, a, middle) / area;
+            const float wc = 1.0F - wa - wb;
+            if (wa < 0.0F || wb < 0.0F || wc < 0.0F)
+                continue;
+            const float depth = wa * a.z + wb * b.z + wc * c.z;
+            float& nearest = depths[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width()) +
+                                    static_cast<std::size_t>(x)];
+            if (depth <= nearest)
+                continue;
+            nearest = depth;
+            image.setPixel(x, y, colour);
+        }
+    }
 }
 
 } // namespace
@@ -34,7 +66,45 @@ void MeshSilhouette::setUpAxis(model::UpAxis axis)
     if (axis == m_axis)
         return;
     m_axis = axis;
+    m_picture = {};
     update();
+}
+
+QImage MeshSilhouette::picture(QSize pixels) const
+{
+    const Theme theme = Theme::current();
+    QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    if (m_mesh.positionsHd.empty())
+        return image;
+    glm::vec3 low = turned(m_mesh.positionsHd.front(), m_axis);
+    glm::vec3 high = low;
+    for (const glm::vec3& position : m_mesh.positionsHd) {
+        low = glm::min(low, turned(position, m_axis));
+        high = glm::max(high, turned(position, m_axis));
+    }
+    const glm::vec3 size = glm::max(high - low, glm::vec3(1e-6F));
+    const glm::vec2 room(static_cast<float>(pixels.width()), static_cast<float>(pixels.height()));
+    const float scale = 0.88F * std::min(room.x / size.x, room.y / size.y);
+    const glm::vec3 middle = (low + high) * 0.5F;
+    std::vector<float> depths(static_cast<std::size_t>(pixels.width()) * static_cast<std::size_t>(pixels.height()),
+                              std::numeric_limits<float>::lowest());
+    for (const glm::uvec3& triangle : m_mesh.triangles) {
+        std::array<glm::vec3, 3> corners{};
+        for (int i = 0; i < 3; ++i) {
+            const glm::vec3 position = turned(m_mesh.positionsHd[triangle[i]], m_axis) - middle;
+            corners[static_cast<std::size_t>(i)] = {room.x * 0.5F + position.x * scale,
+                                                    room.y * 0.5F - position.y * scale, position.z * scale};
+        }
+        glm::vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const float length = glm::length(normal);
+        if (length <= 0.0F)
+            continue;
+        normal = normal.z < 0.0F ? normal / -length : normal / length;
+        const auto light = static_cast<double>(glm::dot(normal, glm::vec3(0.35F, -0.45F, 0.82F)));
+        fill(image, depths, corners, mixed(theme.line, theme.text, 0.1 + 0.75 * std::clamp(light, 0.0, 1.0)).rgb());
+    }
+    return image;
 }
 
 void MeshSilhouette::paintEvent(QPaintEvent* /*event*/)
@@ -45,49 +115,10 @@ void MeshSilhouette::paintEvent(QPaintEvent* /*event*/)
     painter.setPen(QPen(theme.line, 1.0));
     painter.setBrush(theme.panel);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), metrics::kRadius, metrics::kRadius);
-    if (m_mesh.positionsHd.empty())
-        return;
-    glm::vec3 low = turned(m_mesh.positionsHd.front(), m_axis);
-    glm::vec3 high = low;
-    for (const glm::vec3& position : m_mesh.positionsHd) {
-        low = glm::min(low, turned(position, m_axis));
-        high = glm::max(high, turned(position, m_axis));
-    }
-    const glm::vec3 size = glm::max(high - low, glm::vec3(1e-6F));
-    const double scale =
-        std::min((width() - 24.0) / static_cast<double>(size.x), (height() - 24.0) / static_cast<double>(size.y));
-    const glm::vec3 middle = (low + high) * 0.5F;
-    const auto place = [&](glm::vec3 position) {
-        return QPointF(width() / 2.0 + static_cast<double>(position.x - middle.x) * scale,
-                       height() / 2.0 - static_cast<double>(position.y - middle.y) * scale);
-    };
-    struct Face
-    {
-        std::array<QPointF, 3> corners;
-        float depth;
-        double light;
-    };
-    std::vector<Face> faces;
-    const std::size_t step = m_mesh.triangles.size() / kMostFaces + 1;
-    for (std::size_t i = 0; i < m_mesh.triangles.size(); i += step) {
-        const glm::uvec3 triangle = m_mesh.triangles[i];
-        const glm::vec3 a = turned(m_mesh.positionsHd[triangle.x], m_axis);
-        const glm::vec3 b = turned(m_mesh.positionsHd[triangle.y], m_axis);
-        const glm::vec3 c = turned(m_mesh.positionsHd[triangle.z], m_axis);
-        const glm::vec3 normal = glm::cross(b - a, c - a);
-        const float length = glm::length(normal);
-        if (length <= 0.0F || normal.z <= 0.0F)
-            continue;
-        const double light = static_cast<double>(glm::dot(normal / length, glm::vec3(0.35F, 0.45F, 0.82F)));
-        faces.push_back({{place(a), place(b), place(c)}, a.z + b.z + c.z, std::clamp(light, 0.0, 1.0)});
-    }
-    std::ranges::sort(faces, {}, &Face::depth);
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(Qt::NoPen);
-    for (const Face& face : faces) {
-        painter.setBrush(mixed(theme.line, theme.text, 0.15 + 0.75 * face.light));
-        painter.drawConvexPolygon(face.corners.data(), 3);
-    }
+    const QSize pixels = size() * devicePixelRatioF();
+    if (m_picture.size() != pixels)
+        m_picture = picture(pixels);
+    painter.drawImage(QRectF(rect()), m_picture);
 }
 
 } // namespace hairpaint::view

@@ -4,6 +4,7 @@
 #include "model/project.h"
 #include "sim/head_mesh.h"
 
+#include <QImage>
 #include <QWidget>
 
 namespace hairpaint::view {
@@ -22,7 +23,10 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    [[nodiscard]] QImage picture(QSize pixels) const;
+
     const sim::HeadMesh& m_mesh;
+    QImage m_picture;
     model::UpAxis m_axis = model::UpAxis::Y;
 };
 

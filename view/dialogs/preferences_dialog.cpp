@@ -7,6 +7,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -25,6 +26,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, std::vector
     layout->setSpacing(metrics::kPadding);
     auto* pages = new QTabWidget(this);
     pages->setDocumentMode(true);
+    pages->tabBar()->setDrawBase(false);
     pages->addTab(buildGeneral(languages), tr("General"));
     pages->addTab(buildKeys(), tr("Keys"));
     layout->addWidget(pages);
@@ -44,7 +46,7 @@ QWidget* PreferencesDialog::buildGeneral(const std::vector<std::pair<QString, QS
     auto* form = new QFormLayout(page);
     form->setContentsMargins(metrics::kPadding, 16, metrics::kPadding, metrics::kPadding);
     form->setSpacing(metrics::kGap);
-    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_theme = new QComboBox(page);
     m_theme->addItem(tr("Dark"), static_cast<int>(ThemeKind::Dark));
     m_theme->addItem(tr("Light"), static_cast<int>(ThemeKind::Light));

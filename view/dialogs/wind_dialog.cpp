@@ -29,7 +29,7 @@ WindDialog::WindDialog(EditorState& state, QWidget* parent) : QDialog(parent), m
     layout->setContentsMargins(metrics::kPadding, metrics::kPadding, metrics::kPadding, metrics::kPadding);
     layout->setSpacing(metrics::kGap);
     m_enabled = new QCheckBox(tr("Wind &blows"), this);
-    layout->addWidget(m_enabled);
+    layout->addWidget(m_enabled, 0, Qt::AlignLeft);
     auto* row = new QHBoxLayout;
     row->setSpacing(metrics::kPadding);
     m_ball = new DirectionBall(DirectionBall::Meaning::Toward, this);

@@ -112,14 +112,11 @@ void LayerList::keyPressEvent(QKeyEvent* event)
     QListWidget::keyPressEvent(event);
 }
 
-void LayerList::dropEvent(QDropEvent* event)
+bool LayerList::dropAt(QPoint position)
 {
     QListWidgetItem* dragged = currentItem();
-    if (event->source() != this || dragged == nullptr) {
-        event->ignore();
-        return;
-    }
-    const QPoint position = event->position().toPoint();
+    if (dragged == nullptr)
+        return false;
     const int from = row(dragged);
     int to = count();
     if (const QListWidgetItem* under = itemAt(position)) {
@@ -128,11 +125,22 @@ void LayerList::dropEvent(QDropEvent* event)
     }
     if (to > from)
         --to;
+    if (to == from)
+        return false;
+    Q_EMIT moveWanted(dragged->data(IdRole).toInt(), to);
+    return true;
+}
+
+void LayerList::dropEvent(QDropEvent* event)
+{
+    if (event->source() != this) {
+        event->ignore();
+        return;
+    }
     // The document moves the layer and the rows follow it; nothing is moved here.
     event->setDropAction(Qt::IgnoreAction);
     event->accept();
-    if (to != from)
-        Q_EMIT moveWanted(dragged->data(IdRole).toInt(), to);
+    dropAt(event->position().toPoint());
 }
 
 } // namespace hairpaint::view

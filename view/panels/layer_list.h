@@ -29,6 +29,8 @@ public:
     [[nodiscard]] int rowHeight() const { return m_rows == Rows::Layers ? 36 : 28; }
     [[nodiscard]] model::Id idAt(int row) const;
     static constexpr int kThumbnailSide = 28;
+    /// Lets the current row go at a place in the list; false where it stays.
+    bool dropAt(QPoint position);
     /// Where the eye and the lock lie in a row.
     [[nodiscard]] static QRect eyeRect(const QRect& row);
     [[nodiscard]] static QRect lockRect(const QRect& row);

@@ -30,6 +30,8 @@ namespace {
 
 constexpr double kCm = 100.0;
 constexpr double kPercent = 100.0;
+constexpr int kSliderWidth = 160; ///< Where there is room.
+constexpr int kValueWidth = 240;
 
 const sim::GroupSettings& settingsOf(const EditorState& state)
 {
@@ -43,7 +45,7 @@ BarSlider* percentSlider(const QString& label, QWidget* parent)
     auto* slider = new BarSlider(label, parent);
     slider->setRange(0.0, kPercent);
     slider->setUnit(QStringLiteral("%"));
-    slider->setMaximumWidth(160);
+    slider->setPreferredWidth(kSliderWidth);
     return slider;
 }
 
@@ -71,22 +73,22 @@ OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     setAttribute(Qt::WA_StyledBackground);
     setFixedHeight(metrics::kOptionBar);
     setAccessibleName(tr("Tool options"));
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(metrics::kPadding, 0, metrics::kPadding, 1);
-    layout->setSpacing(metrics::kGap);
+    m_row = new QHBoxLayout(this);
+    m_row->setContentsMargins(metrics::kPadding, 0, metrics::kPadding, 1);
+    m_row->setSpacing(metrics::kGap);
     m_toolIcon = new QLabel(this);
     m_toolName = new QLabel(this);
     m_toolName->setMinimumWidth(56);
-    layout->addWidget(m_toolIcon);
-    layout->addWidget(m_toolName);
+    m_row->addWidget(m_toolIcon);
+    m_row->addWidget(m_toolName);
     auto* line = new QFrame(this);
     line->setObjectName(QStringLiteral("separator"));
     line->setFixedSize(1, metrics::kIcon);
-    layout->addWidget(line);
+    m_row->addWidget(line);
     buildValue();
     buildKinds();
     buildBrush();
-    layout->addStretch(1);
+    m_row->addStretch(1);
 
     connect(&state, &EditorState::activeToolChanged, this, &OptionBar::showOptions);
     connect(&state, &EditorState::toolSettingsChanged, this, &OptionBar::follow);
@@ -104,12 +106,14 @@ void OptionBar::buildValue()
     m_valueBox = box(this);
     m_badge = new MapBadge(m_state.activeMap(), m_valueBox);
     m_scalar = new BarSlider(tr("Value"), m_valueBox);
-    m_scalar->setMinimumWidth(150);
-    m_scalar->setMaximumWidth(220);
+    m_scalar->setPreferredWidth(kValueWidth);
     m_valueButton = new QToolButton(m_valueBox);
     m_valueButton->setObjectName(QStringLiteral("valueButton"));
-    m_valueButton->setPopupMode(QToolButton::InstantPopup);
+    m_valueButton->setIcon(icon(QStringLiteral("chevron-down")));
+    m_valueButton->setIconSize(QSize(16, 16));
     m_valueButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    // The arrow stands behind the text.
+    m_valueButton->setLayoutDirection(Qt::RightToLeft);
     m_valueButton->setFixedHeight(metrics::kRow);
     m_valueButton->setFocusPolicy(Qt::TabFocus);
     m_valueButton->setToolTip(tr("Choose the value from the palette"));
@@ -122,9 +126,9 @@ void OptionBar::buildValue()
     connect(m_valueButton, &QToolButton::clicked, this, &OptionBar::showPalette);
     m_valueBox->layout()->addWidget(m_badge);
     m_valueBox->layout()->addWidget(m_scalar);
-    m_valueBox->layout()->addWidget(m_valueButton);
     m_valueBox->layout()->addWidget(new ValuePair(m_state, m_valueBox));
-    layout()->addWidget(m_valueBox);
+    m_valueBox->layout()->addWidget(m_valueButton);
+    m_row->addWidget(m_valueBox);
 }
 
 void OptionBar::buildBrush()
@@ -134,7 +138,7 @@ void OptionBar::buildBrush()
     m_size->setExponent(2.5);
     m_size->setUnit(tr("cm"));
     m_size->setDefaultValue(static_cast<double>(ToolSettings{}.brushSizeM) * kCm);
-    m_size->setMaximumWidth(160);
+    m_size->setPreferredWidth(kSliderWidth);
     m_hardness = percentSlider(tr("Hardness"), this);
     m_hardness->setDefaultValue(static_cast<double>(ToolSettings{}.hardness) * kPercent);
     m_opacity = percentSlider(tr("Opacity"), this);
@@ -163,8 +167,9 @@ void OptionBar::buildBrush()
             [this](bool on) { change([on](ToolSettings& settings) { settings.pressureOpacity = on; }); });
     m_pressureBox->layout()->addWidget(m_pressureSize);
     m_pressureBox->layout()->addWidget(m_pressureOpacity);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_size, m_hardness, m_opacity, m_tolerance, m_pressureBox})
-        layout()->addWidget(widget);
+    for (BarSlider* slider : {m_size, m_hardness, m_opacity, m_tolerance})
+        m_row->addWidget(slider);
+    m_row->addWidget(m_pressureBox);
 }
 
 void OptionBar::buildKinds()
@@ -181,7 +186,7 @@ void OptionBar::buildKinds()
             parent->layout()->addWidget(button);
             buttons.push_back(button);
         }
-        layout()->addWidget(parent);
+        m_row->addWidget(parent);
     };
     kinds(m_shapeBox, m_shapes,
           {{QStringLiteral("shape-rectangle"), tr("Rectangle")},
@@ -239,10 +244,6 @@ void OptionBar::follow()
         m_scalar->setValue(shownValue(group, spec.kind, static_cast<double>(value.scalar)));
     }
     m_valueButton->setText(scalar ? QString() : valueText(group, spec, value));
-    QPixmap colour(QSize(16, 16) * devicePixelRatioF());
-    colour.setDevicePixelRatio(devicePixelRatioF());
-    colour.fill(valueColour(spec, value, m_state.nightPaper()));
-    m_valueButton->setIcon(QIcon(colour));
     m_valueButton->setAccessibleName(tr("Palette, %1").arg(valueText(group, spec, value)));
     m_size->setValue(static_cast<double>(settings.brushSizeM) * kCm);
     m_hardness->setValue(static_cast<double>(settings.hardness) * kPercent);

@@ -7,6 +7,7 @@
 
 #include <functional>
 
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
@@ -36,6 +37,7 @@ private:
     void change(const std::function<void(model::ToolSettings&)>& edit);
 
     EditorState& m_state;
+    QHBoxLayout* m_row = nullptr;
     QLabel* m_toolIcon = nullptr;
     QLabel* m_toolName = nullptr;
     QWidget* m_valueBox = nullptr;

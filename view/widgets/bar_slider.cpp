@@ -92,6 +92,13 @@ void BarSlider::setGradient(const QList<QColor>& colours)
     update();
 }
 
+void BarSlider::setPreferredWidth(int width)
+{
+    m_preferredWidth = width;
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    updateGeometry();
+}
+
 void BarSlider::setHint(const QString& hint)
 {
     m_hint = hint;

@@ -34,6 +34,7 @@ public:
     void setExponent(double exponent);
     void setDefaultValue(double value); ///< What right-click resets to.
     void setLabel(const QString& label);
+    void setPreferredWidth(int width); ///< Of the size hint; the least width is what label and value need.
     void setHint(const QString& hint); ///< What the value does; in the tooltip.
     [[nodiscard]] const QString& label() const { return m_label; }
     /// Fills the whole bar with a map's scale, from the smallest to the greatest value; empty for the plain fill.
@@ -82,6 +83,7 @@ private:
 
     QString m_label;
     QString m_hint;
+    int m_preferredWidth = 0;
     QString m_unit;
     double m_minimum = 0.0;
     double m_maximum = 1.0;

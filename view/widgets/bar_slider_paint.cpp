@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hairpaint::view {
@@ -16,11 +17,12 @@ namespace {
 
 constexpr int kInset = 8;
 
-QColor gradientAt(const QList<QColor>& colours, double fraction)
+constexpr int kScaleHeight = 7; ///< Of the strip that shows a map's scale, under the text.
+
+/// Degrees stand against their number, other units a thin space away.
+QString spacedUnit(const QString& unit)
 {
-    const double place = fraction * static_cast<double>(colours.size() - 1);
-    const auto index = std::min(static_cast<qsizetype>(place), colours.size() - 2);
-    return mixed(colours[index], colours[index + 1], place - static_cast<double>(index));
+    return unit.isEmpty() || unit == QStringLiteral("°") ? unit : QChar(0x2009) + unit;
 }
 
 } // namespace
@@ -28,19 +30,19 @@ QColor gradientAt(const QList<QColor>& colours, double fraction)
 QString BarSlider::valueText() const
 {
     const QString number = QLocale().toString(m_value, 'f', m_decimals);
-    return m_unit.isEmpty() ? number : number + QChar(0x2009) + m_unit;
+    return number + spacedUnit(m_unit);
 }
 
 QSize BarSlider::sizeHint() const
 {
-    const QFontMetrics font = fontMetrics();
-    const QString widest = QLocale().toString(m_maximum, 'f', m_decimals) + QChar(0x2009) + m_unit;
-    return {font.horizontalAdvance(m_label) + font.horizontalAdvance(widest) + 3 * kInset, metrics::kSlider};
+    return {std::max(minimumSizeHint().width(), m_preferredWidth), metrics::kSlider};
 }
 
 QSize BarSlider::minimumSizeHint() const
 {
-    return sizeHint();
+    const QFontMetrics font = fontMetrics();
+    const QString widest = QLocale().toString(m_maximum, 'f', m_decimals) + spacedUnit(m_unit);
+    return {font.horizontalAdvance(m_label) + font.horizontalAdvance(widest) + 3 * kInset, metrics::kSlider};
 }
 
 void BarSlider::paintEvent(QPaintEvent* /*event*/)
@@ -54,49 +56,39 @@ void BarSlider::paintEvent(QPaintEvent* /*event*/)
     const double edge = fractionOf(m_value) * width();
     const bool scale = m_gradient.size() > 1;
     const QColor ground = isEnabled() ? theme.raised : theme.panel;
-    const QColor plainFill = mixed(ground, theme.accent, isEnabled() ? 0.30 : 0.08);
 
     painter.fillPath(outline, ground);
     painter.save();
     painter.setClipPath(outline);
-    const QRectF filled(0.0, 0.0, edge, height());
-    if (scale && isEnabled()) {
+    if (scale) {
+        // The whole scale is always to be seen; what is not reached is quiet.
+        const QRectF strip(0.0, height() - kScaleHeight, width(), kScaleHeight);
         QLinearGradient gradient(0.0, 0.0, width(), 0.0);
         const double last = static_cast<double>(m_gradient.size() - 1);
-        // The scale runs over values, which the exponent spreads over the bar.
+        // It runs over values, which the exponent spreads over the bar.
         for (qsizetype i = 0; i < m_gradient.size(); ++i)
             gradient.setColorAt(std::pow(static_cast<double>(i) / last, 1.0 / m_exponent), m_gradient[i]);
-        painter.fillRect(filled, gradient);
+        painter.setOpacity(isEnabled() ? 0.3 : 0.1);
+        painter.fillRect(strip, gradient);
+        painter.setOpacity(isEnabled() ? 1.0 : 0.3);
+        painter.fillRect(QRectF(0.0, strip.top(), edge, strip.height()), gradient);
+        painter.setOpacity(1.0);
     } else {
-        painter.fillRect(filled, plainFill);
+        painter.fillRect(QRectF(0.0, 0.0, edge, height()), mixed(ground, theme.accent, isEnabled() ? 0.30 : 0.08));
     }
-    if (isEnabled() && edge > 0.0)
-        painter.fillRect(QRectF(std::max(edge - 2.0, 0.0), 0.0, 2.0, height()), theme.accent);
+    if (isEnabled() && edge > 0.0) {
+        const double top = scale ? height() - kScaleHeight - 2.0 : 0.0;
+        painter.fillRect(QRectF(std::clamp(edge - 1.0, 0.0, width() - 2.0), top, 2.0, height() - top), theme.accent);
+    }
     painter.restore();
 
-    // Text is written light where the bar under it is dark, and dark where it is bright.
-    QRegion forLight;
-    QRegion forDark;
-    const QColor light = theme.kind == ThemeKind::Dark ? theme.text : QColor(Qt::white);
-    const QColor dark = theme.kind == ThemeKind::Dark ? theme.window : theme.text;
-    for (int x = 0; x < width(); ++x) {
-        QColor under = x < edge ? plainFill : ground;
-        if (scale && x < edge)
-            under = gradientAt(m_gradient, std::pow((x + 0.5) / width(), m_exponent));
-        (contrast(light, under) >= contrast(dark, under) ? forLight : forDark) += QRect(x, 0, 1, height());
-    }
-    const QRect inside = rect().adjusted(kInset, 0, -kInset, 0);
+    const QRect inside = rect().adjusted(kInset, 0, -kInset, scale ? 1 - kScaleHeight : 0);
     const QString value = valueText();
     const int valueWidth = fontMetrics().horizontalAdvance(value);
-    const QString label =
-        fontMetrics().elidedText(m_label, Qt::ElideRight, inside.width() - valueWidth - metrics::kGrid);
-    for (const auto& [region, colour] : {std::pair(forLight, light), std::pair(forDark, dark)}) {
-        painter.setClipRegion(region);
-        painter.setPen(isEnabled() ? colour : theme.dimText);
-        painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, label);
-        painter.drawText(inside, Qt::AlignRight | Qt::AlignVCenter, value);
-    }
-    painter.setClipping(false);
+    painter.setPen(isEnabled() ? theme.text : theme.dimText);
+    painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(m_label, Qt::ElideRight, inside.width() - valueWidth - metrics::kGrid));
+    painter.drawText(inside, Qt::AlignRight | Qt::AlignVCenter, value);
     const bool hover = isEnabled() && underMouse();
     painter.setPen(QPen(hasFocus() ? theme.accent : (hover ? theme.dimText : theme.line), hasFocus() ? 1.5 : 1.0));
     painter.drawPath(outline);

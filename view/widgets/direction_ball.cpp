@@ -228,8 +228,10 @@ void DirectionBall::paintEvent(QPaintEvent* /*event*/)
 
     QRadialGradient shade(m_meaning == Meaning::From && front ? handle : middle, radius * 1.5);
     const bool lamp = m_meaning == Meaning::From;
-    shade.setColorAt(0.0, mixed(theme.raised, theme.text, lamp && front ? 0.34 : 0.10));
-    shade.setColorAt(1.0, theme.raised);
+    const bool dark = theme.kind == ThemeKind::Dark;
+    const QColor lit = dark ? mixed(theme.raised, theme.text, lamp && front ? 0.34 : 0.10) : QColor(Qt::white);
+    shade.setColorAt(0.0, lit);
+    shade.setColorAt(1.0, dark ? theme.raised : mixed(theme.raised, theme.line, lamp && front ? 1.0 : 0.5));
     painter.setBrush(shade);
     painter.setPen(QPen(hasFocus() ? theme.accent : theme.line, hasFocus() ? 2.0 : 1.0));
     painter.drawEllipse(ball);

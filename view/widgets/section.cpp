@@ -17,7 +17,6 @@ Section::Section(const QString& title, QWidget* parent)
     layout->setSpacing(metrics::kGrid);
     m_title->setText(title);
     m_title->setObjectName(QStringLiteral("sectionTitle"));
-    m_title->setCheckable(true);
     m_title->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_title->setIconSize(QSize(16, 16));
     m_title->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -27,21 +26,16 @@ Section::Section(const QString& title, QWidget* parent)
     m_layout->setSpacing(metrics::kGrid);
     layout->addWidget(m_title);
     layout->addWidget(m_body);
-    connect(m_title, &QToolButton::toggled, this, &Section::setOpen);
-    m_title->setChecked(true);
+    connect(m_title, &QToolButton::clicked, this, [this] { setOpen(!m_open); });
+    setOpen(true);
 }
 
 void Section::setOpen(bool open)
 {
-    m_title->setChecked(open);
+    m_open = open;
     m_title->setIcon(icon(open ? QStringLiteral("chevron-down") : QStringLiteral("chevron-right")));
     m_title->setAccessibleDescription(open ? tr("Open") : tr("Folded"));
     m_body->setVisible(open);
-}
-
-bool Section::isOpen() const
-{
-    return m_title->isChecked();
 }
 
 } // namespace hairpaint::view

@@ -15,12 +15,13 @@ public:
     explicit Section(const QString& title, QWidget* parent = nullptr);
     [[nodiscard]] QVBoxLayout& body() const { return *m_layout; }
     void setOpen(bool open);
-    [[nodiscard]] bool isOpen() const;
+    [[nodiscard]] bool isOpen() const { return m_open; }
 
 private:
     QToolButton* m_title;
     QWidget* m_body;
     QVBoxLayout* m_layout;
+    bool m_open = true;
 };
 
 } // namespace hairpaint::view

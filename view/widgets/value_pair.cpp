@@ -99,9 +99,9 @@ void swapValues(EditorState& state)
 void resetValues(EditorState& state)
 {
     model::ToolSettings settings = state.toolSettings();
-    settings.value(state.activeMap()) = model::PaintValue{};
-    settings.secondValue(state.activeMap()) =
-        model::PaintValue{.scalar = 0.0F, .index = 0, .colour = QColor(0xC8, 0x9B, 0x5A)};
+    model::ToolSettings fresh;
+    settings.value(state.activeMap()) = fresh.value(state.activeMap());
+    settings.secondValue(state.activeMap()) = fresh.secondValue(state.activeMap());
     state.setToolSettings(settings);
 }
 

@@ -1,0 +1,243 @@
+// Wind and light are shown live and are one undo step; import, preferences and keys.
+#include "panel_fixture.h"
+
+#include "tests/support/test_heads.h"
+#include "view/dialogs/head_import_dialog.h"
+#include "view/dialogs/light_dialog.h"
+#include "view/dialogs/preferences_dialog.h"
+#include "view/dialogs/wind_dialog.h"
+#include "view/widgets/direction_ball.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTreeWidget>
+
+#include <cmath>
+
+using namespace hairpaint;
+using namespace hairpaint::view;
+
+namespace {
+
+QPushButton* buttonWith(const QWidget& parent, const QString& text)
+{
+    for (QPushButton* button : parent.findChildren<QPushButton*>())
+        if (button->text() == text)
+            return button;
+    return nullptr;
+}
+
+QTreeWidgetItem* rowOf(const QTreeWidget& tree, const QString& text)
+{
+    const auto found = tree.findItems(text, Qt::MatchExactly | Qt::MatchRecursive, 0);
+    return found.isEmpty() ? nullptr : found.first();
+}
+
+} // namespace
+
+class TestDialogs : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void wind_strength_is_live_and_one_step()
+    {
+        PanelFixture f;
+        WindDialog dialog(f.state);
+        dialog.show();
+        const sim::Wind before = f.document.project().wind;
+        BarSlider* strength = sliderNamed(dialog, QStringLiteral("Strength"));
+        QCOMPARE(strength->value(), 5.0);
+        holdAt(*strength, 0.9);
+        QVERIFY(f.document.previewing());
+        const sim::Wind shown = f.document.project().wind;
+        QVERIFY(glm::length(shown.velocity) > 20.0F);
+        QVERIFY(glm::length(glm::normalize(shown.velocity) - glm::vec3(0.6F, 0.0F, 0.8F)) < 1e-5F);
+        dragTo(*strength, QPoint(qRound(strength->width() * 0.9), 12));
+        QCOMPARE(f.steps(), 0);
+        letGo(*strength, QPoint(10, 12));
+        QCOMPARE(f.steps(), 1);
+        QVERIFY(f.document.project().wind == shown);
+        f.document.undo();
+        QVERIFY(f.document.project().wind == before);
+        QCOMPARE(strength->value(), 5.0);
+    }
+
+    void touching_one_control_leaves_the_others_exact()
+    {
+        PanelFixture f;
+        f.document.apply({.aspect = model::Change::Aspect::Environment}, [](model::Project& project) {
+            project.wind.velocity = {1.2345F, 0.777F, -2.3456F};
+        });
+        WindDialog dialog(f.state);
+        dialog.show();
+        BarSlider* gusts = sliderNamed(dialog, QStringLiteral("Gusts"));
+        holdAt(*gusts, 0.9);
+        letGo(*gusts);
+        QVERIFY(f.document.project().wind.velocity == glm::vec3(1.2345F, 0.777F, -2.3456F));
+    }
+
+    void the_ball_turns_the_wind_and_escape_takes_it_back()
+    {
+        PanelFixture f;
+        WindDialog dialog(f.state);
+        dialog.show();
+        auto* ball = dialog.findChild<DirectionBall*>();
+        QTest::mousePress(ball, Qt::LeftButton, {}, ball->rect().center());
+        dragTo(*ball, QPoint(4, ball->height() / 2));
+        QVERIFY(f.document.project().wind.velocity.x < -4.0F);
+        QVERIFY(std::abs(glm::length(f.document.project().wind.velocity) - 5.0F) < 1e-3F);
+        QTest::keyClick(ball, Qt::Key_Escape);
+        QCOMPARE(f.document.project().wind.velocity.x, 3.0F);
+        QVERIFY(!f.document.previewing());
+        letGo(*ball);
+        QCOMPARE(f.steps(), 0);
+        QTest::keyClick(ball, Qt::Key_Up);
+        QCOMPARE(f.steps(), 1);
+        QVERIFY(f.document.project().wind.velocity.y > 0.1F);
+        QTest::mouseDClick(ball, Qt::LeftButton, {}, QPoint(4, ball->height() / 2));
+        QVERIFY(f.document.project().wind.velocity.z < 0.0F);
+    }
+
+    void wind_is_switched_off_and_on()
+    {
+        PanelFixture f;
+        WindDialog dialog(f.state);
+        dialog.show();
+        dialog.findChild<QCheckBox*>()->click();
+        QVERIFY(!f.document.project().wind.enabled);
+        f.document.undo();
+        QVERIFY(dialog.findChild<QCheckBox*>()->isChecked());
+    }
+
+    void every_light_control_is_one_step()
+    {
+        PanelFixture f;
+        LightDialog dialog(f.state);
+        dialog.show();
+        const model::LightSettings before = f.document.project().light;
+        int steps = 0;
+        for (BarSlider* slider : dialog.findChildren<BarSlider*>()) {
+            const model::LightSettings last = f.document.project().light;
+            holdAt(*slider, 0.15);
+            QVERIFY2(!(f.document.project().light == last), qPrintable(slider->label()));
+            const model::LightSettings shown = f.document.project().light;
+            letGo(*slider);
+            QCOMPARE(f.steps(), ++steps);
+            QVERIFY(f.document.project().light == shown);
+        }
+        QCOMPARE(steps, 7);
+        while (f.document.undoStack().canUndo())
+            f.document.undo();
+        QVERIFY(f.document.project().light == before);
+    }
+
+    void directions_and_angles_agree_data()
+    {
+        QTest::addColumn<double>("azimuth");
+        QTest::addColumn<double>("elevation");
+        QTest::newRow("front") << 0.0 << 0.0;
+        QTest::newRow("right and up") << 1.2 << 0.7;
+        QTest::newRow("behind left") << -2.8 << -0.4;
+    }
+    void directions_and_angles_agree()
+    {
+        QFETCH(double, azimuth);
+        QFETCH(double, elevation);
+        const glm::vec3 direction = DirectionBall::fromAngles(azimuth, elevation);
+        QVERIFY(std::abs(glm::length(direction) - 1.0F) < 1e-6F);
+        QVERIFY(std::abs(DirectionBall::azimuthRad(direction) - azimuth) < 1e-6);
+        QVERIFY(std::abs(DirectionBall::elevationRad(direction) - elevation) < 1e-6);
+    }
+
+    void an_imported_head_shows_its_height_and_takes_another_data()
+    {
+        QTest::addColumn<float>("scale");
+        QTest::newRow("metres") << 1.0F;
+        QTest::newRow("centimetres") << 100.0F;
+        QTest::newRow("millimetres") << 1000.0F;
+    }
+    void an_imported_head_shows_its_height_and_takes_another()
+    {
+        QFETCH(float, scale);
+        sim::HeadMesh mesh = test::makeBallHead();
+        const float tall = [&] {
+            float low = 1e9F;
+            float high = -1e9F;
+            for (const glm::vec3& position : mesh.positionsHd) {
+                low = std::min(low, position.y);
+                high = std::max(high, position.y);
+            }
+            return high - low;
+        }();
+        for (glm::vec3& position : mesh.positionsHd)
+            position *= scale * 0.25F / tall;
+        HeadImportDialog dialog(mesh, QStringLiteral("head.obj"));
+        QVERIFY(std::abs(dialog.heightCm() - 25.0) < 0.5);
+        QVERIFY(std::abs(dialog.unitScale() * scale - 1.0F) < 1e-3F);
+        BarSlider* height = sliderNamed(dialog, QStringLiteral("Height"));
+        dialog.show();
+        holdAt(*height, 0.5);
+        letGo(*height);
+        QVERIFY(std::abs(dialog.heightCm() - height->value()) < 0.1);
+        QVERIFY(dialog.heightCm() > 50.0);
+    }
+
+    void a_mesh_without_uv_is_refused_with_the_reason()
+    {
+        sim::HeadMesh mesh = test::makeBallHead();
+        QVERIFY(HeadImportDialog::refusal(mesh, QStringLiteral("a.obj")).isEmpty());
+        mesh.uvs.assign(mesh.uvs.size(), glm::vec2(0.0F));
+        HeadImportDialog dialog(mesh, QStringLiteral("a.obj"));
+        QVERIFY(!dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
+        bool said = false;
+        for (const QLabel* label : dialog.findChildren<QLabel*>())
+            said = said || label->text().contains(QStringLiteral("UV"));
+        QVERIFY(said);
+        mesh.triangles.clear();
+        QVERIFY(!HeadImportDialog::refusal(mesh, QStringLiteral("a.obj")).isEmpty());
+    }
+
+    void preferences_are_told_at_once_and_only_when_changed()
+    {
+        PreferencesDialog dialog({}, {{QStringLiteral("de"), QStringLiteral("Deutsch")}}, {});
+        QSignalSpy changed(&dialog, &PreferencesDialog::preferencesChanged);
+        dialog.setPreferences({.theme = ThemeKind::Light, .language = {}, .presenter = {}, .whitePaper = true});
+        QCOMPARE(changed.count(), 0);
+        dialog.findChild<QComboBox*>()->setCurrentIndex(0);
+        QCOMPARE(changed.count(), 1);
+        QVERIFY(dialog.preferences().theme == ThemeKind::Dark);
+        QVERIFY(dialog.preferences().whitePaper);
+    }
+
+    void a_key_is_rebound_and_taken_from_its_owner()
+    {
+        QAction brush(QStringLiteral("&Brush"));
+        brush.setShortcut(QKeySequence(Qt::Key_B));
+        QAction eraser(QStringLiteral("&Eraser"));
+        eraser.setShortcut(QKeySequence(Qt::Key_E));
+        PreferencesDialog dialog({}, {},
+                                 {{&brush, QStringLiteral("Tools"), QKeySequence(Qt::Key_B)},
+                                  {&eraser, QStringLiteral("Tools"), QKeySequence(Qt::Key_E)}});
+        dialog.show();
+        QSignalSpy changed(&dialog, &PreferencesDialog::keyChanged);
+        auto* tree = dialog.findChild<QTreeWidget*>();
+        tree->setCurrentItem(rowOf(*tree, QStringLiteral("Brush")));
+        dialog.findChild<QKeySequenceEdit*>()->setKeySequence(QKeySequence(Qt::Key_E));
+        buttonWith(dialog, QStringLiteral("Assign"))->click();
+        QCOMPARE(brush.shortcut(), QKeySequence(Qt::Key_E));
+        QVERIFY(eraser.shortcut().isEmpty());
+        QCOMPARE(changed.count(), 2);
+        buttonWith(dialog, QStringLiteral("Reset"))->click();
+        QCOMPARE(brush.shortcut(), QKeySequence(Qt::Key_B));
+        QCOMPARE(rowOf(*tree, QStringLiteral("Brush"))->text(1), QStringLiteral("B"));
+    }
+};
+
+QTEST_MAIN(TestDialogs)
+#include "test_dialogs.moc"

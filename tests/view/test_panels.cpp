@@ -1,0 +1,474 @@
+// Panels change the document by one command a change, preview while something moves, and follow undo.
+#include "panel_fixture.h"
+
+#include "model/commands/commands.h"
+#include "view/panels/hair_panel.h"
+#include "view/panels/layer_list.h"
+#include "view/panels/layers_panel.h"
+#include "view/panels/map_row.h"
+#include "view/panels/maps_panel.h"
+#include "view/panels/option_bar.h"
+#include "view/panels/status_readout.h"
+#include "view/panels/tool_bar.h"
+#include "view/widgets/swatch.h"
+#include "view/widgets/value_pair.h"
+#include "view/widgets/value_palette.h"
+#include "view/widgets/value_text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QToolButton>
+
+using namespace hairpaint;
+using namespace hairpaint::view;
+using model::MapKind;
+
+namespace {
+
+QToolButton* buttonNamed(const QWidget& parent, const QString& start)
+{
+    for (QToolButton* button : parent.findChildren<QToolButton*>())
+        if (button->accessibleName().startsWith(start))
+            return button;
+    return nullptr;
+}
+
+QStringList namesOf(const LayerList& list)
+{
+    QStringList names;
+    for (int row = 0; row < list.count(); ++row)
+        names.append(list.item(row)->text());
+    return names;
+}
+
+} // namespace
+
+class TestPanels : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void dragging_a_setting_previews_and_commits_one_command()
+    {
+        PanelFixture f;
+        HairPanel panel(f.state);
+        panel.resize(280, 900);
+        panel.show();
+        BarSlider* slider = sliderNamed(panel, QStringLiteral("Greatest length"));
+        QVERIFY(slider != nullptr);
+        const float before = f.scalp().settings.greatestLengthM;
+        holdAt(*slider, 0.9);
+        QVERIFY(f.document.previewing());
+        const sim::GroupSettings shown = f.scalp().settings;
+        QVERIFY(shown.greatestLengthM > before);
+        QCOMPARE(f.document.committed().groups.front().settings.greatestLengthM, before);
+        QCOMPARE(f.steps(), 0);
+        letGo(*slider, QPoint(qRound(slider->width() * 0.9), 12));
+        QCOMPARE(f.steps(), 1);
+        QVERIFY(!f.document.previewing());
+        QVERIFY(f.scalp().settings == shown);
+        QVERIFY(f.document.undoStack().undoText().contains(QStringLiteral("Greatest length")));
+        f.document.undo();
+        QCOMPARE(f.scalp().settings.greatestLengthM, before);
+        QCOMPARE(slider->value(), 30.0);
+    }
+
+    void a_slider_brought_back_leaves_no_command_and_no_preview()
+    {
+        PanelFixture f;
+        HairPanel panel(f.state);
+        panel.resize(280, 900);
+        panel.show();
+        BarSlider* slider = sliderNamed(panel, QStringLiteral("Gravity"));
+        QVERIFY(slider != nullptr);
+        holdAt(*slider, 0.9);
+        dragTo(*slider, QPoint(slider->width() / 2, 12));
+        letGo(*slider, QPoint(slider->width() / 2, 12));
+        QCOMPARE(f.steps(), 0);
+        QVERIFY(!f.document.previewing());
+    }
+
+    void escape_takes_a_dragged_setting_back()
+    {
+        PanelFixture f;
+        HairPanel panel(f.state);
+        panel.resize(280, 900);
+        panel.show();
+        BarSlider* slider = sliderNamed(panel, QStringLiteral("Shine"));
+        QVERIFY(slider != nullptr);
+        const sim::GroupSettings before = f.scalp().settings;
+        holdAt(*slider, 0.9);
+        QVERIFY(!(f.scalp().settings == before));
+        QTest::keyClick(slider, Qt::Key_Escape);
+        QVERIFY(f.scalp().settings == before);
+        QCOMPARE(f.steps(), 0);
+        QVERIFY(!f.document.previewing());
+    }
+
+    void every_setting_reaches_the_group_and_comes_back_by_undo()
+    {
+        PanelFixture f;
+        HairPanel panel(f.state);
+        panel.resize(280, 900);
+        panel.show();
+        const sim::GroupSettings before = f.scalp().settings;
+        int sliders = 0;
+        for (BarSlider* slider : panel.findChildren<BarSlider*>()) {
+            if (!slider->isVisibleTo(&panel))
+                continue;
+            const sim::GroupSettings last = f.scalp().settings;
+            holdAt(*slider, slider->value() > (slider->minimum() + slider->maximum()) / 2.0 ? 0.2 : 0.8);
+            letGo(*slider, QPoint(1, 12));
+            ++sliders;
+            QVERIFY2(!(f.scalp().settings == last), qPrintable(slider->label()));
+            QCOMPARE(f.steps(), sliders);
+        }
+        QVERIFY(sliders >= 20);
+        for (int i = 0; i < sliders; ++i)
+            f.document.undo();
+        QVERIFY(f.scalp().settings == before);
+    }
+
+    void turns_mode_and_levels_are_commands_of_their_own()
+    {
+        PanelFixture f;
+        HairPanel panel(f.state);
+        panel.show();
+        auto* mode = panel.findChild<QComboBox*>();
+        QVERIFY(mode != nullptr);
+        QTest::keyClick(mode, Qt::Key_Down);
+        QVERIFY(f.scalp().settings.turnsMode == sim::TurnsMode::PerLength);
+        panel.findChild<QCheckBox*>()->click();
+        QVERIFY(f.scalp().settings.steppedTurns);
+        QCOMPARE(f.steps(), 2);
+        f.document.undo();
+        QVERIFY(!panel.findChild<QCheckBox*>()->isChecked());
+    }
+
+    void groups_are_added_shown_renamed_and_removed()
+    {
+        PanelFixture f;
+        HairPanel panel(f.state);
+        panel.resize(280, 900);
+        panel.show();
+        auto* list = panel.findChild<LayerList*>();
+        QCOMPARE(namesOf(*list), QStringList({QStringLiteral("Scalp"), QStringLiteral("Beard")}));
+        buttonNamed(panel, QStringLiteral("Add hair group"))->click();
+        QCOMPARE(list->count(), 3);
+        QCOMPARE(f.state.activeGroup(), f.document.project().groups.back().id);
+        const QRect beard = list->visualItemRect(list->item(1));
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, LayerList::eyeRect(beard).center());
+        QVERIFY(!f.document.project().groups[1].visible);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, beard.center());
+        QCOMPARE(f.state.activeGroup(), f.document.project().groups[1].id);
+        QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, beard.center());
+        auto* editor = list->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->setText(QStringLiteral("Brows"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(f.document.project().groups[1].name, QStringLiteral("Brows"));
+        QTest::keyClick(list, Qt::Key_Delete);
+        QCOMPARE(list->count(), 2);
+        QCOMPARE(f.steps(), 4);
+        for (int i = 0; i < 4; ++i)
+            f.document.undo();
+        QCOMPARE(namesOf(*list), QStringList({QStringLiteral("Scalp"), QStringLiteral("Beard")}));
+        QVERIFY(f.document.project().groups[1].visible);
+    }
+
+    void layers_are_added_duplicated_moved_and_removed()
+    {
+        PanelFixture f;
+        LayersPanel panel(f.state);
+        panel.resize(280, 400);
+        panel.show();
+        auto* list = panel.findChild<LayerList*>();
+        const QString first = list->item(0)->text();
+        buttonNamed(panel, QStringLiteral("Add layer"))->click();
+        QCOMPARE(list->count(), 2);
+        const QString second = list->item(0)->text();
+        QVERIFY(second != first);
+        QCOMPARE(f.state.activeLayer(), list->idAt(0));
+        buttonNamed(panel, QStringLiteral("Move layer down"))->click();
+        QCOMPARE(namesOf(*list), QStringList({first, second}));
+        QVERIFY(!buttonNamed(panel, QStringLiteral("Move layer down"))->isEnabled());
+        QTest::keyClick(list, Qt::Key_Up, Qt::AltModifier);
+        QTRY_COMPARE(namesOf(*list), QStringList({second, first}));
+        buttonNamed(panel, QStringLiteral("Duplicate layer"))->click();
+        QCOMPARE(list->count(), 3);
+        QCOMPARE(f.state.activeLayer(), list->idAt(0));
+        QTest::keyClick(list, Qt::Key_Delete);
+        QCOMPARE(namesOf(*list), QStringList({second, first}));
+        QCOMPARE(f.steps(), 5);
+        for (int i = 0; i < 5; ++i)
+            f.document.undo();
+        QCOMPARE(namesOf(*list), QStringList({first}));
+    }
+
+    void dropping_a_layer_moves_it_by_one_command()
+    {
+        PanelFixture f;
+        LayersPanel panel(f.state);
+        panel.resize(280, 400);
+        panel.show();
+        panel.addLayer();
+        panel.addLayer();
+        auto* list = panel.findChild<LayerList*>();
+        const QStringList before = namesOf(*list);
+        list->setCurrentRow(0);
+        QSignalSpy wanted(list, &LayerList::moveWanted);
+        // Below the middle of the last row: to the bottom.
+        QVERIFY(list->dropAt(list->visualItemRect(list->item(2)).bottomLeft() + QPoint(40, -2)));
+        QTRY_COMPARE(namesOf(*list), QStringList({before[1], before[2], before[0]}));
+        QCOMPARE(f.steps(), 3);
+        f.document.undo();
+        QCOMPARE(namesOf(*list), before);
+        // On its own place: nothing happens.
+        QVERIFY(!list->dropAt(list->visualItemRect(list->currentItem()).center()));
+        QCOMPARE(wanted.count(), 1);
+    }
+
+    void eye_and_lock_are_clicked_in_the_row()
+    {
+        PanelFixture f;
+        LayersPanel panel(f.state);
+        panel.resize(280, 400);
+        panel.show();
+        auto* list = panel.findChild<LayerList*>();
+        const QRect row = list->visualItemRect(list->item(0));
+        const auto layer = [&] { return f.scalp().map(MapKind::Length).layers.front(); };
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, LayerList::eyeRect(row).center());
+        QVERIFY(!layer().visible);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, LayerList::lockRect(row).center());
+        QVERIFY(layer().locked);
+        QVERIFY(list->item(0)->data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("locked")));
+        QCOMPARE(f.steps(), 2);
+        f.document.undo();
+        f.document.undo();
+        QVERIFY(layer().visible && !layer().locked);
+    }
+
+    void a_layer_is_renamed_in_place()
+    {
+        PanelFixture f;
+        LayersPanel panel(f.state);
+        panel.resize(280, 400);
+        panel.show();
+        auto* list = panel.findChild<LayerList*>();
+        list->setFocus();
+        QTest::keyClick(list, Qt::Key_F2);
+        auto* editor = list->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->setText(QStringLiteral("Fringe"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(f.scalp().map(MapKind::Length).layers.front().name, QStringLiteral("Fringe"));
+        QCOMPARE(f.steps(), 1);
+    }
+
+    void opacity_previews_and_commits_once()
+    {
+        PanelFixture f;
+        LayersPanel panel(f.state);
+        panel.resize(280, 400);
+        panel.show();
+        BarSlider* slider = sliderNamed(panel, QStringLiteral("Opacity"));
+        const auto opacity = [&] { return f.scalp().map(MapKind::Length).layers.front().opacity; };
+        holdAt(*slider, 0.25);
+        QVERIFY(f.document.previewing());
+        const float shown = opacity();
+        QVERIFY(shown < 0.3F);
+        letGo(*slider, QPoint(slider->width() / 4, 12));
+        QCOMPARE(f.steps(), 1);
+        QCOMPARE(opacity(), shown);
+        f.document.undo();
+        QCOMPARE(opacity(), 1.0F);
+    }
+
+    void an_index_map_offers_only_its_own_blend_modes()
+    {
+        PanelFixture f;
+        LayersPanel panel(f.state);
+        auto* blend = panel.findChild<QComboBox*>();
+        QCOMPARE(blend->count(), 2);
+        f.state.setActiveMap(MapKind::Braid);
+        QCOMPARE(blend->count(), 1);
+        QVERIFY(!blend->isEnabled());
+    }
+
+    void maps_are_switched_by_click_and_number()
+    {
+        PanelFixture f;
+        MapsPanel panel(f.state);
+        panel.resize(280, 240);
+        panel.show();
+        const auto rows = panel.findChildren<MapRow*>();
+        QCOMPARE(rows.size(), model::kMapKindCount);
+        QVERIFY(rows[1]->isChecked());
+        QTest::mouseClick(rows[2], Qt::LeftButton);
+        QVERIFY(f.state.activeMap() == MapKind::Curl);
+        QTest::keyClick(&panel, Qt::Key_5);
+        QVERIFY(f.state.activeMap() == MapKind::Colour);
+        QVERIFY(rows[4]->isChecked() && !rows[2]->isChecked());
+        QCOMPARE(f.steps(), 0);
+    }
+
+    void the_palette_sets_the_value_painted_data()
+    {
+        QTest::addColumn<int>("map");
+        for (const model::MapSpec& spec : model::mapSpecs())
+            QTest::newRow(spec.id) << static_cast<int>(spec.kind);
+    }
+    void the_palette_sets_the_value_painted()
+    {
+        QFETCH(int, map);
+        PanelFixture f;
+        f.state.setActiveMap(static_cast<MapKind>(map));
+        ValuePalette palette(f.state);
+        palette.show();
+        const auto swatches = palette.findChildren<Swatch*>();
+        QVERIFY(swatches.size() >= 4);
+        const auto value = [&] {
+            model::ToolSettings settings = f.state.toolSettings();
+            return settings.value(static_cast<MapKind>(map));
+        };
+        QTest::mouseClick(swatches.last(), Qt::LeftButton);
+        const model::PaintValue last = value();
+        QTest::mouseClick(swatches.first(), Qt::LeftButton);
+        QVERIFY(!(value() == last));
+        QVERIFY(swatches.first()->isChecked() && !swatches.last()->isChecked());
+        QTest::keyClick(&palette, Qt::Key_X);
+        QTest::keyClick(&palette, Qt::Key_X);
+        QVERIFY(swatches.first()->isChecked());
+        QVERIFY(f.steps() == 0);
+    }
+
+    void hex_colours_are_typed()
+    {
+        PanelFixture f;
+        f.state.setActiveMap(MapKind::Colour);
+        ValuePalette palette(f.state);
+        palette.show();
+        auto* hex = palette.findChild<QLineEdit*>();
+        QVERIFY(hex != nullptr);
+        hex->setFocus();
+        hex->setText(QStringLiteral("B3182B"));
+        QTest::keyClick(hex, Qt::Key_Return);
+        model::ToolSettings settings = f.state.toolSettings();
+        QCOMPARE(settings.value(MapKind::Colour).colour.name(), QStringLiteral("#b3182b"));
+    }
+
+    void swapping_twice_gives_the_same_values()
+    {
+        PanelFixture f;
+        const model::ToolSettings before = f.state.toolSettings();
+        swapValues(f.state);
+        QVERIFY(f.state.toolSettings().values != before.values);
+        swapValues(f.state);
+        QVERIFY(f.state.toolSettings().values == before.values);
+    }
+
+    void shown_numbers_and_map_values_are_each_others_inverse_data()
+    {
+        QTest::addColumn<int>("map");
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("shown");
+        QTest::newRow("half the density") << int(MapKind::Density) << 0.5 << 75.0;
+        QTest::newRow("half the length") << int(MapKind::Length) << 0.5 << 15.0;
+        QTest::newRow("no curl") << int(MapKind::Curl) << 0.0 << 0.0;
+        QTest::newRow("curl level 1") << int(MapKind::Curl) << 0.2 << 0.5;
+        QTest::newRow("curl level 3") << int(MapKind::Curl) << 0.6 << 4.0;
+        QTest::newRow("between levels") << int(MapKind::Curl) << 0.9 << 12.0;
+        QTest::newRow("most curl") << int(MapKind::Curl) << 1.0 << 16.0;
+        QTest::newRow("gel") << int(MapKind::Gel) << 0.25 << 25.0;
+    }
+    void shown_numbers_and_map_values_are_each_others_inverse()
+    {
+        QFETCH(int, map);
+        QFETCH(double, value);
+        QFETCH(double, shown);
+        const sim::GroupSettings settings;
+        const auto kind = static_cast<MapKind>(map);
+        QVERIFY(std::abs(shownValue(settings, kind, value) - shown) < 1e-4);
+        QVERIFY(std::abs(mapValue(settings, kind, shown) - value) < 1e-6);
+    }
+
+    void short_groups_are_measured_in_millimetres()
+    {
+        sim::GroupSettings brows;
+        brows.greatestLengthM = 0.008F;
+        QCOMPARE(valueText(brows, model::mapSpec(MapKind::Length), {.scalar = 0.5F}), QStringLiteral("4\u2009mm"));
+    }
+
+    void tools_are_chosen_and_shown_with_their_own_options()
+    {
+        PanelFixture f;
+        ToolBar tools(f.state);
+        OptionBar options(f.state);
+        tools.show();
+        options.resize(1100, 40);
+        options.show();
+        const auto buttons = tools.findChildren<QToolButton*>();
+        QCOMPARE(buttons.size(), static_cast<qsizetype>(f.state.tools().size()));
+        for (std::size_t i = 0; i < f.state.tools().size(); ++i) {
+            buttons[static_cast<qsizetype>(i)]->click();
+            const model::Tool& tool = *f.state.tools()[i];
+            QCOMPARE(&f.state.activeTool(), &tool);
+            const auto wanted = tool.options();
+            const bool hasSize = std::ranges::find(wanted, model::ToolOption::Size) != wanted.end();
+            QCOMPARE(sliderNamed(options, QStringLiteral("Size"))->isVisible(), hasSize);
+            const bool hasTolerance = std::ranges::find(wanted, model::ToolOption::FillTolerance) != wanted.end();
+            QCOMPARE(sliderNamed(options, QStringLiteral("Tolerance"))->isVisible(), hasTolerance);
+            QVERIFY(buttons[static_cast<qsizetype>(i)]->toolTip().startsWith(tool.title()));
+        }
+    }
+
+    void brush_options_change_the_settings_outside_undo()
+    {
+        PanelFixture f;
+        OptionBar options(f.state);
+        options.resize(1100, 40);
+        options.show();
+        BarSlider* size = sliderNamed(options, QStringLiteral("Size"));
+        holdAt(*size, 1.0);
+        QVERIFY(std::abs(f.state.toolSettings().brushSizeM - 0.3F) < 1e-4F);
+        letGo(*size, QPoint(size->width(), 12));
+        BarSlider* value = sliderNamed(options, QStringLiteral("Length"));
+        QVERIFY(value != nullptr);
+        holdAt(*value, 1.0);
+        letGo(*value, QPoint(value->width(), 12));
+        model::ToolSettings settings = f.state.toolSettings();
+        QCOMPARE(settings.value(MapKind::Length).scalar, 1.0F);
+        QCOMPARE(f.steps(), 0);
+    }
+
+    void the_status_line_shows_the_value_under_the_pointer_and_errors()
+    {
+        PanelFixture f;
+        StatusReadout status(f.state);
+        status.resize(1100, 24);
+        status.show();
+        const auto texts = [&] {
+            QString all;
+            for (const QLabel* label : status.findChildren<QLabel*>())
+                all += label->text() + QLatin1Char('|');
+            return all;
+        };
+        sim::SurfacePoint point;
+        point.uv = {0.5F, 0.5F};
+        f.state.setHover(Hover{.uv = point.uv, .point = point});
+        QVERIFY2(texts().contains(QStringLiteral("Length: 15")), qPrintable(texts()));
+        f.state.setHover(std::nullopt);
+        QVERIFY(!texts().contains(QStringLiteral("Length: 15")));
+        status.showMessage(QStringLiteral("It is locked."), true, 50);
+        QVERIFY(texts().contains(QStringLiteral("It is locked.")));
+        QTRY_VERIFY(texts().contains(f.state.activeTool().hint()));
+    }
+};
+
+QTEST_MAIN(TestPanels)
+#include "test_panels.moc"

@@ -1,0 +1,208 @@
+// Pointing at a style shows it, leaving gives the very bytes back, clicking commits the bytes that were shown.
+#include "panel_fixture.h"
+
+#include "model/commands/commands.h"
+#include "view/panels/style_strip.h"
+#include "view/panels/style_tile.h"
+
+#include <QCursor>
+#include <QSignalSpy>
+
+#include <algorithm>
+
+using namespace hairpaint;
+using namespace hairpaint::view;
+using model::MapKind;
+
+namespace {
+
+/// One group "Scalp" that differs in length and density, and a group of its own.
+model::Preset makePreset(const QString& name, std::uint16_t value)
+{
+    model::Project project;
+    project.groups.push_back(model::makeGroup(project, QStringLiteral("Scalp"), 256));
+    project.groups.push_back(model::makeGroup(project, QStringLiteral("Ponytail"), 256));
+    for (const MapKind kind : {MapKind::Density, MapKind::Length})
+        project.groups.front().map(kind).layers.front().raster.setTexel(100, 100, {value, 65535});
+    project.groups.front().settings.greatestLengthM = 0.6F;
+    return model::presetFrom(project, name);
+}
+
+model::Result<model::Preset> load(const QString& path)
+{
+    if (path == QStringLiteral("broken"))
+        return model::failure(QStringLiteral("\"broken\" can't be read."));
+    return makePreset(path, path == QStringLiteral("bob") ? 40000 : 60000);
+}
+
+bool sameGroups(const std::vector<model::HairGroup>& a, const std::vector<model::HairGroup>& b)
+{
+    const auto sameLayer = [](const model::Layer& x, const model::Layer& y) {
+        return x.id == y.id && model::propertiesOf(x) == model::propertiesOf(y) && x.raster == y.raster;
+    };
+    const auto sameMap = [&](const model::MapStack& x, const model::MapStack& y) {
+        return x.kind == y.kind && x.size == y.size && std::ranges::equal(x.layers, y.layers, sameLayer);
+    };
+    return std::ranges::equal(a, b, [&](const model::HairGroup& x, const model::HairGroup& y) {
+        return x.id == y.id && x.name == y.name && x.visible == y.visible && x.settings == y.settings &&
+               std::ranges::equal(x.maps, y.maps, sameMap);
+    });
+}
+
+struct StripFixture : PanelFixture
+{
+    StyleStrip strip{state, load};
+
+    StripFixture()
+    {
+        std::vector<model::PresetEntry> entries;
+        for (const char* name : {"bob", "waves", "broken"})
+            entries.push_back({.path = QLatin1String(name),
+                               .name = QLatin1String(name),
+                               .tags = {},
+                               .folder = QStringLiteral("built-in"),
+                               .picture = {}});
+        strip.setEntries(entries);
+        // Away from the real pointer, which would point at a style too.
+        QCursor::setPos(0, 0);
+        strip.move(200, 200);
+        strip.resize(800, 132);
+        strip.show();
+    }
+    [[nodiscard]] StyleTile& tile(int index) { return *strip.findChildren<StyleTile*>()[index]; }
+    void enter(int index)
+    {
+        QEnterEvent event(QPointF(10, 10), QPointF(10, 10), QPointF(10, 10));
+        QApplication::sendEvent(&tile(index), &event);
+    }
+    void leave(int index)
+    {
+        QEvent event(QEvent::Leave);
+        QApplication::sendEvent(&tile(index), &event);
+    }
+};
+
+} // namespace
+
+class TestStyleStrip : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void pointing_shows_and_leaving_restores()
+    {
+        StripFixture f;
+        f.state.setActiveGroup(f.document.project().groups[1].id);
+        const model::Id active = f.state.activeGroup();
+        const auto before = f.document.project().groups;
+        f.enter(0);
+        QVERIFY(!f.document.previewing());
+        QTRY_VERIFY(f.document.previewing());
+        QVERIFY(!sameGroups(f.document.project().groups, before));
+        QVERIFY(sameGroups(f.document.committed().groups, before));
+        f.leave(0);
+        QVERIFY(!f.document.previewing());
+        QVERIFY(sameGroups(f.document.project().groups, before));
+        QCOMPARE(f.state.activeGroup(), active);
+        QCOMPARE(f.steps(), 0);
+    }
+
+    void clicking_commits_what_was_shown_as_one_step()
+    {
+        StripFixture f;
+        const auto before = f.document.project().groups;
+        f.enter(1);
+        QTRY_VERIFY(f.document.previewing());
+        const auto shown = f.document.project().groups;
+        QTest::mouseClick(&f.tile(1), Qt::LeftButton);
+        QCOMPARE(f.steps(), 1);
+        QVERIFY(!f.document.previewing());
+        QVERIFY(sameGroups(f.document.project().groups, shown));
+        f.leave(1);
+        QVERIFY(sameGroups(f.document.project().groups, shown));
+        f.document.undo();
+        QVERIFY(sameGroups(f.document.project().groups, before));
+    }
+
+    void passing_by_quickly_shows_nothing()
+    {
+        StripFixture f;
+        QSignalSpy changed(&f.document, &model::Document::changed);
+        f.enter(0);
+        f.leave(0);
+        QTest::qWait(250);
+        QCOMPARE(changed.count(), 0);
+    }
+
+    void moving_on_shows_the_next_style()
+    {
+        StripFixture f;
+        f.enter(0);
+        QTRY_VERIFY(f.document.previewing());
+        f.leave(0);
+        f.enter(1);
+        QTRY_VERIFY(f.document.previewing());
+        const auto layers = f.scalp().map(MapKind::Density).layers;
+        QCOMPARE(layers.front().raster.texel(100, 100)[0], std::uint16_t(60000));
+        f.leave(1);
+    }
+
+    void a_click_before_the_file_is_read_still_applies()
+    {
+        StripFixture f;
+        QTest::mouseClick(&f.tile(0), Qt::LeftButton);
+        QTRY_COMPARE(f.steps(), 1);
+        QCOMPARE(f.scalp().settings.greatestLengthM, 0.6F);
+    }
+
+    void a_broken_style_is_reported_and_changes_nothing()
+    {
+        StripFixture f;
+        QSignalSpy failed(&f.strip, &StyleStrip::failed);
+        QTest::mouseClick(&f.tile(2), Qt::LeftButton);
+        QTRY_COMPARE(failed.count(), 1);
+        QCOMPARE(f.steps(), 0);
+        QVERIFY(!f.document.previewing());
+    }
+
+    void somebody_elses_change_ends_the_preview_for_good()
+    {
+        StripFixture f;
+        f.enter(0);
+        QTRY_VERIFY(f.document.previewing());
+        f.document.push(renameGroupCommand(f.document, f.document.committed().groups[1].id, QStringLiteral("Brows")));
+        QVERIFY(!f.document.previewing());
+        f.leave(0);
+        QCOMPARE(f.document.project().groups[1].name, QStringLiteral("Brows"));
+        QCOMPARE(f.steps(), 1);
+    }
+
+    void pictures_are_asked_for_and_filled_in()
+    {
+        PanelFixture f;
+        StyleStrip strip(f.state, load);
+        QSignalSpy wanted(&strip, &StyleStrip::pictureWanted);
+        strip.setEntries({{.path = QStringLiteral("bob"),
+                           .name = QStringLiteral("Bob"),
+                           .tags = {},
+                           .folder = QStringLiteral("own"),
+                           .picture = {}}});
+        QTRY_COMPARE(wanted.count(), 1);
+        QImage picture(96, 96, QImage::Format_RGB32);
+        picture.fill(Qt::darkYellow);
+        strip.setPicture(QStringLiteral("bob"), picture);
+        QVERIFY(strip.findChildren<StyleTile*>().first()->hasPicture());
+    }
+
+    void the_last_tile_saves_a_style()
+    {
+        StripFixture f;
+        QSignalSpy save(&f.strip, &StyleStrip::saveStyleRequested);
+        QTest::mouseClick(f.strip.findChildren<StyleTile*>().last(), Qt::LeftButton);
+        QCOMPARE(save.count(), 1);
+        QCOMPARE(f.strip.paths().size(), std::size_t(3));
+    }
+};
+
+QTEST_MAIN(TestStyleStrip)
+#include "test_style_strip.moc"
