@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kInset = 8;
 
-constexpr int kScaleHeight = 7; ///< Of the strip that shows a map's scale, under the text.
+constexpr int kScaleHeight = 5; ///< Of the strip that shows a map's scale, under the text.
 
 /// Degrees stand against their number, other units a thin space away.
 QString spacedUnit(const QString& unit)
@@ -82,7 +82,7 @@ void BarSlider::paintEvent(QPaintEvent* /*event*/)
     }
     painter.restore();
 
-    const QRect inside = rect().adjusted(kInset, 0, -kInset, scale ? 1 - kScaleHeight : 0);
+    const QRect inside = rect().adjusted(kInset, 0, -kInset, scale ? -kScaleHeight : 0);
     const QString value = valueText();
     const int valueWidth = fontMetrics().horizontalAdvance(value);
     painter.setPen(isEnabled() ? theme.text : theme.dimText);
