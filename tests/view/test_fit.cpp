@@ -42,7 +42,9 @@ public:
         const QString text = QString::fromUtf8(source);
         if (text.size() < 4 || text.startsWith(QLatin1Char('%')))
             return text;
-        return text + QString(text.size() / 3, QLatin1Char('n'));
+        // One longer word for a short text, more words for a sentence.
+        return text.size() < 24 ? text + QString(text.size() / 3, QLatin1Char('n'))
+                                : text + QStringLiteral(" nnnnnnn").repeated(text.size() / 24);
     }
     [[nodiscard]] bool isEmpty() const override { return false; }
 };

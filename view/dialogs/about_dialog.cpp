@@ -20,7 +20,6 @@ QLabel* makeText(const QString& text, const char* role, QWidget* parent)
 {
     auto* label = new QLabel(text, parent);
     label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     if (*role != '\0')
         label->setProperty("role", QLatin1String(role));
     return label;
@@ -55,7 +54,9 @@ AboutDialog::AboutDialog(const QString& version, const QString& renderer, QWidge
     QString facts = tr("Qt %1 on %2").arg(QLatin1String(qVersion()), QSysInfo::prettyProductName());
     if (!renderer.isEmpty())
         facts += QLatin1Char('\n') + tr("Drawn by %1").arg(renderer);
-    layout->addWidget(makeText(facts, "dim", this));
+    QLabel* details = makeText(facts, "dim", this);
+    details->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    layout->addWidget(details);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     buttons->button(QDialogButtonBox::Close)->setText(tr("Close"));
     buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
