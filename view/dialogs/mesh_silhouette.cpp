@@ -73,6 +73,9 @@ void MeshSilhouette::setUpAxis(model::UpAxis axis)
 QImage MeshSilhouette::picture(QSize pixels) const
 {
     const Theme theme = Theme::current();
+    const bool dark = theme.kind == ThemeKind::Dark;
+    const QColor shadow = dark ? theme.line : theme.dimText;
+    const QColor lit = dark ? theme.text : QColor(Qt::white);
     QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     if (m_mesh.positionsHd.empty())
@@ -102,7 +105,7 @@ QImage MeshSilhouette::picture(QSize pixels) const
             continue;
         normal = normal.z < 0.0F ? normal / -length : normal / length;
         const auto light = static_cast<double>(glm::dot(normal, glm::vec3(0.35F, -0.45F, 0.82F)));
-        fill(image, depths, corners, mixed(theme.line, theme.text, 0.1 + 0.75 * std::clamp(light, 0.0, 1.0)).rgb());
+        fill(image, depths, corners, mixed(shadow, lit, 0.1 + 0.75 * std::clamp(light, 0.0, 1.0)).rgb());
     }
     return image;
 }

@@ -42,7 +42,6 @@ QWidget* PreferencesDialog::buildKeys()
     layout->addWidget(m_filter);
     m_keys = new QTreeWidget(page);
     m_keys->setAccessibleName(tr("Keys"));
-    m_keys->setUniformRowHeights(true);
     m_keys->setColumnCount(2);
     m_keys->setHeaderLabels({tr("Action"), tr("Key")});
     m_keys->header()->setSectionResizeMode(kNameColumn, QHeaderView::Stretch);

@@ -111,7 +111,6 @@ void OptionBar::buildValue()
     m_valueButton->setObjectName(QStringLiteral("valueButton"));
     m_valueButton->setIcon(icon(QStringLiteral("chevron-down")));
     m_valueButton->setIconSize(QSize(16, 16));
-    m_valueButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     // The arrow stands behind the text.
     m_valueButton->setLayoutDirection(Qt::RightToLeft);
     m_valueButton->setFixedHeight(metrics::kRow);
@@ -243,6 +242,7 @@ void OptionBar::follow()
         m_scalar->setGradient(scaleGradient(spec, m_state.nightPaper()));
         m_scalar->setValue(shownValue(group, spec.kind, static_cast<double>(value.scalar)));
     }
+    m_valueButton->setToolButtonStyle(scalar ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
     m_valueButton->setText(scalar ? QString() : valueText(group, spec, value));
     m_valueButton->setAccessibleName(tr("Palette, %1").arg(valueText(group, spec, value)));
     m_size->setValue(static_cast<double>(settings.brushSizeM) * kCm);
