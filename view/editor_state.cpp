@@ -165,11 +165,11 @@ bool EditorState::setWireframe(bool shown)
     return setOption(m_wireframe, shown);
 }
 
-void EditorState::setHover(std::optional<Hover> hover)
+void EditorState::setHover(const std::optional<Hover>& hover)
 {
     if (!hover && !m_hover)
         return;
-    m_hover = std::move(hover);
+    m_hover = hover;
     Q_EMIT hoverChanged();
 }
 

@@ -59,7 +59,7 @@ public:
     bool setWireframe(bool shown);
 
     [[nodiscard]] const std::optional<Hover>& hover() const { return m_hover; }
-    void setHover(std::optional<Hover> hover);
+    void setHover(const std::optional<Hover>& hover);
 
     /// Pointer events on the skin. press() does nothing where the target layer is missing, hidden or locked: refused()
     /// says why.

@@ -325,6 +325,15 @@ private Q_SLOTS:
         QVERIFY(f.area.missingText().isEmpty());
     }
 
+    void itClosesWhileStillRefining()
+    {
+        for (int i = 0; i < 4; ++i) {
+            Fixture f;
+            QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
+            QTRY_VERIFY(drawn.count() >= 1);
+        }
+    }
+
     void nothingChangedNothingIsDrawn()
     {
         Fixture f;

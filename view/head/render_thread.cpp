@@ -30,8 +30,10 @@ public:
         return *m_start;
     }
 
+    /// Calls that still wait in the thread's queue find nothing to draw with.
     void stop()
     {
+        m_start = RenderStart{};
         m_renderer.reset();
         if (m_context)
             m_context->doneCurrent();
