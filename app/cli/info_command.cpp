@@ -76,11 +76,11 @@ QString asText(const QJsonObject& info)
                     .arg(group[QLatin1StringView("nodes_per_hair")].toInt());
         for (const auto& mapValue : group[QLatin1StringView("maps")].toArray()) {
             const QJsonObject map = mapValue.toObject();
-            text += QCoreApplication::translate("CommandLine", "  %1: %2 x %3, %n layer(s)\n", nullptr,
-                                                map[QLatin1StringView("layers")].toInt())
+            text += QCoreApplication::translate("CommandLine", "  %1: %2 x %3, layers: %4\n")
                         .arg(map[QLatin1StringView("kind")].toString())
                         .arg(map[QLatin1StringView("width")].toInt())
-                        .arg(map[QLatin1StringView("height")].toInt());
+                        .arg(map[QLatin1StringView("height")].toInt())
+                        .arg(map[QLatin1StringView("layers")].toInt());
         }
     }
     return text;
