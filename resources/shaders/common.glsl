@@ -3,7 +3,7 @@
 
 layout(std140, binding = 0) uniform Frame
 {
-    mat4 projectionFromWo;  // Jittered by a part of a pixel where pictures are accumulated.
+    mat4 projectionFromWo;
     mat4 woFromProjection;
     mat4 woFromHd;
     mat4 gridFromWo[2];     // Wo -> 0..1 in the opacity grids; z runs away from the light, from the eye.

@@ -1,3 +1,4 @@
+// The context of drawing tests.
 #include "tests/rendering/gl_test.h"
 
 #include <epoxy/gl.h>

@@ -1,3 +1,4 @@
+// Makes grooms, frames and balls without the simulation.
 #include "tests/rendering/hand_made_hair.h"
 
 #include "sim/deterministic.h"
@@ -136,6 +137,33 @@ std::vector<HandMadeStrand> hairOnBall(glm::vec3 semiAxesM, const BallHair& hair
         strands.push_back(std::move(strand));
     }
     return strands;
+}
+
+rendering::Scene emptyScene()
+{
+    rendering::Scene scene;
+    scene.camera.targetWo = glm::vec3(0.0F);
+    scene.camera.elevationRad = 0.0F;
+    return scene;
+}
+
+std::vector<HandMadeStrand> comb(std::uint32_t colour, int count, float halfWidthM, float widthM)
+{
+    std::vector<HandMadeStrand> strands;
+    for (int i = 0; i < count; ++i) {
+        const float x = halfWidthM * (2.0F * (static_cast<float>(i) + 0.5F) / static_cast<float>(count) - 1.0F);
+        strands.push_back(straightStrand(glm::vec3(x, 0.1F, 0.0F), glm::vec3(x, -0.1F, 0.0F), colour));
+        strands.back().style.widthM = widthM;
+    }
+    return strands;
+}
+
+sim::GroupSettings plainSettings()
+{
+    sim::GroupSettings settings;
+    settings.material = {
+        .shine = 0.0F, .roughness = 0.5F, .rootAlpha = 1.0F, .tipAlpha = 1.0F, .colourVariation = 0.0F};
+    return settings;
 }
 
 } // namespace hairpaint::testing

@@ -42,4 +42,12 @@ struct BallHair
 };
 [[nodiscard]] std::vector<HandMadeStrand> hairOnBall(glm::vec3 semiAxesM, const BallHair& hair);
 
+/// Nothing, seen from the front.
+[[nodiscard]] rendering::Scene emptyScene();
+/// A comb of upright strands before the middle of the picture, 20 cm long.
+[[nodiscard]] std::vector<HandMadeStrand> comb(std::uint32_t colour, int count, float halfWidthM = 0.05F,
+                                               float widthM = 1e-3F);
+/// A material without shine, thinning or variation.
+[[nodiscard]] sim::GroupSettings plainSettings();
+
 } // namespace hairpaint::testing

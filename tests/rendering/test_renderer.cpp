@@ -15,34 +15,6 @@ namespace {
 
 constexpr glm::vec3 kBall(0.08F, 0.11F, 0.1F);
 
-Scene emptyScene()
-{
-    Scene scene;
-    scene.camera.targetWo = glm::vec3(0.0F);
-    scene.camera.elevationRad = 0.0F;
-    return scene;
-}
-
-/// A comb of upright strands 1 mm wide before the middle of the picture.
-std::vector<HandMadeStrand> comb(std::uint32_t colour, int count, float halfWidthM = 0.05F, float widthM = 1e-3F)
-{
-    std::vector<HandMadeStrand> strands;
-    for (int i = 0; i < count; ++i) {
-        const float x = halfWidthM * (2.0F * (static_cast<float>(i) + 0.5F) / static_cast<float>(count) - 1.0F);
-        strands.push_back(straightStrand(glm::vec3(x, 0.1F, 0.0F), glm::vec3(x, -0.1F, 0.0F), colour));
-        strands.back().style.widthM = widthM;
-    }
-    return strands;
-}
-
-sim::GroupSettings plainSettings()
-{
-    sim::GroupSettings settings;
-    settings.material = {
-        .shine = 0.0F, .roughness = 0.5F, .rootAlpha = 1.0F, .tipAlpha = 1.0F, .colourVariation = 0.0F};
-    return settings;
-}
-
 } // namespace
 
 class TestRenderer : public QObject
@@ -68,9 +40,6 @@ private Q_SLOTS:
     void ringShowsOnTheSkinAndHairInsideFades();
     void hairShadesTheSkin();
     void emptyAndHiddenHairDrawsNothing();
-    void anySizeIsDrawn_data();
-    void anySizeIsDrawn();
-    void pictureIsCopiedToTheCallersFramebufferAndStateIsKept();
 
 private:
     Picture draw(const Scene& scene, const Quality& quality = {}, int width = 200, int height = 150)
@@ -369,43 +338,6 @@ void TestRenderer::emptyAndHiddenHairDrawsNothing()
     QCOMPARE(m_renderer->statistics().drawnHairs, std::size_t{0});
     scene.hair = frame;
     QCOMPARE(draw(scene).pixels == without.pixels, false);
-}
-
-void TestRenderer::anySizeIsDrawn_data()
-{
-    QTest::addColumn<int>("width");
-    QTest::addColumn<int>("height");
-    QTest::newRow("a pixel") << 1 << 1;
-    QTest::newRow("wide") << 701 << 3;
-    QTest::newRow("tall") << 5 << 400;
-    QTest::newRow("odd") << 333 << 217;
-}
-
-void TestRenderer::anySizeIsDrawn()
-{
-    QFETCH(int, width);
-    QFETCH(int, height);
-    Scene scene = emptyScene();
-    scene.head = makeBall(kBall);
-    scene.hair = makeFrame(comb(0xFF20C020U, 300), plainSettings());
-    for (const int samples : {1, 2, 4}) {
-        const Picture picture = draw(scene, {.samples = samples}, width, height);
-        QCOMPARE(picture.pixels.size(), static_cast<std::size_t>(width * height * 4));
-    }
-    // Inside the hair, and with hair behind the eye.
-    scene.camera.distanceM = 0.03F;
-    draw(scene, {}, width, height);
-}
-
-void TestRenderer::pictureIsCopiedToTheCallersFramebufferAndStateIsKept()
-{
-    Scene scene = emptyScene();
-    scene.background = glm::vec3(0.2F, 0.1F, 0.05F);
-    const Picture picture = draw(scene, {}, 60, 40);
-    const ForeignFramebuffer foreign(60, 40);
-    m_renderer->blitTo(foreign.id(), 60, 40);
-    QVERIFY(foreign.isBound());
-    QCOMPARE(foreign.centre(), picture.at(30, 20));
 }
 
 QTEST_APPLESS_MAIN(TestRenderer)

@@ -1,3 +1,4 @@
+// Derives matrices, grids and depth keys from the scene.
 #include "view/rendering/frame_constants.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -77,9 +78,7 @@ FrameConstants frameConstants(const Scene& scene, const Target& target)
     FrameConstants c{};
     const float aspect = static_cast<float>(target.width) / static_cast<float>(target.height);
     const glm::mat4 view = scene.camera.view();
-    glm::mat4 projection = scene.camera.projection(aspect);
-    const glm::vec2 size(target.width, target.height);
-    projection = glm::translate(glm::mat4(1.0F), glm::vec3(2.0F * target.jitter / size, 0.0F)) * projection;
+    const glm::mat4 projection = scene.camera.projection(aspect);
     c.projectionFromWo = projection * view;
     c.woFromProjection = glm::inverse(c.projectionFromWo);
     const sim::HeadPose pose = scene.hair ? scene.hair->pose : sim::HeadPose{};

@@ -31,8 +31,7 @@ struct Target
 {
     int width = 0; ///< Pixels.
     int height = 0;
-    glm::ivec2 samples{1};  ///< A pixel, across and up.
-    glm::vec2 jitter{0.0F}; ///< Pixels, -0.5..0.5.
+    glm::ivec2 samples{1}; ///< A pixel, across and up.
 };
 
 inline constexpr int kGridSide = 48; ///< Voxels of the opacity grid in each direction.

@@ -1,3 +1,4 @@
+// Sends one group's hair to the GPU.
 #include "view/rendering/hair_group.h"
 
 #include <bit>

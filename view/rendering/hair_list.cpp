@@ -1,3 +1,4 @@
+// Sorts the drawn strands by the detail at which they appear.
 #include "view/rendering/hair_list.h"
 
 #include <algorithm>

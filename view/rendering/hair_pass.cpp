@@ -1,3 +1,4 @@
+// The compute passes: opacity grids, points along the strands, their light, their samples.
 #include "view/rendering/hair_pass.h"
 
 #include <epoxy/gl.h>

@@ -1,3 +1,4 @@
+// Draws the head with triangles and keeps the picture.
 #include "view/rendering/head_layer.h"
 
 #include <epoxy/gl.h>

@@ -1,8 +1,10 @@
+// Head, hair and background, put together into one picture.
 #include "view/rendering/renderer.h"
 
 #include "view/rendering/gl_objects.h"
 #include "view/rendering/hair_pass.h"
 #include "view/rendering/head_layer.h"
+#include "view/rendering/state_guard.h"
 
 #include <epoxy/gl.h>
 

@@ -1,0 +1,99 @@
+// The renderer's picture has any size, is copied to the caller's framebuffer, and leaves the caller's state alone.
+#include "tests/rendering/gl_test.h"
+#include "tests/rendering/hand_made_hair.h"
+
+#include <QtTest>
+
+using namespace hairpaint;
+using namespace hairpaint::testing;
+using rendering::Quality;
+using rendering::Scene;
+
+namespace {
+
+constexpr glm::vec3 kBall(0.08F, 0.11F, 0.1F);
+
+} // namespace
+
+class TestRendererTarget : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void cleanup();
+    void cleanupTestCase();
+    void anySizeIsDrawn_data();
+    void anySizeIsDrawn();
+    void pictureIsCopiedToTheCallersFramebufferAndStateIsKept();
+
+private:
+    Picture draw(const Scene& scene, const Quality& quality, int width, int height)
+    {
+        return drawn(*m_renderer, scene, quality, width, height);
+    }
+
+    std::unique_ptr<GlTest> m_gl;
+    std::unique_ptr<rendering::Renderer> m_renderer;
+};
+
+void TestRendererTarget::initTestCase()
+{
+    m_gl = std::make_unique<GlTest>();
+    QVERIFY2(m_gl->failure().empty(), m_gl->failure().c_str());
+    auto renderer = rendering::Renderer::create();
+    QVERIFY2(renderer.has_value(), renderer.has_value() ? "" : renderer.error().c_str());
+    m_renderer = std::move(*renderer);
+}
+
+void TestRendererTarget::cleanup()
+{
+    const std::string errors = m_gl->takeErrors();
+    QVERIFY2(errors.empty(), errors.c_str());
+}
+
+void TestRendererTarget::cleanupTestCase()
+{
+    m_renderer.reset();
+    m_gl.reset();
+}
+
+void TestRendererTarget::anySizeIsDrawn_data()
+{
+    QTest::addColumn<int>("width");
+    QTest::addColumn<int>("height");
+    QTest::newRow("a pixel") << 1 << 1;
+    QTest::newRow("wide") << 701 << 3;
+    QTest::newRow("tall") << 5 << 400;
+    QTest::newRow("odd") << 333 << 217;
+}
+
+void TestRendererTarget::anySizeIsDrawn()
+{
+    QFETCH(int, width);
+    QFETCH(int, height);
+    Scene scene = emptyScene();
+    scene.head = makeBall(kBall);
+    scene.hair = makeFrame(comb(0xFF20C020U, 300), plainSettings());
+    for (const int samples : {1, 2, 4}) {
+        const Picture picture = draw(scene, {.samples = samples}, width, height);
+        QCOMPARE(picture.pixels.size(), static_cast<std::size_t>(width * height * 4));
+    }
+    // Inside the hair, and with hair behind the eye.
+    scene.camera.distanceM = 0.03F;
+    draw(scene, {}, width, height);
+}
+
+void TestRendererTarget::pictureIsCopiedToTheCallersFramebufferAndStateIsKept()
+{
+    Scene scene = emptyScene();
+    scene.background = glm::vec3(0.2F, 0.1F, 0.05F);
+    const Picture picture = draw(scene, {}, 60, 40);
+    const ForeignFramebuffer foreign(60, 40);
+    m_renderer->blitTo(foreign.id(), 60, 40);
+    QVERIFY(foreign.isBound());
+    QCOMPARE(foreign.centre(), picture.at(30, 20));
+}
+
+QTEST_APPLESS_MAIN(TestRendererTarget)
+#include "test_renderer_target.moc"
