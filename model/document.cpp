@@ -1,6 +1,7 @@
 // Committed content, at most one preview over it, and the maps resolved from whichever of the two is shown.
 #include "model/document.h"
 
+#include "model/commands/undo_budget.h"
 #include "model/compositor.h"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ struct Document::State
     Change previewChange; ///< Of the running preview; for a stroke, with every tile touched so far.
     bool stroke = false;  ///< The preview came through previewTiles.
     QUndoStack undoStack;
+    UndoBudget undoBudget;
     std::map<MapKey, ResolvedMap> resolved; ///< Of what is shown.
 
     explicit State(Project project) : committed(std::move(project)) { resolveAll(); }
@@ -102,6 +104,17 @@ QUndoStack& Document::undoStack()
     return m_state->undoStack;
 }
 
+bool Document::canUndo() const
+{
+    return m_state->undoStack.index() > m_state->undoBudget.floor();
+}
+
+void Document::setUndoBudget(std::size_t bytes)
+{
+    m_state->undoBudget.setLimit(bytes);
+    m_state->undoBudget.enforce(m_state->undoStack, m_state->committed);
+}
+
 bool Document::modified() const
 {
     return !m_state->undoStack.isClean();
@@ -121,6 +134,7 @@ void Document::replace(Project project)
     m_state->resolved.clear();
     m_state->resolveAll();
     m_state->undoStack.clear();
+    m_state->undoBudget.reset();
     tell(Change{}, false);
 }
 
@@ -251,7 +265,7 @@ void Document::undo()
     const bool stroke = m_state->stroke;
     Q_EMIT strokeMustEnd(true);
     clearPreview();
-    if (!stroke)
+    if (!stroke && canUndo())
         m_state->undoStack.undo();
 }
 
@@ -268,6 +282,7 @@ void Document::push(std::unique_ptr<QUndoCommand> command)
         return;
     Q_EMIT strokeMustEnd(false);
     m_state->undoStack.push(command.release());
+    m_state->undoBudget.enforce(m_state->undoStack, m_state->committed);
 }
 
 } // namespace hairpaint::model

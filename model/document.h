@@ -54,6 +54,10 @@ public:
 
     [[nodiscard]] const Project& project() const;
     [[nodiscard]] QUndoStack& undoStack();
+    /// False too where the oldest steps left were freed to bound the history's memory.
+    [[nodiscard]] bool canUndo() const;
+    /// The tiles that only the history holds; 1 GiB unless set. The newest step can always be undone.
+    void setUndoBudget(std::size_t bytes);
     [[nodiscard]] bool modified() const; ///< Since the last markSaved().
     void markSaved();
     /// Puts another project in place of this one; clears the history.

@@ -30,6 +30,12 @@ struct GroupsSlice
         project.groups = groups;
         project.nextId = nextId;
     }
+    void visitTiles(const TileHolder::Visit& visit) const
+    {
+        for (const HairGroup& group : groups)
+            for (const MapStack& stack : group.maps)
+                visitTilesOf(stack.layers, visit);
+    }
 };
 
 struct SettingsSlice

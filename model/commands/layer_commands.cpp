@@ -32,6 +32,7 @@ struct LayersSlice
             group->map(change.map).layers = layers;
         project.nextId = nextId;
     }
+    void visitTiles(const TileHolder::Visit& visit) const { visitTilesOf(layers, visit); }
 };
 
 CommandPtr layersCommand(Document& document, Id groupId, MapKind map, const QString& text,

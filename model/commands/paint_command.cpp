@@ -1,5 +1,6 @@
 // Undo of painting: only the touched tiles are kept.
 #include "model/commands/commands.h"
+#include "model/commands/undo_budget.h"
 
 #include <algorithm>
 
@@ -7,7 +8,7 @@ namespace hairpaint::model {
 
 namespace {
 
-class PaintCommand : public QUndoCommand
+class PaintCommand : public QUndoCommand, public TileHolder
 {
 public:
     PaintCommand(Document& document, const LayerAddress& address, std::vector<std::pair<int, sim::RasterTilePtr>> tiles,
@@ -16,6 +17,12 @@ public:
     {}
     void redo() override { swapTiles(); }
     void undo() override { swapTiles(); }
+    void visitTiles(const Visit& visit) const override
+    {
+        for (const auto& [index, tile] : m_tiles)
+            visit(tile);
+    }
+    void release() override { m_tiles = {}; }
 
 private:
     void swapTiles()

@@ -1,5 +1,8 @@
 // Pixels a second of one dab into a stroke buffer, in the order of places that the rival driver uses.
+#include "model/document.h"
+#include "model/tools/selection.h"
 #include "model/tools/stroke_buffer.h"
+#include "model/tools/tool.h"
 
 #include <benchmark/benchmark.h>
 
@@ -39,6 +42,33 @@ void paintDab(benchmark::State& state)
         benchmark::Counter(static_cast<double>(state.iterations()) * area * 1e-6, benchmark::Counter::kIsRate);
 }
 
+/// One move event of a brush stroke on a 2048 map, with the preview's tiles, resolved.
+void paintEvent(benchmark::State& state)
+{
+    using namespace hairpaint::model;
+    Project project;
+    project.groups.push_back(makeGroup(project, QStringLiteral("Scalp"), kMapSize));
+    const HairGroup& group = project.groups.front();
+    const LayerAddress target{group.id, MapKind::Length, group.map(MapKind::Length).layers.front().id};
+    Document document(project);
+    Selection selection;
+    ToolSettings settings;
+    // Without a head a uv unit counts as 0.5 m.
+    settings.brushSizeM = static_cast<float>(state.range(0)) * 2.0F * 0.5F / kMapSize;
+    const std::unique_ptr<Tool> brush = std::move(makeTools().front());
+    ToolContext context{document, target, settings, selection};
+    int i = 0;
+    const auto event = [&i] {
+        const float along = 0.01F * static_cast<float>(i++);
+        return ToolEvent{.uv = {0.5F + 0.35F * std::cos(along), 0.5F + 0.35F * std::sin(1.3F * along)}};
+    };
+    brush->press(event(), context);
+    for (auto step : state)
+        brush->move(event(), context);
+    brush->cancel(context);
+}
+
+BENCHMARK(paintEvent)->Name("paint_event")->ArgName("radius")->Arg(8)->Arg(32)->Arg(128);
 BENCHMARK(paintDab)->Name("paint_dab")->ArgName("radius")->Arg(8)->Arg(32)->Arg(128);
 
 } // namespace

@@ -101,6 +101,8 @@ private Q_SLOTS:
     void aPresetFlattensWhatIsShown();
     void thePreviewOfAPresetIsItsCommit();
     void theDocumentKnowsWhetherItIsSaved();
+    void theHistoryForgetsItsOldestStepsWithinItsBudget();
+    void sharedTilesCostTheHistoryNothing();
 };
 
 void TestCommands::undoingAllGivesTheFirstContentAndRedoingAllTheLast_data()
@@ -301,6 +303,54 @@ void TestCommands::theDocumentKnowsWhetherItIsSaved()
     document.replace(patchProject());
     QVERIFY(!document.modified());
     QVERIFY(!document.undoStack().canUndo());
+}
+
+void TestCommands::theHistoryForgetsItsOldestStepsWithinItsBudget()
+{
+    constexpr std::size_t kTileBytes = 64 * 64 * 2 * sizeof(std::uint16_t);
+    Document document(patchProject());
+    document.setUndoBudget(5 * kTileBytes);
+    const LayerAddress gel = firstLayer(document, MapKind::Gel);
+    std::vector<Project> states{document.committed()};
+    for (std::uint16_t step = 1; step <= 20; ++step) {
+        sim::TiledRaster raster = document.project().layer(gel.group, gel.map, gel.layer)->raster;
+        raster.setTexel(step, 0, {step, 65535, 0, 0});
+        document.push(paintCommand(document, gel, {{0, raster.tile(0)}}, QString()));
+        states.push_back(document.committed());
+        QVERIFY(document.canUndo());
+    }
+    int undone = 0;
+    for (; document.canUndo(); ++undone) {
+        QVERIFY(sameProjects(document.committed(), states[states.size() - 1 - static_cast<std::size_t>(undone)]));
+        document.undo();
+    }
+    QCOMPARE(undone, 5);
+    document.undo(); // At the floor: nothing happens.
+    QVERIFY(sameProjects(document.committed(), states[15]));
+    while (document.undoStack().canRedo())
+        document.redo();
+    QVERIFY(sameProjects(document.committed(), states.back()));
+    document.setUndoBudget(0);
+    QVERIFY(document.canUndo()); // The newest step stays.
+    document.undo();
+    QVERIFY(sameProjects(document.committed(), states[19]));
+    QVERIFY(!document.canUndo());
+}
+
+void TestCommands::sharedTilesCostTheHistoryNothing()
+{
+    Project project = patchProject();
+    sim::TiledRaster& raster = project.groups.front().map(MapKind::Gel).layers.front().raster;
+    for (int x = 0; x < 256; ++x)
+        for (int y = 0; y < 256; ++y)
+            raster.setTexel(x, y, {static_cast<std::uint16_t>(x), 65535, 0, 0});
+    Document document(project);
+    document.setUndoBudget(1000);
+    for (int i = 0; i < 10; ++i)
+        document.push(renameGroupCommand(document, project.groups.front().id, QStringLiteral("%1").arg(i)));
+    while (document.canUndo())
+        document.undo();
+    QVERIFY(sameProjects(document.committed(), project));
 }
 
 QTEST_APPLESS_MAIN(TestCommands)
