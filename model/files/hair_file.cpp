@@ -95,7 +95,7 @@ std::vector<glm::vec3> evaluateAll(const sim::StrandFrame& frame, const std::vec
             const Strand& strand = strands[i];
             const sim::GroupFrame& group = frame.groups[strand.group];
             skeletonOf(group, strand.slot, skeleton);
-            const glm::vec3 tangentWo = frame.pose.rotation * group.groom->roots->tangentHd[strand.slot];
+            const glm::vec3 tangentWo = frame.pose.rotation * sim::frameTangentHd(*group.groom, strand.slot);
             sim::evaluateStrand(skeleton, tangentWo, styleOf(frame, strand), strand.segments, curve);
             const std::size_t count = std::min(curve.size(), static_cast<std::size_t>(strand.segments) + 1);
             std::copy_n(curve.begin(), count, points.begin() + static_cast<std::ptrdiff_t>(strand.firstPoint));
