@@ -22,6 +22,7 @@ namespace {
 constexpr qint64 kMostDistinctTexels = qint64{1} << 29;
 constexpr qint64 kMostTexels = qint64{1} << 32;
 constexpr std::size_t kMostHeldBytes = std::size_t{1} << 30U;
+constexpr quint64 kMostImageBytes = quint64{1} << 29U;
 
 /// A layer of the project together with where its image lies.
 struct Place
@@ -44,25 +45,24 @@ std::vector<Place> placesOf(std::vector<HairGroup>& groups)
 tl::unexpected<Clause> tooMuch()
 {
     return refuse(say(QT_TRANSLATE_NOOP("Files", "its maps are larger than this program can hold; use fewer layers or "
-                                                 "smaller maps")));
+                                                 "smaller maps")),
+                  Clause::Cure::OtherFile);
 }
 
-Checked<void> checkBudget(const ArchiveReader& archive, const std::vector<Place>& places)
+/// What images that differ come to; checked before any of them is decoded.
+struct Budget
 {
     qint64 texels = 0;
-    qint64 distinctTexels = 0;
-    std::set<std::pair<quint32, int>> seen;
-    for (const Place& place : places) {
-        if (!archive.contains(place.entry))
-            continue;
-        const qint64 count = qint64{place.stack->size} * place.stack->size;
-        texels += count;
-        if (seen.emplace(archive.checksum(place.entry), place.stack->size).second)
-            distinctTexels += count;
-    }
-    if (texels > kMostTexels || distinctTexels > kMostDistinctTexels)
-        return tooMuch();
-    return {};
+    quint64 bytes = 0;
+    [[nodiscard]] bool exceeded() const { return texels > kMostDistinctTexels || bytes > kMostImageBytes; }
+};
+
+bool tooManyTexels(const std::vector<Place>& places)
+{
+    qint64 texels = 0;
+    for (const Place& place : places)
+        texels += qint64{place.stack->size} * place.stack->size;
+    return texels > kMostTexels;
 }
 
 /// How many images of this size are worked on at once: large ones would take too much memory together.
@@ -110,7 +110,10 @@ struct Decoding
 /// Every image once, with the layers it is for.
 Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const std::vector<Place>& places)
 {
+    if (tooManyTexels(places))
+        return tooMuch();
     std::vector<Decoding> images;
+    Budget budget;
     std::multimap<quint32, std::size_t> byChecksum;
     for (const Place& place : places) {
         const int size = place.stack->size;
@@ -130,6 +133,10 @@ Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const
             images[known->second].layers.push_back(place.layer);
             continue;
         }
+        budget.texels += qint64{size} * size;
+        budget.bytes += static_cast<quint64>(png->size());
+        if (budget.exceeded())
+            return tooMuch();
         byChecksum.emplace(checksum, images.size());
         images.push_back({.png = std::move(*png), .spec = &spec, .size = size, .layers = {place.layer}});
     }
@@ -164,17 +171,15 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
     std::vector<Encoding> missing;
     EncodedLayers seen;
     std::size_t heldBytes = 0;
-    qint64 texels = 0;
     for (const Place& place : places) {
         const sim::TiledRaster& raster = place.layer->raster;
         heldBytes += raster.byteCount();
-        texels += qint64{raster.size()} * raster.size();
         if (cache.find(raster) || seen.find(raster))
             continue;
         seen.insert(raster, {});
         missing.push_back({.raster = raster, .size = raster.size(), .png = {}});
     }
-    if (texels > kMostTexels || heldBytes > kMostHeldBytes)
+    if (tooManyTexels(places) || heldBytes > kMostHeldBytes)
         return tooMuch();
     if (!inBatches<Encoding>(missing, progress, [](Encoding& one) { one.png = encodeLayer(one.raster); }))
         return false;
@@ -183,10 +188,19 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
             return refuse(say(QT_TRANSLATE_NOOP("Files", "there is not enough memory to encode its maps")));
         cache.insert(one.raster, one.png);
     }
-    for (const Place& place : places)
-        archive.add(place.entry.toLatin1(), cache.find(place.layer->raster).value_or(QByteArray()),
-                    ArchiveWriter::Method::Stored);
+    std::set<const char*> counted; // equal layers share their bytes
+    Budget budget;
+    for (const Place& place : places) {
+        const QByteArray png = cache.find(place.layer->raster).value_or(QByteArray());
+        if (counted.insert(png.constData()).second) {
+            budget.bytes += static_cast<quint64>(png.size());
+            budget.texels += qint64{place.stack->size} * place.stack->size;
+        }
+        archive.add(place.entry.toLatin1(), png, ArchiveWriter::Method::Stored);
+    }
     cache.dropUnused();
+    if (budget.exceeded())
+        return tooMuch();
     return true;
 }
 
@@ -194,8 +208,6 @@ Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& g
                          const Progress& progress)
 {
     const std::vector<Place> places = placesOf(groups);
-    if (Checked<void> budget = checkBudget(archive, places); !budget)
-        return tl::unexpected(budget.error());
     Checked<std::vector<Decoding>> images = collectImages(archive, places);
     if (!images)
         return tl::unexpected(images.error());

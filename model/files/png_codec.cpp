@@ -106,14 +106,24 @@ Checked<CheckedPng> checkPng(const QByteArray& png, int size)
     return brokenImage();
 }
 
+/// Sizes are checked before; Qt's own limit (MB, of the whole program) must admit the largest.
+void raiseAllocationLimit()
+{
+    constexpr int kMegabytes = 1024;
+    static const bool raised = [] {
+        if (QImageReader::allocationLimit() != 0 && QImageReader::allocationLimit() < kMegabytes)
+            QImageReader::setAllocationLimit(kMegabytes);
+        return true;
+    }();
+    Q_UNUSED(raised)
+}
+
 Checked<QImage> decodeImage(QByteArray& bytes, int size)
 {
     QBuffer buffer(&bytes);
     QImageReader reader(&buffer, "png");
     reader.setAutoTransform(false);
-    // The size was checked; the limit (MB, of the whole program) must admit it.
-    if (QImageReader::allocationLimit() != 0 && QImageReader::allocationLimit() < 1024)
-        QImageReader::setAllocationLimit(1024);
+    raiseAllocationLimit();
     QImage image = reader.read();
     if (image.isNull() || image.width() != size || image.height() != size)
         return brokenImage();

@@ -72,7 +72,9 @@ inline model::Project makeSampleProject(int mapSize = 256)
                      .windScale = 1.7F,
                      .body = 0.33F,
                      .friction = 0.66F,
-                     .volumeM = 0.0099F};
+                     .volumeM = 0.0099F,
+                     .parting = 0.2F,
+                     .sweepBack = 0.9F};
         s.material = {.shine = 0.77F, .roughness = 0.22F, .rootAlpha = 0.9F, .tipAlpha = 0.1F, .colourVariation = 0.3F};
         for (const MapSpec& spec : mapSpecs()) {
             std::vector<Layer>& layers = group.map(spec.kind).layers;
