@@ -7,14 +7,17 @@
 namespace hairpaint::rendering {
 namespace {
 
-constexpr float kLeastDetail = 1.0F / 64.0F;
+/// Below so many hairs the widened strands look like straw, and a frame is hardly faster: most of it is the same
+/// whatever is drawn.
+constexpr double kLeastHairs = 16'000.0;
+constexpr double kLeastDetail = 1.0 / 64.0;
 constexpr int kStillSegments = 16;
-constexpr double kRefinementMs = 250.0; ///< A still picture is refined in steps that take no longer.
+constexpr double kRefinementMs = 500.0; ///< A still picture is refined in steps that take no longer.
 
 /// Details come in steps, so that lists of strands are not rebuilt for a difference that nobody sees.
 float stepped(double detail)
 {
-    const double steps = std::round(std::log2(std::clamp(detail, static_cast<double>(kLeastDetail), 1.0)) * 4.0);
+    const double steps = std::round(std::log2(std::clamp(detail, kLeastDetail, 1.0)) * 4.0);
     return static_cast<float>(std::exp2(steps / 4.0));
 }
 
@@ -36,7 +39,7 @@ void DetailGovernor::observe(const FrameStatistics& statistics, std::size_t allH
     if (still)
         refine(milliseconds, allHairs);
     else
-        follow(milliseconds);
+        follow(milliseconds, allHairs);
 }
 
 /// Only ever finer: smooth curves and samples first, then more hairs, as long as a frame stays within the limit.
@@ -62,8 +65,9 @@ void DetailGovernor::refine(double milliseconds, std::size_t allHairs)
 }
 
 /// Damped, since a part of each frame does not depend on the hairs and single frames may be slow for other reasons.
-void DetailGovernor::follow(double milliseconds)
+void DetailGovernor::follow(double milliseconds, std::size_t allHairs)
 {
+    const double least = std::min(1.0, kLeastHairs / static_cast<double>(std::max<std::size_t>(allHairs, 1)));
     m_slow = milliseconds > m_wantedMs * 1.15 ? m_slow + 1 : 0;
     m_fast = milliseconds < m_wantedMs * 0.70 ? m_fast + 1 : 0;
     const auto detail = static_cast<double>(m_quality.detail);
@@ -72,7 +76,7 @@ void DetailGovernor::follow(double milliseconds)
         if (m_quality.samples > 1)
             m_quality.samples = 1;
         else
-            m_quality.detail = stepped(detail * std::clamp(m_wantedMs / milliseconds, 0.4, 0.84));
+            m_quality.detail = stepped(std::max(least, detail * std::clamp(m_wantedMs / milliseconds, 0.4, 0.84)));
     } else if (m_fast >= 4) {
         m_fast = 0;
         if (m_quality.detail < 1.0F)

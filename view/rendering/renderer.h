@@ -70,7 +70,7 @@ public:
 
 private:
     void refine(double milliseconds, std::size_t allHairs);
-    void follow(double milliseconds);
+    void follow(double milliseconds, std::size_t allHairs);
 
     double m_wantedMs;
     Quality m_quality{.detail = 0.25F, .samples = 1, .smoothSegments = 8};
