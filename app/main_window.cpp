@@ -59,6 +59,7 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     if (!restoreGeometry(m_settings.windowGeometry()))
         resize(kFirstWindow);
     showAreas(Areas::Both);
+    m_paintView->setFocus(); // Keys mean tools and maps from the first moment.
 }
 
 MainWindow::~MainWindow()

@@ -51,8 +51,8 @@ Camera standardCamera(StandardView view, const sim::HeadMesh& head)
     Camera camera;
     const glm::vec3 size = high - low;
     // Hair stands above the crown, so the mesh sits a little low in the picture.
-    camera.targetWo = (low + high) * 0.5F + glm::vec3(0.0F, size.y * 0.06F, 0.0F);
-    const float shownHeightM = std::max(size.y * 1.28F, std::max(size.x, size.z) * 1.1F);
+    camera.targetWo = (low + high) * 0.5F + glm::vec3(0.0F, size.y * 0.09F, 0.0F);
+    const float shownHeightM = std::max(size.y * 1.42F, std::max(size.x, size.z) * 1.1F);
     camera.distanceM = std::max(0.05F, shownHeightM * 0.5F / std::tan(camera.fieldOfViewRad * 0.5F) + size.z * 0.25F);
     camera.azimuthRad = entry.azimuthRad;
     camera.elevationRad = entry.elevationRad;

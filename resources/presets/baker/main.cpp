@@ -22,7 +22,7 @@ namespace {
 constexpr int kMapSize = 512;
 constexpr QSize kPictureSize(192, 192);
 constexpr QSize kWholeSize(480, 480);
-constexpr QRect kHeadPart(90, 20, 300, 300); ///< Of the whole picture: the bust's foot is no hair.
+constexpr QRect kHeadPart(105, 18, 276, 276); ///< Of the whole picture: the bust's foot is no hair.
 
 std::uint16_t texelValue(float value)
 {
