@@ -132,7 +132,7 @@ public:
     template<typename T>
     void write(const std::vector<T>& values)
     {
-        write(reinterpret_cast<const char*>(values.data()), static_cast<qint64>(values.size() * sizeof(T)));
+        write(reinterpret_cast<const char*>(values.data()), static_cast<qint64>(values.size()) * qint64{sizeof(T)});
     }
     void write(const char* bytes, qint64 count) { m_ok = m_ok && m_file.write(bytes, count) == count; }
     [[nodiscard]] bool ok() const { return m_ok; }

@@ -25,11 +25,12 @@ if(NOT HAIRPAINT_SIM_ONLY)
     find_package(Qt6 6.4 REQUIRED COMPONENTS Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
     pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 
-    # Debian's libzip package names tools that live in other packages; pkg-config does not.
-    find_package(libzip CONFIG QUIET)
-    if(NOT TARGET libzip::zip)
-        pkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)
+    # pkg-config first: Debian's CMake package names tools that live in other packages, and stops without them.
+    pkg_check_modules(LIBZIP QUIET IMPORTED_TARGET libzip)
+    if(LIBZIP_FOUND)
         add_library(libzip::zip ALIAS PkgConfig::LIBZIP)
+    else()
+        find_package(libzip CONFIG REQUIRED)
     endif()
 
     find_package(assimp REQUIRED)

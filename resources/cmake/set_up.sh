@@ -11,7 +11,8 @@ HAIRPAINT_PACKAGES=(
 )
 HAIRPAINT_TEST_PACKAGES=(xvfb xauth)
 HAIRPAINT_BENCH_PACKAGES=(libbenchmark-dev libmypaint-dev)
-HAIRPAINT_TIDY_PACKAGES=(clang-tidy clang-format)
+# The generators are read too, and they need Eigen.
+HAIRPAINT_TIDY_PACKAGES=(clang-tidy clang-format libbenchmark-dev libeigen3-dev)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -123,7 +123,7 @@ void drawHairs(benchmark::State& state, int samples)
     }
     bool odd = false;
     const CpuMeter meter(state);
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         odd = !odd;
         scene.hair = odd ? still : moved;
         (*renderer)->draw(scene, quality, kWidth, kHeight);
@@ -192,7 +192,7 @@ void drawBareLines(benchmark::State& state)
     const glm::mat4 matrix = camera.projection(static_cast<float>(kWidth) / kHeight) * camera.view();
     glUniformMatrix4fv(glGetUniformLocation(program, "m"), 1, GL_FALSE, &matrix[0][0]);
     const CpuMeter meter(state);
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(points.size()));
         glFinish();

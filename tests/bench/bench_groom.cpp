@@ -30,7 +30,7 @@ void groomBuild(benchmark::State& state)
     benchmark::DoNotOptimize(builder.update(input));
     std::uint16_t length = 20000;
     std::size_t rebuilt = 0;
-    for (auto step : state) {
+    for ([[maybe_unused]] auto step : state) {
         static_cast<void>(step);
         state.PauseTiming();
         const sim::GroomInput next = repainted(input, ++length);
@@ -48,7 +48,7 @@ void groomUpdateDab(benchmark::State& state)
     benchmark::DoNotOptimize(builder.update(input));
     int number = 0;
     std::size_t rebuilt = 0;
-    for (auto step : state) {
+    for ([[maybe_unused]] auto step : state) {
         static_cast<void>(step);
         state.PauseTiming();
         input = bench::dabbed(input, ++number);

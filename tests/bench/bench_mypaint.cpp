@@ -18,7 +18,7 @@ void mypaintDab(benchmark::State& state)
     const auto radius = static_cast<float>(state.range(0));
     MyPaintSurface* surface = mypaint_fixed_tiled_surface_interface(mypaint_fixed_tiled_surface_new(2048, 2048));
     int i = 0;
-    for (auto step : state) {
+    for ([[maybe_unused]] auto step : state) {
         if (i % kDabsAStep == 0)
             mypaint_surface_begin_atomic(surface);
         const auto place = static_cast<float>(i % 2000);

@@ -24,7 +24,7 @@ void paintDab(benchmark::State& state)
     StrokeBuffer buffer(kMapSize);
     const hairpaint::sim::TexelRect clip{0, 0, kMapSize, kMapSize};
     int i = 0;
-    for (auto step : state) {
+    for ([[maybe_unused]] auto step : state) {
         const auto place = static_cast<float>(i++ % 2000);
         const Dab dab{.xTx = 1024.0F + 700.0F * std::cos(place * 0.01F),
                       .yTx = 1024.0F + 700.0F * std::sin(place * 0.013F),
@@ -63,7 +63,7 @@ void paintEvent(benchmark::State& state)
         return ToolEvent{.uv = {0.5F + 0.35F * std::cos(along), 0.5F + 0.35F * std::sin(1.3F * along)}};
     };
     brush->press(event(), context);
-    for (auto step : state)
+    for ([[maybe_unused]] auto step : state)
         brush->move(event(), context);
     brush->cancel(context);
 }

@@ -39,7 +39,7 @@ void dependents(benchmark::State& state)
     simulation.setWind(kBreeze);
     simulation.settle(0.5);
     sim::StrandFrame frame;
-    for (auto step : state) {
+    for ([[maybe_unused]] auto step : state) {
         static_cast<void>(step);
         simulation.writeFrame(frame);
         benchmark::DoNotOptimize(frame.groups.front().positions.data());

@@ -78,6 +78,7 @@ CommandPtr randomCommand(Document& document, std::mt19937& random)
             const auto at = [&] { return static_cast<int>(random() % 256); };
             raster.setTexel(at(), at(), {static_cast<std::uint16_t>(random() % 4), 65535, 65535, 65535});
         }
+        tiles.reserve(static_cast<std::size_t>(raster.tileCount()));
         for (int index = 0; index < raster.tileCount(); ++index)
             tiles.emplace_back(index, raster.tile(index));
         return paintCommand(document, address, std::move(tiles), name);

@@ -20,7 +20,8 @@ struct Picture
     std::vector<std::uint8_t> pixels;
     [[nodiscard]] glm::ivec3 at(int x, int y) const
     {
-        const auto i = static_cast<std::size_t>((y * width + x) * 4);
+        const auto i =
+            (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 4;
         return {pixels[i], pixels[i + 1], pixels[i + 2]};
     }
     /// Mean over columns x0..x1 and rows y0..y1 of the distance in all channels from another picture, 0..255.

@@ -275,7 +275,8 @@ void TestRenderer::ringShowsOnTheSkinAndHairInsideFades()
     for (int degree = 0; degree < 360; degree += 10) {
         const float angle = glm::radians(static_cast<float>(degree));
         bool found = false;
-        for (float r = radius - 2.5F; r < radius + 2.5F; r += 0.5F) {
+        for (int step = -5; step < 5; ++step) {
+            const float r = radius + 0.5F * static_cast<float>(step);
             const glm::ivec3 pixel =
                 with.at(static_cast<int>(200.0F + r * std::cos(angle)), static_cast<int>(150.0F - r * std::sin(angle)));
             found = found || pixel.x > 200;

@@ -13,6 +13,7 @@
 #include <QCoreApplication>
 #include <QFile>
 
+#include <cmath>
 #include <cstdio>
 
 namespace hairpaint::presets {
@@ -26,7 +27,7 @@ constexpr QRect kHeadPart(105, 18, 276, 276); ///< Of the whole picture: the bus
 
 std::uint16_t texelValue(float value)
 {
-    return static_cast<std::uint16_t>(std::clamp(value, 0.0F, 1.0F) * 65535.0F + 0.5F);
+    return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 65535.0F));
 }
 
 sim::Texel valueAt(const Style& style, const model::MapSpec& spec, const Place& place)
