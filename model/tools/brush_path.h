@@ -56,6 +56,8 @@ public:
     void standAt(const ToolEvent& event) { start(event); }
 
 private:
+    static constexpr float kLeastWalkM = 1e-4F;
+
     struct Cursor
     {
         glm::vec2 uv;
@@ -100,11 +102,13 @@ private:
         const Cursor end = cursorOf(event);
         const Cursor begin = *m_cursor;
         const float lengthM = glm::length(end.positionHd - begin.positionHd);
-        for (float along = m_spacingM - m_carriedM; along < lengthM; along += m_spacingM) {
+        float along = m_spacingM - m_carriedM;
+        while (along < lengthM) {
             const float share = along / lengthM;
             const glm::vec3 positionHd = begin.positionHd + (end.positionHd - begin.positionHd) * share;
             m_last = placeAt(m_skin->nearest(positionHd), begin.pressure + (end.pressure - begin.pressure) * share);
-            onPlace(m_last);
+            onPlace(m_last); // May set the spacing.
+            along += std::max(m_spacingM, kLeastWalkM);
         }
         m_last = placeAt(*event.point, end.pressure);
         onPlace(m_last);

@@ -29,6 +29,8 @@ struct RowTerms
     {
         const float q = (a * x + cross) * x + rowTerm;
         const float t = std::min(std::max((1.0F - q) * slope, 0.0F), 1.0F);
+        // lround would not become vector code; t is never negative.
+        // NOLINTNEXTLINE(bugprone-incorrect-roundings)
         return static_cast<std::uint16_t>(static_cast<int>(t * t * (3.0F - 2.0F * t) * full + 0.5F));
     }
 };

@@ -25,8 +25,10 @@ void layPixels(std::uint16_t* pixels, const std::uint16_t* mask, const TilePaint
                                             ? paint.values[texel * channels + static_cast<std::size_t>(i)]
                                             : paint.value[static_cast<std::size_t>(i)];
             const auto old = static_cast<float>(target[i]);
-            target[i] =
-                static_cast<std::uint16_t>(static_cast<int>(old + (static_cast<float>(value) - old) * part + 0.5F));
+            // lround would not become vector code; values are never negative.
+            // NOLINTNEXTLINE(bugprone-incorrect-roundings)
+            const int moved = static_cast<int>(old + (static_cast<float>(value) - old) * part + 0.5F);
+            target[i] = static_cast<std::uint16_t>(moved);
         }
         target[channels] = static_cast<std::uint16_t>(after);
     }
