@@ -118,9 +118,9 @@ void MainWindow::buildEditMenu()
                                          .run = [&document] { document.redo(); },
                                          .icon = "redo"});
     redo->setShortcuts({redo->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-    const auto follow = [this, undo, redo, &stack] {
+    const auto follow = [this, undo, redo, &stack, &document] {
         // While a stroke runs, undo cancels it, whatever the stack holds.
-        undo->setEnabled(stack.canUndo() || m_session.editor().stroking());
+        undo->setEnabled(document.canUndo() || m_session.editor().stroking());
         redo->setEnabled(stack.canRedo());
         undo->setText(stack.canUndo() ? tr("&Undo %1").arg(stack.undoText()) : tr("&Undo"));
         redo->setText(stack.canRedo() ? tr("&Redo %1").arg(stack.redoText()) : tr("&Redo"));
