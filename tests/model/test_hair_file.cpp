@@ -41,6 +41,8 @@ HairFile parse(const QByteArray& bytes)
     qsizetype at = 128;
     const auto take = [&](auto& values, quint32 count) {
         values.resize(count);
+        if (count == 0)
+            return true;
         const auto length = static_cast<qsizetype>(count * sizeof(values[0]));
         if (bytes.size() - at < length)
             return false;

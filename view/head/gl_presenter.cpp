@@ -22,7 +22,13 @@ public:
         setFormat(format);
         setAttribute(Qt::WA_TransparentForMouseEvents);
     }
-    ~Canvas() override { dropRenderer(); }
+    ~Canvas() override
+    {
+        dropRenderer();
+        // The base class destroys the context after this, when there is no canvas left to tell.
+        if (context() != nullptr)
+            disconnect(context(), nullptr, this, nullptr);
+    }
 
     void show(const Shot& shot)
     {
