@@ -1,6 +1,7 @@
 // Hairs are where the maps say, as the maps say, and painting in one place changes nothing elsewhere.
 #include "sim/groom.h"
 #include "sim/parallel.h"
+#include "tests/sim/groom_reading.h"
 #include "tests/support/test_grooms.h"
 #include "tests/support/test_heads.h"
 
@@ -32,31 +33,6 @@ GroupInput smallGroup()
 std::shared_ptr<const Groom> groomOf(const GroomInput& input)
 {
     return GroomBuilder().update(input).grooms.front();
-}
-
-const StrandStyle* styleAt(const Groom& groom, std::uint32_t slot)
-{
-    const auto& chunk = groom.chunks[slot / kChunkSlots];
-    return chunk && chunk->hairs[slot % kChunkSlots] ? &chunk->styles[slot % kChunkSlots] : nullptr;
-}
-
-glm::vec3 restNode(const Groom& groom, std::uint32_t slot, int node)
-{
-    const StrandChunk& chunk = *groom.chunks[slot / kChunkSlots];
-    const std::size_t local = slot % kChunkSlots;
-    const float* at =
-        chunk.restPositions.data() +
-        (local / kLanes * static_cast<std::size_t>(groom.nodes) + static_cast<std::size_t>(node)) * 3 * kLanes +
-        local % kLanes;
-    return {at[0], at[kLanes], at[2 * kLanes]};
-}
-
-template<typename Visit>
-void forEachHair(const Groom& groom, const Visit& visit)
-{
-    for (std::uint32_t slot = 0; slot < groom.roots->count(); ++slot)
-        if (const StrandStyle* style = styleAt(groom, slot))
-            visit(slot, *style);
 }
 
 /// Left half one value, right half another.
