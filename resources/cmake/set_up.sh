@@ -12,7 +12,7 @@ HAIRPAINT_PACKAGES=(
 HAIRPAINT_TEST_PACKAGES=(xvfb xauth)
 HAIRPAINT_BENCH_PACKAGES=(libbenchmark-dev libmypaint-dev)
 # The generators are read too, and they need Eigen.
-HAIRPAINT_TIDY_PACKAGES=(clang-tidy clang-format libbenchmark-dev libeigen3-dev)
+HAIRPAINT_TIDY_PACKAGES=(clang-tidy clang-format libbenchmark-dev libmypaint-dev libeigen3-dev)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -43,7 +43,7 @@ HairFile parse(const QByteArray& bytes)
         values.resize(count);
         if (count == 0)
             return true;
-        const auto length = static_cast<qsizetype>(count * sizeof(values[0]));
+        const auto length = static_cast<qsizetype>(count) * qsizetype{sizeof(values[0])};
         if (bytes.size() - at < length)
             return false;
         std::memcpy(values.data(), bytes.constData() + at, static_cast<std::size_t>(length));

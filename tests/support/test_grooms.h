@@ -14,7 +14,7 @@ namespace hairpaint::test {
 /// 0..1 as a texel's channel.
 inline std::uint16_t channelOf(float value)
 {
-    return static_cast<std::uint16_t>(std::clamp(value, 0.0F, 1.0F) * 65535.0F + 0.5F);
+    return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 65535.0F));
 }
 
 inline std::shared_ptr<const sim::TiledRaster> uniformMap(float value, int size = 512)
