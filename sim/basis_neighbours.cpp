@@ -26,7 +26,7 @@ using Place = std::array<float, kDimensions>;
 struct BasisCloud
 {
     std::vector<Place> places;
-    // NOLINTBEGIN(readability-identifier-naming): nanoflann's names.
+    // The names are nanoflann's.
     [[nodiscard]] std::size_t kdtree_get_point_count() const { return places.size(); }
     [[nodiscard]] float kdtree_get_pt(std::size_t index, std::size_t dimension) const
     {
@@ -37,7 +37,6 @@ struct BasisCloud
     {
         return false;
     }
-    // NOLINTEND(readability-identifier-naming)
 };
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, BasisCloud>, BasisCloud,

@@ -193,7 +193,7 @@ std::optional<FacePoint> BoundingTree::firstHit(const HeadMesh& mesh, glm::vec3 
         return std::nullopt;
     const glm::vec3 inverse = inverseOf(direction);
     std::optional<FacePoint> best;
-    std::array<std::uint32_t, kDeepest * 2> stack; // NOLINT(cppcoreguidelines-pro-type-member-init)
+    std::array<std::uint32_t, kDeepest * 2> stack;
     std::size_t depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
@@ -227,7 +227,7 @@ std::optional<FacePoint> BoundingTree::nearest(const HeadMesh& mesh, glm::vec3 p
         return std::nullopt;
     FacePoint best;
     float bestSquared = kInfinity;
-    std::array<std::uint32_t, kDeepest * 2> stack; // NOLINT(cppcoreguidelines-pro-type-member-init)
+    std::array<std::uint32_t, kDeepest * 2> stack;
     std::size_t depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {

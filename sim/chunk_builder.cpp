@@ -116,7 +116,7 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     const RootSet& roots = inputs.roots;
     const std::size_t firstSlot = chunkIndex * kChunkSlots;
     std::bitset<kChunkSlots> hairs = before ? before->hairs : std::bitset<kChunkSlots>{};
-    std::array<float, kChunkSlots> densities; // NOLINT(cppcoreguidelines-pro-type-member-init): written where read.
+    std::array<float, kChunkSlots> densities; // Written where read.
     bool differs = false;
     dirty.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         const std::size_t local = slot - firstSlot;

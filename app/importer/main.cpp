@@ -15,7 +15,7 @@
 
 namespace {
 
-using namespace hairpaint; // NOLINT(google-build-using-namespace)
+using namespace hairpaint;
 
 void makeStreamsBinary()
 {
