@@ -1,20 +1,17 @@
 // Hair Paint: with a verb it works without a window, else it opens the editor.
 #include "app/cli/command.h"
+#include "app/languages.h"
 #include "app/library.h"
 #include "app/main_window.h"
+#include "app/settings.h"
 #include "view/resources.h"
 
 #include <QApplication>
-#include <QFontDatabase>
-#include <QLibraryInfo>
-#include <QLocale>
-#include <QTranslator>
-
-#include <cstdio>
 
 namespace {
 
 using hairpaint::app::Command;
+using hairpaint::app::CommandLine;
 using hairpaint::app::ExitCode;
 
 void describeApplication()
@@ -26,11 +23,11 @@ void describeApplication()
 
 void printHelp()
 {
-    QString text = QCoreApplication::translate("CommandLine", "hairpaint [PROJECT]  opens the editor\n");
+    QString text = CommandLine::tr("hairpaint [PROJECT]\n    opens the editor") + QLatin1Char('\n');
     for (const Command& command : hairpaint::app::commands())
         text += QStringLiteral("hairpaint %1 %2\n    %3\n")
                     .arg(QLatin1StringView(command.name), QLatin1StringView(command.usage),
-                         QCoreApplication::translate("CommandLine", command.purpose));
+                         CommandLine::tr(command.purpose));
     hairpaint::app::printOut(text);
 }
 
@@ -45,9 +42,47 @@ bool displayIsMissing()
 #endif
 }
 
+/// An option that is none of the editor's, or a verb.
+bool isForCommandLine(const QString& argument)
+{
+    if (argument.startsWith(QLatin1Char('-')))
+        return !argument.startsWith(QLatin1String("-platform"));
+    return hairpaint::app::findCommand(argument) != nullptr;
+}
+
+int runCommandLine(int argc, char** argv)
+{
+    QCoreApplication application(argc, argv);
+    hairpaint::app::speak();
+    const QStringList arguments = QCoreApplication::arguments();
+    const QString& first = arguments.at(1);
+    if (const Command* command = hairpaint::app::findCommand(first))
+        return static_cast<int>(command->run(arguments.mid(2)));
+    if (first == QLatin1String("--version")) {
+        hairpaint::app::printOut(QStringLiteral("Hair Paint %1\n").arg(QCoreApplication::applicationVersion()));
+        return 0;
+    }
+    if (first == QLatin1String("--help") || first == QLatin1String("-h")) {
+        printHelp();
+        return 0;
+    }
+    (void)hairpaint::app::failed(
+        {CommandLine::tr("There is no option %1; hairpaint --help lists those there are.").arg(first)});
+    return static_cast<int>(ExitCode::WrongUsage);
+}
+
+int failWithoutDisplay(int argc, char** argv)
+{
+    QCoreApplication application(argc, argv);
+    hairpaint::app::speak();
+    return static_cast<int>(hairpaint::app::failed({CommandLine::tr(
+        "There is no display to open a window on. Without one the command line works: hairpaint --help")}));
+}
+
 int runEditor(int argc, char** argv)
 {
     QApplication application(argc, argv);
+    hairpaint::app::speak(hairpaint::app::Settings().preferences().language);
     QApplication::setStyle(QStringLiteral("Fusion"));
     QFont font(QStringList{QStringLiteral("Inter"), QStringLiteral("Noto Sans"), application.font().family()});
     font.setPixelSize(13);
@@ -70,29 +105,7 @@ int runEditor(int argc, char** argv)
 int main(int argc, char** argv)
 {
     describeApplication();
-    if (argc > 1) {
-        const QString first = QString::fromLocal8Bit(argv[1]);
-        if (first == QLatin1String("--help") || first == QLatin1String("-h") || first == QLatin1String("--version")) {
-            QCoreApplication application(argc, argv);
-            if (first == QLatin1String("--version"))
-                hairpaint::app::printOut(QStringLiteral("Hair Paint %1\n").arg(QCoreApplication::applicationVersion()));
-            else
-                printHelp();
-            return 0;
-        }
-        if (const Command* command = hairpaint::app::findCommand(first)) {
-            QCoreApplication application(argc, argv);
-            return static_cast<int>(command->run(QCoreApplication::arguments().mid(2)));
-        }
-        if (first.startsWith(QLatin1Char('-')) && !first.startsWith(QLatin1String("-platform"))) {
-            std::fprintf(stderr, "Unknown option %s. hairpaint --help lists what there is.\n", argv[1]);
-            return static_cast<int>(ExitCode::WrongUsage);
-        }
-    }
-    if (displayIsMissing()) {
-        std::fputs("There is no display to open a window on. Without one the command line works: hairpaint --help\n",
-                   stderr);
-        return static_cast<int>(ExitCode::Failed);
-    }
-    return runEditor(argc, argv);
+    if (argc > 1 && isForCommandLine(QString::fromLocal8Bit(argv[1])))
+        return runCommandLine(argc, argv);
+    return displayIsMissing() ? failWithoutDisplay(argc, argv) : runEditor(argc, argv);
 }

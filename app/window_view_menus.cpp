@@ -1,6 +1,7 @@
 // The window's View, Hair and Help menus, and what they open.
 #include "app/main_window.h"
 
+#include "app/languages.h"
 #include "view/rendering/standard_views.h"
 
 #include "model/commands/commands.h"
@@ -236,7 +237,7 @@ void MainWindow::showLight()
 
 void MainWindow::showPreferences()
 {
-    auto* dialog = new view::PreferencesDialog(m_preferences, {}, m_actions.bindings(), this);
+    auto* dialog = new view::PreferencesDialog(m_preferences, languages(), m_actions.bindings(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &view::PreferencesDialog::preferencesChanged, this, &MainWindow::setPreferences);
     connect(dialog, &view::PreferencesDialog::keyChanged, &m_actions, &ActionSet::remember);

@@ -1,8 +1,6 @@
 // What the verbs share: the table of them, their errors, their options.
 #include "app/cli/command.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -14,14 +12,15 @@ namespace {
 constexpr std::array<Command, 5> kCommands = {{
     {"new",
      "-o P.hairpaint [--head MESH] [--preset NAME] [--map [GROUP/]KIND[:grey]=IMAGE]... [--seed N] [--max-hairs N]",
-     "makes a project", runNew},
-    {"info", "P.hairpaint [--json]", "tells what a project holds", runInfo},
-    {"presets", "[--json]", "lists the library of styles", runPresets},
-    {"export", "P.hairpaint -o FILE.hair [--settle SECONDS]", "writes the hair as curves", runExport},
+     QT_TRANSLATE_NOOP("CommandLine", "makes a project"), runNew},
+    {"info", "P.hairpaint [--json]", QT_TRANSLATE_NOOP("CommandLine", "tells what a project holds"), runInfo},
+    {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), runPresets},
+    {"export", "P.hairpaint -o FILE.hair [--settle SECONDS]",
+     QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), runExport},
     {"render",
      "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|three-quarter] [--settle SECONDS] "
      "[--frames A-B] [--fps F] [--wind X,Y,Z]",
-     "takes pictures", runRender},
+     QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), runRender},
 }};
 
 void printError(const QString& text)
@@ -53,7 +52,7 @@ ExitCode failed(const model::Error& error)
 ExitCode wrongUsage(const char* command, const QString& problem)
 {
     const Command* entry = findCommand(QLatin1StringView(command));
-    printError(QCoreApplication::translate("CommandLine", "%1. Usage: hairpaint %2 %3")
+    printError(CommandLine::tr("%1. Usage: hairpaint %2 %3")
                    .arg(problem, QLatin1StringView(entry->name), QLatin1StringView(entry->usage)));
     return ExitCode::WrongUsage;
 }
@@ -68,9 +67,8 @@ std::optional<QStringList> parse(QCommandLineParser& parser, const char* command
     }
     const QStringList found = parser.positionalArguments();
     if (found.size() != positionals) {
-        (void)wrongUsage(command, positionals == 0
-                                      ? QCoreApplication::translate("CommandLine", "No file name belongs here")
-                                      : QCoreApplication::translate("CommandLine", "Exactly one project is wanted"));
+        (void)wrongUsage(command, positionals == 0 ? CommandLine::tr("No file name belongs here")
+                                                   : CommandLine::tr("Exactly one project is wanted"));
         return std::nullopt;
     }
     return found;
@@ -85,7 +83,7 @@ std::optional<double> numberOption(const QCommandLineParser& parser, const char*
     const double value = parser.value(option).toDouble(&isNumber);
     if (isNumber && value >= least && value <= most)
         return value;
-    (void)wrongUsage(command, QCoreApplication::translate("CommandLine", "--%1 takes a number from %2 to %3, not '%4'")
+    (void)wrongUsage(command, CommandLine::tr("--%1 takes a number from %2 to %3, not '%4'")
                                   .arg(option)
                                   .arg(least)
                                   .arg(most, 0, 'g', 10)

@@ -4,12 +4,19 @@
 #include "model/error.h"
 
 #include <QCommandLineParser>
+#include <QCoreApplication>
 #include <QStringList>
 
 #include <optional>
 #include <span>
 
 namespace hairpaint::app {
+
+/// `CommandLine::tr`: what the verbs say, in the system's language.
+struct CommandLine
+{
+    Q_DECLARE_TR_FUNCTIONS(CommandLine)
+};
 
 /// What the program ends with. Failed comes with exactly one line on standard error that says what and which file.
 enum class ExitCode : int
@@ -23,8 +30,8 @@ enum class ExitCode : int
 struct Command
 {
     const char* name;
-    const char* usage; ///< What follows the name.
-    const char* purpose;
+    const char* usage;   ///< What follows the name.
+    const char* purpose; ///< To be translated in context "CommandLine".
     ExitCode (*run)(const QStringList& arguments);
 };
 

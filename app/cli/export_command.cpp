@@ -4,8 +4,6 @@
 #include "model/files/hair_file.h"
 #include "model/files/project_file.h"
 
-#include <QCoreApplication>
-
 namespace hairpaint::app {
 
 ExitCode runExport(const QStringList& arguments)
@@ -19,7 +17,7 @@ ExitCode runExport(const QStringList& arguments)
         return ExitCode::WrongUsage;
     const QString output = parser.value(QStringLiteral("o"));
     if (!output.endsWith(QLatin1String(".hair"), Qt::CaseInsensitive))
-        return wrongUsage(kName, QCoreApplication::translate("CommandLine", "-o takes a name that ends in .hair"));
+        return wrongUsage(kName, CommandLine::tr("-o takes a name that ends in .hair"));
     const std::optional<double> settle = numberOption(parser, kName, QStringLiteral("settle"), 0.0, 0.0, 60.0);
     if (!settle)
         return ExitCode::WrongUsage;

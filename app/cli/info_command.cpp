@@ -6,7 +6,6 @@
 #include "model/files/project_file.h"
 #include "sim/groom.h"
 
-#include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -59,24 +58,24 @@ QJsonObject describe(const model::Project& project, const std::vector<std::share
 QString asText(const QJsonObject& info)
 {
     const QJsonObject head = info[QLatin1StringView("head")].toObject();
-    QString text = QCoreApplication::translate("CommandLine", "Head: %1, %2 vertices, %3 triangles\n")
+    QString text = CommandLine::tr("Head: %1, %L2 vertices, %L3 triangles\n")
                        .arg(head[QLatin1StringView("name")].toString())
                        .arg(head[QLatin1StringView("vertices")].toInteger())
                        .arg(head[QLatin1StringView("triangles")].toInteger());
-    text += QCoreApplication::translate("CommandLine", "Hairs: %1 (%2 exported, %3 basis hairs), seed %4\n")
+    text += CommandLine::tr("Hairs: %L1 (%L2 exported, %L3 basis hairs), seed %4\n")
                 .arg(info[QLatin1StringView("hairs")].toInteger())
                 .arg(info[QLatin1StringView("exported")].toInteger())
                 .arg(info[QLatin1StringView("basis_hairs")].toInteger())
                 .arg(info[QLatin1StringView("seed")].toInteger());
     for (const auto& value : info[QLatin1StringView("groups")].toArray()) {
         const QJsonObject group = value.toObject();
-        text += QCoreApplication::translate("CommandLine", "Group %1: %2 hairs of %3 nodes\n")
+        text += CommandLine::tr("Group %1: %L2 hairs of %3 nodes\n")
                     .arg(group[QLatin1StringView("name")].toString())
                     .arg(group[QLatin1StringView("hairs")].toInteger())
                     .arg(group[QLatin1StringView("nodes_per_hair")].toInt());
         for (const auto& mapValue : group[QLatin1StringView("maps")].toArray()) {
             const QJsonObject map = mapValue.toObject();
-            text += QCoreApplication::translate("CommandLine", "  %1: %2 x %3, layers: %4\n")
+            text += CommandLine::tr("  %1: %2 x %3, layers: %4\n")
                         .arg(map[QLatin1StringView("kind")].toString())
                         .arg(map[QLatin1StringView("width")].toInt())
                         .arg(map[QLatin1StringView("height")].toInt())

@@ -6,7 +6,6 @@
 #include "model/files/image_map.h"
 #include "model/files/project_file.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -14,11 +13,6 @@
 namespace hairpaint::app {
 
 namespace {
-
-QString text(const char* source)
-{
-    return QCoreApplication::translate("CommandLine", source);
-}
 
 /// `[GROUP/]KIND[:grey]=IMAGE`
 struct MapArgument
@@ -63,8 +57,9 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
 {
     model::HairGroup* group = findGroup(project, argument.group);
     if (group == nullptr)
-        return model::failure(text("'%1' goes to the hair group '%2', and the project has none of that name.")
-                                  .arg(argument.image, argument.group));
+        return model::failure(
+            CommandLine::tr("'%1' goes to the hair group '%2', and the project has none of that name.")
+                .arg(argument.image, argument.group));
     const model::Result<model::ForeignImage> image = model::ImporterClient().readImage(argument.image);
     if (!image)
         return tl::unexpected(image.error());
@@ -96,13 +91,13 @@ ExitCode runNew(const QStringList& arguments)
         return ExitCode::WrongUsage;
     const QString output = parser.value(QStringLiteral("o"));
     if (output.isEmpty())
-        return wrongUsage(kName, text("-o and the project's name are needed"));
+        return wrongUsage(kName, CommandLine::tr("-o and the project's name are needed"));
 
     std::vector<MapArgument> maps;
     for (const QString& argument : parser.values(QStringLiteral("map"))) {
         const std::optional<MapArgument> map = parseMapArgument(argument);
         if (!map)
-            return wrongUsage(kName, text("--map %1 names no map").arg(argument));
+            return wrongUsage(kName, CommandLine::tr("--map %1 names no map").arg(argument));
         maps.push_back(*map);
     }
     model::Project project = model::newProject();
@@ -116,7 +111,7 @@ ExitCode runNew(const QStringList& arguments)
         project.seed = parser.value(QStringLiteral("seed")).toULongLong(&isNumber);
         // Larger numbers would not survive the file's JSON.
         if (!isNumber || project.seed > (1ULL << 53U))
-            return wrongUsage(kName, text("--seed takes a whole number up to 2^53"));
+            return wrongUsage(kName, CommandLine::tr("--seed takes a whole number up to 2^53"));
     }
 
     if (const QString mesh = parser.value(QStringLiteral("head")); !mesh.isEmpty()) {

@@ -4,7 +4,6 @@
 #include "app/picture.h"
 #include "model/files/project_file.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QSaveFile>
@@ -14,11 +13,6 @@ namespace hairpaint::app {
 namespace {
 
 constexpr const char* kName = "render";
-
-QString text(const char* source)
-{
-    return QCoreApplication::translate("CommandLine", source);
-}
 
 struct RenderOptions
 {
@@ -41,13 +35,13 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
         options.size = QSize(match.captured(1).toInt(), match.captured(2).toInt());
         if (!match.hasMatch() || options.size.width() < 16 || options.size.height() < 16 ||
             options.size.width() > 8192 || options.size.height() > 8192)
-            return tl::unexpected(text("--size takes WxH, each from 16 to 8192, not '%1'").arg(size));
+            return tl::unexpected(CommandLine::tr("--size takes WxH, each from 16 to 8192, not '%1'").arg(size));
     }
     if (parser.isSet(QStringLiteral("view"))) {
         const QString name = parser.value(QStringLiteral("view"));
         const auto view = rendering::standardViewNamed(name.toStdString());
         if (!view)
-            return tl::unexpected(text("There is no view '%1'").arg(name));
+            return tl::unexpected(CommandLine::tr("There is no view '%1'").arg(name));
         options.view = *view;
     }
     if (parser.isSet(QStringLiteral("frames"))) {
@@ -56,7 +50,8 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
         options.firstFrame = match.captured(1).toInt();
         options.lastFrame = match.captured(2).toInt();
         if (!match.hasMatch() || options.lastFrame < options.firstFrame)
-            return tl::unexpected(text("--frames takes A-B with B not below A, up to 9999, not '%1'").arg(frames));
+            return tl::unexpected(
+                CommandLine::tr("--frames takes A-B with B not below A, up to 9999, not '%1'").arg(frames));
     }
     if (parser.isSet(QStringLiteral("wind"))) {
         const QStringList parts = parser.value(QStringLiteral("wind")).split(QLatin1Char(','));
@@ -67,7 +62,7 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
             good = good && std::abs(velocity[i]) <= 30.0F;
         }
         if (!good)
-            return tl::unexpected(text("--wind takes X,Y,Z in m/s, each from -30 to 30"));
+            return tl::unexpected(CommandLine::tr("--wind takes X,Y,Z in m/s, each from -30 to 30"));
         options.windVelocity = velocity;
     }
     return options;
@@ -77,8 +72,8 @@ model::Result<void> writePicture(const QImage& picture, const QString& path)
 {
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
-        return model::failure(
-            text("'%1' could not be written: %2. Choose a folder you may write to.").arg(path, file.errorString()));
+        return model::failure(CommandLine::tr("'%1' could not be written: %2. Choose a folder you may write to.")
+                                  .arg(path, file.errorString()));
     return {};
 }
 
@@ -123,7 +118,7 @@ ExitCode runRender(const QStringList& arguments)
         return ExitCode::WrongUsage;
     const QString output = parser.value(QStringLiteral("o"));
     if (!output.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
-        return wrongUsage(kName, text("-o takes a name that ends in .png"));
+        return wrongUsage(kName, CommandLine::tr("-o takes a name that ends in .png"));
     tl::expected<RenderOptions, QString> options = readOptions(parser);
     if (!options)
         return wrongUsage(kName, options.error());

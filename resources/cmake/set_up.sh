@@ -7,7 +7,7 @@ HAIRPAINT_PACKAGES=(
     libgl-dev libegl-dev libgl1-mesa-dri libegl1 libepoxy-dev libxkbcommon-dev
     libglm-dev libhwy-dev libtbb-dev libnanoflann-dev libexpected-dev libzip-dev
     libopenimageio-dev openimageio-tools libassimp-dev
-    fonts-inter fonts-noto-core
+    qt6-translations-l10n fonts-inter fonts-noto-core
 )
 HAIRPAINT_TEST_PACKAGES=(xvfb xauth)
 HAIRPAINT_BENCH_PACKAGES=(libbenchmark-dev libmypaint-dev)
