@@ -3,6 +3,7 @@
 
 #include "model/commands/commands.h"
 #include "model/files/project_file.h"
+#include "model/names.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -19,6 +20,7 @@ model::Result<model::Preset> loadPresetNamed(const QString& nameOrPath)
 {
     for (const model::PresetEntry& entry : model::listPresets(ownPresetFolder()))
         if (entry.name.compare(nameOrPath, Qt::CaseInsensitive) == 0 ||
+            model::shownName(entry.name).compare(nameOrPath, Qt::CaseInsensitive) == 0 ||
             QFileInfo(entry.path).completeBaseName().compare(nameOrPath, Qt::CaseInsensitive) == 0)
             return model::loadPreset(entry.path);
     if (nameOrPath.endsWith(QStringLiteral(".hairpreset"), Qt::CaseInsensitive))

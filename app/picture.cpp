@@ -1,6 +1,7 @@
 // Pictures without a window: see the header.
 #include "app/picture.h"
 
+#include "view/gl_problem.h"
 #include "view/scene_light.h"
 
 #include <QCoreApplication>
@@ -21,14 +22,14 @@ model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create()
         return model::failure(QCoreApplication::translate("Picture",
                                                           "No picture can be drawn: %1 Install a driver with "
                                                           "OpenGL 4.3 (Debian: libgl1-mesa-dri).")
-                                  .arg(QString::fromStdString(why)));
+                                  .arg(view::glProblem(why)));
     };
     auto context = rendering::OffscreenContext::create();
     if (!context)
         return failed(context.error());
     maker->m_context = std::move(*context);
     if (!maker->m_context->makeCurrent())
-        return failed("the driver refuses a context.");
+        return failed("The OpenGL driver refuses to draw.");
     auto renderer = rendering::Renderer::create();
     if (!renderer)
         return failed(renderer.error());

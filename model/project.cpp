@@ -1,7 +1,7 @@
 // Look-ups in a project, and the making of groups and layers.
 #include "model/project.h"
 
-#include <QCoreApplication>
+#include "model/names.h"
 
 #include <algorithm>
 
@@ -48,8 +48,7 @@ HairGroup makeGroup(Project& project, const QString& name, int mapSize)
     group.name = name;
     for (const MapSpec& spec : mapSpecs()) {
         MapStack stack{.kind = spec.kind, .size = mapSize, .layers = {}};
-        stack.layers.push_back(
-            makeLayer(project, spec, mapSize, QCoreApplication::translate("Project", "Layer %1").arg(1)));
+        stack.layers.push_back(makeLayer(project, spec, mapSize, layerName(1)));
         group.maps.push_back(std::move(stack));
     }
     return group;

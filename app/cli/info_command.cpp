@@ -4,6 +4,7 @@
 #include "model/document.h"
 #include "model/files/migrations.h"
 #include "model/files/project_file.h"
+#include "model/names.h"
 #include "sim/groom.h"
 
 #include <QJsonArray>
@@ -117,7 +118,11 @@ ExitCode runPresets(const QStringList& arguments)
         list.append(QJsonObject{{QStringLiteral("name"), entry.name},
                                 {QStringLiteral("tags"), QJsonArray::fromStringList(entry.tags)},
                                 {QStringLiteral("folder"), entry.folder}});
-        text += QStringLiteral("%1\t%2\t%3\n").arg(entry.name, entry.folder, entry.tags.join(QStringLiteral(", ")));
+        QStringList tags;
+        for (const QString& tag : entry.tags)
+            tags.append(model::shownName(tag));
+        text += QStringLiteral("%1\t%2\t%3\n")
+                    .arg(model::shownName(entry.name), model::shownName(entry.folder), tags.join(QStringLiteral(", ")));
     }
     printOut(parser.isSet(QStringLiteral("json")) ? QString::fromUtf8(QJsonDocument(list).toJson()) : text);
     return ExitCode::Done;

@@ -1,6 +1,7 @@
 // Groups added, removed, renamed, shown and replaced by a preset's.
 #include "model/commands/commands.h"
 #include "model/commands/slice_command.h"
+#include "model/names.h"
 #include "model/preset.h"
 
 #include <QCoreApplication>
@@ -63,14 +64,14 @@ CommandPtr groupsCommand(Document& document, Id group, const QString& text, std:
 QString nameOf(const Document& document, Id id)
 {
     const HairGroup* group = document.committed().group(id);
-    return group != nullptr ? group->name : QString();
+    return group != nullptr ? shownName(group->name) : QString();
 }
 
 } // namespace
 
 CommandPtr addGroupCommand(Document& document, const QString& name)
 {
-    return groupsCommand(document, 0, Commands::tr("Add group \"%1\"").arg(name),
+    return groupsCommand(document, 0, Commands::tr("Add group \"%1\"").arg(shownName(name)),
                          [name](Project& project) { project.groups.push_back(makeGroup(project, name)); });
 }
 
@@ -114,7 +115,7 @@ CommandPtr setSettingsCommand(Document& document, Id group, const sim::GroupSett
 
 CommandPtr applyPresetCommand(Document& document, const Preset& preset)
 {
-    return groupsCommand(document, 0, Commands::tr("Apply style \"%1\"").arg(preset.name),
+    return groupsCommand(document, 0, Commands::tr("Apply style \"%1\"").arg(shownName(preset.name)),
                          [preset](Project& project) { applyPreset(project, preset); });
 }
 

@@ -1,6 +1,7 @@
 // Layers added, removed, moved and changed.
 #include "model/commands/commands.h"
 #include "model/commands/slice_command.h"
+#include "model/names.h"
 
 #include <QCoreApplication>
 
@@ -59,7 +60,7 @@ void insertAt(std::vector<Layer>& layers, Layer layer, int position)
 QString nameOf(const Document& document, const LayerAddress& address)
 {
     const Layer* layer = document.committed().layer(address.group, address.map, address.layer);
-    return layer != nullptr ? layer->name : QString();
+    return layer != nullptr ? shownName(layer->name) : QString();
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "model/files/group_json.h"
 
 #include "model/files/json_fields.h"
+#include "model/names.h"
 
 #include <QCoreApplication>
 
@@ -140,8 +141,7 @@ private:
     {
         MapStack stack{.kind = spec.kind, .size = 1024, .layers = {}};
         if (value.isUndefined()) {
-            stack.layers.push_back(Layer{.name = QCoreApplication::translate("Project", "Layer %1").arg(1),
-                                         .raster = emptyRaster(spec, stack.size)});
+            stack.layers.push_back(Layer{.name = layerName(1), .raster = emptyRaster(spec, stack.size)});
             return stack;
         }
         const QJsonObject object = value.toObject();

@@ -101,7 +101,7 @@ Project newProject()
     Project project;
     project.head = builtInHead();
     project.ellipsoids = builtInEllipsoids();
-    project.groups.push_back(makeGroup(project, QCoreApplication::translate("Project", "Scalp")));
+    project.groups.push_back(makeGroup(project, QStringLiteral("Scalp")));
     return project;
 }
 

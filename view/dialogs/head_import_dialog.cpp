@@ -186,15 +186,16 @@ void HeadImportDialog::follow()
     const double height = heightCm();
     m_height->setValue(height);
     const bool odd = height < kShortestCm || height > kTallestCm;
-    const QString faces = QLocale().toString(static_cast<qulonglong>(m_source.triangles.size()));
+    const int faces = static_cast<int>(m_source.triangles.size());
     if (!usable)
         m_remark->setText(m_refusal);
     else if (odd)
-        m_remark->setText(tr("%1 triangles. %2 cm is no usual height for a head, a bust or a body: check the unit "
-                             "and the axis.")
-                              .arg(faces, QLocale().toString(height, 'f', 1)));
+        m_remark->setText(tr("%Ln triangles. %1 cm is no usual height for a head, a bust or a body: check the unit "
+                             "and the axis.",
+                             nullptr, faces)
+                              .arg(QLocale().toString(height, 'f', 1)));
     else
-        m_remark->setText(tr("%1 triangles, %2 cm tall.").arg(faces, QLocale().toString(height, 'f', 1)));
+        m_remark->setText(tr("%Ln triangles, %1 cm tall.", nullptr, faces).arg(QLocale().toString(height, 'f', 1)));
     m_remarkIcon->setVisible(!usable || odd);
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(usable && height > 0.0);
 }

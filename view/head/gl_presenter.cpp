@@ -1,6 +1,8 @@
 // The QOpenGLWidget of the 3D area.
 #include "view/head/gl_presenter.h"
 
+#include "view/gl_problem.h"
+
 #include <QCoreApplication>
 #include <QOpenGLContext>
 #include <QOpenGLWidget>
@@ -63,7 +65,7 @@ protected:
         if (renderer)
             m_renderer = std::move(*renderer);
         else
-            Q_EMIT m_owner.failed(QString::fromStdString(renderer.error()));
+            Q_EMIT m_owner.failed(glProblem(renderer.error()));
     }
 
     void paintGL() override

@@ -1,9 +1,8 @@
 // The thread that draws where OpenGL is software.
 #include "view/head/render_thread.h"
 
+#include "view/gl_problem.h"
 #include "view/rendering/offscreen_context.h"
-
-#include <QCoreApplication>
 
 #include <utility>
 
@@ -76,15 +75,13 @@ private:
         tl::expected<std::unique_ptr<rendering::OffscreenContext>, std::string> context =
             rendering::OffscreenContext::create();
         if (!context)
-            return {.works = false, .software = true, .text = QString::fromStdString(context.error())};
+            return {.works = false, .software = true, .text = glProblem(context.error())};
         if (!(*context)->makeCurrent())
-            return {.works = false,
-                    .software = true,
-                    .text = QCoreApplication::translate("HeadView", "The OpenGL driver refuses to draw.")};
+            return {.works = false, .software = true, .text = glProblem("The OpenGL driver refuses to draw.")};
         tl::expected<std::unique_ptr<rendering::Renderer>, std::string> renderer = rendering::Renderer::create();
         if (!renderer) {
             (*context)->doneCurrent();
-            return {.works = false, .software = true, .text = QString::fromStdString(renderer.error())};
+            return {.works = false, .software = true, .text = glProblem(renderer.error())};
         }
         m_context = std::move(*context);
         m_renderer = std::move(*renderer);

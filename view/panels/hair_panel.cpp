@@ -1,6 +1,7 @@
 // The hair groups and the active group's settings.
 #include "view/panels/hair_panel.h"
 
+#include "model/names.h"
 #include "view/panels/hair_settings.h"
 #include "view/panels/layer_list.h"
 #include "view/theme.h"
@@ -188,7 +189,8 @@ void HairPanel::changeSettings(const QString& what, const std::function<void(Gro
             return nullptr;
         GroupSettings settings = found->settings;
         edit(settings);
-        return setSettingsCommand(m_state.document(), id, settings, tr("%1 of \"%2\"").arg(what, found->name));
+        return setSettingsCommand(m_state.document(), id, settings,
+                                  tr("%1 of \"%2\"").arg(what, model::shownName(found->name)));
     });
 }
 
@@ -206,10 +208,10 @@ void HairPanel::rebuildGroups()
             item = new QListWidgetItem(m_groups);
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
         }
-        item->setText(one.name);
+        item->setText(model::shownName(one.name));
         item->setData(LayerList::IdRole, one.id);
         item->setData(LayerList::VisibleRole, one.visible);
-        item->setData(Qt::AccessibleTextRole, one.visible ? one.name : tr("%1, hidden").arg(one.name));
+        item->setData(Qt::AccessibleTextRole, one.visible ? item->text() : tr("%1, hidden").arg(item->text()));
         if (one.id == m_state.activeGroup())
             m_groups->setCurrentRow(row);
     }
@@ -239,7 +241,7 @@ void HairPanel::follow()
 void HairPanel::addGroup()
 {
     const auto count = m_state.document().committed().groups.size();
-    m_state.document().push(addGroupCommand(m_state.document(), tr("Group %1").arg(count + 1)));
+    m_state.document().push(addGroupCommand(m_state.document(), model::groupName(static_cast<qsizetype>(count) + 1)));
     m_state.setActiveGroup(m_state.document().project().groups.back().id);
 }
 

@@ -1,6 +1,7 @@
 // The layers of the active map.
 #include "view/panels/layers_panel.h"
 
+#include "model/names.h"
 #include "view/panels/layer_list.h"
 #include "view/panels/map_thumbnail.h"
 #include "view/theme.h"
@@ -190,11 +191,11 @@ void LayersPanel::rebuild()
         }
         if (item->data(LayerList::IdRole).toInt() != layer.id)
             item->setData(LayerList::ThumbnailRole, QImage());
-        item->setText(layer.name);
+        item->setText(model::shownName(layer.name));
         item->setData(LayerList::IdRole, layer.id);
         item->setData(LayerList::VisibleRole, layer.visible);
         item->setData(LayerList::LockedRole, layer.locked);
-        item->setData(Qt::AccessibleTextRole, layer.name + (layer.visible ? QString() : tr(", hidden")) +
+        item->setData(Qt::AccessibleTextRole, item->text() + (layer.visible ? QString() : tr(", hidden")) +
                                                   (layer.locked ? tr(", locked") : QString()));
         if (layer.id == m_state.activeLayer())
             m_list->setCurrentRow(row);
@@ -255,7 +256,7 @@ void LayersPanel::addLayer()
     if (layers == nullptr)
         return;
     m_state.document().push(addLayerCommand(m_state.document(), m_state.activeGroup(), m_state.activeMap(),
-                                            tr("Layer %1").arg(layers->layers.size() + 1)));
+                                            model::layerName(static_cast<qsizetype>(layers->layers.size()) + 1)));
     if (const model::MapStack* after = stack(); after != nullptr && !after->layers.empty())
         m_state.setActiveLayer(after->layers.back().id);
 }
@@ -274,10 +275,10 @@ void LayersPanel::duplicateLayer()
         return;
     const auto position = static_cast<int>(layer - layers->layers.data()) + 1;
     Layer copy = *layer;
-    copy.name = tr("%1 copy").arg(layer->name);
+    copy.name = tr("%1 copy").arg(model::shownName(layer->name));
     m_state.document().push(insertLayerCommand(m_state.document(), m_state.activeGroup(), m_state.activeMap(),
                                                std::move(copy), position,
-                                               tr("Duplicate layer \"%1\"").arg(layer->name)));
+                                               tr("Duplicate layer \"%1\"").arg(model::shownName(layer->name))));
     if (const model::MapStack* after = stack(); after != nullptr)
         m_state.setActiveLayer(after->layers[static_cast<std::size_t>(position)].id);
 }

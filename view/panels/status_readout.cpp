@@ -48,8 +48,11 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
     m_hint->setProperty("role", QStringLiteral("status"));
     m_hint->setFont(themeFont(TextRole::Status));
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_value = makeNumber(this, tr("Density") + QStringLiteral(": 000 hairs/cm²"));
-    m_hairs = makeNumber(this, tr("%1 of %2 hairs").arg(QLocale().toString(100000), QLocale().toString(100000)));
+    const model::MapSpec& density = model::mapSpec(model::MapKind::Density);
+    model::PaintValue most;
+    most.scalar = 1.0F;
+    m_value = makeNumber(this, tr("%1: %2").arg(density.titleText(), valueText({}, density, most)));
+    m_hairs = makeNumber(this, tr("%1 of %Ln hairs", nullptr, 100000).arg(QLocale().toString(100000)));
     m_simulation = makeNumber(this, tr("%1 ms").arg(QStringLiteral("000.0")));
     m_simulation->setToolTip(tr("Time of one step of the simulation"));
     m_frames = makeNumber(this, tr("%1 fps").arg(QStringLiteral("000")));
@@ -69,9 +72,9 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
 
 void StatusReadout::setHairs(qint64 drawn, qint64 all)
 {
-    const QString total = QLocale().toString(all);
-    m_hairs->setText(drawn == all ? tr("%1 hairs").arg(total)
-                                  : tr("%1 of %2 hairs").arg(QLocale().toString(drawn), total));
+    const int total = static_cast<int>(all);
+    m_hairs->setText(drawn == all ? tr("%Ln hairs", nullptr, total)
+                                  : tr("%1 of %Ln hairs", nullptr, total).arg(QLocale().toString(drawn)));
 }
 
 void StatusReadout::setSimulationMs(double milliseconds)

@@ -2,6 +2,7 @@
 #include "view/panels/style_strip.h"
 
 #include "model/commands/commands.h"
+#include "model/names.h"
 #include "view/panels/style_tile.h"
 #include "view/theme.h"
 #include "view/widgets/live_edit.h"
@@ -79,7 +80,8 @@ void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
     m_tiles.clear();
     m_recent.clear();
     for (const model::PresetEntry& entry : entries)
-        addTile(new StyleTile(entry.path, entry.name, entry.folder == QLatin1String("own"), this), entry.picture);
+        addTile(new StyleTile(entry.path, model::shownName(entry.name), entry.folder == QLatin1String("own"), this),
+                entry.picture);
     auto* save = new StyleTile({}, tr("Save style"), false, this);
     save->setToolTip(tr("Save this hair as a style of your own"));
     connect(save, &StyleTile::clicked, this, &StyleStrip::saveStyleRequested);

@@ -1,0 +1,78 @@
+// The program's own names in other languages: see the header.
+#include "model/names.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+
+namespace hairpaint::model {
+
+namespace {
+
+/// What newProject and the files of resources/presets hold; a test compares.
+constexpr std::array kNames = {
+    QT_TRANSLATE_NOOP("Names", "Scalp"),
+    // Styles
+    QT_TRANSLATE_NOOP("Names", "Long straight"),
+    QT_TRANSLATE_NOOP("Names", "Bob"),
+    QT_TRANSLATE_NOOP("Names", "Ringlets"),
+    QT_TRANSLATE_NOOP("Names", "Round afro"),
+    QT_TRANSLATE_NOOP("Names", "Two plaits"),
+    QT_TRANSLATE_NOOP("Names", "Gelled mohawk"),
+    QT_TRANSLATE_NOOP("Names", "Split dye"),
+    QT_TRANSLATE_NOOP("Names", "Buzz cut"),
+    // Their tags
+    QT_TRANSLATE_NOOP("Names", "short"),
+    QT_TRANSLATE_NOOP("Names", "medium"),
+    QT_TRANSLATE_NOOP("Names", "long"),
+    QT_TRANSLATE_NOOP("Names", "straight"),
+    QT_TRANSLATE_NOOP("Names", "wavy"),
+    QT_TRANSLATE_NOOP("Names", "curly"),
+    QT_TRANSLATE_NOOP("Names", "coily"),
+    QT_TRANSLATE_NOOP("Names", "braided"),
+    QT_TRANSLATE_NOOP("Names", "gelled"),
+    QT_TRANSLATE_NOOP("Names", "coloured"),
+    // Folders of the library
+    QT_TRANSLATE_NOOP("Names", "built-in"),
+    QT_TRANSLATE_NOOP("Names", "own"),
+};
+
+constexpr std::array kNumbered = {
+    QT_TRANSLATE_NOOP("Names", "Group %1"),
+    QT_TRANSLATE_NOOP("Names", "Layer %1"),
+};
+
+QString translated(const char* name)
+{
+    return QCoreApplication::translate("Names", name);
+}
+
+} // namespace
+
+QString groupName(qsizetype number)
+{
+    return QStringLiteral("Group %1").arg(number);
+}
+
+QString layerName(qsizetype number)
+{
+    return QStringLiteral("Layer %1").arg(number);
+}
+
+QString shownName(const QString& name)
+{
+    const auto* const found =
+        std::ranges::find_if(kNames, [&name](const char* known) { return name == QLatin1StringView(known); });
+    if (found != kNames.end())
+        return translated(*found);
+    static const QRegularExpression number(QStringLiteral("^(\\w+ )(\\d+)$"));
+    if (const QRegularExpressionMatch match = number.match(name); match.hasMatch())
+        for (const char* pattern : kNumbered)
+            if (match.captured(1) + QStringLiteral("%1") == QLatin1StringView(pattern))
+                return translated(pattern).arg(match.captured(2));
+    return name;
+}
+
+} // namespace hairpaint::model
