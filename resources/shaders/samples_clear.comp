@@ -1,4 +1,5 @@
-// Fills the sample buffer with the head's depth, so that hair behind it loses. One invocation a sample.
+// Fills the sample buffer with the head's depth, so that hair behind it loses. One invocation a sample: rows
+// along y, since no more than 65535 workgroups are promised in one direction.
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) writeonly buffer Samples { uint samples[]; };
@@ -9,10 +10,11 @@ const float kSkinDepthM = 0.015;
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
-    uint across = uint(target.x);
-    if (i >= across * uint(target.y))
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    int across = int(target.x);
+    if (at.x >= across)
         return;
-    float depth = texelFetch(headDepth, ivec2(i % across, i / across), 0).x;
-    samples[i] = depth < 1.0 ? (depthKey(linearDepth(depth) + kSkinDepthM) << kDepthShift) | kHeadColour : kEmptySample;
+    float depth = texelFetch(headDepth, at, 0).x;
+    samples[at.y * across + at.x] =
+        depth < 1.0 ? (depthKey(linearDepth(depth) + kSkinDepthM) << kDepthShift) | kHeadColour : kEmptySample;
 }

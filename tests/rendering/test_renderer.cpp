@@ -39,6 +39,8 @@ private Q_SLOTS:
     void theSameSceneGivesTheSamePixels();
     void ringShowsOnTheSkinAndHairInsideFades();
     void hairShadesTheSkin();
+    void hairThrowsNoShadeBesideItself_data();
+    void hairThrowsNoShadeBesideItself();
     void emptyAndHiddenHairDrawsNothing();
 
 private:
@@ -314,6 +316,31 @@ void TestRenderer::hairShadesTheSkin()
     const Picture with = draw(scene);
     QVERIFY2(with.at(100, 60).x < without.at(100, 60).x - 10,
              qPrintable(QStringLiteral("%1 %2").arg(with.at(100, 60).x).arg(without.at(100, 60).x)));
+}
+
+void TestRenderer::hairThrowsNoShadeBesideItself_data()
+{
+    QTest::addColumn<float>("endY");
+    for (const float end : {0.0F, -0.004F, -0.008F, -0.012F, -0.016F})
+        QTest::addRow("ends at %g m", static_cast<double>(end)) << end;
+}
+
+void TestRenderer::hairThrowsNoShadeBesideItself()
+{
+    QFETCH(float, endY);
+    Scene scene = emptyScene();
+    scene.light.directionWo = glm::vec3(0.0F, 0.0F, 1.0F);
+    scene.head = makeBall(kBall);
+    const Picture without = draw(scene);
+    std::vector<HandMadeStrand> strands = comb(0xFF202020U, 2000, 0.02F);
+    for (HandMadeStrand& strand : strands) // A long curtain before the ball's upper half.
+        for (std::size_t n = 0; n < strand.nodesWo.size(); ++n)
+            strand.nodesWo[n] =
+                glm::vec3(strand.nodesWo[n].x, glm::mix(0.5F, endY, static_cast<float>(n) / 7.0F), 0.13F);
+    scene.hair = makeFrame(strands, plainSettings());
+    const Picture with = draw(scene);
+    QVERIFY(without.difference(with, 80, 50, 120, 70) > 5.0);
+    QCOMPARE(without.difference(with, 60, 96, 140, 120), 0.0);
 }
 
 void TestRenderer::emptyAndHiddenHairDrawsNothing()

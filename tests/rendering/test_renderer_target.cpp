@@ -25,6 +25,8 @@ private Q_SLOTS:
     void cleanupTestCase();
     void anySizeIsDrawn_data();
     void anySizeIsDrawn();
+    void largePicturesShowWhatSmallOnesDo_data();
+    void largePicturesShowWhatSmallOnesDo();
     void pictureIsCopiedToTheCallersFramebufferAndStateIsKept();
 
 private:
@@ -82,6 +84,31 @@ void TestRendererTarget::anySizeIsDrawn()
     // Inside the hair, and with hair behind the eye.
     scene.camera.distanceM = 0.03F;
     draw(scene, {}, width, height);
+}
+
+void TestRendererTarget::largePicturesShowWhatSmallOnesDo_data()
+{
+    QTest::addColumn<int>("width");
+    QTest::addColumn<int>("height");
+    QTest::newRow("a large window") << 1600 << 1200;
+    QTest::newRow("a screen of 4K") << 3840 << 2160;
+}
+
+void TestRendererTarget::largePicturesShowWhatSmallOnesDo()
+{
+    QFETCH(int, width);
+    QFETCH(int, height);
+    Scene scene = emptyScene();
+    scene.head = makeBall(kBall);
+    const int smallWidth = 150 * width / height;
+    const Picture small = draw(scene, {.samples = 4}, smallWidth, 150);
+    const Picture large = draw(scene, {.samples = 4}, width, height);
+    for (const glm::ivec2 at : {glm::ivec2(5, 5), glm::ivec2(smallWidth / 2, 75), glm::ivec2(smallWidth - 5, 145)}) {
+        const glm::ivec3 wanted = small.at(at.x, at.y);
+        const glm::ivec3 got = large.at(at.x * width / smallWidth, at.y * height / 150);
+        for (int channel = 0; channel < 3; ++channel)
+            QVERIFY(std::abs(got[channel] - wanted[channel]) <= 6);
+    }
 }
 
 void TestRendererTarget::pictureIsCopiedToTheCallersFramebufferAndStateIsKept()

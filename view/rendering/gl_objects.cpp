@@ -130,8 +130,11 @@ void Texture::make(unsigned target, unsigned internalFormat, glm::ivec3 size)
     const int filter = target == GL_TEXTURE_3D ? GL_LINEAR : GL_NEAREST;
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
-    glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    // Beside an opacity grid there is no hair: its outermost columns must not reach on as stripes of shade. Behind it
+    // the last layer's sum goes on.
+    const int beside = target == GL_TEXTURE_3D ? GL_CLAMP_TO_BORDER : GL_CLAMP_TO_EDGE;
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, beside);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, beside);
     glTexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
     if (target == GL_TEXTURE_3D)
         glTexStorage3D(target, 1, internalFormat, size.x, size.y, size.z);

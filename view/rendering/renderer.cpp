@@ -93,8 +93,9 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     const HairPass::Report report = state.hair->upload(scene.hair, detail, std::clamp(quality.smoothSegments, 1, 256));
     const bool headDrawn = state.head->draw(scene.head, constants);
 
-    const std::size_t sampleCount = static_cast<std::size_t>(state.width * target.samples.x) *
-                                    static_cast<std::size_t>(state.height * target.samples.y);
+    const auto samplesAcross = static_cast<unsigned>(state.width * target.samples.x);
+    const auto samplesUp = static_cast<unsigned>(state.height * target.samples.y);
+    const std::size_t sampleCount = static_cast<std::size_t>(samplesAcross) * samplesUp;
     state.samples.reserve(sampleCount * sizeof(std::uint32_t));
     if (headDrawn || constants.depthRange != state.preparedFor) {
         state.preparedFor = constants.depthRange;
@@ -103,7 +104,7 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
         state.head->bind(0, 1);
         state.clear.use();
         state.clear.set("headDepth", 1);
-        glDispatchCompute(static_cast<unsigned>((sampleCount + 63) / 64), 1, 1);
+        glDispatchCompute((samplesAcross + 63) / 64, samplesUp, 1);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     }
     state.samples.copyFrom(state.prepared, sampleCount * sizeof(std::uint32_t));
