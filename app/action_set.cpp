@@ -15,7 +15,10 @@ QAction* ActionSet::add(QMenu& menu, const ActionSpec& spec)
     action->setObjectName(QLatin1StringView(spec.id));
     action->setCheckable(spec.checkable);
     if (spec.icon != nullptr)
-        action->setIcon(view::icon(QLatin1StringView(spec.icon)));
+        action->setIcon(spec.checkable ? view::switchIcon(QLatin1StringView(spec.icon))
+                                       : view::icon(QLatin1StringView(spec.icon)));
+    // A menu shows the icon or the tick, and what is on must be seen.
+    action->setIconVisibleInMenu(!spec.checkable);
     action->setShortcut(m_settings.key(action->objectName()).value_or(spec.key));
     if (spec.run)
         connect(action, &QAction::triggered, &m_window, spec.run);

@@ -28,19 +28,6 @@ namespace {
 constexpr QSize kSmallestWindow(1100, 680);
 constexpr QSize kFirstWindow(1440, 900);
 
-view::PresenterChoice presenterChoice(view::Presenter presenter)
-{
-    switch (presenter) {
-    case view::Presenter::Widget:
-        return view::PresenterChoice::Gl;
-    case view::Presenter::Image:
-        return view::PresenterChoice::Software;
-    case view::Presenter::Automatic:
-        break;
-    }
-    return view::PresenterChoice::Automatic;
-}
-
 } // namespace
 
 MainWindow::MainWindow(model::Project project, const QString& path, QWidget* parent)
@@ -79,7 +66,7 @@ void MainWindow::buildLayout()
     m_toolBar = new view::ToolBar(editor);
     m_optionBar = new view::OptionBar(editor);
     m_paintView = new view::PaintView(editor, theme);
-    m_headView = new view::HeadView(editor, theme, presenterChoice(m_preferences.presenter));
+    m_headView = new view::HeadView(editor, theme, m_preferences.presenter);
     m_sidebar = new view::Sidebar(editor);
     m_styleStrip = new view::StyleStrip(editor);
     m_status = new view::StatusReadout(editor);
@@ -228,6 +215,8 @@ void MainWindow::showAreas(Areas areas)
 {
     m_paintView->setVisible(areas != Areas::Head);
     m_headView->setVisible(areas != Areas::Paint);
+    const char* shown = areas == Areas::Both ? "view.both" : areas == Areas::Head ? "view.head" : "view.paint";
+    m_actions.find(QLatin1StringView(shown))->setChecked(true);
 }
 
 void MainWindow::swapAreas()
@@ -254,6 +243,8 @@ void MainWindow::applyTheme()
     qApp->setStyleSheet(theme.styleSheet());
     m_paintView->setTheme(theme);
     m_headView->setTheme(theme);
+    const bool light = m_preferences.theme == view::ThemeKind::Light;
+    m_actions.find(QLatin1StringView(light ? "view.light" : "view.dark"))->setChecked(true);
 }
 
 void MainWindow::showTitle()

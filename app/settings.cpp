@@ -20,7 +20,7 @@ view::Preferences Settings::preferences() const
         preferences.theme = view::ThemeKind::Light;
     preferences.language = m_settings.value(QStringLiteral("language")).toString();
     const int presenter = m_settings.value(QStringLiteral("presenter"), 0).toInt();
-    preferences.presenter = static_cast<view::Presenter>(std::clamp(presenter, 0, 2));
+    preferences.presenter = static_cast<view::PresenterChoice>(std::clamp(presenter, 0, 2));
     preferences.whitePaper = m_settings.value(QStringLiteral("whitePaper"), false).toBool();
     return preferences;
 }

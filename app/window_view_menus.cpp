@@ -13,6 +13,7 @@
 #include "view/panels/sidebar.h"
 #include "view/panels/status_readout.h"
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QMenuBar>
 
@@ -21,17 +22,22 @@ namespace hairpaint::app {
 void MainWindow::buildViewMenu()
 {
     QMenu& menu = *menuBar()->addMenu(tr("&View"));
-    m_actions.add(menu, {.id = "view.both", .text = tr("&Both areas"), .key = QKeySequence(Qt::Key_F1), .run = [this] {
-                             showAreas(Areas::Both);
-                         }});
-    m_actions.add(menu,
-                  {.id = "view.head", .text = tr("&3D area only"), .key = QKeySequence(Qt::Key_F2), .run = [this] {
-                       showAreas(Areas::Head);
-                   }});
-    m_actions.add(menu,
-                  {.id = "view.paint", .text = tr("&Paint area only"), .key = QKeySequence(Qt::Key_F3), .run = [this] {
-                       showAreas(Areas::Paint);
-                   }});
+    auto* areas = new QActionGroup(this);
+    areas->addAction(m_actions.add(menu, {.id = "view.both",
+                                          .text = tr("&Both areas"),
+                                          .key = QKeySequence(Qt::Key_F1),
+                                          .run = [this] { showAreas(Areas::Both); },
+                                          .checkable = true}));
+    areas->addAction(m_actions.add(menu, {.id = "view.head",
+                                          .text = tr("&3D area only"),
+                                          .key = QKeySequence(Qt::Key_F2),
+                                          .run = [this] { showAreas(Areas::Head); },
+                                          .checkable = true}));
+    areas->addAction(m_actions.add(menu, {.id = "view.paint",
+                                          .text = tr("&Paint area only"),
+                                          .key = QKeySequence(Qt::Key_F3),
+                                          .run = [this] { showAreas(Areas::Paint); },
+                                          .checkable = true}));
     m_actions.add(menu, {.id = "view.swap",
                          .text = tr("&Swap sides"),
                          .key = QKeySequence(Qt::Key_F4),
@@ -88,13 +94,17 @@ void MainWindow::buildViewMenu()
     for (const auto& [title, side] : views)
         sides.addAction(title, this, [this, side = side] { m_headView->setView(side); });
     menu.addSeparator();
-    for (const auto& [title, kind] :
-         {std::pair(tr("&Dark theme"), view::ThemeKind::Dark), std::pair(tr("Li&ght theme"), view::ThemeKind::Light)})
-        menu.addAction(title, this, [this, kind = kind] {
+    auto* themes = new QActionGroup(this);
+    const auto addTheme = [&](const char* id, const QString& title, view::ThemeKind kind) {
+        const auto choose = [this, kind] {
             view::Preferences preferences = m_preferences;
             preferences.theme = kind;
             setPreferences(preferences);
-        });
+        };
+        themes->addAction(m_actions.add(menu, {.id = id, .text = title, .run = choose, .checkable = true}));
+    };
+    addTheme("view.dark", tr("&Dark theme"), view::ThemeKind::Dark);
+    addTheme("view.light", tr("Li&ght theme"), view::ThemeKind::Light);
 }
 
 void MainWindow::buildHairMenu()

@@ -3,6 +3,7 @@
 
 #include "model/project.h"
 #include "sim/strand_frame.h"
+#include "view/presenter_choice.h"
 #include "view/rendering/renderer.h"
 #include "view/rendering/scene.h"
 #include "view/rendering/standard_views.h"
@@ -22,15 +23,6 @@ namespace hairpaint::view {
 
 class EditorState;
 struct PointerSample;
-
-/// How pictures come to the screen. Automatic: a QOpenGLWidget where a real GPU renders, else frames drawn on a thread
-/// of their own, read back and painted.
-enum class PresenterChoice
-{
-    Automatic,
-    Gl,
-    Software
-};
 
 /// Without OpenGL it shows a sentence of what is missing; everything else works. The window's actions call the slots;
 /// Space, H, O, Esc, Enter and the Weather overlay's keys are read here.

@@ -10,29 +10,32 @@
 
 namespace hairpaint::view {
 
+namespace {
+
+/// Every colour once: its name in the style sheet, its place in Theme, and what it is in either theme.
+struct ColourRow
+{
+    const char* name;
+    QColor Theme::*place;
+    QRgb dark, light;
+};
+
+constexpr ColourRow kColours[] = {
+    {"@window", &Theme::window, 0x1B1C1E, 0xEAE8E4}, {"@panel", &Theme::panel, 0x232528, 0xF6F5F2},
+    {"@raised", &Theme::raised, 0x2C2F33, 0xFFFFFF}, {"@line", &Theme::line, 0x3A3E43, 0xD3D0CA},
+    {"@text", &Theme::text, 0xD9DBDD, 0x25272A},     {"@dimText", &Theme::dimText, 0x9AA0A6, 0x62676C},
+    {"@accent", &Theme::accent, 0xE3A857, 0x8A5310}, {"@onAccent", &Theme::onAccent, 0x1B1C1E, 0xFFFFFF},
+    {"@error", &Theme::error, 0xE5736B, 0xB3372F}};
+
+} // namespace
+
 Theme Theme::of(ThemeKind kind)
 {
-    if (kind == ThemeKind::Light)
-        return {.kind = kind,
-                .window = QColor(0xEA, 0xE8, 0xE4),
-                .panel = QColor(0xF6, 0xF5, 0xF2),
-                .raised = QColor(0xFF, 0xFF, 0xFF),
-                .line = QColor(0xD3, 0xD0, 0xCA),
-                .text = QColor(0x25, 0x27, 0x2A),
-                .dimText = QColor(0x62, 0x67, 0x6C),
-                .accent = QColor(0x8A, 0x53, 0x10),
-                .onAccent = QColor(0xFF, 0xFF, 0xFF),
-                .error = QColor(0xB3, 0x37, 0x2F)};
-    return {.kind = kind,
-            .window = QColor(0x1B, 0x1C, 0x1E),
-            .panel = QColor(0x23, 0x25, 0x28),
-            .raised = QColor(0x2C, 0x2F, 0x33),
-            .line = QColor(0x3A, 0x3E, 0x43),
-            .text = QColor(0xD9, 0xDB, 0xDD),
-            .dimText = QColor(0x9A, 0xA0, 0xA6),
-            .accent = QColor(0xE3, 0xA8, 0x57),
-            .onAccent = QColor(0x1B, 0x1C, 0x1E),
-            .error = QColor(0xE5, 0x73, 0x6B)};
+    Theme theme;
+    theme.kind = kind;
+    for (const ColourRow& row : kColours)
+        theme.*row.place = QColor(kind == ThemeKind::Light ? row.light : row.dark);
+    return theme;
 }
 
 Theme Theme::current()
@@ -73,11 +76,8 @@ QString Theme::styleSheet() const
     QString sheet = QString::fromUtf8(file.readAll());
     const QString folder = kind == ThemeKind::Light ? QStringLiteral("light") : QStringLiteral("dark");
     sheet.replace(QStringLiteral("@theme;"), folder);
-    const std::pair<const char*, QColor> colours[] = {
-        {"@window", window},   {"@panel", panel},   {"@raised", raised},     {"@line", line},  {"@text", text},
-        {"@dimText", dimText}, {"@accent", accent}, {"@onAccent", onAccent}, {"@error", error}};
-    for (const auto& [name, colour] : colours)
-        sheet.replace(QLatin1String(name) + QLatin1Char(';'), colour.name() + QLatin1Char(';'));
+    for (const ColourRow& row : kColours)
+        sheet.replace(QLatin1String(row.name) + QLatin1Char(';'), (this->*row.place).name() + QLatin1Char(';'));
     return sheet;
 }
 

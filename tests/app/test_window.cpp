@@ -96,7 +96,7 @@ private Q_SLOTS:
         // A display can carry the QOpenGLWidget, also where OpenGL is software.
         if (QGuiApplication::platformName() == QLatin1String("xcb")) {
             view::Preferences preferences;
-            preferences.presenter = view::Presenter::Widget;
+            preferences.presenter = view::PresenterChoice::Gl;
             Settings().setPreferences(preferences);
         }
         view::initResources();

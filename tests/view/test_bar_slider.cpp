@@ -1,5 +1,6 @@
 // The filled bar answers mouse, wheel, keys and typing, and tells of each change once.
 #include "panel_fixture.h"
+#include "view/theme.h"
 
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -169,6 +170,32 @@ private Q_SLOTS:
         QVERIFY(turn());
         QCOMPARE(m_slider->value(), 52.0);
         QTRY_COMPARE(m_finished->count(), 1);
+    }
+
+    void the_mark_leaves_the_words_alone_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<bool>("whole");
+        QTest::newRow("under the label") << 10.0 << false;
+        QTest::newRow("between") << 50.0 << true;
+        QTest::newRow("under the value") << 93.0 << false;
+    }
+    void the_mark_leaves_the_words_alone()
+    {
+        QFETCH(double, value);
+        QFETCH(bool, whole);
+        m_slider->setLabel(QStringLiteral("||||||||||||||"));
+        m_slider->setValue(value);
+        const QImage image = m_slider->grab().toImage();
+        const int x = qRound(value / 100.0 * image.width()) - 1;
+        const QColor accent = Theme::current().accent;
+        const auto marked = [&](int y) {
+            const QColor pixel = image.pixelColor(x, y * image.height() / 24);
+            return std::abs(pixel.red() - accent.red()) + std::abs(pixel.blue() - accent.blue()) < 40;
+        };
+        QVERIFY(marked(2) && marked(21));
+        for (int y = 7; y < 17; ++y)
+            QCOMPARE(marked(y), whole);
     }
 
     void it_is_named_for_screen_readers()

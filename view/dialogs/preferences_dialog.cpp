@@ -4,7 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QTabBar>
@@ -35,7 +35,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, std::vector
     buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
-    resize(560, 520);
+    resize(560, 480);
     setPreferences(preferences);
 }
 
@@ -43,10 +43,11 @@ QWidget* PreferencesDialog::buildGeneral(const std::vector<std::pair<QString, QS
 {
     auto* page = new QWidget(this);
     page->setObjectName(QStringLiteral("panel"));
-    auto* form = new QFormLayout(page);
-    form->setContentsMargins(metrics::kPadding, 16, metrics::kPadding, metrics::kPadding);
-    form->setSpacing(metrics::kGap);
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    auto* grid = new QGridLayout(page);
+    grid->setContentsMargins(metrics::kPadding, 16, metrics::kPadding, metrics::kPadding);
+    grid->setHorizontalSpacing(metrics::kPadding);
+    grid->setVerticalSpacing(metrics::kGrid);
+    grid->setColumnStretch(1, 1);
     m_theme = new QComboBox(page);
     m_theme->addItem(tr("Dark"), static_cast<int>(ThemeKind::Dark));
     m_theme->addItem(tr("Light"), static_cast<int>(ThemeKind::Light));
@@ -55,25 +56,33 @@ QWidget* PreferencesDialog::buildGeneral(const std::vector<std::pair<QString, QS
     for (const auto& [code, name] : languages)
         m_language->addItem(name, code);
     m_presenter = new QComboBox(page);
-    m_presenter->addItem(tr("Automatic"), static_cast<int>(Presenter::Automatic));
-    m_presenter->addItem(tr("Graphics card (OpenGL)"), static_cast<int>(Presenter::Widget));
-    m_presenter->addItem(tr("As a picture (software)"), static_cast<int>(Presenter::Image));
+    m_presenter->addItem(tr("Automatic"), static_cast<int>(PresenterChoice::Automatic));
+    m_presenter->addItem(tr("Graphics card (OpenGL)"), static_cast<int>(PresenterChoice::Gl));
+    m_presenter->addItem(tr("As a picture (software)"), static_cast<int>(PresenterChoice::Software));
     m_whitePaper = new QCheckBox(tr("White &paper under the maps"), page);
-    const auto note = [page](const QString& text) {
-        auto* label = new QLabel(text, page);
-        label->setProperty("role", QStringLiteral("dim"));
-        label->setWordWrap(true);
-        return label;
+    // Each setting with its note close below, and a gap to the next.
+    const auto add = [page, grid](const QString& title, QWidget* field, const QString& note) {
+        const int row = grid->rowCount();
+        if (!title.isEmpty()) {
+            auto* label = new QLabel(title, page);
+            label->setBuddy(field);
+            grid->addWidget(label, row, 0);
+        }
+        grid->addWidget(field, row, 1);
+        if (!note.isEmpty()) {
+            auto* label = new QLabel(note, page);
+            label->setProperty("role", QStringLiteral("dim"));
+            label->setWordWrap(true);
+            grid->addWidget(label, row + 1, 1);
+        }
+        grid->setRowMinimumHeight(row + 2, metrics::kGap);
     };
-    form->addRow(tr("&Theme"), m_theme);
-    form->addRow(tr("&Language"), m_language);
-    form->addRow(QString(), note(tr("The language changes at the next start.")));
-    form->addRow(tr("3D &area"), m_presenter);
-    form->addRow(QString(), note(tr("Automatic takes the graphics card where there is one. A change takes effect at "
-                                    "the next start.")));
-    form->addRow(QString(), m_whitePaper);
-    form->addRow(QString(), note(tr("Maps go from white to their colour instead of from black. Exported images "
-                                    "always do.")));
+    add(tr("&Theme"), m_theme, {});
+    add(tr("&Language"), m_language, tr("The language changes at the next start."));
+    add(tr("3D &area"), m_presenter,
+        tr("Automatic takes the graphics card where there is one. A change takes effect at the next start."));
+    add({}, m_whitePaper, tr("Maps go from white to their colour instead of from black. Exported images always do."));
+    grid->setRowStretch(grid->rowCount(), 1);
     for (QComboBox* box : {m_theme, m_language, m_presenter})
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::readGeneral);
     connect(m_whitePaper, &QCheckBox::toggled, this, &PreferencesDialog::readGeneral);
@@ -97,7 +106,7 @@ void PreferencesDialog::readGeneral()
         return;
     const Preferences chosen{.theme = static_cast<ThemeKind>(m_theme->currentData().toInt()),
                              .language = m_language->currentData().toString(),
-                             .presenter = static_cast<Presenter>(m_presenter->currentData().toInt()),
+                             .presenter = static_cast<PresenterChoice>(m_presenter->currentData().toInt()),
                              .whitePaper = m_whitePaper->isChecked()};
     if (chosen == m_preferences)
         return;

@@ -1,6 +1,7 @@
 // The program's own settings: look, language, how the 3D area is shown, keys.
 #pragma once
 
+#include "view/presenter_choice.h"
 #include "view/theme.h"
 
 #include <QAction>
@@ -20,18 +21,11 @@ class QTreeWidgetItem;
 
 namespace hairpaint::view {
 
-enum class Presenter
-{
-    Automatic,
-    Widget, ///< QOpenGLWidget
-    Image   ///< Read back and painted.
-};
-
 struct Preferences
 {
     ThemeKind theme = ThemeKind::Dark;
     QString language; ///< "de"; empty: the system's.
-    Presenter presenter = Presenter::Automatic;
+    PresenterChoice presenter = PresenterChoice::Automatic;
     bool whitePaper = false;
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };

@@ -160,6 +160,11 @@ void OptionBar::buildBrush()
     m_pressureSize = toggle(QStringLiteral("pressure-size"), tr("Pen pressure changes the size"), m_pressureBox);
     m_pressureOpacity =
         toggle(QStringLiteral("pressure-opacity"), tr("Pen pressure changes the opacity"), m_pressureBox);
+    for (const auto& [button, name] :
+         {std::pair(m_pressureSize, "pressure-size"), std::pair(m_pressureOpacity, "pressure-opacity")}) {
+        button->setProperty("switch", true);
+        button->setIcon(switchIcon(QLatin1StringView(name)));
+    }
     connect(m_pressureSize, &QToolButton::clicked, this,
             [this](bool on) { change([on](ToolSettings& settings) { settings.pressureSize = on; }); });
     connect(m_pressureOpacity, &QToolButton::clicked, this,

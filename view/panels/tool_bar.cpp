@@ -74,6 +74,7 @@ void ToolBar::setKey(QLatin1StringView toolId, const QKeySequence& key)
 void ToolBar::addFootAction(QAction* action)
 {
     QToolButton* button = makeTarget(this);
+    button->setProperty("switch", true);
     button->setDefaultAction(action);
     const auto follow = [button, action] { describe(*button, action->iconText(), action->shortcut()); };
     connect(action, &QAction::changed, button, follow);

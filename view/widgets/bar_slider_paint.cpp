@@ -16,8 +16,8 @@ namespace hairpaint::view {
 namespace {
 
 constexpr int kInset = 8;
-
-constexpr int kScaleHeight = 5; ///< Of the strip that shows a map's scale, under the text.
+constexpr double kMarkHeight = 5.0; ///< Of the value's mark where words or a scale leave no more.
+constexpr int kScaleHeight = 4;     ///< Of the strip that shows a map's scale, under the text.
 
 /// Degrees stand against their number, other units a thin space away.
 QString spacedUnit(const QString& unit)
@@ -76,18 +76,27 @@ void BarSlider::paintEvent(QPaintEvent* /*event*/)
     } else {
         painter.fillRect(QRectF(0.0, 0.0, edge, height()), mixed(ground, theme.accent, isEnabled() ? 0.30 : 0.08));
     }
+    const QRect inside = rect().adjusted(kInset, 0, -kInset, 0);
+    const QString value = valueText();
+    const int valueWidth = fontMetrics().horizontalAdvance(value);
+    const QString label =
+        fontMetrics().elidedText(m_label, Qt::ElideRight, inside.width() - valueWidth - metrics::kGrid);
     if (isEnabled() && edge > 0.0) {
-        const double top = scale ? height() - kScaleHeight - 2.0 : 0.0;
-        painter.fillRect(QRectF(std::clamp(edge - 1.0, 0.0, width() - 2.0), top, 2.0, height() - top), theme.accent);
+        // The mark leaves the words alone: where it would cross them it shows above and below only.
+        const QRectF mark(std::clamp(edge - 1.0, 0.0, width() - 2.0), 0.0, 2.0, height());
+        const bool crosses = mark.left() < inside.left() + fontMetrics().horizontalAdvance(label) + 1 ||
+                             mark.right() > inside.right() - valueWidth - 1;
+        if (scale || crosses)
+            painter.fillRect(mark.adjusted(0.0, height() - kMarkHeight, 0.0, 0.0), theme.accent);
+        if (!scale && crosses)
+            painter.fillRect(mark.adjusted(0.0, 0.0, 0.0, kMarkHeight - height()), theme.accent);
+        if (!scale && !crosses)
+            painter.fillRect(mark, theme.accent);
     }
     painter.restore();
 
-    const QRect inside = rect().adjusted(kInset, 0, -kInset, scale ? -kScaleHeight : 0);
-    const QString value = valueText();
-    const int valueWidth = fontMetrics().horizontalAdvance(value);
     painter.setPen(isEnabled() ? theme.text : theme.dimText);
-    painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(m_label, Qt::ElideRight, inside.width() - valueWidth - metrics::kGrid));
+    painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, label);
     painter.drawText(inside, Qt::AlignRight | Qt::AlignVCenter, value);
     const bool hover = isEnabled() && underMouse();
     painter.setPen(QPen(hasFocus() ? theme.accent : (hover ? theme.dimText : theme.line), hasFocus() ? 1.5 : 1.0));

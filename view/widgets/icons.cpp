@@ -47,7 +47,7 @@ QPixmap render(const QString& name, QSize pixels, const QColor& colour)
 class IconEngine : public QIconEngine
 {
 public:
-    explicit IconEngine(QString name) : m_name(std::move(name)) {}
+    IconEngine(QString name, QColor Theme::*on) : m_name(std::move(name)), m_on(on) {}
 
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override
     {
@@ -62,13 +62,13 @@ public:
     {
         return pixmap(size, mode, state);
     }
-    QIconEngine* clone() const override { return new IconEngine(m_name); }
+    QIconEngine* clone() const override { return new IconEngine(m_name, m_on); }
     QString key() const override { return QStringLiteral("hairpaint"); }
     QString iconName() override { return m_name; }
     bool isNull() override { return false; }
 
 private:
-    static QColor colour(QIcon::Mode mode, QIcon::State state)
+    [[nodiscard]] QColor colour(QIcon::Mode mode, QIcon::State state) const
     {
         const Theme theme = Theme::current();
         if (mode == QIcon::Disabled) {
@@ -76,10 +76,11 @@ private:
             dim.setAlphaF(0.5F);
             return dim;
         }
-        return state == QIcon::On ? theme.onAccent : theme.text;
+        return state == QIcon::On ? theme.*m_on : theme.text;
     }
 
     QString m_name;
+    QColor Theme::*m_on; ///< The colour while it is on.
 };
 
 } // namespace
@@ -92,7 +93,12 @@ bool hasIcon(const QString& name)
 
 QIcon icon(const QString& name)
 {
-    return QIcon(new IconEngine(name));
+    return QIcon(new IconEngine(name, &Theme::onAccent));
+}
+
+QIcon switchIcon(const QString& name)
+{
+    return QIcon(new IconEngine(name, &Theme::accent));
 }
 
 QPixmap iconPixmap(const QString& name, int side, const QColor& colour, qreal pixelRatio)
