@@ -27,11 +27,12 @@ const QString kSourceLanguage = QStringLiteral("en");
 
 QString ownName(const QString& code)
 {
-    if (code == kSourceLanguage)
-        return QStringLiteral("English"); // Qt would say "American English".
-    const QLocale locale(code);
-    QString name = locale.nativeLanguageName();
-    return name.isEmpty() ? code : locale.toUpper(name.left(1)) + name.mid(1);
+    QTranslator translator;
+    //: What your language calls itself, with a capital letter: it stands so in the Preferences.
+    constexpr const char* kName = QT_TRANSLATE_NOOP("Languages", "English");
+    const QString name =
+        translator.load(kPrefix + code, kFolder) ? translator.translate("Languages", kName) : QString();
+    return name.isEmpty() ? QString::fromLatin1(kName) : name;
 }
 
 void install(std::unique_ptr<QTranslator> translator)

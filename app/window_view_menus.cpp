@@ -109,7 +109,7 @@ void MainWindow::buildViewMenu()
 
 void MainWindow::buildHairMenu()
 {
-    QMenu& menu = *menuBar()->addMenu(tr("&Hair"));
+    QMenu& menu = *menuBar()->addMenu(tr("H&air"));
     model::Document& document = m_session.document();
     QAction* wind = m_actions.add(menu, {.id = "hair.wind",
                                          .text = tr("&Wind"),

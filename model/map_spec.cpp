@@ -24,7 +24,8 @@ constexpr std::array kBraidPalette{
 
 constexpr sim::Texel kDarkBrown{0x3B3B, 0x2626, 0x1818, 0};
 
-MapSpec scalar(MapKind kind, const char* id, const char* title, char letter, std::uint16_t defaultValue, QRgb scale)
+MapSpec scalar(MapKind kind, const char* id, const char* title, const char* letter, std::uint16_t defaultValue,
+               QRgb scale)
 {
     return {.kind = kind,
             .id = id,
@@ -41,13 +42,16 @@ MapSpec scalar(MapKind kind, const char* id, const char* title, char letter, std
 std::array<MapSpec, kMapKindCount> makeTable()
 {
     return {
-        scalar(MapKind::Density, "density", QT_TRANSLATE_NOOP("MapSpec", "Density"), 'D', 0, 0xFF00FF00),
-        scalar(MapKind::Length, "length", QT_TRANSLATE_NOOP("MapSpec", "Length"), 'L', 32768, 0xFF0000FF),
-        scalar(MapKind::Curl, "curl", QT_TRANSLATE_NOOP("MapSpec", "Curl"), 'C', 0, 0xFFFF0000),
+        scalar(MapKind::Density, "density", QT_TRANSLATE_NOOP("MapSpec", "Density"),
+               QT_TRANSLATE_NOOP("MapLetter", "D"), 0, 0xFF00FF00),
+        scalar(MapKind::Length, "length", QT_TRANSLATE_NOOP("MapSpec", "Length"), QT_TRANSLATE_NOOP("MapLetter", "L"),
+               32768, 0xFF0000FF),
+        scalar(MapKind::Curl, "curl", QT_TRANSLATE_NOOP("MapSpec", "Curl"), QT_TRANSLATE_NOOP("MapLetter", "C"), 0,
+               0xFFFF0000),
         MapSpec{.kind = MapKind::Braid,
                 .id = "braid",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Braid"),
-                .letter = 'B',
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "B"),
                 .texel = TexelKind::Index,
                 .valueChannels = 1,
                 .defaultValue = {},
@@ -57,15 +61,17 @@ std::array<MapSpec, kMapKindCount> makeTable()
         MapSpec{.kind = MapKind::Colour,
                 .id = "colour",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Colour"),
-                .letter = 'H',
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "H"),
                 .texel = TexelKind::Colour,
                 .valueChannels = 3,
                 .defaultValue = kDarkBrown,
                 .scaleColour = 0xFF3B2618,
                 .palette = {},
                 .blendModes = kBlendable},
-        scalar(MapKind::Clump, "clump", QT_TRANSLATE_NOOP("MapSpec", "Clump"), 'U', 0, 0xFFFFFF00),
-        scalar(MapKind::Gel, "gel", QT_TRANSLATE_NOOP("MapSpec", "Gel"), 'G', 0, 0xFF00FFFF),
+        scalar(MapKind::Clump, "clump", QT_TRANSLATE_NOOP("MapSpec", "Clump"), QT_TRANSLATE_NOOP("MapLetter", "U"), 0,
+               0xFFFFFF00),
+        scalar(MapKind::Gel, "gel", QT_TRANSLATE_NOOP("MapSpec", "Gel"), QT_TRANSLATE_NOOP("MapLetter", "G"), 0,
+               0xFF00FFFF),
     };
 }
 
@@ -88,6 +94,11 @@ float squaredDistance(const std::array<float, 3>& a, const std::array<float, 3>&
 QString MapSpec::titleText() const
 {
     return QCoreApplication::translate("MapSpec", title);
+}
+
+QString MapSpec::letterText() const
+{
+    return QCoreApplication::translate("MapLetter", letter);
 }
 
 std::span<const MapSpec> mapSpecs()

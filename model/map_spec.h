@@ -46,9 +46,9 @@ struct PaletteEntry
 struct MapSpec
 {
     MapKind kind;
-    const char* id;    ///< In files and on the command line: "density".
-    const char* title; ///< To be translated in context "MapSpec".
-    char letter;       ///< For the colour-blind; unique.
+    const char* id;     ///< In files and on the command line: "density".
+    const char* title;  ///< To be translated in context "MapSpec".
+    const char* letter; ///< For the colour-blind; unique. To be translated in context "MapLetter".
     TexelKind texel;
     int valueChannels; ///< 1, or 3 for colours. A layer's raster has one more: coverage.
     sim::Texel defaultValue;
@@ -56,7 +56,8 @@ struct MapSpec
     std::span<const PaletteEntry> palette; ///< Of an index map.
     std::span<const BlendMode> blendModes;
 
-    [[nodiscard]] QString titleText() const; ///< Translated.
+    [[nodiscard]] QString titleText() const;  ///< Translated.
+    [[nodiscard]] QString letterText() const; ///< Translated.
     [[nodiscard]] int layerChannels() const { return valueChannels + 1; }
     [[nodiscard]] bool bilinear() const { return texel != TexelKind::Index; }
 };

@@ -1,4 +1,38 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
+<context>
+    <name>hairpaint::view::HeadImportDialog</name>
+    <message numerus="yes">
+        <source>%Ln triangles. %1 cm is no usual height for a head, a bust or a body: check the unit and the axis.</source>
+        <translation>
+            <numerusform>%Ln triangle. %1 cm is no usual height for a head, a bust or a body: check the unit and the axis.</numerusform>
+            <numerusform>%Ln triangles. %1 cm is no usual height for a head, a bust or a body: check the unit and the axis.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangles, %1 cm tall.</source>
+        <translation>
+            <numerusform>%Ln triangle, %1 cm tall.</numerusform>
+            <numerusform>%Ln triangles, %1 cm tall.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::StatusReadout</name>
+    <message numerus="yes">
+        <source>%1 of %Ln hairs</source>
+        <translation>
+            <numerusform>%1 of %Ln hair</numerusform>
+            <numerusform>%1 of %Ln hairs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hairs</source>
+        <translation>
+            <numerusform>%Ln hair</numerusform>
+            <numerusform>%Ln hairs</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

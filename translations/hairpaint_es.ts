@@ -5,2184 +5,2399 @@
     <name>Clipboard</name>
     <message>
         <source>Paste into %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegar en %1</translation>
     </message>
 </context>
 <context>
     <name>CommandLine</name>
     <message>
         <source>%1. Usage: hairpaint %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Uso: hairpaint %2 %3</translation>
     </message>
     <message>
         <source>No file name belongs here</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí no va ningún nombre de archivo</translation>
     </message>
     <message>
         <source>Exactly one project is wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>Hace falta un proyecto, y solo uno</translation>
     </message>
     <message>
         <source>--%1 takes a number from %2 to %3, not &apos;%4&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>--%1 admite un número de %2 a %3, no «%4»</translation>
     </message>
     <message>
         <source>-o takes a name that ends in .hair</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Head: %1, %2 vertices, %3 triangles
-</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Hairs: %1 (%2 exported, %3 basis hairs), seed %4
-</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Group %1: %2 hairs of %3 nodes
-</source>
-        <translation type="unfinished"></translation>
+        <translation>-o necesita un nombre que acabe en .hair</translation>
     </message>
     <message>
         <source>  %1: %2 x %3, layers: %4
 </source>
-        <translation type="unfinished"></translation>
+        <translation>  %1: %2 x %3, capas: %4
+</translation>
     </message>
     <message>
-        <source>hairpaint [PROJECT]  opens the editor
+        <source>makes a project</source>
+        <translation>crea un proyecto</translation>
+    </message>
+    <message>
+        <source>tells what a project holds</source>
+        <translation>dice qué contiene un proyecto</translation>
+    </message>
+    <message>
+        <source>lists the library of styles</source>
+        <translation>lista los peinados de la biblioteca</translation>
+    </message>
+    <message>
+        <source>writes the hair as curves</source>
+        <translation>escribe el pelo como curvas</translation>
+    </message>
+    <message>
+        <source>takes pictures</source>
+        <translation>hace imágenes</translation>
+    </message>
+    <message>
+        <source>Head: %1, %L2 vertices, %L3 triangles
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Cabeza: %1, %L2 vértices, %L3 triángulos
+</translation>
+    </message>
+    <message>
+        <source>Hairs: %L1 (%L2 exported, %L3 basis hairs), seed %4
+</source>
+        <translation>Pelos: %L1 (%L2 se exportan, %L3 pelos guía), semilla %4
+</translation>
+    </message>
+    <message>
+        <source>Group %1: %L2 hairs of %3 nodes
+</source>
+        <translation>Grupo %1: %L2 pelos de %3 nodos
+</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; goes to the hair group &apos;%2&apos;, and the project has none of that name.</source>
+        <translation>«%1» es para el grupo de pelo «%2», y el proyecto no tiene ninguno con ese nombre.</translation>
+    </message>
+    <message>
+        <source>-o and the project&apos;s name are needed</source>
+        <translation>Faltan -o y el nombre del proyecto</translation>
+    </message>
+    <message>
+        <source>--map %1 names no map</source>
+        <translation>--map %1 no nombra ningún mapa</translation>
+    </message>
+    <message>
+        <source>--seed takes a whole number up to 2^53</source>
+        <translation>--seed admite un número entero de hasta 2^53</translation>
+    </message>
+    <message>
+        <source>--size takes WxH, each from 16 to 8192, not &apos;%1&apos;</source>
+        <translation>--size admite ANCHOxALTO, cada uno de 16 a 8192, no «%1»</translation>
+    </message>
+    <message>
+        <source>There is no view &apos;%1&apos;</source>
+        <translation>No existe la vista «%1»</translation>
+    </message>
+    <message>
+        <source>--frames takes A-B with B not below A, up to 9999, not &apos;%1&apos;</source>
+        <translation>--frames admite A-B, con B no menor que A y hasta 9999, no «%1»</translation>
+    </message>
+    <message>
+        <source>--wind takes X,Y,Z in m/s, each from -30 to 30</source>
+        <translation>--wind admite X,Y,Z en m/s, cada uno de -30 a 30</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; could not be written: %2. Choose a folder you may write to.</source>
+        <translation>«%1» no se pudo escribir: %2. Elige una carpeta en la que puedas escribir.</translation>
+    </message>
+    <message>
+        <source>-o takes a name that ends in .png</source>
+        <translation>-o necesita un nombre que acabe en .png</translation>
+    </message>
+    <message>
+        <source>hairpaint [PROJECT]
+    opens the editor</source>
+        <translation>hairpaint [PROYECTO]
+    abre el editor</translation>
+    </message>
+    <message>
+        <source>There is no option %1; hairpaint --help lists those there are.</source>
+        <translation>No existe la opción %1; hairpaint --help muestra las que hay.</translation>
+    </message>
+    <message>
+        <source>There is no display to open a window on. Without one the command line works: hairpaint --help</source>
+        <translation>No hay pantalla donde abrir una ventana. Sin ella funciona la línea de órdenes: hairpaint --help</translation>
     </message>
 </context>
 <context>
     <name>Commands</name>
     <message>
         <source>Add group &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir grupo «%1»</translation>
     </message>
     <message>
         <source>Remove group &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar grupo «%1»</translation>
     </message>
     <message>
         <source>Rename group &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Renombrar grupo «%1»</translation>
     </message>
     <message>
         <source>Show group &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar grupo «%1»</translation>
     </message>
     <message>
         <source>Hide group &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Ocultar grupo «%1»</translation>
     </message>
     <message>
         <source>Apply style &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar peinado «%1»</translation>
     </message>
     <message>
         <source>Add layer to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir capa a %1</translation>
     </message>
     <message>
         <source>Remove layer &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar capa «%1»</translation>
     </message>
     <message>
         <source>Move layer &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover capa «%1»</translation>
     </message>
     <message>
         <source>Change wind</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el viento</translation>
     </message>
     <message>
         <source>Change light</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar la luz</translation>
     </message>
     <message>
         <source>Change background</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el fondo</translation>
     </message>
     <message>
         <source>Change head</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar la cabeza</translation>
     </message>
 </context>
 <context>
     <name>Files</name>
     <message>
         <source>its archive is cut short or broken</source>
-        <translation type="unfinished"></translation>
+        <translation>está incompleto o roto por dentro</translation>
     </message>
     <message>
         <source>it is not a file of Hair Paint; choose another</source>
-        <translation type="unfinished"></translation>
+        <translation>no es un archivo de Hair Paint; elige otro</translation>
     </message>
     <message>
         <source>it holds more than %1 entries</source>
-        <translation type="unfinished"></translation>
+        <translation>contiene más de %1 entradas</translation>
     </message>
     <message>
         <source>one of its entries has an unacceptable name</source>
-        <translation type="unfinished"></translation>
+        <translation>una de sus entradas tiene un nombre inaceptable</translation>
     </message>
     <message>
         <source>it holds two entries named &apos;%1&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>contiene dos entradas llamadas «%1»</translation>
     </message>
     <message>
         <source>its entry &apos;%1&apos; is packed in an unacceptable way</source>
-        <translation type="unfinished"></translation>
+        <translation>su entrada «%1» está comprimida de un modo inaceptable</translation>
     </message>
     <message>
         <source>its entry &apos;%1&apos; is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta su entrada «%1»</translation>
     </message>
     <message>
         <source>its entry &apos;%1&apos; is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>su entrada «%1» es demasiado grande</translation>
     </message>
     <message>
         <source>its entry &apos;%1&apos; is broken</source>
-        <translation type="unfinished"></translation>
+        <translation>su entrada «%1» está dañada</translation>
     </message>
     <message>
         <source>its archive could not be made</source>
-        <translation type="unfinished"></translation>
+        <translation>no se pudo comprimir su contenido</translation>
     </message>
     <message>
         <source>its head&apos;s mesh is broken</source>
-        <translation type="unfinished"></translation>
+        <translation>la malla de su cabeza está dañada</translation>
     </message>
     <message>
         <source>it holds no hair group, or too many</source>
-        <translation type="unfinished"></translation>
+        <translation>no contiene ningún grupo de pelo, o contiene demasiados</translation>
     </message>
     <message>
         <source>its map &apos;%1&apos; is not known to this one</source>
-        <translation type="unfinished"></translation>
+        <translation>esta versión no conoce su mapa «%1»</translation>
     </message>
     <message>
         <source>its list of groups, maps and layers is broken</source>
-        <translation type="unfinished"></translation>
+        <translation>su lista de grupos, mapas y capas está dañada</translation>
     </message>
     <message>
         <source>it has too many groups or layers; remove some</source>
-        <translation type="unfinished"></translation>
+        <translation>tiene demasiados grupos o capas; quita algunos</translation>
     </message>
     <message>
         <source>the hair has too many points for this format</source>
-        <translation type="unfinished"></translation>
+        <translation>el pelo tiene demasiados puntos para este formato</translation>
     </message>
     <message>
         <source>its head is %1 m large, and heads of 1 mm to 100 m can be used; choose another unit</source>
-        <translation type="unfinished"></translation>
+        <translation>su cabeza mide %1 m, y se admiten cabezas de 1 mm a 100 m; elige otra unidad</translation>
     </message>
     <message>
         <source>its mesh has no surface; choose another</source>
-        <translation type="unfinished"></translation>
+        <translation>su malla no tiene superficie; elige otra</translation>
     </message>
     <message>
         <source>The image holds no pixels; choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>La imagen no contiene píxeles; elige otra.</translation>
     </message>
     <message>
         <source>the helper program hairpaint-import could not be started; install Hair Paint again</source>
-        <translation type="unfinished"></translation>
+        <translation>no se pudo iniciar el programa auxiliar hairpaint-import; vuelve a instalar Hair Paint</translation>
     </message>
     <message>
         <source>reading it failed, so it is likely damaged; convert it with another program and try again</source>
-        <translation type="unfinished"></translation>
+        <translation>falló su lectura, así que seguramente está dañado; conviértelo con otro programa e inténtalo de nuevo</translation>
     </message>
     <message>
         <source>it took too long; try a smaller or simpler file</source>
-        <translation type="unfinished"></translation>
+        <translation>tardó demasiado; prueba con un archivo más pequeño o más sencillo</translation>
     </message>
     <message>
         <source>the helper program&apos;s answer made no sense; convert the file with another program and try again</source>
-        <translation type="unfinished"></translation>
+        <translation>la respuesta del programa auxiliar no tenía sentido; convierte el archivo con otro programa e inténtalo de nuevo</translation>
     </message>
     <message>
         <source>it could not be read; check that it is there and may be read</source>
-        <translation type="unfinished"></translation>
+        <translation>no se pudo leer; comprueba que existe y que tienes permiso para leerlo</translation>
     </message>
     <message>
         <source>its format is not known; convert it to PNG (an image) or glTF (a mesh)</source>
-        <translation type="unfinished"></translation>
+        <translation>su formato es desconocido; conviértelo a PNG (una imagen) o a glTF (una malla)</translation>
     </message>
     <message>
         <source>it is damaged or cut short; try another copy of it</source>
-        <translation type="unfinished"></translation>
+        <translation>está dañado o incompleto; prueba con otra copia</translation>
     </message>
     <message>
         <source>it is too large; try one of at most 8192 x 8192 pixels or 2 million vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>es demasiado grande; prueba con uno de 8192 x 8192 píxeles o 2 millones de vértices como mucho</translation>
     </message>
     <message>
         <source>it holds no surface; choose a mesh of triangles or polygons</source>
-        <translation type="unfinished"></translation>
+        <translation>no contiene ninguna superficie; elige una malla de triángulos o polígonos</translation>
     </message>
     <message>
         <source>its mesh has no uv coordinates, which the maps need; unwrap it in a 3D program first</source>
-        <translation type="unfinished"></translation>
+        <translation>su malla no tiene coordenadas UV, y los mapas las necesitan; despliégala antes en un programa 3D</translation>
     </message>
     <message>
         <source>images with this ending can&apos;t be written; use .png, .tif or .exr</source>
-        <translation type="unfinished"></translation>
+        <translation>no se pueden escribir imágenes con esa extensión; usa .png, .tif o .exr</translation>
     </message>
     <message>
         <source>there was not enough memory for it; try a smaller one</source>
-        <translation type="unfinished"></translation>
+        <translation>no hubo memoria suficiente; prueba con uno más pequeño</translation>
     </message>
     <message>
         <source>&apos;%1&apos; in project.json is not what it should be</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» en project.json no es lo que debería ser</translation>
     </message>
     <message>
         <source>its maps are larger than this program can hold; use fewer layers or smaller maps</source>
-        <translation type="unfinished"></translation>
+        <translation>sus mapas son más grandes de lo que cabe en este programa; usa menos capas o mapas más pequeños</translation>
     </message>
     <message>
         <source>it is a file of another kind (%1); choose another</source>
-        <translation type="unfinished"></translation>
+        <translation>es un archivo de otro tipo (%1); elige otro</translation>
     </message>
     <message>
         <source>there is not enough memory to encode its maps</source>
-        <translation type="unfinished"></translation>
+        <translation>no hay memoria suficiente para codificar sus mapas</translation>
     </message>
     <message>
         <source>its format version is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>falta la versión de su formato</translation>
     </message>
     <message>
         <source>its format is %1, and this Hair Paint reads up to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>su formato es el %1, y este Hair Paint lee hasta el %2</translation>
     </message>
     <message>
         <source>one of its images is broken</source>
-        <translation type="unfinished"></translation>
+        <translation>una de sus imágenes está dañada</translation>
     </message>
     <message>
         <source>one of its images is not a PNG</source>
-        <translation type="unfinished"></translation>
+        <translation>una de sus imágenes no es PNG</translation>
     </message>
     <message>
         <source>one of its images is not %1 x %1 in 16-bit RGBA</source>
-        <translation type="unfinished"></translation>
+        <translation>una de sus imágenes no es RGBA de 16 bits de %1 x %1</translation>
     </message>
     <message>
         <source>its head &apos;%1&apos; is not known to this one</source>
-        <translation type="unfinished"></translation>
+        <translation>esta versión no conoce su cabeza «%1»</translation>
     </message>
     <message>
         <source>its project.json is too large or nested too deep</source>
-        <translation type="unfinished"></translation>
+        <translation>su project.json es demasiado grande o tiene demasiados niveles</translation>
     </message>
     <message>
         <source>its project.json can&apos;t be understood</source>
-        <translation type="unfinished"></translation>
+        <translation>su project.json no se entiende</translation>
     </message>
     <message>
         <source>its way of drawing roots is not known to this one</source>
-        <translation type="unfinished"></translation>
+        <translation>esta versión no conoce su modo de sortear raíces</translation>
     </message>
     <message>
         <source>&apos;%1&apos; can&apos;t be opened: %2; open it with a newer Hair Paint.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no se puede abrir: %2; ábrelo con un Hair Paint más reciente.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; can&apos;t be opened: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no se puede abrir: %2.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is damaged: %2; try an earlier copy of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» está dañado: %2; prueba con una copia anterior.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; can&apos;t be written: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no se puede escribir: %2.</translation>
     </message>
     <message>
         <source>Working on &apos;%1&apos; was cancelled; nothing has changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se canceló el trabajo con «%1»; nada ha cambiado.</translation>
     </message>
     <message>
         <source>there is no such file; check the name and the folder</source>
-        <translation type="unfinished"></translation>
+        <translation>no existe tal archivo; comprueba el nombre y la carpeta</translation>
     </message>
     <message>
         <source>it is a folder; choose a file inside it</source>
-        <translation type="unfinished"></translation>
+        <translation>es una carpeta; elige un archivo de dentro</translation>
     </message>
     <message>
         <source>it is not an ordinary file; choose another</source>
-        <translation type="unfinished"></translation>
+        <translation>no es un archivo corriente; elige otro</translation>
     </message>
     <message>
         <source>it is empty; choose another file</source>
-        <translation type="unfinished"></translation>
+        <translation>está vacío; elige otro archivo</translation>
     </message>
     <message>
         <source>it is larger than %1, the most that is read; choose a smaller file</source>
-        <translation type="unfinished"></translation>
+        <translation>pasa de %1, lo máximo que se lee; elige un archivo más pequeño</translation>
     </message>
     <message>
         <source>%1; check that you may read it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; comprueba que tienes permiso para leerlo</translation>
     </message>
 </context>
 <context>
     <name>HairColours</name>
     <message>
         <source>1 Black</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Negro</translation>
     </message>
     <message>
         <source>2 Darkest brown</source>
-        <translation type="unfinished"></translation>
+        <translation>2 Castaño muy oscuro</translation>
     </message>
     <message>
         <source>3 Dark brown</source>
-        <translation type="unfinished"></translation>
+        <translation>3 Castaño oscuro</translation>
     </message>
     <message>
         <source>4 Medium brown</source>
-        <translation type="unfinished"></translation>
+        <translation>4 Castaño medio</translation>
     </message>
     <message>
         <source>5 Light brown</source>
-        <translation type="unfinished"></translation>
+        <translation>5 Castaño claro</translation>
     </message>
     <message>
         <source>6 Dark blonde</source>
-        <translation type="unfinished"></translation>
+        <translation>6 Rubio oscuro</translation>
     </message>
     <message>
         <source>7 Medium blonde</source>
-        <translation type="unfinished"></translation>
+        <translation>7 Rubio medio</translation>
     </message>
     <message>
         <source>8 Light blonde</source>
-        <translation type="unfinished"></translation>
+        <translation>8 Rubio claro</translation>
     </message>
     <message>
         <source>9 Very light blonde</source>
-        <translation type="unfinished"></translation>
+        <translation>9 Rubio muy claro</translation>
     </message>
     <message>
         <source>10 Lightest blonde</source>
-        <translation type="unfinished"></translation>
+        <translation>10 Rubio clarísimo</translation>
     </message>
     <message>
         <source>Mahogany</source>
-        <translation type="unfinished"></translation>
+        <translation>Caoba</translation>
     </message>
     <message>
         <source>Auburn</source>
-        <translation type="unfinished"></translation>
+        <translation>Cobrizo oscuro</translation>
     </message>
     <message>
         <source>Chestnut</source>
-        <translation type="unfinished"></translation>
+        <translation>Castaño rojizo</translation>
     </message>
     <message>
         <source>Copper</source>
-        <translation type="unfinished"></translation>
+        <translation>Cobre</translation>
     </message>
     <message>
         <source>Ginger</source>
-        <translation type="unfinished"></translation>
+        <translation>Pelirrojo</translation>
     </message>
     <message>
         <source>Strawberry blonde</source>
-        <translation type="unfinished"></translation>
+        <translation>Rubio fresa</translation>
     </message>
     <message>
         <source>Steel grey</source>
-        <translation type="unfinished"></translation>
+        <translation>Gris acero</translation>
     </message>
     <message>
         <source>Salt and pepper</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrecano</translation>
     </message>
     <message>
         <source>Silver</source>
-        <translation type="unfinished"></translation>
+        <translation>Plata</translation>
     </message>
     <message>
         <source>White</source>
-        <translation type="unfinished"></translation>
+        <translation>Blanco</translation>
     </message>
     <message>
         <source>Burgundy</source>
-        <translation type="unfinished"></translation>
+        <translation>Burdeos</translation>
     </message>
     <message>
         <source>Cherry red</source>
-        <translation type="unfinished"></translation>
+        <translation>Rojo cereza</translation>
     </message>
     <message>
         <source>Coral</source>
-        <translation type="unfinished"></translation>
+        <translation>Coral</translation>
     </message>
     <message>
         <source>Rose</source>
-        <translation type="unfinished"></translation>
+        <translation>Rosa</translation>
     </message>
     <message>
         <source>Magenta</source>
-        <translation type="unfinished"></translation>
+        <translation>Magenta</translation>
     </message>
     <message>
         <source>Lilac</source>
-        <translation type="unfinished"></translation>
+        <translation>Lila</translation>
     </message>
     <message>
         <source>Violet</source>
-        <translation type="unfinished"></translation>
+        <translation>Violeta</translation>
     </message>
     <message>
         <source>Midnight blue</source>
-        <translation type="unfinished"></translation>
+        <translation>Azul medianoche</translation>
     </message>
     <message>
         <source>Turquoise</source>
-        <translation type="unfinished"></translation>
+        <translation>Turquesa</translation>
     </message>
     <message>
         <source>Mint</source>
-        <translation type="unfinished"></translation>
+        <translation>Menta</translation>
     </message>
 </context>
 <context>
     <name>HairSettings</name>
     <message>
         <source>Greatest length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud máxima</translation>
     </message>
     <message>
         <source>Length where the length map is brightest</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud donde el mapa de longitud es más claro</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>Shortest length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud mínima</translation>
     </message>
     <message>
         <source>Length where the length map is 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud donde el mapa de longitud es 0</translation>
     </message>
     <message>
         <source>Greatest density</source>
-        <translation type="unfinished"></translation>
+        <translation>Densidad máxima</translation>
     </message>
     <message>
         <source>Hairs where the density map is brightest</source>
-        <translation type="unfinished"></translation>
+        <translation>Pelos donde el mapa de densidad es más claro</translation>
     </message>
     <message>
         <source>hairs/cm²</source>
-        <translation type="unfinished"></translation>
+        <translation>pelos/cm²</translation>
     </message>
     <message>
         <source>Hair width</source>
-        <translation type="unfinished"></translation>
+        <translation>Grosor del pelo</translation>
     </message>
     <message>
         <source>Diameter of one hair</source>
-        <translation type="unfinished"></translation>
+        <translation>Diámetro de un pelo</translation>
     </message>
     <message>
         <source>µm</source>
-        <translation type="unfinished"></translation>
+        <translation>µm</translation>
     </message>
     <message>
         <source>Curl radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Radio del rizo</translation>
     </message>
     <message>
         <source>Greatest radius of a curl</source>
-        <translation type="unfinished"></translation>
+        <translation>Radio máximo de un rizo</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Nodes per hair</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos por pelo</translation>
     </message>
     <message>
         <source>More bend more finely and cost more</source>
-        <translation type="unfinished"></translation>
+        <translation>Con más, el pelo se dobla con más detalle y cuesta más</translation>
     </message>
     <message>
         <source>Basis hairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Pelos guía</translation>
     </message>
     <message>
         <source>Hairs that are simulated; the others follow them</source>
-        <translation type="unfinished"></translation>
+        <translation>Pelos que se simulan; los demás los siguen</translation>
     </message>
     <message>
         <source>Spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>Separación</translation>
     </message>
     <message>
         <source>Distance between braids in one painted patch</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia entre trenzas en una misma zona pintada</translation>
     </message>
     <message>
         <source>Radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Radio</translation>
     </message>
     <message>
         <source>Thickness of a braid</source>
-        <translation type="unfinished"></translation>
+        <translation>Grosor de una trenza</translation>
     </message>
     <message>
         <source>Body</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuerpo</translation>
     </message>
     <message>
         <source>How firmly hair keeps its shape near the root</source>
-        <translation type="unfinished"></translation>
+        <translation>Con qué firmeza el pelo conserva su forma cerca de la raíz</translation>
     </message>
     <message>
         <source>Parting</source>
-        <translation type="unfinished"></translation>
+        <translation>Raya</translation>
     </message>
     <message>
         <source>How far long hair is combed to either side of the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto se peina el pelo largo hacia los lados desde el centro</translation>
     </message>
     <message>
         <source>Sweep back</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacia atrás</translation>
     </message>
     <message>
         <source>How far long hair is combed away from the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto se peina el pelo largo apartándolo de la cara</translation>
     </message>
     <message>
         <source>Damping</source>
-        <translation type="unfinished"></translation>
+        <translation>Amortiguación</translation>
     </message>
     <message>
         <source>How soon motion dies down</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuán pronto se apaga el movimiento</translation>
     </message>
     <message>
         <source>per s</source>
-        <translation type="unfinished"></translation>
+        <translation>por s</translation>
     </message>
     <message>
         <source>Gravity</source>
-        <translation type="unfinished"></translation>
+        <translation>Gravedad</translation>
     </message>
     <message>
         <source>100 % is as on earth</source>
-        <translation type="unfinished"></translation>
+        <translation>100 % es como en la Tierra</translation>
     </message>
     <message>
         <source>Friction</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozamiento</translation>
     </message>
     <message>
         <source>How much hair sticks to the head</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto se agarra el pelo a la cabeza</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>Thickness of the whole coat of hair</source>
-        <translation type="unfinished"></translation>
+        <translation>Espesor de todo el manto de pelo</translation>
     </message>
     <message>
         <source>Wind</source>
-        <translation type="unfinished"></translation>
+        <translation>Viento</translation>
     </message>
     <message>
         <source>How strongly the wind takes this hair</source>
-        <translation type="unfinished"></translation>
+        <translation>Con qué fuerza el viento mueve este pelo</translation>
     </message>
     <message>
         <source>Shine</source>
-        <translation type="unfinished"></translation>
+        <translation>Brillo</translation>
     </message>
     <message>
         <source>Strength of the highlights</source>
-        <translation type="unfinished"></translation>
+        <translation>Intensidad de los reflejos</translation>
     </message>
     <message>
         <source>Roughness</source>
-        <translation type="unfinished"></translation>
+        <translation>Rugosidad</translation>
     </message>
     <message>
         <source>Width of the highlights</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura de los reflejos</translation>
     </message>
     <message>
         <source>Opacity at the root</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacidad en la raíz</translation>
     </message>
     <message>
         <source>Less lets the skin show through</source>
-        <translation type="unfinished"></translation>
+        <translation>Con menos se transparenta la piel</translation>
     </message>
     <message>
         <source>Opacity at the tip</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacidad en la punta</translation>
     </message>
     <message>
         <source>Less makes hair thin out</source>
-        <translation type="unfinished"></translation>
+        <translation>Con menos el pelo se afina</translation>
     </message>
     <message>
         <source>Colour variation</source>
-        <translation type="unfinished"></translation>
+        <translation>Variación de color</translation>
     </message>
     <message>
         <source>Difference between neighbouring hairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Diferencia entre pelos vecinos</translation>
     </message>
 </context>
 <context>
     <name>HeadImportDialog</name>
     <message>
         <source>Millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Milímetros</translation>
     </message>
     <message>
         <source>Centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Centímetros</translation>
     </message>
     <message>
         <source>Inches</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulgadas</translation>
     </message>
     <message>
         <source>Decimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Decímetros</translation>
     </message>
     <message>
         <source>Metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Metros</translation>
     </message>
 </context>
 <context>
     <name>HeadView</name>
     <message>
         <source>The window has no OpenGL context.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The OpenGL driver refuses to draw.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ventana no tiene contexto OpenGL.</translation>
     </message>
 </context>
 <context>
     <name>Landmarks</name>
     <message>
         <source>crown</source>
-        <translation type="unfinished"></translation>
+        <translation>coronilla</translation>
     </message>
     <message>
         <source>hairline</source>
-        <translation type="unfinished"></translation>
+        <translation>nacimiento del pelo</translation>
     </message>
     <message>
         <source>nape</source>
-        <translation type="unfinished"></translation>
+        <translation>nuca</translation>
     </message>
     <message>
         <source>ear</source>
-        <translation type="unfinished"></translation>
+        <translation>oreja</translation>
     </message>
     <message>
         <source>nose</source>
-        <translation type="unfinished"></translation>
+        <translation>nariz</translation>
     </message>
     <message>
         <source>chin</source>
-        <translation type="unfinished"></translation>
+        <translation>barbilla</translation>
+    </message>
+</context>
+<context>
+    <name>Languages</name>
+    <message>
+        <source>English</source>
+        <extracomment>What your language calls itself, with a capital letter: it stands so in the Preferences.</extracomment>
+        <translation>Español</translation>
     </message>
 </context>
 <context>
     <name>Library</name>
     <message>
         <source>There is no style named &apos;%1&apos;; &apos;hairpaint presets&apos; lists those there are.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay ningún peinado llamado «%1»; «hairpaint presets» muestra los que hay.</translation>
+    </message>
+</context>
+<context>
+    <name>MapLetter</name>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
     </message>
 </context>
 <context>
     <name>MapSpec</name>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguno</translation>
     </message>
     <message>
         <source>Plait</source>
-        <translation type="unfinished"></translation>
+        <translation>Trenza</translation>
     </message>
     <message>
         <source>Twist</source>
-        <translation type="unfinished"></translation>
+        <translation>Torcido</translation>
     </message>
     <message>
         <source>Loc</source>
-        <translation type="unfinished"></translation>
+        <translation>Rasta</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished"></translation>
+        <translation>Densidad</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud</translation>
     </message>
     <message>
         <source>Curl</source>
-        <translation type="unfinished"></translation>
+        <translation>Rizo</translation>
     </message>
     <message>
         <source>Braid</source>
-        <translation type="unfinished"></translation>
+        <translation>Trenzado</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Color</translation>
     </message>
     <message>
         <source>Clump</source>
-        <translation type="unfinished"></translation>
+        <translation>Mechón</translation>
     </message>
     <message>
         <source>Gel</source>
-        <translation type="unfinished"></translation>
+        <translation>Gel</translation>
+    </message>
+</context>
+<context>
+    <name>Names</name>
+    <message>
+        <source>Scalp</source>
+        <translation>Cuero cabelludo</translation>
+    </message>
+    <message>
+        <source>Long straight</source>
+        <translation>Lisa y larga</translation>
+    </message>
+    <message>
+        <source>Bob</source>
+        <translation>Media melena</translation>
+    </message>
+    <message>
+        <source>Ringlets</source>
+        <translation>Tirabuzones</translation>
+    </message>
+    <message>
+        <source>Round afro</source>
+        <translation>Afro redondo</translation>
+    </message>
+    <message>
+        <source>Two plaits</source>
+        <translation>Dos trenzas</translation>
+    </message>
+    <message>
+        <source>Gelled mohawk</source>
+        <translation>Cresta con gel</translation>
+    </message>
+    <message>
+        <source>Split dye</source>
+        <translation>A dos colores</translation>
+    </message>
+    <message>
+        <source>Buzz cut</source>
+        <translation>Rapado</translation>
+    </message>
+    <message>
+        <source>short</source>
+        <translation>corto</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>medio</translation>
+    </message>
+    <message>
+        <source>long</source>
+        <translation>largo</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>liso</translation>
+    </message>
+    <message>
+        <source>wavy</source>
+        <translation>ondulado</translation>
+    </message>
+    <message>
+        <source>curly</source>
+        <translation>rizado</translation>
+    </message>
+    <message>
+        <source>coily</source>
+        <translation>afro</translation>
+    </message>
+    <message>
+        <source>braided</source>
+        <translation>trenzado</translation>
+    </message>
+    <message>
+        <source>gelled</source>
+        <translation>con gel</translation>
+    </message>
+    <message>
+        <source>coloured</source>
+        <translation>teñido</translation>
+    </message>
+    <message>
+        <source>built-in</source>
+        <translation>incluido</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>propio</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Grupo %1</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>Capa %1</translation>
     </message>
 </context>
 <context>
     <name>Picture</name>
     <message>
         <source>No picture can be drawn: %1 Install a driver with OpenGL 4.3 (Debian: libgl1-mesa-dri).</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede dibujar ninguna imagen: %1 Instala un controlador con OpenGL 4.3 (Debian: libgl1-mesa-dri).</translation>
     </message>
 </context>
 <context>
     <name>Pointer</name>
     <message>
         <source>Size %1 cm, hardness %2 %, opacity %3 %</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>Project</name>
-    <message>
-        <source>Layer %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scalp</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño %1 cm, dureza %2 %, opacidad %3 %</translation>
     </message>
 </context>
 <context>
     <name>QProgressDialog</name>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>Rendering</name>
+    <message>
+        <source>EGL is not installed.</source>
+        <translation>EGL no está instalado.</translation>
+    </message>
+    <message>
+        <source>EGL offers no OpenGL 4.3 context without a display.</source>
+        <translation>EGL no ofrece ningún contexto OpenGL 4.3 sin pantalla.</translation>
+    </message>
+    <message>
+        <source>The OpenGL driver refuses to draw.</source>
+        <translation>El controlador OpenGL se niega a dibujar.</translation>
+    </message>
+    <message>
+        <source>Windows offers no OpenGL 4.3 context.</source>
+        <translation>Windows no ofrece ningún contexto OpenGL 4.3.</translation>
+    </message>
+    <message>
+        <source>OpenGL 4.3 is needed; this driver has %1.</source>
+        <translation>Hace falta OpenGL 4.3; este controlador tiene %1.</translation>
     </message>
 </context>
 <context>
     <name>Tool</name>
     <message>
         <source>Eraser</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrador</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pincel</translation>
     </message>
     <message>
         <source>Drag to erase; Shift+click for a straight line from the last point</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastra para borrar; Mayús+clic traza una línea recta desde el último punto</translation>
     </message>
     <message>
         <source>Drag to paint; Shift+click for a straight line from the last point; Ctrl+click picks</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastra para pintar; Mayús+clic traza una línea recta desde el último punto; Ctrl+clic toma el valor</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Relleno</translation>
     </message>
     <message>
         <source>Click to fill what has a similar value around the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Haz clic para rellenar lo que tenga un valor parecido alrededor del puntero</translation>
     </message>
     <message>
         <source>Gradient</source>
-        <translation type="unfinished"></translation>
+        <translation>Degradado</translation>
     </message>
     <message>
         <source>Drag from the first value to the second; Shift keeps to steps of 45 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastra del primer valor al segundo; Mayús limita el ángulo a pasos de 45 grados</translation>
     </message>
     <message>
         <source>%1 on %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 en %2</translation>
     </message>
     <message>
         <source>Picker</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuentagotas</translation>
     </message>
     <message>
         <source>Click to take the value under the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Haz clic para tomar el valor bajo el puntero</translation>
     </message>
     <message>
         <source>Select</source>
-        <translation type="unfinished"></translation>
+        <translation>Selección</translation>
     </message>
     <message>
         <source>Drag a rectangle, Shift for a square; click to select nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastra un rectángulo, con Mayús un cuadrado; haz clic para no seleccionar nada</translation>
     </message>
     <message>
         <source>Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Forma</translation>
     </message>
     <message>
         <source>Click corner by corner; click the first one to close</source>
-        <translation type="unfinished"></translation>
+        <translation>Haz clic esquina por esquina; la primera cierra la forma</translation>
     </message>
     <message>
         <source>Drag a filled shape; Shift makes it a square or a circle; polygons: click corner by corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastra una forma rellena; Mayús la hace cuadrado o círculo; polígonos: haz clic esquina por esquina</translation>
     </message>
 </context>
 <context>
     <name>ValueText</name>
     <message>
         <source>hairs/cm²</source>
-        <translation type="unfinished"></translation>
+        <translation>pelos/cm²</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>turns</source>
-        <translation type="unfinished"></translation>
+        <translation>vueltas</translation>
     </message>
     <message>
         <source>turns per %1 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>vueltas cada %1 cm</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::app::Exchange</name>
     <message>
         <source>Load image into %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargar imagen en %1</translation>
     </message>
     <message>
         <source>Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imágenes (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</translation>
     </message>
     <message>
         <source>Reading %1 ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Leyendo %1 ...</translation>
     </message>
     <message>
         <source>Load %1 into %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargar %1 en %2</translation>
     </message>
     <message>
         <source>Save %1 as image</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar %1 como imagen</translation>
     </message>
     <message>
         <source>Images (*.png *.tif *.exr *.tga)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imágenes (*.png *.tif *.exr *.tga)</translation>
     </message>
     <message>
         <source>Writing %1 ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribiendo %1 ...</translation>
     </message>
     <message>
         <source>%1 written</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 guardado</translation>
     </message>
     <message>
         <source>Import head</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar cabeza</translation>
     </message>
     <message>
         <source>Meshes (*.glb *.gltf *.obj *.fbx *.ply *.dae *.3ds *.x3d)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mallas (*.glb *.gltf *.obj *.fbx *.ply *.dae *.3ds *.x3d)</translation>
     </message>
     <message>
         <source>Preparing %1 ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Preparando %1 ...</translation>
     </message>
     <message>
         <source>Export hair</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar pelo</translation>
     </message>
     <message>
         <source>hair</source>
-        <translation type="unfinished"></translation>
+        <translation>pelo</translation>
     </message>
     <message>
         <source>Hair curves (*.hair)</source>
-        <translation type="unfinished"></translation>
+        <translation>Curvas de pelo (*.hair)</translation>
     </message>
     <message>
         <source>There is no OpenGL on this machine to draw a picture with; install a graphics driver.</source>
-        <translation type="unfinished"></translation>
+        <translation>En este equipo no hay OpenGL con el que dibujar; instala un controlador gráfico.</translation>
     </message>
     <message>
         <source>Save picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar captura</translation>
     </message>
     <message>
         <source>hairstyle</source>
-        <translation type="unfinished"></translation>
+        <translation>peinado</translation>
     </message>
     <message>
         <source>PNG images (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Imágenes PNG (*.png)</translation>
     </message>
     <message>
         <source>&apos;%1&apos; could not be written: %2. Choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no se pudo escribir: %2. Elige otra carpeta.</translation>
     </message>
     <message>
         <source>Save style</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar peinado</translation>
     </message>
     <message>
         <source>Name of the style</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre del peinado</translation>
     </message>
     <message>
         <source>My style</source>
-        <translation type="unfinished"></translation>
+        <translation>Mi peinado</translation>
     </message>
     <message>
         <source>The folder &apos;%1&apos; could not be made; check that you may write there.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se pudo crear la carpeta «%1»; comprueba que puedes escribir ahí.</translation>
     </message>
     <message>
         <source>There is a style &apos;%1&apos; already. Replace it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ya hay un peinado «%1». ¿Quieres reemplazarlo?</translation>
     </message>
     <message>
         <source>Style &apos;%1&apos; saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Peinado «%1» guardado</translation>
     </message>
     <message>
         <source>Delete style</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar peinado</translation>
     </message>
     <message>
         <source>Move &apos;%1&apos; to the trash?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Quieres mover «%1» a la papelera?</translation>
     </message>
     <message>
         <source>&apos;%1&apos; could not be moved to the trash; delete it by hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no se pudo mover a la papelera; elimínalo a mano.</translation>
     </message>
     <message>
         <source>Hair Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Hair Paint</translation>
     </message>
     <message>
         <source>;;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>;;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::app::MainWindow</name>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Archivo</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nuevo</translation>
     </message>
     <message>
         <source>&amp;Open ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Abrir ...</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir &amp;reciente</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Guardar</translation>
     </message>
     <message>
         <source>Save &amp;as ...</source>
-        <translation type="unfinished"></translation>
+        <translation>G&amp;uardar como ...</translation>
     </message>
     <message>
         <source>Load &amp;image into map ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargar &amp;imagen en el mapa ...</translation>
     </message>
     <message>
         <source>Save &amp;map as image ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar el &amp;mapa como imagen ...</translation>
     </message>
     <message>
         <source>Import &amp;head ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar ca&amp;beza ...</translation>
     </message>
     <message>
         <source>Use the &amp;built-in head</source>
-        <translation type="unfinished"></translation>
+        <translation>Usar la cabeza in&amp;cluida</translation>
     </message>
     <message>
         <source>&amp;Export hair ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportar pelo ...</translation>
     </message>
     <message>
         <source>Save &amp;picture ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar cap&amp;tura ...</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Salir</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Editar</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Deshacer</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rehacer</translation>
     </message>
     <message>
         <source>&amp;Undo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Deshacer %1</translation>
     </message>
     <message>
         <source>&amp;Redo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rehacer %1</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
-        <translation type="unfinished"></translation>
+        <translation>Cor&amp;tar</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Copiar</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pegar</translation>
     </message>
     <message>
         <source>&amp;Duplicate layer</source>
-        <translation type="unfinished"></translation>
+        <translation>D&amp;uplicar capa</translation>
     </message>
     <message>
         <source>C&amp;lear</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Borrar</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccionar t&amp;odo</translation>
     </message>
     <message>
         <source>Select &amp;none</source>
-        <translation type="unfinished"></translation>
+        <translation>No seleccionar &amp;nada</translation>
     </message>
     <message>
         <source>&amp;Mirror painting</source>
-        <translation type="unfinished"></translation>
+        <translation>Pintar en e&amp;spejo</translation>
     </message>
     <message>
         <source>Pre&amp;ferences ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Pre&amp;ferencias ...</translation>
     </message>
     <message>
         <source>&amp;Map</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mapa</translation>
     </message>
     <message>
         <source>&amp;Add layer</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Añadir capa</translation>
     </message>
     <message>
         <source>&amp;Remove layer</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quitar capa</translation>
     </message>
     <message>
         <source>Layer &amp;up</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Subir capa</translation>
     </message>
     <message>
         <source>Layer &amp;down</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bajar capa</translation>
     </message>
     <message>
         <source>&amp;Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Herramientas</translation>
     </message>
     <message>
         <source>S&amp;wap values</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Intercambiar valores</translation>
     </message>
     <message>
         <source>&amp;Reset values</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Restablecer valores</translation>
     </message>
     <message>
         <source>S&amp;maller brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pincel más &amp;pequeño</translation>
     </message>
     <message>
         <source>&amp;Larger brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pincel más &amp;grande</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ver</translation>
     </message>
     <message>
         <source>&amp;Both areas</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ambas áreas</translation>
     </message>
     <message>
         <source>&amp;3D area only</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo el área &amp;3D</translation>
     </message>
     <message>
         <source>&amp;Paint area only</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo el área de &amp;pintura</translation>
     </message>
     <message>
         <source>&amp;Swap sides</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Intercambiar lados</translation>
     </message>
     <message>
         <source>&amp;Hide panels	Tab</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ocultar paneles	Tab</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;justar</translation>
     </message>
     <message>
         <source>&amp;Reset view</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Restablecer vista</translation>
     </message>
     <message>
         <source>&amp;Mirror the paint area</source>
-        <translation type="unfinished"></translation>
+        <translation>Reflejar el área de pin&amp;tura</translation>
     </message>
     <message>
         <source>&amp;Wireframe</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Malla de alambre</translation>
     </message>
     <message>
         <source>&amp;Night paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Papel &amp;nocturno</translation>
     </message>
     <message>
         <source>&amp;Look from</source>
-        <translation type="unfinished"></translation>
+        <translation>Mirar &amp;desde</translation>
     </message>
     <message>
         <source>&amp;Front</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Delante</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished"></translation>
+        <translation>De&amp;trás</translation>
     </message>
     <message>
         <source>&amp;Left</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Izquierda</translation>
     </message>
     <message>
         <source>&amp;Right</source>
-        <translation type="unfinished"></translation>
+        <translation>De&amp;recha</translation>
     </message>
     <message>
         <source>&amp;Top</source>
-        <translation type="unfinished"></translation>
+        <translation>Arri&amp;ba</translation>
     </message>
     <message>
         <source>T&amp;hree-quarter</source>
-        <translation type="unfinished"></translation>
+        <translation>Tres &amp;cuartos</translation>
     </message>
     <message>
         <source>&amp;Dark theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Tema os&amp;curo</translation>
     </message>
     <message>
         <source>Li&amp;ght theme</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Hair</source>
-        <translation type="unfinished"></translation>
+        <translation>Tema c&amp;laro</translation>
     </message>
     <message>
         <source>&amp;Wind</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Viento</translation>
     </message>
     <message>
         <source>W&amp;ind ...</source>
-        <translation type="unfinished"></translation>
+        <translation>V&amp;iento ...</translation>
     </message>
     <message>
         <source>&amp;Light ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Luz ...</translation>
     </message>
     <message>
         <source>Weat&amp;her keys</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Teclas del tiempo</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pausa</translation>
     </message>
     <message>
         <source>&amp;Reset the simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Reiniciar la simulación</translation>
     </message>
     <message>
         <source>&amp;Add hair group</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Añadir grupo de pelo</translation>
     </message>
     <message>
         <source>Remo&amp;ve hair group</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quitar grupo de pelo</translation>
     </message>
     <message>
         <source>&amp;Save style ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Guardar peinado ...</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;yuda</translation>
     </message>
     <message>
         <source>&amp;Keys ...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Teclas ...</translation>
     </message>
     <message>
         <source>&amp;About Hair Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Acerca de Hair Paint</translation>
     </message>
     <message>
         <source>Copied from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Copiado de %1</translation>
     </message>
     <message>
         <source>Cut %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Cortar %1</translation>
     </message>
     <message>
         <source>Nothing was copied yet: select a part of a map and copy it first</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no se ha copiado nada: selecciona una parte de un mapa y cópiala antes</translation>
     </message>
     <message>
         <source>Clear %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrar %1</translation>
+    </message>
+    <message>
+        <source>H&amp;air</source>
+        <translation>&amp;Pelo</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::app::ProjectFiles</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin título</translation>
     </message>
     <message>
         <source>Open project</source>
-        <translation type="unfinished"></translation>
+        <translation>Abrir proyecto</translation>
     </message>
     <message>
         <source>Hair Paint projects (*.hairpaint)</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyectos de Hair Paint (*.hairpaint)</translation>
     </message>
     <message>
         <source>Opening %1 ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Abriendo %1 ...</translation>
     </message>
     <message>
         <source>Save project</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar proyecto</translation>
     </message>
     <message>
         <source>Save changes?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Guardar los cambios?</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has changes that are not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» tiene cambios sin guardar.</translation>
     </message>
     <message>
         <source>Saving %1 ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardando %1 ...</translation>
     </message>
     <message>
         <source>Hair Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Hair Paint</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::AboutDialog</name>
     <message>
         <source>About Hair Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Acerca de Hair Paint</translation>
     </message>
     <message>
         <source>The program&apos;s picture</source>
-        <translation type="unfinished"></translation>
+        <translation>La imagen del programa</translation>
     </message>
     <message>
         <source>Hair Paint</source>
-        <translation type="unfinished"></translation>
+        <translation>Hair Paint</translation>
     </message>
     <message>
         <source>Version %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Versión %1</translation>
     </message>
     <message>
         <source>Paint maps over a head and watch the hair grow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinta mapas sobre una cabeza y mira crecer el pelo.</translation>
     </message>
     <message>
         <source>After “Hair Paint” by B. Hernandez and I. Rudomin, 2004. Free software under the MIT licence: use it, change it, pass it on. It comes without any warranty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Basado en «Hair Paint», de B. Hernández e I. Rudomín, 2004. Software libre con licencia MIT: úsalo, cámbialo, compártelo. Se ofrece sin garantía alguna.</translation>
     </message>
     <message>
         <source>Qt %1 on %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Qt %1 en %2</translation>
     </message>
     <message>
         <source>Drawn by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibuja %1</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::BarSlider</name>
     <message>
         <source>Ctrl-drag for fine, double-click to type, right-click to reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+arrastrar: ajuste fino; doble clic: escribir; clic derecho: restablecer</translation>
     </message>
     <message>
         <source>Ctrl-drag for fine, double-click to type</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+arrastrar: ajuste fino; doble clic: escribir</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::DirectionBall</name>
     <message>
         <source>Where the light comes from</source>
-        <translation type="unfinished"></translation>
+        <translation>De dónde viene la luz</translation>
     </message>
     <message>
         <source>Where the wind blows to</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacia dónde sopla el viento</translation>
     </message>
     <message>
         <source>Drag to turn; double-click for the other half (front or back); arrows for small steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrastra para girar; doble clic pasa a la otra mitad (delante o detrás); las flechas dan pasos pequeños</translation>
     </message>
     <message>
         <source>%1° around, %2° up</source>
-        <translation type="unfinished"></translation>
+        <translation>%1° alrededor, %2° hacia arriba</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::EditorState</name>
     <message>
-        <source>There is no hair group to paint on; add one in the Maps panel.</source>
-        <translation type="unfinished"></translation>
+        <source>There is no hair group to paint on; add one in the Hair panel.</source>
+        <translation>No hay ningún grupo de pelo en el que pintar; añade uno en el panel Pelo.</translation>
     </message>
     <message>
         <source>This map has no layer to paint on; add one in the Layers panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este mapa no tiene ninguna capa en la que pintar; añade una en el panel Capas.</translation>
     </message>
     <message>
         <source>“%1” is hidden; show the group to paint on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» está oculto; muestra el grupo para pintar en él.</translation>
     </message>
     <message>
         <source>“%1” is hidden; show the layer to paint on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» está oculta; muestra la capa para pintar en ella.</translation>
     </message>
     <message>
         <source>“%1” is locked; unlock the layer to paint on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» está bloqueada; desbloquea la capa para pintar en ella.</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::HairPanel</name>
     <message>
         <source>Hair</source>
-        <translation type="unfinished"></translation>
+        <translation>Pelo</translation>
     </message>
     <message>
         <source>Groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupos</translation>
     </message>
     <message>
         <source>Hair groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Grupos de pelo</translation>
     </message>
     <message>
         <source>Add hair group</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir grupo de pelo</translation>
     </message>
     <message>
         <source>Remove hair group (Delete)</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar grupo de pelo (Supr)</translation>
     </message>
     <message>
         <source>Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Forma</translation>
     </message>
     <message>
         <source>Braids</source>
-        <translation type="unfinished"></translation>
+        <translation>Trenzas</translation>
     </message>
     <message>
         <source>Motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Movimiento</translation>
     </message>
     <message>
         <source>Look</source>
-        <translation type="unfinished"></translation>
+        <translation>Aspecto</translation>
     </message>
     <message>
         <source>What the turns of a curl are counted by</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo se cuentan las vueltas de un rizo</translation>
     </message>
     <message>
         <source>Turns per hair</source>
-        <translation type="unfinished"></translation>
+        <translation>Vueltas por pelo</translation>
     </message>
     <message>
         <source>Turns per length</source>
-        <translation type="unfinished"></translation>
+        <translation>Vueltas por longitud</translation>
     </message>
     <message>
         <source>Turns are for</source>
-        <translation type="unfinished"></translation>
+        <translation>Vueltas en</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>Whole curl levels only</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo niveles enteros de rizo</translation>
     </message>
     <message>
         <source>Turns mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Modo de vueltas</translation>
     </message>
     <message>
         <source>Curl levels</source>
-        <translation type="unfinished"></translation>
+        <translation>Niveles de rizo</translation>
     </message>
     <message>
         <source>%1 of &quot;%2&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 de «%2»</translation>
     </message>
     <message>
         <source>%1, hidden</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Group %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, oculto</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::HeadImportDialog</name>
     <message>
         <source>“%1” holds no triangles. Export the head as a mesh and try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no contiene triángulos. Exporta la cabeza como malla e inténtalo de nuevo.</translation>
     </message>
     <message>
         <source>“%1” has no UV layout, and without one there is nothing to paint on. Unwrap the head in your 3D program and export it with its UVs.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no tiene despliegue UV, y sin él no hay dónde pintar. Despliega la cabeza en tu programa 3D y expórtala con sus UV.</translation>
     </message>
     <message>
         <source>Import head</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar cabeza</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Importar</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar</translation>
     </message>
     <message>
         <source>By height</source>
-        <translation type="unfinished"></translation>
+        <translation>Por altura</translation>
     </message>
     <message>
         <source>Y (glTF, Maya)</source>
-        <translation type="unfinished"></translation>
+        <translation>Y (glTF, Maya)</translation>
     </message>
     <message>
         <source>Z (Blender, 3ds Max)</source>
-        <translation type="unfinished"></translation>
+        <translation>Z (Blender, 3ds Max)</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>One &amp;unit is</source>
-        <translation type="unfinished"></translation>
+        <translation>Una &amp;unidad es</translation>
     </message>
     <message>
         <source>&amp;Up is</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacia &amp;arriba es</translation>
     </message>
-    <message>
-        <source>%1 triangles. %2 cm is no usual height for a head, a bust or a body: check the unit and the axis.</source>
-        <translation type="unfinished"></translation>
+    <message numerus="yes">
+        <source>%Ln triangles. %1 cm is no usual height for a head, a bust or a body: check the unit and the axis.</source>
+        <translation>
+            <numerusform>%Ln triángulo. %1 cm no es una altura normal para una cabeza, un busto o un cuerpo: revisa la unidad y el eje.</numerusform>
+            <numerusform>%Ln triángulos. %1 cm no es una altura normal para una cabeza, un busto o un cuerpo: revisa la unidad y el eje.</numerusform>
+        </translation>
     </message>
-    <message>
-        <source>%1 triangles, %2 cm tall.</source>
-        <translation type="unfinished"></translation>
+    <message numerus="yes">
+        <source>%Ln triangles, %1 cm tall.</source>
+        <translation>
+            <numerusform>%Ln triángulo, %1 cm de alto.</numerusform>
+            <numerusform>%Ln triángulos, %1 cm de alto.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::HeadView</name>
     <message>
         <source>The hair can&apos;t be shown here: %1 Painting, saving and exporting work all the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>El pelo no se puede mostrar aquí: %1 Pintar, guardar y exportar funcionan igualmente.</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::LayersPanel</name>
     <message>
         <source>Multiply</source>
-        <translation type="unfinished"></translation>
+        <translation>Multiplicar</translation>
     </message>
     <message>
         <source>Normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Capas</translation>
     </message>
     <message>
         <source>Blend mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Modo de fusión</translation>
     </message>
     <message>
         <source>How the layer mixes with those below it</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo se mezcla la capa con las de debajo</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacidad</translation>
     </message>
     <message>
         <source>Layers, topmost first</source>
-        <translation type="unfinished"></translation>
+        <translation>Capas, la superior primero</translation>
     </message>
     <message>
         <source>Add layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir capa</translation>
     </message>
     <message>
         <source>Duplicate layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar capa</translation>
     </message>
     <message>
         <source>Move layer up (Alt+Up)</source>
-        <translation type="unfinished"></translation>
+        <translation>Subir capa (Alt+Arriba)</translation>
     </message>
     <message>
         <source>Move layer down (Alt+Down)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bajar capa (Alt+Abajo)</translation>
     </message>
     <message>
         <source>Remove layer (Delete)</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar capa (Supr)</translation>
     </message>
     <message>
         <source>Show layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostrar capa</translation>
     </message>
     <message>
         <source>Hide layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Ocultar capa</translation>
     </message>
     <message>
         <source>Lock layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Bloquear capa</translation>
     </message>
     <message>
         <source>Unlock layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Desbloquear capa</translation>
     </message>
     <message>
         <source>Rename layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Renombrar capa</translation>
     </message>
     <message>
         <source>Layer opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacidad de la capa</translation>
     </message>
     <message>
         <source>Layer blend mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Modo de fusión de la capa</translation>
     </message>
     <message>
         <source>, hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>, oculta</translation>
     </message>
     <message>
         <source>, locked</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Layer %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, bloqueada</translation>
     </message>
     <message>
         <source>%1 copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copia de %1</translation>
     </message>
     <message>
         <source>Duplicate layer &quot;%1&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplicar capa «%1»</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::LightDialog</name>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Luz</translation>
     </message>
     <message>
         <source>Comes from, around</source>
-        <translation type="unfinished"></translation>
+        <translation>Viene de, alrededor</translation>
     </message>
     <message>
         <source>Comes from, above</source>
-        <translation type="unfinished"></translation>
+        <translation>Viene de, arriba</translation>
     </message>
     <message>
         <source>Intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>Intensidad</translation>
     </message>
     <message>
         <source>Ambient</source>
-        <translation type="unfinished"></translation>
+        <translation>Ambiente</translation>
     </message>
     <message>
         <source>Red</source>
-        <translation type="unfinished"></translation>
+        <translation>Rojo</translation>
     </message>
     <message>
         <source>Green</source>
-        <translation type="unfinished"></translation>
+        <translation>Verde</translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished"></translation>
+        <translation>Azul</translation>
     </message>
     <message>
         <source>Light colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Color de la luz</translation>
     </message>
     <message>
         <source>Background</source>
-        <translation type="unfinished"></translation>
+        <translation>Fondo</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::MapRow</name>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::MapsPanel</name>
     <message>
         <source>Maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapas</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::MeshSilhouette</name>
     <message>
         <source>The mesh from the front</source>
-        <translation type="unfinished"></translation>
+        <translation>La malla de frente</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::OptionBar</name>
     <message>
         <source>Tool options</source>
-        <translation type="unfinished"></translation>
+        <translation>Opciones de la herramienta</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor</translation>
     </message>
     <message>
         <source>Choose the value from the palette</source>
-        <translation type="unfinished"></translation>
+        <translation>Elige el valor en la paleta</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>Hardness</source>
-        <translation type="unfinished"></translation>
+        <translation>Dureza</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacidad</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolerancia</translation>
     </message>
     <message>
         <source>Pen pressure changes the size</source>
-        <translation type="unfinished"></translation>
+        <translation>La presión del lápiz cambia el tamaño</translation>
     </message>
     <message>
         <source>Pen pressure changes the opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>La presión del lápiz cambia la opacidad</translation>
     </message>
     <message>
         <source>Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rectángulo</translation>
     </message>
     <message>
         <source>Ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>Elipse</translation>
     </message>
     <message>
         <source>Polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>Polígono</translation>
     </message>
     <message>
         <source>Linear gradient</source>
-        <translation type="unfinished"></translation>
+        <translation>Degradado lineal</translation>
     </message>
     <message>
         <source>Radial gradient</source>
-        <translation type="unfinished"></translation>
+        <translation>Degradado radial</translation>
     </message>
     <message>
         <source>Palette, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Paleta, %1</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::PaintView</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Preferencias</translation>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>General</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Teclas</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerrar</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Oscuro</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Claro</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Como el sistema</translation>
     </message>
     <message>
         <source>Automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>Automático</translation>
     </message>
     <message>
         <source>Graphics card (OpenGL)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tarjeta gráfica (OpenGL)</translation>
     </message>
     <message>
         <source>As a picture (software)</source>
-        <translation type="unfinished"></translation>
+        <translation>Como imagen (por software)</translation>
     </message>
     <message>
         <source>White &amp;paper under the maps</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Papel blanco bajo los mapas</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tema</translation>
     </message>
     <message>
         <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Idioma</translation>
     </message>
     <message>
         <source>The language changes at the next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>El idioma cambia la próxima vez que abras el programa.</translation>
     </message>
     <message>
         <source>3D &amp;area</source>
-        <translation type="unfinished"></translation>
+        <translation>Á&amp;rea 3D</translation>
     </message>
     <message>
         <source>Automatic takes the graphics card where there is one. A change takes effect at the next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Automático usa la tarjeta gráfica si la hay. El cambio se aplica la próxima vez que abras el programa.</translation>
     </message>
     <message>
         <source>Maps go from white to their colour instead of from black. Exported images always do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los mapas van del blanco a su color y no desde el negro. Las imágenes exportadas siempre van así.</translation>
     </message>
     <message>
         <source>Search by name or key</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar por nombre o tecla</translation>
     </message>
     <message>
         <source>Action</source>
-        <translation type="unfinished"></translation>
+        <translation>Acción</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation type="unfinished"></translation>
+        <translation>Tecla</translation>
     </message>
     <message>
         <source>&amp;New key</source>
-        <translation type="unfinished"></translation>
+        <translation>Tecla &amp;nueva</translation>
     </message>
     <message>
         <source>New key of the chosen action</source>
-        <translation type="unfinished"></translation>
+        <translation>Tecla nueva de la acción elegida</translation>
     </message>
     <message>
         <source>Assign</source>
-        <translation type="unfinished"></translation>
+        <translation>Asignar</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer</translation>
     </message>
     <message>
         <source>Choose an action, then press its new key.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elige una acción y pulsa su tecla nueva.</translation>
     </message>
     <message>
         <source>“%1” has this key now and will lose it.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» tiene ahora esta tecla y la perderá.</translation>
     </message>
     <message>
         <source>Press the new key in the field, then Assign.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pulsa la tecla nueva en el campo y después Asignar.</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::Section</name>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Desplegado</translation>
     </message>
     <message>
         <source>Folded</source>
-        <translation type="unfinished"></translation>
+        <translation>Plegado</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::Sidebar</name>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Capas</translation>
     </message>
     <message>
         <source>Hair</source>
-        <translation type="unfinished"></translation>
+        <translation>Pelo</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::StatusReadout</name>
     <message>
         <source>Status</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2 hairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Estado</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>Time of one step of the simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>Duración de un paso de la simulación</translation>
     </message>
     <message>
         <source>%1 fps</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 fps</translation>
     </message>
     <message>
         <source>Pictures per second</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 hairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Imágenes por segundo</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %Ln hairs</source>
+        <translation>
+            <numerusform>%1 de %Ln pelo</numerusform>
+            <numerusform>%1 de %Ln pelos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hairs</source>
+        <translation>
+            <numerusform>%Ln pelo</numerusform>
+            <numerusform>%Ln pelos</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::StyleStrip</name>
     <message>
         <source>Styles</source>
-        <translation type="unfinished"></translation>
+        <translation>Peinados</translation>
     </message>
     <message>
         <source>Save style</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardar peinado</translation>
     </message>
     <message>
         <source>Save this hair as a style of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Guarda este pelo como un peinado tuyo</translation>
     </message>
     <message>
         <source>%1. Point to see it, click to keep it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Señálalo para verlo, haz clic para aplicarlo</translation>
     </message>
     <message>
         <source>Delete style</source>
-        <translation type="unfinished"></translation>
+        <translation>Eliminar peinado</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::StyleTile</name>
     <message>
         <source>Loading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Cargando…</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::ToolBar</name>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Herramientas</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::ValuePair</name>
     <message>
         <source>Value and second value</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor y segundo valor</translation>
     </message>
     <message>
         <source>Paints %1; the second value is %2. Click to swap (X)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinta %1; el segundo valor es %2. Haz clic para intercambiarlos (X)</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::ValuePalette</name>
     <message>
         <source>Swap the two values (X)</source>
-        <translation type="unfinished"></translation>
+        <translation>Intercambiar los dos valores (X)</translation>
     </message>
     <message>
         <source>Reset the two values (D)</source>
-        <translation type="unfinished"></translation>
+        <translation>Restablecer los dos valores (D)</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Valor</translation>
     </message>
     <message>
         <source>&amp;Hex</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hex</translation>
     </message>
     <message>
         <source>Custom…</source>
-        <translation type="unfinished"></translation>
+        <translation>Otro…</translation>
     </message>
     <message>
         <source>Hair colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Color del pelo</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::WeatherOverlay</name>
     <message>
         <source>Weather</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiempo</translation>
     </message>
     <message>
         <source>Arrows</source>
-        <translation type="unfinished"></translation>
+        <translation>Flechas</translation>
     </message>
     <message>
         <source>turn the wind</source>
-        <translation type="unfinished"></translation>
+        <translation>giran el viento</translation>
     </message>
     <message>
         <source>Page Up, Page Down</source>
-        <translation type="unfinished"></translation>
+        <translation>RePág, AvPág</translation>
     </message>
     <message>
         <source>wind %1 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>viento a %1 m/s</translation>
     </message>
     <message>
         <source>wind is off</source>
-        <translation type="unfinished"></translation>
+        <translation>sin viento</translation>
     </message>
     <message>
         <source>R  G  B</source>
-        <translation type="unfinished"></translation>
+        <translation>R  G  B</translation>
     </message>
     <message>
         <source>more red, green, blue light</source>
-        <translation type="unfinished"></translation>
+        <translation>más luz roja, verde, azul</translation>
     </message>
     <message>
         <source>Shift+R  G  B</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayús+R  G  B</translation>
     </message>
     <message>
         <source>less</source>
-        <translation type="unfinished"></translation>
+        <translation>menos</translation>
     </message>
     <message>
         <source>Esc</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc</translation>
     </message>
     <message>
         <source>leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>sale</translation>
     </message>
 </context>
 <context>
     <name>hairpaint::view::WindDialog</name>
     <message>
         <source>Wind</source>
-        <translation type="unfinished"></translation>
+        <translation>Viento</translation>
     </message>
     <message>
         <source>Wind &amp;blows</source>
-        <translation type="unfinished"></translation>
+        <translation>El viento &amp;sopla</translation>
     </message>
     <message>
         <source>Strength</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuerza</translation>
     </message>
     <message>
         <source>m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>m/s</translation>
     </message>
     <message>
         <source>Blows to, around</source>
-        <translation type="unfinished"></translation>
+        <translation>Sopla hacia, alrededor</translation>
     </message>
     <message>
         <source>0° blows toward the viewer in front, 90° to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>0° sopla hacia quien mira de frente, 90° hacia la derecha</translation>
     </message>
     <message>
         <source>Blows to, upward</source>
-        <translation type="unfinished"></translation>
+        <translation>Sopla hacia, arriba</translation>
     </message>
     <message>
         <source>Gusts</source>
-        <translation type="unfinished"></translation>
+        <translation>Rachas</translation>
     </message>
     <message>
         <source>Share of the strength that comes and goes over seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte de la fuerza que va y viene en unos segundos</translation>
     </message>
     <message>
         <source>Turbulence</source>
-        <translation type="unfinished"></translation>
+        <translation>Turbulencia</translation>
     </message>
     <message>
         <source>Share of the strength that differs from place to place</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte de la fuerza que cambia de un lugar a otro</translation>
     </message>
 </context>
 </TS>

@@ -1,6 +1,8 @@
 // Targets, tools and the running stroke.
 #include "view/editor_state.h"
 
+#include "model/names.h"
+
 #include <algorithm>
 
 namespace hairpaint::view {
@@ -177,18 +179,18 @@ QString EditorState::refusal(bool picks) const
 {
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
     if (group == nullptr)
-        return tr("There is no hair group to paint on; add one in the Maps panel.");
+        return tr("There is no hair group to paint on; add one in the Hair panel.");
     if (picks || onlyLooks(activeTool()))
         return {};
     const model::Layer* layer = m_document.project().layer(m_activeGroup, m_activeMap, activeLayer());
     if (layer == nullptr)
         return tr("This map has no layer to paint on; add one in the Layers panel.");
     if (!group->visible)
-        return tr("“%1” is hidden; show the group to paint on it.").arg(group->name);
+        return tr("“%1” is hidden; show the group to paint on it.").arg(model::shownName(group->name));
     if (!layer->visible)
-        return tr("“%1” is hidden; show the layer to paint on it.").arg(layer->name);
+        return tr("“%1” is hidden; show the layer to paint on it.").arg(model::shownName(layer->name));
     if (layer->locked)
-        return tr("“%1” is locked; unlock the layer to paint on it.").arg(layer->name);
+        return tr("“%1” is locked; unlock the layer to paint on it.").arg(model::shownName(layer->name));
     return {};
 }
 

@@ -62,7 +62,10 @@ std::optional<QStringList> parse(QCommandLineParser& parser, const char* command
 {
     // The parser expects a program name first.
     if (!parser.parse(QStringList{QLatin1StringView(command)} + arguments)) {
-        (void)wrongUsage(command, parser.errorText());
+        QString problem = parser.errorText();
+        if (problem.endsWith(QLatin1Char('.')))
+            problem.chop(1);
+        (void)wrongUsage(command, problem);
         return std::nullopt;
     }
     const QStringList found = parser.positionalArguments();

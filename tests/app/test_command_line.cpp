@@ -25,12 +25,15 @@ struct Outcome
     QString error;
 };
 
-Outcome hairpaint(const QStringList& arguments)
+Outcome hairpaint(const QStringList& arguments, const char* language = "C")
 {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove(QStringLiteral("DISPLAY"));
     environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
+    for (const char* name : {"LANG", "LC_ALL", "LC_MESSAGES", "LANGUAGE"})
+        environment.remove(QString::fromLatin1(name));
+    environment.insert(QStringLiteral("LANG"), QLatin1StringView(language) + QStringLiteral(".UTF-8"));
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(HAIRPAINT_PROGRAM), arguments);
     if (!process.waitForFinished(180'000))
@@ -281,6 +284,65 @@ private Q_SLOTS:
             QCOMPARE(outcome.output, QString());
         }
         QVERIFY(QDir(m_folder.path()).entryList({QStringLiteral("never*")}).isEmpty());
+    }
+
+    void itSpeaksTheLanguageOfTheSystem_data()
+    {
+        QTest::addColumn<QByteArray>("language");
+        QTest::addColumn<QString>("word");
+        QTest::newRow("Spanish") << QByteArray("es_ES") << QStringLiteral("no existe tal archivo");
+        QTest::newRow("Mexican Spanish") << QByteArray("es_MX") << QStringLiteral("no existe tal archivo");
+        QTest::newRow("a language that it does not know") << QByteArray("xh_ZA") << QStringLiteral("no such file");
+    }
+    void itSpeaksTheLanguageOfTheSystem()
+    {
+        QFETCH(QByteArray, language);
+        QFETCH(QString, word);
+        const QString missing = path("missing.hairpaint");
+        const Outcome outcome = hairpaint({QStringLiteral("info"), missing}, language.constData());
+        QCOMPARE(outcome.code, 1);
+        QVERIFY2(outcome.error.contains(word), qPrintable(outcome.error));
+        QVERIFY(outcome.error.contains(missing));
+        QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
+        // The parser's own words come from Qt's catalogue, and end in a full stop.
+        const Outcome wrong =
+            hairpaint({QStringLiteral("info"), QStringLiteral("--nonsense"), missing}, language.constData());
+        QCOMPARE(wrong.code, 2);
+        QCOMPARE(wrong.error.count(QLatin1Char('\n')), 1);
+        QVERIFY2(!wrong.error.contains(QStringLiteral("..")), qPrintable(wrong.error));
+    }
+
+    void filesAndJsonAreTheSameInEveryLanguage()
+    {
+        QList<QByteArray> files;
+        QStringList facts;
+        for (const char* language : {"en_GB", "es_ES"}) {
+            const QString project = path("spoken.hairpaint");
+            const Outcome made = hairpaint({QStringLiteral("new"), QStringLiteral("-o"), project,
+                                            QStringLiteral("--preset"), QStringLiteral("Buzz cut")},
+                                           language);
+            QCOMPARE(made.error, QString());
+            files.append(contentOf(project));
+            facts.append(hairpaint({QStringLiteral("info"), project, QStringLiteral("--json")}, language).output);
+            facts.append(hairpaint({QStringLiteral("presets"), QStringLiteral("--json")}, language).output);
+        }
+        QVERIFY(!files.front().isEmpty());
+        QVERIFY(files.front() == files.back());
+        QVERIFY(facts.front().contains(QStringLiteral("Scalp")));
+        QCOMPARE(facts.mid(0, 2), facts.mid(2));
+    }
+
+    void aStyleIsFoundByItsNameInTheUsersLanguage()
+    {
+        const QString listed = hairpaint({QStringLiteral("presets")}, "es_ES").output;
+        QVERIFY2(listed.contains(QStringLiteral("Rapado\t")), qPrintable(listed));
+        for (const char* name : {"rapado", "Buzz cut", "buzz-cut"}) {
+            const Outcome made = hairpaint({QStringLiteral("new"), QStringLiteral("-o"), path("named.hairpaint"),
+                                            QStringLiteral("--preset"), QString::fromLatin1(name)},
+                                           "es_ES");
+            QCOMPARE(made.error, QString());
+            QCOMPARE(made.code, 0);
+        }
     }
 
     void withoutADisplayTheEditorNamesTheCommandLine()

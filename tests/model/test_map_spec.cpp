@@ -24,12 +24,12 @@ private Q_SLOTS:
 void TestMapSpec::everyMapHasItsOwnIdAndLetter()
 {
     QSet<QString> ids;
-    QSet<char> letters;
+    QSet<QString> letters;
     int index = 0;
     for (const MapSpec& spec : mapSpecs()) {
         QCOMPARE(static_cast<int>(spec.kind), index++);
         ids.insert(QString::fromLatin1(spec.id));
-        letters.insert(spec.letter);
+        letters.insert(spec.letterText());
         QCOMPARE(findMapSpec(QString::fromLatin1(spec.id)), &spec);
         QCOMPARE(spec.palette.empty(), spec.texel != TexelKind::Index);
         QCOMPARE(spec.valueChannels, spec.texel == TexelKind::Colour ? 3 : 1);

@@ -1,6 +1,8 @@
 // Nothing is cut off at the smallest sizes, in both themes and with long words; icons and themes are whole.
 #include "panel_fixture.h"
 
+#include "tests/support/clipping.h"
+#include "tests/support/pseudo_languages.h"
 #include "tests/support/test_heads.h"
 #include "view/dialogs/about_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
@@ -17,12 +19,8 @@
 #include "view/widgets/icons.h"
 #include "view/widgets/value_palette.h"
 
-#include <QAbstractButton>
-#include <QComboBox>
 #include <QFile>
-#include <QLabel>
 #include <QRegularExpression>
-#include <QTranslator>
 
 #include <functional>
 #include <map>
@@ -31,63 +29,6 @@ using namespace hairpaint;
 using namespace hairpaint::view;
 
 namespace {
-
-/// German runs about a third longer than English.
-class LongWords : public QTranslator
-{
-public:
-    [[nodiscard]] QString translate(const char* /*context*/, const char* source, const char* /*disambiguation*/,
-                                    int /*n*/) const override
-    {
-        const QString text = QString::fromUtf8(source);
-        if (text.size() < 4 || text.startsWith(QLatin1Char('%')))
-            return text;
-        // One longer word for a short text, more words for a sentence.
-        return text.size() < 24 ? text + QString(text.size() / 3, QLatin1Char('n'))
-                                : text + QStringLiteral(" nnnnnnn").repeated(text.size() / 24);
-    }
-    [[nodiscard]] bool isEmpty() const override { return false; }
-};
-
-/// Visible labels, buttons, boxes and sliders that have less room than they need; wrapped labels by their height.
-QStringList clipped(const QWidget& parent)
-{
-    QStringList found;
-    for (const QWidget* widget : parent.findChildren<QWidget*>()) {
-        if (!widget->isVisibleTo(&parent) || widget->visibleRegion().isEmpty())
-            continue;
-        QString text;
-        int wanted = 0;
-        int wantedHeight = 0;
-        if (const auto* label = qobject_cast<const QLabel*>(widget); label != nullptr && !label->text().isEmpty()) {
-            // A label that may be any width says its whole text in its tooltip.
-            if (label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored)
-                continue;
-            text = label->text();
-            wanted = label->wordWrap() ? 0 : label->sizeHint().width();
-            wantedHeight = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
-        } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget);
-                   button != nullptr && !button->text().isEmpty()) {
-            text = button->text();
-            wanted = button->minimumSizeHint().width();
-            wantedHeight = button->minimumSizeHint().height();
-        } else if (const auto* box = qobject_cast<const QComboBox*>(widget)) {
-            text = box->currentText();
-            wanted = box->fontMetrics().horizontalAdvance(text) + 24;
-        } else if (const auto* slider = qobject_cast<const BarSlider*>(widget)) {
-            text = slider->label();
-            wanted = slider->fontMetrics().horizontalAdvance(slider->label() + slider->valueText()) + 20;
-        }
-        if (wanted > widget->width() || wantedHeight > widget->height())
-            found.append(QStringLiteral("%1 (%2 x %3 of %4 x %5)")
-                             .arg(text)
-                             .arg(widget->width())
-                             .arg(widget->height())
-                             .arg(wanted)
-                             .arg(wantedHeight));
-    }
-    return found;
-}
 
 using Make = std::function<std::unique_ptr<QWidget>(EditorState&)>;
 
@@ -156,7 +97,7 @@ private Q_SLOTS:
         QFETCH(bool, light);
         QFETCH(bool, longWords);
         applyTheme(*qApp, light ? ThemeKind::Light : ThemeKind::Dark);
-        LongWords words;
+        test::LongWords words;
         if (longWords)
             QCoreApplication::installTranslator(&words);
         PanelFixture f;
@@ -176,7 +117,7 @@ private Q_SLOTS:
             }
             widget->show();
             QVERIFY(QTest::qWaitForWindowExposed(widget.get()));
-            const QStringList cut = clipped(*widget);
+            const QStringList cut = test::clipped(*widget);
             QVERIFY2(cut.isEmpty(),
                      qPrintable(QLatin1String(spec.id) + QStringLiteral(": ") + cut.join(QStringLiteral("; "))));
         }
@@ -193,7 +134,7 @@ private Q_SLOTS:
         for (const auto& tool : f.state.tools()) {
             f.state.setActiveTool(QLatin1StringView(tool->id()));
             QTest::qWait(1);
-            const QStringList cut = clipped(bar);
+            const QStringList cut = test::clipped(bar);
             QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral("; "))));
         }
     }

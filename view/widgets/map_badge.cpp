@@ -52,7 +52,7 @@ void MapBadge::paint(QPainter& painter, const QRect& rect, const model::MapSpec&
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
     painter.setPen(inkOn(ground));
-    painter.drawText(letter, Qt::AlignCenter, QString(QLatin1Char(spec.letter)));
+    painter.drawText(letter, Qt::AlignCenter, spec.letterText());
     const qreal ratio = painter.device()->devicePixelRatioF();
     painter.drawPixmap(QPoint(letter.right() + 6, middle - 9),
                        iconPixmap(QLatin1String(spec.id), 20, strong ? theme.text : theme.dimText, ratio));

@@ -1,0 +1,163 @@
+// The real window at its smallest, in every language and in long words: nothing is cut off, and no underlined letters
+// collide.
+#include "app/languages.h"
+#include "app/library.h"
+#include "app/main_window.h"
+#include "tests/support/clipping.h"
+#include "tests/support/pseudo_languages.h"
+#include "tests/support/seen_text.h"
+#include "view/panels/sidebar.h"
+#include "view/resources.h"
+
+#include <QDialog>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QtTest>
+
+namespace hairpaint::app {
+
+class TestWindowFit : public QObject
+{
+    Q_OBJECT
+private:
+    std::unique_ptr<QTranslator> m_language;
+    std::unique_ptr<MainWindow> m_window;
+
+    void speakLanguage(std::unique_ptr<QTranslator> language)
+    {
+        m_language = std::move(language);
+        if (m_language)
+            QCoreApplication::installTranslator(m_language.get());
+    }
+
+    static std::unique_ptr<QTranslator> spanish()
+    {
+        (void)languages(); // Makes them known.
+        auto language = std::make_unique<QTranslator>();
+        if (!language->load(QStringLiteral(":/i18n/hairpaint_es.qm")))
+            return {};
+        return language;
+    }
+
+    void openWindow(QSize size)
+    {
+        m_window = std::make_unique<MainWindow>(starterProject(), QString());
+        m_window->resize(size);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        view::initResources();
+    }
+    void init() { QSettings().clear(); }
+    void cleanup()
+    {
+        m_window.reset();
+        m_language.reset();
+    }
+
+    void nothingIsCutOff_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<bool>("light");
+        for (const char* language : {"English", "Spanish", "long words"})
+            for (const bool light : {false, true})
+                QTest::addRow("%s, %s", language, light ? "light" : "dark") << QString::fromLatin1(language) << light;
+    }
+    void nothingIsCutOff()
+    {
+        QFETCH(QString, language);
+        QFETCH(bool, light);
+        if (language == QLatin1String("Spanish")) {
+            speakLanguage(spanish());
+            QCOMPARE(MainWindow::tr("&File"), QStringLiteral("&Archivo"));
+        } else if (language == QLatin1String("long words"))
+            speakLanguage(std::make_unique<test::LongWords>());
+        view::Preferences preferences;
+        preferences.theme = light ? view::ThemeKind::Light : view::ThemeKind::Dark;
+        Settings().setPreferences(preferences);
+        openWindow({400, 300});
+        QCOMPARE(m_window->size(), QSize(1100, 680)); // Its words do not widen it.
+        QStringList cut;
+        const auto measure = [&cut, &language](QWidget& widget) {
+            // A new layout takes its time where the hair is drawn by the same processor.
+            if (!QTest::qWaitFor([&widget] { return test::clipped(widget).isEmpty(); }, 2000))
+                cut += test::clipped(widget);
+            if (language == QLatin1String("long words"))
+                return;
+            // What the panels draw by themselves they shorten where it does not fit.
+            for (const QString& text : test::paintedTexts(widget))
+                if (text.endsWith(QChar(0x2026)) &&
+                    text != QCoreApplication::translate("hairpaint::view::ValuePalette", "Custom…"))
+                    cut.append(text);
+        };
+        view::EditorState& editor = m_window->session().editor();
+        for (const auto& tool : editor.tools()) {
+            editor.setActiveTool(QLatin1StringView(tool->id()));
+            for (const model::MapSpec& spec : model::mapSpecs()) {
+                editor.setActiveMap(spec.kind);
+                measure(*m_window);
+            }
+        }
+        auto* sidebar = m_window->findChild<view::Sidebar*>();
+        sidebar->showHair();
+        measure(*m_window);
+        for (const char* id : {"hair.windDialog", "hair.lightDialog", "edit.preferences"})
+            m_window->actions().find(QLatin1StringView(id))->trigger();
+        for (QDialog* dialog : m_window->findChildren<QDialog*>()) {
+            QVERIFY(QTest::qWaitForWindowExposed(dialog));
+            measure(*dialog);
+            for (auto* pages : dialog->findChildren<QTabWidget*>())
+                for (int i = 0; i < pages->count(); ++i) {
+                    pages->setCurrentIndex(i);
+                    measure(*dialog);
+                }
+        }
+        cut.removeDuplicates();
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral("; "))));
+    }
+
+    void underlinedLettersDoNotCollideInAMenu_data()
+    {
+        QTest::addColumn<bool>("inSpanish");
+        QTest::newRow("English") << false;
+        QTest::newRow("Spanish") << true;
+    }
+    void underlinedLettersDoNotCollideInAMenu()
+    {
+        QFETCH(bool, inSpanish);
+        if (inSpanish)
+            speakLanguage(spanish());
+        openWindow({1280, 800});
+        QStringList collisions;
+        const auto check = [&collisions](const QList<QAction*>& actions) {
+            QHash<QChar, QString> owners;
+            static const QRegularExpression underlined(QStringLiteral("(?<!&)&(\\w)"));
+            for (const QAction* action : actions) {
+                const QString text = QString(action->text()).remove(QStringLiteral("&&"));
+                const QRegularExpressionMatch match = underlined.match(text);
+                if (!match.hasMatch())
+                    continue;
+                const QChar letter = match.captured(1).at(0).toLower();
+                if (owners.contains(letter))
+                    collisions.append(owners.value(letter) + QStringLiteral(" and ") + text);
+                owners.insert(letter, text);
+            }
+        };
+        check(m_window->menuBar()->actions());
+        QVERIFY(m_window->menuBar()->actions().size() > 5);
+        for (const QMenu* menu : m_window->menuBar()->findChildren<QMenu*>())
+            check(menu->actions());
+        QVERIFY2(collisions.isEmpty(), qPrintable(collisions.join(QStringLiteral("; "))));
+    }
+};
+
+} // namespace hairpaint::app
+
+QTEST_MAIN(hairpaint::app::TestWindowFit)
+#include "test_window_fit.moc"
