@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kSamples = 17; ///< Of the part on the scalp.
 constexpr float kLiftM = 0.002F;     ///< Hairs on their way lie on those below them,
 constexpr float kLiftShare = 0.05F;  ///< and are lifted by this share of it: a few nodes must clear a round head.
-constexpr float kPitchRadii = 5.5F;  ///< Length of one turn of equation 3, in its radius r.
+constexpr float kPitchRadii = 9.0F;  ///< Length of one turn of equation 3, in its radius r.
 
 float lengthOf(glm::vec3 v)
 {

@@ -19,12 +19,12 @@ namespace hairpaint::sim {
 inline constexpr float kCurlEaseShare = 0.25F;
 /// Part of a turn of the braid over which its wisps part where it begins.
 inline constexpr float kBraidEaseTurns = 0.5F;
-inline constexpr float kWispRadiusShare = 0.6F; ///< A wisp's radius in units of r.
+inline constexpr float kWispRadiusShare = 0.8F; ///< A wisp's radius in units of r.
 /// Last share of the braid, a tuft: there the wisps close up to kTuftBraidShare of r while each opens by
 /// kTuftWispShare.
 inline constexpr float kTuftShare = 0.12F;
 inline constexpr float kTuftBraidShare = 0.35F;
-inline constexpr float kTuftWispShare = 1.6F;
+inline constexpr float kTuftWispShare = 1.5F;
 
 /// Segments that a style asks for: at least 8 points a turn, two a skeleton's segment for a straight hair; at most 256.
 [[nodiscard]] int segmentsOf(const StrandStyle& style, int nodes);

@@ -11,10 +11,10 @@ layout(std430, binding = 3) writeonly buffer Points { vec4 pointsWo[]; };
 // As in sim/strand_curve.h.
 const float kCurlEaseShare = 0.25;
 const float kBraidEaseTurns = 0.5;
-const float kWispRadiusShare = 0.6;
+const float kWispRadiusShare = 0.8;
 const float kTuftShare = 0.12;
 const float kTuftBraidShare = 0.35;
-const float kTuftWispShare = 1.6;
+const float kTuftWispShare = 1.5;
 
 uniform uint firstStrand;
 uniform uint strandCount;

@@ -45,8 +45,8 @@ sim::GroupSettings settings(float greatestLengthM, float body, float volumeM)
 {
     sim::GroupSettings result;
     result.basisHairs = 16384; // Some 3,700 on the scalp, 4 mm apart.
-    result.physics.parting = 0.5F;
-    result.physics.sweepBack = 0.9F;
+    result.physics.parting = 1.0F;
+    result.physics.sweepBack = 1.0F;
     result.greatestLengthM = greatestLengthM;
     result.physics.body = body;
     result.physics.volumeM = volumeM;
@@ -58,7 +58,7 @@ Style longStraight()
     Style style{.id = "long-straight",
                 .name = QStringLiteral("Long straight"),
                 .tags = {QStringLiteral("long"), QStringLiteral("straight")},
-                .settings = settings(0.50F, 0.19F, 0.010F),
+                .settings = settings(0.50F, 0.15F, 0.008F),
                 .density = scalp(0.85F),
                 .length = endingAt(-0.26F, 0.50F, 0.12F),
                 .curl = constant(0.06F),
@@ -77,14 +77,18 @@ Style bob()
     Style style{.id = "bob",
                 .name = QStringLiteral("Bob"),
                 .tags = {QStringLiteral("medium"), QStringLiteral("straight")},
-                .settings = settings(0.25F, 0.18F, 0.012F),
-                .density = scalp(0.9F),
-                .length = endingAt(-0.085F, 0.25F, 0.05F),
+                .settings = settings(0.25F, 0.17F, 0.010F),
+                .density = {},
+                .length = endingAt(-0.085F, 0.25F, 0.10F),
                 .curl = constant(0.0F),
                 .clump = constant(0.25F),
                 .gel = constant(0.0F),
                 .braid = {},
                 .colour = plain(QColor(0x1E, 0x19, 0x1B))};
+    // Shaved below, as in an undercut: hair from lower roots that ended at the line would be short enough to stand off.
+    style.density = [](const Place& place) {
+        return 0.9F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.008F, 0.014F, place.positionHd.y);
+    };
     style.settings.nodesPerHair = 10;
     style.settings.material.shine = 0.75F;
     style.settings.material.roughness = 0.28F;
@@ -97,8 +101,8 @@ Style ringlets()
     Style style{.id = "ringlets",
                 .name = QStringLiteral("Ringlets"),
                 .tags = {QStringLiteral("medium"), QStringLiteral("curly")},
-                .settings = settings(0.30F, 0.22F, 0.020F),
-                .density = scalp(0.6F),
+                .settings = settings(0.30F, 0.20F, 0.020F),
+                .density = scalp(0.75F),
                 .length = endingAt(-0.13F, 0.30F, 0.09F),
                 .curl = constant(0.66F),
                 .clump = constant(0.93F),
@@ -119,19 +123,23 @@ Style afro()
                 .settings = settings(0.12F, 0.6F, 0.0F),
                 .density = scalp(0.8F),
                 .length = {},
-                .curl = constant(1.0F),
-                .clump = constant(0.15F),
+                .curl = constant(0.9F),
+                .clump = constant(0.55F),
                 .gel = constant(0.92F),
                 .braid = {},
                 .colour = plain(QColor(0x24, 0x17, 0x12))};
-    // A ball around the head's middle, cut where it would fall on face and shoulders.
+    // Cut to a ball around the head's middle, which lets the face free.
     style.length = [](const Place& place) {
-        const glm::vec3 fromMiddle = place.positionHd - glm::vec3(0.0F, 0.035F, -0.012F);
-        const float lengthM = std::clamp(0.165F - glm::length(fromMiddle), 0.012F, 0.085F);
-        const float edge = 0.35F + 0.65F * smooth(0.0F, 0.02F, place.scalpM);
+        const glm::vec3 fromMiddle = place.positionHd - glm::vec3(0.0F, 0.045F, -0.030F);
+        const float along = glm::dot(fromMiddle, place.normalHd);
+        const float radiusM = 0.166F;
+        const float inside = radiusM * radiusM - glm::dot(fromMiddle, fromMiddle) + along * along;
+        const float lengthM = std::clamp(std::sqrt(std::max(inside, 0.0F)) - along, 0.012F, 0.1F);
+        const float edge = 0.25F + 0.75F * smooth(0.0F, 0.045F, place.scalpM);
         return lengthM * edge / 0.12F;
     };
-    style.settings.greatestCurlRadiusM = 0.006F;
+    style.settings.greatestCurlRadiusM = 0.012F;
+    style.settings.basisHairs = 8000;
     style.settings.material.shine = 0.25F;
     return style;
 }
@@ -143,7 +151,7 @@ Style twoPlaits()
                 .tags = {QStringLiteral("long"), QStringLiteral("braided")},
                 .settings = settings(0.40F, 0.08F, 0.006F),
                 .density = scalp(0.7F),
-                .length = constant(0.92F),
+                .length = constant(0.70F),
                 .curl = constant(0.0F),
                 .clump = constant(0.0F),
                 .gel = constant(0.0F),
@@ -151,13 +159,13 @@ Style twoPlaits()
                 .colour = plain(QColor(0x6A, 0x4C, 0x2E))};
     // The parting stays free, so that each side is a region of its own.
     style.braid = [](const Place& place) {
-        return std::abs(place.positionHd.x) > 0.005F && place.scalpM > -0.002F ? 1.0F : 0.0F;
+        return std::abs(place.positionHd.x) > 0.005F && place.scalpM > -0.005F ? 1.0F : 0.0F;
     };
     style.density = [](const Place& place) {
-        return 0.7F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.0052F, 0.0062F, std::abs(place.positionHd.x));
+        return 0.7F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.0058F, 0.0068F, std::abs(place.positionHd.x));
     };
     style.settings.braidSpacingM = 0.6F;
-    style.settings.braidRadiusM = 0.016F;
+    style.settings.braidRadiusM = 0.011F;
     style.settings.nodesPerHair = 16;
     return style;
 }
@@ -197,19 +205,24 @@ Style splitDye()
     Style style{.id = "split-dye",
                 .name = QStringLiteral("Split dye"),
                 .tags = {QStringLiteral("medium"), QStringLiteral("wavy"), QStringLiteral("coloured")},
-                .settings = settings(0.34F, 0.18F, 0.014F),
-                .density = scalp(0.85F),
+                .settings = settings(0.34F, 0.14F, 0.014F),
+                .density = {},
                 .length = endingAt(-0.155F, 0.34F, 0.09F),
-                .curl = constant(0.42F),
-                .clump = constant(0.5F),
+                .curl = constant(0.36F),
+                .clump = constant(0.8F),
                 .gel = constant(0.0F),
                 .braid = {},
                 .colour = {}};
+    // A clean parting, so that neither colour strays into the other.
+    style.density = [](const Place& place) {
+        return 0.85F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.0018F, 0.0035F, std::abs(place.positionHd.x));
+    };
     style.colour = [](const Place& place) {
         return place.positionHd.x > 0.0F ? QColor(0xA0, 0x24, 0x5C) : QColor(0x22, 0x1C, 0x22);
     };
-    style.settings.greatestCurlRadiusM = 0.016F;
+    style.settings.greatestCurlRadiusM = 0.018F;
     style.settings.nodesPerHair = 10;
+    style.settings.basisHairs = 8000;
     return style;
 }
 
@@ -229,6 +242,7 @@ Style buzzCut()
     // Faded toward the hairline, as clippers leave it.
     style.length = [](const Place& place) { return (0.003F + 0.006F * smooth(0.0F, 0.045F, place.scalpM)) / 0.03F; };
     style.settings.nodesPerHair = 4;
+    style.settings.hairWidthM = 100e-6F; // Stubble is thick against its length.
     style.settings.material.tipAlpha = 0.6F;
     style.settings.material.shine = 0.3F;
     return style;

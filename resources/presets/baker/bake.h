@@ -1,0 +1,19 @@
+// Makes a preset's maps out of a style's functions.
+#pragma once
+
+#include "model/preset.h"
+#include "sim/skin.h"
+#include "styles.h"
+
+#include <optional>
+#include <vector>
+
+namespace hairpaint::presets {
+
+/// Every place that a texel of a map shows, so that it is looked up once for all maps; none beside the skin.
+using Places = std::vector<std::optional<Place>>;
+[[nodiscard]] Places placesOn(const sim::Skin& skin);
+
+[[nodiscard]] model::Preset bake(const Style& style, const Places& places); ///< Without its picture.
+
+} // namespace hairpaint::presets
