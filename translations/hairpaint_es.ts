@@ -887,7 +887,7 @@
     </message>
     <message>
         <source>Long straight</source>
-        <translation>Lisa y larga</translation>
+        <translation>Larga y lisa</translation>
     </message>
     <message>
         <source>Bob</source>
@@ -1030,11 +1030,11 @@
     </message>
     <message>
         <source>Drag to erase; Shift+click for a straight line from the last point</source>
-        <translation>Arrastra para borrar; Mayús+clic traza una línea recta desde el último punto</translation>
+        <translation>Arrastra para borrar; Mayúsculas+clic traza una línea recta desde el último punto</translation>
     </message>
     <message>
         <source>Drag to paint; Shift+click for a straight line from the last point; Ctrl+click picks</source>
-        <translation>Arrastra para pintar; Mayús+clic traza una línea recta desde el último punto; Ctrl+clic toma el valor</translation>
+        <translation>Arrastra para pintar; Mayúsculas+clic traza una línea recta desde el último punto; Control+clic toma el valor</translation>
     </message>
     <message>
         <source>Fill</source>
@@ -1050,7 +1050,7 @@
     </message>
     <message>
         <source>Drag from the first value to the second; Shift keeps to steps of 45 degrees</source>
-        <translation>Arrastra del primer valor al segundo; Mayús limita el ángulo a pasos de 45 grados</translation>
+        <translation>Arrastra del primer valor al segundo; Mayúsculas limita el ángulo a pasos de 45 grados</translation>
     </message>
     <message>
         <source>%1 on %2</source>
@@ -1070,7 +1070,7 @@
     </message>
     <message>
         <source>Drag a rectangle, Shift for a square; click to select nothing</source>
-        <translation>Arrastra un rectángulo, con Mayús un cuadrado; haz clic para no seleccionar nada</translation>
+        <translation>Arrastra un rectángulo, con Mayúsculas un cuadrado; haz clic para no seleccionar nada</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -1082,7 +1082,7 @@
     </message>
     <message>
         <source>Drag a filled shape; Shift makes it a square or a circle; polygons: click corner by corner</source>
-        <translation>Arrastra una forma rellena; Mayús la hace cuadrado o círculo; polígonos: haz clic esquina por esquina</translation>
+        <translation>Arrastra una forma rellena; Mayúsculas la hace cuadrado o círculo; polígonos: haz clic esquina por esquina</translation>
     </message>
 </context>
 <context>
@@ -1475,7 +1475,7 @@
     </message>
     <message>
         <source>Weat&amp;her keys</source>
-        <translation>&amp;Teclas del tiempo</translation>
+        <translation>&amp;Teclas del clima</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
@@ -1612,11 +1612,11 @@
     <name>hairpaint::view::BarSlider</name>
     <message>
         <source>Ctrl-drag for fine, double-click to type, right-click to reset</source>
-        <translation>Ctrl+arrastrar: ajuste fino; doble clic: escribir; clic derecho: restablecer</translation>
+        <translation>Control+arrastrar: ajuste fino; doble clic: escribir; clic derecho: restablecer</translation>
     </message>
     <message>
         <source>Ctrl-drag for fine, double-click to type</source>
-        <translation>Ctrl+arrastrar: ajuste fino; doble clic: escribir</translation>
+        <translation>Control+arrastrar: ajuste fino; doble clic: escribir</translation>
     </message>
 </context>
 <context>
@@ -1681,7 +1681,7 @@
     </message>
     <message>
         <source>Remove hair group (Delete)</source>
-        <translation>Quitar grupo de pelo (Supr)</translation>
+        <translation>Quitar grupo de pelo (Suprimir)</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -1864,7 +1864,7 @@
     </message>
     <message>
         <source>Remove layer (Delete)</source>
-        <translation>Quitar capa (Supr)</translation>
+        <translation>Quitar capa (Suprimir)</translation>
     </message>
     <message>
         <source>Show layer</source>
@@ -2306,7 +2306,7 @@
     <name>hairpaint::view::WeatherOverlay</name>
     <message>
         <source>Weather</source>
-        <translation>Tiempo</translation>
+        <translation>Clima</translation>
     </message>
     <message>
         <source>Arrows</source>
@@ -2318,7 +2318,7 @@
     </message>
     <message>
         <source>Page Up, Page Down</source>
-        <translation>RePág, AvPág</translation>
+        <translation>Re Pág, Av Pág</translation>
     </message>
     <message>
         <source>wind %1 m/s</source>
@@ -2338,7 +2338,7 @@
     </message>
     <message>
         <source>Shift+R  G  B</source>
-        <translation>Mayús+R  G  B</translation>
+        <translation>Mayúsculas+R  G  B</translation>
     </message>
     <message>
         <source>less</source>
