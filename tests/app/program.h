@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QByteArray>
+#include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -11,6 +13,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <vector>
@@ -22,25 +25,83 @@ struct Outcome
     int code = -1;
     QString output;
     QString error;
+    double seconds = 0.0;
+    qint64 peakBytes = 0; ///< In memory at once, helpers included; looked at every few milliseconds, on Linux only.
 };
 
-/// Runs the program without a display. `inChild` is called in the child before the program starts.
-inline Outcome runProgram(const QStringList& arguments, const std::function<void()>& inChild = {})
+/// What a process and its children hold in memory now.
+inline qint64 residentBytes(qint64 process)
+{
+    const auto read = [process](const char* name) {
+        QFile file(QStringLiteral("/proc/%1/%2").arg(process).arg(QLatin1String(name)));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    qint64 bytes = read("statm").split(' ').value(1).toLongLong() * 4096;
+    const QByteArray children = read(QByteArray("task/" + QByteArray::number(process) + "/children").constData());
+    for (const QByteArray& child : children.split(' '))
+        if (child.toLongLong() > 0)
+            bytes += residentBytes(child.toLongLong());
+    return bytes;
+}
+
+/// Runs the program without a display. `inChild` is called in the child before the program starts. `language`: of the
+/// system, "es_ES".
+inline Outcome runProgram(const QStringList& arguments, const std::function<void()>& inChild = {},
+                          const char* language = "C")
 {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove(QStringLiteral("DISPLAY"));
     environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
+    for (const char* name : {"LANG", "LC_ALL", "LC_MESSAGES", "LANGUAGE"})
+        environment.remove(QString::fromLatin1(name));
+    environment.insert(QStringLiteral("LANG"), QLatin1StringView(language) + QStringLiteral(".UTF-8"));
     process.setProcessEnvironment(environment);
 #ifdef Q_OS_UNIX
     if (inChild)
         process.setChildProcessModifier(inChild);
 #endif
     process.start(QStringLiteral(HAIRPAINT_PROGRAM), arguments);
-    if (!process.waitForFinished(180'000))
-        return {};
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};
+    QElapsedTimer clock;
+    clock.start();
+    qint64 peakBytes = 0;
+    while (!process.waitForFinished(5)) {
+        if (process.state() == QProcess::NotRunning || clock.elapsed() > 180'000)
+            return {};
+        peakBytes = std::max(peakBytes, residentBytes(process.processId()));
+    }
+    return {.code = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            .output = QString::fromUtf8(process.readAllStandardOutput()),
+            .error = QString::fromUtf8(process.readAllStandardError()),
+            .seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9,
+            .peakBytes = peakBytes};
+}
+
+inline constexpr double kMostSeconds = 20.0;
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr qint64 kMostBytes = 6'000'000'000; // shadow memory and quarantine
+#else
+inline constexpr qint64 kMostBytes = 2'000'000'000;
+#endif
+
+/// What a verb that must fail did wrong; empty where it failed as it should: one line names the file, the code is 1,
+/// nothing new lies in `folder`, and it took neither long nor much.
+inline QString faultOf(const QString& folder, const QStringList& arguments, const QString& named,
+                       const std::function<void()>& inChild = {})
+{
+    const QStringList before = QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::System);
+    const Outcome outcome = runProgram(arguments, inChild);
+    const QString said = QStringLiteral("%1: code %2, %3 s, %4 MB, '%5'")
+                             .arg(arguments.join(QLatin1Char(' ')))
+                             .arg(outcome.code)
+                             .arg(outcome.seconds)
+                             .arg(outcome.peakBytes / 1'000'000)
+                             .arg(outcome.error);
+    const bool wellSaid = outcome.error.count(QLatin1Char('\n')) == 1 && outcome.error.endsWith(QLatin1Char('\n')) &&
+                          outcome.error.contains(named) && outcome.output.isEmpty();
+    const bool wellBehaved = outcome.code == 1 && outcome.seconds < kMostSeconds && outcome.peakBytes < kMostBytes &&
+                             QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::System) == before;
+    return wellSaid && wellBehaved ? QString() : said;
 }
 
 inline QByteArray contentOf(const QString& path)

@@ -1,7 +1,7 @@
-// The command line: its verbs, its exit codes, and files that are none. Maps from images: test_drawn_images.cpp.
+// The command line: its verbs, its exit codes. Maps from images: test_drawn_images.cpp; files that are none:
+// test_broken_files.cpp.
 #include "tests/app/program.h"
 
-#include <QDir>
 #include <QImage>
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -105,46 +105,6 @@ private Q_SLOTS:
         QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
     }
 
-    void brokenFilesEndWithOneSentenceAndNothingWritten_data()
-    {
-        QTest::addColumn<QByteArray>("content");
-        QTest::addColumn<bool>("exists");
-        QTest::newRow("missing") << QByteArray() << false;
-        QTest::newRow("empty") << QByteArray() << true;
-        QTest::newRow("text") << QByteArray("not a project at all") << true;
-        QTest::newRow("zip header alone") << QByteArray("PK\x03\x04 and no more", 17) << true;
-        QTest::newRow("zeros") << QByteArray(100'000, '\0') << true;
-    }
-
-    void brokenFilesEndWithOneSentenceAndNothingWritten()
-    {
-        QFETCH(QByteArray, content);
-        QFETCH(bool, exists);
-        const QString broken = path("broken.hairpaint");
-        QFile::remove(broken);
-        if (exists) {
-            QFile file(broken);
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write(content);
-        }
-        const QString out = path("never");
-        for (const QStringList& arguments :
-             {QStringList{QStringLiteral("info"), broken},
-              QStringList{QStringLiteral("export"), broken, QStringLiteral("-o"), out + QStringLiteral(".hair")},
-              QStringList{QStringLiteral("render"), broken, QStringLiteral("-o"), out + QStringLiteral(".png")},
-              QStringList{QStringLiteral("new"), QStringLiteral("-o"), out + QStringLiteral(".hairpaint"),
-                          QStringLiteral("--map"), QStringLiteral("density=") + broken},
-              QStringList{QStringLiteral("new"), QStringLiteral("-o"), out + QStringLiteral(".hairpaint"),
-                          QStringLiteral("--head"), broken}}) {
-            const Outcome outcome = runProgram(arguments);
-            QVERIFY2(outcome.code == 1, qPrintable(arguments.join(QLatin1Char(' ')) + outcome.error));
-            QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
-            QVERIFY2(outcome.error.contains(QStringLiteral("broken.hairpaint")), qPrintable(outcome.error));
-            QCOMPARE(outcome.output, QString());
-        }
-        QVERIFY(QDir(m_folder.path()).entryList({QStringLiteral("never*")}).isEmpty());
-    }
-
     void itSpeaksTheLanguageOfTheSystem_data()
     {
         QTest::addColumn<QByteArray>("language");
@@ -158,14 +118,14 @@ private Q_SLOTS:
         QFETCH(QByteArray, language);
         QFETCH(QString, word);
         const QString missing = path("missing.hairpaint");
-        const Outcome outcome = runProgram({QStringLiteral("info"), missing}, language.constData());
+        const Outcome outcome = runProgram({QStringLiteral("info"), missing}, {}, language.constData());
         QCOMPARE(outcome.code, 1);
         QVERIFY2(outcome.error.contains(word), qPrintable(outcome.error));
         QVERIFY(outcome.error.contains(missing));
         QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
         // The parser's own words come from Qt's catalogue, and end in a full stop.
         const Outcome wrong =
-            runProgram({QStringLiteral("info"), QStringLiteral("--nonsense"), missing}, language.constData());
+            runProgram({QStringLiteral("info"), QStringLiteral("--nonsense"), missing}, {}, language.constData());
         QCOMPARE(wrong.code, 2);
         QCOMPARE(wrong.error.count(QLatin1Char('\n')), 1);
         QVERIFY2(!wrong.error.contains(QStringLiteral("..")), qPrintable(wrong.error));
@@ -178,12 +138,12 @@ private Q_SLOTS:
         for (const char* language : {"en_GB", "es_ES"}) {
             const QString project = path("spoken.hairpaint");
             const Outcome made = runProgram({QStringLiteral("new"), QStringLiteral("-o"), project,
-                                            QStringLiteral("--preset"), QStringLiteral("Buzz cut")},
-                                           language);
+                                             QStringLiteral("--preset"), QStringLiteral("Buzz cut")},
+                                            {}, language);
             QCOMPARE(made.error, QString());
             files.append(contentOf(project));
-            facts.append(runProgram({QStringLiteral("info"), project, QStringLiteral("--json")}, language).output);
-            facts.append(runProgram({QStringLiteral("presets"), QStringLiteral("--json")}, language).output);
+            facts.append(runProgram({QStringLiteral("info"), project, QStringLiteral("--json")}, {}, language).output);
+            facts.append(runProgram({QStringLiteral("presets"), QStringLiteral("--json")}, {}, language).output);
         }
         QVERIFY(!files.front().isEmpty());
         QVERIFY(files.front() == files.back());
@@ -193,12 +153,12 @@ private Q_SLOTS:
 
     void aStyleIsFoundByItsNameInTheUsersLanguage()
     {
-        const QString listed = runProgram({QStringLiteral("presets")}, "es_ES").output;
+        const QString listed = runProgram({QStringLiteral("presets")}, {}, "es_ES").output;
         QVERIFY2(listed.contains(QStringLiteral("Rapado\t")), qPrintable(listed));
         for (const char* name : {"rapado", "Buzz cut", "buzz-cut"}) {
             const Outcome made = runProgram({QStringLiteral("new"), QStringLiteral("-o"), path("named.hairpaint"),
-                                            QStringLiteral("--preset"), QString::fromLatin1(name)},
-                                           "es_ES");
+                                             QStringLiteral("--preset"), QString::fromLatin1(name)},
+                                            {}, "es_ES");
             QCOMPARE(made.error, QString());
             QCOMPARE(made.code, 0);
         }
