@@ -107,10 +107,6 @@
         <translation>--wind admite X,Y,Z en m/s, cada uno de -30 a 30</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; could not be written: %2. Choose a folder you may write to.</source>
-        <translation>«%1» no se pudo escribir: %2. Elige una carpeta en la que puedas escribir.</translation>
-    </message>
-    <message>
         <source>-o takes a name that ends in .png</source>
         <translation>-o necesita un nombre que acabe en .png</translation>
     </message>
@@ -127,6 +123,10 @@
     <message>
         <source>There is no display to open a window on. Without one the command line works: hairpaint --help</source>
         <translation>No hay pantalla donde abrir una ventana. Sin ella funciona la línea de órdenes: hairpaint --help</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would be overwritten, and it is read from; give another name after -o.</source>
+        <translation>&apos;%1&apos; se sobrescribiría y también se lee de él; dé otro nombre tras -o.</translation>
     </message>
 </context>
 <context>
@@ -339,10 +339,6 @@
         <translation>una de sus imágenes está dañada</translation>
     </message>
     <message>
-        <source>one of its images is not a PNG</source>
-        <translation>una de sus imágenes no es PNG</translation>
-    </message>
-    <message>
         <source>one of its images is not %1 x %1 in 16-bit RGBA</source>
         <translation>una de sus imágenes no es RGBA de 16 bits de %1 x %1</translation>
     </message>
@@ -405,6 +401,18 @@
     <message>
         <source>%1; check that you may read it</source>
         <translation>%1; comprueba que tienes permiso para leerlo</translation>
+    </message>
+    <message>
+        <source>it is a folder; give the name of a file</source>
+        <translation>es una carpeta; dé el nombre de un archivo</translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file; choose another name</source>
+        <translation>no es un archivo corriente; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>there is no folder &apos;%1&apos;; make it first</source>
+        <translation>no existe la carpeta &apos;%1&apos;; créela antes</translation>
     </message>
 </context>
 <context>
@@ -980,6 +988,10 @@
         <source>No picture can be drawn: %1 Install a driver with OpenGL 4.3 (Debian: libgl1-mesa-dri).</source>
         <translation>No se puede dibujar ninguna imagen: %1 Instala un controlador con OpenGL 4.3 (Debian: libgl1-mesa-dri).</translation>
     </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>no hay imagen</translation>
+    </message>
 </context>
 <context>
     <name>Pointer</name>
@@ -1181,10 +1193,6 @@
     <message>
         <source>PNG images (*.png)</source>
         <translation>Imágenes PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; could not be written: %2. Choose another folder.</source>
-        <translation>«%1» no se pudo escribir: %2. Elige otra carpeta.</translation>
     </message>
     <message>
         <source>Save style</source>
