@@ -4,7 +4,6 @@
 #include "app/background_task.h"
 #include "app/heads.h"
 #include "app/library.h"
-#include "app/picture.h"
 #include "model/commands/commands.h"
 #include "model/files/hair_file.h"
 #include "model/files/image_map.h"
@@ -16,6 +15,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMessageBox>
+#include <QSaveFile>
 
 namespace hairpaint::app {
 
@@ -165,8 +165,9 @@ void Exchange::savePicture()
         askSavePath(tr("Save picture"), tr("hairstyle"), tr("PNG images (*.png)"), QStringLiteral("png"));
     if (path.isEmpty())
         return;
-    if (const model::Result<void> written = writePicture(picture, path); !written)
-        return complain(written.error().message);
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
+        return complain(tr("'%1' could not be written: %2. Choose another folder.").arg(path, file.errorString()));
     Q_EMIT done(tr("%1 written").arg(QFileInfo(path).fileName()));
 }
 

@@ -6,6 +6,7 @@
 #include "sim/parallel.h"
 
 #include <QBuffer>
+#include <QImageReader>
 
 #include <algorithm>
 #include <atomic>
@@ -214,8 +215,8 @@ Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& g
     const bool finished = inBatches<Decoding>(*images, progress, [&heldBytes](Decoding& image) {
         image.result = heldBytes > kMostHeldBytes ? Checked<DecodedLayer>(tooMuch())
                                                   : decodeLayer(image.png, *image.spec, image.size);
-        if (image.result && (heldBytes += image.result->raster.byteCount()) > kMostHeldBytes)
-            image.result = Checked<DecodedLayer>(tooMuch());
+        if (image.result)
+            heldBytes += image.result->raster.byteCount();
     });
     if (!finished)
         return false;
@@ -246,10 +247,15 @@ void addThumbnail(ArchiveWriter& archive, const QImage& picture)
 
 QImage readThumbnail(const ArchiveReader& archive)
 {
-    const Checked<QByteArray> bytes = archive.read(QStringLiteral("thumbnail.png"), kMostThumbnailBytes);
+    Checked<QByteArray> bytes = archive.read(QStringLiteral("thumbnail.png"), kMostThumbnailBytes);
     if (!bytes)
         return {};
-    return decodePicture(*bytes, kLargestThumbnail);
+    QBuffer buffer(&*bytes);
+    QImageReader reader(&buffer, "png");
+    const QSize size = reader.size();
+    if (!size.isValid() || std::max(size.width(), size.height()) > kLargestThumbnail)
+        return {};
+    return reader.read();
 }
 
 } // namespace hairpaint::model

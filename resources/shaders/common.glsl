@@ -39,6 +39,8 @@ const uint kHeadColour = 0xFFFFFu; // Not a colour of hair: the head's own layer
 const uint kEmptySample = 0xFFFFFFFFu;
 const float kDepthKeys = 4095.0;
 
+const int kShadeCell = 4; // Pixels of the picture across a texel of the hair's shadow on the skin.
+
 uint depthKey(float distanceM)
 {
     return uint(clamp((distanceM - depthRange.x) * depthRange.y, 0.0, kDepthKeys - 1.0));
@@ -48,6 +50,13 @@ uint depthKey(float distanceM)
 float linearDepth(float depth)
 {
     return depthRange.z / (depthRange.w - (2.0 * depth - 1.0));
+}
+
+// The place of a sample whose depth buffer holds `depth`.
+vec3 unprojected(vec2 atSp, float depth)
+{
+    vec4 wo = woFromProjection * vec4(vec3(atSp / target.xy, depth) * 2.0 - 1.0, 1.0);
+    return wo.xyz / wo.w;
 }
 
 // Linear colour <-> 20 bits: luma 8, orange 6, green 6, of its square root. Chroma lies within +-1/2, mostly within a

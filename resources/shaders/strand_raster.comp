@@ -92,7 +92,9 @@ void main()
     int row = begin * strideMain;
     for (int x = begin; x < end; ++x) {
         uint value = (uint(max(key, 0.0)) << kDepthShift) | chroma | uint(luma);
-        atomicMin(samples[row + int(across) * strideAcross], value);
+        int at = row + int(across) * strideAcross;
+        if (value < samples[at])
+            atomicMin(samples[at], value);
         across += acrossStep;
         key += keyStep;
         luma += lumaStep;

@@ -21,6 +21,11 @@ uniform float greatestWidth;
 uniform vec4 material;    // Shine, roughness, alpha at root and tip.
 uniform float variationScale;
 
+// Coverings of hair in front, seen by the eye: from where on strands stay as thin as they are, and are not drawn at all.
+const float kHiddenFrom = 3.0;
+const float kHiddenTo = 10.0;
+const float kUndrawn = 16.0;
+
 vec3 colourFromBytes(uint bits)
 {
     return linearFromSrgb(unpackUnorm4x8(bits).rgb);
@@ -57,8 +62,8 @@ void main()
     float slant = length(steep) / max(max(steep.x, steep.y), 1e-12);
     uint random = hashOf(slot * 2654435761u + 12345u);
     float alpha = mix(material.z, material.w, s * s);
-    float width = max(styles[slot].widthM * gridSize.z / clip.w, leastWidth) * widening * alpha;
-    width = min(width, greatestWidth) * min(slant, 1.42) + float(random & 0xFFFFu) * (1.0 / 65536.0);
+    float ownWidth = styles[slot].widthM * gridSize.z / clip.w;
+    float drawnWidth = max(ownWidth, leastWidth);
 
     vec3 view = normalize(eyeWo.xyz - position);
     vec3 light = lightWo.xyz;
@@ -69,8 +74,15 @@ void main()
     // Light that reaches this place through the other hair: from the light, and from all around on the eye's side.
     // A little before this place, so that a strand does not shade itself.
     vec3 before = vec3(0.0, 0.0, 1.5 / float(textureSize(opacityToLight, 0).z));
+    float towardEye = texture(opacityToEye, (gridFromWo[1] * vec4(position, 1.0)).xyz - before).x;
     float direct = exp2(-0.40 * texture(opacityToLight, (gridFromWo[0] * vec4(position, 1.0)).xyz - before).x);
-    float around = exp2(-0.30 * texture(opacityToEye, (gridFromWo[1] * vec4(position, 1.0)).xyz - before).x);
+    float around = exp2(-0.30 * towardEye);
+
+    // Hair that other hair hides needs no widening, and deep in the coat no drawing.
+    float hidden = towardEye * drawnWidth / max(ownWidth, 1e-6);
+    float width = drawnWidth * mix(widening, 1.0, smoothstep(kHiddenFrom, kHiddenTo, hidden)) * alpha;
+    width = min(width, greatestWidth) * min(slant, 1.42) + float(random & 0xFFFFu) * (1.0 / 65536.0);
+    width = hidden < kUndrawn ? width : 0.0;
 
     vec3 outward = position - headWo.xyz;
     outward = outward * inversesqrt(dot(outward, outward) + 1e-8);

@@ -34,6 +34,11 @@ struct Target
     glm::ivec2 samples{1}; ///< A pixel, across and up.
 };
 
+/// For shaders that exist for 1, 2 and 4 samples a pixel.
+inline constexpr std::array kSampleDefines{"#define SAMPLES_X 1\n#define SAMPLES_Y 1\n",
+                                           "#define SAMPLES_X 2\n#define SAMPLES_Y 1\n",
+                                           "#define SAMPLES_X 2\n#define SAMPLES_Y 2\n"};
+
 inline constexpr int kGridSide = 48; ///< Voxels of the opacity grid in each direction.
 
 [[nodiscard]] FrameConstants frameConstants(const Scene& scene, const Target& target);

@@ -106,17 +106,17 @@ void Buffer::bindUniform(unsigned index) const
     glBindBufferBase(GL_UNIFORM_BUFFER, index, m_name.id());
 }
 
-void Texture::resize2D(unsigned internalFormat, int width, int height)
+void Texture::resize2D(unsigned internalFormat, int width, int height, bool smooth)
 {
-    make(GL_TEXTURE_2D, internalFormat, {width, height, 1});
+    make(GL_TEXTURE_2D, internalFormat, {width, height, 1}, smooth);
 }
 
 void Texture::resize3D(unsigned internalFormat, int side)
 {
-    make(GL_TEXTURE_3D, internalFormat, {side, side, side});
+    make(GL_TEXTURE_3D, internalFormat, {side, side, side}, true);
 }
 
-void Texture::make(unsigned target, unsigned internalFormat, glm::ivec3 size)
+void Texture::make(unsigned target, unsigned internalFormat, glm::ivec3 size, bool smooth)
 {
     if (m_format == internalFormat && m_size == size)
         return;
@@ -127,7 +127,7 @@ void Texture::make(unsigned target, unsigned internalFormat, glm::ivec3 size)
     glGenTextures(1, &id);
     m_name = GlName<deleteTexture>(id);
     glBindTexture(target, id);
-    const int filter = target == GL_TEXTURE_3D ? GL_LINEAR : GL_NEAREST;
+    const int filter = smooth ? GL_LINEAR : GL_NEAREST;
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
     // Beside an opacity grid there is no hair: its outermost columns must not reach on as stripes of shade. Behind it

@@ -76,13 +76,14 @@ private:
 class Texture
 {
 public:
-    void resize2D(unsigned internalFormat, int width, int height);
+    /// `smooth`: sampled bilinearly.
+    void resize2D(unsigned internalFormat, int width, int height, bool smooth = false);
     void resize3D(unsigned internalFormat, int side);
     void bind(unsigned unit) const;
     [[nodiscard]] unsigned id() const { return m_name.id(); }
 
 private:
-    void make(unsigned target, unsigned internalFormat, glm::ivec3 size);
+    void make(unsigned target, unsigned internalFormat, glm::ivec3 size, bool smooth);
     GlName<deleteTexture> m_name;
     unsigned m_target = 0;
     unsigned m_format = 0;

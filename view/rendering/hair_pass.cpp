@@ -10,8 +10,8 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr unsigned kWorkgroup = 64;
-constexpr float kVoxelUnitM2 = 1e-9F;             ///< Hair's area that one unit of a voxel stands for.
-constexpr std::uint32_t kSplattedStrands = 16384; ///< About as many are enough for a smooth grid.
+constexpr float kVoxelUnitM2 = 1e-9F;            ///< Hair's area that one unit of a voxel stands for.
+constexpr std::uint32_t kSplattedStrands = 8192; ///< About as many are enough for a smooth grid.
 
 constexpr float kLeastWidth = 0.35F;    ///< Samples: what the thinnest hair covers.
 constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.

@@ -4,6 +4,8 @@
 #include "view/rendering/gl_objects.h"
 #include "view/rendering/hair_pass.h"
 #include "view/rendering/head_layer.h"
+#include "view/rendering/ring_pass.h"
+#include "view/rendering/skin_shade.h"
 #include "view/rendering/state_guard.h"
 
 #include <epoxy/gl.h>
@@ -22,6 +24,8 @@ struct Renderer::State
     FrameStatistics statistics;
     std::unique_ptr<HeadLayer> head;
     std::unique_ptr<HairPass> hair;
+    SkinShade shade;
+    RingPass rings;
     Program clear;
     std::array<Program, 3> resolve; ///< For 1, 2 and 4 samples a pixel.
     VertexArray noVertices;
@@ -62,11 +66,16 @@ tl::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
     if (!clear)
         return tl::unexpected(clear.error());
     state.clear = std::move(*clear);
-    constexpr std::array defines{"#define SAMPLES_X 1\n#define SAMPLES_Y 1\n",
-                                 "#define SAMPLES_X 2\n#define SAMPLES_Y 1\n",
-                                 "#define SAMPLES_X 2\n#define SAMPLES_Y 2\n"};
-    for (std::size_t i = 0; i < defines.size(); ++i) {
-        auto resolve = Program::graphics("screen.vert", "resolve.frag", defines[i]);
+    auto shade = SkinShade::create();
+    if (!shade)
+        return tl::unexpected(shade.error());
+    state.shade = std::move(*shade);
+    auto rings = RingPass::create();
+    if (!rings)
+        return tl::unexpected(rings.error());
+    state.rings = std::move(*rings);
+    for (std::size_t i = 0; i < kSampleDefines.size(); ++i) {
+        auto resolve = Program::graphics("screen.vert", "resolve.frag", kSampleDefines.at(i));
         if (!resolve)
             return tl::unexpected(resolve.error());
         state.resolve[i] = std::move(*resolve);
@@ -111,19 +120,25 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
 
     state.hair->draw(constants, detail, state.samples);
 
+    if (report.hairs > 0) {
+        state.head->bind(0, 1);
+        state.hair->bindOpacity(2, 3);
+        state.shade.draw(state.width, state.height);
+    }
     state.picture.resize2D(GL_RGBA8, state.width, state.height);
     glBindFramebuffer(GL_FRAMEBUFFER, state.framebuffer.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, state.picture.id(), 0);
     glViewport(0, 0, state.width, state.height);
     state.samples.bindStorage(0);
     state.head->bind(0, 1);
-    state.hair->bindOpacity(2, 3);
+    if (report.hairs > 0)
+        state.shade.bind(2);
     const Program& resolve = state.resolve.at(static_cast<std::size_t>(target.samples.x * target.samples.y / 2));
     resolve.use();
     resolve.set("shaded", report.hairs > 0 ? 1 : 0);
-    resolve.set("ringed", scene.ring || scene.mirroredRing ? 1 : 0);
     glBindVertexArray(state.noVertices.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    state.rings.draw(constants);
     glFinish();
 
     state.statistics = {

@@ -30,6 +30,11 @@ StateGuard::StateGuard()
         glGetIntegerv(GL_TEXTURE_BINDING_3D, &m_textures3D[unit]);
     }
     glGetIntegerv(GL_VIEWPORT, m_viewport);
+    glGetIntegerv(GL_SCISSOR_BOX, m_scissorBox);
+    glGetIntegerv(GL_BLEND_SRC_RGB, &m_blendSource[0]);
+    glGetIntegerv(GL_BLEND_SRC_ALPHA, &m_blendSource[1]);
+    glGetIntegerv(GL_BLEND_DST_RGB, &m_blendTarget[0]);
+    glGetIntegerv(GL_BLEND_DST_ALPHA, &m_blendTarget[1]);
     glGetIntegerv(GL_PACK_ALIGNMENT, &m_packAlignment);
     glGetIntegerv(GL_DEPTH_FUNC, &m_depthFunction);
     glGetBooleanv(GL_DEPTH_WRITEMASK, &m_depthMask);
@@ -66,6 +71,9 @@ StateGuard::~StateGuard()
     }
     glActiveTexture(static_cast<unsigned>(m_activeTexture));
     glViewport(m_viewport[0], m_viewport[1], m_viewport[2], m_viewport[3]);
+    glScissor(m_scissorBox[0], m_scissorBox[1], m_scissorBox[2], m_scissorBox[3]);
+    glBlendFuncSeparate(static_cast<unsigned>(m_blendSource[0]), static_cast<unsigned>(m_blendTarget[0]),
+                        static_cast<unsigned>(m_blendSource[1]), static_cast<unsigned>(m_blendTarget[1]));
     glPixelStorei(GL_PACK_ALIGNMENT, m_packAlignment);
     glDepthFunc(static_cast<unsigned>(m_depthFunction));
     glDepthMask(m_depthMask);

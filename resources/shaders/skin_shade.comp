@@ -1,0 +1,30 @@
+// The hair's shadow on the skin, from both opacity grids. Soft as it is, one place stands for a cell of pixels; where the
+// cell's middle misses the head, one of its corners may hit it. One invocation a cell.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(binding = 1) uniform sampler2D headDepth;
+layout(binding = 2) uniform sampler3D opacityToLight;
+layout(binding = 3) uniform sampler3D opacityToEye;
+layout(r8, binding = 0) writeonly uniform image2D skinShade;
+
+const vec2 kPlaces[5] = vec2[](vec2(0.5), vec2(0.1, 0.1), vec2(0.9, 0.1), vec2(0.1, 0.9), vec2(0.9, 0.9));
+
+void main()
+{
+    ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(cell, imageSize(skinShade))))
+        return;
+    vec2 at = vec2(0.0);
+    float depth = 1.0;
+    for (int i = 4; i >= 0; --i) {
+        vec2 place = min(floor((vec2(cell) + kPlaces[i]) * float(kShadeCell) * target.zw), target.xy - 1.0);
+        float here = texelFetch(headDepth, ivec2(place), 0).x;
+        at = here < 1.0 ? place + 0.5 : at;
+        depth = here < 1.0 ? here : depth;
+    }
+    vec4 wo = vec4(unprojected(at, depth), 1.0);
+    float above = texture(opacityToLight, (gridFromWo[0] * wo).xyz).x;
+    float before = texture(opacityToEye, (gridFromWo[1] * wo).xyz).x;
+    float shade = (0.35 + 0.65 * exp2(-0.6 * above)) * (0.2 + 0.8 * exp2(-2.0 * before));
+    imageStore(skinShade, cell, vec4(depth < 1.0 ? shade : 1.0));
+}

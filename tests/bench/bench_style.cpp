@@ -1,0 +1,68 @@
+// Drawing as the window does it: a built-in style in the wind at the size of the 3D area, every frame newly simulated.
+#include "app/cli/settled_hair.h"
+#include "app/library.h"
+#include "view/rendering/offscreen_context.h"
+#include "view/rendering/renderer.h"
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+
+namespace hairpaint {
+namespace {
+
+constexpr int kWidth = 612;
+constexpr int kHeight = 680;
+
+/// The share of the hairs in per mille, and samples a pixel.
+void drawStyle(benchmark::State& state)
+{
+    auto context = rendering::OffscreenContext::create();
+    if (!context || !(*context)->makeCurrent()) {
+        state.SkipWithError("no OpenGL context");
+        return;
+    }
+    auto renderer = rendering::Renderer::create();
+    if (!renderer) {
+        state.SkipWithError(renderer.error().c_str());
+        return;
+    }
+    model::Project project = app::starterProject();
+    rendering::Scene scene;
+    scene.head = project.head->shownMesh;
+    app::SettledHair hair(std::move(project), 0.5);
+    const auto first = hair.frame();
+    hair.advance(1.0 / 30.0);
+    const std::array frames{first, hair.frame()};
+    const rendering::Quality quality{.detail = static_cast<float>(state.range(0)) / 1000.0F,
+                                     .samples = static_cast<int>(state.range(1)),
+                                     .smoothSegments = 8};
+    for (const auto& frame : frames) {
+        scene.hair = frame;
+        (*renderer)->draw(scene, quality, kWidth, kHeight);
+    }
+    std::vector<std::uint8_t> pixels;
+    std::size_t number = 0;
+    for ([[maybe_unused]] auto _ : state) {
+        scene.hair = frames[++number % 2];
+        (*renderer)->draw(scene, quality, kWidth, kHeight);
+        (*renderer)->read(pixels);
+    }
+    state.counters["hairs"] = static_cast<double>((*renderer)->statistics().drawnHairs);
+    state.counters["MB"] = static_cast<double>((*renderer)->statistics().uploadedBytes) * 1e-6;
+    renderer->reset();
+    (*context)->doneCurrent();
+}
+
+BENCHMARK(drawStyle)
+    ->Name("draw_style")
+    ->ArgNames({"permille", "samples"})
+    ->Args({16, 1})
+    ->Args({250, 1})
+    ->Args({1000, 1})
+    ->Args({1000, 4})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+} // namespace
+} // namespace hairpaint

@@ -1,0 +1,40 @@
+// Runs the shader of the skin's shadow.
+#include "view/rendering/skin_shade.h"
+
+#include <epoxy/gl.h>
+
+namespace hairpaint::rendering {
+namespace {
+
+constexpr int kCell = 4;      ///< As in common.glsl.
+constexpr int kWorkgroup = 8; ///< In each direction.
+
+unsigned groups(int cells)
+{
+    return static_cast<unsigned>((cells + kWorkgroup - 1) / kWorkgroup);
+}
+
+} // namespace
+
+tl::expected<SkinShade, std::string> SkinShade::create()
+{
+    SkinShade shade;
+    auto program = Program::compute("skin_shade.comp");
+    if (!program)
+        return tl::unexpected(program.error());
+    shade.m_program = std::move(*program);
+    return shade;
+}
+
+void SkinShade::draw(int width, int height)
+{
+    const int across = (width + kCell - 1) / kCell;
+    const int up = (height + kCell - 1) / kCell;
+    m_shade.resize2D(GL_R8, across, up, true);
+    m_program.use();
+    glBindImageTexture(0, m_shade.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R8);
+    glDispatchCompute(groups(across), groups(up), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+} // namespace hairpaint::rendering
