@@ -82,7 +82,7 @@ sim::Texel rgbFrom(const sim::Texel& texel, const MapSpec& spec, const Scale& sc
         return texel;
     if (spec.texel == TexelKind::Index) {
         const std::size_t index = texel[0];
-        return index < spec.palette.size() ? wide(spec.palette[index].colour) : scale.paper;
+        return index > 0 && index < spec.palette.size() ? wide(spec.palette[index].colour) : scale.paper;
     }
     return {scale.at(0, texel[0]), scale.at(1, texel[0]), scale.at(2, texel[0]), 0};
 }

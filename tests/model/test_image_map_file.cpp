@@ -213,18 +213,23 @@ private Q_SLOTS:
 
     void paintedTexelsShowTheScale_data()
     {
+        QTest::addColumn<MapKind>("kind");
         QTest::addColumn<bool>("night");
         QTest::addColumn<int>("value");
         QTest::addColumn<QRgb>("colour");
-        QTest::newRow("paper") << false << 0 << 0xFFFFFFFF;
-        QTest::newRow("full green") << false << 65535 << 0xFF00FF00;
-        QTest::newRow("half on paper") << false << 32768 << 0xFF7FFF7F;
-        QTest::newRow("night paper") << true << 0 << 0xFF000000;
-        QTest::newRow("full green at night") << true << 65535 << 0xFF00FF00;
-        QTest::newRow("half at night") << true << 32768 << 0xFF008000;
+        QTest::newRow("paper") << MapKind::Density << false << 0 << 0xFFFFFFFF;
+        QTest::newRow("full green") << MapKind::Density << false << 65535 << 0xFF00FF00;
+        QTest::newRow("half on paper") << MapKind::Density << false << 32768 << 0xFF7FFF7F;
+        QTest::newRow("night paper") << MapKind::Density << true << 0 << 0xFF000000;
+        QTest::newRow("full green at night") << MapKind::Density << true << 65535 << 0xFF00FF00;
+        QTest::newRow("half at night") << MapKind::Density << true << 32768 << 0xFF008000;
+        QTest::newRow("no braid on paper") << MapKind::Braid << false << 0 << 0xFFFFFFFF;
+        QTest::newRow("no braid at night") << MapKind::Braid << true << 0 << 0xFF000000;
+        QTest::newRow("a plait at night") << MapKind::Braid << true << 1 << 0xFFFF00FF;
     }
     void paintedTexelsShowTheScale()
     {
+        QFETCH(MapKind, kind);
         QFETCH(bool, night);
         QFETCH(int, value);
         QFETCH(QRgb, colour);
@@ -234,7 +239,7 @@ private Q_SLOTS:
             for (int x = 64; x < 128; ++x)
                 resolved.setTexel(x, y, {static_cast<std::uint16_t>(value)});
         std::vector<QRgb> pixels(40 * 5, 0);
-        paintMapTexels(resolved, mapSpec(MapKind::Density), night, {50, 60, 80, 64}, pixels.data(), 40);
+        paintMapTexels(resolved, mapSpec(kind), night, {50, 60, 80, 64}, pixels.data(), 40);
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 40; ++x) {
                 const QRgb pixel = pixels[static_cast<std::size_t>(y * 40 + x)];

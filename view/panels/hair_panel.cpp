@@ -216,7 +216,7 @@ void HairPanel::rebuildGroups()
             m_groups->setCurrentRow(row);
     }
     constexpr int kMostRows = 5;
-    m_groups->setFixedHeight(std::clamp(count, 2, kMostRows) * m_groups->rowHeight() + 2);
+    m_groups->setFixedHeight(std::clamp(count, 1, kMostRows) * m_groups->rowHeight() + 2);
     m_filling = false;
     follow();
 }
