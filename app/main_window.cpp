@@ -46,6 +46,8 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     if (!restoreGeometry(m_settings.windowGeometry()))
         resize(kFirstWindow);
     showAreas(Areas::Both);
+    for (QWidget* area : std::initializer_list<QWidget*>{this, m_paintView, m_headView})
+        area->installEventFilter(this);
     m_paintView->setFocus(); // Keys mean tools and maps from the first moment.
 }
 
@@ -194,21 +196,18 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
     QMainWindow::keyPressEvent(event);
 }
 
-bool MainWindow::focusNextPrevChild(bool next)
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 {
-    // Tab hides the panels while an area has the focus; elsewhere it moves the focus.
-    if (next && focusIsInArea()) {
-        setPanelsHidden(!m_panelsHidden);
-        return true;
+    // Tab hides the panels while an area has the focus; elsewhere it moves the focus, as Qt does by itself when the
+    // widget that has it is hidden.
+    if (event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Tab && key->modifiers() == Qt::NoModifier) {
+            setPanelsHidden(!m_panelsHidden);
+            return true;
+        }
     }
-    return QMainWindow::focusNextPrevChild(next);
-}
-
-bool MainWindow::focusIsInArea() const
-{
-    const QWidget* focus = QApplication::focusWidget();
-    return focus == nullptr || focus == m_paintView || focus == m_headView || m_headView->isAncestorOf(focus) ||
-           focus == this;
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::showAreas(Areas areas)

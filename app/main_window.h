@@ -47,7 +47,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    bool focusNextPrevChild(bool next) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     /// Which of the two areas are shown.
@@ -78,7 +78,6 @@ private:
     void refreshStyles();
     void showAreaMenu(const QPoint& globalPosition);
     void onFrameDrawn(const rendering::FrameStatistics& statistics);
-    [[nodiscard]] bool focusIsInArea() const;
 
     void nextValueStep(int steps);
     void changeBrushSize(float factor);

@@ -1,8 +1,9 @@
-// The menus of the real window: what is on is seen to be on.
+// The menus of the real window, where what is on is seen to be on, and its panels.
 #include "app/main_window.h"
 #include "model/files/project_file.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
+#include "view/panels/tool_bar.h"
 #include "view/resources.h"
 
 #include <QSettings>
@@ -55,6 +56,36 @@ private Q_SLOTS:
         QVERIFY(!m_window->headView().isVisible() && m_window->paintView().isVisible());
         trigger("view.both");
         QVERIFY(checked("view.both") && !checked("view.paint"));
+    }
+
+    void tabHidesThePanelsWhileAnAreaHasTheFocus()
+    {
+        const auto* panel = m_window->findChild<view::ToolBar*>();
+        for (QWidget* area :
+             {static_cast<QWidget*>(&m_window->paintView()), static_cast<QWidget*>(&m_window->headView())}) {
+            area->setFocus();
+            QTest::keyClick(area, Qt::Key_Tab);
+            QVERIFY(!panel->isVisible() && checked("view.panels"));
+            QTest::keyClick(area, Qt::Key_Tab);
+            QVERIFY(panel->isVisible() && !checked("view.panels"));
+        }
+    }
+
+    void nothingElseHidesThePanels()
+    {
+        const auto* panel = m_window->findChild<view::ToolBar*>();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        m_window->headView().setFocus();
+        m_window->headView().setWeatherShown(true);
+        QVERIFY(QApplication::focusWidget() != nullptr);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+        QVERIFY(!m_window->headView().weatherShown());
+        QVERIFY(panel->isVisible());
+        m_window->headView().setFocus();
+        trigger("view.paint");
+        QVERIFY(panel->isVisible());
+        trigger("view.both");
     }
 
     void theThemeInUseIsTicked()
