@@ -19,6 +19,8 @@
 #include "view/widgets/icons.h"
 #include "view/widgets/value_palette.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QFile>
 #include <QRegularExpression>
 
@@ -137,6 +139,25 @@ private Q_SLOTS:
             const QStringList cut = test::clipped(bar);
             QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral("; "))));
         }
+    }
+
+    void a_box_opens_to_all_its_rows()
+    {
+        applyTheme(*qApp, ThemeKind::Dark);
+        PanelFixture f;
+        Sidebar sidebar(f.state);
+        sidebar.resize(280, 600);
+        sidebar.show();
+        auto* box = sidebar.layers().findChild<QComboBox*>();
+        QVERIFY(box->count() > 1);
+        box->showPopup();
+        const QRect seen = box->view()->viewport()->rect();
+        for (int row = 0; row < box->count(); ++row) {
+            const QRect place = box->view()->visualRect(box->model()->index(row, 0));
+            QVERIFY(place.height() > 20);
+            QVERIFY2(seen.contains(place), qPrintable(box->itemText(row)));
+        }
+        box->hidePopup();
     }
 
     void every_tool_and_map_has_an_icon()
