@@ -4,6 +4,7 @@
 #include "model/commands/commands.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
+#include "view/panels/option_bar.h"
 #include "view/panels/sidebar.h"
 #include "view/panels/tool_bar.h"
 #include "view/widgets/value_pair.h"
@@ -35,6 +36,8 @@ void MainWindow::buildMenus()
         else
             m_areaMenu->addAction(m_actions.find(QLatin1StringView(id)));
     }
+    for (const char* id : {"edit.all", "edit.none", "edit.cut", "edit.copy", "edit.paste", "edit.clear"})
+        m_optionBar->addSelectionAction(m_actions.find(QLatin1StringView(id)));
     for (const char* id : {"edit.mirror", "view.wireframe", "view.night"})
         m_toolBar->addFootAction(m_actions.find(QLatin1StringView(id)));
 }

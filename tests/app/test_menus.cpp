@@ -3,11 +3,13 @@
 #include "model/files/project_file.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
+#include "view/panels/option_bar.h"
 #include "view/panels/tool_bar.h"
 #include "view/resources.h"
 
 #include <QSettings>
 #include <QStandardPaths>
+#include <QToolButton>
 #include <QtTest>
 
 namespace hairpaint::app {
@@ -86,6 +88,24 @@ private Q_SLOTS:
         trigger("view.paint");
         QVERIFY(panel->isVisible());
         trigger("view.both");
+    }
+
+    void theSelectToolOffersWhatASelectionIsFor()
+    {
+        const auto* bar = m_window->findChild<view::OptionBar*>();
+        const auto buttonOf = [&](const char* id) -> QToolButton* {
+            for (QToolButton* button : bar->findChildren<QToolButton*>())
+                if (button->defaultAction() == m_window->actions().find(QLatin1StringView(id)))
+                    return button;
+            return nullptr;
+        };
+        for (const char* tool : {"tool.select", "tool.brush"}) {
+            trigger(tool);
+            for (const char* id : {"edit.all", "edit.none", "edit.cut", "edit.copy", "edit.paste", "edit.clear"}) {
+                QVERIFY2(buttonOf(id) != nullptr, id);
+                QCOMPARE(buttonOf(id)->isVisible(), tool == QByteArray("tool.select"));
+            }
+        }
     }
 
     void theThemeInUseIsTicked()

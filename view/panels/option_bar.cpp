@@ -88,6 +88,8 @@ OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     buildValue();
     buildKinds();
     buildBrush();
+    m_selectionBox = box(this);
+    m_row->addWidget(m_selectionBox);
     m_row->addStretch(1);
 
     connect(&state, &EditorState::activeToolChanged, this, &OptionBar::showOptions);
@@ -203,6 +205,17 @@ void OptionBar::buildKinds()
           [](ToolSettings& settings, int kind) { settings.gradient = static_cast<GradientKind>(kind); });
 }
 
+void OptionBar::addSelectionAction(QAction* action)
+{
+    auto* button = new QToolButton(m_selectionBox);
+    button->setProperty("boxed", true);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setDefaultAction(action);
+    button->setFixedHeight(metrics::kSlider);
+    button->setFocusPolicy(Qt::TabFocus);
+    m_selectionBox->layout()->addWidget(button);
+}
+
 void OptionBar::change(const std::function<void(ToolSettings&)>& edit)
 {
     ToolSettings settings = m_state.toolSettings();
@@ -226,6 +239,7 @@ void OptionBar::showOptions()
     m_shapeBox->setVisible(has(ToolOption::ShapeKind));
     m_gradientBox->setVisible(has(ToolOption::GradientKind));
     m_tolerance->setVisible(has(ToolOption::FillTolerance));
+    m_selectionBox->setVisible(QLatin1StringView(tool.id()) == QLatin1StringView("select"));
     follow();
 }
 

@@ -24,6 +24,8 @@ public:
     explicit OptionBar(EditorState& state, QWidget* parent = nullptr);
     /// Opens the value palette under its button, as the picker's key may.
     void showPalette();
+    /// Adds a button that is there while the Select tool is in use: what a selection is for.
+    void addSelectionAction(QAction* action);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -53,6 +55,7 @@ private:
     QToolButton* m_pressureOpacity = nullptr;
     QWidget* m_shapeBox = nullptr;
     QWidget* m_gradientBox = nullptr;
+    QWidget* m_selectionBox = nullptr;
     std::vector<QToolButton*> m_shapes;
     std::vector<QToolButton*> m_gradients;
 };
