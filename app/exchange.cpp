@@ -4,6 +4,7 @@
 #include "app/background_task.h"
 #include "app/heads.h"
 #include "app/library.h"
+#include "app/picture.h"
 #include "model/commands/commands.h"
 #include "model/files/hair_file.h"
 #include "model/files/image_map.h"
@@ -15,7 +16,6 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMessageBox>
-#include <QSaveFile>
 
 namespace hairpaint::app {
 
@@ -165,9 +165,8 @@ void Exchange::savePicture()
         askSavePath(tr("Save picture"), tr("hairstyle"), tr("PNG images (*.png)"), QStringLiteral("png"));
     if (path.isEmpty())
         return;
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
-        return complain(tr("'%1' could not be written: %2. Choose another folder.").arg(path, file.errorString()));
+    if (const model::Result<void> written = writePicture(picture, path); !written)
+        return complain(written.error().message);
     Q_EMIT done(tr("%1 written").arg(QFileInfo(path).fileName()));
 }
 

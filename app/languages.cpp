@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFileInfo>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
@@ -73,7 +74,7 @@ QString speak(const QString& code)
     if (code.isEmpty() || !translator->load(kPrefix + code, kFolder)) {
         // Tries each language that the system prefers, "es" for "es-MX" too.
         if (translator->load(QLocale::system(), QStringLiteral("hairpaint"), QStringLiteral("_"), kFolder))
-            spoken = translator->language();
+            spoken = QFileInfo(translator->filePath()).baseName().mid(kPrefix.size());
         else if (translator->load(kPrefix + kSourceLanguage, kFolder))
             spoken = kSourceLanguage;
     } else if (QLocale::system().language() != QLocale(code).language()) {

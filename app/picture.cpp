@@ -4,7 +4,11 @@
 #include "view/gl_problem.h"
 #include "view/scene_light.h"
 
+#include "model/files/sentences.h"
+
+#include <QBuffer>
 #include <QCoreApplication>
+#include <QSaveFile>
 
 namespace hairpaint::app {
 
@@ -54,6 +58,22 @@ QImage PictureMaker::take(const model::Project& project, std::shared_ptr<const s
     m_renderer->read(pixels);
     const QImage image(pixels.data(), drawn.width(), drawn.height(), drawn.width() * 4, QImage::Format_RGBA8888);
     return image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB888);
+}
+
+model::Result<void> writePicture(const QImage& picture, const QString& path)
+{
+    if (const model::Checked<void> writable = model::checkWritable(path); !writable)
+        return model::cannotWrite(path, writable.error());
+    // Into memory first: libpng would tell of a full disk on standard error, in a line of its own.
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QSaveFile file(path);
+    if (!picture.save(&buffer, "PNG"))
+        return model::cannotWrite(path, {.text = QCoreApplication::translate("Picture", "there is no picture")});
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return model::cannotWrite(path, {.text = file.errorString()});
+    return {};
 }
 
 } // namespace hairpaint::app

@@ -27,4 +27,7 @@ private:
     std::unique_ptr<rendering::Renderer> m_renderer;
 };
 
+/// Writes a PNG whole or not at all.
+[[nodiscard]] model::Result<void> writePicture(const QImage& picture, const QString& path);
+
 } // namespace hairpaint::app

@@ -76,11 +76,13 @@ struct LightSettings
     friend bool operator==(const LightSettings&, const LightSettings&) = default;
 };
 
+inline constexpr int kMostHairs = 4'000'000; ///< A file may ask for this many.
+
 struct Project
 {
     Id nextId = 1;
     std::uint64_t seed = 1;
-    int maxHairs = 1'000'000; ///< Limit on candidates.
+    int maxHairs = 1'000'000; ///< Limit on candidates, 1..kMostHairs.
     std::shared_ptr<const Head> head;
     std::vector<sim::Ellipsoid> ellipsoids;
     std::vector<HairGroup> groups;

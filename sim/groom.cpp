@@ -11,6 +11,16 @@ namespace hairpaint::sim {
 
 namespace {
 
+/// What all hairs together may weigh, in nodes: a hair weighs its own and about four more for its root and style. At 8
+/// nodes a hair no cap below 1,167,000 hairs is felt; drawing them takes about 2 GB.
+constexpr std::size_t kMostWeight = 14'000'000;
+
+std::size_t weightOf(const GroupSettings& settings)
+{
+    constexpr int kRootAndStyle = 4;
+    return static_cast<std::size_t>(std::max(settings.nodesPerHair, 2) + kRootAndStyle);
+}
+
 /// Candidates that the density asks for, before any limit.
 std::size_t wantedCandidates(const GroupInput& group, const Skin& skin)
 {
@@ -60,6 +70,7 @@ GroomBuilder::Report GroomBuilder::update(const GroomInput& input)
     Report report;
     std::vector<std::unique_ptr<State::Group>> kept;
     auto candidatesLeft = static_cast<std::size_t>(std::max(input.maxHairs, 0));
+    std::size_t weightLeft = kMostWeight;
     for (const GroupInput& groupInput : input.groups) {
         auto& known = m_state->groups;
         const auto found = std::find_if(known.begin(), known.end(), [&](const std::unique_ptr<State::Group>& group) {
@@ -70,8 +81,10 @@ GroomBuilder::Report GroomBuilder::update(const GroomInput& input)
         group.id = groupInput.id;
 
         const std::size_t wanted = wantedCandidates(groupInput, *input.skin);
-        const std::size_t count = std::min(wanted, candidatesLeft);
+        const std::size_t weight = weightOf(groupInput.settings);
+        const std::size_t count = std::min({wanted, candidatesLeft, weightLeft / weight});
         candidatesLeft -= count;
+        weightLeft -= count * weight;
         m_state->findRoots(group, input, count, static_cast<std::size_t>(std::max(groupInput.settings.basisHairs, 1)));
         const GroupBuilder::Result result = group.builder.update(groupInput, group.roots, count < wanted);
         report.grooms.push_back(result.groom);

@@ -89,7 +89,7 @@ struct Groom
     std::size_t hairCount = 0;
     std::size_t drawnCount = 0; ///< Also the number exported.
     std::size_t basisCount = 0; ///< Basis hairs that are wanted.
-    bool capped = false;        ///< maxHairs cut the candidates.
+    bool capped = false;        ///< maxHairs, or the memory that all nodes may take, cut the candidates.
 };
 
 /// Builds grooms, and rebuilds what differs from the input before. One thread at a time; loops run through parallelFor.

@@ -107,10 +107,6 @@
         <translation>--wind admite X,Y,Z en m/s, cada uno de -30 a 30</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; could not be written: %2. Choose a folder you may write to.</source>
-        <translation>«%1» no se pudo escribir: %2. Elige una carpeta en la que puedas escribir.</translation>
-    </message>
-    <message>
         <source>-o takes a name that ends in .png</source>
         <translation>-o necesita un nombre que acabe en .png</translation>
     </message>
@@ -127,6 +123,10 @@
     <message>
         <source>There is no display to open a window on. Without one the command line works: hairpaint --help</source>
         <translation>No hay pantalla donde abrir una ventana. Sin ella funciona la línea de órdenes: hairpaint --help</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; would be overwritten, and it is read from; give another name after -o.</source>
+        <translation>&apos;%1&apos; se sobrescribiría y también se lee de él; dé otro nombre tras -o.</translation>
     </message>
 </context>
 <context>
@@ -339,10 +339,6 @@
         <translation>una de sus imágenes está dañada</translation>
     </message>
     <message>
-        <source>one of its images is not a PNG</source>
-        <translation>una de sus imágenes no es PNG</translation>
-    </message>
-    <message>
         <source>one of its images is not %1 x %1 in 16-bit RGBA</source>
         <translation>una de sus imágenes no es RGBA de 16 bits de %1 x %1</translation>
     </message>
@@ -405,6 +401,18 @@
     <message>
         <source>%1; check that you may read it</source>
         <translation>%1; comprueba que tienes permiso para leerlo</translation>
+    </message>
+    <message>
+        <source>it is a folder; give the name of a file</source>
+        <translation>es una carpeta; dé el nombre de un archivo</translation>
+    </message>
+    <message>
+        <source>it is not an ordinary file; choose another name</source>
+        <translation>no es un archivo corriente; elija otro nombre</translation>
+    </message>
+    <message>
+        <source>there is no folder &apos;%1&apos;; make it first</source>
+        <translation>no existe la carpeta &apos;%1&apos;; créela antes</translation>
     </message>
 </context>
 <context>
@@ -887,7 +895,7 @@
     </message>
     <message>
         <source>Long straight</source>
-        <translation>Lisa y larga</translation>
+        <translation>Larga y lisa</translation>
     </message>
     <message>
         <source>Bob</source>
@@ -980,6 +988,10 @@
         <source>No picture can be drawn: %1 Install a driver with OpenGL 4.3 (Debian: libgl1-mesa-dri).</source>
         <translation>No se puede dibujar ninguna imagen: %1 Instala un controlador con OpenGL 4.3 (Debian: libgl1-mesa-dri).</translation>
     </message>
+    <message>
+        <source>there is no picture</source>
+        <translation>no hay imagen</translation>
+    </message>
 </context>
 <context>
     <name>Pointer</name>
@@ -1030,11 +1042,11 @@
     </message>
     <message>
         <source>Drag to erase; Shift+click for a straight line from the last point</source>
-        <translation>Arrastra para borrar; Mayús+clic traza una línea recta desde el último punto</translation>
+        <translation>Arrastra para borrar; Mayúsculas+clic traza una línea recta desde el último punto</translation>
     </message>
     <message>
         <source>Drag to paint; Shift+click for a straight line from the last point; Ctrl+click picks</source>
-        <translation>Arrastra para pintar; Mayús+clic traza una línea recta desde el último punto; Ctrl+clic toma el valor</translation>
+        <translation>Arrastra para pintar; Mayúsculas+clic traza una línea recta desde el último punto; Control+clic toma el valor</translation>
     </message>
     <message>
         <source>Fill</source>
@@ -1050,7 +1062,7 @@
     </message>
     <message>
         <source>Drag from the first value to the second; Shift keeps to steps of 45 degrees</source>
-        <translation>Arrastra del primer valor al segundo; Mayús limita el ángulo a pasos de 45 grados</translation>
+        <translation>Arrastra del primer valor al segundo; Mayúsculas limita el ángulo a pasos de 45 grados</translation>
     </message>
     <message>
         <source>%1 on %2</source>
@@ -1070,7 +1082,7 @@
     </message>
     <message>
         <source>Drag a rectangle, Shift for a square; click to select nothing</source>
-        <translation>Arrastra un rectángulo, con Mayús un cuadrado; haz clic para no seleccionar nada</translation>
+        <translation>Arrastra un rectángulo, con Mayúsculas un cuadrado; haz clic para no seleccionar nada</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -1082,7 +1094,7 @@
     </message>
     <message>
         <source>Drag a filled shape; Shift makes it a square or a circle; polygons: click corner by corner</source>
-        <translation>Arrastra una forma rellena; Mayús la hace cuadrado o círculo; polígonos: haz clic esquina por esquina</translation>
+        <translation>Arrastra una forma rellena; Mayúsculas la hace cuadrado o círculo; polígonos: haz clic esquina por esquina</translation>
     </message>
 </context>
 <context>
@@ -1181,10 +1193,6 @@
     <message>
         <source>PNG images (*.png)</source>
         <translation>Imágenes PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; could not be written: %2. Choose another folder.</source>
-        <translation>«%1» no se pudo escribir: %2. Elige otra carpeta.</translation>
     </message>
     <message>
         <source>Save style</source>
@@ -1475,7 +1483,7 @@
     </message>
     <message>
         <source>Weat&amp;her keys</source>
-        <translation>&amp;Teclas del tiempo</translation>
+        <translation>&amp;Teclas del clima</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
@@ -1612,11 +1620,11 @@
     <name>hairpaint::view::BarSlider</name>
     <message>
         <source>Ctrl-drag for fine, double-click to type, right-click to reset</source>
-        <translation>Ctrl+arrastrar: ajuste fino; doble clic: escribir; clic derecho: restablecer</translation>
+        <translation>Control+arrastrar: ajuste fino; doble clic: escribir; clic derecho: restablecer</translation>
     </message>
     <message>
         <source>Ctrl-drag for fine, double-click to type</source>
-        <translation>Ctrl+arrastrar: ajuste fino; doble clic: escribir</translation>
+        <translation>Control+arrastrar: ajuste fino; doble clic: escribir</translation>
     </message>
 </context>
 <context>
@@ -1681,7 +1689,7 @@
     </message>
     <message>
         <source>Remove hair group (Delete)</source>
-        <translation>Quitar grupo de pelo (Supr)</translation>
+        <translation>Quitar grupo de pelo (Suprimir)</translation>
     </message>
     <message>
         <source>Shape</source>
@@ -1864,7 +1872,7 @@
     </message>
     <message>
         <source>Remove layer (Delete)</source>
-        <translation>Quitar capa (Supr)</translation>
+        <translation>Quitar capa (Suprimir)</translation>
     </message>
     <message>
         <source>Show layer</source>
@@ -2306,7 +2314,7 @@
     <name>hairpaint::view::WeatherOverlay</name>
     <message>
         <source>Weather</source>
-        <translation>Tiempo</translation>
+        <translation>Clima</translation>
     </message>
     <message>
         <source>Arrows</source>
@@ -2318,7 +2326,7 @@
     </message>
     <message>
         <source>Page Up, Page Down</source>
-        <translation>RePág, AvPág</translation>
+        <translation>Re Pág, Av Pág</translation>
     </message>
     <message>
         <source>wind %1 m/s</source>
@@ -2338,7 +2346,7 @@
     </message>
     <message>
         <source>Shift+R  G  B</source>
-        <translation>Mayús+R  G  B</translation>
+        <translation>Mayúsculas+R  G  B</translation>
     </message>
     <message>
         <source>less</source>

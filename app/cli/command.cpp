@@ -1,6 +1,10 @@
 // What the verbs share: the table of them, their errors, their options.
 #include "app/cli/command.h"
 
+#include "model/files/sentences.h"
+
+#include <QFileInfo>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -92,6 +96,20 @@ std::optional<double> numberOption(const QCommandLineParser& parser, const char*
                                   .arg(most, 0, 'g', 10)
                                   .arg(parser.value(option)));
     return std::nullopt;
+}
+
+model::Result<void> checkOutput(const QString& output, const QStringList& inputs)
+{
+    if (const model::Checked<void> writable = model::checkWritable(output); !writable)
+        return model::cannotWrite(output, writable.error());
+    const QString place = QFileInfo(output).canonicalFilePath();
+    for (const QString& input : inputs)
+        if (!place.isEmpty() && place == QFileInfo(input).canonicalFilePath())
+            return model::failure(QCoreApplication::translate("CommandLine",
+                                                              "'%1' would be overwritten, and it is read from; give "
+                                                              "another name after -o.")
+                                      .arg(model::shownPath(input)));
+    return {};
 }
 
 void printOut(const QString& text)

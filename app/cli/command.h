@@ -56,6 +56,8 @@ ExitCode wrongUsage(const char* command, const QString& problem);
 /// nonsense.
 [[nodiscard]] std::optional<double> numberOption(const QCommandLineParser& parser, const char* command,
                                                  const QString& option, double fallback, double least, double most);
+/// Fails, before any work is done, where `output` can't be written or is one of `inputs`.
+[[nodiscard]] model::Result<void> checkOutput(const QString& output, const QStringList& inputs);
 void printOut(const QString& text);
 
 } // namespace hairpaint::app

@@ -22,6 +22,8 @@ ExitCode runExport(const QStringList& arguments)
     if (!settle)
         return ExitCode::WrongUsage;
 
+    if (const model::Result<void> free = checkOutput(output, *files); !free)
+        return failed(free.error());
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());

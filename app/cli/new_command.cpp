@@ -101,8 +101,9 @@ ExitCode runNew(const QStringList& arguments)
         maps.push_back(*map);
     }
     model::Project project = model::newProject();
-    const std::optional<double> maxHairs = numberOption(parser, kName, QStringLiteral("max-hairs"),
-                                                        static_cast<double>(project.maxHairs), 1.0, 10'000'000.0);
+    const std::optional<double> maxHairs =
+        numberOption(parser, kName, QStringLiteral("max-hairs"), static_cast<double>(project.maxHairs), 1.0,
+                     static_cast<double>(model::kMostHairs));
     if (!maxHairs)
         return ExitCode::WrongUsage;
     project.maxHairs = static_cast<int>(*maxHairs);
@@ -114,6 +115,11 @@ ExitCode runNew(const QStringList& arguments)
             return wrongUsage(kName, CommandLine::tr("--seed takes a whole number up to 2^53"));
     }
 
+    QStringList inputs{parser.value(QStringLiteral("head")), parser.value(QStringLiteral("preset"))};
+    for (const MapArgument& map : maps)
+        inputs.append(map.image);
+    if (const model::Result<void> free = checkOutput(output, inputs); !free)
+        return failed(free.error());
     if (const QString mesh = parser.value(QStringLiteral("head")); !mesh.isEmpty()) {
         model::Result<ImportedHead> head = importHead(mesh);
         if (!head)

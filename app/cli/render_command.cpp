@@ -3,10 +3,13 @@
 #include "app/cli/settled_hair.h"
 #include "app/picture.h"
 #include "model/files/project_file.h"
+#include "model/files/sentences.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QSaveFile>
+#include <QTemporaryDir>
+
+#include <filesystem>
 
 namespace hairpaint::app {
 
@@ -23,6 +26,7 @@ struct RenderOptions
     int lastFrame = -1; ///< Below the first: one picture.
     double framesPerSecond = 30.0;
     std::optional<glm::vec3> windVelocity;
+    [[nodiscard]] bool isFilm() const { return lastFrame >= firstFrame; }
 };
 
 /// The problem in words, or the options.
@@ -68,15 +72,6 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
     return options;
 }
 
-model::Result<void> writePicture(const QImage& picture, const QString& path)
-{
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
-        return model::failure(CommandLine::tr("'%1' could not be written: %2. Choose a folder you may write to.")
-                                  .arg(path, file.errorString()));
-    return {};
-}
-
 QString framePath(const QString& output, int number)
 {
     const QFileInfo info(output);
@@ -84,21 +79,80 @@ QString framePath(const QString& output, int number)
            QStringLiteral(".%1.png").arg(number, 4, 10, QLatin1Char('0'));
 }
 
+/// Pictures of a film lie beside their places until the last one is there.
+class FilmFolder
+{
+public:
+    explicit FilmFolder(const QString& output)
+        : m_folder(QFileInfo(output).absolutePath() + QStringLiteral("/hairpaint-XXXXXX"))
+    {}
+    [[nodiscard]] QString pathFor(const QString& framePath) const
+    {
+        return m_folder.filePath(QFileInfo(framePath).fileName());
+    }
+
+    /// Moves all frames over what lies in their places.
+    [[nodiscard]] model::Result<void> publish(const QStringList& frames)
+    {
+        for (const QString& frame : frames) {
+            std::error_code problem;
+            std::filesystem::rename(QFileInfo(pathFor(frame)).filesystemFilePath(),
+                                    QFileInfo(frame).filesystemFilePath(), problem);
+            if (problem)
+                return model::cannotWrite(frame, {.text = QString::fromStdString(problem.message())});
+        }
+        return {};
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, const RenderOptions& options,
+                                  const QString& path)
+{
+    return writePicture(maker.take(hair.project(), hair.frame(), options.view, options.size), path);
+}
+
+model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const RenderOptions& options,
+                               const QString& output)
+{
+    FilmFolder folder(output);
+    QStringList frames;
+    for (int number = options.firstFrame; number <= options.lastFrame; ++number) {
+        if (number > 0)
+            hair.advance(1.0 / options.framesPerSecond);
+        frames.append(framePath(output, number));
+        if (model::Result<void> written = renderPicture(maker, hair, options, folder.pathFor(frames.back()));
+            !written) {
+            // The sentence names the frame that is wanted, not where it lay meanwhile.
+            written.error().message.replace(model::shownPath(folder.pathFor(frames.back())),
+                                            model::shownPath(frames.back()));
+            return written;
+        }
+    }
+    return folder.publish(frames);
+}
+
 ExitCode renderAll(SettledHair& hair, const RenderOptions& options, const QString& output)
 {
-    model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
+    const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
     if (!maker)
         return failed(maker.error());
-    const bool film = options.lastFrame >= options.firstFrame;
-    for (int number = options.firstFrame; number <= std::max(options.firstFrame, options.lastFrame); ++number) {
-        if (number > 0 && film)
-            hair.advance(1.0 / options.framesPerSecond);
-        const QImage picture = (*maker)->take(hair.project(), hair.frame(), options.view, options.size);
-        const QString path = film ? framePath(output, number) : output;
-        if (const model::Result<void> written = writePicture(picture, path); !written)
-            return failed(written.error());
-    }
-    return ExitCode::Done;
+    const model::Result<void> written =
+        options.isFilm() ? renderFilm(**maker, hair, options, output) : renderPicture(**maker, hair, options, output);
+    return written ? ExitCode::Done : failed(written.error());
+}
+
+/// Every file that will be written can be.
+model::Result<void> checkOutputs(const RenderOptions& options, const QString& output, const QStringList& inputs)
+{
+    if (!options.isFilm())
+        return checkOutput(output, inputs);
+    for (int number = options.firstFrame; number <= options.lastFrame; ++number)
+        if (model::Result<void> free = checkOutput(framePath(output, number), inputs); !free)
+            return free;
+    return {};
 }
 
 } // namespace
@@ -128,6 +182,8 @@ ExitCode runRender(const QStringList& arguments)
         return ExitCode::WrongUsage;
     options->framesPerSecond = *rate;
 
+    if (const model::Result<void> free = checkOutputs(*options, output, *files); !free)
+        return failed(free.error());
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());

@@ -226,6 +226,8 @@ namespace {
 /// The archive lies in a memory source; it is copied out in pieces.
 Checked<void> copyOut(zip_source_t* source, const QString& path)
 {
+    if (Checked<void> writable = checkWritable(path); !writable)
+        return writable;
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return refuse(file.errorString());

@@ -14,6 +14,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <span>
 
 namespace hairpaint::model {
 
@@ -36,6 +37,7 @@ struct Strand
     std::uint32_t slot = 0;
     int segments = 0;
     std::size_t firstPoint = 0;
+    [[nodiscard]] std::size_t endPoint() const { return firstPoint + static_cast<std::size_t>(segments) + 1; }
 };
 
 const sim::StrandChunk& chunkOf(const sim::Groom& groom, std::uint32_t slot)
@@ -82,11 +84,11 @@ void skeletonOf(const sim::GroupFrame& group, std::uint32_t slot, std::vector<gl
             nodesWo[node][static_cast<int>(axis)] = lane[(node * 3 + axis) * sim::kLanes];
 }
 
-/// Every strand's curve, points one after another.
-std::vector<glm::vec3> evaluateAll(const sim::StrandFrame& frame, const std::vector<Strand>& strands,
-                                   std::size_t pointCount)
+/// The curves of some strands, points one after another.
+std::vector<glm::vec3> evaluate(const sim::StrandFrame& frame, std::span<const Strand> strands)
 {
-    std::vector<glm::vec3> points(pointCount);
+    const std::size_t firstPoint = strands.front().firstPoint;
+    std::vector<glm::vec3> points(strands.back().endPoint() - firstPoint);
     constexpr std::size_t kGrain = 256;
     sim::parallelFor(strands.size(), kGrain, [&](std::size_t begin, std::size_t end) {
         std::vector<glm::vec3> skeleton;
@@ -98,7 +100,8 @@ std::vector<glm::vec3> evaluateAll(const sim::StrandFrame& frame, const std::vec
             const glm::vec3 tangentWo = frame.pose.rotation * sim::frameTangentHd(*group.groom, strand.slot);
             sim::evaluateStrand(skeleton, tangentWo, styleOf(frame, strand), strand.segments, curve);
             const std::size_t count = std::min(curve.size(), static_cast<std::size_t>(strand.segments) + 1);
-            std::copy_n(curve.begin(), count, points.begin() + static_cast<std::ptrdiff_t>(strand.firstPoint));
+            std::copy_n(curve.begin(), count,
+                        points.begin() + static_cast<std::ptrdiff_t>(strand.firstPoint - firstPoint));
         }
     });
     return points;
@@ -164,11 +167,12 @@ void writePerPoint(Output& output, const std::vector<Strand>& strands, const Fun
 Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path)
 {
     const std::vector<Strand> strands = collectStrands(frame);
-    const std::size_t pointCount =
-        strands.empty() ? 0 : strands.back().firstPoint + static_cast<std::size_t>(strands.back().segments) + 1;
+    const std::size_t pointCount = strands.empty() ? 0 : strands.back().endPoint();
     if (pointCount > std::numeric_limits<quint32>::max())
         return cannotWrite(path,
                            {.text = say(QT_TRANSLATE_NOOP("Files", "the hair has too many points for this format"))});
+    if (const Checked<void> writable = checkWritable(path); !writable)
+        return cannotWrite(path, writable.error());
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return cannotWrite(path, {.text = file.errorString()});
@@ -180,7 +184,10 @@ Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path)
     for (const Strand& strand : strands)
         segments.push_back(static_cast<quint16>(strand.segments));
     output.write(segments);
-    output.write(evaluateAll(frame, strands, pointCount));
+    // All points of much curled hair would be gigabytes.
+    constexpr std::size_t kAtOnce = 1U << 15U;
+    for (std::size_t first = 0; first < strands.size(); first += kAtOnce)
+        output.write(evaluate(frame, std::span(strands).subspan(first, std::min(kAtOnce, strands.size() - first))));
     writePerPoint<float>(output, strands, [&](const Strand& s, float) { return styleOf(frame, s).widthM; });
     writePerPoint<float>(output, strands, [&](const Strand& s, float share) {
         const sim::StrandMaterial& material = frame.groups[s.group].groom->settings.material;

@@ -2,6 +2,7 @@
 #include "model/files/head_file.h"
 
 #include "model/files/glb.h"
+#include "sim/mesh_openings.h"
 
 #include <QFile>
 
@@ -35,7 +36,9 @@ std::shared_ptr<const Head> loadBuiltIn()
     auto head = std::make_shared<Head>();
     head->name = QStringLiteral("bust-1");
     head->skin = std::make_shared<const sim::Skin>(builtInMesh(QStringLiteral(":/heads/bust-1.glb")));
-    head->shownMesh = std::make_shared<const sim::HeadMesh>(builtInMesh(QStringLiteral(":/heads/bust-1-fine.glb")));
+    // The bust's foot is open; it is shown as if it were solid.
+    head->shownMesh = std::make_shared<const sim::HeadMesh>(
+        sim::withOpeningsClosed(builtInMesh(QStringLiteral(":/heads/bust-1-fine.glb"))));
     return head;
 }
 

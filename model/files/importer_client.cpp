@@ -159,6 +159,8 @@ Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString
         return refused(wire::Reason::CannotWriteEnding);
     if (!wire::imageFits(request.image.width, request.image.height, request.image.channels))
         return refused(wire::Reason::TooLarge);
+    if (const Checked<void> writable = checkWritable(path); !writable)
+        return cannotWrite(path, writable.error());
     Result<wire::Bytes> body =
         ask(m_helperPath, m_timeoutMs, wire::encodeRequest(request), wire::Kind::Encoded, path, {}, cannotWrite);
     if (!body)

@@ -6,7 +6,6 @@
 #include "sim/parallel.h"
 
 #include <QBuffer>
-#include <QImageReader>
 
 #include <algorithm>
 #include <atomic>
@@ -215,8 +214,8 @@ Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& g
     const bool finished = inBatches<Decoding>(*images, progress, [&heldBytes](Decoding& image) {
         image.result = heldBytes > kMostHeldBytes ? Checked<DecodedLayer>(tooMuch())
                                                   : decodeLayer(image.png, *image.spec, image.size);
-        if (image.result)
-            heldBytes += image.result->raster.byteCount();
+        if (image.result && (heldBytes += image.result->raster.byteCount()) > kMostHeldBytes)
+            image.result = Checked<DecodedLayer>(tooMuch());
     });
     if (!finished)
         return false;
@@ -247,15 +246,10 @@ void addThumbnail(ArchiveWriter& archive, const QImage& picture)
 
 QImage readThumbnail(const ArchiveReader& archive)
 {
-    Checked<QByteArray> bytes = archive.read(QStringLiteral("thumbnail.png"), kMostThumbnailBytes);
+    const Checked<QByteArray> bytes = archive.read(QStringLiteral("thumbnail.png"), kMostThumbnailBytes);
     if (!bytes)
         return {};
-    QBuffer buffer(&*bytes);
-    QImageReader reader(&buffer, "png");
-    const QSize size = reader.size();
-    if (!size.isValid() || std::max(size.width(), size.height()) > kLargestThumbnail)
-        return {};
-    return reader.read();
+    return decodePicture(*bytes, kLargestThumbnail);
 }
 
 } // namespace hairpaint::model

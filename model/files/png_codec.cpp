@@ -1,15 +1,16 @@
-// Layers to PNG and back. Nothing reaches libpng whose chunks were not walked first.
+// Layers to PNG and back.
 #include "model/files/png_codec.h"
+
+#include "model/files/png_reader.h"
 
 #include <QBuffer>
 #include <QImage>
-#include <QImageReader>
 #include <QImageWriter>
 #include <QtEndian>
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <utility>
 
 namespace hairpaint::model {
 
@@ -18,129 +19,24 @@ namespace {
 constexpr int kTile = sim::TiledRaster::kTileSize;
 constexpr int kDotsPerMeter = 2835; // 72 to an inch; Qt would write the screen's own
 constexpr int kCompression = 20;    // of 100: zlib's level 1 or 2
-constexpr std::array<char, 8> kSignature = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
+constexpr int kRgb = 2;             // PNG's numbers of colour types
+constexpr int kRgba = 6;
+constexpr std::size_t kPixelBytes = 8;
 
 tl::unexpected<Clause> brokenImage()
 {
     return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is broken")));
 }
 
-std::array<quint32, 256> makeCrcTable()
-{
-    std::array<quint32, 256> table{};
-    for (quint32 n = 0; n < table.size(); ++n) {
-        quint32 c = n;
-        for (int bit = 0; bit < 8; ++bit)
-            c = (c & 1U) != 0 ? 0xEDB88320U ^ (c >> 1U) : c >> 1U;
-        table[n] = c;
-    }
-    return table;
-}
-
-/// CRC-32 of PNG (ISO 3309).
-quint32 crc32(const char* bytes, qsizetype count)
-{
-    static const std::array<quint32, 256> table = makeCrcTable();
-    quint32 c = 0xFFFFFFFFU;
-    for (qsizetype i = 0; i < count; ++i)
-        c = table[(c ^ static_cast<unsigned char>(bytes[i])) & 0xFFU] ^ (c >> 8U);
-    return c ^ 0xFFFFFFFFU;
-}
-
-bool acceptableHeader(const char* data, quint32 length, int size)
-{
-    if (length != 13)
-        return false;
-    const auto side = static_cast<quint32>(size);
-    // Width, height, 16 bits, colour type RGBA, deflate, adaptive filters, not interlaced.
-    return qFromBigEndian<quint32>(data) == side && qFromBigEndian<quint32>(data + 4) == side && data[8] == 16 &&
-           data[9] == 6 && data[10] == 0 && data[11] == 0 && data[12] == 0;
-}
-
-struct CheckedPng
-{
-    QByteArray bytes; ///< IHDR, IDAT and IEND only.
-    bool onlyOurChunks = true;
-};
-
-Checked<CheckedPng> checkPng(const QByteArray& png, int size)
-{
-    if (png.size() < 8 || std::memcmp(png.constData(), kSignature.data(), kSignature.size()) != 0)
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not a PNG")));
-    CheckedPng checked;
-    checked.bytes.reserve(png.size());
-    checked.bytes.append(png.constData(), 8);
-    qsizetype at = 8;
-    bool sawHeader = false;
-    bool sawPixels = false;
-    while (at + 12 <= png.size()) {
-        const char* chunk = png.constData() + at;
-        const auto length = qFromBigEndian<quint32>(chunk);
-        if (length > 0x7FFFFFFFU || length > png.size() - at - 12)
-            return brokenImage();
-        const QByteArrayView type(chunk + 4, 4);
-        if (crc32(chunk + 4, static_cast<qsizetype>(length) + 4) != qFromBigEndian<quint32>(chunk + 8 + length))
-            return brokenImage();
-        const bool header = type == QByteArrayView("IHDR");
-        const bool end = type == QByteArrayView("IEND");
-        const bool pixels = type == QByteArrayView("IDAT");
-        if (header == sawHeader || (end && !sawPixels))
-            return brokenImage();
-        sawPixels = sawPixels || pixels;
-        if (header && !acceptableHeader(chunk + 8, length, size))
-            return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not %1 x %1 in 16-bit RGBA")).arg(size));
-        sawHeader = true;
-        const bool ancillary = (static_cast<unsigned char>(chunk[4]) & 0x20U) != 0;
-        if (header || end || pixels)
-            checked.bytes.append(chunk, static_cast<qsizetype>(length) + 12);
-        else if (!ancillary && type != QByteArrayView("PLTE"))
-            return brokenImage();
-        else
-            checked.onlyOurChunks = checked.onlyOurChunks && type == QByteArrayView("pHYs");
-        at += static_cast<qsizetype>(length) + 12;
-        if (end) {
-            checked.onlyOurChunks = checked.onlyOurChunks && at == png.size();
-            return at == png.size() ? Checked<CheckedPng>(std::move(checked)) : Checked<CheckedPng>(brokenImage());
-        }
-    }
-    return brokenImage();
-}
-
-/// Sizes are checked before; Qt's own limit (MB, of the whole program) must admit the largest.
-void raiseAllocationLimit()
-{
-    constexpr int kMegabytes = 1024;
-    static const bool raised = [] {
-        if (QImageReader::allocationLimit() != 0 && QImageReader::allocationLimit() < kMegabytes)
-            QImageReader::setAllocationLimit(kMegabytes);
-        return true;
-    }();
-    Q_UNUSED(raised)
-}
-
-Checked<QImage> decodeImage(QByteArray& bytes, int size)
-{
-    QBuffer buffer(&bytes);
-    QImageReader reader(&buffer, "png");
-    reader.setAutoTransform(false);
-    raiseAllocationLimit();
-    QImage image = reader.read();
-    if (image.isNull() || image.width() != size || image.height() != size)
-        return brokenImage();
-    if (image.format() != QImage::Format_RGBA64)
-        image = std::move(image).convertToFormat(QImage::Format_RGBA64);
-    if (image.isNull())
-        return brokenImage();
-    return image;
-}
-
-/// Fills one row of texels from RGBA64; true where the image held just what encodeLayer would write.
-bool takeRow(const quint16* rgba, std::uint16_t* texels, int count, int channels, std::uint16_t greatestIndex)
+/// Fills one row of texels from RGBA64 in PNG's byte order; true where it held just what encodeLayer would write.
+bool takeRow(const std::uint8_t* bytes, std::uint16_t* texels, int count, int channels, std::uint16_t greatestIndex)
 {
     bool ours = true;
-    for (int x = 0; x < count; ++x, rgba += 4, texels += channels) {
+    for (int x = 0; x < count; ++x, bytes += kPixelBytes, texels += channels) {
+        std::array<std::uint16_t, 4> rgba{};
+        qFromBigEndian<quint16>(bytes, 4, rgba.data());
         if (channels == 4) {
-            std::memcpy(texels, rgba, 8);
+            std::copy_n(rgba.begin(), 4, texels);
             continue;
         }
         ours = ours && rgba[1] == rgba[0] && rgba[2] == rgba[0] && rgba[0] <= greatestIndex;
@@ -154,6 +50,33 @@ bool isUniform(const std::vector<std::uint16_t>& pixels, std::size_t channels)
 {
     return std::equal(pixels.begin() + static_cast<std::ptrdiff_t>(channels), pixels.end(), pixels.begin());
 }
+
+/// Puts tiles into a raster; those of one value are folded, and neighbours of the same value share one tile.
+class TileFolder
+{
+public:
+    explicit TileFolder(sim::TiledRaster& raster) : m_raster(raster), m_lastUniform(raster.tile(0)) {}
+
+    /// Takes `pixels` away where the tile keeps them.
+    void put(int index, std::vector<std::uint16_t>& pixels)
+    {
+        const auto channels = static_cast<std::size_t>(m_raster.channels());
+        auto tile = std::make_shared<sim::RasterTile>();
+        if (!isUniform(pixels, channels)) {
+            tile->pixels = std::exchange(pixels, {});
+            m_raster.setTile(index, std::move(tile));
+            return;
+        }
+        std::copy_n(pixels.begin(), channels, tile->uniform.begin());
+        if (m_lastUniform->uniform != tile->uniform)
+            m_lastUniform = std::move(tile);
+        m_raster.setTile(index, m_lastUniform);
+    }
+
+private:
+    sim::TiledRaster& m_raster;
+    sim::RasterTilePtr m_lastUniform;
+};
 
 } // namespace
 
@@ -192,43 +115,63 @@ QByteArray encodeLayer(const sim::TiledRaster& raster)
 
 Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, int size)
 {
-    Checked<CheckedPng> checked = checkPng(png, size);
-    if (!checked)
-        return tl::unexpected(checked.error());
-    const Checked<QImage> image = decodeImage(checked->bytes, size);
-    if (!image)
-        return tl::unexpected(image.error());
+    const std::optional<PngParts> parts = readPngParts(png);
+    if (!parts)
+        return brokenImage();
+    const auto side = static_cast<std::uint32_t>(size);
+    if (parts->width != side || parts->height != side || parts->depth != 16 || parts->colourType != kRgba ||
+        parts->interlaced)
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not %1 x %1 in 16-bit RGBA")).arg(size));
 
     const int channels = spec.layerChannels();
     const auto greatest = static_cast<std::uint16_t>(
         spec.texel == TexelKind::Index ? std::max<std::size_t>(spec.palette.size(), 1) - 1 : 65'535);
-    DecodedLayer layer{.raster = sim::TiledRaster(size, channels), .ours = checked->onlyOurChunks};
-    sim::RasterTilePtr lastUniform = layer.raster.tile(0);
-    for (int index = 0; index < layer.raster.tileCount(); ++index) {
-        const sim::TexelRect rect = layer.raster.tileRect(index);
-        auto tile = std::make_shared<sim::RasterTile>();
-        tile->pixels.resize(static_cast<std::size_t>(kTile) * kTile * static_cast<std::size_t>(channels));
+    DecodedLayer layer{.raster = sim::TiledRaster(size, channels), .ours = parts->onlyPixelsAndDpi};
+    PngRows rows(parts->packedPixels, kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
+    TileFolder folder(layer.raster);
+    const int across = size / kTile;
+    std::vector<std::vector<std::uint16_t>> tiles(static_cast<std::size_t>(across));
+    for (int tileRow = 0; tileRow < across; ++tileRow) {
+        for (std::vector<std::uint16_t>& pixels : tiles)
+            pixels.resize(static_cast<std::size_t>(kTile) * kTile * static_cast<std::size_t>(channels));
         for (int y = 0; y < kTile; ++y) {
-            const auto* rgba =
-                reinterpret_cast<const quint16*>(image->constScanLine(rect.y0 + y)) + std::ptrdiff_t{4} * rect.x0;
-            std::uint16_t* row = tile->pixels.data() + std::ptrdiff_t{y} * kTile * channels;
-            const bool rowIsOurs = takeRow(rgba, row, kTile, channels, greatest);
-            layer.ours = layer.ours && rowIsOurs;
-        }
-        if (isUniform(tile->pixels, static_cast<std::size_t>(channels))) {
-            sim::Texel value{};
-            std::copy_n(tile->pixels.begin(), channels, value.begin());
-            if (lastUniform->uniform != value) {
-                auto uniform = std::make_shared<sim::RasterTile>();
-                uniform->uniform = value;
-                lastUniform = std::move(uniform);
+            const std::span<const std::uint8_t> row = rows.next();
+            if (row.empty())
+                return brokenImage();
+            for (int column = 0; column < across; ++column) {
+                std::uint16_t* texels =
+                    tiles[static_cast<std::size_t>(column)].data() + std::ptrdiff_t{y} * kTile * channels;
+                const std::uint8_t* bytes =
+                    row.data() + std::size_t{kPixelBytes} * kTile * static_cast<std::size_t>(column);
+                layer.ours = takeRow(bytes, texels, kTile, channels, greatest) && layer.ours;
             }
-            layer.raster.setTile(index, lastUniform);
-        } else {
-            layer.raster.setTile(index, std::move(tile));
         }
+        for (int column = 0; column < across; ++column)
+            folder.put(tileRow * across + column, tiles[static_cast<std::size_t>(column)]);
     }
+    if (!rows.atEnd())
+        return brokenImage();
     return layer;
+}
+
+QImage decodePicture(const QByteArray& png, int mostSide)
+{
+    const std::optional<PngParts> parts = readPngParts(png);
+    const auto most = static_cast<std::uint32_t>(mostSide);
+    if (!parts || parts->width > most || parts->height > most || parts->depth != 8 || parts->interlaced ||
+        (parts->colourType != kRgb && parts->colourType != kRgba))
+        return {};
+    const bool hasAlpha = parts->colourType == kRgba;
+    QImage image(static_cast<int>(parts->width), static_cast<int>(parts->height),
+                 hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+    PngRows rows(parts->packedPixels, std::size_t{parts->width} * (hasAlpha ? 4 : 3), hasAlpha ? 4 : 3);
+    for (int y = 0; y < image.height(); ++y) {
+        const std::span<const std::uint8_t> row = rows.next();
+        if (row.empty())
+            return {};
+        std::ranges::copy(row, image.scanLine(y));
+    }
+    return rows.atEnd() ? image : QImage();
 }
 
 } // namespace hairpaint::model

@@ -6,6 +6,7 @@
 #include "model/map_spec.h"
 
 #include <QByteArray>
+#include <QImage>
 
 namespace hairpaint::model {
 
@@ -28,5 +29,8 @@ struct DecodedLayer
 
 /// `size`: the side that the image must have. Tiles of one value are folded.
 [[nodiscard]] Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, int size);
+
+/// A picture of 8 bits a channel, such as QImage writes, neither side over `mostSide`; null where it is anything else.
+[[nodiscard]] QImage decodePicture(const QByteArray& png, int mostSide);
 
 } // namespace hairpaint::model

@@ -17,7 +17,7 @@ namespace {
 constexpr int kDeepestJson = 32;
 constexpr qsizetype kMostEllipsoids = 8;
 constexpr qsizetype kMostTags = 32;
-constexpr int kMostHairs = 4'000'000;
+
 constexpr const char* kProjectFormat = "hairpaint project";
 constexpr const char* kPresetFormat = "hairpaint preset";
 constexpr std::array<Choice<UpAxis>, 2> kAxes = {{{"y", UpAxis::Y}, {"z", UpAxis::Z}}};

@@ -23,6 +23,7 @@ qt_standard_project_setup()
 
 if(NOT HAIRPAINT_SIM_ONLY)
     find_package(Qt6 6.4 REQUIRED COMPONENTS Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
+    find_package(ZLIB REQUIRED)
     pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 
     # pkg-config first: Debian's CMake package names tools that live in other packages, and stops without them.

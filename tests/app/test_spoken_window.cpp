@@ -175,6 +175,7 @@ private Q_SLOTS:
     {
         QStandardPaths::setTestModeEnabled(true);
         view::initResources();
+        view::applyTheme(*qApp, view::ThemeKind::Dark); // The fonts, too.
     }
     void init()
     {

@@ -129,7 +129,7 @@ private Q_SLOTS:
         QFETCH(QString, language);
         for (const Message& message : messagesOf(pathOf(language))) {
             QVERIFY2(message.state.isEmpty(), qPrintable(message.shown()));
-            QCOMPARE(message.forms.size(), message.numerus ? 2 : 1);
+            QVERIFY2(!message.forms.isEmpty(), qPrintable(message.shown()));
             for (const QString& form : message.forms)
                 QVERIFY2(!form.isEmpty(), qPrintable(message.shown()));
         }

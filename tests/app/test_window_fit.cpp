@@ -7,38 +7,31 @@
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/seen_text.h"
 #include "view/panels/sidebar.h"
+#include "view/panels/status_readout.h"
 #include "view/resources.h"
 
 #include <QDialog>
 #include <QMenuBar>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTranslator>
 #include <QtTest>
 
+#include <algorithm>
+
 namespace hairpaint::app {
+
+namespace {
+
+const QString kLongWords = QStringLiteral("long words");
+
+} // namespace
 
 class TestWindowFit : public QObject
 {
     Q_OBJECT
 private:
-    std::unique_ptr<QTranslator> m_language;
     std::unique_ptr<MainWindow> m_window;
-
-    void speakLanguage(std::unique_ptr<QTranslator> language)
-    {
-        m_language = std::move(language);
-        if (m_language)
-            QCoreApplication::installTranslator(m_language.get());
-    }
-
-    static std::unique_ptr<QTranslator> spanish()
-    {
-        (void)languages(); // Makes them known.
-        auto language = std::make_unique<QTranslator>();
-        if (!language->load(QStringLiteral(":/i18n/hairpaint_es.qm")))
-            return {};
-        return language;
-    }
 
     void openWindow(QSize size)
     {
@@ -53,31 +46,56 @@ private Q_SLOTS:
     {
         QStandardPaths::setTestModeEnabled(true);
         view::initResources();
+        view::applyTheme(*qApp, view::ThemeKind::Dark); // The fonts, too.
     }
     void init() { QSettings().clear(); }
     void cleanup()
     {
         m_window.reset();
-        m_language.reset();
+        qDeleteAll(qApp->findChildren<QTranslator*>(Qt::FindDirectChildrenOnly));
+        QLocale::setDefault(QLocale::system());
+    }
+
+    void theChosenLanguageIsSpoken()
+    {
+        const auto all = languages();
+        const auto spanish = std::pair(QStringLiteral("es"), QStringLiteral("Español"));
+        QVERIFY(std::ranges::find(all, spanish) != all.end());
+        QCOMPARE(all.front(), std::pair(QStringLiteral("en"), QStringLiteral("English")));
+
+        QCOMPARE(speak(QStringLiteral("es")), QStringLiteral("es"));
+        QCOMPARE(MainWindow::tr("&File"), QStringLiteral("&Archivo"));
+        QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("Cancelar")); // Qt's own.
+        if (QLocale::system().language() != QLocale::Spanish)
+            QCOMPARE(QLocale().toString(2.5), QStringLiteral("2,5"));
+    }
+
+    void englishKnowsOneHairFromTwo()
+    {
+        QCOMPARE(speak(QStringLiteral("en")), QStringLiteral("en"));
+        QCOMPARE(view::StatusReadout::tr("%Ln hairs", nullptr, 1), QStringLiteral("1 hair"));
+        QCOMPARE(view::StatusReadout::tr("%Ln hairs", nullptr, 2), QStringLiteral("2 hairs"));
+        QCOMPARE(MainWindow::tr("&File"), QStringLiteral("&File"));
     }
 
     void nothingIsCutOff_data()
     {
         QTest::addColumn<QString>("language");
         QTest::addColumn<bool>("light");
-        for (const char* language : {"English", "Spanish", "long words"})
+        std::vector<std::pair<QString, QString>> all = languages();
+        all.emplace_back(kLongWords, kLongWords);
+        for (const auto& [code, name] : all)
             for (const bool light : {false, true})
-                QTest::addRow("%s, %s", language, light ? "light" : "dark") << QString::fromLatin1(language) << light;
+                QTest::addRow("%s, %s", qPrintable(name), light ? "light" : "dark") << code << light;
     }
     void nothingIsCutOff()
     {
         QFETCH(QString, language);
         QFETCH(bool, light);
-        if (language == QLatin1String("Spanish")) {
-            speakLanguage(spanish());
-            QCOMPARE(MainWindow::tr("&File"), QStringLiteral("&Archivo"));
-        } else if (language == QLatin1String("long words"))
-            speakLanguage(std::make_unique<test::LongWords>());
+        if (language == kLongWords)
+            QCoreApplication::installTranslator(new test::LongWords(qApp));
+        else
+            QCOMPARE(speak(language), language);
         view::Preferences preferences;
         preferences.theme = light ? view::ThemeKind::Light : view::ThemeKind::Dark;
         Settings().setPreferences(preferences);
@@ -88,7 +106,7 @@ private Q_SLOTS:
             // A new layout takes its time where the hair is drawn by the same processor.
             if (!QTest::qWaitFor([&widget] { return test::clipped(widget).isEmpty(); }, 2000))
                 cut += test::clipped(widget);
-            if (language == QLatin1String("long words"))
+            if (language == kLongWords)
                 return;
             // What the panels draw by themselves they shorten where it does not fit.
             for (const QString& text : test::paintedTexts(widget))
@@ -124,15 +142,14 @@ private Q_SLOTS:
 
     void underlinedLettersDoNotCollideInAMenu_data()
     {
-        QTest::addColumn<bool>("inSpanish");
-        QTest::newRow("English") << false;
-        QTest::newRow("Spanish") << true;
+        QTest::addColumn<QString>("language");
+        for (const auto& [code, name] : languages())
+            QTest::newRow(qPrintable(name)) << code;
     }
     void underlinedLettersDoNotCollideInAMenu()
     {
-        QFETCH(bool, inSpanish);
-        if (inSpanish)
-            speakLanguage(spanish());
+        QFETCH(QString, language);
+        speak(language);
         openWindow({1280, 800});
         QStringList collisions;
         const auto check = [&collisions](const QList<QAction*>& actions) {

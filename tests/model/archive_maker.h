@@ -113,6 +113,19 @@ inline QByteArray pngSignature()
     return QByteArray("\x89PNG\r\n\x1a\n", 8);
 }
 
+/// A zlib stream of `count` zeros.
+inline QByteArray packedZeros(qint64 count)
+{
+    return qCompress(QByteArray(count, '\0'), 1).sliced(4);
+}
+
+/// `packed`: the pixels as one zlib stream.
+inline QByteArray pngOf(quint32 width, quint32 height, int depth, int colourType, const QByteArray& packed)
+{
+    return pngSignature() + pngHeader(width, height, depth, colourType) + pngChunk("IDAT", packed) +
+           pngChunk("IEND", {});
+}
+
 inline void writeBytes(const QString& path, const QByteArray& bytes)
 {
     QFile file(path);

@@ -1,6 +1,7 @@
 // Heads: the built-in one, our subset of binary glTF, and unit and axis of a foreign mesh.
 #include "model/files/head_file.h"
 #include "model/files/json_fields.h"
+#include "sim/mesh_openings.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_heads.h"
 
@@ -65,6 +66,7 @@ private Q_SLOTS:
         QCOMPARE(head, builtInHead());
         QCOMPARE(head->name, QStringLiteral("bust-1"));
         QVERIFY(head->shownMesh->positionsHd.size() > 3 * head->skin->mesh().positionsHd.size());
+        QVERIFY(sim::openEdges(*head->shownMesh).empty());
         const HeadGuess guess = guessHead(head->skin->mesh());
         QCOMPARE(guess.unitScale, 1.0F);
         QVERIFY(guess.upAxis == UpAxis::Y);

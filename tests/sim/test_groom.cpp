@@ -79,6 +79,7 @@ private Q_SLOTS:
     void basisHairsHaveStylesOfTheirOwn();
     void basisHairsAreWantedWhileADependentIsDrawn();
     void theCandidatesAreCappedInTheGroupsOrder();
+    void theMemoryOfAllNodesCapsTheCandidates();
     void groupsStandOnDifferentRoots();
     void chunksWithoutHairAreNull();
     void aSkinWithoutFacesGrowsNothing();
@@ -349,6 +350,25 @@ void TestGroom::theCandidatesAreCappedInTheGroupsOrder()
     QCOMPARE(grooms[1]->roots->count(), std::size_t{5000});
     QCOMPARE(grooms[2]->roots->count(), std::size_t{0});
     QVERIFY(!grooms[0]->capped && grooms[1]->capped && grooms[2]->capped);
+}
+
+void TestGroom::theMemoryOfAllNodesCapsTheCandidates()
+{
+    GroupInput group = smallGroup();
+    group.settings.greatestDensityPerM2 = 4e6F;
+    group.settings.nodesPerHair = 32;
+    GroomInput input = inputOf(patch(), group);
+    for (int id = 2; id <= 4; ++id) {
+        input.groups.push_back(group);
+        input.groups.back().id = id;
+    }
+    input.maxHairs = 4'000'000;
+    const auto grooms = GroomBuilder().update(input).grooms;
+    std::size_t candidates = 0;
+    for (const auto& groom : grooms)
+        candidates += groom->roots->count();
+    QVERIFY(!grooms.front()->capped && grooms.back()->capped);
+    QVERIFY2(candidates * 36 <= 14'000'000 && candidates * 36 > 13'900'000, qPrintable(QString::number(candidates)));
 }
 
 void TestGroom::groupsStandOnDifferentRoots()

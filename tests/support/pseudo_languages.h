@@ -10,6 +10,7 @@ namespace hairpaint::test {
 class LongWords : public QTranslator
 {
 public:
+    using QTranslator::QTranslator;
     [[nodiscard]] QString translate(const char* /*context*/, const char* source, const char* /*disambiguation*/,
                                     int /*n*/) const override
     {

@@ -35,7 +35,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, std::vector
     buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
-    resize(560, 480);
+    resize(620, 480);
     setPreferences(preferences);
 }
 

@@ -62,14 +62,16 @@ QWidget* PreferencesDialog::buildKeys()
         button->setAutoDefault(false);
     row->addWidget(label);
     row->addWidget(m_newKey, 1);
-    row->addWidget(m_assign);
-    row->addWidget(m_clear);
-    row->addWidget(m_reset);
     layout->addLayout(row);
     m_remark = new QLabel(page);
     m_remark->setProperty("role", QStringLiteral("dim"));
     m_remark->setWordWrap(true);
-    layout->addWidget(m_remark);
+    auto* foot = new QHBoxLayout;
+    foot->setSpacing(metrics::kGap);
+    foot->addWidget(m_remark, 1);
+    for (QPushButton* button : {m_assign, m_clear, m_reset})
+        foot->addWidget(button);
+    layout->addLayout(foot);
     fillKeys();
 
     connect(m_filter, &QLineEdit::textChanged, this, &PreferencesDialog::filterKeys);

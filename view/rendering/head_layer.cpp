@@ -1,12 +1,10 @@
 // Draws the head with triangles and keeps the picture.
 #include "view/rendering/head_layer.h"
 
+#include "sim/mesh_openings.h"
+
 #include <epoxy/gl.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <numeric>
-#include <tuple>
 #include <vector>
 
 namespace hairpaint::rendering {
@@ -27,34 +25,6 @@ FrameConstants partOfHead(FrameConstants constants)
     constants.background = {};
     constants.ringWo = {};
     return constants;
-}
-
-/// Whether every edge has a triangle on either side, vertices at the same place taken as one.
-bool isClosed(const sim::HeadMesh& head)
-{
-    std::vector<unsigned> order(head.positionsHd.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto place = [&](unsigned i) {
-        const glm::vec3& p = head.positionsHd[i];
-        return std::tuple(p.x, p.y, p.z);
-    };
-    std::sort(order.begin(), order.end(), [&](unsigned a, unsigned b) { return place(a) < place(b); });
-    std::vector<unsigned> welded(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        welded[order[i]] = i > 0 && place(order[i]) == place(order[i - 1]) ? welded[order[i - 1]] : order[i];
-    std::vector<std::uint64_t> edges; // Directed; the one of the neighbour runs the other way.
-    edges.reserve(head.triangles.size() * 3);
-    for (const glm::uvec3& triangle : head.triangles)
-        for (int k = 0; k < 3; ++k) {
-            const std::uint64_t from = welded[triangle[k]];
-            const std::uint64_t to = welded[triangle[(k + 1) % 3]];
-            if (from != to)
-                edges.push_back((from << 32U) | to);
-        }
-    std::sort(edges.begin(), edges.end());
-    return std::all_of(edges.begin(), edges.end(), [&](std::uint64_t edge) {
-        return std::binary_search(edges.begin(), edges.end(), (edge << 32U) | (edge >> 32U));
-    });
 }
 
 } // namespace
@@ -79,7 +49,7 @@ void HeadLayer::upload(const sim::HeadMesh& head)
     m_vertices.assign(vertices.data(), vertices.size() * sizeof(Vertex));
     m_indices.assign(head.triangles.data(), head.triangles.size() * sizeof(glm::uvec3));
     m_indexCount = static_cast<int>(head.triangles.size() * 3);
-    m_closed = isClosed(head);
+    m_closed = sim::openEdges(head).empty();
     glBindVertexArray(m_vertexArray.id());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.id());
     glBindVertexBuffer(0, m_vertices.id(), 0, sizeof(Vertex));

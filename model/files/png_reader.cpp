@@ -1,0 +1,197 @@
+// Chunks, inflating and unfiltering.
+#include "model/files/png_reader.h"
+
+#include <QtEndian>
+
+#define ZLIB_CONST // next_in only reads
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr std::array<char, 8> kSignature = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
+constexpr std::size_t kFrameBytes = 12; // length, type and checksum around a chunk's data
+constexpr quint32 kLongestChunk = 0x7FFFFFFF;
+
+quint32 checksum(const char* bytes, std::size_t count)
+{
+    return static_cast<quint32>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes), count));
+}
+
+bool readHeader(const char* data, quint32 length, PngParts& parts)
+{
+    if (length != 13)
+        return false;
+    parts.width = qFromBigEndian<quint32>(data);
+    parts.height = qFromBigEndian<quint32>(data + 4);
+    parts.depth = data[8];
+    parts.colourType = data[9];
+    parts.interlaced = data[12] != 0;
+    return parts.width > 0 && parts.height > 0 && data[10] == 0 && data[11] == 0;
+}
+
+/// Undoes the filter of a row (PNG specification, 9.2); `above`: the unfiltered row before, zeros at the top. False
+/// where there is no such filter.
+template<int pixelBytes>
+bool unfilter(int filter, std::uint8_t* row, const std::uint8_t* above, std::size_t count)
+{
+    const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
+    constexpr std::size_t kPixel = pixelBytes;
+    switch (filter) {
+    case 0:
+        return true;
+    case 1:
+        for (std::size_t i = kPixel; i < count; ++i)
+            row[i] = byte(row[i] + row[i - kPixel]);
+        return true;
+    case 2:
+        for (std::size_t i = 0; i < count; ++i)
+            row[i] = byte(row[i] + above[i]);
+        return true;
+    case 3:
+        for (std::size_t i = 0; i < count; ++i)
+            row[i] = byte(row[i] + ((i < kPixel ? 0 : row[i - kPixel]) + above[i]) / 2);
+        return true;
+    case 4: {
+        // Paeth's: whichever of left, above and above left is nearest to left + above - above left.
+        std::array<int, kPixel> left{};
+        std::array<int, kPixel> aboveLeft{};
+        for (std::size_t at = 0; at < count; at += kPixel)
+            for (std::size_t i = 0; i < kPixel; ++i) {
+                const int up = above[at + i];
+                const int toLeft = std::abs(up - aboveLeft[i]);
+                const int toUp = std::abs(left[i] - aboveLeft[i]);
+                const int toBoth = std::abs(left[i] + up - 2 * aboveLeft[i]);
+                const int other = toUp <= toBoth ? up : aboveLeft[i];
+                const int guess = toLeft <= toUp && toLeft <= toBoth ? left[i] : other;
+                row[at + i] = byte(row[at + i] + guess);
+                left[i] = row[at + i];
+                aboveLeft[i] = up;
+            }
+        return true;
+    }
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+std::optional<PngParts> readPngParts(const QByteArray& png)
+{
+    if (png.size() < 8 || std::memcmp(png.constData(), kSignature.data(), kSignature.size()) != 0)
+        return std::nullopt;
+    PngParts parts;
+    bool sawHeader = false;
+    const auto size = static_cast<std::size_t>(png.size());
+    for (std::size_t at = kSignature.size(); at + kFrameBytes <= size;) {
+        const char* chunk = png.constData() + at;
+        const auto length = qFromBigEndian<quint32>(chunk);
+        if (length > kLongestChunk || length > size - at - kFrameBytes ||
+            checksum(chunk + 4, std::size_t{length} + 4) != qFromBigEndian<quint32>(chunk + 8 + length))
+            return std::nullopt;
+        const QByteArrayView type(chunk + 4, 4);
+        const bool isHeader = type == QByteArrayView("IHDR");
+        if (isHeader == sawHeader || (isHeader && !readHeader(chunk + 8, length, parts)))
+            return std::nullopt;
+        sawHeader = true;
+        at += kFrameBytes + length;
+        if (type == QByteArrayView("IEND")) {
+            if (at != size || parts.packedPixels.isEmpty())
+                return std::nullopt;
+            return parts;
+        }
+        const bool isAncillary = (static_cast<unsigned char>(chunk[4]) & 0x20U) != 0;
+        if (type == QByteArrayView("IDAT"))
+            parts.packedPixels.append(chunk + 8, static_cast<qsizetype>(length));
+        else if (!isHeader && !isAncillary && type != QByteArrayView("PLTE"))
+            return std::nullopt;
+        else if (!isHeader)
+            parts.onlyPixelsAndDpi = parts.onlyPixelsAndDpi && type == QByteArrayView("pHYs");
+    }
+    return std::nullopt;
+}
+
+struct PngRows::Stream
+{
+    z_stream zlib{};
+    bool good = false;
+    bool ended = false;
+    std::size_t rowBytes = 0;
+    int pixelBytes = 0;
+    std::vector<std::uint8_t> row;   ///< The filter's number, then the row.
+    std::vector<std::uint8_t> above; ///< Likewise.
+
+    /// Inflates `count` bytes; false where there are fewer.
+    bool inflateTo(std::uint8_t* target, std::size_t count)
+    {
+        zlib.next_out = target;
+        zlib.avail_out = static_cast<uInt>(count);
+        while (zlib.avail_out > 0 && good && !ended) {
+            const int result = inflate(&zlib, Z_NO_FLUSH);
+            ended = result == Z_STREAM_END;
+            good = ended || result == Z_OK;
+        }
+        return good && zlib.avail_out == 0;
+    }
+
+    bool unfilterRow()
+    {
+        const int filter = row[0];
+        switch (pixelBytes) {
+        case 3:
+            return unfilter<3>(filter, row.data() + 1, above.data() + 1, rowBytes);
+        case 4:
+            return unfilter<4>(filter, row.data() + 1, above.data() + 1, rowBytes);
+        case 6:
+            return unfilter<6>(filter, row.data() + 1, above.data() + 1, rowBytes);
+        default:
+            return unfilter<8>(filter, row.data() + 1, above.data() + 1, rowBytes);
+        }
+    }
+};
+
+PngRows::PngRows(const QByteArray& packedPixels, std::size_t rowBytes, int pixelBytes)
+    : m_stream(std::make_unique<Stream>())
+{
+    Stream& stream = *m_stream;
+    stream.rowBytes = rowBytes;
+    stream.pixelBytes = pixelBytes;
+    stream.row.resize(rowBytes + 1);
+    stream.above.resize(rowBytes + 1);
+    stream.zlib.next_in = reinterpret_cast<const Bytef*>(packedPixels.constData());
+    stream.zlib.avail_in = static_cast<uInt>(packedPixels.size());
+    stream.good = inflateInit(&stream.zlib) == Z_OK;
+}
+
+PngRows::~PngRows()
+{
+    inflateEnd(&m_stream->zlib);
+}
+
+std::span<const std::uint8_t> PngRows::next()
+{
+    Stream& stream = *m_stream;
+    std::swap(stream.row, stream.above);
+    if (!stream.inflateTo(stream.row.data(), stream.row.size()) || !stream.unfilterRow()) {
+        stream.good = false;
+        return {};
+    }
+    return {stream.row.data() + 1, stream.rowBytes};
+}
+
+bool PngRows::atEnd()
+{
+    std::uint8_t more = 0;
+    // What is left is the stream's checksum, and no pixel.
+    return m_stream->good && !m_stream->inflateTo(&more, 1) && m_stream->good && m_stream->ended;
+}
+
+} // namespace hairpaint::model

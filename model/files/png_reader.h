@@ -1,0 +1,50 @@
+// Reads PNG files of our own without libpng, which would print lines of its own about broken ones: chunks (PNG
+// specification, section 5), then the pixels row by row (sections 9 and 10). Interlaced and palette images are not
+// read. Any thread.
+#pragma once
+
+#include <QByteArray>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace hairpaint::model {
+
+/// The parts of a PNG whose structure and checksums were found good.
+struct PngParts
+{
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    int depth = 0;      ///< Bits a channel.
+    int colourType = 0; ///< 2 RGB, 6 RGBA, ...
+    bool interlaced = false;
+    QByteArray packedPixels;      ///< All IDAT together: one zlib stream.
+    bool onlyPixelsAndDpi = true; ///< No chunk was left out but pHYs, which says the resolution.
+};
+
+/// None where anything about the chunks is wrong. Allocates no more than the file's own size.
+[[nodiscard]] std::optional<PngParts> readPngParts(const QByteArray& png);
+
+/// Inflates and unfilters one row after another. Holds two rows and zlib's window, however large the image is.
+class PngRows
+{
+public:
+    /// `pixelBytes`: 3, 4, 6 or 8. `packedPixels` must outlive this.
+    PngRows(const QByteArray& packedPixels, std::size_t rowBytes, int pixelBytes);
+    ~PngRows();
+    PngRows(const PngRows&) = delete;
+    PngRows& operator=(const PngRows&) = delete;
+
+    /// The next row, good until the next call; empty where the stream is broken or too short.
+    [[nodiscard]] std::span<const std::uint8_t> next();
+    /// After the last row: true where the stream ends there and its checksum is right.
+    [[nodiscard]] bool atEnd();
+
+private:
+    struct Stream;
+    std::unique_ptr<Stream> m_stream;
+};
+
+} // namespace hairpaint::model

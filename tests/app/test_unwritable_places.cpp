@@ -1,0 +1,165 @@
+// Places that can't be written, full disks, and outputs that are inputs: one line on standard error names the file, the
+// code is 1, nothing is written, and what was there stays.
+#include "app/picture.h"
+#include "model/files/project_file.h"
+#include "tests/app/program.h"
+#include "tests/model/archive_maker.h"
+#include "tests/model/sample_project.h"
+
+#include <QImage>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#ifdef Q_OS_UNIX
+#include <csignal>
+#include <sys/resource.h>
+#endif
+
+using namespace hairpaint;
+using namespace hairpaint::test;
+
+namespace {
+
+#ifdef Q_OS_LINUX
+static void limitFiles()
+{
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit most{};
+    getrlimit(RLIMIT_FSIZE, &most);
+    most.rlim_cur = 20'000;
+    setrlimit(RLIMIT_FSIZE, &most);
+}
+
+#endif
+
+} // namespace
+
+class TestUnwritablePlaces : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+    QString m_good; ///< A small project.
+
+    [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_good = path(QStringLiteral("good.hairpaint"));
+        QVERIFY(model::saveProject(model::newProject(), m_good, {}));
+    }
+
+    void whatCantBeWrittenEndsWithOneSentence_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("named");
+        const auto rows = [this](const char* name, const QString& place) {
+            const QByteArray row(name);
+            QTest::newRow((row + ", new").constData())
+                << QStringList{QStringLiteral("new"), QStringLiteral("-o"), place + QStringLiteral(".hairpaint")}
+                << place + QStringLiteral(".hairpaint");
+            QTest::newRow((row + ", export").constData())
+                << QStringList{QStringLiteral("export"), m_good, QStringLiteral("-o"), place + QStringLiteral(".hair")}
+                << place + QStringLiteral(".hair");
+            QTest::newRow((row + ", render").constData())
+                << QStringList{QStringLiteral("render"), m_good, QStringLiteral("-o"), place + QStringLiteral(".png")}
+                << place + QStringLiteral(".png");
+        };
+        rows("no such folder", path(QStringLiteral("nowhere/out")));
+        for (const char* ending : {"hairpaint", "hair", "png"})
+            QVERIFY(QDir().mkpath(path(QStringLiteral("folder.%1").arg(QLatin1String(ending)))));
+        rows("a folder", path(QStringLiteral("folder")));
+#ifdef Q_OS_LINUX
+        rows("a place for no one", QStringLiteral("/proc/out"));
+        // As root a file could be renamed over a device.
+        for (const char* ending : {"hairpaint", "hair", "png"})
+            QFile::link(QStringLiteral("/dev/full"), path(QStringLiteral("device.%1").arg(QLatin1String(ending))));
+        rows("a device", path(QStringLiteral("device")));
+#endif
+        QVERIFY(QDir().mkpath(path(QStringLiteral("film.0002.png"))));
+        QTest::newRow("a film's third frame")
+            << QStringList{QStringLiteral("render"),   m_good,
+                           QStringLiteral("-o"),       path(QStringLiteral("film.png")),
+                           QStringLiteral("--frames"), QStringLiteral("0-4")}
+            << QStringLiteral("film.0002.png");
+    }
+
+    void whatCantBeWrittenEndsWithOneSentence()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, named);
+        QCOMPARE(faultOf(m_folder.path(), arguments, named), QString());
+    }
+
+    void aSourceIsNeverOverwritten()
+    {
+        const QString image = path(QStringLiteral("image.png"));
+        writeBytes(image, pngOf(1, 1, 8, 2, packedZeros(4)));
+        const QByteArray before = contentOf(image);
+        QCOMPARE(faultOf(m_folder.path(),
+                         {QStringLiteral("new"), QStringLiteral("-o"), image, QStringLiteral("--map"),
+                          QStringLiteral("density=") + image},
+                         QStringLiteral("image.png")),
+                 QString());
+        QVERIFY(contentOf(image) == before);
+        const QString project = path(QStringLiteral("project.hair"));
+        QVERIFY(QFile::copy(m_good, project));
+        QCOMPARE(faultOf(m_folder.path(), {QStringLiteral("export"), project, QStringLiteral("-o"), project},
+                         QStringLiteral("project.hair")),
+                 QString());
+        QVERIFY(contentOf(project) == contentOf(m_good));
+    }
+
+#ifdef Q_OS_LINUX
+    /// A limit on a file's size fails writes as a full disk does.
+    void aFullDiskEndsWithOneSentenceAndTheOldFile_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("output");
+        const QString project = path(QStringLiteral("full.hairpaint"));
+        const QString hair = path(QStringLiteral("full.hair"));
+        const QString styled = path(QStringLiteral("styled.hairpaint"));
+        QCOMPARE(runProgram({QStringLiteral("new"), QStringLiteral("-o"), styled, QStringLiteral("--preset"),
+                             QStringLiteral("Buzz cut")})
+                     .code,
+                 0);
+        QTest::newRow("new") << QStringList{QStringLiteral("new"), QStringLiteral("-o"), project,
+                                            QStringLiteral("--preset"), QStringLiteral("Buzz cut")}
+                             << project;
+        QTest::newRow("export") << QStringList{QStringLiteral("export"), styled, QStringLiteral("-o"), hair} << hair;
+    }
+
+    void aFullDiskEndsWithOneSentenceAndTheOldFile()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, output);
+        writeBytes(output, "old");
+        QCOMPARE(faultOf(m_folder.path(), arguments, QFileInfo(output).fileName(), limitFiles), QString());
+        QCOMPARE(contentOf(output), QByteArray("old"));
+    }
+
+    /// In this process: software OpenGL keeps files of its own, so the whole verb can't be limited.
+    void aPictureOnAFullDiskIsOneSentenceAndTheOldFile()
+    {
+        const QString picture = path(QStringLiteral("full.png"));
+        writeBytes(picture, "old");
+        QImage noise(256, 256, QImage::Format_RGB32);
+        for (int y = 0; y < noise.height(); ++y)
+            for (int x = 0; x < noise.width(); ++x)
+                noise.setPixel(x, y, static_cast<uint>(qHash(y * 256 + x)));
+        rlimit before{};
+        getrlimit(RLIMIT_FSIZE, &before);
+        limitFiles();
+        const model::Result<void> written = app::writePicture(noise, picture);
+        setrlimit(RLIMIT_FSIZE, &before);
+        QVERIFY(!written);
+        QVERIFY2(isOneSentenceNaming(written.error().message, picture), qPrintable(written.error().message));
+        QCOMPARE(contentOf(picture), QByteArray("old"));
+        QVERIFY(app::writePicture(noise, picture));
+    }
+#endif
+};
+
+QTEST_GUILESS_MAIN(TestUnwritablePlaces)
+#include "test_unwritable_places.moc"

@@ -1,0 +1,118 @@
+// PNG images read as QImage reads them, whatever filters their rows have; broken ones are refused.
+#include "model/files/png_codec.h"
+#include "model/files/png_reader.h"
+#include "tests/model/archive_maker.h"
+
+#include <QImage>
+#include <QTest>
+
+#include <random>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+
+namespace {
+
+/// Rows of random bytes behind filters 0 to 4 in turn: any bytes are good pixels of some image.
+QByteArray filteredPng(int width, int height, int depth, int colourType, int pixelBytes)
+{
+    std::mt19937 random(static_cast<unsigned>(width * 31 + colourType));
+    QByteArray rows;
+    for (int y = 0; y < height; ++y) {
+        rows.append(static_cast<char>(y % 5));
+        for (int i = 0; i < width * pixelBytes; ++i)
+            rows.append(static_cast<char>(random() & 0xFFU));
+    }
+    const QByteArray packed = qCompress(rows, 6).sliced(4);
+    // In two pieces, as large images come.
+    return test::pngSignature() +
+           test::pngHeader(static_cast<quint32>(width), static_cast<quint32>(height), depth, colourType) +
+           test::pngChunk("IDAT", packed.first(100)) + test::pngChunk("IDAT", packed.sliced(100)) +
+           test::pngChunk("IEND", {});
+}
+
+} // namespace
+
+class TestPngReader : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void picturesAreReadAsQtReadsThem_data()
+    {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("height");
+        QTest::addColumn<bool>("alpha");
+        QTest::newRow("RGB") << 40 << 30 << false;
+        QTest::newRow("RGBA") << 40 << 30 << true;
+        QTest::newRow("one column") << 1 << 200 << true;
+        QTest::newRow("one row") << 300 << 1 << false;
+    }
+    void picturesAreReadAsQtReadsThem()
+    {
+        QFETCH(int, width);
+        QFETCH(int, height);
+        QFETCH(bool, alpha);
+        const QByteArray png = filteredPng(width, height, 8, alpha ? 6 : 2, alpha ? 4 : 3);
+        const QImage ours = decodePicture(png, 1024);
+        const QImage qts = QImage::fromData(png, "png");
+        QCOMPARE(ours.size(), QSize(width, height));
+        QCOMPARE(ours.convertToFormat(QImage::Format_ARGB32), qts.convertToFormat(QImage::Format_ARGB32));
+    }
+
+    void layersAreReadAsQtReadsThem()
+    {
+        const QByteArray png = filteredPng(256, 256, 16, 6, 8);
+        const Checked<DecodedLayer> layer = decodeLayer(png, mapSpec(MapKind::Colour), 256);
+        const QImage qts = QImage::fromData(png, "png");
+        QVERIFY(layer && qts.format() == QImage::Format_RGBA64);
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 256; ++x) {
+                const QRgba64 wanted = reinterpret_cast<const QRgba64*>(qts.constScanLine(y))[x];
+                const sim::Texel texel = layer->raster.texel(x, y);
+                QCOMPARE(qRgba64(texel[0], texel[1], texel[2], texel[3]), wanted);
+            }
+    }
+
+    void whatIsNoPictureIsNone_data()
+    {
+        QTest::addColumn<QByteArray>("png");
+        const QByteArray good = filteredPng(40, 30, 8, 6, 4);
+        const QByteArray pixels = qCompress(QByteArray(30 * 161, '\0'), 6).sliced(4);
+        const auto made = [](const QByteArray& header, const QByteArray& packed) {
+            return test::pngSignature() + header + test::pngChunk("IDAT", packed) + test::pngChunk("IEND", {});
+        };
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("a text") << QByteArray("a text");
+        QTest::newRow("too large") << filteredPng(70, 10, 8, 6, 4);
+        QTest::newRow("16 bits") << filteredPng(40, 30, 16, 6, 8);
+        QTest::newRow("grey") << made(test::pngHeader(40, 30, 8, 0), pixels);
+        QTest::newRow("a palette") << made(test::pngHeader(40, 30, 8, 3), pixels);
+        QTest::newRow("interlaced") << made(test::pngHeader(40, 30, 8, 6, 1), pixels);
+        QTest::newRow("no filter 5") << made(test::pngHeader(40, 30, 8, 6),
+                                             qCompress(QByteArray(30 * 161, '\5'), 6).sliced(4));
+        QTest::newRow("a row too few") << made(test::pngHeader(40, 31, 8, 6), pixels);
+        QTest::newRow("a row too many") << made(test::pngHeader(40, 29, 8, 6), pixels);
+        QTest::newRow("the stream's checksum cut off") << made(test::pngHeader(40, 30, 8, 6), pixels.chopped(1));
+        for (const qsizetype length : {8, 20, 33, 60, 200})
+            QTest::addRow("cut at %d", static_cast<int>(length)) << good.first(length);
+    }
+    void whatIsNoPictureIsNone()
+    {
+        QFETCH(QByteArray, png);
+        QVERIFY(decodePicture(png, 64).isNull());
+    }
+
+    void aFlippedBitAnywhereIsNoticed()
+    {
+        const QByteArray good = filteredPng(40, 30, 8, 6, 4);
+        QVERIFY(!decodePicture(good, 64).isNull());
+        for (qsizetype at = 0; at < good.size(); ++at) {
+            QByteArray png = good;
+            png[at] = static_cast<char>(png[at] ^ (1 << (at % 8)));
+            QVERIFY2(decodePicture(png, 64).isNull(), qPrintable(QString::number(at)));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPngReader)
+#include "test_png_reader.moc"
