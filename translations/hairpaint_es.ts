@@ -31,12 +31,6 @@
         <translation>-o necesita un nombre que acabe en .hair</translation>
     </message>
     <message>
-        <source>  %1: %2 x %3, layers: %4
-</source>
-        <translation>  %1: %2 x %3, capas: %4
-</translation>
-    </message>
-    <message>
         <source>makes a project</source>
         <translation>crea un proyecto</translation>
     </message>
@@ -55,24 +49,6 @@
     <message>
         <source>takes pictures</source>
         <translation>hace imágenes</translation>
-    </message>
-    <message>
-        <source>Head: %1, %L2 vertices, %L3 triangles
-</source>
-        <translation>Cabeza: %1, %L2 vértices, %L3 triángulos
-</translation>
-    </message>
-    <message>
-        <source>Hairs: %L1 (%L2 exported, %L3 basis hairs), seed %4
-</source>
-        <translation>Pelos: %L1 (%L2 se exportan, %L3 pelos guía), semilla %4
-</translation>
-    </message>
-    <message>
-        <source>Group %1: %L2 hairs of %3 nodes
-</source>
-        <translation>Grupo %1: %L2 pelos de %3 nodos
-</translation>
     </message>
     <message>
         <source>&apos;%1&apos; goes to the hair group &apos;%2&apos;, and the project has none of that name.</source>
@@ -126,7 +102,23 @@
     </message>
     <message>
         <source>&apos;%1&apos; would be overwritten, and it is read from; give another name after -o.</source>
-        <translation>&apos;%1&apos; se sobrescribiría y también se lee de él; dé otro nombre tras -o.</translation>
+        <translation>«%1» se sobrescribiría, y de ahí se lee; da otro nombre tras -o.</translation>
+    </message>
+    <message>
+        <source>Head: %1, %2 vertices, %3 triangles</source>
+        <translation>Cabeza: %1, %2 vértices, %3 triángulos</translation>
+    </message>
+    <message>
+        <source>Hairs: %1 (%2 exported, %3 basis hairs), seed %4</source>
+        <translation>Pelos: %1 (%2 se exportan, %3 pelos guía), semilla %4</translation>
+    </message>
+    <message>
+        <source>Group %1: %2 hairs of %3 nodes</source>
+        <translation>Grupo %1: %2 pelos de %3 nodos</translation>
+    </message>
+    <message>
+        <source>  %1: %2 x %3, layers: %4</source>
+        <translation>  %1: %2 x %3, capas: %4</translation>
     </message>
 </context>
 <context>
@@ -404,15 +396,15 @@
     </message>
     <message>
         <source>it is a folder; give the name of a file</source>
-        <translation>es una carpeta; dé el nombre de un archivo</translation>
+        <translation>es una carpeta; da el nombre de un archivo</translation>
     </message>
     <message>
         <source>it is not an ordinary file; choose another name</source>
-        <translation>no es un archivo corriente; elija otro nombre</translation>
+        <translation>no es un archivo corriente; elige otro nombre</translation>
     </message>
     <message>
         <source>there is no folder &apos;%1&apos;; make it first</source>
-        <translation>no existe la carpeta &apos;%1&apos;; créela antes</translation>
+        <translation>no existe la carpeta «%1»; créala antes</translation>
     </message>
 </context>
 <context>
@@ -990,7 +982,7 @@
     </message>
     <message>
         <source>there is no picture</source>
-        <translation>no hay imagen</translation>
+        <translation>no hay ninguna imagen</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLocale>
 
 namespace hairpaint::app {
 
@@ -56,31 +57,36 @@ QJsonObject describe(const model::Project& project, const std::vector<std::share
             {QStringLiteral("groups"), groups}};
 }
 
+/// A number as people read it.
+QString count(const QJsonObject& object, const char* key)
+{
+    return QLocale().toString(object[QLatin1StringView(key)].toInteger());
+}
+
 QString asText(const QJsonObject& info)
 {
+    // Names may hold "%2" themselves, so each text takes all its parts at once.
     const QJsonObject head = info[QLatin1StringView("head")].toObject();
-    QString text = CommandLine::tr("Head: %1, %L2 vertices, %L3 triangles\n")
-                       .arg(head[QLatin1StringView("name")].toString())
-                       .arg(head[QLatin1StringView("vertices")].toInteger())
-                       .arg(head[QLatin1StringView("triangles")].toInteger());
-    text += CommandLine::tr("Hairs: %L1 (%L2 exported, %L3 basis hairs), seed %4\n")
-                .arg(info[QLatin1StringView("hairs")].toInteger())
-                .arg(info[QLatin1StringView("exported")].toInteger())
-                .arg(info[QLatin1StringView("basis_hairs")].toInteger())
-                .arg(info[QLatin1StringView("seed")].toInteger());
+    QString text =
+        CommandLine::tr("Head: %1, %2 vertices, %3 triangles")
+            .arg(head[QLatin1StringView("name")].toString(), count(head, "vertices"), count(head, "triangles")) +
+        QLatin1Char('\n');
+    text += CommandLine::tr("Hairs: %1 (%2 exported, %3 basis hairs), seed %4")
+                .arg(count(info, "hairs"), count(info, "exported"), count(info, "basis_hairs"),
+                     QString::number(info[QLatin1StringView("seed")].toInteger())) +
+            QLatin1Char('\n');
     for (const auto& value : info[QLatin1StringView("groups")].toArray()) {
         const QJsonObject group = value.toObject();
-        text += CommandLine::tr("Group %1: %L2 hairs of %3 nodes\n")
-                    .arg(group[QLatin1StringView("name")].toString())
-                    .arg(group[QLatin1StringView("hairs")].toInteger())
-                    .arg(group[QLatin1StringView("nodes_per_hair")].toInt());
+        text += CommandLine::tr("Group %1: %2 hairs of %3 nodes")
+                    .arg(model::shownName(group[QLatin1StringView("name")].toString()), count(group, "hairs"),
+                         count(group, "nodes_per_hair")) +
+                QLatin1Char('\n');
         for (const auto& mapValue : group[QLatin1StringView("maps")].toArray()) {
             const QJsonObject map = mapValue.toObject();
-            text += CommandLine::tr("  %1: %2 x %3, layers: %4\n")
-                        .arg(map[QLatin1StringView("kind")].toString())
-                        .arg(map[QLatin1StringView("width")].toInt())
-                        .arg(map[QLatin1StringView("height")].toInt())
-                        .arg(map[QLatin1StringView("layers")].toInt());
+            const model::MapSpec* spec = model::findMapSpec(map[QLatin1StringView("kind")].toString());
+            text += CommandLine::tr("  %1: %2 x %3, layers: %4")
+                        .arg(spec->titleText(), count(map, "width"), count(map, "height"), count(map, "layers")) +
+                    QLatin1Char('\n');
         }
     }
     return text;

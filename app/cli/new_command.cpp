@@ -5,6 +5,7 @@
 #include "model/commands/commands.h"
 #include "model/files/image_map.h"
 #include "model/files/project_file.h"
+#include "model/names.h"
 
 #include <QFileInfo>
 
@@ -49,7 +50,9 @@ model::HairGroup* findGroup(model::Project& project, const QString& name)
 {
     if (name.isEmpty())
         return project.groups.empty() ? nullptr : project.groups.data();
-    const auto found = std::ranges::find(project.groups, name, &model::HairGroup::name);
+    const auto found = std::ranges::find_if(project.groups, [&name](const model::HairGroup& group) {
+        return group.name == name || model::shownName(group.name) == name;
+    });
     return found == project.groups.end() ? nullptr : &*found;
 }
 

@@ -151,6 +151,22 @@ private Q_SLOTS:
         QCOMPARE(facts.mid(0, 2), facts.mid(2));
     }
 
+    void factsAreToldInTheUsersLanguageWhateverTheNamesAre()
+    {
+        // A head's name that looks like a place for another text.
+        const QString mesh = path("%2.obj");
+        QFile file(mesh);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+        file.close();
+        const QString project = path("named.hairpaint");
+        QCOMPARE(
+            runProgram({QStringLiteral("new"), QStringLiteral("-o"), project, QStringLiteral("--head"), mesh}).code, 0);
+        const QString said = runProgram({QStringLiteral("info"), project}, {}, "es_ES").output;
+        QVERIFY2(said.startsWith(QStringLiteral("Cabeza: %2, 3 vértices, 1 triángulos\n")), qPrintable(said));
+        QVERIFY2(said.contains(QStringLiteral("\n  Densidad: 1")), qPrintable(said));
+    }
+
     void aStyleIsFoundByItsNameInTheUsersLanguage()
     {
         const QString listed = runProgram({QStringLiteral("presets")}, {}, "es_ES").output;

@@ -141,8 +141,8 @@ private Q_SLOTS:
         QFETCH(QString, language);
         for (const Message& message : messagesOf(pathOf(language)))
             for (const QString& form : message.forms)
-                for (const char* pattern : {"%L?[0-9n]", "&(?=\\w)", "\n", "\t", "\\(\\*[^)]*\\)", "^\\s|\\s$",
-                                            " \\.\\.\\.$", "…$", "[.;:]$", "^[,;]"})
+                for (const char* pattern : {R"(%L?[0-9n])", R"(&(?=\w))", R"(\n)", R"(\t)", R"re(\(\*[^)]*\))re",
+                                            R"(^\s|\s$)", R"( \.\.\.$)", "…$", "[.;:]$", "^[,;]"})
                     QVERIFY2(partsOf(form, pattern) == partsOf(message.source, pattern),
                              qPrintable(message.shown() + QStringLiteral(" -> ") + form));
     }
