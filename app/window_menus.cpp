@@ -15,6 +15,16 @@
 
 namespace hairpaint::app {
 
+namespace {
+
+/// A menu would take the & of a name for a mark of its own.
+QString inMenu(QString name)
+{
+    return name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+}
+
+} // namespace
+
 void MainWindow::buildMenus()
 {
     buildFileMenu();
@@ -100,7 +110,7 @@ void MainWindow::fillRecentMenu()
 {
     m_recentMenu->clear();
     for (const QString& path : m_settings.recentFiles())
-        m_recentMenu->addAction(QFileInfo(path).fileName(), this, [this, path] { m_files.openPath(path); })
+        m_recentMenu->addAction(inMenu(QFileInfo(path).fileName()), this, [this, path] { m_files.openPath(path); })
             ->setToolTip(path);
     m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
 }
@@ -125,8 +135,8 @@ void MainWindow::buildEditMenu()
         // While a stroke runs, undo cancels it, whatever the stack holds.
         undo->setEnabled(document.canUndo() || m_session.editor().stroking());
         redo->setEnabled(stack.canRedo());
-        undo->setText(stack.canUndo() ? tr("&Undo %1").arg(stack.undoText()) : tr("&Undo"));
-        redo->setText(stack.canRedo() ? tr("&Redo %1").arg(stack.redoText()) : tr("&Redo"));
+        undo->setText(stack.canUndo() ? tr("&Undo %1").arg(inMenu(stack.undoText())) : tr("&Undo"));
+        redo->setText(stack.canRedo() ? tr("&Redo %1").arg(inMenu(stack.redoText())) : tr("&Redo"));
     };
     connect(&stack, &QUndoStack::indexChanged, this, follow);
     connect(&document, &model::Document::changed, this, follow);

@@ -1,5 +1,6 @@
 // The menus of the real window, where what is on is seen to be on, and its panels.
 #include "app/main_window.h"
+#include "model/commands/commands.h"
 #include "model/files/project_file.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
@@ -43,6 +44,16 @@ private Q_SLOTS:
             switches += binding.action->isCheckable() ? 1 : 0;
         }
         QVERIFY(switches > 8);
+    }
+
+    void aNameWithAnAmpersandIsReadWhole()
+    {
+        model::Document& document = m_window->session().document();
+        document.push(model::addGroupCommand(document, QStringLiteral("Salt & pepper")));
+        const QAction* undo = m_window->actions().find(QLatin1StringView("edit.undo"));
+        QVERIFY2(undo->text().contains(QStringLiteral("Salt && pepper")), qPrintable(undo->text()));
+        QCOMPARE(undo->text().count(QLatin1Char('&')), 3);
+        document.undo();
     }
 
     void theAreasShownAreTicked()
