@@ -64,7 +64,7 @@ void Exchange::importImageFrom(const QString& path, bool grey)
     const int size = group->map(target.map).size;
     bool cancelled = false;
     model::Result<sim::TiledRaster> raster = runInBackground<sim::TiledRaster>(
-        &m_window, tr("Reading %1 ...").arg(QFileInfo(path).fileName()),
+        &m_window, tr("Reading %1…").arg(QFileInfo(path).fileName()),
         [&](const model::Progress& progress) -> model::Result<sim::TiledRaster> {
             const model::Result<model::ForeignImage> image = model::ImporterClient().readImage(path, progress);
             if (!image)
@@ -92,7 +92,7 @@ void Exchange::exportMap()
         return;
     const auto resolved = m_session.document().resolved(editor.activeGroup(), editor.activeMap());
     const model::Result<void> written = runInBackground<void>(
-        &m_window, tr("Writing %1 ...").arg(QFileInfo(path).fileName()), [&](const model::Progress&) {
+        &m_window, tr("Writing %1…").arg(QFileInfo(path).fileName()), [&](const model::Progress&) {
             return model::ImporterClient().writeImage(model::imageFromMap(*resolved, spec), path);
         });
     if (!written)
@@ -114,7 +114,7 @@ void Exchange::importHeadFrom(const QString& path)
     bool cancelled = false;
     const QString name = QFileInfo(path).fileName();
     const model::Result<sim::HeadMesh> mesh = runInBackground<sim::HeadMesh>(
-        &m_window, tr("Reading %1 ...").arg(name),
+        &m_window, tr("Reading %1…").arg(name),
         [&path](const model::Progress& progress) { return model::ImporterClient().readMesh(path, progress); },
         &cancelled);
     if (cancelled)
@@ -126,7 +126,7 @@ void Exchange::importHeadFrom(const QString& path)
         return;
     const model::HeadGuess guess{.unitScale = dialog.unitScale(), .upAxis = dialog.upAxis()};
     const model::Result<ImportedHead> head =
-        runInBackground<ImportedHead>(&m_window, tr("Preparing %1 ...").arg(name), [&](const model::Progress&) {
+        runInBackground<ImportedHead>(&m_window, tr("Preparing %1…").arg(name), [&](const model::Progress&) {
             return remakeHead(QFileInfo(path).completeBaseName(), model::writeGlb(*mesh), guess);
         });
     if (!head)
@@ -149,7 +149,7 @@ void Exchange::exportHair()
     if (path.isEmpty() || frame == nullptr)
         return;
     const model::Result<void> written =
-        runInBackground<void>(&m_window, tr("Writing %1 ...").arg(QFileInfo(path).fileName()),
+        runInBackground<void>(&m_window, tr("Writing %1…").arg(QFileInfo(path).fileName()),
                               [&](const model::Progress&) { return model::writeHairFile(*frame, path); });
     if (!written)
         return complain(written.error().message);

@@ -59,7 +59,7 @@ bool ProjectFiles::openPath(const QString& path)
     auto encoded = model::makeEncodedLayers();
     bool cancelled = false;
     model::Result<model::Project> project = runInBackground<model::Project>(
-        &m_window, tr("Opening %1 ...").arg(QFileInfo(path).fileName()),
+        &m_window, tr("Opening %1…").arg(QFileInfo(path).fileName()),
         [&path, &encoded](const model::Progress& progress) {
             return model::loadProject(path, encoded.get(), progress);
         },
@@ -117,7 +117,7 @@ bool ProjectFiles::saveTo(const QString& path)
     // A copy shares tiles, so it is cheap, and the document may go on meanwhile.
     const model::Project project = m_session.document().committed();
     const model::Result<void> saved = runInBackground<void>(
-        &m_window, tr("Saving %1 ...").arg(QFileInfo(path).fileName()),
+        &m_window, tr("Saving %1…").arg(QFileInfo(path).fileName()),
         [&](const model::Progress& progress) {
             return model::saveProject(project, path, thumbnail, m_encoded.get(), progress);
         },

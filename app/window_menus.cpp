@@ -61,7 +61,7 @@ void MainWindow::buildFileMenu()
                          .run = [this] { m_files.newProject(); },
                          .icon = "new"});
     m_actions.add(menu, {.id = "file.open",
-                         .text = tr("&Open ..."),
+                         .text = tr("&Open…"),
                          .key = QKeySequence::Open,
                          .run = [this] { m_files.open(); },
                          .icon = "open"});
@@ -72,31 +72,31 @@ void MainWindow::buildFileMenu()
                          .run = [this] { m_files.save(); },
                          .icon = "save"});
     m_actions.add(menu, {.id = "file.saveAs",
-                         .text = tr("Save &as ..."),
+                         .text = tr("Save &as…"),
                          .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
                          .run = [this] { m_files.saveAs(); }});
     menu.addSeparator();
     m_actions.add(menu, {.id = "file.loadImage",
-                         .text = tr("Load &image into map ..."),
+                         .text = tr("Load &image into map…"),
                          .run = [this] { m_exchange.importImage(); },
                          .icon = "import"});
     m_actions.add(menu, {.id = "file.saveImage",
-                         .text = tr("Save &map as image ..."),
+                         .text = tr("Save &map as image…"),
                          .run = [this] { m_exchange.exportMap(); },
                          .icon = "export"});
     menu.addSeparator();
     m_actions.add(
-        menu, {.id = "file.importHead", .text = tr("Import &head ..."), .run = [this] { m_exchange.importHead(); }});
+        menu, {.id = "file.importHead", .text = tr("Import &head…"), .run = [this] { m_exchange.importHead(); }});
     m_actions.add(menu, {.id = "file.builtInHead", .text = tr("Use the &built-in head"), .run = [this] {
                              m_exchange.useBuiltInHead();
                          }});
     menu.addSeparator();
     m_actions.add(menu, {.id = "file.exportHair",
-                         .text = tr("&Export hair ..."),
+                         .text = tr("&Export hair…"),
                          .key = QKeySequence(Qt::CTRL | Qt::Key_E),
                          .run = [this] { m_exchange.exportHair(); }});
     m_actions.add(menu, {.id = "file.picture",
-                         .text = tr("Save &picture ..."),
+                         .text = tr("Save &picture…"),
                          .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P),
                          .run = [this] { m_exchange.savePicture(); }});
     menu.addSeparator();
@@ -175,7 +175,7 @@ void MainWindow::buildEditMenu()
     connect(mirror, &QAction::toggled, this, [this](bool on) { m_session.editor().setMirror(on); });
     menu.addSeparator();
     m_actions.add(menu, {.id = "edit.preferences",
-                         .text = tr("Pre&ferences ..."),
+                         .text = tr("Pre&ferences…"),
                          .key = QKeySequence(Qt::CTRL | Qt::Key_Comma),
                          .run = [this] { showPreferences(); },
                          .icon = "settings"});

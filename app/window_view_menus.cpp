@@ -121,11 +121,11 @@ void MainWindow::buildHairMenu()
     connect(&document, &model::Document::changed, this, followWind);
     followWind();
     m_actions.add(menu, {.id = "hair.windDialog",
-                         .text = tr("W&ind ..."),
+                         .text = tr("W&ind…"),
                          .key = QKeySequence(Qt::SHIFT | Qt::Key_W),
                          .run = [this] { showWind(); }});
     m_actions.add(menu, {.id = "hair.lightDialog",
-                         .text = tr("&Light ..."),
+                         .text = tr("&Light…"),
                          .key = QKeySequence(Qt::SHIFT | Qt::Key_L),
                          .run = [this] { showLight(); },
                          .icon = "light"});
@@ -157,14 +157,14 @@ void MainWindow::buildHairMenu()
                          }});
     menu.addSeparator();
     m_actions.add(menu,
-                  {.id = "hair.saveStyle", .text = tr("&Save style ..."), .run = [this] { m_exchange.saveStyle(); }});
+                  {.id = "hair.saveStyle", .text = tr("&Save style…"), .run = [this] { m_exchange.saveStyle(); }});
 }
 
 void MainWindow::buildHelpMenu()
 {
     QMenu& menu = *menuBar()->addMenu(tr("&Help"));
     m_actions.add(
-        menu, {.id = "help.keys", .text = tr("&Keys ..."), .key = QKeySequence(Qt::SHIFT | Qt::Key_F1), .run = [this] {
+        menu, {.id = "help.keys", .text = tr("&Keys…"), .key = QKeySequence(Qt::SHIFT | Qt::Key_F1), .run = [this] {
                    showKeys();
                }});
     m_actions.add(

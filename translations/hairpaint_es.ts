@@ -1123,8 +1123,8 @@
         <translation>Imágenes (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</translation>
     </message>
     <message>
-        <source>Reading %1 ...</source>
-        <translation>Leyendo %1 ...</translation>
+        <source>Reading %1…</source>
+        <translation>Leyendo %1…</translation>
     </message>
     <message>
         <source>Load %1 into %2</source>
@@ -1139,8 +1139,8 @@
         <translation>Imágenes (*.png *.tif *.exr *.tga)</translation>
     </message>
     <message>
-        <source>Writing %1 ...</source>
-        <translation>Escribiendo %1 ...</translation>
+        <source>Writing %1…</source>
+        <translation>Escribiendo %1…</translation>
     </message>
     <message>
         <source>%1 written</source>
@@ -1155,8 +1155,8 @@
         <translation>Mallas (*.glb *.gltf *.obj *.fbx *.ply *.dae *.3ds *.x3d)</translation>
     </message>
     <message>
-        <source>Preparing %1 ...</source>
-        <translation>Preparando %1 ...</translation>
+        <source>Preparing %1…</source>
+        <translation>Preparando %1…</translation>
     </message>
     <message>
         <source>Export hair</source>
@@ -1242,8 +1242,8 @@
         <translation>&amp;Nuevo</translation>
     </message>
     <message>
-        <source>&amp;Open ...</source>
-        <translation>&amp;Abrir ...</translation>
+        <source>&amp;Open…</source>
+        <translation>&amp;Abrir…</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -1254,32 +1254,32 @@
         <translation>&amp;Guardar</translation>
     </message>
     <message>
-        <source>Save &amp;as ...</source>
-        <translation>G&amp;uardar como ...</translation>
+        <source>Save &amp;as…</source>
+        <translation>G&amp;uardar como…</translation>
     </message>
     <message>
-        <source>Load &amp;image into map ...</source>
-        <translation>Cargar &amp;imagen en el mapa ...</translation>
+        <source>Load &amp;image into map…</source>
+        <translation>Cargar &amp;imagen en el mapa…</translation>
     </message>
     <message>
-        <source>Save &amp;map as image ...</source>
-        <translation>Guardar el &amp;mapa como imagen ...</translation>
+        <source>Save &amp;map as image…</source>
+        <translation>Guardar el &amp;mapa como imagen…</translation>
     </message>
     <message>
-        <source>Import &amp;head ...</source>
-        <translation>Importar ca&amp;beza ...</translation>
+        <source>Import &amp;head…</source>
+        <translation>Importar ca&amp;beza…</translation>
     </message>
     <message>
         <source>Use the &amp;built-in head</source>
         <translation>Usar la cabeza in&amp;cluida</translation>
     </message>
     <message>
-        <source>&amp;Export hair ...</source>
-        <translation>&amp;Exportar pelo ...</translation>
+        <source>&amp;Export hair…</source>
+        <translation>&amp;Exportar pelo…</translation>
     </message>
     <message>
-        <source>Save &amp;picture ...</source>
-        <translation>Guardar cap&amp;tura ...</translation>
+        <source>Save &amp;picture…</source>
+        <translation>Guardar cap&amp;tura…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -1338,8 +1338,8 @@
         <translation>Pintar en e&amp;spejo</translation>
     </message>
     <message>
-        <source>Pre&amp;ferences ...</source>
-        <translation>Pre&amp;ferencias ...</translation>
+        <source>Pre&amp;ferences…</source>
+        <translation>Pre&amp;ferencias…</translation>
     </message>
     <message>
         <source>&amp;Map</source>
@@ -1466,12 +1466,12 @@
         <translation>&amp;Viento</translation>
     </message>
     <message>
-        <source>W&amp;ind ...</source>
-        <translation>V&amp;iento ...</translation>
+        <source>W&amp;ind…</source>
+        <translation>V&amp;iento…</translation>
     </message>
     <message>
-        <source>&amp;Light ...</source>
-        <translation>&amp;Luz ...</translation>
+        <source>&amp;Light…</source>
+        <translation>&amp;Luz…</translation>
     </message>
     <message>
         <source>Weat&amp;her keys</source>
@@ -1494,16 +1494,16 @@
         <translation>&amp;Quitar grupo de pelo</translation>
     </message>
     <message>
-        <source>&amp;Save style ...</source>
-        <translation>&amp;Guardar peinado ...</translation>
+        <source>&amp;Save style…</source>
+        <translation>&amp;Guardar peinado…</translation>
     </message>
     <message>
         <source>&amp;Help</source>
         <translation>A&amp;yuda</translation>
     </message>
     <message>
-        <source>&amp;Keys ...</source>
-        <translation>&amp;Teclas ...</translation>
+        <source>&amp;Keys…</source>
+        <translation>&amp;Teclas…</translation>
     </message>
     <message>
         <source>&amp;About Hair Paint</source>
@@ -1545,8 +1545,8 @@
         <translation>Proyectos de Hair Paint (*.hairpaint)</translation>
     </message>
     <message>
-        <source>Opening %1 ...</source>
-        <translation>Abriendo %1 ...</translation>
+        <source>Opening %1…</source>
+        <translation>Abriendo %1…</translation>
     </message>
     <message>
         <source>Save project</source>
@@ -1561,8 +1561,8 @@
         <translation>«%1» tiene cambios sin guardar.</translation>
     </message>
     <message>
-        <source>Saving %1 ...</source>
-        <translation>Guardando %1 ...</translation>
+        <source>Saving %1…</source>
+        <translation>Guardando %1…</translation>
     </message>
     <message>
         <source>Hair Paint</source>
