@@ -1,6 +1,7 @@
 // Layout and wiring of the window: see the header.
 #include "app/main_window.h"
 
+#include "app/dropped_file.h"
 #include "app/library.h"
 #include "app/physical_keys.h"
 #include "view/head_view.h"
@@ -10,12 +11,12 @@
 #include "view/panels/status_readout.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/tool_bar.h"
+#include "view/widgets/drop_hint.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDragEnterEvent>
-#include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QUndoStack>
@@ -102,6 +103,7 @@ void MainWindow::buildLayout()
     column->addLayout(row, 1);
     column->addWidget(m_status);
     setCentralWidget(whole);
+    m_dropHint = new view::DropHint(whole);
 }
 
 void MainWindow::connectViews()
@@ -140,17 +142,20 @@ void MainWindow::connectViews()
 
 void MainWindow::openFile(const QString& path)
 {
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    if (suffix == QLatin1String("hairpaint"))
+    switch (fileKind(path)) {
+    case FileKind::Project:
         m_files.openPath(path);
-    else if (suffix == QLatin1String("hairpreset"))
+        break;
+    case FileKind::Style:
         m_exchange.applyStyleFrom(path);
-    else if (QStringList{QStringLiteral("glb"), QStringLiteral("gltf"), QStringLiteral("obj"), QStringLiteral("fbx"),
-                         QStringLiteral("ply"), QStringLiteral("dae"), QStringLiteral("3ds"), QStringLiteral("x3d")}
-                 .contains(suffix))
+        break;
+    case FileKind::Head:
         m_exchange.importHeadFrom(path);
-    else
+        break;
+    case FileKind::Image:
         m_exchange.importImageFrom(path, false);
+        break;
+    }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -165,14 +170,23 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().constFirst().isLocalFile())
-        event->acceptProposedAction();
+    if (!event->mimeData()->hasUrls() || !event->mimeData()->urls().constFirst().isLocalFile())
+        return;
+    event->acceptProposedAction();
+    const QString path = event->mimeData()->urls().constFirst().toLocalFile();
+    m_dropHint->showText(dropText(fileKind(path), model::mapSpec(m_session.editor().activeMap())));
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent* /*event*/)
+{
+    m_dropHint->hide();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
     const QString path = event->mimeData()->urls().constFirst().toLocalFile();
     event->acceptProposedAction();
+    m_dropHint->hide();
     // The source program waits for the drop to end; a dialog would keep it waiting.
     QMetaObject::invokeMethod(
         this, [this, path] { openFile(path); }, Qt::QueuedConnection);

@@ -15,6 +15,7 @@
 
 namespace hairpaint::view {
 class HeadView;
+class DropHint;
 class OptionBar;
 class PaintView;
 class Sidebar;
@@ -45,6 +46,7 @@ public:
 protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -108,6 +110,7 @@ private:
     view::Sidebar* m_sidebar = nullptr;
     view::StyleStrip* m_styleStrip = nullptr;
     view::StatusReadout* m_status = nullptr;
+    view::DropHint* m_dropHint = nullptr;
     QMenu* m_recentMenu = nullptr;
     QMenu* m_areaMenu = nullptr;
     std::optional<model::Clip> m_clip;

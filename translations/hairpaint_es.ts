@@ -177,6 +177,25 @@
     </message>
 </context>
 <context>
+    <name>Drop</name>
+    <message>
+        <source>Let go to open the project</source>
+        <translation>Suelta para abrir el proyecto</translation>
+    </message>
+    <message>
+        <source>Let go to apply the style</source>
+        <translation>Suelta para aplicar el peinado</translation>
+    </message>
+    <message>
+        <source>Let go to import the head</source>
+        <translation>Suelta para importar la cabeza</translation>
+    </message>
+    <message>
+        <source>Let go to load the image into %1</source>
+        <translation>Suelta para cargar la imagen en %1</translation>
+    </message>
+</context>
+<context>
     <name>Files</name>
     <message>
         <source>its archive is cut short or broken</source>

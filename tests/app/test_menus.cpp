@@ -7,7 +7,11 @@
 #include "view/panels/option_bar.h"
 #include "view/panels/tool_bar.h"
 #include "view/resources.h"
+#include "view/widgets/drop_hint.h"
 
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QMimeData>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QToolButton>
@@ -117,6 +121,46 @@ private Q_SLOTS:
                 QCOMPARE(buttonOf(id)->isVisible(), tool == QByteArray("tool.select"));
             }
         }
+    }
+
+    void aDraggedFileSaysWhatItWillDo_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("project") << QStringLiteral("a.hairpaint") << QStringLiteral("Let go to open the project");
+        QTest::newRow("style") << QStringLiteral("a.HAIRPRESET") << QStringLiteral("Let go to apply the style");
+        QTest::newRow("head") << QStringLiteral("a b.obj") << QStringLiteral("Let go to import the head");
+        QTest::newRow("image") << QStringLiteral("a.tif") << QStringLiteral("Let go to load the image into Curl");
+    }
+    void aDraggedFileSaysWhatItWillDo()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, text);
+        m_window->session().editor().setActiveMap(model::MapKind::Curl);
+        auto* hint = m_window->findChild<view::DropHint*>();
+        QVERIFY(!hint->isVisible());
+        QMimeData dragged;
+        dragged.setUrls({QUrl::fromLocalFile(QDir::temp().filePath(file))});
+        QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QVERIFY(hint->isVisible());
+        QCOMPARE(hint->text(), text);
+        QCOMPARE(hint->size(), m_window->centralWidget()->size());
+        QDragLeaveEvent leave;
+        QApplication::sendEvent(m_window.get(), &leave);
+        QVERIFY(!hint->isVisible());
+    }
+
+    void draggedWordsAreNotTaken()
+    {
+        QMimeData dragged;
+        dragged.setText(QStringLiteral("words"));
+        QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+        enter.ignore();
+        QApplication::sendEvent(m_window.get(), &enter);
+        QVERIFY(!enter.isAccepted());
+        QVERIFY(!m_window->findChild<view::DropHint*>()->isVisible());
     }
 
     void theThemeInUseIsTicked()

@@ -1,0 +1,38 @@
+// Endings and sentences.
+#include "app/dropped_file.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStringList>
+
+namespace hairpaint::app {
+
+FileKind fileKind(const QString& path)
+{
+    static const QStringList kHeads = {QStringLiteral("glb"), QStringLiteral("gltf"), QStringLiteral("obj"),
+                                       QStringLiteral("fbx"), QStringLiteral("ply"),  QStringLiteral("dae"),
+                                       QStringLiteral("3ds"), QStringLiteral("x3d")};
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix == QLatin1String("hairpaint"))
+        return FileKind::Project;
+    if (suffix == QLatin1String("hairpreset"))
+        return FileKind::Style;
+    return kHeads.contains(suffix) ? FileKind::Head : FileKind::Image;
+}
+
+QString dropText(FileKind kind, const model::MapSpec& map)
+{
+    switch (kind) {
+    case FileKind::Project:
+        return QCoreApplication::translate("Drop", "Let go to open the project");
+    case FileKind::Style:
+        return QCoreApplication::translate("Drop", "Let go to apply the style");
+    case FileKind::Head:
+        return QCoreApplication::translate("Drop", "Let go to import the head");
+    case FileKind::Image:
+        break;
+    }
+    return QCoreApplication::translate("Drop", "Let go to load the image into %1").arg(map.titleText());
+}
+
+} // namespace hairpaint::app
