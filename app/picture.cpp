@@ -45,6 +45,7 @@ QImage PictureMaker::take(const model::Project& project, std::shared_ptr<const s
                           rendering::StandardView view, QSize size)
 {
     const rendering::Scene scene{.head = project.head->shownMesh,
+                                 .headInMotion = {},
                                  .hair = std::move(frame),
                                  .camera = rendering::standardCamera(view, project.head->skin->mesh()),
                                  .light = view::sceneLight(project.light),

@@ -294,6 +294,9 @@ void HeadView::refreshHead()
         m_state->scene.head = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
     if (m_state->scene.head == before)
         return;
+    m_state->scene.headInMotion.reset();
+    if (head && head->shownMesh && head->skin)
+        m_state->scene.headInMotion = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
     m_state->scene.hair.reset();
     if (before && m_state->scene.head)
         fit();

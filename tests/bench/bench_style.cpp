@@ -14,7 +14,7 @@ namespace {
 constexpr int kWidth = 612;
 constexpr int kHeight = 680;
 
-/// The share of the hairs in per mille, and samples a pixel.
+/// The share of the hairs in per mille, samples a pixel, and how far the eye goes round in a frame, mrad.
 void drawStyle(benchmark::State& state)
 {
     auto context = rendering::OffscreenContext::create();
@@ -30,13 +30,15 @@ void drawStyle(benchmark::State& state)
     model::Project project = app::starterProject();
     rendering::Scene scene;
     scene.head = project.head->shownMesh;
+    scene.headInMotion = std::shared_ptr<const sim::HeadMesh>(project.head->skin, &project.head->skin->mesh());
     app::SettledHair hair(std::move(project), 0.5);
     const auto first = hair.frame();
     hair.advance(1.0 / 30.0);
     const std::array frames{first, hair.frame()};
     const rendering::Quality quality{.detail = static_cast<float>(state.range(0)) / 1000.0F,
                                      .samples = static_cast<int>(state.range(1)),
-                                     .smoothSegments = 8};
+                                     .smoothSegments = 8,
+                                     .coarseHead = true};
     for (const auto& frame : frames) {
         scene.hair = frame;
         (*renderer)->draw(scene, quality, kWidth, kHeight);
@@ -45,6 +47,7 @@ void drawStyle(benchmark::State& state)
     std::size_t number = 0;
     for ([[maybe_unused]] auto _ : state) {
         scene.hair = frames[++number % 2];
+        scene.camera.azimuthRad += static_cast<float>(state.range(2)) * 0.001F;
         (*renderer)->draw(scene, quality, kWidth, kHeight);
         (*renderer)->read(pixels);
     }
@@ -56,11 +59,11 @@ void drawStyle(benchmark::State& state)
 
 BENCHMARK(drawStyle)
     ->Name("draw_style")
-    ->ArgNames({"permille", "samples"})
-    ->Args({16, 1})
-    ->Args({250, 1})
-    ->Args({1000, 1})
-    ->Args({1000, 4})
+    ->ArgNames({"permille", "samples", "turn"})
+    ->Args({250, 1, 0})
+    ->Args({250, 1, 10})
+    ->Args({1000, 1, 0})
+    ->Args({1000, 4, 0})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void stillPicturesAreRefinedAndThenRest_data();
     void stillPicturesAreRefinedAndThenRest();
     void movingAgainGoesBackToTheDetailOfBefore();
+    void headIsCoarseOnlyWhileItMoves();
     void detailRestsWhileTimesWaver();
 };
 
@@ -98,6 +99,22 @@ void TestDetailGovernor::movingAgainGoesBackToTheDetailOfBefore()
     governor.observe({.milliseconds = frameMs(governor.quality(), 5.0, 500.0)}, 100000, false);
     QCOMPARE(governor.quality().detail, moving.detail);
     QCOMPARE(governor.quality().samples, moving.samples);
+}
+
+void TestDetailGovernor::headIsCoarseOnlyWhileItMoves()
+{
+    // So slow that nothing else is refined: the fine head is worth a frame of its own.
+    DetailGovernor governor(33.0);
+    for (int frame = 0; frame < 50; ++frame)
+        governor.observe({.milliseconds = 2000.0}, 100000, false);
+    QVERIFY(governor.quality().coarseHead);
+    governor.observe({.milliseconds = 2000.0}, 100000, true);
+    QVERIFY(!governor.quality().coarseHead);
+    QVERIFY(governor.wantsRefinement());
+    governor.observe({.milliseconds = 2000.0}, 100000, true);
+    QVERIFY(!governor.wantsRefinement());
+    governor.observe({.milliseconds = 2000.0}, 100000, false);
+    QVERIFY(governor.quality().coarseHead);
 }
 
 void TestDetailGovernor::detailRestsWhileTimesWaver()

@@ -27,6 +27,7 @@ private Q_SLOTS:
     void anySizeIsDrawn();
     void largePicturesShowWhatSmallOnesDo_data();
     void largePicturesShowWhatSmallOnesDo();
+    void headIsCoarseInTheFirstFrameOfAViewOnly();
     void pictureIsCopiedToTheCallersFramebufferAndStateIsKept();
 
 private:
@@ -109,6 +110,27 @@ void TestRendererTarget::largePicturesShowWhatSmallOnesDo()
         for (int channel = 0; channel < 3; ++channel)
             QVERIFY(std::abs(got[channel] - wanted[channel]) <= 6);
     }
+}
+
+void TestRendererTarget::headIsCoarseInTheFirstFrameOfAViewOnly()
+{
+    Scene scene = emptyScene();
+    scene.head = makeBall(kBall);
+    const Picture fine = draw(scene, {}, 200, 150);
+    scene.camera.azimuthRad = 1.0F;
+    const Picture fineTurned = draw(scene, {}, 200, 150);
+    scene.camera.azimuthRad = 0.0F;
+    scene.headInMotion = makeBall(kBall, 4);
+    const Quality moving{.coarseHead = true};
+    QVERIFY(draw(scene, moving, 200, 150).difference(fine) > 0.5);
+    QCOMPARE(draw(scene, moving, 200, 150).difference(fine), 0.0);
+    QCOMPARE(draw(scene, moving, 200, 150).difference(fine), 0.0);
+    scene.camera.azimuthRad = 1.0F;
+    QVERIFY(draw(scene, moving, 200, 150).difference(fineTurned) > 0.5);
+    // A picture that has to be right is.
+    QCOMPARE(draw(scene, {}, 200, 150).difference(fineTurned), 0.0);
+    scene.camera.azimuthRad = 0.0F;
+    QCOMPARE(draw(scene, {}, 200, 150).difference(fine), 0.0);
 }
 
 void TestRendererTarget::pictureIsCopiedToTheCallersFramebufferAndStateIsKept()

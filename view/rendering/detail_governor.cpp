@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hairpaint::rendering {
 namespace {
@@ -46,6 +47,7 @@ void DetailGovernor::observe(const FrameStatistics& statistics, std::size_t allH
 void DetailGovernor::refine(double milliseconds, std::size_t allHairs)
 {
     m_wantsRefinement = true;
+    const bool wasCoarse = std::exchange(m_quality.coarseHead, false);
     if (m_quality.samples < 4 || m_quality.smoothSegments < kStillSegments) {
         // Four samples cost up to three times as much as one.
         if (milliseconds * 2.0 < kRefinementMs) {
@@ -61,7 +63,7 @@ void DetailGovernor::refine(double milliseconds, std::size_t allHairs)
             return;
         }
     }
-    m_wantsRefinement = false;
+    m_wantsRefinement = wasCoarse;
 }
 
 /// Damped, since a part of each frame does not depend on the hairs and single frames may be slow for other reasons.

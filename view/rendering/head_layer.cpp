@@ -36,23 +36,29 @@ tl::expected<std::unique_ptr<HeadLayer>, std::string> HeadLayer::create()
     if (!program)
         return tl::unexpected(program.error());
     layer->m_program = std::move(*program);
-    layer->m_vertexArray = makeVertexArray();
     layer->m_framebuffer = makeFramebuffer();
     return layer;
 }
 
-void HeadLayer::upload(const sim::HeadMesh& head)
+void HeadLayer::Mesh::upload(const std::shared_ptr<const sim::HeadMesh>& head)
 {
-    std::vector<Vertex> vertices(head.positionsHd.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        vertices[i] = {.positionHd = head.positionsHd[i], .normalHd = head.normalsHd[i]};
-    m_vertices.assign(vertices.data(), vertices.size() * sizeof(Vertex));
-    m_indices.assign(head.triangles.data(), head.triangles.size() * sizeof(glm::uvec3));
-    m_indexCount = static_cast<int>(head.triangles.size() * 3);
-    m_closed = sim::openEdges(head).empty();
-    glBindVertexArray(m_vertexArray.id());
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.id());
-    glBindVertexBuffer(0, m_vertices.id(), 0, sizeof(Vertex));
+    if (source == head)
+        return;
+    source = head;
+    indexCount = 0;
+    if (!head)
+        return;
+    std::vector<Vertex> packed(head->positionsHd.size());
+    for (std::size_t i = 0; i < packed.size(); ++i)
+        packed[i] = {.positionHd = head->positionsHd[i], .normalHd = head->normalsHd[i]};
+    vertices.assign(packed.data(), packed.size() * sizeof(Vertex));
+    indices.assign(head->triangles.data(), head->triangles.size() * sizeof(glm::uvec3));
+    indexCount = static_cast<int>(head->triangles.size() * 3);
+    closed = sim::openEdges(*head).empty();
+    vertexArray = makeVertexArray();
+    glBindVertexArray(vertexArray.id());
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+    glBindVertexBuffer(0, vertices.id(), 0, sizeof(Vertex));
     for (unsigned attribute = 0; attribute < 2; ++attribute) {
         glEnableVertexAttribArray(attribute);
         glVertexAttribFormat(attribute, 3, GL_FLOAT, GL_FALSE, attribute * static_cast<unsigned>(sizeof(glm::vec3)));
@@ -61,15 +67,18 @@ void HeadLayer::upload(const sim::HeadMesh& head)
     glBindVertexArray(0);
 }
 
-bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head, const FrameConstants& constants)
+bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head,
+                     const std::shared_ptr<const sim::HeadMesh>& inMotion, const FrameConstants& constants)
 {
     const FrameConstants part = partOfHead(constants);
-    if (head == m_head && part == m_drawnWith)
+    const bool same = head == m_head && part == m_drawnWith;
+    if (same && !m_isCoarse)
         return false;
-    if (head != m_head && head)
-        upload(*head);
     m_head = head;
     m_drawnWith = part;
+    m_isCoarse = !same && inMotion;
+    Mesh& mesh = m_isCoarse ? m_coarse : m_fine;
+    mesh.upload(m_isCoarse ? inMotion : head);
 
     const auto width = static_cast<int>(constants.target.x);
     const auto height = static_cast<int>(constants.target.y);
@@ -83,14 +92,14 @@ bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head, const Fra
     const float far = 1.0F;
     glClearBufferfv(GL_COLOR, 0, nothing);
     glClearBufferfv(GL_DEPTH, 0, &far);
-    if (!head || m_indexCount == 0)
+    if (mesh.indexCount == 0)
         return true;
     glEnable(GL_DEPTH_TEST);
-    if (m_closed)
+    if (mesh.closed)
         glEnable(GL_CULL_FACE);
     m_program.use();
-    glBindVertexArray(m_vertexArray.id());
-    glDrawElements(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(mesh.vertexArray.id());
+    glDrawElements(GL_TRIANGLES, mesh.indexCount, GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);

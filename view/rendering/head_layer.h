@@ -14,27 +14,36 @@ class HeadLayer
 public:
     [[nodiscard]] static tl::expected<std::unique_ptr<HeadLayer>, std::string> create();
 
-    /// Draws `head` (may be null) with the constants bound to uniform buffer 0. False where the last picture still
-    /// holds.
-    bool draw(const std::shared_ptr<const sim::HeadMesh>& head, const FrameConstants& constants);
+    /// Draws `head` (may be null) with the constants bound to uniform buffer 0. Where the view differs from the call
+    /// before, `inMotion` is drawn in its place, unless null, and `head` in the first call that does not differ. False
+    /// where the last picture still holds.
+    bool draw(const std::shared_ptr<const sim::HeadMesh>& head, const std::shared_ptr<const sim::HeadMesh>& inMotion,
+              const FrameConstants& constants);
     /// Binds colour and depth to two texture units.
     void bind(unsigned colourUnit, unsigned depthUnit) const;
 
 private:
     HeadLayer() = default;
-    void upload(const sim::HeadMesh& head);
+    struct Mesh
+    {
+        std::shared_ptr<const sim::HeadMesh> source;
+        VertexArray vertexArray;
+        Buffer vertices;
+        Buffer indices;
+        int indexCount = 0;
+        bool closed = false; ///< The inside is never seen.
+        void upload(const std::shared_ptr<const sim::HeadMesh>& head);
+    };
 
     Program m_program;
-    VertexArray m_vertexArray;
-    Buffer m_vertices;
-    Buffer m_indices;
-    int m_indexCount = 0;
-    bool m_closed = false; ///< The inside is never seen.
+    Mesh m_fine;
+    Mesh m_coarse;
     Framebuffer m_framebuffer;
     Texture m_colour;
     Texture m_depth;
     std::shared_ptr<const sim::HeadMesh> m_head;
     FrameConstants m_drawnWith{};
+    bool m_isCoarse = false; ///< What the picture shows.
 };
 
 } // namespace hairpaint::rendering

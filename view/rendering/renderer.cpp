@@ -100,7 +100,7 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     state.constants.bindUniform(0);
 
     const HairPass::Report report = state.hair->upload(scene.hair, detail, std::clamp(quality.smoothSegments, 1, 256));
-    const bool headDrawn = state.head->draw(scene.head, constants);
+    const bool headDrawn = state.head->draw(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, constants);
 
     const auto samplesAcross = static_cast<unsigned>(state.width * target.samples.x);
     const auto samplesUp = static_cast<unsigned>(state.height * target.samples.y);

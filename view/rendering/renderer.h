@@ -18,6 +18,7 @@ struct Quality
     float detail = 1.0F;     ///< 0..1: share of the hairs; those drawn are widened so that coverage stays the same.
     int samples = 4;         ///< 1, 2, 4: multisampling of the renderer's own targets.
     int smoothSegments = 16; ///< Segments of a straight hair.
+    bool coarseHead = false; ///< Whether a frame whose view differs from the one before may show Scene::headInMotion.
 };
 
 struct FrameStatistics
@@ -73,7 +74,7 @@ private:
     void follow(double milliseconds, std::size_t allHairs);
 
     double m_wantedMs;
-    Quality m_quality{.detail = 0.25F, .samples = 1, .smoothSegments = 8};
+    Quality m_quality{.detail = 0.25F, .samples = 1, .smoothSegments = 8, .coarseHead = true};
     Quality m_moving = m_quality;
     int m_slow = 0; ///< Frames in a row that took too long, and that left time.
     int m_fast = 0;

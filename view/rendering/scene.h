@@ -43,6 +43,7 @@ struct Ring
 struct Scene
 {
     std::shared_ptr<const sim::HeadMesh> head;
+    std::shared_ptr<const sim::HeadMesh> headInMotion; ///< Coarser, for frames whose view changes; null: as `head`.
     std::shared_ptr<const sim::StrandFrame> hair;
     Camera camera;
     Light light;
