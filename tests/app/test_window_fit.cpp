@@ -6,6 +6,10 @@
 #include "tests/support/clipping.h"
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/seen_text.h"
+#include "tests/support/test_heads.h"
+#include "view/dialogs/about_dialog.h"
+#include "view/dialogs/head_import_dialog.h"
+#include "view/head_view.h"
 #include "view/panels/sidebar.h"
 #include "view/panels/status_readout.h"
 #include "view/resources.h"
@@ -135,6 +139,13 @@ private Q_SLOTS:
                     pages->setCurrentIndex(i);
                     measure(*dialog);
                 }
+        }
+        view::AboutDialog about(QStringLiteral("0.1.0"), m_window->headView().rendererDescription());
+        view::HeadImportDialog import(test::makeBallHead(), QStringLiteral("head.obj"));
+        for (QDialog* dialog : std::initializer_list<QDialog*>{&about, &import}) {
+            dialog->show();
+            QVERIFY(QTest::qWaitForWindowExposed(dialog));
+            measure(*dialog);
         }
         cut.removeDuplicates();
         QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral("; "))));
