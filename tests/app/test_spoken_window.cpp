@@ -13,10 +13,12 @@
 #include "view/resources.h"
 
 #include <QDialog>
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPainter>
 #include <QSettings>
 #include <QStandardPaths>
@@ -227,6 +229,14 @@ private Q_SLOTS:
         look(*sidebar);
         m_window->headView().setWeatherShown(true);
         look(*m_window);
+        for (const char* file : {"a.hairpaint", "a.hairpreset", "a.glb", "a.png"}) {
+            QMimeData dragged;
+            dragged.setUrls({QUrl::fromLocalFile(m_folder.filePath(QString::fromLatin1(file)))});
+            QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(m_window.get(), &enter);
+            QVERIFY(enter.isAccepted());
+            look(*m_window);
+        }
         QVERIFY2(m_foreign.isEmpty(), qPrintable(m_foreign.join(QStringLiteral(" | "))));
     }
 
