@@ -15,7 +15,8 @@
 
 namespace hairpaint::view {
 
-PreferencesDialog::PreferencesDialog(const Preferences& preferences, std::vector<std::pair<QString, QString>> languages,
+PreferencesDialog::PreferencesDialog(const Preferences& preferences,
+                                     const std::vector<std::pair<QString, QString>>& languages,
                                      std::vector<KeyBinding> bindings, QWidget* parent)
     : QDialog(parent), m_preferences(preferences), m_bindings(std::move(bindings))
 {

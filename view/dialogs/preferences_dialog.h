@@ -44,7 +44,7 @@ class PreferencesDialog : public QDialog
     Q_OBJECT
 public:
     /// `languages`: code and own name, "de" and "Deutsch".
-    PreferencesDialog(const Preferences& preferences, std::vector<std::pair<QString, QString>> languages,
+    PreferencesDialog(const Preferences& preferences, const std::vector<std::pair<QString, QString>>& languages,
                       std::vector<KeyBinding> bindings, QWidget* parent = nullptr);
     [[nodiscard]] const Preferences& preferences() const { return m_preferences; }
     void setPreferences(const Preferences& preferences); ///< Tells nothing.

@@ -64,7 +64,7 @@ void BarSlider::paintEvent(QPaintEvent* /*event*/)
         // The whole scale is always to be seen; what is not reached is quiet.
         const QRectF strip(0.0, height() - kScaleHeight, width(), kScaleHeight);
         QLinearGradient gradient(0.0, 0.0, width(), 0.0);
-        const double last = static_cast<double>(m_gradient.size() - 1);
+        const auto last = static_cast<double>(m_gradient.size() - 1);
         // It runs over values, which the exponent spreads over the bar.
         for (qsizetype i = 0; i < m_gradient.size(); ++i)
             gradient.setColorAt(std::pow(static_cast<double>(i) / last, 1.0 / m_exponent), m_gradient[i]);
