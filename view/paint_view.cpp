@@ -251,7 +251,7 @@ void PaintView::paintOverlay(QPainter& painter) const
                 painter.drawPolyline(outline);
         };
         QPen dark(QColor(0, 0, 0, 190), shape.marching ? 1.0 : 3.0);
-        QPen light(shape.marching ? QColor(255, 255, 255) : m_state->theme.accent, shape.marching ? 1.0 : 1.5);
+        QPen light(QColor(255, 255, 255, shape.marching ? 255 : 235), shape.marching ? 1.0 : 1.5);
         if (shape.marching) {
             light.setDashPattern({4.0, 4.0});
             light.setDashOffset(m_state->marchStep);

@@ -87,7 +87,9 @@ void HeadOverlay::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 170), 3.0), std::pair(m_theme.accent, 1.5)}) {
+    // White on dark, as the rings are: seen on hair and skin of every colour.
+    for (const auto& [colour, width] :
+         {std::pair(QColor(0, 0, 0, 170), 3.0), std::pair(QColor(255, 255, 255, 235), 1.5)}) {
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         for (const QPolygonF& line : m_lines)
             painter.drawPolyline(line);
