@@ -77,6 +77,11 @@ float braidRest(const RootPlace& root, const RootPlace& centre, float centreLeng
     return scalpM;
 }
 
+std::uint32_t wispCount(BraidKind kind)
+{
+    return kind == BraidKind::Plait ? 3 : kind == BraidKind::Twist ? 2 : 1;
+}
+
 void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance& chance, float scalpM,
                 float centreLengthM, StrandStyle& style)
 {
@@ -84,7 +89,7 @@ void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance&
     style.turns = 0.0F;
     style.curlRadiusM = 0.0F;
     style.phase = 0.0F;
-    style.braid = static_cast<std::uint32_t>(kind) | (chance.wisp << 8U);
+    style.braid = static_cast<std::uint32_t>(kind) | (chance.wisp % wispCount(kind) << 8U);
     style.braidRadiusM = std::min(settings.braidRadiusM, centreLengthM * 0.25F);
     style.braidStart =
         static_cast<float>(gatheringNode(settings.nodesPerHair)) / static_cast<float>(settings.nodesPerHair - 1);

@@ -17,6 +17,9 @@ namespace hairpaint::sim {
 [[nodiscard]] float braidRest(const RootPlace& root, const RootPlace& centre, float centreLengthM,
                               std::span<glm::vec3> nodesHd);
 
+/// A plait has three wisps, a twist two, a loc one.
+[[nodiscard]] std::uint32_t wispCount(BraidKind kind);
+
 /// Makes a style that of a hair in a braid, whose path is `scalpM` on the scalp and `centreLengthM` along its centre.
 void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance& chance, float scalpM,
                 float centreLengthM, StrandStyle& style);

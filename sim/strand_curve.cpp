@@ -67,14 +67,24 @@ glm::vec3 carried(glm::vec3 reference, glm::vec3 lastPoint, glm::vec3 lastTangen
 /// along the third.
 glm::vec3 braidedOffset(const StrandStyle& style, float q)
 {
+    const auto kind = static_cast<BraidKind>(style.braid & 0xFFU);
     const auto wisp = static_cast<float>((style.braid >> 8U) & 3U);
     const float parted = std::min(q * style.braidTurns / kBraidEaseTurns, 1.0F);
     const float tuft = std::max(q - (1.0F - kTuftShare), 0.0F) / kTuftShare;
     const float r = style.braidRadiusM * parted;
-    const float wispR = r * kWispRadiusShare * (1.0F + (kTuftWispShare - 1.0F) * tuft);
-    const glm::vec3 offset = braidOffset(kTwoPi * style.braidTurns * q, wisp * (kTwoPi / 3.0F));
-    return offset * (r * (1.0F + (kTuftBraidShare - 1.0F) * tuft)) +
-           glm::vec3(style.placeX * wispR, 0.0F, style.placeY * wispR);
+    const float turned = kTwoPi * style.braidTurns * q;
+    const glm::vec3 place(style.placeX, 0.0F, style.placeY);
+    if (kind == BraidKind::Loc)
+        return place * (r * kLocWispShare);
+    glm::vec3 axis = braidOffset(turned, wisp * (kTwoPi / 3.0F));
+    float wispR = r * kWispRadiusShare;
+    if (kind == BraidKind::Twist) {
+        const float angle = turned + wisp * (0.5F * kTwoPi);
+        axis = glm::vec3(cosDet(angle), 0.0F, sinDet(angle)) * kTwistShare;
+        wispR = r * kTwistWispShare;
+    }
+    return axis * (r * (1.0F + (kTuftBraidShare - 1.0F) * tuft)) +
+           place * (wispR * (1.0F + (kTuftWispShare - 1.0F) * tuft));
 }
 
 } // namespace

@@ -20,6 +20,10 @@ inline constexpr float kCurlEaseShare = 0.25F;
 /// Part of a turn of the braid over which its wisps part where it begins.
 inline constexpr float kBraidEaseTurns = 0.5F;
 inline constexpr float kWispRadiusShare = 0.8F; ///< A wisp's radius in units of r.
+/// The wisps of a twist run round its middle at this distance and have this radius, in units of r; a loc is one wisp.
+inline constexpr float kTwistShare = 0.6F;
+inline constexpr float kTwistWispShare = 0.65F;
+inline constexpr float kLocWispShare = 0.9F;
 /// Last share of the braid, a tuft: there the wisps close up to kTuftBraidShare of r while each opens by
 /// kTuftWispShare.
 inline constexpr float kTuftShare = 0.12F;

@@ -62,7 +62,7 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
     chance.phase = unitFloat(first) * kTwoPi;
     chance.variation = static_cast<float>(first & 0xFFFFU) * (2.0F * kPerSixteenBits) - 1.0F;
     chance.coatHeight = static_cast<float>((first >> 16U) & 0xFFFFU) * kPerSixteenBits;
-    chance.wisp = static_cast<std::uint32_t>(second & 0xFFU) % 3;
+    chance.wisp = static_cast<std::uint32_t>(second & 0xFFU) % 6;
     chance.place = placeInDisc(second);
     return chance;
 }

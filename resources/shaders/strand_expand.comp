@@ -8,10 +8,15 @@ layout(std430, binding = 1) readonly buffer Styles { Style styles[]; };
 layout(std430, binding = 2) readonly buffer Skeletons { float skeletons[]; }; // [slots / 16][nodes][3][16]
 layout(std430, binding = 3) writeonly buffer Points { vec4 pointsWo[]; };
 
-// As in sim/strand_curve.h.
+// As in sim/groom.h and sim/strand_curve.h.
+const uint kTwist = 2u;
+const uint kLoc = 3u;
 const float kCurlEaseShare = 0.25;
 const float kBraidEaseTurns = 0.5;
 const float kWispRadiusShare = 0.8;
+const float kTwistShare = 0.6;
+const float kTwistWispShare = 0.65;
+const float kLocWispShare = 0.9;
 const float kTuftShare = 0.12;
 const float kTuftBraidShare = 0.35;
 const float kTuftWispShare = 1.5;
@@ -45,17 +50,21 @@ vec3 perpendicular(vec3 reference, vec3 tangent)
     return normalize(v - tangent * dot(v, tangent));
 }
 
-// Across the braid at share q of it: equation 3 for the wisp, and the hair's place in the wisp; in the end the wisps
-// close up and open into a tuft.
+// Across the braid at share q of it: equation 3 for the wisp of a plait, a circle for that of a twist, and the hair's
+// place in the wisp, of which a loc has one; in the end the wisps close up and open into a tuft.
 vec2 braidedOffset(uint slot, uint braid, float q)
 {
+    uint kind = braid & 0xFFu;
+    float wisp = float((braid >> 8) & 3u);
     float turns = styles[slot].braidTurns;
-    float tuft = max(q - (1.0 - kTuftShare), 0.0) / kTuftShare;
+    float tuft = kind == kLoc ? 0.0 : max(q - (1.0 - kTuftShare), 0.0) / kTuftShare;
     float r = styles[slot].braidRadiusM * min(q * turns / kBraidEaseTurns, 1.0);
-    float wispRadius = r * kWispRadiusShare * mix(1.0, kTuftWispShare, tuft);
-    float angle = 2.0 * kPi * (turns * q + float((braid >> 8) & 3u) / 3.0);
-    return vec2(cos(angle), sin(2.0 * angle)) * (r * mix(1.0, kTuftBraidShare, tuft))
-           + vec2(styles[slot].placeX, styles[slot].placeY) * wispRadius;
+    float angle = 2.0 * kPi * (turns * q + wisp / (kind == kTwist ? 2.0 : 3.0));
+    vec2 axis = vec2(cos(angle), sin(kind == kTwist ? angle : 2.0 * angle));
+    axis *= kind == kLoc ? 0.0 : kind == kTwist ? kTwistShare : 1.0;
+    float wispShare = kind == kLoc ? kLocWispShare : kind == kTwist ? kTwistWispShare : kWispRadiusShare;
+    return axis * (r * mix(1.0, kTuftBraidShare, tuft))
+           + vec2(styles[slot].placeX, styles[slot].placeY) * (r * wispShare * mix(1.0, kTuftWispShare, tuft));
 }
 
 void main()

@@ -43,6 +43,9 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu_data()
     QTest::newRow("plait, first wisp") << 12 << 0.0F << 0.0F << 0x001 << false;
     QTest::newRow("plait, second wisp") << 12 << 0.0F << 0.0F << 0x101 << false;
     QTest::newRow("plait, third wisp, head turned") << 32 << 0.0F << 0.0F << 0x201 << true;
+    QTest::newRow("twist, first wisp") << 12 << 0.0F << 0.0F << 0x002 << false;
+    QTest::newRow("twist, second wisp, head turned") << 12 << 0.0F << 0.0F << 0x102 << true;
+    QTest::newRow("loc") << 12 << 0.0F << 0.0F << 0x003 << false;
 }
 
 void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()

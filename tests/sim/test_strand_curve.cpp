@@ -53,11 +53,11 @@ StrandStyle curledStyle(float turns, float radiusM, float phase = 0.0F)
     return style;
 }
 
-StrandStyle braidedStyle(std::uint32_t wisp, float start)
+StrandStyle braidedStyle(std::uint32_t wisp, float start, BraidKind kind = BraidKind::Plait)
 {
     StrandStyle style;
     style.lengthM = 0.3F;
-    style.braid = static_cast<std::uint32_t>(BraidKind::Plait) | (wisp << 8U);
+    style.braid = static_cast<std::uint32_t>(kind) | (wisp << 8U);
     style.braidRadiusM = 0.01F;
     style.braidStart = start;
     style.braidTurns = 4.0F;
@@ -83,6 +83,8 @@ private Q_SLOTS:
     void curlsKeepTheirRadiusAroundABend();
     void wispsAreAThirdOfATurnApartAndCentredOnTheSkeleton();
     void placesSpreadAWispInItsRadius();
+    void aTwistHasTwoWispsOnOppositeSides();
+    void aLocIsOneWispToItsEnd();
     void hairsOfABraidAreTurnedAlikeFromWhereverTheyCome();
     void beforeABraidTheHairLiesOnItsSkeleton();
     void aBraidEndsInATuft();
@@ -261,6 +263,36 @@ void TestStrandCurve::placesSpreadAWispInItsRadius()
     const glm::vec3 offset = aside[50] - middle[50];
     QVERIFY(std::abs(glm::length(offset) - kWispRadiusShare * style.braidRadiusM) < 1e-6F);
     QVERIFY(std::abs(offset.y) < 1e-6F);
+}
+
+void TestStrandCurve::aTwistHasTwoWispsOnOppositeSides()
+{
+    const auto skeleton = straightSkeleton({0.0F, 1.0F, 0.0F}, 0.3F);
+    std::array<std::vector<glm::vec3>, 2> wisps;
+    for (std::uint32_t wisp = 0; wisp < 2; ++wisp)
+        evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, braidedStyle(wisp, 0.0F, BraidKind::Twist), 240, wisps.at(wisp));
+    for (std::size_t i = 40; i < 180; ++i) {
+        const glm::vec3 axis(0.0F, 0.3F * static_cast<float>(i) / 240.0F, 0.0F);
+        QVERIFY(glm::length(0.5F * (wisps[0][i] + wisps[1][i]) - axis) < 1e-5F);
+        QVERIFY(std::abs(glm::length(wisps[0][i] - axis) - kTwistShare * 0.01F) < 1e-5F);
+        // 4 turns in 240 segments: after half a turn each wisp is where the other was.
+        const glm::vec3 later = wisps[0][i + 30] - wisps[1][i];
+        QVERIFY(std::abs(later.x) < 1e-5F && std::abs(later.z) < 1e-5F);
+    }
+}
+
+void TestStrandCurve::aLocIsOneWispToItsEnd()
+{
+    const auto skeleton = straightSkeleton({0.0F, 1.0F, 0.0F}, 0.3F);
+    StrandStyle style = braidedStyle(0, 0.0F, BraidKind::Loc);
+    style.placeX = 0.6F;
+    style.placeY = -0.8F;
+    std::vector<glm::vec3> points;
+    evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 100, points);
+    for (std::size_t i = 20; i < points.size(); ++i) {
+        const glm::vec2 offset(points[i].x, points[i].z);
+        QVERIFY(std::abs(glm::length(offset) - kLocWispShare * style.braidRadiusM) < 1e-6F);
+    }
 }
 
 void TestStrandCurve::hairsOfABraidAreTurnedAlikeFromWhereverTheyCome()
