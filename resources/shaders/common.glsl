@@ -39,8 +39,6 @@ const uint kHeadColour = 0xFFFFFu; // Not a colour of hair: the head's own layer
 const uint kEmptySample = 0xFFFFFFFFu;
 const float kDepthKeys = 4095.0;
 
-const int kShadeCell = 4; // Pixels of the picture across a texel of the hair's shadow on the skin.
-
 uint depthKey(float distanceM)
 {
     return uint(clamp((distanceM - depthRange.x) * depthRange.y, 0.0, kDepthKeys - 1.0));

@@ -3,7 +3,7 @@
 layout(std430, binding = 0) readonly buffer Samples { uint samples[]; };
 layout(binding = 0) uniform sampler2D headColour;
 layout(binding = 2) uniform sampler2D skinShade; // What is left of the skin's light under the hair.
-uniform bool shaded;                             // Whether there is hair that throws shadows.
+uniform int shadeCell;                           // Pixels across a texel of it; 0 where no hair throws a shadow.
 in vec3 backgroundSrgb;
 layout(location = 0) out vec4 srgb;
 
@@ -22,7 +22,9 @@ void main()
 {
     ivec2 corner = ivec2(gl_FragCoord.xy) * ivec2(SAMPLES_X, SAMPLES_Y);
     int first = corner.y * int(target.x) + corner.x;
-    float shade = shaded ? texture(skinShade, gl_FragCoord.xy / vec2(textureSize(skinShade, 0) * kShadeCell)).x : 1.0;
+    float shade = 1.0;
+    if (shadeCell > 0)
+        shade = texture(skinShade, gl_FragCoord.xy / vec2(textureSize(skinShade, 0) * shadeCell)).x;
     uint a = samples[first];
 #if SAMPLES_X == 1
     srgb = vec4(a == kEmptySample ? backgroundSrgb : fastSrgb(colourOf(a, corner, shade)), 1.0);

@@ -11,9 +11,9 @@ float fromCentreM(ivec2 at)
     return distance(unprojected(vec2(at) + 0.5, texelFetch(headDepth, at, 0).x), ringWo[ring].xyz);
 }
 
-void lay(vec3 colour, float alpha)
+vec4 over(vec4 below, vec3 colour, float alpha)
 {
-    srgb = mix(srgb, vec4(colour, 1.0), alpha);
+    return mix(below, vec4(colour, 1.0), alpha);
 }
 
 void main()
@@ -25,11 +25,10 @@ void main()
     vec2 slope = vec2(fromCentreM(at + ivec2(SAMPLES_X, 0)), fromCentreM(at + ivec2(0, SAMPLES_Y))) - d;
     float metrePerPixel = centre.w * float(SAMPLES_Y) / gridSize.z;
     float pixels = (d - radiusM) / clamp(length(slope), 0.15 * metrePerPixel, 3.0 * metrePerPixel);
-    srgb = vec4(0.0);
-    if (texelFetch(headDepth, at, 0).x >= 1.0)
-        return;
     vec3 skin = texelFetch(headColour, at, 0).rgb;
-    lay(fastSrgb(skin * skin), pixels < 0.0 ? 0.55 : 0.0);
-    lay(vec3(0.06), 0.75 * clamp(1.7 - abs(pixels - 1.4), 0.0, 1.0));
-    lay(vec3(0.97), clamp(1.5 - abs(pixels), 0.0, 1.0));
+    vec4 laid = vec4(0.0);
+    laid = over(laid, fastSrgb(skin * skin), pixels < 0.0 ? 0.55 : 0.0);
+    laid = over(laid, vec3(0.06), 0.75 * clamp(1.7 - abs(pixels - 1.4), 0.0, 1.0));
+    laid = over(laid, vec3(0.97), clamp(1.5 - abs(pixels), 0.0, 1.0));
+    srgb = texelFetch(headDepth, at, 0).x < 1.0 ? laid : vec4(0.0);
 }

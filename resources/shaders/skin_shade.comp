@@ -7,6 +7,8 @@ layout(binding = 2) uniform sampler3D opacityToLight;
 layout(binding = 3) uniform sampler3D opacityToEye;
 layout(r8, binding = 0) writeonly uniform image2D skinShade;
 
+uniform int shadeCell; // Pixels across a cell.
+
 const vec2 kPlaces[5] = vec2[](vec2(0.5), vec2(0.1, 0.1), vec2(0.9, 0.1), vec2(0.1, 0.9), vec2(0.9, 0.9));
 
 void main()
@@ -17,7 +19,7 @@ void main()
     vec2 at = vec2(0.0);
     float depth = 1.0;
     for (int i = 4; i >= 0; --i) {
-        vec2 place = min(floor((vec2(cell) + kPlaces[i]) * float(kShadeCell) * target.zw), target.xy - 1.0);
+        vec2 place = min(floor((vec2(cell) + kPlaces[i]) * float(shadeCell) * target.zw), target.xy - 1.0);
         float here = texelFetch(headDepth, ivec2(place), 0).x;
         at = here < 1.0 ? place + 0.5 : at;
         depth = here < 1.0 ? here : depth;
@@ -25,6 +27,9 @@ void main()
     vec4 wo = vec4(unprojected(at, depth), 1.0);
     float above = texture(opacityToLight, (gridFromWo[0] * wo).xyz).x;
     float before = texture(opacityToEye, (gridFromWo[1] * wo).xyz).x;
-    float shade = (0.35 + 0.65 * exp2(-0.6 * above)) * (0.2 + 0.8 * exp2(-2.0 * before));
+    // The light falls on the side of the head that is turned toward it; the other has no shadow to get.
+    vec2 side = wo.xz - headWo.xz;
+    float lit = smoothstep(-0.3, 0.2, dot(side, lightWo.xz) * inversesqrt(dot(side, side) + 1e-4));
+    float shade = (1.0 - 0.65 * lit * (1.0 - exp2(-0.6 * above))) * (0.2 + 0.8 * exp2(-2.0 * before));
     imageStore(skinShade, cell, vec4(depth < 1.0 ? shade : 1.0));
 }

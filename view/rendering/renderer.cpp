@@ -123,7 +123,7 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     if (report.hairs > 0) {
         state.head->bind(0, 1);
         state.hair->bindOpacity(2, 3);
-        state.shade.draw(state.width, state.height);
+        state.shade.draw(target);
     }
     state.picture.resize2D(GL_RGBA8, state.width, state.height);
     glBindFramebuffer(GL_FRAMEBUFFER, state.framebuffer.id());
@@ -135,7 +135,7 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
         state.shade.bind(2);
     const Program& resolve = state.resolve.at(static_cast<std::size_t>(target.samples.x * target.samples.y / 2));
     resolve.use();
-    resolve.set("shaded", report.hairs > 0 ? 1 : 0);
+    resolve.set("shadeCell", report.hairs > 0 ? state.shade.cell() : 0);
     glBindVertexArray(state.noVertices.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     state.rings.draw(constants);

@@ -6,7 +6,9 @@
 namespace hairpaint::rendering {
 namespace {
 
-constexpr int kCell = 4;      ///< As in common.glsl.
+constexpr int kCell = 4; ///< As in common.glsl.
+constexpr int kCoarseCell = 4;
+constexpr int kFineCell = 2;  ///< Of pictures with several samples a pixel.
 constexpr int kWorkgroup = 8; ///< In each direction.
 
 unsigned groups(int cells)
@@ -26,12 +28,14 @@ tl::expected<SkinShade, std::string> SkinShade::create()
     return shade;
 }
 
-void SkinShade::draw(int width, int height)
+void SkinShade::draw(const Target& target)
 {
-    const int across = (width + kCell - 1) / kCell;
-    const int up = (height + kCell - 1) / kCell;
+    m_cell = target.samples.x > 1 ? kFineCell : kCoarseCell;
+    const int across = (target.width + m_cell - 1) / m_cell;
+    const int up = (target.height + m_cell - 1) / m_cell;
     m_shade.resize2D(GL_R8, across, up, true);
     m_program.use();
+    m_program.set("shadeCell", m_cell);
     glBindImageTexture(0, m_shade.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R8);
     glDispatchCompute(groups(across), groups(up), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
