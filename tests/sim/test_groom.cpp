@@ -35,26 +35,6 @@ std::shared_ptr<const Groom> groomOf(const GroomInput& input)
     return GroomBuilder().update(input).grooms.front();
 }
 
-/// Left half one value, right half another.
-std::shared_ptr<const TiledRaster> halves(float left, float right)
-{
-    auto map = std::make_shared<TiledRaster>(512, 1, Texel{channelOf(left)});
-    for (int tile = 0; tile < map->tileCount(); ++tile)
-        if (map->tileRect(tile).x0 >= 256)
-            map->setUniform(tile, {channelOf(right)});
-    return map;
-}
-
-/// Grows with u from 0 to 1.
-std::shared_ptr<const TiledRaster> ramp()
-{
-    auto map = std::make_shared<TiledRaster>(512, 1);
-    for (int y = 0; y < 512; ++y)
-        for (int x = 0; x < 512; ++x)
-            map->setTexel(x, y, {channelOf((static_cast<float>(x) + 0.5F) / 512.0F)});
-    return map;
-}
-
 } // namespace
 
 class TestGroom : public QObject

@@ -52,6 +52,26 @@ inline std::shared_ptr<const sim::TiledRaster> withDab(const std::shared_ptr<con
     return painted;
 }
 
+/// Left half one value, right half another.
+inline std::shared_ptr<const sim::TiledRaster> halves(float left, float right)
+{
+    auto map = std::make_shared<sim::TiledRaster>(512, 1, sim::Texel{channelOf(left)});
+    for (int tile = 0; tile < map->tileCount(); ++tile)
+        if (map->tileRect(tile).x0 >= 256)
+            map->setUniform(tile, {channelOf(right)});
+    return map;
+}
+
+/// Grows with u from 0 to 1.
+inline std::shared_ptr<const sim::TiledRaster> ramp()
+{
+    auto map = std::make_shared<sim::TiledRaster>(512, 1);
+    for (int y = 0; y < 512; ++y)
+        for (int x = 0; x < 512; ++x)
+            map->setTexel(x, y, {channelOf((static_cast<float>(x) + 0.5F) / 512.0F)});
+    return map;
+}
+
 /// One group with uniform maps: full density, half length, straight, brown.
 inline sim::GroupInput uniformGroup(int id = 1)
 {
