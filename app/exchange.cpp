@@ -122,6 +122,7 @@ void Exchange::importHeadFrom(const QString& path)
     if (!mesh)
         return complain(mesh.error().message);
     view::HeadImportDialog dialog(*mesh, name, &m_window);
+    Q_EMIT headDialogMade(dialog);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const model::HeadGuess guess{.unitScale = dialog.unitScale(), .upAxis = dialog.upAxis()};

@@ -9,6 +9,8 @@
 
 #include <functional>
 
+class QDialog;
+
 namespace hairpaint::app {
 
 /// Shows file dialogs, progress and message boxes over `window`.
@@ -34,6 +36,7 @@ public:
     void applyStyleFrom(const QString& path);
 
 Q_SIGNALS:
+    void headDialogMade(QDialog& dialog); ///< About to be shown.
     void stylesChanged();
     void done(const QString& message); ///< For the status bar.
 

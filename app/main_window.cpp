@@ -134,8 +134,12 @@ void MainWindow::connectViews()
     connect(&m_session.document(), &model::Document::modifiedChanged, this, &MainWindow::setWindowModified);
     connect(&m_exchange, &Exchange::stylesChanged, this, &MainWindow::refreshStyles);
     connect(&m_exchange, &Exchange::done, this, showMessage);
+    connect(&m_exchange, &Exchange::headDialogMade, this,
+            [this](QDialog& dialog) { addHelpKey(dialog, view::HelpDialog::Topic::HeadImport); });
     connect(m_styleStrip, &view::StyleStrip::saveStyleRequested, &m_exchange, &Exchange::saveStyle);
     connect(m_styleStrip, &view::StyleStrip::deleteStyleRequested, &m_exchange, &Exchange::deleteStyle);
+    connect(m_styleStrip, &view::StyleStrip::pictureWanted, &m_stylePictures, &StylePictures::make);
+    connect(&m_stylePictures, &StylePictures::made, m_styleStrip, &view::StyleStrip::setPicture);
     connect(m_styleStrip, &view::StyleStrip::failed, m_status,
             [this](const QString& message) { m_status->showMessage(message, true); });
 }

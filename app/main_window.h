@@ -6,7 +6,9 @@
 #include "app/project_files.h"
 #include "app/session.h"
 #include "app/settings.h"
+#include "app/style_pictures.h"
 #include "model/tools/clipboard.h"
+#include "view/dialogs/help_dialog.h"
 #include "view/rendering/renderer.h"
 
 #include <QElapsedTimer>
@@ -92,13 +94,15 @@ private:
     void showPreferences();
     void showWind();
     void showLight();
-    void showKeys();
+    void showHelp(view::HelpDialog::Topic topic, QWidget* over);
+    void addHelpKey(QDialog& dialog, view::HelpDialog::Topic topic);
     void setPreferences(const view::Preferences& preferences);
 
     Settings m_settings;
     Session m_session;
     ProjectFiles m_files;
     Exchange m_exchange;
+    StylePictures m_stylePictures;
     ActionSet m_actions;
     view::Preferences m_preferences;
 

@@ -39,8 +39,8 @@ void MainWindow::buildMenus()
     m_areaMenu = new QMenu(this);
     for (const char* id : std::initializer_list<const char*>{
              "edit.undo", "edit.redo", nullptr, "edit.cut", "edit.copy", "edit.paste", "edit.clear", nullptr,
-             "edit.all", "edit.none", nullptr, "file.loadImage", "file.saveImage", nullptr, "view.wireframe",
-             "view.night", "view.fit", "view.home"}) {
+             "edit.all", "edit.none", "edit.invert", nullptr, "file.loadImage", "file.saveImage", nullptr,
+             "view.wireframe", "view.night", "view.fit", "view.home"}) {
         if (id == nullptr)
             m_areaMenu->addSeparator();
         else
@@ -165,6 +165,10 @@ void MainWindow::buildEditMenu()
                          .text = tr("Select &none"),
                          .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
                          .run = [this] { m_session.editor().selection().setRectangle({}); }});
+    m_actions.add(menu, {.id = "edit.invert",
+                         .text = tr("&Invert selection"),
+                         .key = QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I),
+                         .run = [this] { m_session.editor().selection().invert(); }});
     menu.addSeparator();
     QAction* mirror = m_actions.add(menu, {.id = "edit.mirror",
                                            .text = tr("&Mirror painting"),
@@ -173,6 +177,8 @@ void MainWindow::buildEditMenu()
                                            .checkable = true});
     mirror->setChecked(m_session.editor().mirror());
     connect(mirror, &QAction::toggled, this, [this](bool on) { m_session.editor().setMirror(on); });
+    connect(&m_session.editor(), &view::EditorState::viewOptionsChanged, mirror,
+            [this, mirror] { mirror->setChecked(m_session.editor().mirror()); });
     menu.addSeparator();
     m_actions.add(menu, {.id = "edit.preferences",
                          .text = tr("Pre&ferences…"),

@@ -15,6 +15,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QKeyEvent>
 #include <QMenuBar>
 
 namespace hairpaint::app {
@@ -163,10 +164,13 @@ void MainWindow::buildHairMenu()
 void MainWindow::buildHelpMenu()
 {
     QMenu& menu = *menuBar()->addMenu(tr("&Help"));
-    m_actions.add(
-        menu, {.id = "help.keys", .text = tr("&Keys…"), .key = QKeySequence(Qt::SHIFT | Qt::Key_F1), .run = [this] {
-                   showKeys();
-               }});
+    m_actions.add(menu,
+                  {.id = "help.help", .text = tr("&Help…"), .key = QKeySequence(Qt::SHIFT | Qt::Key_F1), .run = [this] {
+                       showHelp(view::HelpDialog::Topic::Tools, this);
+                   }});
+    m_actions.add(menu, {.id = "help.keys", .text = tr("&Keys…"), .run = [this] {
+                             showHelp(view::HelpDialog::Topic::Keys, this);
+                         }});
     m_actions.add(
         menu,
         {.id = "help.about", .text = tr("&About Hair Paint"), .run = [this] {
@@ -221,12 +225,13 @@ namespace {
 
 /// Opens the one dialog of its kind over the window, or brings it to the front.
 template<typename Dialog>
-void showOnly(QWidget* window, view::EditorState& editor)
+void showOnly(QWidget* window, view::EditorState& editor, const std::function<void(QDialog&)>& prepare)
 {
     auto* dialog = window->findChild<Dialog*>();
     if (dialog == nullptr) {
         dialog = new Dialog(editor, window);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
+        prepare(*dialog);
     }
     dialog->show();
     dialog->raise();
@@ -237,26 +242,63 @@ void showOnly(QWidget* window, view::EditorState& editor)
 
 void MainWindow::showWind()
 {
-    showOnly<view::WindDialog>(this, m_session.editor());
+    showOnly<view::WindDialog>(this, m_session.editor(),
+                               [this](QDialog& dialog) { addHelpKey(dialog, view::HelpDialog::Topic::Wind); });
 }
 
 void MainWindow::showLight()
 {
-    showOnly<view::LightDialog>(this, m_session.editor());
+    showOnly<view::LightDialog>(this, m_session.editor(),
+                                [this](QDialog& dialog) { addHelpKey(dialog, view::HelpDialog::Topic::Light); });
 }
 
 void MainWindow::showPreferences()
 {
     auto* dialog = new view::PreferencesDialog(m_preferences, languages(), m_actions.bindings(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    addHelpKey(*dialog, view::HelpDialog::Topic::Preferences);
     connect(dialog, &view::PreferencesDialog::preferencesChanged, this, &MainWindow::setPreferences);
     connect(dialog, &view::PreferencesDialog::keyChanged, &m_actions, &ActionSet::remember);
     dialog->show();
 }
 
-void MainWindow::showKeys()
+namespace {
+
+/// F1 in a dialog. No shortcut: the window's own F1 reaches into its tool windows, and two of them are none.
+class HelpKey : public QObject
 {
-    showPreferences();
+public:
+    HelpKey(QDialog& dialog, std::function<void()> show) : QObject(&dialog), m_show(std::move(show)) {}
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+        if (!isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_F1)
+            return QObject::eventFilter(watched, event);
+        if (event->type() == QEvent::KeyPress)
+            m_show();
+        event->accept();
+        return true;
+    }
+
+private:
+    std::function<void()> m_show;
+};
+
+} // namespace
+
+void MainWindow::showHelp(view::HelpDialog::Topic topic, QWidget* over)
+{
+    auto* dialog = over->findChild<view::HelpDialog*>(QString(), Qt::FindDirectChildrenOnly);
+    if (dialog == nullptr)
+        dialog = new view::HelpDialog(m_session.editor(), m_actions.bindings(), over);
+    dialog->showTopic(topic);
+}
+
+void MainWindow::addHelpKey(QDialog& dialog, view::HelpDialog::Topic topic)
+{
+    dialog.installEventFilter(new HelpKey(dialog, [this, topic, over = &dialog] { showHelp(topic, over); }));
 }
 
 void MainWindow::setPreferences(const view::Preferences& preferences)

@@ -175,6 +175,10 @@
         <source>Change head</source>
         <translation>Cambiar la cabeza</translation>
     </message>
+    <message>
+        <source>Move group &quot;%1&quot;</source>
+        <translation>Mover el grupo &quot;%1&quot;</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -1092,10 +1096,6 @@
         <translation>Selección</translation>
     </message>
     <message>
-        <source>Drag a rectangle, Shift for a square; click to select nothing</source>
-        <translation>Arrastra un rectángulo, con Mayúsculas un cuadrado; haz clic para no seleccionar nada</translation>
-    </message>
-    <message>
         <source>Shape</source>
         <translation>Forma</translation>
     </message>
@@ -1106,6 +1106,10 @@
     <message>
         <source>Drag a filled shape; Shift makes it a square or a circle; polygons: click corner by corner</source>
         <translation>Arrastra una forma rellena; Mayúsculas la hace cuadrado o círculo; polígonos: haz clic esquina por esquina</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing</source>
+        <translation>Arrastre un rectángulo, Mayús añade a la selección o hace un cuadrado; haga clic para no seleccionar nada</translation>
     </message>
 </context>
 <context>
@@ -1548,6 +1552,14 @@
         <source>H&amp;air</source>
         <translation>&amp;Pelo</translation>
     </message>
+    <message>
+        <source>&amp;Invert selection</source>
+        <translation>&amp;Invertir la selección</translation>
+    </message>
+    <message>
+        <source>&amp;Help ...</source>
+        <translation>&amp;Ayuda ...</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ProjectFiles</name>
@@ -1833,6 +1845,177 @@
     <message>
         <source>The hair can&apos;t be shown here: %1 Painting, saving and exporting work all the same.</source>
         <translation>El pelo no se puede mostrar aquí: %1 Pintar, guardar y exportar funcionan igualmente.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::HelpDialog</name>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished">Herramientas</translation>
+    </message>
+    <message>
+        <source>Every tool works in both areas: on the flat map and straight on the head. What it paints goes to the active layer of the active map, inside the selection where there is one.</source>
+        <translation>Cada herramienta sirve en las dos zonas: en el mapa plano y directamente en la cabeza. Lo que pinta va a la capa activa del mapa activo, dentro de la selección si la hay.</translation>
+    </message>
+    <message>
+        <source>Look at or paint the first nine maps</source>
+        <translation>Ver o pintar los nueve primeros mapas</translation>
+    </message>
+    <message>
+        <source>1 to 9</source>
+        <translation>1 a 9</translation>
+    </message>
+    <message>
+        <source>Make the brush smaller or larger</source>
+        <translation>Pincel más pequeño o más grande</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ y ]</translation>
+    </message>
+    <message>
+        <source>Size sideways, hardness up and down</source>
+        <translation>Tamaño a los lados, dureza arriba y abajo</translation>
+    </message>
+    <message>
+        <source>Ctrl and right-drag</source>
+        <translation>Ctrl y arrastrar con el botón derecho</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished">Opacidad</translation>
+    </message>
+    <message>
+        <source>Hold O and drag</source>
+        <translation>Mantener O y arrastrar</translation>
+    </message>
+    <message>
+        <source>Straight line from the last point</source>
+        <translation>Línea recta desde el último punto</translation>
+    </message>
+    <message>
+        <source>Shift and click</source>
+        <translation>Mayús y clic</translation>
+    </message>
+    <message>
+        <source>Pick the value under the pointer</source>
+        <translation>Tomar el valor bajo el puntero</translation>
+    </message>
+    <message>
+        <source>Ctrl and click</source>
+        <translation>Ctrl y clic</translation>
+    </message>
+    <message>
+        <source>Cancel the stroke</source>
+        <translation>Cancelar el trazo</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation type="unfinished">Esc</translation>
+    </message>
+    <message>
+        <source>Move the map; rotate it</source>
+        <translation>Mover el mapa; girarlo</translation>
+    </message>
+    <message>
+        <source>Space and drag; Shift, Space and drag</source>
+        <translation>Espacio y arrastrar; Mayús, Espacio y arrastrar</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>Ampliar en el puntero</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rueda</translation>
+    </message>
+    <message>
+        <source>3D area: turn the view</source>
+        <translation>Zona 3D: girar la vista</translation>
+    </message>
+    <message>
+        <source>Drag the background, or right-drag</source>
+        <translation>Arrastrar el fondo, o con el botón derecho</translation>
+    </message>
+    <message>
+        <source>3D area: move the view</source>
+        <translation>Zona 3D: mover la vista</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>Arrastrar con el botón central</translation>
+    </message>
+    <message>
+        <source>3D area: turn the light</source>
+        <translation>Zona 3D: girar la luz</translation>
+    </message>
+    <message>
+        <source>Shift and right-drag</source>
+        <translation>Mayús y arrastrar con el botón derecho</translation>
+    </message>
+    <message>
+        <source>3D area: turn the head, so that the hair swings</source>
+        <translation>Zona 3D: girar la cabeza para que el pelo oscile</translation>
+    </message>
+    <message>
+        <source>Hold H and drag</source>
+        <translation>Mantener H y arrastrar</translation>
+    </message>
+    <message>
+        <source>Hide the panels</source>
+        <translation>Ocultar los paneles</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Pointer</source>
+        <translation>Puntero</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished">Teclas</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation type="unfinished">Viento</translation>
+    </message>
+    <message>
+        <source>Direction and speed of the wind; gusts let it come and go, turbulence makes it differ from place to place. The hair shows every change at once, and letting go is one step to undo.</source>
+        <translation>Dirección y velocidad del viento; las ráfagas lo hacen ir y venir, la turbulencia lo hace distinto de un lugar a otro. El pelo muestra cada cambio al momento, y soltar es un solo paso que deshacer.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Luz</translation>
+    </message>
+    <message>
+        <source>Where the light stands, how strong it is and its colour; the light from all sides brightens the shadows. The background is the picture&apos;s own.</source>
+        <translation>Dónde está la luz, su fuerza y su color; la luz de todos los lados aclara las sombras. El fondo es el de la propia imagen.</translation>
+    </message>
+    <message>
+        <source>Import head</source>
+        <translation type="unfinished">Importar cabeza</translation>
+    </message>
+    <message>
+        <source>A mesh says neither its unit nor which way is up, so both are guessed: the picture shows the head beside its height. Set them right before it becomes the head; it needs uv coordinates, which the maps lie on.</source>
+        <translation>Una malla no dice ni su unidad ni qué lado queda arriba, así que ambos se deducen: la imagen muestra la cabeza junto a su altura. Corríjalos antes de que pase a ser la cabeza; necesita coordenadas uv, sobre las que están los mapas.</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation type="unfinished">Preferencias</translation>
+    </message>
+    <message>
+        <source>Theme, paper, language and what draws the 3D area; and all keys, each of which can be set anew.</source>
+        <translation>Tema, papel, idioma y qué dibuja la zona 3D; y todas las teclas, cada una de las cuales puede cambiarse.</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Ayuda</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Cerrar</translation>
     </message>
 </context>
 <context>

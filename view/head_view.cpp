@@ -336,11 +336,8 @@ void HeadView::refreshRings()
 void HeadView::refreshOverlay()
 {
     std::vector<model::OverlayShape> shapes = m_state->editor.activeTool().overlay();
-    if (const std::optional<QRectF>& selected = m_state->editor.selection().rectangle()) {
-        QPolygonF outline(*selected);
-        outline.removeLast();
-        shapes.push_back({.uvOutline = outline, .closed = true, .marching = true});
-    }
+    for (QPolygonF& outline : m_state->editor.selection().outlines())
+        shapes.push_back({.uvOutline = std::move(outline), .closed = true, .marching = true});
     m_state->overlay->setShapes(shapes, m_state->skin(), m_state->scene.camera, m_state->shownPose());
 }
 

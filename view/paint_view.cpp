@@ -38,13 +38,6 @@ QPolygonF onWidget(const QPolygonF& uvPolygon, const QTransform& paperToWidget)
     return polygon;
 }
 
-model::OverlayShape selectionShape(const QRectF& rectangle)
-{
-    QPolygonF outline(rectangle);
-    outline.removeLast();
-    return {.uvOutline = outline, .closed = true, .marching = true};
-}
-
 } // namespace
 
 PaintView::PaintView(EditorState& state, const Theme& theme, QWidget* parent)
@@ -171,8 +164,8 @@ void PaintView::refreshOverlay()
 {
     State& state = *m_state;
     state.overlay = state.editor.activeTool().overlay();
-    if (const std::optional<QRectF>& selected = state.editor.selection().rectangle())
-        state.overlay.push_back(selectionShape(*selected));
+    for (QPolygonF& outline : state.editor.selection().outlines())
+        state.overlay.push_back({.uvOutline = std::move(outline), .closed = true, .marching = true});
     std::vector<QPolygonF> outlines;
     const QTransform toWidget = state.transform.paperToWidget();
     for (const model::OverlayShape& shape : state.overlay)

@@ -275,7 +275,7 @@ void PaintView::rotateBy(double degrees)
 void PaintView::fit()
 {
     QRectF paper(0.0, 0.0, 1.0, 1.0);
-    const std::optional<QRectF>& selected = m_state->editor.selection().rectangle();
+    const std::optional<QRectF> selected = m_state->editor.selection().rectangle();
     if (selected && !selected->isEmpty())
         paper = QRectF(selected->x(), 1.0 - selected->bottom(), selected->width(), selected->height());
     m_state->transform.fit(paper);

@@ -39,6 +39,8 @@ struct LayerProperties
 [[nodiscard]] CommandPtr addGroupCommand(Document& document, const QString& name);
 [[nodiscard]] CommandPtr removeGroupCommand(Document& document, Id group);
 [[nodiscard]] CommandPtr renameGroupCommand(Document& document, Id group, const QString& name);
+/// Null where it stays in its place; `newPosition` is counted from the first.
+[[nodiscard]] CommandPtr moveGroupCommand(Document& document, Id group, int newPosition);
 [[nodiscard]] CommandPtr showGroupCommand(Document& document, Id group, bool visible);
 /// Null where nothing differs; likewise the next ones.
 [[nodiscard]] CommandPtr setSettingsCommand(Document& document, Id group, const sim::GroupSettings& settings,

@@ -1,4 +1,4 @@
-// Groups added, removed, renamed, shown and replaced by a preset's.
+// Groups added, removed, renamed, moved, shown and replaced by a preset's.
 #include "model/commands/commands.h"
 #include "model/commands/slice_command.h"
 #include "model/names.h"
@@ -89,6 +89,24 @@ CommandPtr renameGroupCommand(Document& document, Id group, const QString& name)
                          [group, name](Project& project) {
                              if (HairGroup* one = project.group(group))
                                  one->name = name;
+                         });
+}
+
+CommandPtr moveGroupCommand(Document& document, Id group, int newPosition)
+{
+    const std::vector<HairGroup>& groups = document.committed().groups;
+    const auto found = std::ranges::find(groups, group, &HairGroup::id);
+    const auto from = found - groups.begin();
+    const auto to = std::clamp<std::ptrdiff_t>(newPosition, 0, std::ssize(groups) - 1);
+    if (found == groups.end() || from == to)
+        return nullptr;
+    return groupsCommand(document, group, Commands::tr("Move group \"%1\"").arg(nameOf(document, group)),
+                         [from, to](Project& project) {
+                             const auto first = project.groups.begin();
+                             if (from < to)
+                                 std::rotate(first + from, first + from + 1, first + to + 1);
+                             else
+                                 std::rotate(first + to, first + from, first + from + 1);
                          });
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/files/group_json.h"
 #include "model/files/png_codec.h"
+#include "model/files/project_json.h"
 #include "sim/parallel.h"
 
 #include <QBuffer>
@@ -142,13 +143,6 @@ Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const
     return images;
 }
 
-} // namespace
-
-void addMimetype(ArchiveWriter& archive, const QByteArray& mimetype)
-{
-    archive.add("mimetype", mimetype, ArchiveWriter::Method::Stored);
-}
-
 Checked<void> checkMimetype(const ArchiveReader& archive, const QByteArray& mimetype)
 {
     const Checked<QByteArray> found = archive.read(QStringLiteral("mimetype"), kMostMimetypeBytes);
@@ -160,6 +154,28 @@ Checked<void> checkMimetype(const ArchiveReader& archive, const QByteArray& mime
                           .arg(shownPath(QString::fromLatin1(found->left(60)))),
                       Clause::Cure::OtherFile);
     return {};
+}
+
+} // namespace
+
+void addMimetype(ArchiveWriter& archive, const QByteArray& mimetype)
+{
+    archive.add("mimetype", mimetype, ArchiveWriter::Method::Stored);
+}
+
+Result<OpenedArchive> openArchive(const QString& path, const QByteArray& mimetype)
+{
+    if (Result<void> readable = checkReadable(path, kMostFileBytes); !readable)
+        return tl::unexpected(readable.error());
+    Checked<ArchiveReader> archive = ArchiveReader::open(path);
+    if (!archive)
+        return cannotOpen(path, archive.error());
+    if (Checked<void> kind = checkMimetype(*archive, mimetype); !kind)
+        return cannotOpen(path, kind.error());
+    Checked<QByteArray> json = archive->read(QStringLiteral("project.json"), kMostJsonBytes);
+    if (!json)
+        return cannotOpen(path, json.error());
+    return OpenedArchive{.archive = std::move(*archive), .json = std::move(*json)};
 }
 
 Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& groups, EncodedLayers& cache,

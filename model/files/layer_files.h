@@ -15,7 +15,14 @@ inline constexpr int kLargestThumbnail = 1024;
 
 /// Archives of this kind say so in their first entry.
 void addMimetype(ArchiveWriter& archive, const QByteArray& mimetype);
-[[nodiscard]] Checked<void> checkMimetype(const ArchiveReader& archive, const QByteArray& mimetype);
+
+/// An archive of the wanted kind and its project.json, the maps unread.
+struct OpenedArchive
+{
+    ArchiveReader archive;
+    QByteArray json;
+};
+[[nodiscard]] Result<OpenedArchive> openArchive(const QString& path, const QByteArray& mimetype);
 
 /// Adds every layer's image, encoding those that `cache` does not know. False where `progress` cancels.
 [[nodiscard]] Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& groups,

@@ -32,24 +32,17 @@ struct OpenedPreset
 
 Result<OpenedPreset> openPreset(const QString& path)
 {
-    if (Result<void> readable = checkReadable(path, kMostFileBytes); !readable)
-        return tl::unexpected(readable.error());
-    Checked<ArchiveReader> archive = ArchiveReader::open(path);
-    if (!archive)
-        return cannotOpen(path, archive.error());
-    if (Checked<void> kind = checkMimetype(*archive, kMimetype); !kind)
-        return cannotOpen(path, kind.error());
-    const Checked<QByteArray> json = archive->read(QStringLiteral("project.json"), kMostJsonBytes);
-    if (!json)
-        return cannotOpen(path, json.error());
-    Checked<Preset> preset = presetFromJson(*json);
+    Result<OpenedArchive> opened = openArchive(path, kMimetype);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    Checked<Preset> preset = presetFromJson(opened->json);
     if (!preset)
         return cannotOpen(path, preset.error());
     if (preset->name.isEmpty())
         preset->name = QFileInfo(path).completeBaseName();
     preset->folder = path.startsWith(QLatin1Char(':')) ? QString() : path;
-    preset->picture = readThumbnail(*archive);
-    return OpenedPreset{.archive = std::move(*archive), .preset = std::move(*preset)};
+    preset->picture = readThumbnail(opened->archive);
+    return OpenedPreset{.archive = std::move(opened->archive), .preset = std::move(*preset)};
 }
 
 /// The lines of ":/presets/order.txt", then the others by name.

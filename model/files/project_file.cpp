@@ -38,27 +38,20 @@ Result<std::shared_ptr<const Head>> openHead(const ArchiveReader& archive, const
 
 Result<Project> loadProject(const QString& path, EncodedLayers* cache, const Progress& progress)
 {
-    if (Result<void> readable = checkReadable(path, kMostFileBytes); !readable)
-        return tl::unexpected(readable.error());
-    const Checked<ArchiveReader> archive = ArchiveReader::open(path);
-    if (!archive)
-        return cannotOpen(path, archive.error());
-    if (Checked<void> kind = checkMimetype(*archive, kMimetype); !kind)
-        return cannotOpen(path, kind.error());
-    const Checked<QByteArray> json = archive->read(QStringLiteral("project.json"), kMostJsonBytes);
-    if (!json)
-        return cannotOpen(path, json.error());
-    Checked<ProjectManifest> manifest = projectFromJson(*json);
+    const Result<OpenedArchive> opened = openArchive(path, kMimetype);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    Checked<ProjectManifest> manifest = projectFromJson(opened->json);
     if (!manifest)
         return cannotOpen(path, manifest.error());
     EncodedLayers ownCache;
     const Checked<bool> read =
-        readLayers(*archive, manifest->project.groups, cache != nullptr ? *cache : ownCache, progress);
+        readLayers(opened->archive, manifest->project.groups, cache != nullptr ? *cache : ownCache, progress);
     if (!read)
         return cannotOpen(path, read.error());
     if (!*read)
         return cancelled(path);
-    Result<std::shared_ptr<const Head>> head = openHead(*archive, manifest->head, path);
+    Result<std::shared_ptr<const Head>> head = openHead(opened->archive, manifest->head, path);
     if (!head)
         return tl::unexpected(head.error());
     manifest->project.head = std::move(*head);

@@ -128,18 +128,22 @@ void BrushTool::dab(const BrushPlace& place, const ToolContext& context)
     Dab dab = dabAt(place.metric, place.uv, 0.5F * sizeM, size);
     dab.hardness = settings.hardness;
     dab.strength = settings.pressureOpacity && m_edit.spec().texel != TexelKind::Index ? pressure : 1.0F;
-    m_buffer->add(dab, m_edit.clip());
+    const auto add = [this](const Dab& one) {
+        for (const sim::TexelRect& clip : m_edit.clips())
+            m_buffer->add(one, clip);
+    };
+    add(dab);
     if (!context.mirror)
         return;
     const Head* head = context.document.project().head.get();
     if (head == nullptr || head->builtIn) {
-        m_buffer->add(mirroredInU(dab, size), m_edit.clip());
+        add(mirroredInU(dab, size));
     } else if (place.point) {
         if (const auto other = head->skin->mirrored(*place.point)) {
             Dab twin = dabAt(SkinMetric::at(*other), other->uv, 0.5F * sizeM, size);
             twin.hardness = dab.hardness;
             twin.strength = dab.strength;
-            m_buffer->add(twin, m_edit.clip());
+            add(twin);
         }
     }
 }

@@ -79,9 +79,14 @@ Clip copyClip(const Document& document, const LayerAddress& address, const Selec
     if (layer == nullptr)
         return clip;
     const int size = layer->raster.size();
-    const sim::TexelRect rect = selectedTexels(selection, size);
-    if (rect.empty())
+    const std::vector<sim::TexelRect> selected = selectedTexels(selection, size);
+    if (selected.empty())
         return clip;
+    sim::TexelRect rect = selected.front();
+    for (const sim::TexelRect& other : selected)
+        rect = {std::min(rect.x0, other.x0), std::min(rect.y0, other.y0), std::max(rect.x1, other.x1),
+                std::max(rect.y1, other.y1)};
+    const MapSpec& spec = mapSpec(address.map);
     clip.width = rect.x1 - rect.x0;
     clip.height = rect.y1 - rect.y0;
     const double scale = 1.0 / size;
@@ -89,7 +94,7 @@ Clip copyClip(const Document& document, const LayerAddress& address, const Selec
     clip.texels.reserve(static_cast<std::size_t>(clip.width) * static_cast<std::size_t>(clip.height));
     for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x)
-            clip.texels.push_back(layer->raster.texel(x, y));
+            clip.texels.push_back(contains(selected, x, y) ? layer->raster.texel(x, y) : spec.defaultValue);
     return clip;
 }
 
@@ -101,17 +106,19 @@ CommandPtr clearCommand(Document& document, const LayerAddress& address, const S
         return nullptr;
     const MapSpec& spec = mapSpec(address.map);
     sim::TiledRaster raster = layer->raster;
-    const sim::TexelRect selected = selectedTexels(selection, raster.size());
-    for (const int index : tilesIn(raster, selected)) {
-        const sim::TexelRect rect = raster.tileRect(index);
-        if (rect.x0 >= selected.x0 && rect.y0 >= selected.y0 && rect.x1 <= selected.x1 && rect.y1 <= selected.y1) {
-            raster.setUniform(index, spec.defaultValue);
-            continue;
+    const std::vector<sim::TexelRect> selected = selectedTexels(selection, raster.size());
+    for (const int index : tilesIn(raster, selected))
+        for (const sim::TexelRect& clip : selected) {
+            const sim::TexelRect tile = raster.tileRect(index);
+            const sim::TexelRect part = shared(tile, clip);
+            if (part == tile) {
+                raster.setUniform(index, spec.defaultValue);
+                break;
+            }
+            for (int y = part.y0; y < part.y1; ++y)
+                for (int x = part.x0; x < part.x1; ++x)
+                    raster.setTexel(x, y, spec.defaultValue);
         }
-        for (int y = std::max(rect.y0, selected.y0); y < std::min(rect.y1, selected.y1); ++y)
-            for (int x = std::max(rect.x0, selected.x0); x < std::min(rect.x1, selected.x1); ++x)
-                raster.setTexel(x, y, spec.defaultValue);
-    }
     return paintCommand(document, address, differences(raster, layer->raster), text);
 }
 
@@ -125,8 +132,9 @@ CommandPtr pasteCommand(Document& document, const LayerAddress& address, const C
     sim::TiledRaster raster = layer->raster;
     const int size = raster.size();
     QPointF centre = clip.uvRect.center();
-    if (selection.rectangle())
-        centre = selection.rectangle()->center();
+    if (const std::optional<QRectF> around = selection.rectangle())
+        centre = around->center();
+    const std::vector<sim::TexelRect> selected = selectedTexels(selection, size);
     // Maps of another size get the clip at its uv size, by the nearest texel.
     const int width = std::max(1, static_cast<int>(std::lround(clip.uvRect.width() * size)));
     const int height = std::max(1, static_cast<int>(std::lround(clip.uvRect.height() * size)));
@@ -140,7 +148,7 @@ CommandPtr pasteCommand(Document& document, const LayerAddress& address, const C
                 converted(clip.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(clip.width) +
                                       static_cast<std::size_t>(column)],
                           source, target);
-            if (texel[static_cast<std::size_t>(target.valueChannels)] != 0)
+            if (texel[static_cast<std::size_t>(target.valueChannels)] != 0 && contains(selected, x, y))
                 raster.setTexel(x, y, texel);
         }
     }

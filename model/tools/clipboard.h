@@ -17,13 +17,14 @@ struct Clip
     std::vector<sim::Texel> texels; ///< Row by row from the top; value channels, then coverage.
 };
 
-/// The active layer's texels inside the selection (the whole map where nothing is selected).
+/// The active layer's texels inside the selection (the whole map where nothing is selected); between several selected
+/// rectangles the clip covers nothing.
 [[nodiscard]] Clip copyClip(const Document& document, const LayerAddress& address, const Selection& selection);
 /// Clears the selected texels' coverage. "Cut Length", "Clear Length".
 [[nodiscard]] CommandPtr clearCommand(Document& document, const LayerAddress& address, const Selection& selection,
                                       const QString& text);
-/// Pastes at the clip's own place, or centred in the selection. Between maps: scalar to scalar keeps the value; other
-/// pairs go through the colours that the images have.
+/// Pastes at the clip's own place, or centred in the selection and only inside it. Between maps: scalar to scalar keeps
+/// the value; other pairs go through the colours that the images have.
 [[nodiscard]] CommandPtr pasteCommand(Document& document, const LayerAddress& address, const Clip& clip,
                                       const Selection& selection);
 

@@ -112,7 +112,7 @@ private:
         if (head != nullptr && head->skin != nullptr)
             skin = uvCover(head->skin->mesh(), size);
         std::vector<std::uint8_t> allowed = skin;
-        keepInside(allowed, size, m_edit.clip());
+        keepInside(allowed, size, m_edit.clips());
 
         Flood flood(*map, m_edit.spec(), std::move(allowed), context.settings.fillTolerance);
         const auto from = [&](glm::vec2 seed) {
@@ -125,7 +125,7 @@ private:
                 from(*other);
         std::vector<std::uint8_t> filled = flood.takeFilled();
         bleedOffSkin(filled, skin);
-        keepInside(filled, size, m_edit.clip());
+        keepInside(filled, size, m_edit.clips());
         show(filled, context);
     }
 
@@ -138,11 +138,11 @@ private:
                 filled[i] = 0;
     }
 
-    static void keepInside(std::vector<std::uint8_t>& texels, int size, const sim::TexelRect& clip)
+    static void keepInside(std::vector<std::uint8_t>& texels, int size, const std::vector<sim::TexelRect>& clips)
     {
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x)
-                if (x < clip.x0 || x >= clip.x1 || y < clip.y0 || y >= clip.y1)
+                if (!contains(clips, x, y))
                     texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x)] =
                         0;
     }
@@ -152,7 +152,7 @@ private:
         const TilePaint paint{.value = context.settings.value(context.target.map).texel(m_edit.spec()),
                               .opacity = unit16(context.settings.opacity)};
         const int size = m_edit.size();
-        m_edit.update(context.document, tilesIn(m_edit.before(), m_edit.clip()),
+        m_edit.update(context.document, tilesIn(m_edit.before(), m_edit.clips()),
                       [&](int index, const sim::RasterTilePtr& before) {
                           StrokeBuffer::MaskTile mask{};
                           const sim::TexelRect rect = m_edit.before().tileRect(index);

@@ -128,7 +128,7 @@ private:
         const GradientPaint paint = paintOf(context);
         std::vector<int> tiles;
         if (m_startUv != m_endUv)
-            tiles = tilesIn(m_edit.before(), m_edit.clip());
+            tiles = tilesIn(m_edit.before(), m_edit.clips());
         // Each tile by itself, so several threads may make them; shown in order afterwards.
         std::vector<sim::RasterTilePtr> made(tiles.size());
         sim::parallelFor(tiles.size(), 4, [&](std::size_t begin, std::size_t end) {
@@ -148,22 +148,24 @@ private:
         StrokeBuffer::MaskTile mask{};
         std::vector<std::uint16_t> values(StrokeBuffer::kTileTexels * channels);
         const sim::TexelRect rect = m_edit.before().tileRect(index);
-        const sim::TexelRect& clip = m_edit.clip();
-        for (int y = std::max(rect.y0, clip.y0); y < std::min(rect.y1, clip.y1); ++y) {
-            for (int x = std::max(rect.x0, clip.x0); x < std::min(rect.x1, clip.x1); ++x) {
-                const auto texel =
-                    static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0);
-                const glm::vec2 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-                float share = 1.0F;
-                for (const Ramp& ramp : paint.ramps)
-                    share = std::min(share, ramp.at(centre));
-                const std::uint16_t share16 = unit16Fast(share);
-                mask[texel] = fades ? static_cast<std::uint16_t>(65535 - share16) : std::uint16_t{65535};
-                for (std::size_t i = 0; i < channels; ++i)
-                    values[texel * channels + i] = spec.texel == TexelKind::Index
-                                                       ? (share16 < kHalfCoverage ? paint.first : paint.second)[i]
-                                                       : lerp16(paint.first[i], paint.second[i], share16);
-            }
+        const auto paintTexel = [&](int x, int y) {
+            const auto texel = static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0);
+            const glm::vec2 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+            float share = 1.0F;
+            for (const Ramp& ramp : paint.ramps)
+                share = std::min(share, ramp.at(centre));
+            const std::uint16_t share16 = unit16Fast(share);
+            mask[texel] = fades ? static_cast<std::uint16_t>(65535 - share16) : std::uint16_t{65535};
+            for (std::size_t i = 0; i < channels; ++i)
+                values[texel * channels + i] = spec.texel == TexelKind::Index
+                                                   ? (share16 < kHalfCoverage ? paint.first : paint.second)[i]
+                                                   : lerp16(paint.first[i], paint.second[i], share16);
+        };
+        for (const sim::TexelRect& clip : m_edit.clips()) {
+            const sim::TexelRect part = shared(rect, clip);
+            for (int y = part.y0; y < part.y1; ++y)
+                for (int x = part.x0; x < part.x1; ++x)
+                    paintTexel(x, y);
         }
         return paintTile(spec, m_edit.before().tile(index), mask, {.values = values.data(), .opacity = paint.opacity});
     }

@@ -9,26 +9,46 @@
 
 namespace hairpaint::model {
 
-sim::TexelRect selectedTexels(const Selection& selection, int size)
+std::vector<sim::TexelRect> selectedTexels(const Selection& selection, int size)
 {
-    if (!selection.rectangle())
-        return {0, 0, size, size};
-    const QRectF uv = selection.rectangle()->normalized();
+    if (selection.rectangles().empty())
+        return {{0, 0, size, size}};
     const auto texel = [size](double share) {
         return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * size));
     };
-    return {texel(uv.left()), texel(1.0 - uv.bottom()), texel(uv.right()), texel(1.0 - uv.top())};
+    std::vector<sim::TexelRect> rects;
+    for (const QRectF& uv : selection.rectangles()) {
+        // Neighbours share a border, which is rounded alike for both.
+        const sim::TexelRect rect{texel(uv.left()), texel(1.0 - uv.bottom()), texel(uv.right()), texel(1.0 - uv.top())};
+        if (!rect.empty())
+            rects.push_back(rect);
+    }
+    return rects;
 }
 
-std::vector<int> tilesIn(const sim::TiledRaster& raster, const sim::TexelRect& rect)
+bool contains(const std::vector<sim::TexelRect>& rects, int x, int y)
+{
+    return std::ranges::any_of(rects, [x, y](const sim::TexelRect& rect) {
+        return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
+    });
+}
+
+sim::TexelRect shared(const sim::TexelRect& a, const sim::TexelRect& b)
+{
+    return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+std::vector<int> tilesIn(const sim::TiledRaster& raster, const std::vector<sim::TexelRect>& rects)
 {
     std::vector<int> tiles;
-    if (rect.empty())
-        return tiles;
     constexpr int kTile = sim::TiledRaster::kTileSize;
-    for (int row = rect.y0 / kTile; row <= (rect.y1 - 1) / kTile; ++row)
-        for (int column = rect.x0 / kTile; column <= (rect.x1 - 1) / kTile; ++column)
-            tiles.push_back(row * raster.tilesAcross() + column);
+    for (const sim::TexelRect& rect : rects)
+        for (int row = rect.y0 / kTile; row <= (rect.y1 - 1) / kTile; ++row)
+            for (int column = rect.x0 / kTile; column <= (rect.x1 - 1) / kTile; ++column)
+                tiles.push_back(row * raster.tilesAcross() + column);
+    std::ranges::sort(tiles);
+    const auto [from, to] = std::ranges::unique(tiles);
+    tiles.erase(from, to);
     return tiles;
 }
 
@@ -45,7 +65,7 @@ bool LiveEdit::begin(const ToolContext& context)
         return false;
     m_target = at;
     m_before = layer->raster;
-    m_clip = selectedTexels(context.selection, m_before->size());
+    m_clips = selectedTexels(context.selection, m_before->size());
     m_shown.clear();
     return true;
 }

@@ -19,8 +19,8 @@ public:
     [[nodiscard]] const MapSpec& spec() const { return mapSpec(m_target.map); }
     [[nodiscard]] int size() const { return m_before->size(); }
     [[nodiscard]] const sim::TiledRaster& before() const { return *m_before; }
-    /// The texels that may change: those in the selection.
-    [[nodiscard]] const sim::TexelRect& clip() const { return m_clip; }
+    /// The texels that may change: those in the selection. None overlaps another.
+    [[nodiscard]] const std::vector<sim::TexelRect>& clips() const { return m_clips; }
 
     /// Shows these tiles as `make` gives them, from those before the edit; other tiles stay as last shown.
     using MakeTile = std::function<sim::RasterTilePtr(int tileIndex, const sim::RasterTilePtr& before)>;
@@ -35,14 +35,17 @@ public:
 private:
     LayerAddress m_target;
     std::optional<sim::TiledRaster> m_before;
-    sim::TexelRect m_clip;
+    std::vector<sim::TexelRect> m_clips;
     std::map<int, sim::RasterTilePtr> m_shown;
 };
 
-/// The texels whose centres lie in the selection; all of them where nothing is selected.
-[[nodiscard]] sim::TexelRect selectedTexels(const Selection& selection, int size);
-/// The tiles that meet a rectangle, in ascending order.
-[[nodiscard]] std::vector<int> tilesIn(const sim::TiledRaster& raster, const sim::TexelRect& rect);
+/// The texels whose centres lie in the selection; all of them where nothing is selected. None overlaps another.
+[[nodiscard]] std::vector<sim::TexelRect> selectedTexels(const Selection& selection, int size);
+[[nodiscard]] bool contains(const std::vector<sim::TexelRect>& rects, int x, int y);
+/// The part that two rectangles share; empty where they share none.
+[[nodiscard]] sim::TexelRect shared(const sim::TexelRect& a, const sim::TexelRect& b);
+/// The tiles that meet any of the rectangles, in ascending order.
+[[nodiscard]] std::vector<int> tilesIn(const sim::TiledRaster& raster, const std::vector<sim::TexelRect>& rects);
 /// "Brush on Length".
 [[nodiscard]] QString actionText(const QString& title, MapKind map);
 

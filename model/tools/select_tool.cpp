@@ -21,7 +21,7 @@ public:
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_M; }
     [[nodiscard]] QString hint() const override
     {
-        return tr("Drag a rectangle, Shift for a square; click to select nothing");
+        return tr("Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing");
     }
     [[nodiscard]] std::vector<ToolOption> options() const override { return {}; }
 
@@ -30,13 +30,21 @@ public:
         if (picksInstead(event, context) || m_active || (event.area == Area::Head && !event.point))
             return;
         m_active = true;
-        m_before = context.selection.rectangle();
+        m_before = context.selection.rectangles();
+        m_adds = event.modifiers.testFlag(Qt::ShiftModifier) && !m_before.empty();
         m_startUv = event.uv;
     }
     void move(const ToolEvent& event, ToolContext& context) override
     {
-        if (m_active && (event.area == Area::Paint || event.point))
-            context.selection.setRectangle(rectangleTo(event));
+        if (!m_active || (event.area == Area::Head && !event.point))
+            return;
+        const std::optional<QRectF> rectangle = rectangleTo(event);
+        std::vector<QRectF> all;
+        if (m_adds)
+            all = rectangle ? without(m_before, *rectangle) : m_before;
+        if (rectangle)
+            all.push_back(*rectangle);
+        context.selection.setRectangles(std::move(all));
     }
     void release(const ToolEvent& event, ToolContext& context) override
     {
@@ -46,7 +54,7 @@ public:
     void cancel(ToolContext& context) override
     {
         if (m_active)
-            context.selection.setRectangle(m_before);
+            context.selection.setRectangles(m_before);
         m_active = false;
     }
     void commit(ToolContext& /*context*/) override { m_active = false; }
@@ -56,7 +64,7 @@ private:
     [[nodiscard]] std::optional<QRectF> rectangleTo(const ToolEvent& event) const
     {
         glm::vec2 way = event.uv - m_startUv;
-        if (event.modifiers.testFlag(Qt::ShiftModifier)) {
+        if (!m_adds && event.modifiers.testFlag(Qt::ShiftModifier)) {
             const float side = std::max(std::abs(way.x), std::abs(way.y));
             way = {std::copysign(side, way.x), std::copysign(side, way.y)};
         }
@@ -68,7 +76,8 @@ private:
     }
 
     bool m_active = false;
-    std::optional<QRectF> m_before;
+    bool m_adds = false; ///< Shift was down where the drag began.
+    std::vector<QRectF> m_before;
     glm::vec2 m_startUv{0.0F};
 };
 

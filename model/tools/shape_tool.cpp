@@ -149,17 +149,21 @@ void ShapeTool::show(ToolContext& context)
     StrokeBuffer buffer(size);
     const QPolygonF outline = outlineUv();
     const ShapeMask mask(inTexels(outline), size);
-    mask.addTo(buffer, m_edit.clip(), false);
+    const auto add = [&](const ShapeMask& shape, bool mirrored) {
+        for (const sim::TexelRect& clip : m_edit.clips())
+            shape.addTo(buffer, clip, mirrored);
+    };
+    add(mask, false);
     const Head* head = context.document.project().head.get();
     if (context.mirror && (head == nullptr || head->builtIn)) {
-        mask.addTo(buffer, m_edit.clip(), true);
+        add(mask, true);
     } else if (context.mirror) {
         QPolygonF twin;
         for (const QPointF& point : outline)
             if (const auto uv = mirroredUv(head, glm::vec2(point.x(), point.y())))
                 twin << QPointF(uv->x, uv->y);
         if (twin.size() == outline.size())
-            ShapeMask(inTexels(twin), size).addTo(buffer, m_edit.clip(), false);
+            add(ShapeMask(inTexels(twin), size), false);
     }
     const TilePaint paint{.value = context.settings.value(context.target.map).texel(m_edit.spec()),
                           .opacity = unit16(context.settings.opacity)};

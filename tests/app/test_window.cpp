@@ -1,106 +1,15 @@
 // The real window, driven with mouse and keys, 3D pixels included. Runs on platforms offscreen and xcb alike.
-#include "app/library.h"
-#include "app/main_window.h"
-#include "model/files/project_file.h"
-#include "view/head_view.h"
-#include "view/paint_view.h"
-#include "view/resources.h"
+#include "tests/app/window_fixture.h"
 
-#include <QFile>
 #include <QMessageBox>
-#include <QSettings>
-#include <QStandardPaths>
-#include <QTemporaryDir>
-#include <QUndoStack>
-#include <QtTest>
 
 namespace hairpaint::app {
 
-namespace {
-
-constexpr int kPatienceMs = 60'000;
-
-/// Share of pixels that differ clearly between two pictures of one size.
-double difference(const QImage& a, const QImage& b)
-{
-    if (a.size() != b.size() || a.isNull())
-        return 1.0;
-    int differing = 0;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x) {
-            const QRgb p = a.pixel(x, y);
-            const QRgb q = b.pixel(x, y);
-            if (std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q)) > 40)
-                ++differing;
-        }
-    return static_cast<double>(differing) / (static_cast<double>(a.width()) * a.height());
-}
-
-} // namespace
-
-class TestWindow : public QObject
+class TestWindow : public QObject, private WindowFixture
 {
     Q_OBJECT
-private:
-    QTemporaryDir m_folder;
-    std::unique_ptr<MainWindow> m_window;
-
-    [[nodiscard]] Session& session() { return m_window->session(); }
-    [[nodiscard]] view::EditorState& editor() { return m_window->session().editor(); }
-    [[nodiscard]] std::size_t hairs() { return session().frame() ? session().frame()->hairCount : 0; }
-
-    void openWindow(model::Project project)
-    {
-        m_window = std::make_unique<MainWindow>(std::move(project), QString());
-        m_window->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->activateWindow();
-        QTRY_VERIFY_WITH_TIMEOUT(session().frame() != nullptr, kPatienceMs);
-        editor().setMirror(false);
-    }
-
-    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
-    {
-        m_window->paintView().setFocus();
-        QTest::keyClick(&m_window->paintView(), key, modifiers);
-    }
-
-    void drag(QWidget& area, QPoint from, QPoint to)
-    {
-        QTest::mouseMove(&area, from);
-        QTest::mousePress(&area, Qt::LeftButton, {}, from);
-        for (int i = 1; i <= 12; ++i)
-            QTest::mouseMove(&area, from + (to - from) * i / 12);
-        QTest::mouseRelease(&area, Qt::LeftButton, {}, to);
-    }
-
-    [[nodiscard]] QPoint paintPoint(float u, float v) { return m_window->paintView().positionOf({u, v}).toPoint(); }
-
-    [[nodiscard]] QImage picture() { return m_window->headView().grabPicture(QSize(320, 320)); }
-
-    [[nodiscard]] QByteArray savedBytes(const char* name)
-    {
-        const QString path = m_folder.filePath(QString::fromLatin1(name));
-        if (!model::saveProject(session().document().committed(), path, {}))
-            return {};
-        QFile file(path);
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    }
-
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QStandardPaths::setTestModeEnabled(true);
-        QSettings().clear();
-        // A display can carry the QOpenGLWidget, also where OpenGL is software.
-        if (QGuiApplication::platformName() == QLatin1String("xcb")) {
-            view::Preferences preferences;
-            preferences.presenter = view::PresenterChoice::Gl;
-            Settings().setPreferences(preferences);
-        }
-        view::initResources();
-    }
+    void initTestCase() { prepareApplication(); }
 
     void cleanup() { m_window.reset(); }
 

@@ -94,7 +94,7 @@ void TestClipboard::pastingAtTheBorderIsCutOff()
     Selection selection;
     selection.setRectangle(kThere);
     const Clip clip = copyClip(document, gel, selection);
-    selection.setRectangle(QRectF(0.0, 0.0, 0.01, 0.01));
+    selection.setRectangle(QRectF(0.0, 0.0, 0.05, 0.05)); // 13 texels; the clip is 32 wide and 16 high.
     document.push(pasteCommand(document, gel, clip, selection));
     QCOMPARE(static_cast<int>(rasterOf(document, MapKind::Gel).texel(0, 255)[0]), 40000);
     QCOMPARE(static_cast<int>(rasterOf(document, MapKind::Gel).texel(255, 0)[0]), 0);

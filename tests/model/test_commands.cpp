@@ -25,7 +25,7 @@ CommandPtr randomCommand(Document& document, std::mt19937& random)
         address.layer = layers[random() % layers.size()].id;
     const Layer* layer = project.layer(address.group, map, address.layer);
     const QString name = QStringLiteral("Name %1").arg(random() % 100);
-    switch (random() % 15) {
+    switch (random() % 17) {
     case 0:
         return addLayerCommand(document, group.id, map, name);
     case 1:
@@ -67,6 +67,14 @@ CommandPtr randomCommand(Document& document, std::mt19937& random)
         return setBackgroundCommand(document, static_cast<QRgb>(random()) | 0xFF000000U);
     case 12:
         return applyPresetCommand(document, presetFrom(project, name));
+    case 14: {
+        sim::Wind wind = project.wind;
+        wind.enabled = random() % 2 == 0;
+        wind.velocity.x = static_cast<float>(random() % 5);
+        return setWindCommand(document, wind);
+    }
+    case 15:
+        return moveGroupCommand(document, group.id, static_cast<int>(random() % 3));
     case 13:
         return setHeadCommand(document, headOf(makePatchHead(4)), {});
     default: {
@@ -96,6 +104,7 @@ private Q_SLOTS:
     void undoingAllGivesTheFirstContentAndRedoingAllTheLast();
     void resolvedMapsFollowEveryStep();
     void layersAreAddedMovedAndRemoved();
+    void groupsChangePlaces();
     void namesSayWhatWasDone();
     void nothingToDoGivesNoCommand();
     void aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName();
@@ -184,6 +193,31 @@ void TestCommands::layersAreAddedMovedAndRemoved()
     QVERIFY(document.project().group(group)->map(MapKind::Curl).layers[1].id != c.layer);
 }
 
+void TestCommands::groupsChangePlaces()
+{
+    Document document(patchProject());
+    for (const char* name : {"B", "C", "D"})
+        document.push(addGroupCommand(document, QLatin1String(name)));
+    const auto order = [&document] {
+        QString names;
+        for (const HairGroup& group : document.project().groups)
+            names += group.name.front();
+        return names;
+    };
+    const auto idOf = [&document](std::size_t place) { return document.project().groups[place].id; };
+    QCOMPARE(order(), QStringLiteral("SBCD"));
+    document.push(moveGroupCommand(document, idOf(0), 2));
+    QCOMPARE(order(), QStringLiteral("BCSD"));
+    document.push(moveGroupCommand(document, idOf(3), 0));
+    QCOMPARE(order(), QStringLiteral("DBCS"));
+    document.push(moveGroupCommand(document, idOf(1), 99));
+    QCOMPARE(order(), QStringLiteral("DCSB"));
+    document.undo();
+    document.undo();
+    document.undo();
+    QCOMPARE(order(), QStringLiteral("SBCD"));
+}
+
 void TestCommands::namesSayWhatWasDone()
 {
     Document document(patchProject());
@@ -195,6 +229,8 @@ void TestCommands::namesSayWhatWasDone()
     QCOMPARE(moveLayerCommand(document, length, 1)->text(), QStringLiteral("Move layer \"Layer 1\""));
     QCOMPARE(addGroupCommand(document, QStringLiteral("Beard"))->text(), QStringLiteral("Add group \"Beard\""));
     QCOMPARE(removeGroupCommand(document, group)->text(), QStringLiteral("Remove group \"Scalp\""));
+    document.push(addGroupCommand(document, QStringLiteral("Beard")));
+    QCOMPARE(moveGroupCommand(document, group, 1)->text(), QStringLiteral("Move group \"Scalp\""));
     QCOMPARE(showGroupCommand(document, group, false)->text(), QStringLiteral("Hide group \"Scalp\""));
     QCOMPARE(applyPresetCommand(document, presetFrom(document.project(), QStringLiteral("Bob")))->text(),
              QStringLiteral("Apply style \"Bob\""));
@@ -212,6 +248,7 @@ void TestCommands::nothingToDoGivesNoCommand()
     QCOMPARE(setWindCommand(document, project.wind), nullptr);
     QCOMPARE(setLightCommand(document, project.light), nullptr);
     QCOMPARE(setBackgroundCommand(document, project.background), nullptr);
+    QCOMPARE(moveGroupCommand(document, length.group, 3), nullptr);
     QCOMPARE(setHeadCommand(document, project.head, project.ellipsoids), nullptr);
     QCOMPARE(paintCommand(document, length, {{0, layer.raster.tile(0)}}, QString()), nullptr);
     document.push(nullptr);

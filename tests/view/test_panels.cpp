@@ -144,7 +144,7 @@ private Q_SLOTS:
         QVERIFY(!panel.findChild<QCheckBox*>()->isChecked());
     }
 
-    void groups_are_added_shown_renamed_and_removed()
+    void groups_are_added_shown_renamed_moved_and_removed()
     {
         PanelFixture f;
         HairPanel panel(f.state);
@@ -166,10 +166,15 @@ private Q_SLOTS:
         editor->setText(QStringLiteral("Brows"));
         QTest::keyClick(editor, Qt::Key_Return);
         QTRY_COMPARE(f.document.project().groups[1].name, QStringLiteral("Brows"));
+        QTest::keyClick(list, Qt::Key_Down, Qt::AltModifier);
+        QTRY_COMPARE(f.document.project().groups[2].name, QStringLiteral("Brows"));
+        QCOMPARE(list->currentRow(), 2);
+        QTest::keyClick(list, Qt::Key_Up, Qt::AltModifier);
+        QTRY_COMPARE(f.document.project().groups[1].name, QStringLiteral("Brows"));
         QTest::keyClick(list, Qt::Key_Delete);
         QCOMPARE(list->count(), 2);
-        QCOMPARE(f.steps(), 4);
-        for (int i = 0; i < 4; ++i)
+        QCOMPARE(f.steps(), 6);
+        for (int i = 0; i < 6; ++i)
             f.document.undo();
         QCOMPARE(namesOf(*list), QStringList({QStringLiteral("Scalp"), QStringLiteral("Beard")}));
         QVERIFY(f.document.project().groups[1].visible);

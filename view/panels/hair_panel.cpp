@@ -90,7 +90,11 @@ void HairPanel::buildGroups(QVBoxLayout& layout)
     connect(m_groups, &LayerList::visibleWanted, this, [this](int id, bool visible) {
         m_state.document().push(showGroupCommand(m_state.document(), id, visible));
     });
-    // Queued: the list is still closing its editor.
+    // Queued: the list is still in its drop, or closing its editor.
+    connect(
+        m_groups, &LayerList::moveWanted, this,
+        [this](int id, int row) { m_state.document().push(moveGroupCommand(m_state.document(), id, row)); },
+        Qt::QueuedConnection);
     connect(
         m_groups, &LayerList::renameWanted, this,
         [this](int id, const QString& name) {
@@ -206,7 +210,7 @@ void HairPanel::rebuildGroups()
         QListWidgetItem* item = m_groups->item(row);
         if (item == nullptr) {
             item = new QListWidgetItem(m_groups);
-            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled);
         }
         item->setText(model::shownName(one.name));
         item->setData(LayerList::IdRole, one.id);

@@ -12,10 +12,8 @@ namespace hairpaint::view {
 LayerList::LayerList(Rows rows, QWidget* parent) : QListWidget(parent), m_rows(rows)
 {
     setSelectionMode(QAbstractItemView::SingleSelection);
-    if (rows == Rows::Layers) {
-        setDragDropMode(QAbstractItemView::InternalMove);
-        setDefaultDropAction(Qt::MoveAction);
-    }
+    setDragDropMode(QAbstractItemView::InternalMove);
+    setDefaultDropAction(Qt::MoveAction);
     setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);

@@ -22,7 +22,7 @@ public:
     enum class Rows
     {
         Layers,
-        Groups ///< No lock, no thumbnail, no dragging.
+        Groups ///< No lock, no thumbnail.
     };
     explicit LayerList(Rows rows, QWidget* parent = nullptr);
     [[nodiscard]] Rows rows() const { return m_rows; }

@@ -1,0 +1,350 @@
+// Tools, keys, selection, styles and help in the real window, driven by mouse and keys in both areas.
+#include "tests/app/window_fixture.h"
+
+#include "model/files/preset_file.h"
+#include "model/preset.h"
+#include "view/dialogs/help_dialog.h"
+#include "view/dialogs/wind_dialog.h"
+#include "view/panels/style_strip.h"
+#include "view/panels/style_tile.h"
+
+#include <QDir>
+#include <QMessageBox>
+
+namespace hairpaint::app {
+
+class TestWindowTools : public QObject, private WindowFixture
+{
+    Q_OBJECT
+private:
+    /// The active layer's value and coverage there, as committed.
+    [[nodiscard]] sim::Texel texelAt(float u, float v)
+    {
+        const model::LayerAddress at = editor().target();
+        const sim::TiledRaster& raster = session().document().committed().layer(at.group, at.map, at.layer)->raster;
+        const auto size = static_cast<float>(raster.size());
+        return raster.texel(static_cast<int>(u * size), static_cast<int>((1.0F - v) * size));
+    }
+
+    [[nodiscard]] QUndoStack& stack() { return session().document().undoStack(); }
+    [[nodiscard]] QWidget& paper() { return m_window->paintView(); }
+
+    void click(QWidget& area, QPoint place, Qt::KeyboardModifiers modifiers = {})
+    {
+        QTest::mouseMove(&area, place);
+        QTest::mousePress(&area, Qt::LeftButton, modifiers, place);
+        QTest::mouseRelease(&area, Qt::LeftButton, modifiers, place);
+    }
+
+    /// The widget of the 3D area that takes the pointer, and where it shows a place of the skin.
+    [[nodiscard]] std::pair<QWidget*, QPoint> onHead(float u, float v)
+    {
+        view::HeadView& head = m_window->headView();
+        const sim::SurfacePoint point = *session().document().project().head->skin->atUv({u, v});
+        const QPoint place = head.positionOf(point.positionHd).value().toPoint();
+        QWidget* target = head.childAt(place) != nullptr ? head.childAt(place) : &head;
+        return {target, target->mapFrom(&head, place)};
+    }
+
+    /// Does `act` while closing the message box that it opens, and returns what that said.
+    QString complaintOf(const std::function<void()>& act)
+    {
+        QString said;
+        QTimer closer;
+        connect(&closer, &QTimer::timeout, this, [&said] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                said += box->text() + QLatin1Char('\n');
+                box->accept();
+            }
+        });
+        closer.start(30);
+        act();
+        return said;
+    }
+
+private Q_SLOTS:
+    void initTestCase() { prepareApplication(); }
+    void cleanup() { m_window.reset(); }
+
+    void shiftClickDrawsAStraightLine()
+    {
+        openWindow(model::newProject());
+        key(Qt::Key_7);
+        key(Qt::Key_B);
+        click(paper(), paintPoint(0.3F, 0.6F));
+        QVERIFY(texelAt(0.3F, 0.6F)[1] > 0);
+        QCOMPARE(int(texelAt(0.45F, 0.5F)[1]), 0);
+        click(paper(), paintPoint(0.6F, 0.4F), Qt::ShiftModifier);
+        QVERIFY(texelAt(0.45F, 0.5F)[1] > 0);
+        QVERIFY(texelAt(0.6F, 0.4F)[1] > 0);
+        QCOMPARE(stack().count(), 2);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(int(texelAt(0.45F, 0.5F)[1]), 0);
+    }
+
+    void ctrlClickPicksInBothAreas()
+    {
+        openWindow(model::newProject());
+        key(Qt::Key_7);
+        key(Qt::Key_B);
+        model::ToolSettings settings = editor().toolSettings();
+        settings.value(model::MapKind::Gel).scalar = 0.75F;
+        editor().setToolSettings(settings);
+        // Where the 3D area shows skin.
+        view::HeadView& view = m_window->headView();
+        const glm::vec2 seen = view.skinAt(QRectF(view.rect()).center()).value().uv;
+        drag(paper(), paintPoint(seen.x - 0.03F, seen.y), paintPoint(seen.x + 0.03F, seen.y));
+        const int steps = stack().count();
+        for (const bool head : {false, true}) {
+            settings = editor().toolSettings();
+            settings.value(model::MapKind::Gel).scalar = 0.1F;
+            editor().setToolSettings(settings);
+            const auto [area, place] =
+                head ? onHead(seen.x, seen.y) : std::pair<QWidget*, QPoint>{&paper(), paintPoint(seen.x, seen.y)};
+            click(*area, place, Qt::ControlModifier);
+            const float picked = editor().toolSettings().value(model::MapKind::Gel).scalar;
+            QVERIFY2(std::abs(picked - 0.75F) < 0.01F,
+                     qPrintable(QStringLiteral("%1, %2").arg(picked).arg(QLatin1String(head ? "head" : "paper"))));
+        }
+        QCOMPARE(stack().count(), steps);
+    }
+
+    void keysAndDragsSetTheBrush()
+    {
+        openWindow(model::newProject());
+        key(Qt::Key_B);
+        const float size = editor().toolSettings().brushSizeM;
+        key(Qt::Key_BracketRight);
+        QVERIFY(editor().toolSettings().brushSizeM > size);
+        key(Qt::Key_BracketLeft);
+        QVERIFY(std::abs(editor().toolSettings().brushSizeM - size) < 1e-5F);
+        const int steps = stack().count();
+        for (const bool head : {false, true}) {
+            const auto [area, place] =
+                head ? onHead(0.5F, 0.5F) : std::pair<QWidget*, QPoint>{&paper(), paintPoint(0.5F, 0.5F)};
+            const model::ToolSettings before = editor().toolSettings();
+            QTest::mousePress(area, Qt::RightButton, Qt::ControlModifier, place);
+            QTest::mouseMove(area, place + QPoint(40, 0));
+            QTest::mouseRelease(area, Qt::RightButton, Qt::ControlModifier, place + QPoint(40, 0));
+            QVERIFY(editor().toolSettings().brushSizeM > before.brushSizeM);
+            QCOMPARE(editor().toolSettings().hardness, before.hardness);
+            m_window->paintView().setFocus();
+            QTest::keyPress(&paper(), Qt::Key_O);
+            QTest::mousePress(area, Qt::LeftButton, {}, place);
+            QTest::mouseMove(area, place - QPoint(60, 0));
+            QTest::mouseRelease(area, Qt::LeftButton, {}, place - QPoint(60, 0));
+            QTest::keyRelease(&paper(), Qt::Key_O);
+            QVERIFY(editor().toolSettings().opacity < before.opacity);
+        }
+        QCOMPARE(stack().count(), steps);
+    }
+
+    void digitsChooseMapsAndXAndDTheValues()
+    {
+        openWindow(model::newProject());
+        for (int digit = 1; digit <= model::kMapKindCount; ++digit) {
+            key(static_cast<Qt::Key>(Qt::Key_0 + digit));
+            QCOMPARE(editor().activeMap(), static_cast<model::MapKind>(digit - 1));
+        }
+        const model::MapKind map = editor().activeMap();
+        model::ToolSettings settings = editor().toolSettings();
+        settings.value(map).scalar = 0.3F;
+        settings.secondValue(map).scalar = 0.9F;
+        editor().setToolSettings(settings);
+        key(Qt::Key_X);
+        QCOMPARE(editor().toolSettings().value(map).scalar, 0.9F);
+        QCOMPARE(editor().toolSettings().secondValue(map).scalar, 0.3F);
+        key(Qt::Key_D);
+        QVERIFY(editor().toolSettings().value(map).scalar != 0.9F);
+    }
+
+    void selectionKeysSelectAndEverythingStaysInside()
+    {
+        openWindow(model::newProject());
+        key(Qt::Key_7);
+        const QRectF whole(0.0, 0.0, 1.0, 1.0);
+        key(Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(editor().selection().rectangle(), std::optional(whole));
+        key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(editor().selection().rectangles().empty());
+        key(Qt::Key_M);
+        drag(paper(), paintPoint(0.3F, 0.6F), paintPoint(0.4F, 0.4F));
+        QTest::mousePress(&paper(), Qt::LeftButton, Qt::ShiftModifier, paintPoint(0.6F, 0.6F));
+        for (int i = 1; i <= 5; ++i) {
+            const QPoint to = paintPoint(0.6F + 0.02F * static_cast<float>(i), 0.6F - 0.04F * static_cast<float>(i));
+            QMouseEvent move(QEvent::MouseMove, to, paper().mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                             Qt::ShiftModifier);
+            QCoreApplication::sendEvent(&paper(), &move);
+        }
+        QTest::mouseRelease(&paper(), Qt::LeftButton, Qt::ShiftModifier, paintPoint(0.7F, 0.4F));
+        QCOMPARE(editor().selection().rectangles().size(), std::size_t{2});
+        key(Qt::Key_B);
+        drag(paper(), paintPoint(0.25F, 0.5F), paintPoint(0.75F, 0.5F));
+        QVERIFY(texelAt(0.35F, 0.5F)[1] > 0 && texelAt(0.65F, 0.5F)[1] > 0);
+        QVERIFY(texelAt(0.28F, 0.5F)[1] == 0 && texelAt(0.5F, 0.5F)[1] == 0 && texelAt(0.73F, 0.5F)[1] == 0);
+        key(Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
+        drag(paper(), paintPoint(0.25F, 0.5F), paintPoint(0.75F, 0.5F));
+        QVERIFY(texelAt(0.28F, 0.5F)[1] > 0 && texelAt(0.5F, 0.5F)[1] > 0 && texelAt(0.73F, 0.5F)[1] > 0);
+        key(Qt::Key_Delete); // the inverse is still selected
+        QVERIFY(texelAt(0.5F, 0.5F)[1] == 0 && texelAt(0.35F, 0.5F)[1] > 0);
+        QCOMPARE(stack().undoText(), QStringLiteral("Clear Gel"));
+        const auto layers = [this] {
+            return session().document().committed().group(editor().activeGroup())->map(editor().activeMap()).layers;
+        };
+        const std::size_t before = layers().size();
+        key(Qt::Key_J, Qt::ControlModifier);
+        QCOMPARE(layers().size(), before + 1);
+        QVERIFY(layers().back().raster == layers()[before - 1].raster);
+    }
+
+    void copyingAndPastingWithinAMapIsOneStep()
+    {
+        openWindow(model::newProject());
+        key(Qt::Key_7);
+        key(Qt::Key_B);
+        drag(paper(), paintPoint(0.32F, 0.5F), paintPoint(0.38F, 0.5F));
+        key(Qt::Key_M);
+        drag(paper(), paintPoint(0.3F, 0.55F), paintPoint(0.4F, 0.45F));
+        key(Qt::Key_C, Qt::ControlModifier);
+        drag(paper(), paintPoint(0.6F, 0.55F), paintPoint(0.7F, 0.45F));
+        const QByteArray before = savedBytes("paste-before.hairpaint");
+        QCOMPARE(int(texelAt(0.65F, 0.5F)[1]), 0);
+        key(Qt::Key_V, Qt::ControlModifier);
+        QVERIFY(texelAt(0.65F, 0.5F)[1] > 0);
+        QCOMPARE(texelAt(0.65F, 0.5F)[0], texelAt(0.35F, 0.5F)[0]);
+        QCOMPARE(stack().undoText(), QStringLiteral("Paste into Gel"));
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(savedBytes("paste-after.hairpaint") == before);
+        // Cutting takes away what it copies.
+        drag(paper(), paintPoint(0.3F, 0.55F), paintPoint(0.4F, 0.45F));
+        key(Qt::Key_X, Qt::ControlModifier);
+        QCOMPARE(int(texelAt(0.35F, 0.5F)[1]), 0);
+        QCOMPARE(stack().undoText(), QStringLiteral("Cut Gel"));
+    }
+
+    void mirroredPaintingGoesToBothSides()
+    {
+        openWindow(model::newProject());
+        key(Qt::Key_7);
+        key(Qt::Key_B);
+        QVERIFY(!editor().mirror());
+        key(Qt::Key_L);
+        QVERIFY(editor().mirror());
+        drag(paper(), paintPoint(0.3F, 0.5F), paintPoint(0.4F, 0.55F));
+        const model::LayerAddress at = editor().target();
+        const sim::TiledRaster raster = session().document().committed().layer(at.group, at.map, at.layer)->raster;
+        int painted = 0;
+        for (int y = 0; y < raster.size(); y += 3)
+            for (int x = 0; x < raster.size() / 2; x += 3) {
+                painted += raster.texel(x, y)[1] > 0 ? 1 : 0;
+                QCOMPARE(raster.texel(x, y), raster.texel(raster.size() - 1 - x, y));
+            }
+        QVERIFY(painted > 100);
+        QCOMPARE(stack().count(), 1);
+    }
+
+    void pointingAtAStylePreviewsItAndClickingKeepsIt()
+    {
+        openWindow(model::newProject());
+        const QByteArray before = savedBytes("hover-before.hairpaint");
+        auto* strip = m_window->findChild<view::StyleStrip*>();
+        const QList<view::StyleTile*> tiles = strip->findChildren<view::StyleTile*>();
+        QVERIFY(tiles.size() >= 9);
+        view::StyleTile* bob = tiles.at(1);
+        Q_EMIT bob->entered();
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 10'000, kPatienceMs);
+        const std::size_t previewed = hairs();
+        QVERIFY(session().document().previewing());
+        QVERIFY(savedBytes("hover-shown.hairpaint") == before);
+        Q_EMIT bob->left();
+        QTRY_COMPARE_WITH_TIMEOUT(hairs(), std::size_t{0}, kPatienceMs);
+        QCOMPARE(stack().count(), 0);
+        QTest::mouseClick(bob, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(hairs(), previewed, kPatienceMs);
+        QCOMPARE(stack().count(), 1);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(savedBytes("hover-undone.hairpaint") == before);
+    }
+
+    void aStyleWithoutAPictureGetsOne()
+    {
+        const QString folder = ownPresetFolder();
+        QVERIFY(QDir().mkpath(folder));
+        const QString path = folder + QStringLiteral("/plain.hairpreset");
+        model::Preset preset = *model::loadPreset(model::listPresets({}).back().path);
+        preset.name = QStringLiteral("Plain");
+        preset.picture = {};
+        QVERIFY(model::savePreset(preset, path));
+        openWindow(model::newProject());
+        const auto tile = [this, &path]() -> view::StyleTile* {
+            for (view::StyleTile* one : m_window->findChildren<view::StyleTile*>())
+                if (one->path() == path)
+                    return one;
+            return nullptr;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(tile() != nullptr && tile()->hasPicture(), kPatienceMs);
+        const model::Result<model::Preset> kept = model::loadPreset(path);
+        QVERIFY(kept && kept->name == preset.name);
+        QCOMPARE(kept->picture.size(), QSize(192, 192));
+        QFile::remove(path);
+    }
+
+    void aBrokenFileOfAnyKindIsOneMessageAndNoChange_data()
+    {
+        QTest::addColumn<QString>("ending");
+        for (const char* ending : {"hairpaint", "hairpreset", "png", "jpg", "exr", "obj", "glb", "fbx"})
+            QTest::newRow(ending) << QString::fromLatin1(ending);
+    }
+    void aBrokenFileOfAnyKindIsOneMessageAndNoChange()
+    {
+        QFETCH(QString, ending);
+        openWindow(model::newProject());
+        const QByteArray before = savedBytes("kept.hairpaint");
+        const QString name = QStringLiteral("broken.") + ending;
+        for (const bool exists : {true, false}) {
+            const QString path = m_folder.filePath(name);
+            QFile file(path);
+            if (exists) {
+                QVERIFY(file.open(QIODevice::WriteOnly));
+                file.write("PK\x03\x04 nothing that any reader knows");
+                file.close();
+            } else {
+                QFile::remove(path);
+            }
+            const QString said = complaintOf([&] { m_window->openFile(path); });
+            QCOMPARE(said.count(QLatin1Char('\n')), 1);
+            QVERIFY2(said.contains(name), qPrintable(said));
+            QVERIFY(savedBytes("kept-after.hairpaint") == before);
+            QCOMPARE(stack().count(), 0);
+            QVERIFY(!session().document().modified());
+        }
+    }
+
+    void helpTellsOfEveryToolAndKey()
+    {
+        openWindow(model::newProject());
+        key(Qt::Key_F1, Qt::ShiftModifier);
+        auto* help = m_window->findChild<view::HelpDialog*>();
+        QVERIFY(help != nullptr && help->isVisible());
+        const QString text = help->text();
+        for (const auto& tool : editor().tools())
+            QVERIFY2(text.contains(tool->title()) && text.contains(tool->hint()), tool->id());
+        for (const view::KeyBinding& binding : m_window->actions().bindings())
+            if (!binding.action->shortcut().isEmpty())
+                QVERIFY2(text.contains(binding.action->shortcut().toString(QKeySequence::NativeText)),
+                         qPrintable(binding.action->objectName()));
+        help->close();
+        m_window->actions().find(QLatin1StringView("hair.windDialog"))->trigger();
+        auto* wind = m_window->findChild<view::WindDialog*>();
+        QVERIFY(wind != nullptr);
+        QVERIFY(QTest::qWaitForWindowActive(wind));
+        QTest::keyClick(wind, Qt::Key_F1);
+        QVERIFY(wind->findChild<view::HelpDialog*>() != nullptr);
+        wind->close();
+    }
+};
+
+} // namespace hairpaint::app
+
+QTEST_MAIN(hairpaint::app::TestWindowTools)
+#include "test_window_tools.moc"

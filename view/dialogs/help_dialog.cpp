@@ -1,0 +1,153 @@
+// The help's pages, as one text with anchors.
+#include "view/dialogs/help_dialog.h"
+
+#include "view/theme.h"
+
+#include <QDialogButtonBox>
+#include <QPushButton>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+namespace hairpaint::view {
+
+namespace {
+
+QString anchorOf(HelpDialog::Topic topic)
+{
+    return QStringLiteral("topic%1").arg(static_cast<int>(topic));
+}
+
+QString heading(HelpDialog::Topic topic, const QString& title)
+{
+    return QStringLiteral("<h3><a name=\"%1\"></a>%2</h3>").arg(anchorOf(topic), title.toHtmlEscaped());
+}
+
+QString paragraph(const QString& text)
+{
+    return QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
+}
+
+/// A table of what is done how.
+class Table
+{
+public:
+    void row(const QString& what, const QString& how)
+    {
+        m_rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                      .arg(how.toHtmlEscaped(), what.toHtmlEscaped());
+    }
+    [[nodiscard]] QString html() const { return QStringLiteral("<table cellpadding=\"3\">%1</table>").arg(m_rows); }
+
+private:
+    QString m_rows;
+};
+
+QString toolPage(const EditorState& state)
+{
+    Table table;
+    for (const auto& tool : state.tools())
+        table.row(tool->hint(),
+                  QStringLiteral("%1 (%2)").arg(tool->title(), tool->defaultKey().toString(QKeySequence::NativeText)));
+    return heading(HelpDialog::Topic::Tools, HelpDialog::tr("Tools")) + table.html() +
+           paragraph(HelpDialog::tr("Every tool works in both areas: on the flat map and straight on the head. What it "
+                                    "paints goes to the active layer of the active map, inside the selection where "
+                                    "there is one."));
+}
+
+QString pointerPage()
+{
+    Table table;
+    table.row(HelpDialog::tr("Look at or paint the first nine maps"), HelpDialog::tr("1 to 9"));
+    table.row(HelpDialog::tr("Make the brush smaller or larger"), HelpDialog::tr("[ and ]"));
+    table.row(HelpDialog::tr("Size sideways, hardness up and down"), HelpDialog::tr("Ctrl and right-drag"));
+    table.row(HelpDialog::tr("Opacity"), HelpDialog::tr("Hold O and drag"));
+    table.row(HelpDialog::tr("Straight line from the last point"), HelpDialog::tr("Shift and click"));
+    table.row(HelpDialog::tr("Pick the value under the pointer"), HelpDialog::tr("Ctrl and click"));
+    table.row(HelpDialog::tr("Cancel the stroke"), HelpDialog::tr("Esc"));
+    table.row(HelpDialog::tr("Move the map; rotate it"), HelpDialog::tr("Space and drag; Shift, Space and drag"));
+    table.row(HelpDialog::tr("Zoom at the pointer"), HelpDialog::tr("Wheel"));
+    table.row(HelpDialog::tr("3D area: turn the view"), HelpDialog::tr("Drag the background, or right-drag"));
+    table.row(HelpDialog::tr("3D area: move the view"), HelpDialog::tr("Middle drag"));
+    table.row(HelpDialog::tr("3D area: turn the light"), HelpDialog::tr("Shift and right-drag"));
+    table.row(HelpDialog::tr("3D area: turn the head, so that the hair swings"), HelpDialog::tr("Hold H and drag"));
+    table.row(HelpDialog::tr("Hide the panels"), HelpDialog::tr("Tab"));
+    return heading(HelpDialog::Topic::Pointer, HelpDialog::tr("Pointer")) + table.html();
+}
+
+QString keyPage(const std::vector<KeyBinding>& bindings)
+{
+    QString html = heading(HelpDialog::Topic::Keys, HelpDialog::tr("Keys"));
+    QString section;
+    Table table;
+    const auto finish = [&] {
+        if (!section.isEmpty())
+            html += QStringLiteral("<h4>%1</h4>").arg(section.toHtmlEscaped()) + table.html();
+        table = {};
+    };
+    for (const KeyBinding& binding : bindings) {
+        if (binding.action->shortcut().isEmpty())
+            continue;
+        if (binding.section != section)
+            finish();
+        section = binding.section;
+        table.row(binding.action->text().remove(QLatin1Char('&')).section(QLatin1Char('\t'), 0, 0),
+                  binding.action->shortcut().toString(QKeySequence::NativeText));
+    }
+    finish();
+    return html;
+}
+
+QString dialogPages()
+{
+    using Topic = HelpDialog::Topic;
+    return heading(Topic::Wind, HelpDialog::tr("Wind")) +
+           paragraph(HelpDialog::tr("Direction and speed of the wind; gusts let it come and go, turbulence makes it "
+                                    "differ from place to place. The hair shows every change at once, and letting go "
+                                    "is one step to undo.")) +
+           heading(Topic::Light, HelpDialog::tr("Light")) +
+           paragraph(HelpDialog::tr("Where the light stands, how strong it is and its colour; the light from all sides "
+                                    "brightens the shadows. The background is the picture's own.")) +
+           heading(Topic::HeadImport, HelpDialog::tr("Import head")) +
+           paragraph(
+               HelpDialog::tr("A mesh says neither its unit nor which way is up, so both are guessed: the picture "
+                              "shows the head beside its height. Set them right before it becomes the head; it "
+                              "needs uv coordinates, which the maps lie on.")) +
+           heading(Topic::Preferences, HelpDialog::tr("Preferences")) +
+           paragraph(
+               HelpDialog::tr("Theme, paper, language and what draws the 3D area; and all keys, each of which can "
+                              "be set anew."));
+}
+
+} // namespace
+
+HelpDialog::HelpDialog(const EditorState& state, const std::vector<KeyBinding>& bindings, QWidget* parent)
+    : QDialog(parent), m_browser(new QTextBrowser(this))
+{
+    setWindowTitle(tr("Help"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(metrics::kPadding, metrics::kPadding, metrics::kPadding, metrics::kPadding);
+    m_browser->setAccessibleName(tr("Help"));
+    m_browser->setHtml(toolPage(state) + pointerPage() + keyPage(bindings) + dialogPages());
+    layout->addWidget(m_browser);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    buttons->button(QDialogButtonBox::Close)->setText(tr("Close"));
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    layout->addWidget(buttons);
+    resize(620, 640);
+}
+
+void HelpDialog::showTopic(Topic topic)
+{
+    show();
+    raise();
+    activateWindow();
+    m_browser->scrollToAnchor(anchorOf(topic));
+}
+
+QString HelpDialog::text() const
+{
+    return m_browser->toPlainText();
+}
+
+} // namespace hairpaint::view
