@@ -4,6 +4,7 @@
 #include "app/dropped_file.h"
 #include "app/library.h"
 #include "app/physical_keys.h"
+#include "view/head/map_legend.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
 #include "view/panels/option_bar.h"
@@ -56,6 +57,7 @@ MainWindow::~MainWindow()
 {
     // Everything on the window refers to the session, which as a member goes before the window's children would.
     qDeleteAll(findChildren<QDialog*>(Qt::FindDirectChildrenOnly));
+    m_legend = nullptr; // Goes with the 3D area, and the window may still hear that it is active no more.
     delete takeCentralWidget();
     for (QObject* source : std::initializer_list<QObject*>{&m_session, &m_session.document(), &m_session.editor(),
                                                            &m_session.document().undoStack()})
@@ -70,6 +72,7 @@ void MainWindow::buildLayout()
     m_optionBar = new view::OptionBar(editor);
     m_paintView = new view::PaintView(editor, theme);
     m_headView = new view::HeadView(editor, theme, m_preferences.presenter);
+    m_legend = new view::MapLegend(m_headView);
     m_sidebar = new view::Sidebar(editor);
     m_styleStrip = new view::StyleStrip(editor);
     m_status = new view::StatusReadout(editor);
@@ -196,8 +199,41 @@ void MainWindow::dropEvent(QDropEvent* event)
         this, [this, path] { openFile(path); }, Qt::QueuedConnection);
 }
 
+void MainWindow::lookAt(std::optional<model::MapKind> map)
+{
+    m_session.lookAt(map);
+    const model::HairGroup* group = m_session.document().project().group(m_session.editor().activeGroup());
+    if (map && group != nullptr)
+        m_legend->showMap(model::mapSpec(*map), group->settings);
+    else
+        m_legend->hide();
+}
+
+void MainWindow::keyReleaseEvent(QKeyEvent* event)
+{
+    if (!event->isAutoRepeat() && (event->key() == Qt::Key_Alt || digitOf(physicalKey(*event)) > 0))
+        lookAt(std::nullopt);
+    QMainWindow::keyReleaseEvent(event);
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    // Another window gets the release of a key that is held now.
+    if (event->type() == QEvent::WindowDeactivate && m_legend != nullptr)
+        lookAt(std::nullopt);
+    return QMainWindow::event(event);
+}
+
 void MainWindow::keyPressEvent(QKeyEvent* event)
 {
+    if (event->modifiers() == Qt::AltModifier) {
+        const int digit = digitOf(physicalKey(*event));
+        if (digit >= 1 && digit <= model::kMapKindCount) {
+            if (!event->isAutoRepeat())
+                lookAt(static_cast<model::MapKind>(digit - 1));
+            return;
+        }
+    }
     // Brackets and digits go by their place on the keyboard: many layouts can't type them.
     if (event->modifiers() == Qt::NoModifier) {
         const PhysicalKey key = physicalKey(*event);

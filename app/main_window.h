@@ -18,6 +18,7 @@
 namespace hairpaint::view {
 class HeadView;
 class DropHint;
+class MapLegend;
 class OptionBar;
 class PaintView;
 class Sidebar;
@@ -51,6 +52,8 @@ protected:
     void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -83,6 +86,8 @@ private:
     void showAreaMenu(const QPoint& globalPosition);
     void onFrameDrawn(const rendering::FrameStatistics& statistics);
 
+    /// Alt and a digit: strands take that map's colours while both are held.
+    void lookAt(std::optional<model::MapKind> map);
     void nextValueStep(int steps);
     void changeBrushSize(float factor);
     void selectAll();
@@ -111,6 +116,7 @@ private:
     QSplitter* m_splitter = nullptr;
     view::PaintView* m_paintView = nullptr;
     view::HeadView* m_headView = nullptr;
+    view::MapLegend* m_legend = nullptr;
     view::Sidebar* m_sidebar = nullptr;
     view::StyleStrip* m_styleStrip = nullptr;
     view::StatusReadout* m_status = nullptr;

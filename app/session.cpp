@@ -2,6 +2,7 @@
 #include "app/session.h"
 
 #include "model/commands/commands.h"
+#include "model/map_colours.h"
 
 namespace hairpaint::app {
 
@@ -86,9 +87,22 @@ void Session::onChanged(const model::Change& change)
         m_inputTimer.start();
 }
 
+void Session::lookAt(std::optional<model::MapKind> map)
+{
+    if (map == m_looked)
+        return;
+    m_looked = map;
+    m_inputTimer.start();
+}
+
 void Session::sendInput()
 {
-    m_worker->setInput(m_document.groomInput());
+    sim::GroomInput input = m_document.groomInput();
+    if (m_looked)
+        for (sim::GroupInput& group : input.groups)
+            if (const auto resolved = m_document.resolved(group.id, *m_looked))
+                group.maps.colour = model::colouredMap(*resolved, model::mapSpec(*m_looked));
+    m_worker->setInput(std::move(input));
 }
 
 void Session::takeFrame()

@@ -28,6 +28,9 @@ public:
     [[nodiscard]] const std::shared_ptr<const sim::StrandFrame>& frame() const { return m_frame; }
     [[nodiscard]] bool paused() const { return m_paused; }
 
+    /// The hair in that map's colours, its own again with none. Outside undo; the hair's motion goes on.
+    void lookAt(std::optional<model::MapKind> map);
+
 public Q_SLOTS:
     void setPaused(bool paused);
     void resetHair();
@@ -53,6 +56,7 @@ private:
     QTimer m_inputTimer; ///< Zero: fires when the event loop has nothing older to do.
     std::atomic<bool> m_frameAnnounced = false;
     bool m_paused = false;
+    std::optional<model::MapKind> m_looked;
     std::unique_ptr<sim::SimulationWorker> m_worker; ///< Last: it calls back until it is gone.
 };
 

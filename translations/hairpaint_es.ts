@@ -1558,7 +1558,7 @@
     </message>
     <message>
         <source>&amp;Help ...</source>
-        <translation>&amp;Ayuda ...</translation>
+        <translation>A&amp;yuda ...</translation>
     </message>
 </context>
 <context>
@@ -1851,15 +1851,11 @@
     <name>hairpaint::view::HelpDialog</name>
     <message>
         <source>Tools</source>
-        <translation type="unfinished">Herramientas</translation>
+        <translation>Herramientas</translation>
     </message>
     <message>
         <source>Every tool works in both areas: on the flat map and straight on the head. What it paints goes to the active layer of the active map, inside the selection where there is one.</source>
         <translation>Cada herramienta sirve en las dos zonas: en el mapa plano y directamente en la cabeza. Lo que pinta va a la capa activa del mapa activo, dentro de la selección si la hay.</translation>
-    </message>
-    <message>
-        <source>Look at or paint the first nine maps</source>
-        <translation>Ver o pintar los nueve primeros mapas</translation>
     </message>
     <message>
         <source>1 to 9</source>
@@ -1883,7 +1879,7 @@
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished">Opacidad</translation>
+        <translation>Opacidad</translation>
     </message>
     <message>
         <source>Hold O and drag</source>
@@ -1911,7 +1907,7 @@
     </message>
     <message>
         <source>Esc</source>
-        <translation type="unfinished">Esc</translation>
+        <translation>Esc</translation>
     </message>
     <message>
         <source>Move the map; rotate it</source>
@@ -1975,11 +1971,11 @@
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished">Teclas</translation>
+        <translation>Teclas</translation>
     </message>
     <message>
         <source>Wind</source>
-        <translation type="unfinished">Viento</translation>
+        <translation>Viento</translation>
     </message>
     <message>
         <source>Direction and speed of the wind; gusts let it come and go, turbulence makes it differ from place to place. The hair shows every change at once, and letting go is one step to undo.</source>
@@ -1995,7 +1991,7 @@
     </message>
     <message>
         <source>Import head</source>
-        <translation type="unfinished">Importar cabeza</translation>
+        <translation>Importar cabeza</translation>
     </message>
     <message>
         <source>A mesh says neither its unit nor which way is up, so both are guessed: the picture shows the head beside its height. Set them right before it becomes the head; it needs uv coordinates, which the maps lie on.</source>
@@ -2003,7 +1999,7 @@
     </message>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished">Preferencias</translation>
+        <translation>Preferencias</translation>
     </message>
     <message>
         <source>Theme, paper, language and what draws the 3D area; and all keys, each of which can be set anew.</source>
@@ -2015,7 +2011,19 @@
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Cerrar</translation>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Paint the first nine maps</source>
+        <translation>Pintar los nueve primeros mapas</translation>
+    </message>
+    <message>
+        <source>See a map&apos;s colours on the hair</source>
+        <translation>Ver los colores de un mapa en el pelo</translation>
+    </message>
+    <message>
+        <source>Hold Alt and 1 to 9</source>
+        <translation>Mantener Alt y 1 a 9</translation>
     </message>
 </context>
 <context>
@@ -2154,6 +2162,13 @@
     <message>
         <source>Background</source>
         <translation>Fondo</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::MapLegend</name>
+    <message>
+        <source>What the colours mean</source>
+        <translation>Qué significan los colores</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "model/preset.h"
 #include "view/dialogs/help_dialog.h"
 #include "view/dialogs/wind_dialog.h"
+#include "view/head/map_legend.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
 
@@ -318,6 +319,40 @@ private Q_SLOTS:
             QCOMPARE(stack().count(), 0);
             QVERIFY(!session().document().modified());
         }
+    }
+
+    void altAndADigitShowThatMapOnTheHairWhileHeld()
+    {
+        openWindow(starterProject());
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 10'000, kPatienceMs);
+        const QByteArray before = savedBytes("look-before.hairpaint");
+        const auto rootColour = [this] {
+            const sim::Groom& groom = *session().frame()->groups.front().groom;
+            for (const auto& chunk : groom.chunks)
+                if (chunk != nullptr)
+                    for (std::size_t slot = 0; slot < chunk->styles.size(); ++slot)
+                        if (chunk->drawn[slot])
+                            return chunk->styles[slot].rootColour;
+            return std::uint32_t{0};
+        };
+        const std::uint32_t own = rootColour();
+        auto* legend = m_window->headView().findChild<view::MapLegend*>();
+        QVERIFY(legend != nullptr && !legend->isVisible());
+        m_window->paintView().setFocus();
+        QTest::keyPress(&paper(), Qt::Key_2, Qt::AltModifier);
+        QVERIFY(legend->isVisible());
+        QCOMPARE(legend->title(), QStringLiteral("Length"));
+        // From white to blue: the blue is full, red and green fall together.
+        const auto isBlue = [&rootColour] {
+            const std::uint32_t colour = rootColour();
+            return (colour >> 16U & 0xFFU) == 0xFFU && (colour & 0xFFU) == (colour >> 8U & 0xFFU);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isBlue(), kPatienceMs);
+        QTest::keyRelease(&paper(), Qt::Key_2, Qt::AltModifier);
+        QVERIFY(!legend->isVisible());
+        QTRY_COMPARE_WITH_TIMEOUT(rootColour(), own, kPatienceMs);
+        QVERIFY(savedBytes("look-after.hairpaint") == before);
+        QCOMPARE(stack().count(), 0);
     }
 
     void helpTellsOfEveryToolAndKey()

@@ -57,7 +57,8 @@ QString toolPage(const EditorState& state)
 QString pointerPage()
 {
     Table table;
-    table.row(HelpDialog::tr("Look at or paint the first nine maps"), HelpDialog::tr("1 to 9"));
+    table.row(HelpDialog::tr("Paint the first nine maps"), HelpDialog::tr("1 to 9"));
+    table.row(HelpDialog::tr("See a map's colours on the hair"), HelpDialog::tr("Hold Alt and 1 to 9"));
     table.row(HelpDialog::tr("Make the brush smaller or larger"), HelpDialog::tr("[ and ]"));
     table.row(HelpDialog::tr("Size sideways, hardness up and down"), HelpDialog::tr("Ctrl and right-drag"));
     table.row(HelpDialog::tr("Opacity"), HelpDialog::tr("Hold O and drag"));

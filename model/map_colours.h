@@ -1,0 +1,15 @@
+// A map as the colours that show it, in the form of a colour map.
+#pragma once
+
+#include "model/map_spec.h"
+
+#include <memory>
+
+namespace hairpaint::model {
+
+/// Three channels, sRGB as encoded: a scalar's place on its scale from white, an index's palette colour, a colour
+/// itself. `resolved`: of Document::resolved. Uniform tiles stay uniform.
+[[nodiscard]] std::shared_ptr<const sim::TiledRaster> colouredMap(const sim::TiledRaster& resolved,
+                                                                  const MapSpec& spec);
+
+} // namespace hairpaint::model
