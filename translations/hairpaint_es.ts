@@ -1557,8 +1557,8 @@
         <translation>&amp;Invertir la selección</translation>
     </message>
     <message>
-        <source>&amp;Help ...</source>
-        <translation>A&amp;yuda ...</translation>
+        <source>&amp;Help…</source>
+        <translation>A&amp;yuda…</translation>
     </message>
 </context>
 <context>
