@@ -31,8 +31,8 @@ bool readHeader(const char* data, quint32 length, PngParts& parts)
         return false;
     parts.width = qFromBigEndian<quint32>(data);
     parts.height = qFromBigEndian<quint32>(data + 4);
-    parts.depth = data[8];
-    parts.colourType = data[9];
+    parts.depth = static_cast<unsigned char>(data[8]);
+    parts.colourType = static_cast<unsigned char>(data[9]);
     parts.interlaced = data[12] != 0;
     return parts.width > 0 && parts.height > 0 && data[10] == 0 && data[11] == 0;
 }
