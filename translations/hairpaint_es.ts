@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>Move group &quot;%1&quot;</source>
-        <translation>Mover el grupo &quot;%1&quot;</translation>
+        <translation>Mover grupo «%1»</translation>
     </message>
 </context>
 <context>
@@ -1109,7 +1109,7 @@
     </message>
     <message>
         <source>Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing</source>
-        <translation>Arrastre un rectángulo, Mayús añade a la selección o hace un cuadrado; haga clic para no seleccionar nada</translation>
+        <translation>Arrastra un rectángulo; Mayúsculas añade a la selección o hace un cuadrado; haz clic para no seleccionar nada</translation>
     </message>
 </context>
 <context>
@@ -1554,7 +1554,7 @@
     </message>
     <message>
         <source>&amp;Invert selection</source>
-        <translation>&amp;Invertir la selección</translation>
+        <translation>&amp;Invertir selección</translation>
     </message>
     <message>
         <source>&amp;Help…</source>
@@ -1855,7 +1855,7 @@
     </message>
     <message>
         <source>Every tool works in both areas: on the flat map and straight on the head. What it paints goes to the active layer of the active map, inside the selection where there is one.</source>
-        <translation>Cada herramienta sirve en las dos zonas: en el mapa plano y directamente en la cabeza. Lo que pinta va a la capa activa del mapa activo, dentro de la selección si la hay.</translation>
+        <translation>Cada herramienta funciona en las dos áreas: en el mapa plano y directamente en la cabeza. Lo que pinta va a la capa activa del mapa activo, dentro de la selección si la hay.</translation>
     </message>
     <message>
         <source>1 to 9</source>
@@ -1863,7 +1863,7 @@
     </message>
     <message>
         <source>Make the brush smaller or larger</source>
-        <translation>Pincel más pequeño o más grande</translation>
+        <translation>Achicar o agrandar el pincel</translation>
     </message>
     <message>
         <source>[ and ]</source>
@@ -1875,7 +1875,7 @@
     </message>
     <message>
         <source>Ctrl and right-drag</source>
-        <translation>Ctrl y arrastrar con el botón derecho</translation>
+        <translation>Control y arrastrar con el botón derecho</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -1891,7 +1891,7 @@
     </message>
     <message>
         <source>Shift and click</source>
-        <translation>Mayús y clic</translation>
+        <translation>Mayúsculas y clic</translation>
     </message>
     <message>
         <source>Pick the value under the pointer</source>
@@ -1899,7 +1899,7 @@
     </message>
     <message>
         <source>Ctrl and click</source>
-        <translation>Ctrl y clic</translation>
+        <translation>Control y clic</translation>
     </message>
     <message>
         <source>Cancel the stroke</source>
@@ -1911,11 +1911,11 @@
     </message>
     <message>
         <source>Move the map; rotate it</source>
-        <translation>Mover el mapa; girarlo</translation>
+        <translation>Desplazar el mapa; girarlo</translation>
     </message>
     <message>
         <source>Space and drag; Shift, Space and drag</source>
-        <translation>Espacio y arrastrar; Mayús, Espacio y arrastrar</translation>
+        <translation>Espacio y arrastrar; Mayúsculas, Espacio y arrastrar</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
@@ -1927,7 +1927,7 @@
     </message>
     <message>
         <source>3D area: turn the view</source>
-        <translation>Zona 3D: girar la vista</translation>
+        <translation>Área 3D: girar la vista</translation>
     </message>
     <message>
         <source>Drag the background, or right-drag</source>
@@ -1935,7 +1935,7 @@
     </message>
     <message>
         <source>3D area: move the view</source>
-        <translation>Zona 3D: mover la vista</translation>
+        <translation>Área 3D: mover la vista</translation>
     </message>
     <message>
         <source>Middle drag</source>
@@ -1943,15 +1943,15 @@
     </message>
     <message>
         <source>3D area: turn the light</source>
-        <translation>Zona 3D: girar la luz</translation>
+        <translation>Área 3D: girar la luz</translation>
     </message>
     <message>
         <source>Shift and right-drag</source>
-        <translation>Mayús y arrastrar con el botón derecho</translation>
+        <translation>Mayúsculas y arrastrar con el botón derecho</translation>
     </message>
     <message>
         <source>3D area: turn the head, so that the hair swings</source>
-        <translation>Zona 3D: girar la cabeza para que el pelo oscile</translation>
+        <translation>Área 3D: girar la cabeza para que el pelo oscile</translation>
     </message>
     <message>
         <source>Hold H and drag</source>
@@ -1979,7 +1979,7 @@
     </message>
     <message>
         <source>Direction and speed of the wind; gusts let it come and go, turbulence makes it differ from place to place. The hair shows every change at once, and letting go is one step to undo.</source>
-        <translation>Dirección y velocidad del viento; las ráfagas lo hacen ir y venir, la turbulencia lo hace distinto de un lugar a otro. El pelo muestra cada cambio al momento, y soltar es un solo paso que deshacer.</translation>
+        <translation>Dirección y velocidad del viento; las rachas lo hacen ir y venir, la turbulencia lo hace distinto de un lugar a otro. El pelo muestra cada cambio al momento, y al soltar queda un solo paso que deshacer.</translation>
     </message>
     <message>
         <source>Light</source>
@@ -1995,7 +1995,7 @@
     </message>
     <message>
         <source>A mesh says neither its unit nor which way is up, so both are guessed: the picture shows the head beside its height. Set them right before it becomes the head; it needs uv coordinates, which the maps lie on.</source>
-        <translation>Una malla no dice ni su unidad ni qué lado queda arriba, así que ambos se deducen: la imagen muestra la cabeza junto a su altura. Corríjalos antes de que pase a ser la cabeza; necesita coordenadas uv, sobre las que están los mapas.</translation>
+        <translation>Una malla no dice ni su unidad ni qué lado queda arriba, así que ambos se deducen: la imagen muestra la cabeza junto a su altura. Corrígelos antes de que pase a ser la cabeza; necesita coordenadas UV, que es donde van los mapas.</translation>
     </message>
     <message>
         <source>Preferences</source>
@@ -2003,7 +2003,7 @@
     </message>
     <message>
         <source>Theme, paper, language and what draws the 3D area; and all keys, each of which can be set anew.</source>
-        <translation>Tema, papel, idioma y qué dibuja la zona 3D; y todas las teclas, cada una de las cuales puede cambiarse.</translation>
+        <translation>Tema, papel, idioma y qué dibuja el área 3D; y todas las teclas, que se pueden cambiar una a una.</translation>
     </message>
     <message>
         <source>Help</source>
