@@ -85,8 +85,8 @@ void MainWindow::buildFileMenu()
                          .run = [this] { m_exchange.exportMap(); },
                          .icon = "export"});
     menu.addSeparator();
-    m_actions.add(
-        menu, {.id = "file.importHead", .text = tr("Import &head…"), .run = [this] { m_exchange.importHead(); }});
+    m_actions.add(menu,
+                  {.id = "file.importHead", .text = tr("Import &head…"), .run = [this] { m_exchange.importHead(); }});
     m_actions.add(menu, {.id = "file.builtInHead", .text = tr("Use the &built-in head"), .run = [this] {
                              m_exchange.useBuiltInHead();
                          }});

@@ -17,6 +17,7 @@
 #include <QPaintEngine>
 #include <QPointer>
 #include <QTabBar>
+#include <QTextEdit>
 #include <QToolTip>
 
 namespace hairpaint::test {
@@ -108,6 +109,8 @@ void addOwn(QStringList& texts, QWidget& widget)
         texts << button->text();
     if (const auto* line = qobject_cast<const QLineEdit*>(&widget))
         texts << line->placeholderText();
+    if (const auto* page = qobject_cast<const QTextEdit*>(&widget))
+        texts << page->toPlainText().split(QLatin1Char('\n')) << page->placeholderText();
     if (const auto* group = qobject_cast<const QGroupBox*>(&widget))
         texts << group->title();
     if (const auto* menu = qobject_cast<const QMenu*>(&widget))
