@@ -116,6 +116,7 @@ void MainWindow::connectViews()
         m_headView->setFrame(frame);
         m_status->setSimulationMs(frame->stepMilliseconds);
     });
+    connect(&m_session, &Session::pausedChanged, m_headView, &view::HeadView::setHairPaused);
     connect(m_headView, &view::HeadView::puffWanted, &m_session, &Session::puff);
     connect(m_headView, &view::HeadView::poseWanted, &m_session, &Session::setPose);
     connect(m_headView, &view::HeadView::lightWanted, &m_session, &Session::changeLight);

@@ -286,17 +286,12 @@ void HeadView::refreshHead()
 {
     const std::shared_ptr<const model::Head>& head = m_state->editor.document().project().head;
     const std::shared_ptr<const sim::HeadMesh> before = m_state->scene.head;
-    if (!head)
-        m_state->scene.head.reset();
-    else if (head->shownMesh)
-        m_state->scene.head = head->shownMesh;
-    else
-        m_state->scene.head = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
+    m_state->scene.headInMotion.reset();
+    if (head)
+        m_state->scene.headInMotion = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
+    m_state->scene.head = head && head->shownMesh ? head->shownMesh : m_state->scene.headInMotion;
     if (m_state->scene.head == before)
         return;
-    m_state->scene.headInMotion.reset();
-    if (head && head->shownMesh && head->skin)
-        m_state->scene.headInMotion = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
     m_state->scene.hair.reset();
     if (before && m_state->scene.head)
         fit();
@@ -341,6 +336,12 @@ void HeadView::refreshOverlay()
     m_state->overlay->setShapes(shapes, m_state->skin(), m_state->scene.camera, m_state->shownPose());
 }
 
+void HeadView::setHairPaused(bool paused)
+{
+    m_state->paused = paused;
+    requestDraw();
+}
+
 void HeadView::requestDraw()
 {
     if (m_state->drawSoon.isActive())
@@ -364,7 +365,7 @@ void HeadView::timerEvent(QTimerEvent* event)
         const std::shared_ptr<const sim::StrandFrame>& hair = m_state->scene.hair;
         m_state->presenter->present({.scene = m_state->scene,
                                      .allHairs = hair ? hair->hairCount : 0,
-                                     .still = !m_state->moving && (!hair || hair->asleep)});
+                                     .still = !m_state->moving && (!hair || hair->asleep || m_state->paused)});
     } else {
         QWidget::timerEvent(event);
     }

@@ -60,6 +60,7 @@ public Q_SLOTS:
     void fit();
     void zoomIn();
     void zoomOut();
+    void setHairPaused(bool paused);  ///< What stands still is drawn finer.
     void setWeatherShown(bool shown); ///< F7: the paper's keys for wind and light.
 
 Q_SIGNALS:

@@ -296,6 +296,22 @@ private Q_SLOTS:
         QTRY_VERIFY(std::abs(f.area.camera().azimuthRad - 1.5708F) < 0.01F);
     }
 
+    void pausedHairIsDrawnWhole()
+    {
+        Fixture f;
+        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
+        const auto frame = std::make_shared<sim::StrandFrame>(*f.frame());
+        frame->asleep = false;
+        std::size_t drawn = 0;
+        connect(&f.area, &view::HeadView::frameDrawn, this,
+                [&drawn](const rendering::FrameStatistics& statistics) { drawn = statistics.drawnHairs; });
+        f.area.setFrame(frame);
+        QTRY_VERIFY(drawn > 0);
+        QVERIFY(drawn < frame->hairCount);
+        f.area.setHairPaused(true);
+        QTRY_COMPARE(drawn, frame->hairCount);
+    }
+
     void hairAppearsWhereADabWasPainted()
     {
         Fixture f;
