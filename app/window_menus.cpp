@@ -46,7 +46,7 @@ void MainWindow::buildMenus()
         else
             m_areaMenu->addAction(m_actions.find(QLatin1StringView(id)));
     }
-    for (const char* id : {"edit.all", "edit.none", "edit.cut", "edit.copy", "edit.paste", "edit.clear"})
+    for (const char* id : {"edit.all", "edit.none", "edit.invert", "edit.cut", "edit.copy", "edit.paste", "edit.clear"})
         m_optionBar->addSelectionAction(m_actions.find(QLatin1StringView(id)));
     for (const char* id : {"edit.mirror", "view.wireframe", "view.night"})
         m_toolBar->addFootAction(m_actions.find(QLatin1StringView(id)));
