@@ -47,8 +47,7 @@ std::vector<int> tilesIn(const sim::TiledRaster& raster, const std::vector<sim::
             for (int column = rect.x0 / kTile; column <= (rect.x1 - 1) / kTile; ++column)
                 tiles.push_back(row * raster.tilesAcross() + column);
     std::ranges::sort(tiles);
-    const auto [from, to] = std::ranges::unique(tiles);
-    tiles.erase(from, to);
+    tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
     return tiles;
 }
 

@@ -216,7 +216,7 @@ private Q_SLOTS:
         QVERIFY(strands.size() > 5'000);
         const model::Result<model::Project> loaded = model::loadProject(file);
         QVERIFY(loaded);
-        const double greatest = double(loaded->groups.front().settings.greatestLengthM);
+        const auto greatest = static_cast<double>(loaded->groups.front().settings.greatestLengthM);
         double shortest = 1.0;
         double longest = 0.0;
         for (std::size_t i = 0; i < strands.size(); ++i) {
