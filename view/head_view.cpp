@@ -106,19 +106,18 @@ void HeadView::makePresenter(PresenterChoice choice)
 {
     bool usesGl = choice == PresenterChoice::Gl && !headless();
     std::unique_ptr<RenderThread> thread;
-    std::optional<RenderStart> start;
     if (!usesGl) {
         thread = std::make_unique<RenderThread>();
         if (choice == PresenterChoice::Automatic && !headless()) {
-            start = thread->waitForStart();
-            usesGl = start->works && !start->software;
+            const RenderStart start = thread->waitForStart();
+            usesGl = start.works && !start.software;
         }
     }
     if (usesGl) {
         thread.reset();
         m_state->presenter = new GlPresenter(this);
     } else {
-        m_state->presenter = new SoftwarePresenter(std::move(thread), start, this);
+        m_state->presenter = new SoftwarePresenter(std::move(thread), this);
     }
     connect(m_state->presenter, &FramePresenter::frameDrawn, this, &HeadView::frameDrawn);
     connect(m_state->presenter, &FramePresenter::failed, this, &HeadView::onPresenterFailed, Qt::QueuedConnection);

@@ -1,5 +1,6 @@
 // Where no OpenGL driver is found the 3D area says so and the rest works.
 #include "tests/support/view_fixture.h"
+#include "view/head/render_thread.h"
 #include "view/head_view.h"
 
 #include <QSignalSpy>
@@ -19,6 +20,14 @@ public:
     }
 
 private Q_SLOTS:
+    void whoListensLateHearsHowItStarted()
+    {
+        view::RenderThread thread;
+        QVERIFY(!thread.waitForStart().works);
+        QSignalSpy started(&thread, &view::RenderThread::started);
+        QTRY_COMPARE(started.count(), 1);
+    }
+
     void aSentenceStandsInForTheHead()
     {
         test::Editor editor(test::makeProject(test::makeBallHead()));

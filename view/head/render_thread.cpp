@@ -24,7 +24,9 @@ public:
     {
         if (!m_start) {
             m_start = makeContext();
-            Q_EMIT m_owner.started(*m_start);
+            // From the GUI thread's event loop, so that whoever made the thread has had time to listen.
+            QMetaObject::invokeMethod(
+                &m_owner, [&owner = m_owner, known = *m_start] { Q_EMIT owner.started(known); }, Qt::QueuedConnection);
         }
         return *m_start;
     }

@@ -27,7 +27,7 @@ public:
     explicit RenderThread(QObject* parent = nullptr);
     ~RenderThread() override; ///< Waits for the frame being drawn.
 
-    /// Waits until the context was made or refused; started() tells of it too, or has.
+    /// Waits until the context was made or refused; started() tells of it too, later.
     [[nodiscard]] RenderStart waitForStart();
     void draw(const Shot& shot, QSize size);
     [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size);

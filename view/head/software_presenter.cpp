@@ -38,15 +38,11 @@ private:
     QImage m_image;
 };
 
-SoftwarePresenter::SoftwarePresenter(std::unique_ptr<RenderThread> thread, const std::optional<RenderStart>& start,
-                                     QWidget* parent)
+SoftwarePresenter::SoftwarePresenter(std::unique_ptr<RenderThread> thread, QWidget* parent)
     : FramePresenter(parent), m_thread(std::move(thread)), m_canvas(new Canvas(parent))
 {
     connect(m_thread.get(), &RenderThread::frameReady, this, &SoftwarePresenter::onFrameReady);
     connect(m_thread.get(), &RenderThread::started, this, &SoftwarePresenter::onStarted);
-    if (start) // Said before anybody listened; said again when those who made this do.
-        QMetaObject::invokeMethod(
-            this, [this, known = *start] { onStarted(known); }, Qt::QueuedConnection);
 }
 
 void SoftwarePresenter::onStarted(const RenderStart& start)

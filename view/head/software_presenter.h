@@ -15,8 +15,7 @@ class SoftwarePresenter : public FramePresenter
 {
     Q_OBJECT
 public:
-    /// `start`: where the thread was waited for already.
-    SoftwarePresenter(std::unique_ptr<RenderThread> thread, const std::optional<RenderStart>& start, QWidget* parent);
+    SoftwarePresenter(std::unique_ptr<RenderThread> thread, QWidget* parent);
     ~SoftwarePresenter() override;
 
     [[nodiscard]] QWidget& widget() override;
