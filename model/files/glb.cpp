@@ -141,7 +141,8 @@ public:
     template<typename Element>
     int add(const std::vector<Element>& elements, const char* type, int componentType, qsizetype perElement, int target)
     {
-        const auto length = static_cast<qsizetype>(elements.size() * sizeof(Element));
+        const std::size_t bytes = elements.size() * sizeof(Element);
+        const auto length = static_cast<qsizetype>(bytes);
         m_views.append(QJsonObject{{QStringLiteral("buffer"), 0},
                                    {QStringLiteral("byteOffset"), m_bin.size()},
                                    {QStringLiteral("byteLength"), length},

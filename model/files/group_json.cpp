@@ -91,7 +91,7 @@ public:
         std::vector<HairGroup> groups;
         if (array.isEmpty() || array.size() > kMostGroups)
             return refuse(say(QT_TRANSLATE_NOOP("Files", "it holds no hair group, or too many")));
-        for (const QJsonValue& value : array) {
+        for (const QJsonValueConstRef value : array) {
             if (!value.isObject())
                 complain();
             groups.push_back(parseGroup(value.toObject()));
@@ -156,7 +156,7 @@ private:
             complain();
             return stack;
         }
-        for (const QJsonValue& layer : layers)
+        for (const QJsonValueConstRef layer : layers)
             stack.layers.push_back(parseLayer(layer, spec));
         return stack;
     }

@@ -35,7 +35,7 @@ void confineChild(int timeoutMs)
     setpgid(0, 0);
     const rlimit none{.rlim_cur = 0, .rlim_max = 0};
     setrlimit(RLIMIT_CORE, &none);
-    const auto seconds = static_cast<rlim_t>(timeoutMs / 1000 + 2);
+    const rlim_t seconds = static_cast<rlim_t>(timeoutMs / 1000) + 2;
     // Two cores may be at work.
     const rlimit processor{.rlim_cur = 2 * seconds, .rlim_max = 2 * seconds + 1};
     setrlimit(RLIMIT_CPU, &processor);

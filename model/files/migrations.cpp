@@ -26,7 +26,7 @@ Checked<QJsonObject> migrated(QJsonObject root)
                           .arg(from)
                           .arg(kFormatVersion),
                       Clause::Cure::NewerProgram);
-    for (std::size_t step = static_cast<std::size_t>(from); step <= kSteps.size(); ++step)
+    for (auto step = static_cast<std::size_t>(from); step <= kSteps.size(); ++step)
         kSteps[step - 1](root);
     root.insert(QLatin1String("format_version"), kFormatVersion);
     return root;

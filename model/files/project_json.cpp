@@ -147,7 +147,7 @@ Checked<std::vector<sim::Ellipsoid>> parseEllipsoids(const QJsonValue& value)
     if (!value.isArray() || array.size() > kMostEllipsoids)
         return brokenKey("ellipsoids");
     QString problem;
-    for (const QJsonValue& item : array) {
+    for (const QJsonValueConstRef item : array) {
         sim::Ellipsoid ellipsoid;
         FieldReader fields(item.toObject(), problem);
         visitEllipsoid(fields, ellipsoid);
@@ -320,7 +320,8 @@ Checked<Preset> presetFromJson(const QByteArray& json)
     const QJsonValue tags = root->value(QLatin1String("tags"));
     if (!(tags.isUndefined() || tags.isArray()) || tags.toArray().size() > kMostTags)
         return brokenKey("tags");
-    for (const QJsonValue& tag : tags.toArray()) {
+    const QJsonArray tagArray = tags.toArray();
+    for (const QJsonValueConstRef tag : tagArray) {
         if (!tag.isString() || tag.toString().size() > kLongestName)
             return brokenKey("tags");
         preset.tags.append(tag.toString());

@@ -49,7 +49,7 @@ struct HeadView::State
 
     QBasicTimer drawSoon;
     QElapsedTimer sinceDraw;
-    QBasicTimer settle; ///< Draws once more, finer, when the camera has come to rest.
+    QBasicTimer settle;  ///< Draws once more, finer, when the camera has come to rest.
     bool paused = false; ///< No frame will come but for what is painted.
     bool moving = false;
 

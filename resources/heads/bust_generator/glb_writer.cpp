@@ -52,20 +52,19 @@ std::string description(std::span<const Block> blocks, std::size_t size)
     std::size_t offset = 0;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const std::string comma = i == 0 ? "" : ",";
-        views += comma + "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) +
-                 ",\"byteLength\":" + std::to_string(blocks[i].bytes.size()) +
-                 ",\"target\":" + std::to_string(blocks[i].target) + "}";
-        accessors += comma + "{\"bufferView\":" + std::to_string(i) + ",\"count\":" + std::to_string(blocks[i].count) +
-                     "," + blocks[i].accessor + "}";
+        views += comma + R"({"buffer":0,"byteOffset":)" + std::to_string(offset) + R"(,"byteLength":)" +
+                 std::to_string(blocks[i].bytes.size()) + R"(,"target":)" + std::to_string(blocks[i].target) + "}";
+        accessors += comma + R"({"bufferView":)" + std::to_string(i) + R"(,"count":)" +
+                     std::to_string(blocks[i].count) + "," + blocks[i].accessor + "}";
         offset += blocks[i].bytes.size();
     }
-    return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"hairpaint_bust_generator\"},\"scene\":0,\"scenes\":[{"
-           "\"nodes\":[0]}],"
-           "\"nodes\":[{\"mesh\":0,\"name\":\"bust-1\"}],\"meshes\":[{\"name\":\"bust-1\",\"primitives\":[{"
-           "\"attributes\":{"
-           "\"POSITION\":1,\"NORMAL\":2,\"TEXCOORD_0\":3,\"_UV\":4},\"indices\":0,\"mode\":4}]}],\"buffers\":[{"
-           "\"byteLength\":" +
-           std::to_string(size) + "}],\"bufferViews\":[" + views + "],\"accessors\":[" + accessors + "]}";
+    return R"({"asset":{"version":"2.0","generator":"hairpaint_bust_generator"},"scene":0,"scenes":[{)"
+           R"("nodes":[0]}],)"
+           R"("nodes":[{"mesh":0,"name":"bust-1"}],"meshes":[{"name":"bust-1","primitives":[{)"
+           R"("attributes":{)"
+           R"("POSITION":1,"NORMAL":2,"TEXCOORD_0":3,"_UV":4},"indices":0,"mode":4}]}],"buffers":[{)"
+           R"("byteLength":)" +
+           std::to_string(size) + R"(}],"bufferViews":[)" + views + R"(],"accessors":[)" + accessors + "]}";
 }
 
 } // namespace
@@ -85,11 +84,11 @@ bool writeGlb(const Mesh& mesh, const std::filesystem::path& path)
     constexpr int vertexTarget = 34962;
     constexpr int indexTarget = 34963;
     const std::size_t count = mesh.positions.size();
-    const std::string vec3 = "\"componentType\":5126,\"type\":\"VEC3\"";
-    const std::string vec2 = "\"componentType\":5126,\"type\":\"VEC2\"";
+    const std::string vec3 = R"("componentType":5126,"type":"VEC3")";
+    const std::string vec2 = R"("componentType":5126,"type":"VEC2")";
     const std::vector<Block> blocks = {
-        {bytes(mesh.triangles), "\"componentType\":5125,\"type\":\"SCALAR\"", mesh.triangles.size() * 3, indexTarget},
-        {bytes(mesh.positions), vec3 + ",\"min\":" + text(low) + ",\"max\":" + text(high), count, vertexTarget},
+        {bytes(mesh.triangles), R"("componentType":5125,"type":"SCALAR")", mesh.triangles.size() * 3, indexTarget},
+        {bytes(mesh.positions), vec3 + R"(,"min":)" + text(low) + R"(,"max":)" + text(high), count, vertexTarget},
         {bytes(mesh.normals), vec3, count, vertexTarget},
         {bytes(flipped), vec2, count, vertexTarget},
         {bytes(mesh.uvs), vec2, count, vertexTarget}};

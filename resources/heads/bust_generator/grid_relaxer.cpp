@@ -49,7 +49,7 @@ void GridRelaxer::measureRings()
 {
     const int rings = m_grid.rings();
     const int columns = m_grid.columns();
-    const auto size = static_cast<std::size_t>(rings + 1);
+    const std::size_t size = static_cast<std::size_t>(rings) + 1;
     std::vector<float> radius(size, 0.0F);
     std::vector<float> spacing(size, 0.0F);
     for (int i = 1; i <= rings; ++i) {

@@ -147,7 +147,7 @@ public:
             length = std::min(length, 0.8 * flipStep(jacobian(m_elements[t], corners(m_half.uvs, t)),
                                                      jacobian(m_elements[t], corners(direction, t))));
         const double slope = m_gradient.dot(solution);
-        for (; length > 1.0e-10; length *= 0.5) {
+        while (length > 1.0e-10) {
             std::vector<glm::dvec2> moved = m_half.uvs;
             for (std::size_t v = 0; v < moved.size(); ++v)
                 moved[v] += length * direction[v];
@@ -156,6 +156,7 @@ public:
                 m_half.uvs = std::move(moved);
                 return after;
             }
+            length *= 0.5;
         }
         return before;
     }
