@@ -57,7 +57,7 @@ int runCommandLine(int argc, char** argv)
     const QStringList arguments = QCoreApplication::arguments();
     const QString& first = arguments.at(1);
     if (const Command* command = hairpaint::app::findCommand(first))
-        return static_cast<int>(command->run(arguments.mid(2)));
+        return static_cast<int>(run(*command, arguments.mid(2)));
     if (first == QLatin1String("--version")) {
         hairpaint::app::printOut(QStringLiteral("Hair Paint %1\n").arg(QCoreApplication::applicationVersion()));
         return 0;

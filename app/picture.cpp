@@ -41,8 +41,8 @@ model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create()
     return maker;
 }
 
-QImage PictureMaker::take(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
-                          rendering::StandardView view, QSize size)
+model::Result<QImage> PictureMaker::take(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
+                                         rendering::StandardView view, QSize size)
 {
     const rendering::Scene scene{.head = project.head->shownMesh,
                                  .headInMotion = {},
@@ -55,6 +55,13 @@ QImage PictureMaker::take(const model::Project& project, std::shared_ptr<const s
     const int scale = std::max(size.width(), size.height()) <= kLargestDoubledPx ? 2 : 1;
     const QSize drawn = size * scale;
     m_renderer->draw(scene, {.detail = 1.0F, .samples = 4, .smoothSegments = 12}, drawn.width(), drawn.height());
+    if (!m_renderer->statistics().complete)
+        return model::failure(QCoreApplication::translate("Picture",
+                                                          "No picture of %1 x %2 pixels can be drawn: the OpenGL "
+                                                          "driver gave up, most likely for want of memory. Choose a "
+                                                          "smaller size.")
+                                  .arg(size.width())
+                                  .arg(size.height()));
     std::vector<std::uint8_t> pixels;
     m_renderer->read(pixels);
     const QImage image(pixels.data(), drawn.width(), drawn.height(), drawn.width() * 4, QImage::Format_RGBA8888);

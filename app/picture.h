@@ -17,9 +17,11 @@ class PictureMaker
 public:
     [[nodiscard]] static model::Result<std::unique_ptr<PictureMaker>> create();
 
-    /// Every hair, four samples, drawn twice as large where that fits and filtered down.
-    [[nodiscard]] QImage take(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
-                              rendering::StandardView view, QSize size);
+    /// Every hair, four samples, drawn twice as large where that fits and filtered down. Fails where the driver gives
+    /// up.
+    [[nodiscard]] model::Result<QImage> take(const model::Project& project,
+                                             std::shared_ptr<const sim::StrandFrame> frame,
+                                             rendering::StandardView view, QSize size);
 
 private:
     PictureMaker() = default;

@@ -30,8 +30,11 @@ QImage stylePicture(const model::Preset& preset, PictureMaker& maker, const std:
             return {};
         hair.advance(kStepSeconds);
     }
-    const QImage whole = maker.take(project, hair.frame(), rendering::StandardView::ThreeQuarter, kWholeSize);
-    return whole.copy(kHeadPart).scaled(kPictureSize, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const model::Result<QImage> whole =
+        maker.take(project, hair.frame(), rendering::StandardView::ThreeQuarter, kWholeSize);
+    if (!whole)
+        return {};
+    return whole->copy(kHeadPart).scaled(kPictureSize, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
 StylePictures::StylePictures(QObject* parent) : QObject(parent)

@@ -15,6 +15,10 @@
         <translation>%1. Uso: hairpaint %2 %3</translation>
     </message>
     <message>
+        <source>There is not enough memory for this; give a smaller size or fewer hairs.</source>
+        <translation>No hay memoria suficiente para esto; pide un tamaño menor o menos pelos.</translation>
+    </message>
+    <message>
         <source>No file name belongs here</source>
         <translation>Aquí no va ningún nombre de archivo</translation>
     </message>
@@ -1006,6 +1010,10 @@
     <message>
         <source>there is no picture</source>
         <translation>no hay ninguna imagen</translation>
+    </message>
+    <message>
+        <source>No picture of %1 x %2 pixels can be drawn: the OpenGL driver gave up, most likely for want of memory. Choose a smaller size.</source>
+        <translation>No se puede dibujar una imagen de %1 x %2 píxeles: el controlador de OpenGL se rindió, probablemente por falta de memoria. Elige un tamaño menor.</translation>
     </message>
 </context>
 <context>

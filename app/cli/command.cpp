@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <new>
 
 namespace hairpaint::app {
 
@@ -45,6 +46,15 @@ const Command* findCommand(const QString& name)
     const auto* const found = std::ranges::find_if(
         kCommands, [&name](const Command& command) { return name == QLatin1StringView(command.name); });
     return found == kCommands.end() ? nullptr : &*found;
+}
+
+ExitCode run(const Command& command, const QStringList& arguments)
+{
+    try {
+        return command.run(arguments);
+    } catch (const std::bad_alloc&) {
+        return failed({CommandLine::tr("There is not enough memory for this; give a smaller size or fewer hairs.")});
+    }
 }
 
 ExitCode failed(const model::Error& error)

@@ -111,7 +111,10 @@ private:
 model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, const RenderOptions& options,
                                   const QString& path)
 {
-    return writePicture(maker.take(hair.project(), hair.frame(), options.view, options.size), path);
+    const model::Result<QImage> picture = maker.take(hair.project(), hair.frame(), options.view, options.size);
+    if (!picture)
+        return tl::unexpected(picture.error());
+    return writePicture(*picture, path);
 }
 
 model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const RenderOptions& options,

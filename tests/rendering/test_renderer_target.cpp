@@ -4,6 +4,8 @@
 
 #include <QtTest>
 
+#include <epoxy/gl.h>
+
 using namespace hairpaint;
 using namespace hairpaint::testing;
 using rendering::Quality;
@@ -28,6 +30,7 @@ private Q_SLOTS:
     void largePicturesShowWhatSmallOnesDo_data();
     void largePicturesShowWhatSmallOnesDo();
     void headIsCoarseInTheFirstFrameOfAViewOnly();
+    void complaintsAboutOthersAreNotItsOwn();
     void pictureIsCopiedToTheCallersFramebufferAndStateIsKept();
 
 private:
@@ -131,6 +134,14 @@ void TestRendererTarget::headIsCoarseInTheFirstFrameOfAViewOnly()
     QCOMPARE(draw(scene, {}, 200, 150).difference(fineTurned), 0.0);
     scene.camera.azimuthRad = 0.0F;
     QCOMPARE(draw(scene, {}, 200, 150).difference(fine), 0.0);
+}
+
+void TestRendererTarget::complaintsAboutOthersAreNotItsOwn()
+{
+    glEnable(GL_NONE + 1);
+    draw(emptyScene(), {}, 60, 40);
+    QVERIFY(m_renderer->statistics().complete);
+    QVERIFY(!m_gl->takeErrors().empty());
 }
 
 void TestRendererTarget::pictureIsCopiedToTheCallersFramebufferAndStateIsKept()

@@ -17,6 +17,20 @@
 
 namespace hairpaint::rendering {
 
+namespace {
+
+/// Whether OpenGL has complained since the last call.
+bool takeErrors()
+{
+    constexpr int kMostErrors = 16; // A lost context may never run out of them.
+    int errors = 0;
+    while (errors < kMostErrors && glGetError() != GL_NO_ERROR)
+        ++errors;
+    return errors > 0;
+}
+
+} // namespace
+
 struct Renderer::State
 {
     std::string description;
@@ -89,6 +103,7 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
 {
     const auto begin = std::chrono::steady_clock::now();
     State& state = *m_state;
+    takeErrors(); // Somebody else's.
     const StateGuard guard;
     state.width = std::clamp(width, 1, 8192);
     state.height = std::clamp(height, 1, 8192);
@@ -141,11 +156,12 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     state.rings.draw(constants);
     glFinish();
 
-    state.statistics = {
-        .drawnHairs = report.hairs,
-        .drawnSegments = report.segments,
-        .uploadedBytes = report.uploadedBytes,
-        .milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count()};
+    state.statistics = {.drawnHairs = report.hairs,
+                        .drawnSegments = report.segments,
+                        .uploadedBytes = report.uploadedBytes,
+                        .milliseconds =
+                            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count(),
+                        .complete = !takeErrors()};
 }
 
 void Renderer::blitTo(unsigned framebuffer, int width, int height)

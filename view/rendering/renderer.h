@@ -27,6 +27,7 @@ struct FrameStatistics
     std::size_t drawnSegments = 0;
     std::size_t uploadedBytes = 0;
     double milliseconds = 0.0; ///< Wall clock of the last draw, finished.
+    bool complete = true;      ///< False where OpenGL gave up on a part, as when memory is short.
 };
 
 /// Every call needs the same OpenGL context current. Made anew when the context is lost. Uploads are lazy and cover
