@@ -4,9 +4,12 @@
 #include "app/library.h"
 #include "app/main_window.h"
 #include "app/settings.h"
+#include "view/head_view.h"
 #include "view/resources.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
+#include <QLoggingCategory>
 
 namespace {
 
@@ -79,8 +82,27 @@ int failWithoutDisplay(int argc, char** argv)
         "There is no display to open a window on. Without one the command line works: hairpaint --help")}));
 }
 
+/// With QT_LOGGING_RULES=hairpaint.start=true the editor tells when its first hair was seen.
+Q_LOGGING_CATEGORY(startLog, "hairpaint.start", QtWarningMsg)
+
+void logFirstHair(hairpaint::app::MainWindow& window, const QElapsedTimer& sinceStart)
+{
+    if (!startLog().isDebugEnabled())
+        return;
+    auto* const listening = new QObject(&window);
+    QObject::connect(&window.headView(), &hairpaint::view::HeadView::frameDrawn, listening,
+                     [listening, sinceStart](const hairpaint::rendering::FrameStatistics& statistics) {
+                         if (statistics.drawnHairs == 0)
+                             return;
+                         qCDebug(startLog) << statistics.drawnHairs << "hairs after" << sinceStart.elapsed() << "ms";
+                         listening->deleteLater();
+                     });
+}
+
 int runEditor(int argc, char** argv)
 {
+    QElapsedTimer sinceStart;
+    sinceStart.start();
     QApplication application(argc, argv);
     hairpaint::app::speak(hairpaint::app::Settings().preferences().language);
     QApplication::setStyle(QStringLiteral("Fusion"));
@@ -93,6 +115,7 @@ int runEditor(int argc, char** argv)
     hairpaint::model::Project project = hairpaint::app::starterProject();
     const QStringList arguments = QApplication::arguments();
     hairpaint::app::MainWindow window(std::move(project), path);
+    logFirstHair(window, sinceStart);
     window.show();
     if (arguments.size() > 1)
         QMetaObject::invokeMethod(
