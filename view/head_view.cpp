@@ -49,12 +49,9 @@ bool headless()
 } // namespace
 
 HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choice, QWidget* parent)
-    : QWidget(parent), m_state(std::make_unique<State>(state, theme, this))
+    : PaintedArea(state, parent), m_state(std::make_unique<State>(state, theme, this))
 {
     setObjectName(QStringLiteral("headArea"));
-    setMouseTracking(true);
-    setTabletTracking(true);
-    setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 160);
     m_state->overlay = new HeadOverlay(theme, this);
     m_state->weather = new WeatherOverlay(theme, this);

@@ -3,6 +3,7 @@
 
 #include "model/project.h"
 #include "sim/strand_frame.h"
+#include "view/painted_area.h"
 #include "view/presenter_choice.h"
 #include "view/rendering/renderer.h"
 #include "view/rendering/scene.h"
@@ -10,7 +11,6 @@
 #include "view/theme.h"
 
 #include <QImage>
-#include <QWidget>
 
 #include <memory>
 #include <optional>
@@ -21,12 +21,9 @@ struct Change;
 
 namespace hairpaint::view {
 
-class EditorState;
-struct PointerSample;
-
 /// Without OpenGL it shows a sentence of what is missing; everything else works. The window's actions call the slots;
 /// Space, H, O, Esc, Enter and the Weather overlay's keys are read here.
-class HeadView : public QWidget
+class HeadView : public PaintedArea
 {
     Q_OBJECT
 public:
@@ -79,11 +76,7 @@ protected:
     bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
-    void tabletEvent(QTabletEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
@@ -103,9 +96,9 @@ private:
     void cameraMoved();
     void animateTo(const rendering::Camera& camera);
 
-    void pointerPressed(const PointerSample& sample);
-    void pointerMoved(const PointerSample& sample);
-    void pointerReleased(const PointerSample& sample);
+    void pointerPressed(const PointerSample& sample) override;
+    void pointerMoved(const PointerSample& sample) override;
+    void pointerReleased(const PointerSample& sample) override;
     void hoverAt(const PointerSample& sample);
     void blowAt(const PointerSample& sample);
     void dragLight(QPointF pixels);

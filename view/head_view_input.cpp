@@ -4,14 +4,12 @@
 
 #include <QContextMenuEvent>
 #include <QKeyEvent>
-#include <QMouseEvent>
-#include <QPointingDevice>
-#include <QTabletEvent>
 #include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -21,43 +19,6 @@ constexpr double kZoomPerNotch = 1.15;
 constexpr double kWheelNotch = 120.0;
 constexpr float kLightRadPerPx = 0.01F;
 constexpr double kClickPx = 4.0; ///< A press that moves less is a click.
-
-} // namespace
-
-void HeadView::mousePressEvent(QMouseEvent* event)
-{
-    pointerPressed(PointerSample::of(*event));
-}
-
-void HeadView::mouseMoveEvent(QMouseEvent* event)
-{
-    pointerMoved(PointerSample::of(*event));
-}
-
-void HeadView::mouseReleaseEvent(QMouseEvent* event)
-{
-    pointerReleased(PointerSample::of(*event));
-}
-
-void HeadView::tabletEvent(QTabletEvent* event)
-{
-    const PointerSample sample = PointerSample::of(*event);
-    // Accepted, so that no mouse event without pressure follows.
-    event->accept();
-    if (event->type() == QEvent::TabletPress) {
-        const bool turned = event->pointerType() == QPointingDevice::PointerType::Eraser;
-        m_state->eraserTurned = turned && m_state->editor.setActiveTool(QLatin1StringView("eraser"));
-        pointerPressed(sample);
-    } else if (event->type() == QEvent::TabletMove) {
-        pointerMoved(sample);
-    } else if (event->type() == QEvent::TabletRelease) {
-        pointerReleased(sample);
-        if (std::exchange(m_state->eraserTurned, false))
-            m_state->editor.toggleTool(QLatin1StringView("eraser"));
-    }
-}
-
-namespace {
 
 model::ToolEvent toolEvent(const PointerSample& sample, const std::optional<sim::SurfacePoint>& point,
                            glm::vec2& lastUv)

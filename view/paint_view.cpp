@@ -41,12 +41,9 @@ QPolygonF onWidget(const QPolygonF& uvPolygon, const QTransform& paperToWidget)
 } // namespace
 
 PaintView::PaintView(EditorState& state, const Theme& theme, QWidget* parent)
-    : QWidget(parent), m_state(std::make_unique<State>(state, theme, this))
+    : PaintedArea(state, parent), m_state(std::make_unique<State>(state, theme, this))
 {
     setObjectName(QStringLiteral("paintArea"));
-    setMouseTracking(true);
-    setTabletTracking(true);
-    setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMinimumSize(160, 160);
     connect(&state.document(), &model::Document::changed, this, &PaintView::onDocumentChanged);

@@ -1,9 +1,8 @@
 // The paint area: the active map over the head's shading, with the uv wireframe on top.
 #pragma once
 
+#include "view/painted_area.h"
 #include "view/theme.h"
-
-#include <QWidget>
 
 #include <glm/glm.hpp>
 
@@ -15,12 +14,9 @@ struct Change;
 
 namespace hairpaint::view {
 
-class EditorState;
-struct PointerSample;
-
 /// Painted with QPainter alone, so that it works without OpenGL. Home, F and Shift+M are the window's actions, which
 /// call the slots; Space, O, Esc and Enter are read here.
-class PaintView : public QWidget
+class PaintView : public PaintedArea
 {
     Q_OBJECT
 public:
@@ -59,11 +55,7 @@ protected:
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
-    void tabletEvent(QTabletEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
@@ -72,9 +64,9 @@ protected:
 private:
     struct State;
 
-    void pointerPressed(const PointerSample& sample);
-    void pointerMoved(const PointerSample& sample);
-    void pointerReleased(const PointerSample& sample);
+    void pointerPressed(const PointerSample& sample) override;
+    void pointerMoved(const PointerSample& sample) override;
+    void pointerReleased(const PointerSample& sample) override;
     void hoverAt(const PointerSample& sample);
     void showValueAt(glm::vec2 uv);
     void updateCursor();

@@ -6,13 +6,11 @@
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
-#include <QMouseEvent>
-#include <QPointingDevice>
-#include <QTabletEvent>
 #include <QWheelEvent>
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -35,39 +33,6 @@ model::ToolEvent toolEvent(const PointerSample& sample, glm::vec2 uv, const mode
 }
 
 } // namespace
-
-void PaintView::mousePressEvent(QMouseEvent* event)
-{
-    pointerPressed(PointerSample::of(*event));
-}
-
-void PaintView::mouseMoveEvent(QMouseEvent* event)
-{
-    pointerMoved(PointerSample::of(*event));
-}
-
-void PaintView::mouseReleaseEvent(QMouseEvent* event)
-{
-    pointerReleased(PointerSample::of(*event));
-}
-
-void PaintView::tabletEvent(QTabletEvent* event)
-{
-    const PointerSample sample = PointerSample::of(*event);
-    // Accepted, so that no mouse event without pressure follows.
-    event->accept();
-    if (event->type() == QEvent::TabletPress) {
-        const bool turned = event->pointerType() == QPointingDevice::PointerType::Eraser;
-        m_state->eraserTurned = turned && m_state->editor.setActiveTool(QLatin1StringView("eraser"));
-        pointerPressed(sample);
-    } else if (event->type() == QEvent::TabletMove) {
-        pointerMoved(sample);
-    } else if (event->type() == QEvent::TabletRelease) {
-        pointerReleased(sample);
-        if (std::exchange(m_state->eraserTurned, false))
-            m_state->editor.toggleTool(QLatin1StringView("eraser"));
-    }
-}
 
 void PaintView::pointerPressed(const PointerSample& sample)
 {

@@ -1,6 +1,5 @@
 // The renderer draws what the scene says, off-screen.
-#include "tests/rendering/gl_test.h"
-#include "tests/rendering/hand_made_hair.h"
+#include "tests/rendering/renderer_fixture.h"
 
 #include <QtTest>
 
@@ -11,20 +10,11 @@ using namespace hairpaint::testing;
 using rendering::Quality;
 using rendering::Scene;
 
-namespace {
-
-constexpr glm::vec3 kBall(0.08F, 0.11F, 0.1F);
-
-} // namespace
-
-class TestRenderer : public QObject
+class TestRenderer : public RendererFixture
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase();
-    void cleanup();
-    void cleanupTestCase();
     void plainBackgroundHasTheColourAskedFor_data();
     void plainBackgroundHasTheColourAskedFor();
     void headCoversTheMiddleAndNotTheCorners();
@@ -42,37 +32,7 @@ private Q_SLOTS:
     void hairThrowsNoShadeBesideItself_data();
     void hairThrowsNoShadeBesideItself();
     void emptyAndHiddenHairDrawsNothing();
-
-private:
-    Picture draw(const Scene& scene, const Quality& quality = {}, int width = 200, int height = 150)
-    {
-        return drawn(*m_renderer, scene, quality, width, height);
-    }
-
-    std::unique_ptr<GlTest> m_gl;
-    std::unique_ptr<rendering::Renderer> m_renderer;
 };
-
-void TestRenderer::initTestCase()
-{
-    m_gl = std::make_unique<GlTest>();
-    QVERIFY2(m_gl->failure().empty(), m_gl->failure().c_str());
-    auto renderer = rendering::Renderer::create();
-    QVERIFY2(renderer.has_value(), renderer.has_value() ? "" : renderer.error().c_str());
-    m_renderer = std::move(*renderer);
-}
-
-void TestRenderer::cleanup()
-{
-    const std::string errors = m_gl->takeErrors();
-    QVERIFY2(errors.empty(), errors.c_str());
-}
-
-void TestRenderer::cleanupTestCase()
-{
-    m_renderer.reset();
-    m_gl.reset();
-}
 
 void TestRenderer::plainBackgroundHasTheColourAskedFor_data()
 {

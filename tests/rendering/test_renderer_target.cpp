@@ -1,6 +1,5 @@
 // The renderer's picture has any size, is copied to the caller's framebuffer, and leaves the caller's state alone.
-#include "tests/rendering/gl_test.h"
-#include "tests/rendering/hand_made_hair.h"
+#include "tests/rendering/renderer_fixture.h"
 
 #include <QtTest>
 
@@ -11,20 +10,11 @@ using namespace hairpaint::testing;
 using rendering::Quality;
 using rendering::Scene;
 
-namespace {
-
-constexpr glm::vec3 kBall(0.08F, 0.11F, 0.1F);
-
-} // namespace
-
-class TestRendererTarget : public QObject
+class TestRendererTarget : public RendererFixture
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase();
-    void cleanup();
-    void cleanupTestCase();
     void anySizeIsDrawn_data();
     void anySizeIsDrawn();
     void largePicturesShowWhatSmallOnesDo_data();
@@ -32,37 +22,7 @@ private Q_SLOTS:
     void headIsCoarseInTheFirstFrameOfAViewOnly();
     void complaintsAboutOthersAreNotItsOwn();
     void pictureIsCopiedToTheCallersFramebufferAndStateIsKept();
-
-private:
-    Picture draw(const Scene& scene, const Quality& quality, int width, int height)
-    {
-        return drawn(*m_renderer, scene, quality, width, height);
-    }
-
-    std::unique_ptr<GlTest> m_gl;
-    std::unique_ptr<rendering::Renderer> m_renderer;
 };
-
-void TestRendererTarget::initTestCase()
-{
-    m_gl = std::make_unique<GlTest>();
-    QVERIFY2(m_gl->failure().empty(), m_gl->failure().c_str());
-    auto renderer = rendering::Renderer::create();
-    QVERIFY2(renderer.has_value(), renderer.has_value() ? "" : renderer.error().c_str());
-    m_renderer = std::move(*renderer);
-}
-
-void TestRendererTarget::cleanup()
-{
-    const std::string errors = m_gl->takeErrors();
-    QVERIFY2(errors.empty(), errors.c_str());
-}
-
-void TestRendererTarget::cleanupTestCase()
-{
-    m_renderer.reset();
-    m_gl.reset();
-}
 
 void TestRendererTarget::anySizeIsDrawn_data()
 {

@@ -61,7 +61,6 @@ struct HeadView::State
     model::LightSettings light; ///< While it is dragged.
     model::ToolSettings settingsBefore;
     glm::vec2 lastUv{0.0F};
-    bool eraserTurned = false;
     PuffGesture puffs;
 
     /// Where the head stands in the frame that is shown.

@@ -38,7 +38,6 @@ struct PaintView::State
     PointerSample pressed;
     QPointF last;
     model::ToolSettings settingsBefore; ///< Of a brush or opacity drag.
-    bool eraserTurned = false;          ///< The pen's other end chose the eraser for this stroke.
 
     std::vector<QPolygonF> rings; ///< On the widget: the pointer's and its mirrored twin.
     QRect ringsBounds;

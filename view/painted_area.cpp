@@ -1,0 +1,54 @@
+// Mouse and pen in either area.
+#include "view/painted_area.h"
+
+#include "view/editor_state.h"
+
+#include <QMouseEvent>
+#include <QPointingDevice>
+#include <QTabletEvent>
+
+#include <utility>
+
+namespace hairpaint::view {
+
+PaintedArea::PaintedArea(EditorState& editor, QWidget* parent) : QWidget(parent), m_editor(editor)
+{
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+}
+
+void PaintedArea::mousePressEvent(QMouseEvent* event)
+{
+    pointerPressed(PointerSample::of(*event));
+}
+
+void PaintedArea::mouseMoveEvent(QMouseEvent* event)
+{
+    pointerMoved(PointerSample::of(*event));
+}
+
+void PaintedArea::mouseReleaseEvent(QMouseEvent* event)
+{
+    pointerReleased(PointerSample::of(*event));
+}
+
+void PaintedArea::tabletEvent(QTabletEvent* event)
+{
+    const PointerSample sample = PointerSample::of(*event);
+    // Accepted, so that no mouse event without pressure follows.
+    event->accept();
+    if (event->type() == QEvent::TabletPress) {
+        const bool turned = event->pointerType() == QPointingDevice::PointerType::Eraser;
+        m_eraserTurned = turned && m_editor.setActiveTool(QLatin1StringView("eraser"));
+        pointerPressed(sample);
+    } else if (event->type() == QEvent::TabletMove) {
+        pointerMoved(sample);
+    } else if (event->type() == QEvent::TabletRelease) {
+        pointerReleased(sample);
+        if (std::exchange(m_eraserTurned, false))
+            m_editor.toggleTool(QLatin1StringView("eraser"));
+    }
+}
+
+} // namespace hairpaint::view
