@@ -27,7 +27,8 @@ void main()
         shade = texture(skinShade, gl_FragCoord.xy / vec2(textureSize(skinShade, 0) * shadeCell)).x;
     uint a = samples[first];
 #if SAMPLES_X == 1
-    srgb = vec4(a == kEmptySample ? backgroundSrgb : fastSrgb(colourOf(a, corner, shade)), 1.0);
+    srgb.rgb = a == kEmptySample ? backgroundSrgb : fastSrgb(colourOf(a, corner, shade));
+    srgb.a = dot(srgb.rgb, vec3(0.25, 0.5, 0.25)); // What smooth.frag looks at.
 #else
     uint b = samples[first + 1];
 #if SAMPLES_Y == 1

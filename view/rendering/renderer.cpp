@@ -42,12 +42,14 @@ struct Renderer::State
     RingPass rings;
     Program clear;
     std::array<Program, 3> resolve; ///< For 1, 2 and 4 samples a pixel.
+    Program smooth;                 ///< In place of more samples.
     VertexArray noVertices;
     Buffer constants;
     Buffer prepared; ///< The samples with the head's depth and no hair, kept while the head's picture holds.
     glm::vec4 preparedFor{0.0F}; ///< The range of depth keys.
     Buffer samples;
     Framebuffer framebuffer;
+    Texture rough; ///< The picture of one sample a pixel, not smoothed yet.
     Texture picture;
     int width = 0;
     int height = 0;
@@ -94,6 +96,10 @@ tl::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
             return tl::unexpected(resolve.error());
         state.resolve[i] = std::move(*resolve);
     }
+    auto smooth = Program::graphics("screen.vert", "smooth.frag");
+    if (!smooth)
+        return tl::unexpected(smooth.error());
+    state.smooth = std::move(*smooth);
     state.noVertices = makeVertexArray();
     state.framebuffer = makeFramebuffer();
     return renderer;
@@ -140,9 +146,13 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
         state.hair->bindOpacity(2, 3);
         state.shade.draw(target);
     }
+    const bool smoothed = target.samples == glm::ivec2(1);
     state.picture.resize2D(GL_RGBA8, state.width, state.height);
+    if (smoothed)
+        state.rough.resize2D(GL_RGBA8, state.width, state.height, true);
     glBindFramebuffer(GL_FRAMEBUFFER, state.framebuffer.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, state.picture.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                           smoothed ? state.rough.id() : state.picture.id(), 0);
     glViewport(0, 0, state.width, state.height);
     state.samples.bindStorage(0);
     state.head->bind(0, 1);
@@ -153,6 +163,13 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     resolve.set("shadeCell", report.hairs > 0 ? state.shade.cell() : 0);
     glBindVertexArray(state.noVertices.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (smoothed) {
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, state.picture.id(), 0);
+        state.rough.bind(0);
+        state.smooth.use();
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        state.head->bind(0, 1);
+    }
     state.rings.draw(constants);
     glFinish();
 
