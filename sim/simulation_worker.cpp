@@ -141,7 +141,9 @@ void SimulationWorker::State::run()
             if (arrived->stop)
                 return;
             runner.apply(*std::move(arrived));
-            continue;
+            // A frame that is due comes also where more arrives all the time, faster than it is taken in.
+            if (runner.idle() || Clock::now() < runner.nextFrame())
+                continue;
         }
         runner.frame();
     }

@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -44,6 +45,7 @@ class TestSimulationWorker : public QObject
 private Q_SLOTS:
     void framesComeByThemselvesAndAreNumbered();
     void theLatestInputWins();
+    void inputWithoutEndHoldsUpNoFrames();
     void aPausedWorkerStillShowsNewInput();
     void stillHairStopsTheFramesUntilSomethingHappens();
     void aFrameKeptStaysAsItWas();
@@ -78,6 +80,30 @@ void TestSimulationWorker::theLatestInputWins()
                         0.2F * 48000.0F / 65535.0F / static_cast<float>(frame.groups.front().groom->nodes - 1)) < 1e-5F;
     };
     QVERIFY(awaitFrame(worker, shows));
+}
+
+void TestSimulationWorker::inputWithoutEndHoldsUpNoFrames()
+{
+    constexpr std::size_t kHairs = 100000;
+    std::atomic<bool> enough{false};
+    SimulationWorker worker(nullptr);
+    worker.setFrameRate(240.0);
+    std::thread flood([&worker, &enough] {
+        // Longer to rebuild than until the next one comes.
+        std::array inputs{paintedBall(kHairs, 2000), paintedBall(kHairs, 2000), paintedBall(kHairs, 2000)};
+        inputs[1].groups.front().maps.length = uniformMap(1, {30000});
+        inputs[2].groups.front().maps.length = uniformMap(1, {45000});
+        for (std::size_t i = 0; !enough; ++i)
+            worker.setInput(inputs.at(i % inputs.size()));
+    });
+    const auto first = awaitFrame(worker, hasHair);
+    const auto later =
+        first ? awaitFrame(worker, [&](const StrandFrame& frame) { return frame.number > first->number + 20; })
+              : nullptr;
+    enough = true;
+    flood.join();
+    QVERIFY(first);
+    QVERIFY(later);
 }
 
 void TestSimulationWorker::aPausedWorkerStillShowsNewInput()
