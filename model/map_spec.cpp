@@ -24,17 +24,18 @@ constexpr std::array kBraidPalette{
 
 constexpr sim::Texel kDarkBrown{0x3B3B, 0x2626, 0x1818, 0};
 
-MapSpec scalar(MapKind kind, const char* id, const char* title, const char* letter, std::uint16_t defaultValue,
-               QRgb scale)
+MapSpec scalar(MapKind kind, const char* id, const char* title, const char* letter, const MapScale& scale,
+               std::uint16_t defaultValue, QRgb scaleColour)
 {
     return {.kind = kind,
             .id = id,
             .title = title,
             .letter = letter,
             .texel = TexelKind::Scalar,
+            .scale = &scale,
             .valueChannels = 1,
             .defaultValue = {defaultValue, 0, 0, 0},
-            .scaleColour = scale,
+            .scaleColour = scaleColour,
             .palette = {},
             .blendModes = kBlendable};
 }
@@ -43,16 +44,17 @@ std::array<MapSpec, kMapKindCount> makeTable()
 {
     return {
         scalar(MapKind::Density, "density", QT_TRANSLATE_NOOP("MapSpec", "Density"),
-               QT_TRANSLATE_NOOP("MapLetter", "D"), 0, 0xFF00FF00),
+               QT_TRANSLATE_NOOP("MapLetter", "D"), kDensityScale, 0, 0xFF00FF00),
         scalar(MapKind::Length, "length", QT_TRANSLATE_NOOP("MapSpec", "Length"), QT_TRANSLATE_NOOP("MapLetter", "L"),
-               32768, 0xFF0000FF),
-        scalar(MapKind::Curl, "curl", QT_TRANSLATE_NOOP("MapSpec", "Curl"), QT_TRANSLATE_NOOP("MapLetter", "C"), 0,
-               0xFFFF0000),
+               kLengthScale, 32768, 0xFF0000FF),
+        scalar(MapKind::Curl, "curl", QT_TRANSLATE_NOOP("MapSpec", "Curl"), QT_TRANSLATE_NOOP("MapLetter", "C"),
+               kTurnsScale, 0, 0xFFFF0000),
         MapSpec{.kind = MapKind::Braid,
                 .id = "braid",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Braid"),
                 .letter = QT_TRANSLATE_NOOP("MapLetter", "B"),
                 .texel = TexelKind::Index,
+                .scale = nullptr,
                 .valueChannels = 1,
                 .defaultValue = {},
                 .scaleColour = 0xFFFF00FF,
@@ -63,15 +65,16 @@ std::array<MapSpec, kMapKindCount> makeTable()
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Colour"),
                 .letter = QT_TRANSLATE_NOOP("MapLetter", "H"),
                 .texel = TexelKind::Colour,
+                .scale = nullptr,
                 .valueChannels = 3,
                 .defaultValue = kDarkBrown,
                 .scaleColour = 0xFF3B2618,
                 .palette = {},
                 .blendModes = kBlendable},
-        scalar(MapKind::Clump, "clump", QT_TRANSLATE_NOOP("MapSpec", "Clump"), QT_TRANSLATE_NOOP("MapLetter", "U"), 0,
-               0xFFFFFF00),
-        scalar(MapKind::Gel, "gel", QT_TRANSLATE_NOOP("MapSpec", "Gel"), QT_TRANSLATE_NOOP("MapLetter", "G"), 0,
-               0xFF00FFFF),
+        scalar(MapKind::Clump, "clump", QT_TRANSLATE_NOOP("MapSpec", "Clump"), QT_TRANSLATE_NOOP("MapLetter", "U"),
+               kShareScale, 0, 0xFFFFFF00),
+        scalar(MapKind::Gel, "gel", QT_TRANSLATE_NOOP("MapSpec", "Gel"), QT_TRANSLATE_NOOP("MapLetter", "G"),
+               kShareScale, 0, 0xFF00FFFF),
     };
 }
 

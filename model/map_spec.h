@@ -1,6 +1,7 @@
 // The one table that describes every map. Panels, files, import, colour scales and the groom read it.
 #pragma once
 
+#include "model/map_scale.h"
 #include "sim/tiled_raster.h"
 
 #include <QColor>
@@ -50,7 +51,8 @@ struct MapSpec
     const char* title;  ///< To be translated in context "MapSpec".
     const char* letter; ///< For the colour-blind; unique. To be translated in context "MapLetter".
     TexelKind texel;
-    int valueChannels; ///< 1, or 3 for colours. A layer's raster has one more: coverage.
+    const MapScale* scale; ///< Of a scalar map, else null.
+    int valueChannels;     ///< 1, or 3 for colours. A layer's raster has one more: coverage.
     sim::Texel defaultValue;
     QRgb scaleColour;                      ///< The colour at 1 ("green"); unused by colours.
     std::span<const PaletteEntry> palette; ///< Of an index map.

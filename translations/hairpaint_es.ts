@@ -860,6 +860,29 @@
     </message>
 </context>
 <context>
+    <name>MapScale</name>
+    <message>
+        <source>hairs/cm²</source>
+        <translation>pelos/cm²</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>turns</source>
+        <translation>vueltas</translation>
+    </message>
+    <message>
+        <source>turns per %1 cm</source>
+        <translation>vueltas cada %1 cm</translation>
+    </message>
+</context>
+<context>
     <name>MapSpec</name>
     <message>
         <source>None</source>
@@ -1118,29 +1141,6 @@
     <message>
         <source>Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing</source>
         <translation>Arrastra un rectángulo; Mayúsculas añade a la selección o hace un cuadrado; haz clic para no seleccionar nada</translation>
-    </message>
-</context>
-<context>
-    <name>ValueText</name>
-    <message>
-        <source>hairs/cm²</source>
-        <translation>pelos/cm²</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
-    </message>
-    <message>
-        <source>turns</source>
-        <translation>vueltas</translation>
-    </message>
-    <message>
-        <source>turns per %1 cm</source>
-        <translation>vueltas cada %1 cm</translation>
     </message>
 </context>
 <context>

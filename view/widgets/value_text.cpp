@@ -5,120 +5,36 @@
 #include <QLocale>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace hairpaint::view {
 
 namespace {
 
 constexpr double kFull = 65535.0;
-constexpr double kPerSquareCm = 1e-4;
-constexpr double kShortGroupM = 0.03; ///< Groups with shorter hair are measured in mm.
-
-/// Turns at the red values 0, .2, .4, .6, .8 and 1: the paper's table 1.
-constexpr std::array kTurns{0.0, 0.5, 1.0, 4.0, 8.0, 16.0};
-
-double turns(double red)
-{
-    const double place = std::clamp(red, 0.0, 1.0) * 5.0;
-    const auto level = std::min<std::size_t>(static_cast<std::size_t>(place), kTurns.size() - 2);
-    return std::lerp(kTurns[level], kTurns[level + 1], place - static_cast<double>(level));
-}
-
-double redOf(double wanted)
-{
-    for (std::size_t level = 0; level + 1 < kTurns.size(); ++level)
-        if (wanted <= kTurns[level + 1])
-            return (static_cast<double>(level) +
-                    std::max(0.0, wanted - kTurns[level]) / (kTurns[level + 1] - kTurns[level])) /
-                   5.0;
-    return 1.0;
-}
-
-double lengthScale(const sim::GroupSettings& settings)
-{
-    return static_cast<double>(settings.greatestLengthM) < kShortGroupM ? 1000.0 : 100.0;
-}
-
-QString text(const char* source)
-{
-    return QCoreApplication::translate("ValueText", source);
-}
 
 } // namespace
 
 ValueUnit valueUnit(const sim::GroupSettings& settings, model::MapKind map)
 {
-    ValueUnit unit;
-    unit.minimum = shownValue(settings, map, 0.0);
-    unit.maximum = shownValue(settings, map, 1.0);
-    switch (map) {
-    case model::MapKind::Density:
-        unit.unit = text(QT_TRANSLATE_NOOP("ValueText", "hairs/cm²"));
-        unit.decimals = unit.maximum < 20.0 ? 1 : 0;
-        break;
-    case model::MapKind::Length:
-        unit.unit = lengthScale(settings) > 100.0 ? text(QT_TRANSLATE_NOOP("ValueText", "mm"))
-                                                  : text(QT_TRANSLATE_NOOP("ValueText", "cm"));
-        unit.decimals = 1;
-        break;
-    case model::MapKind::Curl:
-        unit.unit = settings.turnsMode == sim::TurnsMode::PerHair
-                        ? text(QT_TRANSLATE_NOOP("ValueText", "turns"))
-                        : text(QT_TRANSLATE_NOOP("ValueText", "turns per %1 cm"))
-                              .arg(QLocale().toString(static_cast<double>(settings.turnsPerLengthM) * 100.0, 'g', 3));
-        unit.decimals = 1;
-        break;
-    case model::MapKind::Clump:
-    case model::MapKind::Gel:
-        unit.unit = QStringLiteral("%");
-        break;
-    case model::MapKind::Braid:
-    case model::MapKind::Colour:
-        break;
-    }
-    return unit;
+    const model::MapScale* scale = model::mapSpec(map).scale;
+    if (scale == nullptr)
+        return {};
+    return {.unit = scale->unit(settings),
+            .minimum = scale->shown(settings, 0.0),
+            .maximum = scale->shown(settings, 1.0),
+            .decimals = scale->decimals(settings)};
 }
 
 double shownValue(const sim::GroupSettings& settings, model::MapKind map, double value)
 {
-    switch (map) {
-    case model::MapKind::Density:
-        return value * static_cast<double>(settings.greatestDensityPerM2) * kPerSquareCm;
-    case model::MapKind::Length:
-        return std::lerp(static_cast<double>(settings.shortestLengthM), static_cast<double>(settings.greatestLengthM),
-                         value) *
-               lengthScale(settings);
-    case model::MapKind::Curl:
-        return turns(value);
-    default:
-        return value * 100.0;
-    }
+    const model::MapScale* scale = model::mapSpec(map).scale;
+    return scale == nullptr ? value : scale->shown(settings, value);
 }
 
 double mapValue(const sim::GroupSettings& settings, model::MapKind map, double shown)
 {
-    double value = 0.0;
-    switch (map) {
-    case model::MapKind::Density:
-        value = shown / (static_cast<double>(settings.greatestDensityPerM2) * kPerSquareCm);
-        break;
-    case model::MapKind::Length: {
-        const double range =
-            static_cast<double>(settings.greatestLengthM) - static_cast<double>(settings.shortestLengthM);
-        if (range > 0.0)
-            value = (shown / lengthScale(settings) - static_cast<double>(settings.shortestLengthM)) / range;
-        break;
-    }
-    case model::MapKind::Curl:
-        value = redOf(shown);
-        break;
-    default:
-        value = shown / 100.0;
-        break;
-    }
-    return std::clamp(value, 0.0, 1.0);
+    const model::MapScale* scale = model::mapSpec(map).scale;
+    return std::clamp(scale == nullptr ? shown : scale->value(settings, shown), 0.0, 1.0);
 }
 
 QString valueText(const sim::GroupSettings& settings, const model::MapSpec& spec, const model::PaintValue& value)

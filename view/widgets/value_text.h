@@ -8,7 +8,7 @@
 
 namespace hairpaint::view {
 
-/// How a scalar map's 0..1 is shown: `shown = offset + value * scale` (curl goes by the paper's table 1 instead).
+/// How a scalar map's 0..1 is shown: model::MapScale at a group's settings.
 struct ValueUnit
 {
     QString unit; ///< "cm", translated.

@@ -1,0 +1,100 @@
+// Units and ranges of the scalar maps.
+#include "model/map_scale.h"
+
+#include "sim/groom.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+using sim::GroupSettings;
+
+constexpr double kPerSquareCm = 1e-4;
+constexpr double kShortGroupM = 0.03; ///< Groups with shorter hair are measured in mm.
+constexpr double kSparse = 20.0;      ///< Hairs a square centimetre, of which tenths count.
+
+struct Units
+{
+    Q_DECLARE_TR_FUNCTIONS(MapScale)
+};
+
+template<int decimals>
+int always(const GroupSettings&)
+{
+    return decimals;
+}
+
+double greatestDensity(const GroupSettings& settings)
+{
+    return static_cast<double>(settings.greatestDensityPerM2) * kPerSquareCm;
+}
+
+double lengthScale(const GroupSettings& settings)
+{
+    return static_cast<double>(settings.greatestLengthM) < kShortGroupM ? 1000.0 : 100.0;
+}
+
+QString turnsUnit(const GroupSettings& settings)
+{
+    if (settings.turnsMode == sim::TurnsMode::PerHair)
+        return Units::tr("turns");
+    return Units::tr("turns per %1 cm")
+        .arg(QLocale().toString(static_cast<double>(settings.turnsPerLengthM) * 100.0, 'g', 3));
+}
+
+double turnsAt(const GroupSettings&, double red)
+{
+    return static_cast<double>(sim::turnsOfCurl(static_cast<float>(red), false));
+}
+
+/// The table rises from level to level.
+double redOf(const GroupSettings& settings, double turns)
+{
+    constexpr int kLevels = 5;
+    for (int level = 0; level < kLevels; ++level) {
+        const double low = turnsAt(settings, static_cast<double>(level) / kLevels);
+        const double high = turnsAt(settings, static_cast<double>(level + 1) / kLevels);
+        if (turns <= high)
+            return (level + std::max(0.0, turns - low) / (high - low)) / kLevels;
+    }
+    return 1.0;
+}
+
+} // namespace
+
+const MapScale kDensityScale{
+    .unit = [](const GroupSettings&) { return Units::tr("hairs/cm²"); },
+    .decimals = [](const GroupSettings& settings) { return greatestDensity(settings) < kSparse ? 1 : 0; },
+    .shown = [](const GroupSettings& settings, double value) { return value * greatestDensity(settings); },
+    .value = [](const GroupSettings& settings, double shown) { return shown / greatestDensity(settings); }};
+
+const MapScale kLengthScale{
+    .unit =
+        [](const GroupSettings& settings) { return lengthScale(settings) > 100.0 ? Units::tr("mm") : Units::tr("cm"); },
+    .decimals = always<1>,
+    .shown =
+        [](const GroupSettings& settings, double value) {
+            return lengthScale(settings) * std::lerp(static_cast<double>(settings.shortestLengthM),
+                                                     static_cast<double>(settings.greatestLengthM), value);
+        },
+    .value =
+        [](const GroupSettings& settings, double shown) {
+            const auto shortest = static_cast<double>(settings.shortestLengthM);
+            const double range = static_cast<double>(settings.greatestLengthM) - shortest;
+            return range > 0.0 ? (shown / lengthScale(settings) - shortest) / range : 0.0;
+        }};
+
+const MapScale kTurnsScale{.unit = turnsUnit, .decimals = always<1>, .shown = turnsAt, .value = redOf};
+
+const MapScale kShareScale{.unit = [](const GroupSettings&) { return QStringLiteral("%"); },
+                           .decimals = always<0>,
+                           .shown = [](const GroupSettings&, double value) { return value * 100.0; },
+                           .value = [](const GroupSettings&, double shown) { return shown / 100.0; }};
+
+} // namespace hairpaint::model

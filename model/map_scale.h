@@ -1,0 +1,25 @@
+// What the values of scalar maps mean in a group's units.
+#pragma once
+
+#include "sim/group_settings.h"
+
+#include <QString>
+
+namespace hairpaint::model {
+
+/// One unit with its range. Maps may share one.
+struct MapScale
+{
+    QString (*unit)(const sim::GroupSettings& settings); ///< "cm", translated.
+    int (*decimals)(const sim::GroupSettings& settings);
+    /// From a map's 0..1 to the number shown, and back; a number beyond the range gives a value beyond 0..1.
+    double (*shown)(const sim::GroupSettings& settings, double value);
+    double (*value)(const sim::GroupSettings& settings, double shown);
+};
+
+extern const MapScale kDensityScale; ///< Hairs a square centimetre.
+extern const MapScale kLengthScale;  ///< Centimetres; of short hair millimetres.
+extern const MapScale kTurnsScale;   ///< The paper's table 1.
+extern const MapScale kShareScale;   ///< Per cent.
+
+} // namespace hairpaint::model
