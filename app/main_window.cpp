@@ -84,6 +84,7 @@ void MainWindow::buildLayout()
     m_splitter->addWidget(m_headView);
     m_splitter->setStretchFactor(0, 10);
     m_splitter->setStretchFactor(1, 11);
+    m_splitter->setSizes({1000, 1100});
 
     auto* middle = new QVBoxLayout;
     middle->setContentsMargins(0, 0, 0, 0);
@@ -235,20 +236,25 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
             return;
         }
     }
-    // Brackets and digits go by their place on the keyboard: many layouts can't type them.
-    if (event->modifiers() == Qt::NoModifier) {
-        const PhysicalKey key = physicalKey(*event);
-        if (key == PhysicalKey::BracketLeft || key == PhysicalKey::BracketRight) {
-            changeBrushSize(key == PhysicalKey::BracketLeft ? 1.0F / 1.15F : 1.15F);
-            return;
-        }
-        const int digit = digitOf(key);
-        if (digit >= 1 && digit <= model::kMapKindCount) {
-            m_session.editor().setActiveMap(static_cast<model::MapKind>(digit - 1));
-            return;
-        }
-    }
-    QMainWindow::keyPressEvent(event);
+    QAction* action = event->modifiers() == Qt::NoModifier ? actionAt(physicalKey(*event)) : nullptr;
+    if (action != nullptr)
+        action->trigger();
+    else
+        QMainWindow::keyPressEvent(event);
+}
+
+QAction* MainWindow::actionAt(PhysicalKey key) const
+{
+    QByteArray id;
+    const int digit = digitOf(key);
+    if (key == PhysicalKey::BracketLeft)
+        id = "tool.smaller";
+    else if (key == PhysicalKey::BracketRight)
+        id = "tool.larger";
+    else if (digit >= 1 && digit <= model::kMapKindCount)
+        id = QByteArray("map.") + model::mapSpec(static_cast<model::MapKind>(digit - 1)).id;
+    QAction* action = m_actions.find(QLatin1StringView(id));
+    return action != nullptr && action->shortcut() == QKeySequence(usualKey(key)) ? action : nullptr;
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)

@@ -3,6 +3,7 @@
 
 #include "app/action_set.h"
 #include "app/exchange.h"
+#include "app/physical_keys.h"
 #include "app/project_files.h"
 #include "app/session.h"
 #include "app/settings.h"
@@ -88,6 +89,9 @@ private:
 
     /// Alt and a digit: strands take that map's colours while both are held.
     void lookAt(std::optional<model::MapKind> map);
+    /// Brackets and digits go by their place on the keyboard, since many layouts can't type them: the action that has
+    /// that key, null where it has been given another.
+    [[nodiscard]] QAction* actionAt(PhysicalKey key) const;
     void nextValueStep(int steps);
     void changeBrushSize(float factor);
     void selectAll();

@@ -3,15 +3,6 @@
 
 namespace hairpaint::app {
 
-namespace {
-
-PhysicalKey digit(int number)
-{
-    return static_cast<PhysicalKey>(static_cast<int>(PhysicalKey::Digit1) + number - 1);
-}
-
-} // namespace
-
 PhysicalKey physicalKey(const QKeyEvent& event)
 {
     if (const quint32 code = event.nativeScanCode(); code != 0) {
@@ -24,7 +15,7 @@ PhysicalKey physicalKey(const QKeyEvent& event)
         constexpr quint32 kBracketLeft = 34;
 #endif
         if (code >= kFirstDigit && code < kFirstDigit + 9)
-            return digit(static_cast<int>(code - kFirstDigit) + 1);
+            return digitKey(static_cast<int>(code - kFirstDigit) + 1);
         if (code == kBracketLeft)
             return PhysicalKey::BracketLeft;
         if (code == kBracketLeft + 1)
@@ -32,12 +23,27 @@ PhysicalKey physicalKey(const QKeyEvent& event)
         return PhysicalKey::Other;
     }
     if (event.key() >= Qt::Key_1 && event.key() <= Qt::Key_9)
-        return digit(event.key() - Qt::Key_1 + 1);
+        return digitKey(event.key() - Qt::Key_1 + 1);
     if (event.key() == Qt::Key_BracketLeft)
         return PhysicalKey::BracketLeft;
     if (event.key() == Qt::Key_BracketRight)
         return PhysicalKey::BracketRight;
     return PhysicalKey::Other;
+}
+
+Qt::Key usualKey(PhysicalKey key)
+{
+    if (key == PhysicalKey::BracketLeft)
+        return Qt::Key_BracketLeft;
+    if (key == PhysicalKey::BracketRight)
+        return Qt::Key_BracketRight;
+    const int digit = digitOf(key);
+    return digit > 0 ? static_cast<Qt::Key>(Qt::Key_0 + digit) : Qt::Key_unknown;
+}
+
+PhysicalKey digitKey(int number)
+{
+    return static_cast<PhysicalKey>(static_cast<int>(PhysicalKey::Digit1) + number - 1);
 }
 
 int digitOf(PhysicalKey key)

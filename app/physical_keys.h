@@ -23,6 +23,10 @@ enum class PhysicalKey
 
 /// By scan code where the platform gives one, else by what the key types.
 [[nodiscard]] PhysicalKey physicalKey(const QKeyEvent& event);
+/// What the key types on most keyboards.
+[[nodiscard]] Qt::Key usualKey(PhysicalKey key);
+/// 1..9 and its key.
+[[nodiscard]] PhysicalKey digitKey(int number);
 /// 1..9, or 0 for any other key.
 [[nodiscard]] int digitOf(PhysicalKey key);
 

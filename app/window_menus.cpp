@@ -191,14 +191,14 @@ void MainWindow::buildMapMenu()
 {
     QMenu& menu = *menuBar()->addMenu(tr("&Map"));
     for (const model::MapSpec& spec : model::mapSpecs()) {
-        const int number = static_cast<int>(spec.kind) + 1;
-        // Digits are read by their place on the keyboard, so the menu names the key without binding it.
-        auto* action = menu.addAction(QStringLiteral("%1\t%2").arg(spec.titleText()).arg(number));
-        action->setCheckable(true);
-        connect(action, &QAction::triggered, this, [this, kind = spec.kind, action] {
-            m_session.editor().setActiveMap(kind);
-            action->setChecked(true);
-        });
+        const QByteArray id = QByteArray("map.") + spec.id;
+        QAction* action =
+            m_actions.add(menu, {.id = id.constData(),
+                                 .text = spec.titleText(),
+                                 .key = QKeySequence(usualKey(digitKey(static_cast<int>(spec.kind) + 1))),
+                                 .run = [this, kind = spec.kind] { m_session.editor().setActiveMap(kind); },
+                                 .checkable = true});
+        connect(action, &QAction::triggered, action, [action] { action->setChecked(true); });
         const auto follow = [this, kind = spec.kind, action] {
             action->setChecked(m_session.editor().activeMap() == kind);
         };
@@ -255,9 +255,14 @@ void MainWindow::buildToolMenu()
         menu, {.id = "tool.resetValues", .text = tr("&Reset values"), .key = QKeySequence(Qt::Key_D), .run = [&editor] {
                    view::resetValues(editor);
                }});
-    m_actions.add(
-        menu, {.id = "tool.smaller", .text = tr("S&maller brush"), .run = [this] { changeBrushSize(1.0F / 1.15F); }});
-    m_actions.add(menu, {.id = "tool.larger", .text = tr("&Larger brush"), .run = [this] { changeBrushSize(1.15F); }});
+    m_actions.add(menu, {.id = "tool.smaller",
+                         .text = tr("S&maller brush"),
+                         .key = QKeySequence(usualKey(PhysicalKey::BracketLeft)),
+                         .run = [this] { changeBrushSize(1.0F / 1.15F); }});
+    m_actions.add(menu, {.id = "tool.larger",
+                         .text = tr("&Larger brush"),
+                         .key = QKeySequence(usualKey(PhysicalKey::BracketRight)),
+                         .run = [this] { changeBrushSize(1.15F); }});
 }
 
 } // namespace hairpaint::app

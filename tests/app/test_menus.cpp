@@ -88,6 +88,51 @@ private Q_SLOTS:
         }
     }
 
+    void bracketsGoByTheirPlaceUntilTheyAreBoundAnew()
+    {
+        QAction* smaller = m_window->actions().find(QLatin1StringView("tool.smaller"));
+        QCOMPARE(smaller->shortcut(), QKeySequence(Qt::Key_BracketLeft));
+        const auto size = [this] { return m_window->session().editor().toolSettings().brushSizeM; };
+        // Where a German keyboard types an umlaut.
+#ifdef Q_OS_WIN
+        constexpr quint32 kPlace = 0x1A;
+#else
+        constexpr quint32 kPlace = 34;
+#endif
+        const auto press = [this] {
+            QKeyEvent event(QEvent::KeyPress, Qt::Key_Udiaeresis, Qt::NoModifier, kPlace, 0, 0);
+            QApplication::sendEvent(&m_window->paintView(), &event);
+        };
+        const float before = size();
+        press();
+        QVERIFY(size() < before);
+        QTest::keyClick(&m_window->paintView(), Qt::Key_BracketRight);
+        QVERIFY(std::abs(size() - before) < 1e-6F);
+        smaller->setShortcut(QKeySequence(Qt::Key_F12));
+        press();
+        QTest::keyClick(&m_window->paintView(), Qt::Key_BracketLeft);
+        QVERIFY(std::abs(size() - before) < 1e-6F);
+        QTest::keyClick(&m_window->paintView(), Qt::Key_F12);
+        QVERIFY(size() < before);
+        smaller->setShortcut(QKeySequence(Qt::Key_BracketLeft));
+    }
+
+    void digitsChooseMapsAndTheMenuTicksTheOneShown()
+    {
+        trigger("map.curl");
+        for (const char* kind : {"map.length", "map.gel", "map.density"}) {
+            const QAction* action = m_window->actions().find(QLatin1StringView(kind));
+            QVERIFY(!action->isChecked());
+            QTest::keyClick(&m_window->paintView(), static_cast<Qt::Key>(action->shortcut()[0].key()));
+            QVERIFY(action->isChecked());
+            QCOMPARE(QLatin1StringView(kind).mid(4),
+                     QLatin1StringView(model::mapSpec(m_window->session().editor().activeMap()).id));
+            // A tick that is chosen once more stays.
+            m_window->actions().find(QLatin1StringView(kind))->trigger();
+            QVERIFY(action->isChecked());
+        }
+    }
+
     void nothingElseHidesThePanels()
     {
         const auto* panel = m_window->findChild<view::ToolBar*>();
