@@ -6,6 +6,7 @@
 #include "view/head/gl_presenter.h"
 #include "view/head/head_view_state.h"
 #include "view/head/software_presenter.h"
+#include "view/head/stage.h"
 
 #include <QGuiApplication>
 #include <QTimerEvent>
@@ -25,18 +26,6 @@ constexpr int kTurnBackMs = 500;
 rendering::Ring ringAt(const sim::SurfacePoint& point, float radiusM)
 {
     return {.centreHd = point.positionHd, .normalHd = point.normalHd, .radiusM = radiusM};
-}
-
-/// The hair's stage: of a bust the head down to the shoulders, of other heads everything.
-rendering::Camera stageCamera(rendering::StandardView view, const model::Head& head, const sim::HeadMesh& mesh)
-{
-    rendering::Camera camera = rendering::standardCamera(view, mesh);
-    if (head.builtIn) {
-        constexpr float kShownHeightM = 0.5F;
-        camera.targetWo = {0.0F, -0.055F, 0.0F};
-        camera.distanceM = 0.5F * kShownHeightM / std::tan(camera.fieldOfViewRad / 2.0F);
-    }
-    return camera;
 }
 
 /// Where a QOpenGLWidget can't work at all.
@@ -88,8 +77,8 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
     refreshHead();
     refreshEnvironment();
     if (m_state->scene.head)
-        setCamera(
-            stageCamera(rendering::StandardView::ThreeQuarter, *state.document().project().head, *m_state->scene.head));
+        setCamera(stageCamera(rendering::StandardView::ThreeQuarter, *state.document().project().head,
+                              *m_state->scene.head, nullptr));
     makePresenter(choice);
 }
 
@@ -174,7 +163,8 @@ void HeadView::setCamera(const rendering::Camera& camera)
 void HeadView::setView(rendering::StandardView view)
 {
     if (m_state->scene.head)
-        animateTo(stageCamera(view, *m_state->editor.document().project().head, *m_state->scene.head));
+        animateTo(stageCamera(view, *m_state->editor.document().project().head, *m_state->scene.head,
+                              m_state->scene.hair.get()));
 }
 
 void HeadView::resetCamera()
@@ -190,12 +180,8 @@ void HeadView::fit()
 {
     if (!m_state->scene.head)
         return;
-    // The whole head from where the camera looks now.
-    rendering::Camera camera =
-        stageCamera(rendering::StandardView::Front, *m_state->editor.document().project().head, *m_state->scene.head);
-    camera.azimuthRad = m_state->scene.camera.azimuthRad;
-    camera.elevationRad = m_state->scene.camera.elevationRad;
-    animateTo(camera);
+    animateTo(stageCamera(m_state->scene.camera, *m_state->editor.document().project().head, *m_state->scene.head,
+                          m_state->scene.hair.get()));
 }
 
 void HeadView::animateTo(const rendering::Camera& camera)

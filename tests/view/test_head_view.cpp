@@ -289,6 +289,27 @@ private Q_SLOTS:
         QCOMPARE(f.editor.document.undoStack().count(), 0);
     }
 
+    void fittingMakesRoomForHairThatStandsUp()
+    {
+        Fixture f;
+        f.area.fit();
+        const auto topOf = [&f] { return f.area.positionOf({0.0F, 0.1F, 0.0F})->y(); };
+        QTRY_VERIFY(topOf() > 0.0);
+        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
+        const auto frame = std::make_shared<sim::StrandFrame>(*f.frame());
+        // The first hair's last node, half a metre up and toward the eye.
+        std::vector<float>& positions = frame->groups.front().positions;
+        QVERIFY(!positions.empty());
+        const glm::vec3 tip = glm::vec3(0.0F, 0.5F, 0.0F) + 0.1F * glm::normalize(f.area.camera().eyeWo());
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            positions[axis * sim::kLanes] = tip[static_cast<int>(axis)];
+        f.area.setFrame(frame);
+        QVERIFY(f.area.positionOf(tip)->y() < 0.0);
+        f.area.fit();
+        QTRY_VERIFY(f.area.positionOf(tip)->y() > 0.0);
+        QVERIFY(f.area.positionOf(tip)->y() < 0.1 * f.area.height());
+    }
+
     void standardViewsTurnThere()
     {
         Fixture f;

@@ -1,0 +1,73 @@
+// The stage's camera.
+#include "view/head/stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr float kBustShownM = 0.5F;
+constexpr glm::vec3 kBustMiddleWo{0.0F, -0.055F, 0.0F};
+constexpr float kMarginM = 0.015F; ///< Above the highest hair; curls and volume reach beyond the nodes.
+
+/// How far above the target the hair is seen at most, m at the target's distance.
+float highestSeen(const rendering::Camera& camera, const sim::StrandFrame& hair)
+{
+    const glm::mat4 view = camera.view();
+    const glm::vec3 up(view[0][1], view[1][1], view[2][1]);
+    const glm::vec3 towardEye(view[0][2], view[1][2], view[2][2]);
+    float highest = 0.0F;
+    for (const sim::GroupFrame& group : hair.groups)
+        for (std::size_t row = 0; row + 3 * sim::kLanes <= group.positions.size(); row += 3 * sim::kLanes)
+            for (std::size_t lane = row; lane < row + sim::kLanes; ++lane) {
+                const glm::vec3 node(group.positions[lane], group.positions[lane + sim::kLanes],
+                                     group.positions[lane + 2 * sim::kLanes]);
+                const glm::vec3 offset = node - camera.targetWo;
+                const float nearness = std::max(0.1F, 1.0F - glm::dot(offset, towardEye) / camera.distanceM);
+                highest = std::max(highest, glm::dot(offset, up) / nearness);
+            }
+    return highest;
+}
+
+void makeRoomForHair(rendering::Camera& camera, const sim::StrandFrame& hair)
+{
+    const float half = camera.distanceM * std::tan(camera.fieldOfViewRad / 2.0F);
+    const float beyond = highestSeen(camera, hair) + kMarginM - half;
+    if (beyond <= 0.0F)
+        return;
+    const glm::mat4 view = camera.view();
+    camera.targetWo += glm::vec3(view[0][1], view[1][1], view[2][1]) * (beyond / 2.0F);
+    camera.distanceM *= 1.0F + beyond / 2.0F / half;
+}
+
+rendering::Camera stageOf(rendering::Camera camera, const model::Head& head, const sim::StrandFrame* hair)
+{
+    if (head.builtIn) {
+        camera.targetWo = kBustMiddleWo;
+        camera.distanceM = 0.5F * kBustShownM / std::tan(camera.fieldOfViewRad / 2.0F);
+    }
+    if (hair != nullptr)
+        makeRoomForHair(camera, *hair);
+    return camera;
+}
+
+} // namespace
+
+rendering::Camera stageCamera(rendering::StandardView view, const model::Head& head, const sim::HeadMesh& mesh,
+                              const sim::StrandFrame* hair)
+{
+    return stageOf(rendering::standardCamera(view, mesh), head, hair);
+}
+
+rendering::Camera stageCamera(const rendering::Camera& from, const model::Head& head, const sim::HeadMesh& mesh,
+                              const sim::StrandFrame* hair)
+{
+    rendering::Camera camera = rendering::standardCamera(rendering::StandardView::Front, mesh);
+    camera.azimuthRad = from.azimuthRad;
+    camera.elevationRad = from.elevationRad;
+    return stageOf(camera, head, hair);
+}
+
+} // namespace hairpaint::view
