@@ -126,6 +126,10 @@ void MainWindow::connectViews()
     connect(m_headView, &view::HeadView::glUnavailable, m_status,
             [this](const QString& reason) { m_status->showMessage(reason, true, 20'000); });
     connect(m_headView, &view::HeadView::statusText, this, showMessage);
+    connect(&m_session.document(), &model::Document::undone, m_status,
+            [this](const QString& name) { m_status->showMessage(tr("Undone: %1").arg(name)); });
+    connect(&m_session.document(), &model::Document::redone, m_status,
+            [this](const QString& name) { m_status->showMessage(tr("Redone: %1").arg(name)); });
     connect(m_headView, &view::HeadView::contextMenuWanted, this, &MainWindow::showAreaMenu);
     connect(m_headView, &view::HeadView::weatherShownChanged, m_actions.find(QLatin1StringView("hair.weather")),
             &QAction::setChecked);

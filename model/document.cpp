@@ -265,15 +265,22 @@ void Document::undo()
     const bool stroke = m_state->stroke;
     Q_EMIT strokeMustEnd(true);
     clearPreview();
-    if (!stroke && canUndo())
-        m_state->undoStack.undo();
+    if (stroke || !canUndo())
+        return;
+    const QString name = m_state->undoStack.undoText();
+    m_state->undoStack.undo();
+    Q_EMIT undone(name);
 }
 
 void Document::redo()
 {
     Q_EMIT strokeMustEnd(false);
     clearPreview();
+    if (!m_state->undoStack.canRedo())
+        return;
+    const QString name = m_state->undoStack.redoText();
     m_state->undoStack.redo();
+    Q_EMIT redone(name);
 }
 
 void Document::push(std::unique_ptr<QUndoCommand> command)

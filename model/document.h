@@ -90,6 +90,9 @@ Q_SIGNALS:
     /// Somebody other than the stroke changes the document: the stroke must end. `undoing`: it is cancelled, else
     /// committed.
     void strokeMustEnd(bool undoing);
+    /// After undo() or redo() took the step of that name.
+    void undone(const QString& name);
+    void redone(const QString& name);
 
 public:
     /// Undo and redo as the user means them: a running stroke is cancelled by undo, committed by anything else.

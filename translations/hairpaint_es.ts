@@ -1568,6 +1568,14 @@
         <source>&amp;Help…</source>
         <translation>A&amp;yuda…</translation>
     </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Deshecho: %1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Rehecho: %1</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ProjectFiles</name>

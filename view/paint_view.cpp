@@ -18,6 +18,7 @@ namespace {
 constexpr int kMarchMs = 120;
 constexpr int kMarchSteps = 8;
 constexpr int kRingMarginPx = 4;
+constexpr int kOutlineMs = 900;
 
 QRect boundsOf(const std::vector<QPolygonF>& polygons)
 {
@@ -38,6 +39,23 @@ QPolygonF onWidget(const QPolygonF& uvPolygon, const QTransform& paperToWidget)
     return polygon;
 }
 
+/// Around all tiles that a change touched, in uv; empty where it names none.
+QPolygonF placeOf(const model::Change& change, const model::Document& document)
+{
+    QRectF place;
+    if (change.aspect == model::Change::Aspect::Texels) {
+        const std::shared_ptr<const sim::TiledRaster> raster = document.resolved(change.group, change.map);
+        for (const int tile : change.tiles)
+            place |= paperRect(raster->tileRect(tile), raster->size());
+    }
+    if (place.isEmpty())
+        return {};
+    QPolygonF outline(place);
+    for (QPointF& corner : outline)
+        corner.setY(1.0 - corner.y());
+    return outline;
+}
+
 } // namespace
 
 PaintView::PaintView(EditorState& state, const Theme& theme, QWidget* parent)
@@ -47,6 +65,8 @@ PaintView::PaintView(EditorState& state, const Theme& theme, QWidget* parent)
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMinimumSize(160, 160);
     connect(&state.document(), &model::Document::changed, this, &PaintView::onDocumentChanged);
+    connect(&state.document(), &model::Document::undone, this, &PaintView::outlineChangedPlace);
+    connect(&state.document(), &model::Document::redone, this, &PaintView::outlineChangedPlace);
     connect(&state, &EditorState::targetChanged, this, &PaintView::refreshMap);
     connect(&state, &EditorState::viewOptionsChanged, this, [this] {
         lookChanged();
@@ -109,10 +129,19 @@ double PaintView::rotationDeg() const
 void PaintView::onDocumentChanged(const model::Change& change)
 {
     using Aspect = model::Change::Aspect;
+    if (!change.preview)
+        m_state->changedPlace = placeOf(change, m_state->editor.document());
     if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything)
         refreshHead();
     if (change.aspect != Aspect::Environment)
         refreshMap();
+}
+
+void PaintView::outlineChangedPlace()
+{
+    m_state->outlinedPlace = m_state->changedPlace;
+    m_state->outlined.start(kOutlineMs, this);
+    refreshOverlay();
 }
 
 void PaintView::refreshHead()
@@ -163,6 +192,8 @@ void PaintView::refreshOverlay()
     state.overlay = state.editor.activeTool().overlay();
     for (QPolygonF& outline : state.editor.selection().outlines())
         state.overlay.push_back({.uvOutline = std::move(outline), .closed = true, .marching = true});
+    if (!state.outlinedPlace.isEmpty())
+        state.overlay.push_back({.uvOutline = state.outlinedPlace, .closed = true});
     std::vector<QPolygonF> outlines;
     const QTransform toWidget = state.transform.paperToWidget();
     for (const model::OverlayShape& shape : state.overlay)
@@ -179,6 +210,12 @@ void PaintView::refreshOverlay()
 
 void PaintView::timerEvent(QTimerEvent* event)
 {
+    if (event->timerId() == m_state->outlined.timerId()) {
+        m_state->outlined.stop();
+        m_state->outlinedPlace.clear();
+        refreshOverlay();
+        return;
+    }
     if (event->timerId() != m_state->march.timerId()) {
         QWidget::timerEvent(event);
         return;

@@ -84,6 +84,30 @@ class PaintViewTest : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    void undoOutlinesThePlaceForAMoment()
+    {
+        Fixture f;
+        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, QPoint(150, 400));
+        QTest::mouseMove(&f.area, QPoint(500, 100));
+        const auto bright = [&f](const QRect& rect) {
+            const QImage picture = f.area.grab(rect).toImage();
+            int count = 0;
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = 0; x < picture.width(); ++x)
+                    count += qGray(picture.pixel(x, y)) > 140 ? 1 : 0;
+            return count;
+        };
+        const QRect edge(5, 290, 310, 20);
+        f.editor.document.undo();
+        QVERIFY(f.editor.density(f.area.uvAt(QPoint(150, 400))) < 0.01F);
+        QVERIFY(bright(edge) > 100);
+        QCOMPARE(bright(QRect(320, 200, 250, 350)), 0);
+        QTRY_COMPARE(bright(edge), 0);
+        f.editor.document.redo();
+        QVERIFY(f.editor.density(f.area.uvAt(QPoint(150, 400))) > 0.99F);
+        QVERIFY(bright(edge) > 100);
+        QTRY_COMPARE(bright(edge), 0);
+    }
     void aClickPaintsUnderThePointerAndNowhereElse_data()
     {
         QTest::addColumn<QPoint>("at");

@@ -38,18 +38,18 @@ void halve(const QImage& source, QPoint sourceOrigin, QImage& target, const QRec
     }
 }
 
-QRectF paperRect(const sim::TexelRect& rect, int size)
-{
-    const double scale = 1.0 / size;
-    return {rect.x0 * scale, rect.y0 * scale, (rect.x1 - rect.x0) * scale, (rect.y1 - rect.y0) * scale};
-}
-
 bool single(const QImage& image)
 {
     return image.width() == 1;
 }
 
 } // namespace
+
+QRectF paperRect(const sim::TexelRect& rect, int size)
+{
+    const double scale = 1.0 / size;
+    return {rect.x0 * scale, rect.y0 * scale, (rect.x1 - rect.x0) * scale, (rect.y1 - rect.y0) * scale};
+}
 
 QList<QRectF> MapPyramid::setSource(std::shared_ptr<const sim::TiledRaster> raster, const model::MapSpec& spec,
                                     bool nightPaper)

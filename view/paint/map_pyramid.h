@@ -14,6 +14,9 @@
 
 namespace hairpaint::view {
 
+/// Texels of a map of `size` by `size` on the paper.
+[[nodiscard]] QRectF paperRect(const sim::TexelRect& rect, int size);
+
 /// Paper coordinates: the unit square, y down. Uniform tiles are one pixel. GUI thread.
 class MapPyramid
 {

@@ -43,6 +43,9 @@ struct PaintView::State
     QRect ringsBounds;
     std::vector<model::OverlayShape> overlay;
     QRect overlayBounds;
+    QPolygonF changedPlace; ///< In uv: what the last change of texels touched; empty after other changes.
+    QPolygonF outlinedPlace;
+    QBasicTimer outlined;
     QBasicTimer march;
     int marchStep = 0;
 };
