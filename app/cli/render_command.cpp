@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include <cmath>
 #include <filesystem>
 
 namespace hairpaint::app {
@@ -117,14 +118,26 @@ model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, 
     return writePicture(*picture, path);
 }
 
+/// Time from the frame before to frame `number`, in whole steps of the simulation. They are counted from frame 0, so
+/// that what is rounded never adds up.
+double secondsBefore(int number, double framesPerSecond)
+{
+    const auto stepsAt = [framesPerSecond](int frame) {
+        return std::floor(frame / (framesPerSecond * sim::Simulation::kStepSeconds) + 0.5);
+    };
+    return number > 0 ? (stepsAt(number) - stepsAt(number - 1)) * sim::Simulation::kStepSeconds : 0.0;
+}
+
 model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const RenderOptions& options,
                                const QString& output)
 {
     FilmFolder folder(output);
     QStringList frames;
-    for (int number = options.firstFrame; number <= options.lastFrame; ++number) {
-        if (number > 0)
-            hair.advance(1.0 / options.framesPerSecond);
+    for (int number = 0; number <= options.lastFrame; ++number) {
+        // From the film's start, also through frames that nobody wants: a frame is the same whichever one is the first.
+        hair.advance(secondsBefore(number, options.framesPerSecond));
+        if (number < options.firstFrame)
+            continue;
         frames.append(framePath(output, number));
         if (model::Result<void> written = renderPicture(maker, hair, options, folder.pathFor(frames.back()));
             !written) {

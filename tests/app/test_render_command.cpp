@@ -1,0 +1,150 @@
+// `hairpaint render`: films at every rate and from every frame on, and the wind in them.
+#include "tests/app/program.h"
+
+#include <QImage>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <optional>
+
+using namespace hairpaint::test;
+
+namespace {
+
+/// Mean x of the pixels that hair covers, those that `bald` shows otherwise; in pixels, none where there are few.
+std::optional<double> middleOfHair(const QImage& picture, const QImage& bald)
+{
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 0; y < bald.height(); ++y)
+        for (int x = 0; x < bald.width(); ++x)
+            if (picture.pixel(x, y) != bald.pixel(x, y)) {
+                sum += x;
+                ++count;
+            }
+    return count > 500 ? std::optional(sum / count) : std::nullopt;
+}
+
+} // namespace
+
+class TestRenderCommand : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+    QString m_project;
+    QString m_baldProject;
+
+    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+
+    /// Small pictures, with more options; empty, or what went wrong.
+    [[nodiscard]] QString render(const QString& project, const char* output, const char* options) const
+    {
+        const QStringList more = QString::fromLatin1(options).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+        const Outcome outcome =
+            runProgram(QStringList{QStringLiteral("render"), project, QStringLiteral("-o"), path(output),
+                                   QStringLiteral("--size"), QStringLiteral("96x96")} +
+                       more);
+        return outcome.code == 0 ? QString() : outcome.error;
+    }
+
+    /// Pictures of hair that has just begun to fall.
+    [[nodiscard]] QString film(const char* output, const char* options) const
+    {
+        return render(m_project, output, QByteArray("--settle 0 ").append(options).constData());
+    }
+
+    /// Frame `number` of a film written as `film`.png; empty where it was not written.
+    [[nodiscard]] QByteArray frame(const char* film, int number) const
+    {
+        return contentOf(m_folder.filePath(
+            QStringLiteral("%1.%2.png").arg(QLatin1StringView(film)).arg(number, 4, 10, QLatin1Char('0'))));
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        m_project = path("falling.hairpaint");
+        m_baldProject = path("bald.hairpaint");
+        QImage image(256, 256, QImage::Format_RGB32);
+        for (const QString& project : {m_project, m_baldProject}) {
+            image.fill(project == m_project ? QColor(225, 255, 225) : QColor(Qt::white));
+            QVERIFY(image.save(path("density.png")));
+            const Outcome made =
+                runProgram({QStringLiteral("new"), QStringLiteral("-o"), project, QStringLiteral("--map"),
+                            QStringLiteral("density=") + path("density.png")});
+            QCOMPARE(made.error, QString());
+            QCOMPARE(made.code, 0);
+        }
+    }
+
+    void aFilmsFramesAreTheSameFromWhicheverOneItStarts()
+    {
+        QCOMPARE(film("whole.png", "--frames 0-3"), QString());
+        QCOMPARE(film("part.png", "--frames 2-3"), QString());
+        for (const int number : {0, 1})
+            QVERIFY(!frame("whole", number).isEmpty() && frame("part", number).isEmpty());
+        for (const int number : {2, 3}) {
+            QVERIFY(!frame("whole", number).isEmpty() && frame("whole", number) != frame("whole", number - 1));
+            QVERIFY2(frame("part", number) == frame("whole", number), qPrintable(QString::number(number)));
+        }
+    }
+
+    /// A step of the simulation is 1/120 s: at most rates a frame is no whole number of steps.
+    void theSameMomentIsTheSamePictureAtEveryRate_data()
+    {
+        QTest::addColumn<QByteArray>("options");
+        QTest::addColumn<int>("number");
+        QTest::newRow("24 a second") << QByteArray("--fps 24 --frames 2-2") << 2;
+        QTest::newRow("48 a second") << QByteArray("--fps 48 --frames 4-4") << 4;
+        QTest::newRow("96 a second") << QByteArray("--fps 96 --frames 8-8") << 8;
+        QTest::newRow("240 a second") << QByteArray("--fps 240 --frames 20-20") << 20;
+    }
+
+    void theSameMomentIsTheSamePictureAtEveryRate()
+    {
+        QFETCH(QByteArray, options);
+        QFETCH(int, number);
+        // 10 steps; in still air a step is the same whenever it is made.
+        if (frame("steps", 10).isEmpty())
+            QCOMPARE(film("steps.png", "--fps 120 --frames 9-11"), QString());
+        QCOMPARE(film("rate.png", options.constData()), QString());
+        QVERIFY(!frame("rate", number).isEmpty());
+        QVERIFY(frame("steps", 9) != frame("steps", 10) && frame("steps", 10) != frame("steps", 11));
+        QVERIFY(frame("rate", number) == frame("steps", 10));
+    }
+
+    void withoutARateAFilmHasThirtyFramesASecond()
+    {
+        QCOMPARE(film("given.png", "--frames 0-2 --fps 30"), QString());
+        QCOMPARE(film("slow.png", "--frames 0-2 --fps 60"), QString());
+        QCOMPARE(film("usual.png", "--frames 0-2"), QString());
+        QVERIFY(frame("usual", 0) == frame("slow", 0));
+        QVERIFY(frame("usual", 1) == frame("slow", 2) && frame("usual", 1) != frame("slow", 1));
+        for (const int number : {0, 1, 2})
+            QVERIFY(!frame("usual", number).isEmpty() && frame("usual", number) == frame("given", number));
+    }
+
+    /// +X is the head's own left, which the view from the front shows on the right.
+    void theWindBlowsTheHairItsWay()
+    {
+        QCOMPARE(render(m_baldProject, "bald.png", "--view front --settle 0"), QString());
+        const QImage bald(path("bald.png"));
+        const auto middle = [&](const char* wind) {
+            const QString problem =
+                render(m_project, "wind.png", QByteArray("--view front --settle 0.5 ").append(wind).constData());
+            return problem.isEmpty() ? middleOfHair(QImage(path("wind.png")), bald) : std::nullopt;
+        };
+        const auto still = middle("");
+        const auto calm = middle("--wind 0,0,0");
+        const auto toTheRight = middle("--wind 8,0,0");
+        const auto toTheLeft = middle("--wind -8,0,0");
+        QVERIFY(still && calm && toTheRight && toTheLeft);
+        QCOMPARE(*calm, *still);
+        QVERIFY2(*toTheLeft < *still - 3.0 && *still + 3.0 < *toTheRight,
+                 qPrintable(QStringLiteral("%1, %2, %3").arg(*toTheLeft).arg(*still).arg(*toTheRight)));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRenderCommand)
+#include "test_render_command.moc"
