@@ -4,12 +4,18 @@
 #include "app/library.h"
 #include "app/main_window.h"
 #include "app/settings.h"
+#include "model/files/sentences.h"
 #include "view/head_view.h"
 #include "view/resources.h"
 
 #include <QApplication>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QLoggingCategory>
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
 
 namespace {
 
@@ -34,15 +40,12 @@ void printHelp()
     hairpaint::app::printOut(text);
 }
 
-/// Qt would end the program with a message that names plugins, not what the user can do.
-bool displayIsMissing()
+/// The program as it was called, for sentences that tell what to type.
+QString calledAs()
 {
-#ifdef Q_OS_LINUX
-    return qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
-           qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
-#else
-    return false;
-#endif
+    const QString program = hairpaint::model::shownPath(
+        QDir::cleanPath(QCoreApplication::arguments().value(0, QCoreApplication::applicationName())));
+    return program.contains(QLatin1Char(' ')) ? QStringLiteral("\"%1\"").arg(program) : program;
 }
 
 /// An option that is none of the editor's, or a verb.
@@ -70,16 +73,32 @@ int runCommandLine(int argc, char** argv)
         return 0;
     }
     (void)hairpaint::app::failed(
-        {CommandLine::tr("There is no option %1; hairpaint --help lists those there are.").arg(first)});
+        {CommandLine::tr("There is no option %1; %2 --help lists those there are.").arg(first, calledAs())});
     return static_cast<int>(ExitCode::WrongUsage);
 }
 
-int failWithoutDisplay(int argc, char** argv)
+/// Where no display can be opened Qt ends the program, with words that name plugins and not what the user can do.
+void listenForMissingDisplay(QtMsgType type, const QMessageLogContext& context, const QString& text)
 {
-    QCoreApplication application(argc, argv);
-    hairpaint::app::speak();
-    return static_cast<int>(hairpaint::app::failed({CommandLine::tr(
-        "There is no display to open a window on. Without one the command line works: hairpaint --help")}));
+    if (type == QtFatalMsg) {
+        hairpaint::app::speak();
+        const ExitCode code = hairpaint::app::failed(
+            {CommandLine::tr("There is no display to open a window on. Without one the command line works: %1 --help")
+                 .arg(calledAs())});
+        std::_Exit(static_cast<int>(code)); // Qt would abort, and the application object is not whole yet.
+    }
+    const bool isAboutPlatform = QByteArrayView(context.category).startsWith("qt.qpa.");
+    if (!isAboutPlatform || qEnvironmentVariableIsSet("QT_DEBUG_PLUGINS"))
+        std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, text)));
+}
+
+/// Ends the program with a sentence where there is no display.
+std::unique_ptr<QApplication> openDisplay(int& argc, char** argv)
+{
+    const QtMessageHandler before = qInstallMessageHandler(listenForMissingDisplay);
+    auto application = std::make_unique<QApplication>(argc, argv);
+    qInstallMessageHandler(before);
+    return application;
 }
 
 /// With QT_LOGGING_RULES=hairpaint.start=true the editor tells when its first hair was seen.
@@ -103,10 +122,10 @@ int runEditor(int argc, char** argv)
 {
     QElapsedTimer sinceStart;
     sinceStart.start();
-    QApplication application(argc, argv);
+    const std::unique_ptr<QApplication> application = openDisplay(argc, argv);
     hairpaint::app::speak(hairpaint::app::Settings().preferences().language);
     QApplication::setStyle(QStringLiteral("Fusion"));
-    QFont font(QStringList{QStringLiteral("Inter"), QStringLiteral("Noto Sans"), application.font().family()});
+    QFont font(QStringList{QStringLiteral("Inter"), QStringLiteral("Noto Sans"), QApplication::font().family()});
     font.setPixelSize(13);
     QApplication::setFont(font);
     hairpaint::view::initResources();
@@ -130,5 +149,5 @@ int main(int argc, char** argv)
     describeApplication();
     if (argc > 1 && isForCommandLine(QString::fromLocal8Bit(argv[1])))
         return runCommandLine(argc, argv);
-    return displayIsMissing() ? failWithoutDisplay(argc, argv) : runEditor(argc, argv);
+    return runEditor(argc, argv);
 }

@@ -97,12 +97,12 @@
     abre el editor</translation>
     </message>
     <message>
-        <source>There is no option %1; hairpaint --help lists those there are.</source>
-        <translation>No existe la opción %1; hairpaint --help muestra las que hay.</translation>
+        <source>There is no option %1; %2 --help lists those there are.</source>
+        <translation>No existe la opción %1; %2 --help muestra las que hay.</translation>
     </message>
     <message>
-        <source>There is no display to open a window on. Without one the command line works: hairpaint --help</source>
-        <translation>No hay pantalla donde abrir una ventana. Sin ella funciona la línea de órdenes: hairpaint --help</translation>
+        <source>There is no display to open a window on. Without one the command line works: %1 --help</source>
+        <translation>No hay pantalla donde abrir una ventana. Sin ella funciona la línea de órdenes: %1 --help</translation>
     </message>
     <message>
         <source>&apos;%1&apos; would be overwritten, and it is read from; give another name after -o.</source>

@@ -44,18 +44,19 @@ inline qint64 residentBytes(qint64 process)
     return bytes;
 }
 
-/// Runs the program without a display. `inChild` is called in the child before the program starts. `language`: of the
-/// system, "es_ES".
+/// Runs the program without a display, or with X11's `display`. `inChild` is called in the child before the program
+/// starts. `language`: of the system, "es_ES".
 inline Outcome runProgram(const QStringList& arguments, const std::function<void()>& inChild = {},
-                          const char* language = "C")
+                          const char* language = "C", const char* display = nullptr)
 {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.remove(QStringLiteral("DISPLAY"));
-    environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
-    for (const char* name : {"LANG", "LC_ALL", "LC_MESSAGES", "LANGUAGE"})
+    for (const char* name :
+         {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "LANG", "LC_ALL", "LC_MESSAGES", "LANGUAGE"})
         environment.remove(QString::fromLatin1(name));
     environment.insert(QStringLiteral("LANG"), QLatin1StringView(language) + QStringLiteral(".UTF-8"));
+    if (display != nullptr)
+        environment.insert(QStringLiteral("DISPLAY"), QString::fromLatin1(display));
     process.setProcessEnvironment(environment);
 #ifdef Q_OS_UNIX
     if (inChild)

@@ -180,14 +180,36 @@ private Q_SLOTS:
         }
     }
 
+#ifdef Q_OS_LINUX
+    void withoutADisplayTheEditorNamesTheCommandLine_data()
+    {
+        QTest::addColumn<QByteArray>("display");
+        QTest::addColumn<QByteArray>("language");
+        QTest::addColumn<QString>("words");
+        const QString english = QStringLiteral("There is no display to open a window on.");
+        QTest::newRow("none is named") << QByteArray() << QByteArray("C") << english;
+        QTest::newRow("there is none of that number") << QByteArray(":7777") << QByteArray("C") << english;
+        QTest::newRow("nothing listens at that port") << QByteArray("127.0.0.1:7777") << QByteArray("C") << english;
+        QTest::newRow("its name is nonsense") << QByteArray("%1 \n") << QByteArray("C") << english;
+        QTest::newRow("in Spanish") << QByteArray(":7777") << QByteArray("es_ES")
+                                    << QStringLiteral("No hay pantalla donde abrir una ventana.");
+    }
+
     void withoutADisplayTheEditorNamesTheCommandLine()
     {
-#ifdef Q_OS_LINUX
-        const Outcome outcome = runProgram({});
+        QFETCH(QByteArray, display);
+        QFETCH(QByteArray, language);
+        QFETCH(QString, words);
+        const Outcome outcome =
+            runProgram({}, {}, language.constData(), display.isEmpty() ? nullptr : display.constData());
         QCOMPARE(outcome.code, 1);
-        QVERIFY(outcome.error.contains(QStringLiteral("hairpaint --help")));
-#endif
+        QVERIFY2(outcome.error.contains(words), qPrintable(outcome.error));
+        QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
+        // A command that works as it stands.
+        const QString command = QStringLiteral(HAIRPAINT_PROGRAM) + QStringLiteral(" --help\n");
+        QVERIFY2(outcome.error.endsWith(QLatin1Char(' ') + command), qPrintable(outcome.error));
     }
+#endif
 };
 
 QTEST_GUILESS_MAIN(TestCommandLine)
