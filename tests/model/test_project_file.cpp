@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
+
 using namespace hairpaint;
 using namespace hairpaint::model;
 
@@ -54,6 +56,34 @@ private Q_SLOTS:
         const Result<void> saved = saveProject(project, path("a.hairpaint"), {});
         QVERIFY2(saved, saved ? "" : qPrintable(saved.error().message));
         QCOMPARE(test::difference(project, opened(path("a.hairpaint"))), QString());
+    }
+
+    void everyBraidComesBackAsItsNumberInTheFile()
+    {
+        // The numbers stand in files, so they stay what they are.
+        const MapSpec& spec = mapSpec(MapKind::Braid);
+        const std::array<const char*, 4> ids = {"none", "plait", "twist", "loc"};
+        QCOMPARE(spec.palette.size(), ids.size());
+        Project project = newProject();
+        sim::TiledRaster& painted = project.groups.front().map(MapKind::Braid).layers.front().raster;
+        for (std::uint16_t i = 0; i < ids.size(); ++i) {
+            QCOMPARE(QByteArray(spec.palette[i].id), QByteArray(ids[i]));
+            painted.setTexel(i, 7, {i, 65535, 0, 0});
+            painted.setUniform(i + 1, {i, 40'000, 0, 0});
+        }
+        QVERIFY(saveProject(project, path("braids.hairpaint"), {}));
+        const Project back = opened(path("braids.hairpaint"));
+        QCOMPARE(test::difference(project, back), QString());
+        const sim::TiledRaster& read = back.groups.front().map(MapKind::Braid).layers.front().raster;
+        for (std::uint16_t i = 0; i < ids.size(); ++i)
+            QCOMPARE(read.texel(i, 7), (sim::Texel{i, 65535, 0, 0}));
+
+        // A number of a later program is no braid.
+        painted.setTexel(0, 9, {4, 65535, 0, 0});
+        QVERIFY(saveProject(project, path("later.hairpaint"), {}));
+        const Project later = opened(path("later.hairpaint"));
+        QCOMPARE(later.groups.front().map(MapKind::Braid).layers.front().raster.texel(0, 9),
+                 (sim::Texel{0, 65535, 0, 0}));
     }
 
     void savingWhatWasOpenedWritesTheSameBytes()
