@@ -342,7 +342,11 @@ void MainWindow::onFrameDrawn(const rendering::FrameStatistics& statistics)
         m_status->setFramesPerSecond(m_frameRate);
     }
     const auto& frame = m_session.frame();
-    m_status->setHairs(static_cast<qint64>(statistics.drawnHairs), frame ? static_cast<qint64>(frame->hairCount) : 0);
+    if (frame)
+        m_status->setHairs(static_cast<qint64>(statistics.drawnHairs), static_cast<qint64>(frame->hairCount),
+                           frame->limit);
+    else
+        m_status->setHairs(static_cast<qint64>(statistics.drawnHairs), 0);
 }
 
 } // namespace hairpaint::app

@@ -82,11 +82,15 @@ GroomBuilder::Report GroomBuilder::update(const GroomInput& input)
 
         const std::size_t wanted = wantedCandidates(groupInput, *input.skin);
         const std::size_t weight = weightOf(groupInput.settings);
-        const std::size_t count = std::min({wanted, candidatesLeft, weightLeft / weight});
+        const std::size_t held = weightLeft / weight;
+        const std::size_t count = std::min({wanted, candidatesLeft, held});
+        const HairLimit limit = count == wanted          ? HairLimit::None
+                                : candidatesLeft <= held ? HairLimit::MaxHairs
+                                                         : HairLimit::Memory;
         candidatesLeft -= count;
         weightLeft -= count * weight;
         m_state->findRoots(group, input, count, static_cast<std::size_t>(std::max(groupInput.settings.basisHairs, 1)));
-        const GroupBuilder::Result result = group.builder.update(groupInput, group.roots, count < wanted);
+        const GroupBuilder::Result result = group.builder.update(groupInput, group.roots, limit);
         report.grooms.push_back(result.groom);
         std::vector<std::uint32_t> rebuilt;
         result.rebuilt.forEach([&](std::uint32_t slot) {

@@ -73,6 +73,14 @@ struct BasisStyles
     [[nodiscard]] std::size_t blockCount() const { return wanted.size(); }
 };
 
+/// What keeps a group from having all the candidates that its density asks for.
+enum class HairLimit : std::uint8_t
+{
+    None,
+    MaxHairs, ///< The project's limit on candidates.
+    Memory    ///< What all nodes may take.
+};
+
 /// Immutable once shared. Chunks without any hair are null.
 struct Groom
 {
@@ -89,7 +97,7 @@ struct Groom
     std::size_t hairCount = 0;
     std::size_t drawnCount = 0; ///< Also the number exported.
     std::size_t basisCount = 0; ///< Basis hairs that are wanted.
-    bool capped = false;        ///< maxHairs, or the memory that all nodes may take, cut the candidates.
+    HairLimit limit = HairLimit::None;
 };
 
 /// Builds grooms, and rebuilds what differs from the input before. One thread at a time; loops run through parallelFor.

@@ -77,13 +77,13 @@ std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
 } // namespace
 
 GroupBuilder::Result GroupBuilder::update(const GroupInput& input, const std::shared_ptr<const RootSet>& roots,
-                                          bool capped)
+                                          HairLimit limit)
 {
     const GroupSettings settings = withinLimits(input.settings);
     const bool allDiffer = !m_groom || roots != m_roots || !sameHairs(m_groom->settings, settings);
     Result result{m_groom, SlotSet(roots->count())};
     if (!allDiffer && settings == m_groom->settings && sameMaps(input.maps, m_input.maps) &&
-        input.visible == m_groom->visible && capped == m_groom->capped)
+        input.visible == m_groom->visible && limit == m_groom->limit)
         return result;
 
     SlotSet dirty(roots->count());
@@ -103,7 +103,7 @@ GroupBuilder::Result GroupBuilder::update(const GroupInput& input, const std::sh
     }
     groom->visible = input.visible;
     groom->settings = settings;
-    groom->capped = capped;
+    groom->limit = limit;
 
     if (allDiffer || !dirty.empty()) {
         const MapSamplers maps = samplersOf(input.maps);

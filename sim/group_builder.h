@@ -22,7 +22,7 @@ public:
         std::shared_ptr<const Groom> groom; ///< The one before where nothing differs.
         SlotSet rebuilt;                    ///< Hairs, and slots that were hairs, that were evaluated.
     };
-    [[nodiscard]] Result update(const GroupInput& input, const std::shared_ptr<const RootSet>& roots, bool capped);
+    [[nodiscard]] Result update(const GroupInput& input, const std::shared_ptr<const RootSet>& roots, HairLimit limit);
 
 private:
     void startOver(const GroupInput& input, const std::shared_ptr<const RootSet>& roots);

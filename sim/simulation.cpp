@@ -155,13 +155,14 @@ void Simulation::writeFrame(StrandFrame& frame) const
     frame.groups.resize(s.groups.size());
     frame.hairCount = 0;
     frame.basisCount = 0;
-    frame.capped = false;
+    frame.limit = HairLimit::None;
     for (std::size_t i = 0; i < s.groups.size(); ++i) {
         s.groups[i]->write(frame.groups[i], moment, frame.pose);
         const Groom& groom = *s.groups[i]->groom();
         frame.hairCount += groom.hairCount;
         frame.basisCount += groom.basisCount;
-        frame.capped = frame.capped || groom.capped;
+        if (frame.limit == HairLimit::None)
+            frame.limit = groom.limit;
     }
     frame.simulatedSeconds = s.simulatedSeconds;
     frame.stepMilliseconds = s.stepMilliseconds;

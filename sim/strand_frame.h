@@ -37,8 +37,8 @@ struct StrandFrame
     double stepMilliseconds = 0.0; ///< Time that the last step took, all groups.
     std::size_t hairCount = 0;
     std::size_t basisCount = 0;
-    bool capped = false;
-    bool asleep = false; ///< Nothing moves: no newer frame will come until something changes.
+    HairLimit limit = HairLimit::None; ///< Of the first group that feels one.
+    bool asleep = false;               ///< Nothing moves: no newer frame will come until something changes.
     std::uint64_t number = 0;
     std::size_t rebuiltStrands = 0; ///< Evaluated since the first frame, in all.
 };

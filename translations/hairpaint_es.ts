@@ -124,6 +124,14 @@
         <source>  %1: %2 x %3, layers: %4</source>
         <translation>  %1: %2 x %3, capas: %4</translation>
     </message>
+    <message>
+        <source>  Fewer hairs than painted: the limit of %1 for the whole head is reached</source>
+        <translation>  Menos pelos de los pintados: se alcanza el límite de %1 para toda la cabeza</translation>
+    </message>
+    <message>
+        <source>  Fewer hairs than painted: memory would not hold more</source>
+        <translation>  Menos pelos de los pintados: en la memoria no cabrían más</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -2458,6 +2466,18 @@
             <numerusform>%Ln pelo</numerusform>
             <numerusform>%Ln pelos</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Fewer hairs than painted: the project&apos;s limit is reached. A lower greatest density leaves room.</source>
+        <translation>Menos pelos de los pintados: se alcanza el límite del proyecto. Baja la densidad máxima para hacer sitio.</translation>
+    </message>
+    <message>
+        <source>Fewer hairs than painted: memory would not hold more. Fewer nodes per hair or a lower greatest density leave room.</source>
+        <translation>Menos pelos de los pintados: en la memoria no cabrían más. Baja los nodos por pelo o la densidad máxima para hacer sitio.</translation>
+    </message>
+    <message>
+        <source>%1 (limit)</source>
+        <translation>%1 (límite)</translation>
     </message>
 </context>
 <context>

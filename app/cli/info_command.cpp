@@ -27,6 +27,20 @@ QJsonArray mapsOf(const model::HairGroup& group)
     return maps;
 }
 
+/// What keeps hairs from growing that are painted; null where nothing does.
+QJsonValue idOf(sim::HairLimit limit)
+{
+    switch (limit) {
+    case sim::HairLimit::None:
+        break;
+    case sim::HairLimit::MaxHairs:
+        return QStringLiteral("max_hairs");
+    case sim::HairLimit::Memory:
+        return QStringLiteral("memory");
+    }
+    return QJsonValue::Null;
+}
+
 QJsonObject describe(const model::Project& project, const std::vector<std::shared_ptr<const sim::Groom>>& grooms)
 {
     qint64 hairs = 0;
@@ -41,12 +55,14 @@ QJsonObject describe(const model::Project& project, const std::vector<std::share
         basisHairs += static_cast<qint64>(groom.basisCount);
         groups.append(QJsonObject{{QStringLiteral("name"), group.name},
                                   {QStringLiteral("hairs"), static_cast<qint64>(groom.hairCount)},
+                                  {QStringLiteral("limited_by"), idOf(groom.limit)},
                                   {QStringLiteral("nodes_per_hair"), group.settings.nodesPerHair},
                                   {QStringLiteral("maps"), mapsOf(group)}});
     }
     const sim::HeadMesh& mesh = project.head->skin->mesh();
     return {{QStringLiteral("format_version"), model::kFormatVersion},
             {QStringLiteral("seed"), static_cast<qint64>(project.seed)},
+            {QStringLiteral("max_hairs"), project.maxHairs},
             {QStringLiteral("head"),
              QJsonObject{{QStringLiteral("name"), project.head->name},
                          {QStringLiteral("vertices"), static_cast<qint64>(mesh.positionsHd.size())},
@@ -81,6 +97,13 @@ QString asText(const QJsonObject& info)
                     .arg(model::shownName(group[QLatin1StringView("name")].toString()), count(group, "hairs"),
                          count(group, "nodes_per_hair")) +
                 QLatin1Char('\n');
+        const QString limit = group[QLatin1StringView("limited_by")].toString();
+        if (limit == QLatin1String("max_hairs"))
+            text += CommandLine::tr("  Fewer hairs than painted: the limit of %1 for the whole head is reached")
+                        .arg(count(info, "max_hairs")) +
+                    QLatin1Char('\n');
+        else if (limit == QLatin1String("memory"))
+            text += CommandLine::tr("  Fewer hairs than painted: memory would not hold more") + QLatin1Char('\n');
         for (const auto& mapValue : group[QLatin1StringView("maps")].toArray()) {
             const QJsonObject map = mapValue.toObject();
             const model::MapSpec* spec = model::findMapSpec(map[QLatin1StringView("kind")].toString());

@@ -1,21 +1,26 @@
 // The menus of the real window, where what is on is seen to be on, and its panels.
+#include "app/library.h"
 #include "app/main_window.h"
 #include "model/commands/commands.h"
 #include "model/files/project_file.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
 #include "view/panels/option_bar.h"
+#include "view/panels/status_readout.h"
 #include "view/panels/tool_bar.h"
 #include "view/resources.h"
 #include "view/widgets/drop_hint.h"
 
 #include <QDir>
 #include <QDragEnterEvent>
+#include <QLabel>
 #include <QMimeData>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QToolButton>
 #include <QtTest>
+
+#include <algorithm>
 
 namespace hairpaint::app {
 
@@ -217,6 +222,21 @@ private Q_SLOTS:
         QCOMPARE(view::Theme::current().kind, view::ThemeKind::Light);
         trigger("view.dark");
         QVERIFY(checked("view.dark") && !checked("view.light"));
+    }
+
+    void aLimitOnHairsIsNotedAtTheFoot()
+    {
+        model::Project project = starterProject();
+        project.maxHairs = 2000;
+        MainWindow window(std::move(project), QString());
+        window.show();
+        const QList<QLabel*> labels = window.findChild<view::StatusReadout*>()->findChildren<QLabel*>();
+        QTRY_VERIFY_WITH_TIMEOUT(std::ranges::any_of(labels,
+                                                     [](const QLabel* label) {
+                                                         return label->text().endsWith(QStringLiteral(" (limit)")) &&
+                                                                !label->toolTip().isEmpty();
+                                                     }),
+                                 30'000);
     }
 };
 

@@ -19,7 +19,7 @@ inline const char* differenceOf(const sim::Groom& a, const sim::Groom& b)
 {
     if (a.hairCount != b.hairCount || a.drawnCount != b.drawnCount || a.basisCount != b.basisCount)
         return "counts";
-    if (a.groupId != b.groupId || a.visible != b.visible || a.capped != b.capped || a.nodes != b.nodes ||
+    if (a.groupId != b.groupId || a.visible != b.visible || a.limit != b.limit || a.nodes != b.nodes ||
         a.settings != b.settings)
         return "settings";
     if (!sameBytes(a.roots->rankOfSlot, b.roots->rankOfSlot) || !sameBytes(a.roots->positionHd, b.roots->positionHd))

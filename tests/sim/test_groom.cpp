@@ -329,7 +329,9 @@ void TestGroom::theCandidatesAreCappedInTheGroupsOrder()
     QCOMPARE(grooms[0]->roots->count(), std::size_t{20000});
     QCOMPARE(grooms[1]->roots->count(), std::size_t{5000});
     QCOMPARE(grooms[2]->roots->count(), std::size_t{0});
-    QVERIFY(!grooms[0]->capped && grooms[1]->capped && grooms[2]->capped);
+    QCOMPARE(grooms[0]->limit, HairLimit::None);
+    QCOMPARE(grooms[1]->limit, HairLimit::MaxHairs);
+    QCOMPARE(grooms[2]->limit, HairLimit::MaxHairs);
 }
 
 void TestGroom::theMemoryOfAllNodesCapsTheCandidates()
@@ -342,7 +344,10 @@ void TestGroom::theMemoryOfAllNodesCapsTheCandidates()
         input.groups.push_back(group);
     const auto grooms = GroomBuilder().update(input).grooms;
     const std::size_t hairs = 2 * grooms[0]->roots->count() + grooms[2]->roots->count();
-    QVERIFY(!grooms[1]->capped && grooms[2]->capped && grooms[3]->roots->count() == 0);
+    QCOMPARE(grooms[1]->limit, HairLimit::None);
+    QCOMPARE(grooms[2]->limit, HairLimit::Memory);
+    QCOMPARE(grooms[3]->limit, HairLimit::Memory);
+    QCOMPARE(grooms[3]->roots->count(), std::size_t{0});
     QCOMPARE(hairs, std::size_t{14'000'000 / 36}); // 32 nodes, and 4 for root and style
 }
 

@@ -8,7 +8,6 @@
 #include "view/panels/map_row.h"
 #include "view/panels/maps_panel.h"
 #include "view/panels/option_bar.h"
-#include "view/panels/status_readout.h"
 #include "view/panels/tool_bar.h"
 
 #include <QCheckBox>
@@ -356,29 +355,6 @@ private Q_SLOTS:
         model::ToolSettings settings = f.state.toolSettings();
         QCOMPARE(settings.value(MapKind::Length).scalar, 1.0F);
         QCOMPARE(f.steps(), 0);
-    }
-
-    void the_status_line_shows_the_value_under_the_pointer_and_errors()
-    {
-        PanelFixture f;
-        StatusReadout status(f.state);
-        status.resize(1100, 24);
-        status.show();
-        const auto texts = [&] {
-            QString all;
-            for (const QLabel* label : status.findChildren<QLabel*>())
-                all += label->text() + QLatin1Char('|');
-            return all;
-        };
-        sim::SurfacePoint point;
-        point.uv = {0.5F, 0.5F};
-        f.state.setHover(Hover{.uv = point.uv, .point = point});
-        QVERIFY2(texts().contains(QStringLiteral("Length: 15")), qPrintable(texts()));
-        f.state.setHover(std::nullopt);
-        QVERIFY(!texts().contains(QStringLiteral("Length: 15")));
-        status.showMessage(QStringLiteral("It is locked."), true, 50);
-        QVERIFY(texts().contains(QStringLiteral("It is locked.")));
-        QTRY_VERIFY(texts().contains(f.state.activeTool().hint()));
     }
 };
 

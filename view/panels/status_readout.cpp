@@ -31,6 +31,22 @@ QString padded(const QString& number, qsizetype digits)
     return number.rightJustified(digits, QChar(0x2007));
 }
 
+/// Empty where no limit is felt.
+QString whyFewer(sim::HairLimit limit)
+{
+    switch (limit) {
+    case sim::HairLimit::None:
+        break;
+    case sim::HairLimit::MaxHairs:
+        return StatusReadout::tr("Fewer hairs than painted: the project's limit is reached. A lower greatest density "
+                                 "leaves room.");
+    case sim::HairLimit::Memory:
+        return StatusReadout::tr("Fewer hairs than painted: memory would not hold more. Fewer nodes per hair or a "
+                                 "lower greatest density leave room.");
+    }
+    return {};
+}
+
 } // namespace
 
 StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
@@ -70,11 +86,13 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
     follow();
 }
 
-void StatusReadout::setHairs(qint64 drawn, qint64 all)
+void StatusReadout::setHairs(qint64 drawn, qint64 all, sim::HairLimit limit)
 {
     const int total = static_cast<int>(all);
-    m_hairs->setText(drawn == all ? tr("%Ln hairs", nullptr, total)
-                                  : tr("%1 of %Ln hairs", nullptr, total).arg(QLocale().toString(drawn)));
+    const QString hairs = drawn == all ? tr("%Ln hairs", nullptr, total)
+                                       : tr("%1 of %Ln hairs", nullptr, total).arg(QLocale().toString(drawn));
+    m_hairs->setText(limit == sim::HairLimit::None ? hairs : tr("%1 (limit)").arg(hairs));
+    m_hairs->setToolTip(whyFewer(limit));
 }
 
 void StatusReadout::setSimulationMs(double milliseconds)

@@ -1,6 +1,7 @@
 // The line at the window's foot: hairs, times, the value under the pointer, what the tool does next.
 #pragma once
 
+#include "sim/groom.h"
 #include "view/editor_state.h"
 
 #include <QTimer>
@@ -17,7 +18,8 @@ class StatusReadout : public QWidget
 public:
     explicit StatusReadout(EditorState& state, QWidget* parent = nullptr);
 
-    void setHairs(qint64 drawn, qint64 all);
+    /// `limit`: what keeps hairs from growing that are painted; it is noted, and explained where the pointer rests.
+    void setHairs(qint64 drawn, qint64 all, sim::HairLimit limit = sim::HairLimit::None);
     void setSimulationMs(double milliseconds);
     void setFramesPerSecond(double frames);
     /// Instead of the tool's hint, for `milliseconds`; errors are marked as such.

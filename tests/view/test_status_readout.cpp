@@ -1,0 +1,63 @@
+// The line at the window's foot: the value under the pointer, errors, and limits on hairs.
+#include "panel_fixture.h"
+
+#include "view/panels/status_readout.h"
+
+#include <QLabel>
+
+using namespace hairpaint;
+using namespace hairpaint::view;
+
+class TestStatusReadout : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void the_status_line_shows_the_value_under_the_pointer_and_errors()
+    {
+        PanelFixture f;
+        StatusReadout status(f.state);
+        status.resize(1100, 24);
+        status.show();
+        const auto texts = [&] {
+            QString all;
+            for (const QLabel* label : status.findChildren<QLabel*>())
+                all += label->text() + QLatin1Char('|');
+            return all;
+        };
+        sim::SurfacePoint point;
+        point.uv = {0.5F, 0.5F};
+        f.state.setHover(Hover{.uv = point.uv, .point = point});
+        QVERIFY2(texts().contains(QStringLiteral("Length: 15")), qPrintable(texts()));
+        f.state.setHover(std::nullopt);
+        QVERIFY(!texts().contains(QStringLiteral("Length: 15")));
+        status.showMessage(QStringLiteral("It is locked."), true, 50);
+        QVERIFY(texts().contains(QStringLiteral("It is locked.")));
+        QTRY_VERIFY(texts().contains(f.state.activeTool().hint()));
+    }
+
+    void the_status_line_tells_that_a_limit_on_hairs_bites_and_why()
+    {
+        PanelFixture f;
+        StatusReadout status(f.state);
+        const auto shown = [&](qint64 drawn, qint64 all, sim::HairLimit limit) {
+            status.setHairs(drawn, all, limit);
+            for (const QLabel* label : status.findChildren<QLabel*>())
+                if (label->text().contains(QStringLiteral("hairs")))
+                    return std::pair(label->text(), label->toolTip());
+            return std::pair(QString(), QString());
+        };
+        const auto free = shown(50, 50, sim::HairLimit::None);
+        const auto limited = shown(50, 50, sim::HairLimit::MaxHairs);
+        const auto heavy = shown(40, 50, sim::HairLimit::Memory);
+        QCOMPARE(free, std::pair(QStringLiteral("50 hairs"), QString()));
+        QCOMPARE(limited.first, QStringLiteral("50 hairs (limit)"));
+        QVERIFY2(limited.second.contains(QStringLiteral("project's limit")), qPrintable(limited.second));
+        QCOMPARE(heavy.first, QStringLiteral("40 of 50 hairs (limit)"));
+        QVERIFY2(heavy.second.contains(QStringLiteral("memory")), qPrintable(heavy.second));
+        QCOMPARE(shown(50, 50, sim::HairLimit::None), free);
+    }
+};
+
+QTEST_MAIN(TestStatusReadout)
+#include "test_status_readout.moc"
