@@ -1,10 +1,15 @@
 // `hairpaint new`: what its options change in the project, and what `info` tells of it.
+#include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "tests/app/program.h"
 
+#include <QImage>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QtTest>
+
+#include <cmath>
+#include <utility>
 
 using namespace hairpaint;
 using namespace hairpaint::test;
@@ -17,7 +22,71 @@ private:
 
     [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
 
+    [[nodiscard]] QString filled(const char* name, const QColor& colour) const
+    {
+        QImage image(256, 256, QImage::Format_RGB32);
+        image.fill(colour);
+        const QString file = path(name);
+        return image.save(file) ? file : QString();
+    }
+
+    /// Makes the project; empty, or what went wrong.
+    [[nodiscard]] static QString make(const QString& project, const QStringList& options)
+    {
+        const Outcome outcome = runProgram(QStringList{QStringLiteral("new"), QStringLiteral("-o"), project} + options);
+        return outcome.code == 0 ? outcome.error : outcome.error + QStringLiteral(" failed");
+    }
+
+    [[nodiscard]] QByteArray restHairOf(const QString& project) const
+    {
+        const QString file = path("rest.hair");
+        const Outcome outcome = runProgram({QStringLiteral("export"), project, QStringLiteral("-o"), file});
+        return outcome.code == 0 ? contentOf(file) : QByteArray();
+    }
+
+    [[nodiscard]] static qint64 hairsOf(const QJsonObject& infoOrGroup)
+    {
+        return infoOrGroup.value(QLatin1String("hairs")).toInteger(-1);
+    }
+
 private Q_SLOTS:
+    void aSeedGivesItsOwnRootsEveryTime()
+    {
+        const QString thin = QStringLiteral("density=") + filled("thin.png", QColor(225, 255, 225));
+        QList<QByteArray> hairs;
+        for (const char* seed : {"", "1", "7", "7", "9007199254740992"}) {
+            const QString project = path("seeded.hairpaint");
+            QStringList options{QStringLiteral("--map"), thin};
+            if (*seed != '\0')
+                options << QStringLiteral("--seed") << QString::fromLatin1(seed);
+            QCOMPARE(make(project, options), QString());
+            QCOMPARE(infoOf(project).value(QLatin1String("seed")).toInteger(),
+                     *seed == '\0' ? 1 : QByteArray(seed).toLongLong());
+            hairs.append(restHairOf(project));
+            QVERIFY(hairs.back().size() > 100'000);
+        }
+        QVERIFY(hairs[0] == hairs[1]);
+        QVERIFY(hairs[2] == hairs[3]);
+        QVERIFY(hairs[1] != hairs[2] && hairs[2] != hairs[4]);
+    }
+
+    void theLimitOnHairsThinsThemEvenly()
+    {
+        const QString density = QStringLiteral("density=") + filled("half.png", QColor(127, 255, 127));
+        const auto hairs = [&](const char* limit) {
+            const QString project = path("limited.hairpaint");
+            QStringList options{QStringLiteral("--map"), density, QStringLiteral("--max-hairs"),
+                                QString::fromLatin1(limit)};
+            return make(project, options).isEmpty() ? hairsOf(infoOf(project)) : -1;
+        };
+        // Candidates lie on the whole head, and half of them are hairs.
+        QCOMPARE(hairs("20000"), 10'039);
+        QCOMPARE(hairs("1000"), 502);
+        QCOMPARE(hairs("1"), 1);
+        const qint64 all = hairs("1000000");
+        QVERIFY2(all > 50'000 && all == hairs("4000000"), qPrintable(QString::number(all)));
+    }
+
     void aLimitThatBitesIsTold_data()
     {
         QTest::addColumn<int>("maxHairs");
@@ -52,6 +121,58 @@ private Q_SLOTS:
         const Outcome text = runProgram({QStringLiteral("info"), path("told.hairpaint")}, {}, "en_GB");
         QCOMPARE(text.output.contains(QStringLiteral("Fewer hairs")), !words.isEmpty());
         QVERIFY2(text.output.contains(words), qPrintable(text.output));
+    }
+
+    void aGreyImageIsTheValueWhereItIsAskedFor()
+    {
+        const QString full = filled("full.png", Qt::green);
+        const QString grey = filled("grey.png", QColor(64, 64, 64));
+        const auto hairs = [&](const QString& map) {
+            const QString project = path("grey.hairpaint");
+            return make(project, {QStringLiteral("--map"), map}).isEmpty() ? hairsOf(infoOf(project)) : -1;
+        };
+        const auto all = static_cast<double>(hairs(QStringLiteral("density=") + full));
+        QVERIFY(all > 50'000);
+        QCOMPARE(hairs(QStringLiteral("density=") + grey), 0);
+        const auto some = static_cast<double>(hairs(QStringLiteral("density:grey=") + grey));
+        QVERIFY2(std::abs(some / all - 64.0 / 255.0) < 0.005, qPrintable(QString::number(some / all)));
+    }
+
+    void aMapGoesToTheGroupThatItNames()
+    {
+        model::Project two = model::newProject();
+        two.groups.push_back(model::makeGroup(two, QStringLiteral("Beard/left"), 256));
+        QVERIFY(model::savePreset(model::presetFrom(two, QStringLiteral("Two")), path("two.hairpreset")));
+
+        const QString full = QStringLiteral("density=") + filled("full.png", Qt::green);
+        const auto hairs = [&](const QString& map) {
+            const QString project = path("groups.hairpaint");
+            std::pair<qint64, qint64> found(-1, -1);
+            if (!make(project, {QStringLiteral("--preset"), path("two.hairpreset"), QStringLiteral("--map"), map})
+                     .isEmpty())
+                return found;
+            const QJsonArray groups = infoOf(project).value(QLatin1String("groups")).toArray();
+            return groups.size() == 2 ? std::pair(hairsOf(groups[0].toObject()), hairsOf(groups[1].toObject())) : found;
+        };
+        for (const QString& first : {full, QStringLiteral("Scalp/") + full}) {
+            const auto [scalp, beard] = hairs(first);
+            QVERIFY(scalp > 50'000);
+            QCOMPARE(beard, 0);
+        }
+        const auto [scalp, beard] = hairs(QStringLiteral("Beard/left/") + full);
+        QCOMPARE(scalp, 0);
+        QVERIFY(beard > 50'000);
+    }
+
+    void aMapForAGroupThatIsNotThereFails()
+    {
+        const Outcome outcome =
+            runProgram({QStringLiteral("new"), QStringLiteral("-o"), path("none.hairpaint"), QStringLiteral("--map"),
+                        QStringLiteral("Beard/density=") + filled("bald.png", Qt::white)});
+        QCOMPARE(outcome.code, 1);
+        QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
+        QVERIFY2(outcome.error.contains(QStringLiteral("'Beard'")), qPrintable(outcome.error));
+        QVERIFY(!QFile::exists(path("none.hairpaint")));
     }
 };
 
