@@ -53,9 +53,8 @@ void Session::setPose(const sim::HeadPose& pose)
 
 void Session::changeLight(const model::LightSettings& light, bool done)
 {
-    m_document.clearPreview();
     if (done)
-        m_document.push(model::setLightCommand(m_document, light));
+        keep(model::setLightCommand(m_document, light));
     else
         m_document.setPreview({.aspect = model::Change::Aspect::Environment},
                               [light](model::Project& project) { project.light = light; });
@@ -63,12 +62,19 @@ void Session::changeLight(const model::LightSettings& light, bool done)
 
 void Session::changeWind(const sim::Wind& wind, bool done)
 {
-    m_document.clearPreview();
     if (done)
-        m_document.push(model::setWindCommand(m_document, wind));
+        keep(model::setWindCommand(m_document, wind));
     else
         m_document.setPreview({.aspect = model::Change::Aspect::Environment},
                               [wind](model::Project& project) { project.wind = wind; });
+}
+
+void Session::keep(std::unique_ptr<QUndoCommand> command)
+{
+    // A command takes the place of its preview, so nobody sees the old values in between.
+    if (command == nullptr)
+        m_document.clearPreview();
+    m_document.push(std::move(command));
 }
 
 void Session::toggleWind()

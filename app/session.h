@@ -47,6 +47,8 @@ Q_SIGNALS:
 
 private:
     void onChanged(const model::Change& change);
+    /// Ends a preview with its command; null where nothing differs.
+    void keep(std::unique_ptr<QUndoCommand> command);
     void sendInput();
     void takeFrame();
 

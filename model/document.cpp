@@ -50,6 +50,8 @@ struct Document::State
     explicit State(Project project) : committed(std::move(project)) { resolveAll(); }
 
     const Project& shown() const { return preview ? *preview : committed; }
+    /// The user changes something that is not committed yet. A preset shown on hover is no change.
+    bool changing() const { return preview && (stroke || previewChange.aspect == Change::Aspect::Environment); }
 
     void resolveAll()
     {
@@ -106,7 +108,7 @@ QUndoStack& Document::undoStack()
 
 bool Document::canUndo() const
 {
-    return m_state->undoStack.index() > m_state->undoBudget.floor();
+    return m_state->changing() || m_state->undoStack.index() > m_state->undoBudget.floor();
 }
 
 void Document::setUndoBudget(std::size_t bytes)
@@ -262,10 +264,10 @@ void Document::tell(Change change, bool preview)
 
 void Document::undo()
 {
-    const bool stroke = m_state->stroke;
+    const bool changing = m_state->changing();
     Q_EMIT strokeMustEnd(true);
     clearPreview();
-    if (stroke || !canUndo())
+    if (changing || !canUndo())
         return;
     const QString name = m_state->undoStack.undoText();
     m_state->undoStack.undo();

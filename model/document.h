@@ -54,7 +54,8 @@ public:
 
     [[nodiscard]] const Project& project() const;
     [[nodiscard]] QUndoStack& undoStack();
-    /// False too where the oldest steps left were freed to bound the history's memory.
+    /// True also while a stroke runs or wind or light are being changed; false too where the oldest steps left were
+    /// freed to bound the history's memory.
     [[nodiscard]] bool canUndo() const;
     /// The tiles that only the history holds; 1 GiB unless set. The newest step can always be undone.
     void setUndoBudget(std::size_t bytes);
@@ -95,7 +96,8 @@ Q_SIGNALS:
     void redone(const QString& name);
 
 public:
-    /// Undo and redo as the user means them: a running stroke is cancelled by undo, committed by anything else.
+    /// Undo and redo as the user means them: a running stroke is cancelled by undo, committed by anything else. Wind or
+    /// light that are being changed are all that undo takes back.
     void undo();
     void redo();
     /// Pushes after ending what is running. Null is ignored.

@@ -85,7 +85,8 @@ QSize WeatherOverlay::sizeHint() const
 
 void WeatherOverlay::setValues(const sim::Wind& wind, const model::LightSettings& light)
 {
-    if (!m_windPending) {
+    if (wind != m_wind) {
+        m_windPending = false;
         m_wind = wind;
         const float speed = glm::length(wind.velocity);
         if (speed > 1e-4F) {
@@ -93,8 +94,10 @@ void WeatherOverlay::setValues(const sim::Wind& wind, const model::LightSettings
             m_windElevationRad = std::asin(std::clamp(wind.velocity.y / speed, -1.0F, 1.0F));
         }
     }
-    if (!m_lightPending)
+    if (light != m_light) {
+        m_lightPending = false;
         m_light = light;
+    }
     update();
 }
 
@@ -115,12 +118,17 @@ bool WeatherOverlay::handleKey(int key, Qt::KeyboardModifiers modifiers)
         Q_EMIT leaveWanted();
         return true;
     }
-    if (turnWind(key) || strengthenWind(key)) {
-        m_windPending = true;
-        Q_EMIT windWanted(m_wind, false);
-    } else if (tintLight(key, modifiers.testFlag(Qt::ShiftModifier))) {
+    // One of the two is under way at a time: a preview shows only one change.
+    const bool tints = key == Qt::Key_R || key == Qt::Key_G || key == Qt::Key_B;
+    if (tints ? m_windPending : m_lightPending)
+        settle();
+    if (tints) {
+        tintLight(key, modifiers.testFlag(Qt::ShiftModifier));
         m_lightPending = true;
         Q_EMIT lightWanted(m_light, false);
+    } else if (turnWind(key) || strengthenWind(key)) {
+        m_windPending = true;
+        Q_EMIT windWanted(m_wind, false);
     }
     m_pause.start(kPauseMs, this);
     update();
@@ -161,19 +169,10 @@ bool WeatherOverlay::strengthenWind(int key)
     return true;
 }
 
-bool WeatherOverlay::tintLight(int key, bool lower)
+void WeatherOverlay::tintLight(int key, bool lower)
 {
-    float* channel = nullptr;
-    if (key == Qt::Key_R)
-        channel = &m_light.red;
-    else if (key == Qt::Key_G)
-        channel = &m_light.green;
-    else if (key == Qt::Key_B)
-        channel = &m_light.blue;
-    if (channel == nullptr)
-        return false;
-    *channel = std::clamp(*channel + (lower ? -kColourStep : kColourStep), 0.0F, 1.0F);
-    return true;
+    float& channel = key == Qt::Key_R ? m_light.red : key == Qt::Key_G ? m_light.green : m_light.blue;
+    channel = std::clamp(channel + (lower ? -kColourStep : kColourStep), 0.0F, 1.0F);
 }
 
 void WeatherOverlay::settle()
@@ -195,6 +194,8 @@ bool WeatherOverlay::event(QEvent* event)
             return true;
         }
     }
+    if (event->type() == QEvent::FocusOut)
+        settle();
     if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)
         update();
     return QWidget::event(event);

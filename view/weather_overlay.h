@@ -10,7 +10,8 @@
 namespace hairpaint::view {
 
 /// Arrows turn the wind, Page Up and Page Down strengthen it, R, G and B raise the light's colour, with Shift they
-/// lower it, Esc leaves. Keys pressed within a second of each other are one undo step.
+/// lower it, Esc leaves. Keys for one of the two, pressed within a second of each other, are one undo step; leaving the
+/// panel ends it.
 class WeatherOverlay : public QWidget
 {
     Q_OBJECT
@@ -18,7 +19,7 @@ public:
     explicit WeatherOverlay(const Theme& theme, QWidget* parent);
 
     void setTheme(const Theme& theme);
-    /// The document's present values; ignored while a change of our own is under way.
+    /// The document's present values. Others than those of a change under way end it: somebody took it back.
     void setValues(const sim::Wind& wind, const model::LightSettings& light);
     /// Handles a key of ours; false leaves it to others.
     bool handleKey(int key, Qt::KeyboardModifiers modifiers);
@@ -29,8 +30,9 @@ public:
     [[nodiscard]] QSize sizeHint() const override;
 
 Q_SIGNALS:
-    void windWanted(const hairpaint::sim::Wind& wind, bool done);
-    void lightWanted(const hairpaint::model::LightSettings& light, bool done);
+    /// Slots may call setValues(), so the values are the slots' own.
+    void windWanted(hairpaint::sim::Wind wind, bool done);
+    void lightWanted(hairpaint::model::LightSettings light, bool done);
     void leaveWanted();
 
 protected:
@@ -43,7 +45,7 @@ protected:
 private:
     bool turnWind(int key);
     bool strengthenWind(int key);
-    bool tintLight(int key, bool lower);
+    void tintLight(int key, bool lower);
     [[nodiscard]] QFont bodyFont() const;
     [[nodiscard]] QList<std::pair<QString, QString>> rows() const; ///< Keys and what they do.
     void paintDial(QPainter& painter, const QRectF& place) const;

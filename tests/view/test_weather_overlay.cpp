@@ -113,13 +113,26 @@ private Q_SLOTS:
         QSignalSpy leave(&f.overlay, &view::WeatherOverlay::leaveWanted);
         for (int i = 0; i < 4; ++i)
             QTest::keyClick(&f.overlay, Qt::Key_PageUp);
-        QTest::keyClick(&f.overlay, Qt::Key_R);
         QCOMPARE(f.windDone, 0);
+        QTest::keyClick(&f.overlay, Qt::Key_R);
+        QCOMPARE(f.windDone, 1); // Before the light's step begins.
+        QCOMPARE(f.lightDone, 0);
         QTest::keyClick(&f.overlay, Qt::Key_Escape);
         QCOMPARE(leave.count(), 1);
         QCOMPARE(f.windDone, 1);
         QCOMPARE(f.lightDone, 1);
         QVERIFY(std::abs(glm::length(f.wind.velocity) - 4.0F) < 1e-4F);
+    }
+
+    void othersValuesEndTheChange()
+    {
+        Fixture f;
+        const sim::Wind before = f.wind;
+        QTest::keyClick(&f.overlay, Qt::Key_PageUp);
+        f.overlay.setValues(f.wind, f.light); // Our own, come back.
+        f.overlay.setValues(before, f.light);
+        QTest::keyClick(&f.overlay, Qt::Key_Escape);
+        QCOMPARE(f.windDone, 0);
     }
 
     void aPauseEndsTheStep()

@@ -1,0 +1,138 @@
+// The Weather overlay in the real window: what its keys change is kept after a pause as one step, or undone whole.
+#include "tests/app/window_fixture.h"
+#include "view/weather_overlay.h"
+
+namespace hairpaint::app {
+
+class TestWindowWeather : public QObject, private WindowFixture
+{
+    Q_OBJECT
+private:
+    static constexpr int kLongerThanThePauseMs = 1500;
+
+    [[nodiscard]] QUndoStack& stack() { return session().document().undoStack(); }
+    [[nodiscard]] const model::Project& shown() { return session().document().project(); }
+    [[nodiscard]] const model::Project& kept() { return session().document().committed(); }
+
+    view::WeatherOverlay& openWeather()
+    {
+        key(Qt::Key_F7);
+        auto* overlay = m_window->findChild<view::WeatherOverlay*>();
+        Q_ASSERT(overlay != nullptr);
+        return *overlay;
+    }
+
+    /// With a wind of 2 m/s and a light that can go up and down.
+    static model::Project breezyProject()
+    {
+        model::Project project = model::newProject();
+        project.wind.enabled = true;
+        project.wind.velocity = {2.0F, 0.0F, 0.0F};
+        project.light.red = project.light.green = project.light.blue = 0.5F;
+        return project;
+    }
+
+private Q_SLOTS:
+    void initTestCase() { prepareApplication(); }
+    void cleanup() { m_window.reset(); }
+
+    void aKeysChangeIsOneStepAfterAPause_data()
+    {
+        QTest::addColumn<int>("pressed");
+        QTest::addColumn<float>("windMs");
+        QTest::addColumn<float>("green");
+        QTest::newRow("stronger wind") << int(Qt::Key_PageUp) << 2.5F << 0.5F;
+        QTest::newRow("weaker wind") << int(Qt::Key_PageDown) << 1.5F << 0.5F;
+        QTest::newRow("more green light") << int(Qt::Key_G) << 2.0F << 0.55F;
+    }
+    void aKeysChangeIsOneStepAfterAPause()
+    {
+        QFETCH(int, pressed);
+        QFETCH(float, windMs);
+        QFETCH(float, green);
+        openWindow(breezyProject());
+        const QByteArray before = savedBytes("weather-before.hairpaint");
+        const auto isAsWanted = [&] {
+            return std::abs(glm::length(kept().wind.velocity) - windMs) < 1e-4F &&
+                   std::abs(kept().light.green - green) < 1e-4F;
+        };
+        view::WeatherOverlay& overlay = openWeather();
+        QVERIFY(overlay.isVisible());
+        QTest::keyClick(&overlay, static_cast<Qt::Key>(pressed));
+        QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
+        QVERIFY(isAsWanted());
+        QVERIFY(!session().document().previewing());
+        const QByteArray after = savedBytes("weather-after.hairpaint");
+        QTest::keyClick(&overlay, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(stack().index(), 0);
+        QVERIFY(savedBytes("weather-undone.hairpaint") == before);
+        QTest::keyClick(&overlay, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(isAsWanted());
+        QVERIFY(savedBytes("weather-redone.hairpaint") == after);
+        QTest::qWait(kLongerThanThePauseMs);
+        QCOMPARE(stack().count(), 1);
+        QVERIFY(isAsWanted());
+    }
+
+    void windAndLightAreAStepEachAndNeitherIsLost()
+    {
+        openWindow(breezyProject());
+        view::WeatherOverlay& overlay = openWeather();
+        QTest::keyClick(&overlay, Qt::Key_PageUp);
+        QTest::keyClick(&overlay, Qt::Key_R);
+        QVERIFY(std::abs(glm::length(shown().wind.velocity) - 2.5F) < 1e-4F);
+        QVERIFY(std::abs(shown().light.red - 0.55F) < 1e-4F);
+        QTest::keyClick(&overlay, Qt::Key_Escape);
+        QCOMPARE(stack().count(), 2);
+        QVERIFY(std::abs(glm::length(kept().wind.velocity) - 2.5F) < 1e-4F);
+        QVERIFY(std::abs(kept().light.red - 0.55F) < 1e-4F);
+    }
+
+    void undoTakesBackWhatIsNotKeptYetAndNothingElse_data()
+    {
+        QTest::addColumn<int>("pressed");
+        QTest::addColumn<bool>("stepBefore");
+        QTest::newRow("wind on a fresh project") << int(Qt::Key_PageUp) << false;
+        QTest::newRow("light on a fresh project") << int(Qt::Key_B) << false;
+        QTest::newRow("wind after another step") << int(Qt::Key_PageUp) << true;
+        QTest::newRow("light after another step") << int(Qt::Key_B) << true;
+    }
+    void undoTakesBackWhatIsNotKeptYetAndNothingElse()
+    {
+        QFETCH(int, pressed);
+        QFETCH(bool, stepBefore);
+        openWindow(breezyProject());
+        if (stepBefore)
+            session().toggleWind();
+        const int steps = stepBefore ? 1 : 0;
+        const QByteArray before = savedBytes("weather-before.hairpaint");
+        view::WeatherOverlay& overlay = openWeather();
+        QTest::keyClick(&overlay, static_cast<Qt::Key>(pressed));
+        QTest::keyClick(&overlay, Qt::Key_Z, Qt::ControlModifier);
+        for (const int wait : {0, kLongerThanThePauseMs}) {
+            QTest::qWait(wait);
+            QCOMPARE(stack().index(), steps);
+            QVERIFY(!session().document().previewing());
+            QVERIFY(savedBytes("weather-after.hairpaint") == before);
+        }
+        // The next key starts from there.
+        QTest::keyClick(&overlay, Qt::Key_PageUp);
+        QTest::keyClick(&overlay, Qt::Key_Escape);
+        QVERIFY(std::abs(glm::length(kept().wind.velocity) - 2.5F) < 1e-4F);
+    }
+
+    void goingElsewhereKeepsTheChange()
+    {
+        openWindow(breezyProject());
+        view::WeatherOverlay& overlay = openWeather();
+        QTest::keyClick(&overlay, Qt::Key_PageUp);
+        m_window->paintView().setFocus();
+        QCOMPARE(stack().count(), 1);
+        QVERIFY(std::abs(glm::length(kept().wind.velocity) - 2.5F) < 1e-4F);
+    }
+};
+
+} // namespace hairpaint::app
+
+QTEST_MAIN(hairpaint::app::TestWindowWeather)
+#include "test_window_weather.moc"
