@@ -37,60 +37,6 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
     }
 
-    void paintingOnTheHeadGrowsHairThere()
-    {
-        openWindow(model::newProject());
-        key(Qt::Key_1);
-        view::HeadView& head = m_window->headView();
-        const sim::SurfacePoint crown = *session().document().project().head->skin->atUv({0.5F, 0.47F});
-        const QPoint place = head.positionOf(crown.positionHd).value().toPoint();
-        QWidget* target = head.childAt(place) != nullptr ? head.childAt(place) : &head;
-        const QPoint local = target->mapFrom(&head, place);
-        drag(*target, local, local + QPoint(12, 4));
-        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 100, kPatienceMs);
-        QCOMPARE(session().document().undoStack().count(), 1);
-    }
-
-    void gradientCopyAndPasteAreOneStepEach()
-    {
-        openWindow(starterProject());
-        QUndoStack& stack = session().document().undoStack();
-        key(Qt::Key_2);
-        key(Qt::Key_G);
-        drag(m_window->paintView(), paintPoint(0.5F, 0.65F), paintPoint(0.5F, 0.35F));
-        QCOMPARE(stack.count(), 1);
-        key(Qt::Key_M);
-        drag(m_window->paintView(), paintPoint(0.45F, 0.55F), paintPoint(0.55F, 0.45F));
-        QVERIFY(editor().selection().rectangle().has_value());
-        key(Qt::Key_C, Qt::ControlModifier);
-        key(Qt::Key_3);
-        key(Qt::Key_V, Qt::ControlModifier);
-        QCOMPARE(stack.count(), 2);
-        QVERIFY(stack.undoText().contains(QStringLiteral("Curl")));
-        key(Qt::Key_Delete);
-        QCOMPARE(stack.count(), 3);
-    }
-
-    void aStyleSavesAndReopensTheSame()
-    {
-        openWindow(model::newProject());
-        const QString path = m_folder.filePath(QStringLiteral("style.hairpaint"));
-        const QString style = model::listPresets({}).at(1).path;
-        m_window->openFile(style);
-        QCOMPARE(session().document().undoStack().count(), 1);
-        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 10'000, kPatienceMs);
-        const std::size_t count = hairs();
-        const QByteArray bytes = savedBytes("style.hairpaint");
-        QVERIFY(!bytes.isEmpty());
-        session().document().markSaved();
-
-        m_window->files().newProject();
-        QVERIFY(m_window->files().openPath(path));
-        QTRY_COMPARE_WITH_TIMEOUT(hairs(), count, kPatienceMs);
-        QVERIFY(savedBytes("again.hairpaint") == bytes);
-        QVERIFY(!session().document().modified());
-    }
-
     void escapeCancelsAStroke()
     {
         openWindow(starterProject());

@@ -18,16 +18,6 @@ class TestWindowTools : public QObject, private WindowFixture
 {
     Q_OBJECT
 private:
-    /// The active layer's value and coverage there, as committed.
-    [[nodiscard]] sim::Texel texelAt(float u, float v)
-    {
-        const model::LayerAddress at = editor().target();
-        const sim::TiledRaster& raster = session().document().committed().layer(at.group, at.map, at.layer)->raster;
-        const auto size = static_cast<float>(raster.size());
-        return raster.texel(static_cast<int>(u * size), static_cast<int>((1.0F - v) * size));
-    }
-
-    [[nodiscard]] QUndoStack& stack() { return session().document().undoStack(); }
     [[nodiscard]] QWidget& paper() { return m_window->paintView(); }
 
     void click(QWidget& area, QPoint place, Qt::KeyboardModifiers modifiers = {})
@@ -35,16 +25,6 @@ private:
         QTest::mouseMove(&area, place);
         QTest::mousePress(&area, Qt::LeftButton, modifiers, place);
         QTest::mouseRelease(&area, Qt::LeftButton, modifiers, place);
-    }
-
-    /// The widget of the 3D area that takes the pointer, and where it shows a place of the skin.
-    [[nodiscard]] std::pair<QWidget*, QPoint> onHead(float u, float v)
-    {
-        view::HeadView& head = m_window->headView();
-        const sim::SurfacePoint point = *session().document().project().head->skin->atUv({u, v});
-        const QPoint place = head.positionOf(point.positionHd).value().toPoint();
-        QWidget* target = head.childAt(place) != nullptr ? head.childAt(place) : &head;
-        return {target, target->mapFrom(&head, place)};
     }
 
     /// Does `act` while closing the message box that it opens, and returns what that said.

@@ -10,7 +10,6 @@ class TestWindowWeather : public QObject, private WindowFixture
 private:
     static constexpr int kLongerThanThePauseMs = 1500;
 
-    [[nodiscard]] QUndoStack& stack() { return session().document().undoStack(); }
     [[nodiscard]] const model::Project& shown() { return session().document().project(); }
     [[nodiscard]] const model::Project& kept() { return session().document().committed(); }
 

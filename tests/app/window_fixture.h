@@ -45,6 +45,7 @@ protected:
 
     [[nodiscard]] Session& session() { return m_window->session(); }
     [[nodiscard]] view::EditorState& editor() { return m_window->session().editor(); }
+    [[nodiscard]] QUndoStack& stack() { return session().document().undoStack(); }
     [[nodiscard]] std::size_t hairs() { return session().frame() ? session().frame()->hairCount : 0; }
 
     void openWindow(model::Project project)
@@ -74,6 +75,25 @@ protected:
     }
 
     [[nodiscard]] QPoint paintPoint(float u, float v) { return m_window->paintView().positionOf({u, v}).toPoint(); }
+
+    /// The widget of the 3D area that takes the pointer, and where it shows a place of the skin.
+    [[nodiscard]] std::pair<QWidget*, QPoint> onHead(float u, float v)
+    {
+        view::HeadView& head = m_window->headView();
+        const sim::SurfacePoint point = *session().document().project().head->skin->atUv({u, v});
+        const QPoint place = head.positionOf(point.positionHd).value().toPoint();
+        QWidget* target = head.childAt(place) != nullptr ? head.childAt(place) : &head;
+        return {target, target->mapFrom(&head, place)};
+    }
+
+    /// The active layer's value and coverage there, as committed.
+    [[nodiscard]] sim::Texel texelAt(float u, float v)
+    {
+        const model::LayerAddress at = editor().target();
+        const sim::TiledRaster& raster = session().document().committed().layer(at.group, at.map, at.layer)->raster;
+        const auto size = static_cast<float>(raster.size());
+        return raster.texel(static_cast<int>(u * size), static_cast<int>((1.0F - v) * size));
+    }
 
     [[nodiscard]] QImage picture() { return m_window->headView().grabPicture(QSize(320, 320)); }
 

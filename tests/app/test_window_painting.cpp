@@ -1,0 +1,242 @@
+// Painting in the real window is seen: texels, hairs and the 3D picture follow every tool in both areas, while the
+// pointer is down, after undo and redo, and after the project went through its file.
+#include "tests/app/window_fixture.h"
+
+namespace hairpaint::app {
+
+class TestWindowPainting : public QObject, private WindowFixture
+{
+    Q_OBJECT
+private:
+    static constexpr double kSeen = 0.003;  ///< Share of the picture that hair must have changed.
+    static constexpr double kSame = 0.0005; ///< Share that two pictures of the same may differ by.
+
+    [[nodiscard]] QWidget& paper() { return m_window->paintView(); }
+
+    /// A bald head in still air, Density ready to be painted, seen from the front.
+    void openBald()
+    {
+        model::Project project = model::newProject();
+        project.wind.enabled = false;
+        openWindow(std::move(project));
+        m_window->headView().setCamera(frontCamera());
+        key(Qt::Key_1);
+        key(Qt::Key_B);
+        model::ToolSettings settings = editor().toolSettings();
+        settings.brushSizeM *= 2.0F;
+        editor().setToolSettings(settings);
+    }
+
+    [[nodiscard]] rendering::Camera frontCamera()
+    {
+        rendering::Camera camera = m_window->headView().camera();
+        camera.azimuthRad = 0.0F;
+        return camera;
+    }
+
+    /// Of paused hair: frames that were on their way have come.
+    [[nodiscard]] QImage settledPicture()
+    {
+        QImage last;
+        for (int tries = 0; tries < 20; ++tries) {
+            QTest::qWait(300);
+            QImage now = picture();
+            if (difference(last, now) == 0.0)
+                return now;
+            last = std::move(now);
+        }
+        return last;
+    }
+
+    void undo() { key(Qt::Key_Z, Qt::ControlModifier); }
+    void redo() { key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
+
+    /// Undone and redone, the newest step's texels, hairs and picture go and come back.
+    void showUndoAndRedo(const QImage& before, std::size_t hairsBefore, glm::vec2 painted)
+    {
+        const std::size_t grown = hairs();
+        const sim::Texel texel = texelAt(painted.x, painted.y);
+        const int steps = stack().index();
+        undo();
+        QCOMPARE(stack().index(), steps - 1);
+        QVERIFY(texelAt(painted.x, painted.y) != texel);
+        QTRY_COMPARE_WITH_TIMEOUT(hairs(), hairsBefore, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(difference(before, picture()) < kSame, kPatienceMs);
+        redo();
+        QCOMPARE(stack().index(), steps);
+        QCOMPARE(texelAt(painted.x, painted.y), texel);
+        QTRY_COMPARE_WITH_TIMEOUT(hairs(), grown, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(difference(before, picture()) > kSeen, kPatienceMs);
+    }
+
+private Q_SLOTS:
+    void initTestCase() { prepareApplication(); }
+    void cleanup() { m_window.reset(); }
+
+    void aStrokeGrowsHairWhileThePointerIsDown_data()
+    {
+        QTest::addColumn<bool>("onTheHead");
+        QTest::newRow("on the paper") << false;
+        QTest::newRow("on the head") << true;
+    }
+    void aStrokeGrowsHairWhileThePointerIsDown()
+    {
+        QFETCH(bool, onTheHead);
+        openBald();
+        const QByteArray before = savedBytes("stroke-before.hairpaint");
+        const QImage bald = picture();
+        QCOMPARE(hairs(), std::size_t{0});
+        const glm::vec2 from = onTheHead ? m_window->headView().skinAt({300.0, 200.0}).value_or(sim::SurfacePoint{}).uv
+                                         : glm::vec2(0.45F, 0.5F);
+        const auto [area, start] =
+            onTheHead ? onHead(from.x, from.y) : std::pair<QWidget*, QPoint>{&paper(), paintPoint(from.x, from.y)};
+        const QPoint along(onTheHead ? 40 : 60, 0);
+
+        QTest::mouseMove(area, start);
+        QTest::mousePress(area, Qt::LeftButton, {}, start);
+        for (int i = 1; i <= 6; ++i)
+            QTest::mouseMove(area, start + along * i / 12);
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 50, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(difference(bald, picture()) > kSeen, kPatienceMs);
+        QVERIFY(editor().stroking());
+        QCOMPARE(stack().count(), 0);
+        QVERIFY(savedBytes("stroke-running.hairpaint") == before);
+        const std::size_t half = hairs();
+        for (int i = 7; i <= 12; ++i)
+            QTest::mouseMove(area, start + along * i / 12);
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > half, kPatienceMs);
+        QVERIFY(editor().stroking());
+
+        QTest::mouseRelease(area, Qt::LeftButton, {}, start + along);
+        QVERIFY(!editor().stroking());
+        QCOMPARE(stack().count(), 1);
+        QVERIFY(texelAt(from.x, from.y)[1] > 0);
+        showUndoAndRedo(bald, 0, from);
+        undo();
+        QVERIFY(savedBytes("stroke-undone.hairpaint") == before);
+    }
+
+    void aGradientGrowsHair()
+    {
+        openBald();
+        const QImage bald = picture();
+        key(Qt::Key_G);
+        drag(paper(), paintPoint(0.5F, 0.58F), paintPoint(0.5F, 0.42F));
+        QCOMPARE(stack().count(), 1);
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(difference(bald, picture()) > kSeen, kPatienceMs);
+        showUndoAndRedo(bald, 0, {0.5F, 0.6F});
+    }
+
+    void whatIsCopiedGrowsHairWhereItIsPasted()
+    {
+        openBald();
+        drag(paper(), paintPoint(0.40F, 0.5F), paintPoint(0.44F, 0.5F));
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 100, kPatienceMs);
+        key(Qt::Key_F8);
+        QVERIFY(session().paused());
+        const std::size_t once = hairs();
+        const QImage left = settledPicture();
+        key(Qt::Key_M);
+        drag(paper(), paintPoint(0.37F, 0.56F), paintPoint(0.47F, 0.44F));
+        key(Qt::Key_C, Qt::ControlModifier);
+        drag(paper(), paintPoint(0.53F, 0.56F), paintPoint(0.63F, 0.44F));
+        QCOMPARE(int(texelAt(0.58F, 0.5F)[1]), 0);
+        QCOMPARE(stack().count(), 1);
+        key(Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(stack().count(), 2);
+        QCOMPARE(texelAt(0.58F, 0.5F), texelAt(0.42F, 0.5F));
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > once + once / 2, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(difference(left, picture()) > kSeen, kPatienceMs);
+        showUndoAndRedo(left, once, {0.58F, 0.5F});
+    }
+
+    void pastingIntoAnotherMapChangesThatMapAndThePicture()
+    {
+        openBald();
+        drag(paper(), paintPoint(0.40F, 0.5F), paintPoint(0.60F, 0.5F));
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
+        key(Qt::Key_F8);
+        const std::size_t count = hairs();
+        const QImage usual = settledPicture();
+        key(Qt::Key_M);
+        drag(paper(), paintPoint(0.37F, 0.58F), paintPoint(0.63F, 0.42F));
+        key(Qt::Key_C, Qt::ControlModifier);
+        key(Qt::Key_2);
+        QCOMPARE(int(texelAt(0.5F, 0.5F)[1]), 0);
+        key(Qt::Key_V, Qt::ControlModifier);
+        QVERIFY(stack().undoText().contains(QStringLiteral("Length")));
+        QVERIFY(texelAt(0.5F, 0.5F)[1] > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(difference(usual, picture()) > kSeen, kPatienceMs);
+        showUndoAndRedo(usual, count, {0.5F, 0.5F});
+    }
+
+    void savingByItsKeyAndOpeningAgainGivesTheSame()
+    {
+        openBald();
+        const QString path = m_folder.filePath(QStringLiteral("painted.hairpaint"));
+        m_window->files().setPath(path);
+        const QImage bald = picture();
+        key(Qt::Key_F8);
+        // The second time, only what changed is encoded again.
+        for (const float v : {0.5F, 0.55F}) {
+            const std::size_t before = hairs();
+            drag(paper(), paintPoint(0.42F, v), paintPoint(0.58F, v));
+            QTRY_VERIFY_WITH_TIMEOUT(hairs() > before, kPatienceMs);
+            QVERIFY(session().document().modified());
+            key(Qt::Key_S, Qt::ControlModifier);
+            QTRY_VERIFY_WITH_TIMEOUT(!session().document().modified(), kPatienceMs);
+            QVERIFY(QFile::exists(path));
+            const model::Result<model::Project> read = model::loadProject(path);
+            QVERIFY(read);
+            const model::LayerAddress at = editor().target();
+            QVERIFY(read->layer(at.group, at.map, at.layer)->raster ==
+                    session().document().committed().layer(at.group, at.map, at.layer)->raster);
+        }
+        const QImage painted = settledPicture();
+        QVERIFY(difference(bald, painted) > kSeen);
+        const std::size_t count = hairs();
+        const model::Project saved = session().document().committed();
+        const QByteArray bytes = savedBytes("saved.hairpaint");
+
+        m_window->files().newProject();
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() != count, kPatienceMs);
+        m_window->openFile(path);
+        QCOMPARE(m_window->files().path(), path);
+        QVERIFY(!session().document().modified());
+        QVERIFY(savedBytes("reopened.hairpaint") == bytes);
+        const model::HairGroup& group = saved.groups.front();
+        for (const model::MapStack& stack : group.maps)
+            for (const model::Layer& layer : stack.layers) {
+                const model::Layer* again = session().document().committed().layer(group.id, stack.kind, layer.id);
+                QVERIFY(again != nullptr && again->raster == layer.raster);
+            }
+        QTRY_COMPARE_WITH_TIMEOUT(hairs(), count, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(difference(painted, picture()) < kSame, kPatienceMs);
+    }
+
+    void aStyleSavesAndReopensTheSame()
+    {
+        openWindow(model::newProject());
+        const QString path = m_folder.filePath(QStringLiteral("style.hairpaint"));
+        m_window->openFile(model::listPresets({}).at(1).path);
+        QCOMPARE(stack().count(), 1);
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 10'000, kPatienceMs);
+        const std::size_t count = hairs();
+        m_window->files().setPath(path);
+        key(Qt::Key_S, Qt::ControlModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!session().document().modified(), kPatienceMs);
+        const QByteArray bytes = savedBytes("style-kept.hairpaint");
+
+        m_window->files().newProject();
+        QVERIFY(m_window->files().openPath(path));
+        QTRY_COMPARE_WITH_TIMEOUT(hairs(), count, kPatienceMs);
+        QVERIFY(savedBytes("style-again.hairpaint") == bytes);
+        QVERIFY(!session().document().modified());
+    }
+};
+
+} // namespace hairpaint::app
+
+QTEST_MAIN(hairpaint::app::TestWindowPainting)
+#include "test_window_painting.moc"
