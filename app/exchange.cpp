@@ -44,12 +44,12 @@ void Exchange::setPictureMaker(std::function<QImage(QSize)> maker)
     m_picture = std::move(maker);
 }
 
-void Exchange::importImage()
+void Exchange::importImage(bool grey)
 {
     const QString path = askOpenPath(tr("Load image into %1").arg(mapSpec(m_session.editor().activeMap()).titleText()),
                                      tr("Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)"));
     if (!path.isEmpty())
-        importImageFrom(path, false);
+        importImageFrom(path, grey);
 }
 
 void Exchange::importImageFrom(const QString& path, bool grey)

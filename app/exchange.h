@@ -23,7 +23,8 @@ public:
     /// Draws the present moment, as large as asked.
     void setPictureMaker(std::function<QImage(QSize)> maker);
 
-    void importImage(); ///< Asks for the file; into the active map.
+    /// Into the active map; `grey`: brightness is the value, else the image's colours are read by the map's scale.
+    void importImage(bool grey); ///< Asks for the file.
     void importImageFrom(const QString& path, bool grey);
     void exportMap(); ///< The active map in its scale.
     void importHead();

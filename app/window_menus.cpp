@@ -78,8 +78,11 @@ void MainWindow::buildFileMenu()
     menu.addSeparator();
     m_actions.add(menu, {.id = "file.loadImage",
                          .text = tr("Load &image into map…"),
-                         .run = [this] { m_exchange.importImage(); },
+                         .run = [this] { m_exchange.importImage(false); },
                          .icon = "import"});
+    m_actions.add(menu, {.id = "file.loadGrey", .text = tr("Load &grey image into map…"), .run = [this] {
+                             m_exchange.importImage(true);
+                         }});
     m_actions.add(menu, {.id = "file.saveImage",
                          .text = tr("Save &map as image…"),
                          .run = [this] { m_exchange.exportMap(); },

@@ -1301,6 +1301,10 @@
         <translation>Cargar &amp;imagen en el mapa…</translation>
     </message>
     <message>
+        <source>Load &amp;grey image into map…</source>
+        <translation>Cargar imagen gris en e&amp;l mapa…</translation>
+    </message>
+    <message>
         <source>Save &amp;map as image…</source>
         <translation>Guardar el &amp;mapa como imagen…</translation>
     </message>
