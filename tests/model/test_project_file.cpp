@@ -62,11 +62,12 @@ private Q_SLOTS:
     {
         // The numbers stand in files, so they stay what they are.
         const MapSpec& spec = mapSpec(MapKind::Braid);
-        const std::array<const char*, 4> ids = {"none", "plait", "twist", "loc"};
-        QCOMPARE(spec.palette.size(), ids.size());
+        constexpr std::uint16_t kCount = 4;
+        const std::array<const char*, kCount> ids = {"none", "plait", "twist", "loc"};
+        QCOMPARE(spec.palette.size(), std::size_t{kCount});
         Project project = newProject();
         sim::TiledRaster& painted = project.groups.front().map(MapKind::Braid).layers.front().raster;
-        for (std::uint16_t i = 0; i < ids.size(); ++i) {
+        for (std::uint16_t i = 0; i < kCount; ++i) {
             QCOMPARE(QByteArray(spec.palette[i].id), QByteArray(ids[i]));
             painted.setTexel(i, 7, {i, 65535, 0, 0});
             painted.setUniform(i + 1, {i, 40'000, 0, 0});
@@ -75,7 +76,7 @@ private Q_SLOTS:
         const Project back = opened(path("braids.hairpaint"));
         QCOMPARE(test::difference(project, back), QString());
         const sim::TiledRaster& read = back.groups.front().map(MapKind::Braid).layers.front().raster;
-        for (std::uint16_t i = 0; i < ids.size(); ++i)
+        for (std::uint16_t i = 0; i < kCount; ++i)
             QCOMPARE(read.texel(i, 7), (sim::Texel{i, 65535, 0, 0}));
 
         // A number of a later program is no braid.
