@@ -289,9 +289,12 @@ private Q_SLOTS:
         QFETCH(QByteArray, mode);
         const QString image = path(QStringLiteral("any.png"));
         writeBytes(image, pngOf(1, 1, 8, 2, packedZeros(4)));
+        const QString head = path(QStringLiteral("any.glb"));
+        writeBytes(head, model::writeGlb(makeBallHead(8)));
         qputenv("HAIRPAINT_IMPORT", HAIRPAINT_FAKE_HELPER_PROGRAM);
         qputenv("HAIRPAINT_FAKE_HELPER", mode);
         QCOMPARE(faultOf(m_folder.path(), verb("new --map", image), QStringLiteral("any.png")), QString());
+        QCOMPARE(faultOf(m_folder.path(), verb("new --head", head), QStringLiteral("any.glb")), QString());
     }
 };
 
