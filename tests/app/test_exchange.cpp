@@ -338,6 +338,7 @@ private Q_SLOTS:
         key(Qt::Key_1);
         drag(m_window->paintView(), paintPoint(0.45F, 0.5F), paintPoint(0.55F, 0.5F));
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 100, kPatienceMs);
+        awaitNewestHair();
         m_answers->file = path("curls");
         const std::size_t count = hairs();
         trigger("file.exportHair");

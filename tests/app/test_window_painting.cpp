@@ -34,39 +34,28 @@ private:
         return camera;
     }
 
-    /// Of paused hair: frames that were on their way have come.
-    [[nodiscard]] QImage settledPicture()
-    {
-        QImage last;
-        for (int tries = 0; tries < 20; ++tries) {
-            QTest::qWait(300);
-            QImage now = picture();
-            if (difference(last, now) == 0.0)
-                return now;
-            last = std::move(now);
-        }
-        return last;
-    }
-
     void undo() { key(Qt::Key_Z, Qt::ControlModifier); }
     void redo() { key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
 
     /// Undone and redone, the newest step's texels, hairs and picture go and come back.
     void showUndoAndRedo(const QImage& before, std::size_t hairsBefore, glm::vec2 painted)
     {
+        awaitNewestHair();
         const std::size_t grown = hairs();
         const sim::Texel texel = texelAt(painted.x, painted.y);
         const int steps = stack().index();
         undo();
         QCOMPARE(stack().index(), steps - 1);
         QVERIFY(texelAt(painted.x, painted.y) != texel);
-        QTRY_COMPARE_WITH_TIMEOUT(hairs(), hairsBefore, kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(difference(before, picture()) < kSame, kPatienceMs);
+        awaitNewestHair();
+        QCOMPARE(hairs(), hairsBefore);
+        QVERIFY(difference(before, picture()) < kSame);
         redo();
         QCOMPARE(stack().index(), steps);
         QCOMPARE(texelAt(painted.x, painted.y), texel);
-        QTRY_COMPARE_WITH_TIMEOUT(hairs(), grown, kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(difference(before, picture()) > kSeen, kPatienceMs);
+        awaitNewestHair();
+        QCOMPARE(hairs(), grown);
+        QVERIFY(difference(before, picture()) > kSeen);
     }
 
 private Q_SLOTS:
@@ -135,8 +124,9 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 100, kPatienceMs);
         key(Qt::Key_F8);
         QVERIFY(session().paused());
+        awaitNewestHair();
         const std::size_t once = hairs();
-        const QImage left = settledPicture();
+        const QImage left = picture();
         key(Qt::Key_M);
         drag(paper(), paintPoint(0.37F, 0.56F), paintPoint(0.47F, 0.44F));
         key(Qt::Key_C, Qt::ControlModifier);
@@ -157,8 +147,9 @@ private Q_SLOTS:
         drag(paper(), paintPoint(0.40F, 0.5F), paintPoint(0.60F, 0.5F));
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
         key(Qt::Key_F8);
+        awaitNewestHair();
         const std::size_t count = hairs();
-        const QImage usual = settledPicture();
+        const QImage usual = picture();
         key(Qt::Key_M);
         drag(paper(), paintPoint(0.37F, 0.58F), paintPoint(0.63F, 0.42F));
         key(Qt::Key_C, Qt::ControlModifier);
@@ -180,6 +171,7 @@ private Q_SLOTS:
         key(Qt::Key_F8);
         // The second time, only what changed is encoded again.
         for (const float v : {0.5F, 0.55F}) {
+            awaitNewestHair();
             const std::size_t before = hairs();
             drag(paper(), paintPoint(0.42F, v), paintPoint(0.58F, v));
             QTRY_VERIFY_WITH_TIMEOUT(hairs() > before, kPatienceMs);
@@ -193,7 +185,8 @@ private Q_SLOTS:
             QVERIFY(read->layer(at.group, at.map, at.layer)->raster ==
                     session().document().committed().layer(at.group, at.map, at.layer)->raster);
         }
-        const QImage painted = settledPicture();
+        awaitNewestHair();
+        const QImage painted = picture();
         QVERIFY(difference(bald, painted) > kSeen);
         const std::size_t count = hairs();
         const model::Project saved = session().document().committed();
@@ -211,8 +204,9 @@ private Q_SLOTS:
                 const model::Layer* again = session().document().committed().layer(group.id, stack.kind, layer.id);
                 QVERIFY(again != nullptr && again->raster == layer.raster);
             }
-        QTRY_COMPARE_WITH_TIMEOUT(hairs(), count, kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(difference(painted, picture()) < kSame, kPatienceMs);
+        awaitNewestHair();
+        QCOMPARE(hairs(), count);
+        QVERIFY(difference(painted, picture()) < kSame);
     }
 
     void aStyleSavesAndReopensTheSame()

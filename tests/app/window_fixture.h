@@ -42,6 +42,7 @@ class WindowFixture
 protected:
     QTemporaryDir m_folder;
     std::unique_ptr<MainWindow> m_window;
+    float m_stepM = 0.0F;
 
     [[nodiscard]] Session& session() { return m_window->session(); }
     [[nodiscard]] view::EditorState& editor() { return m_window->session().editor(); }
@@ -57,6 +58,17 @@ protected:
         m_window->activateWindow();
         QTRY_VERIFY_WITH_TIMEOUT(session().frame() != nullptr, kPatienceMs);
         editor().setMirror(false);
+    }
+
+    /// Waits for the hair of the newest content, at rest: a step of the head that is too small to be seen goes to the
+    /// simulation after that content and comes back with its frame.
+    void awaitNewestHair()
+    {
+        QTest::qWait(20); // Content is sent when the event loop has nothing else to do.
+        m_stepM += 1e-6F;
+        session().setPose({.rotation = {1.0F, 0.0F, 0.0F, 0.0F}, .positionWo = {m_stepM, 0.0F, 0.0F}});
+        session().resetHair();
+        QTRY_COMPARE_WITH_TIMEOUT(session().frame()->pose.positionWo.x, m_stepM, kPatienceMs);
     }
 
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
