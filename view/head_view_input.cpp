@@ -42,6 +42,7 @@ void HeadView::pointerPressed(const PointerSample& sample)
         return;
     state.turning.stop();
     state.puffs.interrupt();
+    state.weather->settle(); // A stroke's preview would take the place of the keys'.
     state.pressed = sample;
     state.cameraBefore = state.scene.camera;
     state.settingsBefore = state.editor.toolSettings();

@@ -129,6 +129,19 @@ private Q_SLOTS:
         QCOMPARE(stack().count(), 1);
         QVERIFY(std::abs(glm::length(kept().wind.velocity) - 2.5F) < 1e-4F);
     }
+
+    void aStrokeRightAfterAKeyKeepsBoth()
+    {
+        openWindow(breezyProject());
+        (void)openWeather();
+        view::HeadView& area = m_window->headView();
+        area.setFocus();
+        QTest::keyClick(&area, Qt::Key_PageUp);
+        const QPoint forehead = area.rect().center() - QPoint(0, area.height() / 4);
+        drag(area, forehead, forehead + QPoint(20, 0));
+        QCOMPARE(stack().count(), 2);
+        QVERIFY(std::abs(glm::length(kept().wind.velocity) - 2.5F) < 1e-4F);
+    }
 };
 
 } // namespace hairpaint::app
