@@ -67,6 +67,7 @@ struct Painter
     void uvStroke(const std::vector<glm::vec2>& uvs, Qt::KeyboardModifiers modifiers = {})
     {
         std::vector<ToolEvent> events;
+        events.reserve(uvs.size());
         for (const glm::vec2& uv : uvs)
             events.push_back(paintEvent(document, uv.x, uv.y, 1.0F, modifiers));
         stroke(events);

@@ -128,7 +128,8 @@ void TestClipboard::pastingBetweenMapsConverts_data()
     QTest::addColumn<QList<int>>("value");
     QTest::addColumn<int>("to");
     QTest::addColumn<QList<int>>("expected");
-    const auto row = [](const char* name, MapKind from, QList<int> value, MapKind to, QList<int> expected) {
+    const auto row = [](const char* name, MapKind from, const QList<int>& value, MapKind to,
+                        const QList<int>& expected) {
         QTest::newRow(name) << static_cast<int>(from) << value << static_cast<int>(to) << expected;
     };
     row("scalars keep the value", MapKind::Length, {12345, 0, 0}, MapKind::Curl, {12345, 0, 0});

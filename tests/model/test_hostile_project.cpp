@@ -106,7 +106,7 @@ private Q_SLOTS:
         std::mt19937 random(7);
         for (int round = 0; round < 300; ++round) {
             QByteArray bytes = m_bytes;
-            const qsizetype at = static_cast<qsizetype>(random() % static_cast<quint32>(bytes.size() - 64));
+            const auto at = static_cast<qsizetype>(random() % static_cast<quint32>(bytes.size() - 64));
             for (qsizetype i = at; i < at + 64; ++i)
                 bytes[i] = static_cast<char>(random() & 0xFFU);
             test::writeBytes(m_bad, bytes);

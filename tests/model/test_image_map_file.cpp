@@ -30,8 +30,8 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("map");
         QTest::addColumn<std::vector<double>>("colour");
         QTest::addColumn<double>("value");
-        const auto row = [](const char* name, const char* map, std::vector<double> colour, double value) {
-            QTest::newRow(name) << QByteArray(map) << std::move(colour) << value;
+        const auto row = [](const char* name, const char* map, const std::vector<double>& colour, double value) {
+            QTest::newRow(name) << QByteArray(map) << colour << value;
         };
         row("white is no hair", "density", {1, 1, 1}, 0);
         row("black is no hair", "density", {0, 0, 0}, 0);
@@ -242,7 +242,7 @@ private Q_SLOTS:
         paintMapTexels(resolved, mapSpec(kind), night, {50, 60, 80, 64}, pixels.data(), 40);
         for (int y = 0; y < 4; ++y)
             for (int x = 0; x < 40; ++x) {
-                const QRgb pixel = pixels[static_cast<std::size_t>(y * 40 + x)];
+                const QRgb pixel = pixels[static_cast<std::size_t>(y) * 40 + static_cast<std::size_t>(x)];
                 if (x >= 30) {
                     QCOMPARE(pixel, QRgb{0}); // outside the rectangle
                     continue;

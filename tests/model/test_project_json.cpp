@@ -191,12 +191,12 @@ private Q_SLOTS:
         QTest::newRow("nothing") << QByteArray();
         QTest::newRow("a word") << QByteArray("hello");
         QTest::newRow("an array") << QByteArray("[]");
-        QTest::newRow("cut short") << QByteArray("{\"format\": \"hairpaint project\"");
-        QTest::newRow("nested deep") << QByteArray("{\"a\":") + QByteArray(100'000, '[') + QByteArray(100'000, ']') +
+        QTest::newRow("cut short") << QByteArray(R"({"format": "hairpaint project")");
+        QTest::newRow("nested deep") << QByteArray(R"({"a":)") + QByteArray(100'000, '[') + QByteArray(100'000, ']') +
                                             "}";
-        QTest::newRow("nested 40 deep") << QByteArray("{\"a\":") + QByteArray(40, '[') + QByteArray(40, ']') + "}";
-        QTest::newRow("a number too large") << QByteArray("{\"format\": 1e99999}");
-        QTest::newRow("NaN") << QByteArray("{\"format\": NaN}");
+        QTest::newRow("nested 40 deep") << QByteArray(R"({"a":)") + QByteArray(40, '[') + QByteArray(40, ']') + "}";
+        QTest::newRow("a number too large") << QByteArray(R"({"format": 1e99999})");
+        QTest::newRow("NaN") << QByteArray(R"({"format": NaN})");
         QTest::newRow("bytes that are no UTF-8") << QByteArray("{\"format\": \"\xFF\xFE\"}");
         QTest::newRow("five million blanks") << QByteArray(5'000'000, ' ') + "{}";
     }

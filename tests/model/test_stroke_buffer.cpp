@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <ranges>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -102,14 +103,15 @@ void TestStrokeBuffer::theOrderOfDabsDoesNotShow()
 {
     std::mt19937 random(5);
     std::vector<Dab> dabs;
+    dabs.reserve(30);
     for (int i = 0; i < 30; ++i)
         dabs.push_back(disc(static_cast<float>(random() % 256), static_cast<float>(random() % 256),
                             static_cast<float>(1 + random() % 60), 0.5F, static_cast<float>(random() % 100) / 99.0F));
     StrokeBuffer forward(kSize), backward(kSize);
-    for (auto dab = dabs.begin(); dab != dabs.end(); ++dab)
-        forward.add(*dab, kWhole);
-    for (auto dab = dabs.rbegin(); dab != dabs.rend(); ++dab)
-        backward.add(*dab, kWhole);
+    for (const Dab& dab : dabs)
+        forward.add(dab, kWhole);
+    for (const Dab& dab : std::views::reverse(dabs))
+        backward.add(dab, kWhole);
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x)
             QCOMPARE(maskAt(forward, x, y), maskAt(backward, x, y));

@@ -125,6 +125,7 @@ void TestBraids::aLargeRegionHasBraidsAsFarApartAsAsked()
     // Circles 5 cm apart on 20 x 20 cm: 16 in a square grid, between loosely and densely packed.
     QVERIFY2(braids.size() >= 9 && braids.size() <= 25, qPrintable(QString::number(braids.size())));
     std::vector<glm::vec3> centres;
+    centres.reserve(braids.size());
     for (const auto& [centre, slots] : braids)
         centres.push_back(groom->roots->positionHd[groom->roots->basisSlot[centre]]);
     for (std::size_t i = 0; i < centres.size(); ++i)

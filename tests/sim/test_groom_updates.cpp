@@ -252,7 +252,7 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild_data()
 {
     using Change = std::function<void(GroomInput&)>;
     QTest::addColumn<Change>("change");
-    const auto row = [](const char* name, Change change) { QTest::newRow(name) << std::move(change); };
+    const auto row = [](const char* name, const Change& change) { QTest::newRow(name) << change; };
     row("greatest density", [](GroomInput& i) { i.groups[0].settings.greatestDensityPerM2 = 3e5F; });
     row("greatest length", [](GroomInput& i) { i.groups[0].settings.greatestLengthM = 0.1F; });
     row("nodes", [](GroomInput& i) { i.groups[0].settings.nodesPerHair = 5; });

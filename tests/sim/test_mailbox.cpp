@@ -75,6 +75,7 @@ void TestMailbox::valuesFromManyThreadsAllArrive()
     constexpr int kEach = 500;
     Mailbox<std::vector<int>> box;
     std::vector<std::thread> writers;
+    writers.reserve(kThreads);
     for (int t = 0; t < kThreads; ++t) {
         writers.emplace_back([&box, t] {
             for (int i = 0; i < kEach; ++i)

@@ -19,6 +19,7 @@ constexpr float kPi = 3.14159265F;
 std::vector<glm::vec3> straightSkeleton(glm::vec3 direction, float lengthM, int nodes = 8)
 {
     std::vector<glm::vec3> skeleton;
+    skeleton.reserve(static_cast<std::size_t>(nodes));
     for (int i = 0; i < nodes; ++i)
         skeleton.push_back(direction * (lengthM * static_cast<float>(i) / static_cast<float>(nodes - 1)));
     return skeleton;
