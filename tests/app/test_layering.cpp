@@ -39,7 +39,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, folder);
         QFETCH(QString, forbidden);
-        const QRegularExpression include(QLatin1String(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])"),
+        const QRegularExpression include(QLatin1String(R"(^\s*#\s*include\s*[<\x22]([^>\x22]+)[>\x22])"),
                                          QRegularExpression::MultilineOption);
         const QRegularExpression bad(forbidden);
         int files = 0;

@@ -102,7 +102,7 @@ void MapPyramid::mend(int rasterTile)
     QPoint belowTile;
     for (Level& level : m_levels) {
         const QPoint tile(rect.x0 / level.tileSide, rect.y0 / level.tileSide);
-        QImage& image = level.tiles[static_cast<std::size_t>(tile.y() * level.across + tile.x())];
+        QImage& image = level.tiles[level.indexOf(tile.x(), tile.y())];
         if (image.isNull() || single(image)) {
             // What lies above it can't be mended from it: made anew when wanted.
             image = QImage();
@@ -114,8 +114,7 @@ void MapPyramid::mend(int rasterTile)
                 model::paintMapTexels(*m_raster, *m_spec, m_nightPaper, rect, pixels,
                                       static_cast<int>(image.bytesPerLine() / 4));
             } else {
-                const QImage& source =
-                    below->tiles[static_cast<std::size_t>(belowTile.y() * below->across + belowTile.x())];
+                const QImage& source = below->tiles[below->indexOf(belowTile.x(), belowTile.y())];
                 if (source.isNull() || single(source)) {
                     image = QImage();
                 } else {
@@ -171,9 +170,7 @@ QImage MapPyramid::halvedTile(std::size_t level, int column, int row)
         return children[0];
     if (level == 1 && m_levels.front().side > kLargestKeptSide) {
         for (int i = 0; i < 4; ++i)
-            m_levels.front()
-                .tiles[static_cast<std::size_t>((2 * row + i / 2) * m_levels.front().across + 2 * column + i % 2)] =
-                QImage();
+            m_levels.front().tiles[m_levels.front().indexOf(2 * column + i % 2, 2 * row + i / 2)] = QImage();
     }
     QImage image(kTileSide, kTileSide, QImage::Format_RGB32);
     constexpr int kHalf = kTileSide / 2;
@@ -194,7 +191,7 @@ QImage MapPyramid::halvedTile(std::size_t level, int column, int row)
 
 const QImage& MapPyramid::tile(std::size_t level, int column, int row)
 {
-    const auto index = static_cast<std::size_t>(row * m_levels[level].across + column);
+    const std::size_t index = m_levels[level].indexOf(column, row);
     if (m_levels[level].tiles[index].isNull())
         m_levels[level].tiles[index] = level == 0 ? paintedTile(column, row) : halvedTile(level, column, row);
     return m_levels[level].tiles[index];
@@ -246,7 +243,8 @@ void MapPyramid::trim(const QRectF& visiblePaper)
     if (kept <= kKeptTiles)
         return;
     for (int i = 0; i < static_cast<int>(finest.tiles.size()); ++i) {
-        const QPointF topLeft = QPointF(i % finest.across, i / finest.across) / finest.across;
+        const QPoint tile(i % finest.across, i / finest.across);
+        const QPointF topLeft = QPointF(tile) / finest.across;
         if (!visiblePaper.intersects(QRectF(topLeft, QSizeF(1.0, 1.0) / finest.across)))
             finest.tiles[static_cast<std::size_t>(i)] = QImage();
     }

@@ -40,6 +40,10 @@ private:
         int across = 0; ///< Tiles.
         int tileSide = kTileSide;
         std::vector<QImage> tiles; ///< Null: to be made.
+        [[nodiscard]] std::size_t indexOf(int column, int row) const
+        {
+            return static_cast<std::size_t>(row) * static_cast<std::size_t>(across) + static_cast<std::size_t>(column);
+        }
     };
 
     void rebuildLevels();

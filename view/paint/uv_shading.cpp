@@ -136,10 +136,10 @@ QImage shadingVeil(const QImage& shading, bool nightPaper, const QColor& outside
             const float alphaOutside = kOutside * (1.0F - inside);
             const float tone = nightPaper ? 255.0F : 30.0F;
             const auto mixed = [&](int channel) {
-                return static_cast<int>(alphaInside * tone + alphaOutside * static_cast<float>(channel) + 0.5F);
+                return static_cast<int>(std::lround(alphaInside * tone + alphaOutside * static_cast<float>(channel)));
             };
             line[x] = qRgba(mixed(outside.red()), mixed(outside.green()), mixed(outside.blue()),
-                            static_cast<int>(255.0F * (alphaInside + alphaOutside) + 0.5F));
+                            static_cast<int>(std::lround(255.0F * (alphaInside + alphaOutside))));
         }
     }
     return veil;

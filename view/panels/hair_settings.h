@@ -26,7 +26,7 @@ struct SettingRow
     const char* unit;  ///< Likewise; "" for none.
     double minimum, maximum;
     int decimals;
-    double exponent;
+    float exponent;
     double (*read)(const sim::GroupSettings&);
     void (*write)(sim::GroupSettings&, double);
 };

@@ -29,8 +29,10 @@ QImage pictureOf(const sim::TiledRaster& raster, int side, const Read& read)
             std::array<double, 3> sum{};
             double weight = 0.0;
             for (int tap = 0; tap < kTaps * kTaps; ++tap) {
-                const int tx = static_cast<int>((x + (tap % kTaps + 0.5) / kTaps) * share);
-                const int ty = static_cast<int>((y + (tap / kTaps + 0.5) / kTaps) * share);
+                const int column = tap % kTaps;
+                const int row = tap / kTaps;
+                const int tx = static_cast<int>((x + (column + 0.5) / kTaps) * share);
+                const int ty = static_cast<int>((y + (row + 0.5) / kTaps) * share);
                 const Tap one = read(raster.texel(tx, ty));
                 sum[0] += qRed(one.colour) * one.weight;
                 sum[1] += qGreen(one.colour) * one.weight;

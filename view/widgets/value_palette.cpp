@@ -50,8 +50,10 @@ std::vector<double> roundSteps(const sim::GroupSettings& settings, MapKind map)
             break;
         }
     }
-    for (double value = std::floor(unit.minimum / step) * step + step; value < unit.maximum - step * 0.4; value += step)
-        steps.push_back(value);
+    const double first = std::floor(unit.minimum / step) + 1.0;
+    const int count = static_cast<int>(std::ceil(unit.maximum / step - 0.4 - first));
+    for (int i = 0; i < count; ++i)
+        steps.push_back((first + i) * step);
     steps.push_back(unit.maximum);
     return steps;
 }
