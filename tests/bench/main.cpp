@@ -11,6 +11,7 @@ template<typename Reporter>
 class PlainNames : public Reporter
 {
 public:
+    using Reporter::Reporter;
     void ReportRuns(const std::vector<benchmark::BenchmarkReporter::Run>& runs) override
     {
         std::vector<benchmark::BenchmarkReporter::Run> renamed = runs;
@@ -32,7 +33,7 @@ int main(int argc, char** argv)
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;
-    PlainNames<benchmark::ConsoleReporter> console;
+    PlainNames<benchmark::ConsoleReporter> console(benchmark::ConsoleReporter::OO_Tabular);
     PlainNames<benchmark::JSONReporter> json;
     benchmark::RunSpecifiedBenchmarks(&console, toFile ? &json : nullptr);
     benchmark::Shutdown();
