@@ -54,7 +54,7 @@ public:
 
 public Q_SLOTS:
     void resetCamera(); ///< Also turns the head back.
-    void fit(); ///< The head with all of its hair, from where the camera looks now.
+    void fit();         ///< The head with all of its hair, from where the camera looks now.
     void zoomIn();
     void zoomOut();
     void setHairPaused(bool paused);  ///< What stands still is drawn finer.

@@ -3,9 +3,9 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
-#include <ranges>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -110,7 +110,8 @@ void TestStrokeBuffer::theOrderOfDabsDoesNotShow()
     StrokeBuffer forward(kSize), backward(kSize);
     for (const Dab& dab : dabs)
         forward.add(dab, kWhole);
-    for (const Dab& dab : std::views::reverse(dabs))
+    std::ranges::reverse(dabs);
+    for (const Dab& dab : dabs)
         backward.add(dab, kWhole);
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x)
