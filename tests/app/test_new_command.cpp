@@ -1,11 +1,9 @@
 // `hairpaint new`: what its options change in the project, and what `info` tells of it.
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
-#include "tests/app/program.h"
+#include "tests/app/project_folder.h"
 
-#include <QImage>
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include <cmath>
@@ -18,17 +16,7 @@ class TestNewCommand : public QObject
 {
     Q_OBJECT
 private:
-    QTemporaryDir m_folder;
-
-    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
-
-    [[nodiscard]] QString filled(const char* name, const QColor& colour) const
-    {
-        QImage image(256, 256, QImage::Format_RGB32);
-        image.fill(colour);
-        const QString file = path(name);
-        return image.save(file) ? file : QString();
-    }
+    ProjectFolder m_folder;
 
     /// Makes the project; empty, or what went wrong.
     [[nodiscard]] static QString make(const QString& project, const QStringList& options)
@@ -39,7 +27,7 @@ private:
 
     [[nodiscard]] QByteArray restHairOf(const QString& project) const
     {
-        const QString file = path("rest.hair");
+        const QString file = m_folder.path("rest.hair");
         const Outcome outcome = runProgram({QStringLiteral("export"), project, QStringLiteral("-o"), file});
         return outcome.code == 0 ? contentOf(file) : QByteArray();
     }
@@ -52,10 +40,10 @@ private:
 private Q_SLOTS:
     void aSeedGivesItsOwnRootsEveryTime()
     {
-        const QString thin = QStringLiteral("density=") + filled("thin.png", QColor(225, 255, 225));
+        const QString thin = QStringLiteral("density=") + m_folder.filled("thin.png", QColor(225, 255, 225));
         QList<QByteArray> hairs;
         for (const char* seed : {"", "1", "7", "7", "9007199254740992"}) {
-            const QString project = path("seeded.hairpaint");
+            const QString project = m_folder.path("seeded.hairpaint");
             QStringList options{QStringLiteral("--map"), thin};
             if (*seed != '\0')
                 options << QStringLiteral("--seed") << QString::fromLatin1(seed);
@@ -72,9 +60,9 @@ private Q_SLOTS:
 
     void theLimitOnHairsThinsThemEvenly()
     {
-        const QString density = QStringLiteral("density=") + filled("half.png", QColor(127, 255, 127));
+        const QString density = QStringLiteral("density=") + m_folder.filled("half.png", QColor(127, 255, 127));
         const auto hairs = [&](const char* limit) {
-            const QString project = path("limited.hairpaint");
+            const QString project = m_folder.path("limited.hairpaint");
             QStringList options{QStringLiteral("--map"), density, QStringLiteral("--max-hairs"),
                                 QString::fromLatin1(limit)};
             return make(project, options).isEmpty() ? hairsOf(infoOf(project)) : -1;
@@ -111,24 +99,24 @@ private Q_SLOTS:
         sim::GroupSettings& settings = project.groups.front().settings;
         settings.nodesPerHair = nodes;
         settings.greatestDensityPerM2 = nodes == 32 ? 4e6F : 1.5e6F;
-        QVERIFY(model::saveProject(project, path("told.hairpaint"), {}));
+        QVERIFY(model::saveProject(project, m_folder.path("told.hairpaint"), {}));
 
-        const QJsonObject info = infoOf(path("told.hairpaint"));
+        const QJsonObject info = infoOf(m_folder.path("told.hairpaint"));
         QCOMPARE(info.value(QLatin1String("max_hairs")).toInt(), maxHairs);
         const QJsonObject group = info.value(QLatin1String("groups")).toArray().first().toObject();
         QVERIFY(group.contains(QLatin1String("limited_by")));
         QCOMPARE(group.value(QLatin1String("limited_by")), limitedBy);
-        const Outcome text = runProgram({QStringLiteral("info"), path("told.hairpaint")}, {}, "en_GB");
+        const Outcome text = runProgram({QStringLiteral("info"), m_folder.path("told.hairpaint")}, {}, "en_GB");
         QCOMPARE(text.output.contains(QStringLiteral("Fewer hairs")), !words.isEmpty());
         QVERIFY2(text.output.contains(words), qPrintable(text.output));
     }
 
     void aGreyImageIsTheValueWhereItIsAskedFor()
     {
-        const QString full = filled("full.png", Qt::green);
-        const QString grey = filled("grey.png", QColor(64, 64, 64));
+        const QString full = m_folder.filled("full.png", Qt::green);
+        const QString grey = m_folder.filled("grey.png", QColor(64, 64, 64));
         const auto hairs = [&](const QString& map) {
-            const QString project = path("grey.hairpaint");
+            const QString project = m_folder.path("grey.hairpaint");
             return make(project, {QStringLiteral("--map"), map}).isEmpty() ? hairsOf(infoOf(project)) : -1;
         };
         const auto all = static_cast<double>(hairs(QStringLiteral("density=") + full));
@@ -142,13 +130,14 @@ private Q_SLOTS:
     {
         model::Project two = model::newProject();
         two.groups.push_back(model::makeGroup(two, QStringLiteral("Beard/left"), 256));
-        QVERIFY(model::savePreset(model::presetFrom(two, QStringLiteral("Two")), path("two.hairpreset")));
+        QVERIFY(model::savePreset(model::presetFrom(two, QStringLiteral("Two")), m_folder.path("two.hairpreset")));
 
-        const QString full = QStringLiteral("density=") + filled("full.png", Qt::green);
+        const QString full = QStringLiteral("density=") + m_folder.filled("full.png", Qt::green);
         const auto hairs = [&](const QString& map) {
-            const QString project = path("groups.hairpaint");
+            const QString project = m_folder.path("groups.hairpaint");
             std::pair<qint64, qint64> found(-1, -1);
-            if (!make(project, {QStringLiteral("--preset"), path("two.hairpreset"), QStringLiteral("--map"), map})
+            if (!make(project,
+                      {QStringLiteral("--preset"), m_folder.path("two.hairpreset"), QStringLiteral("--map"), map})
                      .isEmpty())
                 return found;
             const QJsonArray groups = infoOf(project).value(QLatin1String("groups")).toArray();
@@ -166,13 +155,13 @@ private Q_SLOTS:
 
     void aMapForAGroupThatIsNotThereFails()
     {
-        const Outcome outcome =
-            runProgram({QStringLiteral("new"), QStringLiteral("-o"), path("none.hairpaint"), QStringLiteral("--map"),
-                        QStringLiteral("Beard/density=") + filled("bald.png", Qt::white)});
+        const Outcome outcome = runProgram({QStringLiteral("new"), QStringLiteral("-o"),
+                                            m_folder.path("none.hairpaint"), QStringLiteral("--map"),
+                                            QStringLiteral("Beard/density=") + m_folder.filled("bald.png", Qt::white)});
         QCOMPARE(outcome.code, 1);
         QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
         QVERIFY2(outcome.error.contains(QStringLiteral("'Beard'")), qPrintable(outcome.error));
-        QVERIFY(!QFile::exists(path("none.hairpaint")));
+        QVERIFY(!QFile::exists(m_folder.path("none.hairpaint")));
     }
 };
 

@@ -31,6 +31,16 @@ inline model::Project patchProject(int mapSize = 256)
     return project;
 }
 
+/// The same with one value, fully covering, all over the first layer of a scalar map.
+inline model::Project filledPatch(model::MapKind map, std::uint16_t value)
+{
+    model::Project project = patchProject();
+    sim::TiledRaster& raster = project.groups.front().map(map).layers.front().raster;
+    for (int index = 0; index < raster.tileCount(); ++index)
+        raster.setUniform(index, {value, 65535, 0, 0});
+    return project;
+}
+
 inline model::LayerAddress firstLayer(const model::Document& document, model::MapKind map)
 {
     const model::HairGroup& group = document.project().groups.front();

@@ -102,11 +102,7 @@ void TestClipboard::pastingAtTheBorderIsCutOff()
 
 void TestClipboard::clearingTakesAwayTheSelectedTexelsOnly()
 {
-    Project project = patchProject();
-    sim::TiledRaster& raster = project.groups.front().map(MapKind::Gel).layers.front().raster;
-    for (int index = 0; index < raster.tileCount(); ++index)
-        raster.setUniform(index, {50000, 65535, 0, 0});
-    Document document(project);
+    Document document(filledPatch(MapKind::Gel, 50000));
     Selection selection;
     selection.setRectangle(QRectF(0.25, 0.25, 0.3, 0.3));
     document.push(clearCommand(document, firstLayer(document, MapKind::Gel), selection, QStringLiteral("Cut Gel")));

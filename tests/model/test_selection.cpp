@@ -152,11 +152,7 @@ private Q_SLOTS:
 
     void aCopyOfSeveralRectanglesLeavesOutWhatLiesBetween()
     {
-        Project project = patchProject();
-        sim::TiledRaster& raster = project.groups.front().map(MapKind::Gel).layers.front().raster;
-        for (int index = 0; index < raster.tileCount(); ++index)
-            raster.setUniform(index, {50000, 65535, 0, 0});
-        Document document(project);
+        Document document(filledPatch(MapKind::Gel, 50000));
         Selection selection;
         selection.setRectangles({QRectF(0.0, 0.0, 0.25, 0.25), QRectF(0.5, 0.5, 0.25, 0.25)});
         const Clip clip = copyClip(document, firstLayer(document, MapKind::Gel), selection);
@@ -176,11 +172,7 @@ private Q_SLOTS:
 
     void pastingStaysInTheSelection()
     {
-        Project project = patchProject();
-        sim::TiledRaster& raster = project.groups.front().map(MapKind::Gel).layers.front().raster;
-        for (int index = 0; index < raster.tileCount(); ++index)
-            raster.setUniform(index, {50000, 65535, 0, 0});
-        Document document(project);
+        Document document(filledPatch(MapKind::Gel, 50000));
         Selection selection;
         selection.setRectangle(QRectF(0.25, 0.25, 0.5, 0.5));
         const Clip clip = copyClip(document, firstLayer(document, MapKind::Gel), selection);

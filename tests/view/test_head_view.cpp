@@ -309,6 +309,14 @@ private Q_SLOTS:
         QTRY_VERIFY(f.area.positionOf(tip)->y() > 0.0);
         QTest::qWait(500); // The camera's way there.
         QVERIFY(f.area.positionOf(tip)->y() < 0.2 * f.area.height());
+        // Not for hair that is hidden.
+        const auto hidden = std::make_shared<sim::StrandFrame>(*frame);
+        const auto groom = std::make_shared<sim::Groom>(*frame->groups.front().groom);
+        groom->visible = false;
+        hidden->groups.front().groom = groom;
+        f.area.setFrame(hidden);
+        f.area.fit();
+        QTRY_VERIFY(f.area.positionOf(tip)->y() < 0.0);
     }
 
     void standardViewsTurnThere()

@@ -19,7 +19,9 @@ float highestSeen(const rendering::Camera& camera, const sim::StrandFrame& hair)
     const glm::vec3 up(view[0][1], view[1][1], view[2][1]);
     const glm::vec3 towardEye(view[0][2], view[1][2], view[2][2]);
     float highest = 0.0F;
-    for (const sim::GroupFrame& group : hair.groups)
+    for (const sim::GroupFrame& group : hair.groups) {
+        if (!group.groom->visible)
+            continue;
         for (std::size_t row = 0; row + 3 * sim::kLanes <= group.positions.size(); row += 3 * sim::kLanes)
             for (std::size_t lane = row; lane < row + sim::kLanes; ++lane) {
                 const glm::vec3 node(group.positions[lane], group.positions[lane + sim::kLanes],
@@ -28,6 +30,7 @@ float highestSeen(const rendering::Camera& camera, const sim::StrandFrame& hair)
                 const float nearness = std::max(0.1F, 1.0F - glm::dot(offset, towardEye) / camera.distanceM);
                 highest = std::max(highest, glm::dot(offset, up) / nearness);
             }
+    }
     return highest;
 }
 
