@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document.h"
-#include "sim/simulation_worker.h"
+#include "sim/motion/simulation_worker.h"
 #include "view/editor_state.h"
 
 #include <QObject>

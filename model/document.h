@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/project.h"
-#include "sim/groom_input.h"
+#include "sim/groom/groom_input.h"
 
 #include <QObject>
 #include <QUndoStack>

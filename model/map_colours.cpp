@@ -1,7 +1,7 @@
 // Maps made visible tile by tile.
 #include "model/map_colours.h"
 
-#include "sim/parallel.h"
+#include "sim/base/parallel.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Units and ranges of the scalar maps.
 #include "model/map_scale.h"
 
-#include "sim/groom.h"
+#include "sim/groom/groom.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,7 +1,7 @@
 // What the values of scalar maps mean in a group's units.
 #pragma once
 
-#include "sim/group_settings.h"
+#include "sim/groom/group_settings.h"
 
 #include <QString>
 

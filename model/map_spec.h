@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/map_scale.h"
-#include "sim/tiled_raster.h"
+#include "sim/base/tiled_raster.h"
 
 #include <QColor>
 #include <QString>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "model/map_spec.h"
-#include "sim/ellipsoid.h"
-#include "sim/group_settings.h"
-#include "sim/skin.h"
-#include "sim/wind.h"
+#include "sim/groom/group_settings.h"
+#include "sim/motion/wind.h"
+#include "sim/skin/ellipsoid.h"
+#include "sim/skin/skin.h"
 
 #include <QByteArray>
 #include <QString>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/project.h"
-#include "sim/strand_frame.h"
+#include "sim/motion/strand_frame.h"
 #include "view/painted_area.h"
 #include "view/presenter_choice.h"
 #include "view/rendering/renderer.h"

@@ -5,7 +5,7 @@
 #include "model/files/migrations.h"
 #include "model/files/project_file.h"
 #include "model/names.h"
-#include "sim/groom.h"
+#include "sim/groom/groom.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

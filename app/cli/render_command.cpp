@@ -123,9 +123,9 @@ model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, 
 double secondsBefore(int number, double framesPerSecond)
 {
     const auto stepsAt = [framesPerSecond](int frame) {
-        return std::floor(frame / (framesPerSecond * sim::Simulation::kStepSeconds) + 0.5);
+        return std::floor(frame / (framesPerSecond * sim::kStepSeconds) + 0.5);
     };
-    return number > 0 ? (stepsAt(number) - stepsAt(number - 1)) * sim::Simulation::kStepSeconds : 0.0;
+    return number > 0 ? (stepsAt(number) - stepsAt(number - 1)) * sim::kStepSeconds : 0.0;
 }
 
 model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const RenderOptions& options,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/project.h"
-#include "sim/simulation.h"
+#include "sim/motion/simulation.h"
 
 namespace hairpaint::app {
 

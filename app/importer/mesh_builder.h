@@ -1,7 +1,7 @@
 // Triangles one after another become an indexed mesh.
 #pragma once
 
-#include "sim/head_mesh.h"
+#include "sim/skin/head_mesh.h"
 
 #include <array>
 #include <cstdint>

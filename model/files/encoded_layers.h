@@ -2,7 +2,7 @@
 // Any thread: one lock. Holds the tiles it knows, so that their addresses can't come back with other texels.
 #pragma once
 
-#include "sim/tiled_raster.h"
+#include "sim/base/tiled_raster.h"
 
 #include <QByteArray>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "model/files/sentences.h"
-#include "sim/head_mesh.h"
+#include "sim/skin/head_mesh.h"
 
 #include <QByteArray>
 

@@ -3,8 +3,8 @@
 #include "model/files/hair_file.h"
 
 #include "model/files/sentences.h"
-#include "sim/parallel.h"
-#include "sim/strand_curve.h"
+#include "sim/base/parallel.h"
+#include "sim/groom/strand_curve.h"
 
 #include <QSaveFile>
 #include <QtEndian>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/error.h"
-#include "sim/strand_frame.h"
+#include "sim/motion/strand_frame.h"
 
 namespace hairpaint::model {
 

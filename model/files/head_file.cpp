@@ -2,13 +2,13 @@
 #include "model/files/head_file.h"
 
 #include "model/files/glb.h"
-#include "sim/mesh_openings.h"
+#include "model/heads/bust_landmarks.h"
+#include "sim/skin/mesh_openings.h"
 
 #include <QFile>
 
 #include <algorithm>
 #include <array>
-#include <bust_landmarks.h>
 #include <cmath>
 
 /// Resources of a static library are registered on request; the macro must stand outside every namespace.

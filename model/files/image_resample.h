@@ -1,7 +1,7 @@
 // Bringing a row-wise readable image to the size of a map.
 #pragma once
 
-#include "sim/tiled_raster.h"
+#include "sim/base/tiled_raster.h"
 
 #include <functional>
 #include <span>

@@ -4,7 +4,7 @@
 #include "model/files/group_json.h"
 #include "model/files/png_codec.h"
 #include "model/files/project_json.h"
-#include "sim/parallel.h"
+#include "sim/base/parallel.h"
 
 #include <QBuffer>
 

@@ -4,7 +4,7 @@
 #include "model/files/group_json.h"
 #include "model/files/json_fields.h"
 #include "model/files/migrations.h"
-#include "sim/roots.h"
+#include "sim/groom/roots.h"
 
 #include <QJsonDocument>
 

@@ -3,7 +3,7 @@
 // breaks a rule decodes to nothing.
 #pragma once
 
-#include "sim/head_mesh.h"
+#include "sim/skin/head_mesh.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/tools/stroke_buffer.h"
-#include "sim/skin.h"
+#include "sim/skin/skin.h"
 
 namespace hairpaint::model {
 

@@ -4,7 +4,7 @@
 #include "model/tools/mirror.h"
 #include "model/tools/picker.h"
 #include "model/tools/tool_list.h"
-#include "sim/parallel.h"
+#include "sim/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>

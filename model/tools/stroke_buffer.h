@@ -1,7 +1,7 @@
 // What a running stroke has covered: a 16-bit mask over a map, and the dabs that fill it.
 #pragma once
 
-#include "sim/tiled_raster.h"
+#include "sim/base/tiled_raster.h"
 
 #include <array>
 #include <cstdint>

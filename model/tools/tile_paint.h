@@ -3,7 +3,7 @@
 
 #include "model/map_spec.h"
 #include "model/tools/stroke_buffer.h"
-#include "sim/tiled_raster.h"
+#include "sim/base/tiled_raster.h"
 
 namespace hairpaint::model {
 

@@ -3,7 +3,7 @@
 
 #include "model/document.h"
 #include "model/tools/tool_settings.h"
-#include "sim/skin.h"
+#include "sim/skin/skin.h"
 
 #include <QCoreApplication>
 #include <QKeySequence>

@@ -1,8 +1,8 @@
 // Which texels of a map lie on the skin.
 #pragma once
 
-#include "sim/head_mesh.h"
-#include "sim/tiled_raster.h"
+#include "sim/base/tiled_raster.h"
+#include "sim/skin/head_mesh.h"
 
 #include <cstdint>
 #include <vector>

@@ -9,7 +9,7 @@ HAIRPAINT_PACKAGES=(
     libopenimageio-dev openimageio-tools libassimp-dev
     qt6-translations-l10n fonts-inter fonts-noto-core
 )
-HAIRPAINT_TEST_PACKAGES=(xvfb xauth)
+HAIRPAINT_TEST_PACKAGES=(xvfb xauth lld)
 HAIRPAINT_BENCH_PACKAGES=(libbenchmark-dev libmypaint-dev)
 # The generators are read too, and they need Eigen.
 HAIRPAINT_TIDY_PACKAGES=(clang-tidy clang-format libbenchmark-dev libmypaint-dev libeigen3-dev)

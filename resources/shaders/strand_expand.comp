@@ -1,5 +1,5 @@
 // Walks each strand's skeleton by Catmull-Rom in its rotation-minimising frame (double reflection, Wang et al. 2008) and
-// adds curl (Hernandez and Rudomin 2004, equation 1) and braid (equation 3). sim/strand_curve.h says the same for the CPU.
+// adds curl (Hernandez and Rudomin 2004, equation 1) and braid (equation 3). sim/groom/strand_curve.h says the same for the CPU.
 // In: skeletons, Wo, m. Out: points, Wo, m; w holds the strand's number as bits. One invocation a strand.
 layout(local_size_x = 64) in;
 
@@ -8,7 +8,7 @@ layout(std430, binding = 1) readonly buffer Styles { Style styles[]; };
 layout(std430, binding = 2) readonly buffer Skeletons { float skeletons[]; }; // [slots / 16][nodes][3][16]
 layout(std430, binding = 3) writeonly buffer Points { vec4 pointsWo[]; };
 
-// As in sim/groom.h and sim/strand_curve.h.
+// As in sim/groom/groom.h and sim/groom/strand_curve.h.
 const uint kTwist = 2u;
 const uint kLoc = 3u;
 const float kCurlEaseShare = 0.25;

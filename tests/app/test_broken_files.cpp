@@ -6,6 +6,7 @@
 #include "tests/app/program.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -298,5 +299,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBrokenFiles)
+HAIRPAINT_TEST(TestBrokenFiles, Core)
 #include "test_broken_files.moc"

@@ -1,6 +1,7 @@
 // The command line: its verbs, its exit codes. Maps from images: test_drawn_images.cpp; files that are none:
 // test_broken_files.cpp.
 #include "tests/app/program.h"
+#include "tests/support/test_program.h"
 
 #include <QImage>
 #include <QJsonArray>
@@ -212,5 +213,5 @@ private Q_SLOTS:
 #endif
 };
 
-QTEST_GUILESS_MAIN(TestCommandLine)
+HAIRPAINT_TEST(TestCommandLine, Core)
 #include "test_command_line.moc"

@@ -1,5 +1,6 @@
 // The verbs from within, where a failure can be made to happen.
 #include "app/cli/command.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -32,5 +33,5 @@ void TestCommands::wantOfMemoryIsAFailure()
     QCOMPARE(run(command, {}), ExitCode::Failed);
 }
 
-QTEST_APPLESS_MAIN(TestCommands)
+HAIRPAINT_TEST(TestCommands, None)
 #include "test_commands.moc"

@@ -3,6 +3,7 @@
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "tests/app/project_folder.h"
+#include "tests/support/test_program.h"
 
 #include <QImage>
 #include <QtTest>
@@ -263,5 +264,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDrawnImages)
+HAIRPAINT_TEST(TestDrawnImages, Core)
 #include "test_drawn_images.moc"

@@ -1,5 +1,6 @@
 // Maps drawn as images: pictures show hair where they are green and long hair where they are blue, the same every time.
 #include "tests/app/project_folder.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -126,5 +127,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDrawnPictures)
+HAIRPAINT_TEST(TestDrawnPictures, Core)
 #include "test_drawn_pictures.moc"

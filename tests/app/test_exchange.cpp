@@ -5,6 +5,7 @@
 #include "model/preset.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
@@ -384,5 +385,5 @@ private Q_SLOTS:
 
 } // namespace hairpaint::app
 
-QTEST_MAIN(hairpaint::app::TestExchange)
+HAIRPAINT_TEST(hairpaint::app::TestExchange, Widgets)
 #include "test_exchange.moc"

@@ -1,4 +1,6 @@
 // The folders' order: sim <- model <- view <- app, never upward.
+#include "tests/support/test_program.h"
+
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
@@ -14,6 +16,12 @@ struct Layer
 
 constexpr Layer kLayers[] = {
     {"sim", R"(^(model|view|app|tests|resources)/|^Q[A-Z]|^(zip|epoxy|OpenImageIO|assimp))"},
+    // Rooms of sim, each using only those before it.
+    {"sim/base", R"(^sim/(?!base/))"},
+    {"sim/skin", R"(^sim/(?!(base|skin)/))"},
+    {"sim/groom", R"(^sim/(?!(base|skin|groom)/))"},
+    {"sim/solver", R"(^sim/(?!(base|skin|groom|solver)/))"},
+    {"sim/motion", R"(^sim/(?!(base|skin|groom|solver|motion)/))"},
     {"model",
      R"(^(view|app|tests)/|^(QWidget|QApplication|QMessageBox|QDialog|QOpenGL|OpenImageIO|assimp|epoxy|hwy|tbb))"},
     {"view", R"(^(app|tests)/|^(OpenImageIO|assimp|zip|hwy|tbb))"},
@@ -76,5 +84,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLayering)
+HAIRPAINT_TEST(TestLayering, None)
 #include "test_layering.moc"

@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 #include "model/commands/commands.h"
 #include "model/files/project_file.h"
+#include "tests/support/test_program.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
 #include "view/panels/option_bar.h"
@@ -242,5 +243,5 @@ private Q_SLOTS:
 
 } // namespace hairpaint::app
 
-QTEST_MAIN(hairpaint::app::TestMenus)
+HAIRPAINT_TEST(hairpaint::app::TestMenus, Widgets)
 #include "test_menus.moc"

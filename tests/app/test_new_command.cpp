@@ -2,6 +2,7 @@
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "tests/app/project_folder.h"
+#include "tests/support/test_program.h"
 
 #include <QJsonArray>
 #include <QtTest>
@@ -165,5 +166,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestNewCommand)
+HAIRPAINT_TEST(TestNewCommand, Core)
 #include "test_new_command.moc"

@@ -1,5 +1,6 @@
 // `hairpaint render`: films at every rate and from every frame on, and the wind in them.
 #include "tests/app/program.h"
+#include "tests/support/test_program.h"
 
 #include <QImage>
 #include <QTemporaryDir>
@@ -146,5 +147,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRenderCommand)
+HAIRPAINT_TEST(TestRenderCommand, Core)
 #include "test_render_command.moc"

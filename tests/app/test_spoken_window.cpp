@@ -6,6 +6,7 @@
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/seen_text.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
@@ -351,5 +352,5 @@ private Q_SLOTS:
 
 } // namespace hairpaint::app
 
-QTEST_MAIN(hairpaint::app::TestSpokenWindow)
+HAIRPAINT_TEST(hairpaint::app::TestSpokenWindow, Widgets)
 #include "test_spoken_window.moc"

@@ -1,4 +1,6 @@
 // The files of translations/: they hold every text of the sources, whole, and say what the texts need said.
+#include "tests/support/test_program.h"
+
 #include <QDir>
 #include <QFile>
 #include <QMap>
@@ -186,5 +188,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTranslations)
+HAIRPAINT_TEST(TestTranslations, Core)
 #include "test_translations.moc"

@@ -5,6 +5,7 @@
 #include "tests/app/program.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/test_program.h"
 
 #include <QImage>
 #include <QTemporaryDir>
@@ -161,5 +162,5 @@ private Q_SLOTS:
 #endif
 };
 
-QTEST_GUILESS_MAIN(TestUnwritablePlaces)
+HAIRPAINT_TEST(TestUnwritablePlaces, Core)
 #include "test_unwritable_places.moc"

@@ -1,5 +1,6 @@
 // The real window, driven with mouse and keys, 3D pixels included. Runs on platforms offscreen and xcb alike.
 #include "tests/app/window_fixture.h"
+#include "tests/support/test_program.h"
 
 #include <QMessageBox>
 
@@ -118,5 +119,5 @@ private Q_SLOTS:
 
 } // namespace hairpaint::app
 
-QTEST_MAIN(hairpaint::app::TestWindow)
+HAIRPAINT_TEST(hairpaint::app::TestWindow, Widgets)
 #include "test_window.moc"

@@ -7,6 +7,7 @@
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/seen_text.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 #include "view/dialogs/about_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/head_view.h"
@@ -187,5 +188,5 @@ private Q_SLOTS:
 
 } // namespace hairpaint::app
 
-QTEST_MAIN(hairpaint::app::TestWindowFit)
+HAIRPAINT_TEST(hairpaint::app::TestWindowFit, Widgets)
 #include "test_window_fit.moc"

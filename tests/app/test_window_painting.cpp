@@ -1,6 +1,7 @@
 // Painting in the real window is seen: texels, hairs and the 3D picture follow every tool in both areas, while the
 // pointer is down, after undo and redo, and after the project went through its file.
 #include "tests/app/window_fixture.h"
+#include "tests/support/test_program.h"
 
 namespace hairpaint::app {
 
@@ -232,5 +233,5 @@ private Q_SLOTS:
 
 } // namespace hairpaint::app
 
-QTEST_MAIN(hairpaint::app::TestWindowPainting)
+HAIRPAINT_TEST(hairpaint::app::TestWindowPainting, Widgets)
 #include "test_window_painting.moc"

@@ -3,6 +3,7 @@
 
 #include "model/files/preset_file.h"
 #include "model/preset.h"
+#include "tests/support/test_program.h"
 #include "view/dialogs/help_dialog.h"
 #include "view/dialogs/wind_dialog.h"
 #include "view/head/map_legend.h"
@@ -361,5 +362,5 @@ private Q_SLOTS:
 
 } // namespace hairpaint::app
 
-QTEST_MAIN(hairpaint::app::TestWindowTools)
+HAIRPAINT_TEST(hairpaint::app::TestWindowTools, Widgets)
 #include "test_window_tools.moc"

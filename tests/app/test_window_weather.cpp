@@ -1,5 +1,6 @@
 // The Weather overlay in the real window: what its keys change is kept after a pause as one step, or undone whole.
 #include "tests/app/window_fixture.h"
+#include "tests/support/test_program.h"
 #include "view/weather_overlay.h"
 
 namespace hairpaint::app {
@@ -146,5 +147,5 @@ private Q_SLOTS:
 
 } // namespace hairpaint::app
 
-QTEST_MAIN(hairpaint::app::TestWindowWeather)
+HAIRPAINT_TEST(hairpaint::app::TestWindowWeather, Widgets)
 #include "test_window_weather.moc"

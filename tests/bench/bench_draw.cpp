@@ -1,6 +1,6 @@
 // Drawing: 10,000 hairs of 8 segments off-screen, and beside it what the same segments cost as bare lines of OpenGL.
-#include "sim/deterministic.h"
-#include "sim/strand_frame.h"
+#include "sim/base/deterministic.h"
+#include "sim/motion/strand_frame.h"
 #include "view/rendering/offscreen_context.h"
 #include "view/rendering/renderer.h"
 

@@ -2,7 +2,7 @@
 // groom_update_dab/hairs:H: bringing the groom up to date after a dab over one per cent of the head.
 #include "bench_scene.h"
 
-#include "sim/groom.h"
+#include "sim/groom/groom.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // A ball of a head with painted maps, for benchmarks of groom and simulation.
 #pragma once
 
-#include "sim/groom_input.h"
+#include "sim/groom/groom_input.h"
 
 namespace hairpaint::bench {
 

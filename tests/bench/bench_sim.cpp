@@ -2,8 +2,8 @@
 // iterations. dependents/hairs:H/nodes:N/threads:T: one frame of H hairs around 4096 basis hairs.
 #include "bench_scene.h"
 
-#include "sim/parallel.h"
-#include "sim/simulation.h"
+#include "sim/base/parallel.h"
+#include "sim/motion/simulation.h"
 
 #include <benchmark/benchmark.h>
 
@@ -23,7 +23,7 @@ void simStep(benchmark::State& state)
     // As in a program that shows 60 frames a second: two steps each time.
     constexpr int kSteps = 2;
     while (state.KeepRunningBatch(kSteps))
-        simulation.advance(kSteps * sim::Simulation::kStepSeconds);
+        simulation.advance(kSteps * sim::kStepSeconds);
     const double nodeSteps =
         static_cast<double>(state.iterations()) * static_cast<double>(state.range(0) * state.range(1));
     state.counters["ns_per_node"] =

@@ -7,9 +7,10 @@
 #include <set>
 #include <tuple>
 
-#include "bust_landmarks.h"
 #include "bust_measures.h"
 #include "glb_reader.h"
+#include "model/heads/bust_landmarks.h"
+#include "tests/support/test_program.h"
 
 using namespace hairpaint;
 using namespace Qt::StringLiterals;
@@ -293,5 +294,5 @@ void TestBust::filesAreFrozen()
                               : QByteArray("19648ec4cd3b9eea8b6f0548ebd0ae931b2b0f63331f212696eaa901b98fb92c"));
 }
 
-QTEST_APPLESS_MAIN(TestBust)
+HAIRPAINT_TEST(TestBust, None)
 #include "test_bust.moc"

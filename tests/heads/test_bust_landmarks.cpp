@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bust_landmarks.h"
 #include "bust_measures.h"
 #include "glb_reader.h"
+#include "model/heads/bust_landmarks.h"
+#include "tests/support/test_program.h"
 
 using namespace hairpaint;
 using namespace Qt::StringLiterals;
@@ -235,5 +236,5 @@ void TestBustLandmarks::collidersAreSymmetric()
         QVERIFY(std::abs(distanceToColliders(p) - distanceToColliders({-p.x, p.y, p.z})) < 1.0e-5F);
 }
 
-QTEST_APPLESS_MAIN(TestBustLandmarks)
+HAIRPAINT_TEST(TestBustLandmarks, None)
 #include "test_bust_landmarks.moc"

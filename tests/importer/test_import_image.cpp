@@ -3,6 +3,7 @@
 #include "model/files/importer_client.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/test_program.h"
 
 #include <QBuffer>
 #include <QImage>
@@ -202,5 +203,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestImportImage)
+HAIRPAINT_TEST(TestImportImage, Core)
 #include "test_import_image.moc"

@@ -4,6 +4,7 @@
 #include "model/files/importer_client.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -240,5 +241,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestImportMesh)
+HAIRPAINT_TEST(TestImportMesh, Core)
 #include "test_import_mesh.moc"

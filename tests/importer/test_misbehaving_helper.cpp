@@ -2,6 +2,7 @@
 #include "model/files/importer_client.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -144,5 +145,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMisbehavingHelper)
+HAIRPAINT_TEST(TestMisbehavingHelper, Core)
 #include "test_misbehaving_helper.moc"

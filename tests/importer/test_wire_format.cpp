@@ -1,6 +1,7 @@
 // Messages between the editor and the helper come back as they were, and nothing else is believed.
 #include "model/files/wire_format.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -161,5 +162,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWireFormat)
+HAIRPAINT_TEST(TestWireFormat, Core)
 #include "test_wire_format.moc"

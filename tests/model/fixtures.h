@@ -5,7 +5,7 @@
 #include "model/document.h"
 #include "model/tools/selection.h"
 #include "model/tools/tool.h"
-#include "sim/skin.h"
+#include "sim/skin/skin.h"
 #include "tests/support/test_heads.h"
 
 #include <cstring>

@@ -2,6 +2,7 @@
 #include "model/tools/brush_path.h"
 #include "model/tools/dab_shape.h"
 #include "tests/model/fixtures.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -308,5 +309,5 @@ void TestBrush::paintBleedsPastTheIslands()
     QCOMPARE(painter.coverage(25 + 15, 230), 0.0);
 }
 
-QTEST_APPLESS_MAIN(TestBrush)
+HAIRPAINT_TEST(TestBrush, None)
 #include "test_brush.moc"

@@ -2,6 +2,7 @@
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "resources/presets/baker/bake.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -58,5 +59,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBuiltInStyles)
+HAIRPAINT_TEST(TestBuiltInStyles, Core)
 #include "test_built_in_styles.moc"

@@ -2,6 +2,7 @@
 #include "model/compositor.h"
 #include "model/tools/clipboard.h"
 #include "tests/model/fixtures.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -102,7 +103,8 @@ void TestClipboard::pastingAtTheBorderIsCutOff()
 
 void TestClipboard::clearingTakesAwayTheSelectedTexelsOnly()
 {
-    Document document(filledPatch(MapKind::Gel, 50000));
+    const Project project = filledPatch(MapKind::Gel, 50000);
+    Document document(project);
     Selection selection;
     selection.setRectangle(QRectF(0.25, 0.25, 0.3, 0.3));
     document.push(clearCommand(document, firstLayer(document, MapKind::Gel), selection, QStringLiteral("Cut Gel")));
@@ -194,5 +196,5 @@ void TestClipboard::lockedLayersAreNotPastedInto()
     QCOMPARE(pasteCommand(document, gel, clip, selection), nullptr);
 }
 
-QTEST_APPLESS_MAIN(TestClipboard)
+HAIRPAINT_TEST(TestClipboard, None)
 #include "test_clipboard.moc"

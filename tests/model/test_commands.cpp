@@ -1,6 +1,7 @@
 // Undo commands: each undone exactly, named as the user knows it, and null where nothing differs.
 #include "model/preset.h"
 #include "tests/model/fixtures.h"
+#include "tests/support/test_program.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -391,5 +392,5 @@ void TestCommands::sharedTilesCostTheHistoryNothing()
     QVERIFY(sameProjects(document.committed(), project));
 }
 
-QTEST_APPLESS_MAIN(TestCommands)
+HAIRPAINT_TEST(TestCommands, None)
 #include "test_commands.moc"

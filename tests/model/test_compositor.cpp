@@ -1,5 +1,6 @@
 // Resolving of layers: the arithmetic, and that only what differs is done again.
 #include "model/compositor.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -261,5 +262,5 @@ void TestCompositor::aSnapshotNeverChanges()
     QCOMPARE(static_cast<int>(map.result()->texel(0, 0)[0]), 65535);
 }
 
-QTEST_APPLESS_MAIN(TestCompositor)
+HAIRPAINT_TEST(TestCompositor, None)
 #include "test_compositor.moc"

@@ -1,10 +1,11 @@
 // Hair written as `.hair` is the hair that is drawn.
 #include "model/files/hair_file.h"
-#include "sim/simulation.h"
-#include "sim/strand_curve.h"
+#include "sim/groom/strand_curve.h"
+#include "sim/motion/simulation.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -210,5 +211,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHairFile)
+HAIRPAINT_TEST(TestHairFile, Core)
 #include "test_hair_file.moc"

@@ -1,9 +1,10 @@
 // Heads: the built-in one, our subset of binary glTF, and unit and axis of a foreign mesh.
 #include "model/files/head_file.h"
 #include "model/files/json_fields.h"
-#include "sim/mesh_openings.h"
+#include "sim/skin/mesh_openings.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 
 #include <QJsonDocument>
 #include <QTest>
@@ -226,5 +227,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHeadFile)
+HAIRPAINT_TEST(TestHeadFile, Core)
 #include "test_head_file.moc"

@@ -5,6 +5,7 @@
 #include "model/tools/clipboard.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/tool_studio.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -240,5 +241,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHistory)
+HAIRPAINT_TEST(TestHistory, Core)
 #include "test_history.moc"

@@ -3,6 +3,7 @@
 #include "model/files/project_file.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/test_program.h"
 
 #include <QImage>
 #include <QTemporaryDir>
@@ -269,5 +270,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHostileProject)
+HAIRPAINT_TEST(TestHostileProject, Core)
 #include "test_hostile_project.moc"

@@ -1,5 +1,6 @@
 // Images become layers through each map's scale, and maps become images that read back the same.
 #include "model/files/image_map.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -261,5 +262,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestImageMapFile)
+HAIRPAINT_TEST(TestImageMapFile, Core)
 #include "test_image_map_file.moc"

@@ -1,5 +1,6 @@
 // The table of maps and the colour scales.
 #include "model/map_spec.h"
+#include "tests/support/test_program.h"
 
 #include <QSet>
 #include <QTest>
@@ -150,5 +151,5 @@ void TestMapSpec::braidsAreReadByTheirColours()
     QCOMPARE(static_cast<int>(colourToIndex(mapSpec(MapKind::Braid), red, green, blue)), index);
 }
 
-QTEST_APPLESS_MAIN(TestMapSpec)
+HAIRPAINT_TEST(TestMapSpec, None)
 #include "test_map_spec.moc"

@@ -2,6 +2,7 @@
 #include "model/files/png_codec.h"
 #include "model/files/png_reader.h"
 #include "tests/model/archive_maker.h"
+#include "tests/support/test_program.h"
 
 #include <QImage>
 #include <QTest>
@@ -114,5 +115,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPngReader)
+HAIRPAINT_TEST(TestPngReader, Core)
 #include "test_png_reader.moc"

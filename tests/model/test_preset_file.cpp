@@ -3,6 +3,7 @@
 #include "model/files/project_file.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -87,5 +88,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPresetFile)
+HAIRPAINT_TEST(TestPresetFile, Core)
 #include "test_preset_file.moc"

@@ -3,6 +3,7 @@
 #include "model/files/project_file.h"
 #include "model/files/project_json.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/test_program.h"
 
 #include <QJsonDocument>
 #include <QTest>
@@ -229,5 +230,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestProjectJson)
+HAIRPAINT_TEST(TestProjectJson, Core)
 #include "test_project_json.moc"

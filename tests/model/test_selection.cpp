@@ -3,6 +3,7 @@
 #include "model/tools/live_edit.h"
 #include "model/tools/selection.h"
 #include "tests/model/tool_studio.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -185,5 +186,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSelection)
+HAIRPAINT_TEST(TestSelection, Core)
 #include "test_selection.moc"

@@ -1,5 +1,6 @@
 // The dab kernel against its formula, texel for texel.
 #include "model/tools/stroke_buffer.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -162,5 +163,5 @@ void TestStrokeBuffer::aReflectedDabIsReflectedToTheBit()
     }
 }
 
-QTEST_APPLESS_MAIN(TestStrokeBuffer)
+HAIRPAINT_TEST(TestStrokeBuffer, None)
 #include "test_stroke_buffer.moc"

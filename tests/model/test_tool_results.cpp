@@ -1,5 +1,6 @@
 // Each tool alone: what it selects, takes, fills and covers.
 #include "tests/model/tool_studio.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -186,5 +187,5 @@ void TestToolResults::polygonsAreClickedCornerByCorner()
     QCOMPARE(studio.document.undoStack().count(), 2);
 }
 
-QTEST_MAIN(TestToolResults)
+HAIRPAINT_TEST(TestToolResults, Gui)
 #include "test_tool_results.moc"

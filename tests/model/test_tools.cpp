@@ -1,5 +1,6 @@
 // Every tool: what is shown while it works is what stays; undo and Esc leave no trace; the selection holds.
 #include "tests/model/tool_studio.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -277,5 +278,5 @@ void TestTools::eachEventTellsOnlyTheTilesItTouched()
     QCOMPARE(told.back(), (std::vector<int>{0, 1}));
 }
 
-QTEST_MAIN(TestTools)
+HAIRPAINT_TEST(TestTools, Gui)
 #include "test_tools.moc"

@@ -1,7 +1,7 @@
 // Makes grooms, frames and balls without the simulation.
 #include "tests/rendering/hand_made_hair.h"
 
-#include "sim/deterministic.h"
+#include "sim/base/deterministic.h"
 
 #include <algorithm>
 #include <cmath>

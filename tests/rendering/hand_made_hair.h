@@ -1,7 +1,7 @@
 // Hair and heads made by hand, so that drawing is tested without groom and solver.
 #pragma once
 
-#include "sim/strand_frame.h"
+#include "sim/motion/strand_frame.h"
 #include "view/rendering/scene.h"
 
 #include <functional>

@@ -1,4 +1,5 @@
 // The governor keeps moving pictures fast and makes still ones fine.
+#include "tests/support/test_program.h"
 #include "view/rendering/renderer.h"
 
 #include <QtTest>
@@ -130,5 +131,5 @@ void TestDetailGovernor::detailRestsWhileTimesWaver()
     }
 }
 
-QTEST_APPLESS_MAIN(TestDetailGovernor)
+HAIRPAINT_TEST(TestDetailGovernor, None)
 #include "test_detail_governor.moc"

@@ -1,5 +1,6 @@
 // The list of drawn strands holds what the detail asks for, each once, with room for its points.
 #include "tests/rendering/hand_made_hair.h"
+#include "tests/support/test_program.h"
 #include "view/rendering/hair_list.h"
 
 #include <QtTest>
@@ -111,5 +112,5 @@ void TestHairList::undrawnStrandsAreLeftOut()
     QCOMPARE(list.strandCount(), std::size_t{1500 - 1024});
 }
 
-QTEST_APPLESS_MAIN(TestHairList)
+HAIRPAINT_TEST(TestHairList, None)
 #include "test_hair_list.moc"

@@ -1,5 +1,6 @@
 // The renderer draws what the scene says, off-screen.
 #include "tests/rendering/renderer_fixture.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -328,5 +329,5 @@ void TestRenderer::emptyAndHiddenHairDrawsNothing()
     QCOMPARE(draw(scene).pixels == without.pixels, false);
 }
 
-QTEST_APPLESS_MAIN(TestRenderer)
+HAIRPAINT_TEST(TestRenderer, None)
 #include "test_renderer.moc"

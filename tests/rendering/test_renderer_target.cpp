@@ -1,5 +1,6 @@
 // The renderer's picture has any size, is copied to the caller's framebuffer, and leaves the caller's state alone.
 #include "tests/rendering/renderer_fixture.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -156,5 +157,5 @@ void TestRendererTarget::pictureIsCopiedToTheCallersFramebufferAndStateIsKept()
     QCOMPARE(foreign.centre(), picture.at(30, 20));
 }
 
-QTEST_APPLESS_MAIN(TestRendererTarget)
+HAIRPAINT_TEST(TestRendererTarget, None)
 #include "test_renderer_target.moc"

@@ -1,7 +1,8 @@
 // The points that the compute shader walks are those of sim::evaluateStrand.
-#include "sim/strand_curve.h"
+#include "sim/groom/strand_curve.h"
 #include "tests/rendering/gl_test.h"
 #include "tests/rendering/hand_made_hair.h"
+#include "tests/support/test_program.h"
 #include "view/rendering/hair_pass.h"
 
 #include <QtTest>
@@ -106,5 +107,5 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
     QVERIFY2(errors.empty(), errors.c_str());
 }
 
-QTEST_APPLESS_MAIN(TestStrandCurveOnGpu)
+HAIRPAINT_TEST(TestStrandCurveOnGpu, None)
 #include "test_strand_curve_on_gpu.moc"

@@ -1,7 +1,7 @@
 // Whether two grooms are the same, byte by byte.
 #pragma once
 
-#include "sim/groom.h"
+#include "sim/groom/groom.h"
 
 #include <cstring>
 #include <vector>

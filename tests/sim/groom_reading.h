@@ -1,7 +1,7 @@
 // Single hairs out of a groom's chunks.
 #pragma once
 
-#include "sim/groom.h"
+#include "sim/groom/groom.h"
 
 namespace hairpaint::test {
 

@@ -1,8 +1,9 @@
 // Braids grow in connected regions, and their hairs gather at the middle.
-#include "sim/braid_layout.h"
-#include "sim/groom.h"
+#include "sim/groom/braid_layout.h"
+#include "sim/groom/groom.h"
 #include "tests/support/test_grooms.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -266,5 +267,5 @@ void TestBraids::aTinyDabBetweenBasisHairsIsNoBraid()
     QCOMPARE(groom->hairCount, std::size_t{20000});
 }
 
-QTEST_APPLESS_MAIN(TestBraids)
+HAIRPAINT_TEST(TestBraids, None)
 #include "test_braids.moc"

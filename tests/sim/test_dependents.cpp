@@ -1,7 +1,8 @@
 // Hairs between the basis hairs: their length, the head, and braids that follow their centre.
-#include "sim/simulation.h"
+#include "sim/motion/simulation.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/strand_frames.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -96,5 +97,5 @@ void TestDependents::braidedHairFollowsItsCentre()
     QVERIFY(braided > 10);
 }
 
-QTEST_APPLESS_MAIN(TestDependents)
+HAIRPAINT_TEST(TestDependents, None)
 #include "test_dependents.moc"

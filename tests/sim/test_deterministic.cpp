@@ -1,5 +1,6 @@
 // The hashes are fixed for ever, and the transcendentals are as close to the library's as promised.
-#include "sim/deterministic.h"
+#include "sim/base/deterministic.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -89,5 +90,5 @@ void TestDeterministic::absurdAnglesGiveNumbers()
     }
 }
 
-QTEST_APPLESS_MAIN(TestDeterministic)
+HAIRPAINT_TEST(TestDeterministic, None)
 #include "test_deterministic.moc"

@@ -1,7 +1,8 @@
 // Ellipsoids fitted to a mesh follow its skin from inside.
-#include "sim/collider_set.h"
-#include "sim/ellipsoid.h"
+#include "sim/skin/ellipsoid.h"
+#include "sim/solver/collider_set.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -137,5 +138,5 @@ void TestEllipsoid::anEllipsoidOfNonsenseIsLeftOut()
     QCOMPARE(prepareColliders(ellipsoids).count, 1);
 }
 
-QTEST_APPLESS_MAIN(TestEllipsoid)
+HAIRPAINT_TEST(TestEllipsoid, None)
 #include "test_ellipsoid.moc"

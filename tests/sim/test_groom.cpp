@@ -1,9 +1,10 @@
 // Hairs are where the maps say, as the maps say, and painting in one place changes nothing elsewhere.
-#include "sim/groom.h"
-#include "sim/parallel.h"
+#include "sim/base/parallel.h"
+#include "sim/groom/groom.h"
 #include "tests/sim/groom_reading.h"
 #include "tests/support/test_grooms.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -381,5 +382,5 @@ void TestGroom::aSkinWithoutFacesGrowsNothing()
     QCOMPARE(groom->basis->blockCount(), std::size_t{0});
 }
 
-QTEST_APPLESS_MAIN(TestGroom)
+HAIRPAINT_TEST(TestGroom, None)
 #include "test_groom.moc"

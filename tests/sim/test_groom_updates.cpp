@@ -1,10 +1,11 @@
 // An update rebuilds what differs, nothing else, and leaves the bytes of a fresh build.
 #include "groom_bytes.h"
-#include "sim/deterministic.h"
-#include "sim/groom.h"
-#include "sim/parallel.h"
+#include "sim/base/deterministic.h"
+#include "sim/base/parallel.h"
+#include "sim/groom/groom.h"
 #include "tests/support/test_grooms.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -334,5 +335,5 @@ void TestGroomUpdates::anyNumberOfThreadsGivesTheSameBytes()
         verifySame(*one[i], *many[i], QStringLiteral("update %1").arg(i));
 }
 
-QTEST_APPLESS_MAIN(TestGroomUpdates)
+HAIRPAINT_TEST(TestGroomUpdates, None)
 #include "test_groom_updates.moc"

@@ -1,7 +1,8 @@
 // Every instruction set that this machine has gives the same bytes. Highway picks the best one at run time; here each
 // of the others is forced in turn.
-#include "sim/simulation.h"
+#include "sim/motion/simulation.h"
 #include "tests/support/painted_ball.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -79,5 +80,5 @@ void TestInstructionSets::eachGivesTheSameBytes()
     QVERIFY(std::memcmp(best.data(), forced.data(), best.size() * sizeof(float)) == 0);
 }
 
-QTEST_APPLESS_MAIN(TestInstructionSets)
+HAIRPAINT_TEST(TestInstructionSets, None)
 #include "test_instruction_sets.moc"

@@ -1,5 +1,6 @@
 // The mailbox between two threads: the latest wins, nothing is lost, waiting ends.
-#include "sim/mailbox.h"
+#include "sim/base/mailbox.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -94,5 +95,5 @@ void TestMailbox::valuesFromManyThreadsAllArrive()
     QVERIFY(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
 }
 
-QTEST_APPLESS_MAIN(TestMailbox)
+HAIRPAINT_TEST(TestMailbox, None)
 #include "test_mailbox.moc"

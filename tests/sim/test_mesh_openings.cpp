@@ -1,5 +1,6 @@
 // Where a mesh ends, and its closing.
-#include "sim/mesh_openings.h"
+#include "sim/skin/mesh_openings.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -83,5 +84,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMeshOpenings)
+HAIRPAINT_TEST(TestMeshOpenings, None)
 #include "test_mesh_openings.moc"

@@ -1,5 +1,6 @@
 // Parallel loops cover the whole range once, on as many threads as were asked for.
-#include "sim/parallel.h"
+#include "sim/base/parallel.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -103,5 +104,5 @@ void TestParallel::loopsMayBeNested()
     QCOMPARE(total.load(), 1000);
 }
 
-QTEST_APPLESS_MAIN(TestParallel)
+HAIRPAINT_TEST(TestParallel, None)
 #include "test_parallel.moc"

@@ -1,8 +1,9 @@
 // Roots are an even cover at every density, and stay where they are when more are added.
-#include "sim/deterministic.h"
-#include "sim/parallel.h"
-#include "sim/roots.h"
+#include "sim/base/deterministic.h"
+#include "sim/base/parallel.h"
+#include "sim/groom/roots.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -319,5 +320,5 @@ void TestRoots::smallAndEmptySetsAreAllowed()
     }
 }
 
-QTEST_APPLESS_MAIN(TestRoots)
+HAIRPAINT_TEST(TestRoots, None)
 #include "test_roots.moc"

@@ -1,9 +1,10 @@
 // What the whole simulation promises: the same bytes however it is cut up, strands that a dab leaves alone, sleep.
-#include "sim/deterministic.h"
-#include "sim/parallel.h"
-#include "sim/simulation.h"
+#include "sim/base/deterministic.h"
+#include "sim/base/parallel.h"
+#include "sim/motion/simulation.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/strand_frames.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -335,7 +336,7 @@ void TestSimulation::nonsenseIsIgnored()
     simulation.advance(1e30);
     simulation.settle(-1.0);
     const StrandFrame frame = frameOf(simulation);
-    QVERIFY(frame.simulatedSeconds <= 8.001 * Simulation::kStepSeconds);
+    QVERIFY(frame.simulatedSeconds <= 8.001 * kStepSeconds);
     for (const float value : frame.groups.front().positions)
         QVERIFY(std::isfinite(value));
 }
@@ -360,5 +361,5 @@ void TestSimulation::moreCandidatesKeepTheMotionOfTheOthers()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSimulation)
+HAIRPAINT_TEST(TestSimulation, None)
 #include "test_simulation.moc"

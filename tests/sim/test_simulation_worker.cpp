@@ -1,6 +1,7 @@
 // The worker's thread: frames come by themselves, stop where nothing moves, and the newest input is what they show.
-#include "sim/simulation_worker.h"
+#include "sim/motion/simulation_worker.h"
 #include "tests/support/painted_ball.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -174,5 +175,5 @@ void TestSimulationWorker::itStopsQuicklyInTheMiddleOfAnything()
     QVERIFY(!survivor->groups.empty());
 }
 
-QTEST_APPLESS_MAIN(TestSimulationWorker)
+HAIRPAINT_TEST(TestSimulationWorker, None)
 #include "test_simulation_worker.moc"

@@ -1,7 +1,8 @@
 // Places on the skin are found as a search over every face would find them.
-#include "sim/deterministic.h"
-#include "sim/skin.h"
+#include "sim/base/deterministic.h"
+#include "sim/skin/skin.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -296,5 +297,5 @@ void TestSkin::aMeshWithoutFacesIsAllowed()
     QVERIFY(!skin.mirrored(SurfacePoint{}));
 }
 
-QTEST_APPLESS_MAIN(TestSkin)
+HAIRPAINT_TEST(TestSkin, None)
 #include "test_skin.moc"

@@ -1,10 +1,11 @@
 // The solver against what physics says, and the promises it makes about lengths, ellipsoids, gel and robustness.
-#include "sim/deterministic.h"
-#include "sim/group_dynamics.h"
-#include "sim/head_motion.h"
-#include "sim/simulation.h"
-#include "sim/wind_field.h"
+#include "sim/base/deterministic.h"
+#include "sim/motion/group_dynamics.h"
+#include "sim/motion/head_motion.h"
+#include "sim/motion/simulation.h"
+#include "sim/motion/wind_field.h"
 #include "tests/support/hand_made_groom.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -18,7 +19,7 @@ using namespace hairpaint::test;
 
 namespace {
 
-constexpr auto kStep = static_cast<float>(Simulation::kStepSeconds);
+constexpr auto kStep = static_cast<float>(kStepSeconds);
 
 ColliderSet ballCollider(float radiusM = 0.1F)
 {
@@ -134,11 +135,11 @@ void TestSolver::aPendulumSwingsWithItsPeriod()
     double last = 0.0;
     int passages = 0;
     float before = nodeOf(hair, 0, 1).x;
-    for (int step = 1; step * Simulation::kStepSeconds < 5.2 * period; ++step) {
+    for (int step = 1; step * kStepSeconds < 5.2 * period; ++step) {
         fall(hair, 1);
         const float x = nodeOf(hair, 0, 1).x;
         if ((x < 0.0F) != (before < 0.0F)) {
-            const double at = (step - 1 + static_cast<double>(before / (before - x))) * Simulation::kStepSeconds;
+            const double at = (step - 1 + static_cast<double>(before / (before - x))) * kStepSeconds;
             first = passages == 0 ? at : first;
             last = at;
             ++passages;
@@ -358,5 +359,5 @@ void TestSolver::shortHairStandsAndLongHairHangs()
     QVERIFY2(longWay.x < 0.1F * 0.4F, qPrintable(QString::number(longWay.x)));
 }
 
-QTEST_APPLESS_MAIN(TestSolver)
+HAIRPAINT_TEST(TestSolver, None)
 #include "test_solver.moc"

@@ -1,6 +1,7 @@
 // Curves are the paper's equations, drawn along the skeleton.
-#include "sim/groom.h"
-#include "sim/strand_curve.h"
+#include "sim/groom/groom.h"
+#include "sim/groom/strand_curve.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -395,5 +396,5 @@ void TestStrandCurve::strangeSkeletonsGiveNumbers()
     }
 }
 
-QTEST_APPLESS_MAIN(TestStrandCurve)
+HAIRPAINT_TEST(TestStrandCurve, None)
 #include "test_strand_curve.moc"

@@ -1,6 +1,7 @@
 // Rasters share tiles until they are written, and are sampled as the design says.
-#include "sim/deterministic.h"
-#include "sim/tiled_raster.h"
+#include "sim/base/deterministic.h"
+#include "sim/base/tiled_raster.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -254,5 +255,5 @@ void TestTiledRaster::oneValueEverywhereIsFound()
     QVERIFY(!raster.uniformValue());
 }
 
-QTEST_APPLESS_MAIN(TestTiledRaster)
+HAIRPAINT_TEST(TestTiledRaster, None)
 #include "test_tiled_raster.moc"

@@ -1,7 +1,7 @@
 // Grooms put together by hand, so that the solver is tested without maps and roots.
 #pragma once
 
-#include "sim/groom.h"
+#include "sim/groom/groom.h"
 
 #include <glm/glm.hpp>
 

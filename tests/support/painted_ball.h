@@ -1,7 +1,7 @@
 // A ball of a head with uniform maps, and dabs on them, for tests of groom, simulation and worker.
 #pragma once
 
-#include "sim/groom_input.h"
+#include "sim/groom/groom_input.h"
 #include "tests/support/test_heads.h"
 
 #include <algorithm>

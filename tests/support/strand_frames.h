@@ -1,7 +1,7 @@
 // Reading single strands out of frames.
 #pragma once
 
-#include "sim/simulation.h"
+#include "sim/motion/simulation.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // Inputs for grooms in tests: maps of plain values, and dabs on them.
 #pragma once
 
-#include "sim/groom_input.h"
+#include "sim/groom/groom_input.h"
 
 #include <algorithm>
 #include <cmath>

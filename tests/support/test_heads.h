@@ -1,7 +1,7 @@
 // Small generated heads for tests.
 #pragma once
 
-#include "sim/head_mesh.h"
+#include "sim/skin/head_mesh.h"
 
 #include <cmath>
 #include <cstdint>

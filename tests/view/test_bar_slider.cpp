@@ -1,5 +1,6 @@
 // The filled bar answers mouse, wheel, keys and typing, and tells of each change once.
 #include "panel_fixture.h"
+#include "tests/support/test_program.h"
 #include "view/theme.h"
 
 #include <QLineEdit>
@@ -205,5 +206,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestBarSlider)
+HAIRPAINT_TEST(TestBarSlider, Widgets)
 #include "test_bar_slider.moc"

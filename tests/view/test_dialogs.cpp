@@ -2,6 +2,7 @@
 #include "panel_fixture.h"
 
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/light_dialog.h"
 #include "view/dialogs/preferences_dialog.h"
@@ -239,5 +240,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestDialogs)
+HAIRPAINT_TEST(TestDialogs, Widgets)
 #include "test_dialogs.moc"

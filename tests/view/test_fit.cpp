@@ -4,6 +4,7 @@
 #include "tests/support/clipping.h"
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 #include "view/dialogs/about_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/light_dialog.h"
@@ -252,5 +253,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestFit)
+HAIRPAINT_TEST(TestFit, Widgets)
 #include "test_fit.moc"

@@ -1,4 +1,5 @@
 // The QOpenGLWidget of the 3D area, in a real window: run on xcb under Xvfb.
+#include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
 #include "view/head_view.h"
 
@@ -87,5 +88,5 @@ private:
     view::HeadView* m_area = nullptr; ///< Owned by a window.
 };
 
-QTEST_MAIN(GlPresenterTest)
+HAIRPAINT_TEST(GlPresenterTest, Widgets)
 #include "test_gl_presenter.moc"

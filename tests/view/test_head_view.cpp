@@ -1,5 +1,6 @@
 // The 3D area driven by mouse, wheel and keys; its pictures come from an off-screen context.
-#include "sim/simulation.h"
+#include "sim/motion/simulation.h"
+#include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
 #include "view/head/head_camera.h"
 #include "view/head/puff_gesture.h"
@@ -391,5 +392,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(HeadViewTest)
+HAIRPAINT_TEST(HeadViewTest, Widgets)
 #include "test_head_view.moc"

@@ -1,4 +1,5 @@
 // Where no OpenGL driver is found the 3D area says so and the rest works.
+#include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
 #include "view/head/render_thread.h"
 #include "view/head_view.h"
@@ -45,5 +46,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(HeadViewWithoutGlTest)
+HAIRPAINT_TEST(HeadViewWithoutGlTest, Widgets)
 #include "test_head_view_without_gl.moc"

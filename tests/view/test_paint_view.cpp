@@ -1,4 +1,5 @@
 // The paint area driven by mouse, wheel, keys and pen.
+#include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
 #include "view/paint_view.h"
 
@@ -350,5 +351,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(PaintViewTest)
+HAIRPAINT_TEST(PaintViewTest, Widgets)
 #include "test_paint_view.moc"

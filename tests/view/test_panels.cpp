@@ -2,6 +2,7 @@
 #include "panel_fixture.h"
 
 #include "model/commands/commands.h"
+#include "tests/support/test_program.h"
 #include "view/panels/hair_panel.h"
 #include "view/panels/layer_list.h"
 #include "view/panels/layers_panel.h"
@@ -358,5 +359,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestPanels)
+HAIRPAINT_TEST(TestPanels, Widgets)
 #include "test_panels.moc"

@@ -1,6 +1,7 @@
 // The line at the window's foot: the value under the pointer, errors, and limits on hairs.
 #include "panel_fixture.h"
 
+#include "tests/support/test_program.h"
 #include "view/panels/status_readout.h"
 
 #include <QLabel>
@@ -59,5 +60,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestStatusReadout)
+HAIRPAINT_TEST(TestStatusReadout, Widgets)
 #include "test_status_readout.moc"

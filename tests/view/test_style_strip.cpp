@@ -2,6 +2,7 @@
 #include "panel_fixture.h"
 
 #include "model/commands/commands.h"
+#include "tests/support/test_program.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
 
@@ -204,5 +205,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestStyleStrip)
+HAIRPAINT_TEST(TestStyleStrip, Widgets)
 #include "test_style_strip.moc"

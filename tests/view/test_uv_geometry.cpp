@@ -1,5 +1,6 @@
 // The paint area's geometry: navigation, the ring's ellipse, the thinned wireframe, the baked shading.
 #include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
 #include "view/paint/map_pyramid.h"
 #include "view/paint/skin_ring.h"
 #include "view/paint/uv_shading.h"
@@ -194,5 +195,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(UvGeometry)
+HAIRPAINT_TEST(UvGeometry, Widgets)
 #include "test_uv_geometry.moc"

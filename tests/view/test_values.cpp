@@ -1,6 +1,7 @@
 // The palette picks what a map is painted with, in the group's own units.
 #include "panel_fixture.h"
 
+#include "tests/support/test_program.h"
 #include "view/widgets/swatch.h"
 #include "view/widgets/value_pair.h"
 #include "view/widgets/value_palette.h"
@@ -107,5 +108,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(TestValues)
+HAIRPAINT_TEST(TestValues, Widgets)
 #include "test_values.moc"

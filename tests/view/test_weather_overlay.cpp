@@ -1,4 +1,5 @@
 // The paper's keys: arrows and Page Up and Down for the wind, R, G and B for the light.
+#include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
 #include "view/head_view.h"
 #include "view/weather_overlay.h"
@@ -164,5 +165,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(WeatherOverlayTest)
+HAIRPAINT_TEST(WeatherOverlayTest, Widgets)
 #include "test_weather_overlay.moc"

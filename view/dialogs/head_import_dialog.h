@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/project.h"
-#include "sim/head_mesh.h"
+#include "sim/skin/head_mesh.h"
 
 #include <QDialog>
 

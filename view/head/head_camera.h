@@ -1,8 +1,8 @@
 // Moving the 3D area's camera, and rays through its pixels. Pure functions.
 #pragma once
 
-#include "sim/skin.h"
-#include "sim/strand_frame.h"
+#include "sim/motion/strand_frame.h"
+#include "sim/skin/skin.h"
 #include "view/rendering/scene.h"
 
 #include <QPointF>

@@ -1,7 +1,7 @@
 // Draws frames on a thread of its own and hands them back as images.
 #pragma once
 
-#include "sim/mailbox.h"
+#include "sim/base/mailbox.h"
 #include "view/head/frame_presenter.h"
 
 #include <QThread>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/project.h"
-#include "sim/strand_frame.h"
+#include "sim/motion/strand_frame.h"
 #include "view/rendering/scene.h"
 #include "view/rendering/standard_views.h"
 

@@ -1,7 +1,7 @@
 // The built-in head's named points as places of the flat map.
 #include "view/paint/landmarks.h"
 
-#include "bust_landmarks.h"
+#include "model/heads/bust_landmarks.h"
 
 #include <QCoreApplication>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/map_spec.h"
-#include "sim/tiled_raster.h"
+#include "sim/base/tiled_raster.h"
 
 #include <QImage>
 #include <QList>

@@ -1,7 +1,7 @@
 // A disc on the skin as it looks on the flat map.
 #pragma once
 
-#include "sim/skin.h"
+#include "sim/skin/skin.h"
 
 #include <QPolygonF>
 

@@ -1,7 +1,7 @@
 // The head's own light and shade over its uv layout, so that a flat map shows where eyes, ears and crown are.
 #pragma once
 
-#include "sim/head_mesh.h"
+#include "sim/skin/head_mesh.h"
 
 #include <QColor>
 #include <QImage>

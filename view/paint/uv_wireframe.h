@@ -1,7 +1,7 @@
 // The edges of the uv layout, the paper's second layer, thinned where they would run together.
 #pragma once
 
-#include "sim/head_mesh.h"
+#include "sim/skin/head_mesh.h"
 
 #include <QPainter>
 #include <QRectF>

@@ -1,7 +1,7 @@
 // The one table of a hair group's numbers: what the hair panel shows, in which unit and between which bounds.
 #pragma once
 
-#include "sim/group_settings.h"
+#include "sim/groom/group_settings.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 // The line at the window's foot: hairs, times, the value under the pointer, what the tool does next.
 #pragma once
 
-#include "sim/groom.h"
+#include "sim/groom/groom.h"
 #include "view/editor_state.h"
 
 #include <QTimer>

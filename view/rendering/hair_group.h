@@ -1,7 +1,7 @@
 // One hair group's data on the GPU: styles, skeletons and the list of drawn strands.
 #pragma once
 
-#include "sim/strand_frame.h"
+#include "sim/motion/strand_frame.h"
 #include "view/rendering/gl_objects.h"
 #include "view/rendering/hair_list.h"
 

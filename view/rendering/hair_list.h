@@ -1,7 +1,7 @@
 // Which strands of a group are drawn, and where each one's points begin.
 #pragma once
 
-#include "sim/groom.h"
+#include "sim/groom/groom.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Draws the head with triangles and keeps the picture.
 #include "view/rendering/head_layer.h"
 
-#include "sim/mesh_openings.h"
+#include "sim/skin/mesh_openings.h"
 
 #include <epoxy/gl.h>
 

@@ -1,8 +1,8 @@
 // What the renderer is asked to show, besides the hair itself.
 #pragma once
 
-#include "sim/head_mesh.h"
-#include "sim/strand_frame.h"
+#include "sim/motion/strand_frame.h"
+#include "sim/skin/head_mesh.h"
 
 #include <glm/glm.hpp>
 

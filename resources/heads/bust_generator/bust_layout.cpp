@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "../bust_landmarks.h"
+#include "model/heads/bust_landmarks.h"
 #include "sdf_primitives.h"
 #include "uv_solver.h"
 

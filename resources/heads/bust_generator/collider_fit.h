@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "../bust_landmarks.h"
 #include "bust_mesh.h"
+#include "model/heads/bust_landmarks.h"
 
 namespace hairpaint::heads {
 

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <string_view>
 
-#include "../bust_landmarks.h"
 #include "bust_mesh.h"
 #include "collider_fit.h"
 #include "glb_writer.h"
 #include "grid_relaxer.h"
+#include "model/heads/bust_landmarks.h"
 #include "preview.h"
 #include "uv_solver.h"
 

@@ -1,8 +1,8 @@
 // Asks a style's functions for the value of every texel.
 #include "bake.h"
 
-#include "bust_landmarks.h"
 #include "model/files/project_file.h"
+#include "model/heads/bust_landmarks.h"
 
 #include <cmath>
 

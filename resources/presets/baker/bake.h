@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/preset.h"
-#include "sim/skin.h"
+#include "sim/skin/skin.h"
 #include "styles.h"
 
 #include <optional>

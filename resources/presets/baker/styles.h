@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/map_spec.h"
-#include "sim/group_settings.h"
+#include "sim/groom/group_settings.h"
 
 #include <QColor>
 #include <QStringList>

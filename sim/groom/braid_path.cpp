@@ -1,0 +1,101 @@
+// A cubic over the scalp, lifted a little, and a straight line from the centre's root.
+#include "sim/groom/braid_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr std::size_t kSamples = 17; ///< Of the part on the scalp.
+constexpr float kLiftM = 0.002F;     ///< Hairs on their way lie on those below them,
+constexpr float kLiftShare = 0.05F;  ///< and are lifted by this share of it: a few nodes must clear a round head.
+constexpr float kPitchRadii = 9.0F;  ///< Length of one turn of equation 3, in its radius r.
+
+float lengthOf(glm::vec3 v)
+{
+    return std::sqrt(glm::dot(v, v));
+}
+
+/// The direction of `way` in the plane of the normal, unit; 0 where there is none.
+glm::vec3 alongSkin(glm::vec3 way, glm::vec3 normal)
+{
+    const glm::vec3 flat = way - normal * glm::dot(way, normal);
+    const float length = lengthOf(flat);
+    return length > 1e-9F ? flat / length : glm::vec3(0.0F);
+}
+
+/// Bezier's cubic that leaves and arrives along the skin. For two places on a circle its handles, 2/3 of the chord over
+/// 1 + cos of half the angle, are those of the circle's arc.
+std::array<glm::vec3, kSamples> scalpPath(const RootPlace& from, const RootPlace& to)
+{
+    const glm::vec3 chord = to.positionHd - from.positionHd;
+    const float cosAngle = glm::dot(from.normalHd, to.normalHd);
+    const float cosHalf = std::sqrt(std::max(0.5F + 0.5F * cosAngle, 0.0F));
+    const float handle = lengthOf(chord) * (2.0F / 3.0F) / (1.0F + cosHalf);
+    const glm::vec3 b1 = from.positionHd + alongSkin(chord, from.normalHd) * handle;
+    const glm::vec3 b2 = to.positionHd - alongSkin(chord, to.normalHd) * handle;
+    const float liftM = std::min(kLiftM + lengthOf(chord) * kLiftShare, lengthOf(chord) * 0.25F);
+    std::array<glm::vec3, kSamples> path;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+        const float t = static_cast<float>(i) / static_cast<float>(kSamples - 1);
+        const float u = 1.0F - t;
+        path[i] = from.positionHd * (u * u * u) + b1 * (3.0F * u * u * t) + b2 * (3.0F * u * t * t) +
+                  to.positionHd * (t * t * t) + (from.normalHd * u + to.normalHd * t) * (4.0F * u * t * liftM);
+    }
+    return path;
+}
+
+} // namespace
+
+int gatheringNode(int nodes)
+{
+    return std::max((nodes + 1) / 4, 1);
+}
+
+float braidRest(const RootPlace& root, const RootPlace& centre, float centreLengthM, std::span<glm::vec3> nodesHd)
+{
+    const std::array<glm::vec3, kSamples> path = scalpPath(root, centre);
+    std::array<float, kSamples> lengthUpTo{};
+    for (std::size_t i = 1; i < kSamples; ++i)
+        lengthUpTo[i] = lengthUpTo[i - 1] + lengthOf(path[i] - path[i - 1]);
+    const float scalpM = lengthUpTo.back();
+    const auto gathered = static_cast<std::size_t>(gatheringNode(static_cast<int>(nodesHd.size())));
+    std::size_t at = 0;
+    for (std::size_t node = 0; node < gathered; ++node) {
+        const float s = scalpM * static_cast<float>(node) / static_cast<float>(gathered);
+        while (at + 2 < kSamples && lengthUpTo[at + 1] <= s)
+            ++at;
+        const float share = (s - lengthUpTo[at]) / std::max(lengthUpTo[at + 1] - lengthUpTo[at], 1e-12F);
+        nodesHd[node] = path[at] + (path[at + 1] - path[at]) * share;
+    }
+    const float segmentM = centreLengthM / static_cast<float>(nodesHd.size() - 1 - gathered);
+    for (std::size_t node = gathered; node < nodesHd.size(); ++node)
+        nodesHd[node] = centre.positionHd + centre.normalHd * (segmentM * static_cast<float>(node - gathered));
+    return scalpM;
+}
+
+std::uint32_t wispCount(BraidKind kind)
+{
+    return kind == BraidKind::Plait ? 3 : kind == BraidKind::Twist ? 2 : 1;
+}
+
+void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance& chance, float scalpM,
+                float centreLengthM, StrandStyle& style)
+{
+    style.lengthM = scalpM + centreLengthM;
+    style.turns = 0.0F;
+    style.curlRadiusM = 0.0F;
+    style.phase = 0.0F;
+    style.braid = static_cast<std::uint32_t>(kind) | (chance.wisp % wispCount(kind) << 8U);
+    style.braidRadiusM = std::min(settings.braidRadiusM, centreLengthM * 0.25F);
+    style.braidStart =
+        static_cast<float>(gatheringNode(settings.nodesPerHair)) / static_cast<float>(settings.nodesPerHair - 1);
+    style.braidTurns = centreLengthM / (kPitchRadii * std::max(settings.braidRadiusM, 1e-4F));
+    style.placeX = chance.place.x;
+    style.placeY = chance.place.y;
+}
+
+} // namespace hairpaint::sim

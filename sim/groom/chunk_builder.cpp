@@ -1,0 +1,149 @@
+// First which slots are hairs, then what those look like.
+#include "sim/groom/chunk_builder.h"
+
+#include "sim/groom/braid_path.h"
+#include "sim/groom/rest_shape.h"
+#include "sim/groom/strand_style.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr std::size_t kMostNodes = 32;
+
+RootPlace placeOf(const RootSet& roots, std::uint32_t slot)
+{
+    return {roots.positionHd[slot], roots.normalHd[slot]};
+}
+
+/// Evaluates hairs into one chunk.
+class ChunkWriter
+{
+public:
+    ChunkWriter(const ChunkInputs& inputs, std::size_t chunkIndex, StrandChunk& chunk)
+        : m_inputs(inputs), m_chunk(chunk), m_firstSlot(static_cast<std::uint32_t>(chunkIndex * kChunkSlots)),
+          m_nodes(static_cast<std::size_t>(inputs.settings.nodesPerHair))
+    {}
+
+    void write(std::uint32_t slot, float density)
+    {
+        const GroupSettings& settings = m_inputs.settings;
+        const RootSet& roots = m_inputs.roots;
+        const glm::vec2 uv = roots.uv[slot];
+        const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[slot]);
+        const RootValues values{m_inputs.maps.length.scalar(uv), m_inputs.maps.curl.scalar(uv),
+                                glm::vec3(m_inputs.maps.colour.channels(uv))};
+        StrandStyle style = styleOf(settings, values, chance, roots.threshold(slot) / density);
+        const bool isDrawn = style.lengthM >= kShortestDrawnM;
+        if (!isDrawn)
+            style.detail = StrandStyle{}.detail;
+
+        const std::span<glm::vec3> nodes = std::span(m_buffer).first(m_nodes);
+        std::uint32_t centre = kNoCentre;
+        if (isDrawn && m_inputs.kinds[slot] != 0)
+            centre = m_inputs.braids.centreOf(roots, slot, m_inputs.kinds[slot]);
+        if (centre != kNoCentre) {
+            const float centreLengthM = m_inputs.basisLengthM[centre];
+            const float scalpM =
+                braidRest(placeOf(roots, slot), placeOf(roots, roots.basisSlot[centre]), centreLengthM, nodes);
+            applyBraid(settings, static_cast<BraidKind>(m_inputs.kinds[slot]), chance, scalpM, centreLengthM, style);
+        } else {
+            straightRest(placeOf(roots, slot), style.lengthM, nodes);
+            const std::uint32_t basis = roots.basisSlot[roots.neighbours[slot][0]];
+            const float clump = basis == slot ? 0.0F : m_inputs.maps.clump.scalar(uv);
+            if (clump > 0.0F) {
+                clumpRest(placeOf(roots, basis), clump, style.lengthM / static_cast<float>(m_nodes - 1), nodes);
+                // Hairs that lie together curl together: a ringlet is one curl of many hairs.
+                const float basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
+                style.phase = basisPhase + (style.phase - basisPhase) * (1.0F - clump);
+            }
+        }
+        store(slot, style, nodes, isDrawn, centre);
+    }
+
+    void clear(std::uint32_t slot)
+    {
+        std::ranges::fill(std::span(m_buffer).first(m_nodes), glm::vec3(0.0F));
+        store(slot, StrandStyle{}, std::span(m_buffer).first(m_nodes), false, kNoCentre);
+        m_chunk.hairs.reset(slot - m_firstSlot);
+    }
+
+private:
+    void store(std::uint32_t slot, const StrandStyle& style, std::span<const glm::vec3> nodes, bool isDrawn,
+               std::uint32_t centre)
+    {
+        const std::size_t local = slot - m_firstSlot;
+        m_chunk.hairs.set(local);
+        m_chunk.drawn.set(local, isDrawn);
+        m_chunk.styles[local] = style;
+        m_chunk.braidCentre[local] = centre;
+        m_chunk.segmentLengths[local] = style.lengthM / static_cast<float>(m_nodes - 1);
+        float* at = m_chunk.restPositions.data() + local / kLanes * m_nodes * 3 * kLanes + local % kLanes;
+        for (const glm::vec3& node : nodes) {
+            at[0] = node.x;
+            at[kLanes] = node.y;
+            at[2 * std::size_t{kLanes}] = node.z;
+            at += 3 * std::size_t{kLanes};
+        }
+    }
+
+    const ChunkInputs& m_inputs;
+    StrandChunk& m_chunk;
+    std::uint32_t m_firstSlot;
+    std::size_t m_nodes;
+    std::array<glm::vec3, kMostNodes> m_buffer{};
+};
+
+std::shared_ptr<StrandChunk> emptyChunk(int nodes)
+{
+    auto chunk = std::make_shared<StrandChunk>();
+    chunk->styles.resize(kChunkSlots);
+    chunk->restPositions.resize(static_cast<std::size_t>(kChunkSlots) * static_cast<std::size_t>(nodes) * 3);
+    chunk->segmentLengths.resize(kChunkSlots);
+    chunk->braidCentre.assign(kChunkSlots, kNoCentre);
+    return chunk;
+}
+
+} // namespace
+
+std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
+                                                const std::shared_ptr<const StrandChunk>& before,
+                                                std::size_t chunkIndex, const SlotSet& dirty, SlotSet& rebuilt)
+{
+    const RootSet& roots = inputs.roots;
+    const std::size_t firstSlot = chunkIndex * kChunkSlots;
+    std::bitset<kChunkSlots> hairs = before ? before->hairs : std::bitset<kChunkSlots>{};
+    std::array<float, kChunkSlots> densities; // Written where read.
+    bool differs = false;
+    dirty.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
+        const std::size_t local = slot - firstSlot;
+        densities[local] = inputs.maps.density.scalar(roots.uv[slot]);
+        const bool isHair = roots.threshold(slot) < densities[local];
+        if (isHair || hairs[local]) {
+            rebuilt.insert(slot);
+            differs = true;
+        }
+        hairs.set(local, isHair);
+    });
+    if (!differs)
+        return before;
+    if (hairs.none())
+        return nullptr;
+
+    const std::shared_ptr<StrandChunk> chunk =
+        before ? std::make_shared<StrandChunk>(*before) : emptyChunk(inputs.settings.nodesPerHair);
+    ChunkWriter writer(inputs, chunkIndex, *chunk);
+    dirty.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
+        const std::size_t local = slot - firstSlot;
+        if (hairs[local])
+            writer.write(slot, densities[local]);
+        else if (chunk->hairs[local])
+            writer.clear(slot);
+    });
+    return chunk;
+}
+
+} // namespace hairpaint::sim

@@ -1,0 +1,32 @@
+// Evaluates the hairs of one chunk.
+#pragma once
+
+#include "sim/groom/braid_layout.h"
+#include "sim/groom/groom.h"
+#include "sim/groom/map_sampler.h"
+#include "sim/groom/slot_set.h"
+
+#include <memory>
+#include <span>
+
+namespace hairpaint::sim {
+
+/// What evaluating a hair reads. Immutable while chunks are built, on any number of threads.
+struct ChunkInputs
+{
+    const GroupSettings& settings;
+    const RootSet& roots;
+    const MapSamplers& maps;
+    const BraidLayout& braids;
+    std::span<const std::uint8_t> kinds; ///< [slots]
+    std::span<const float> basisLengthM; ///< [basis hairs]
+};
+
+/// The chunk with `dirty` slots evaluated anew: `before` itself where none of them was a hair or is one, null where no
+/// hair is left. Adds to `rebuilt` the dirty slots that were or are hairs.
+[[nodiscard]] std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
+                                                              const std::shared_ptr<const StrandChunk>& before,
+                                                              std::size_t chunkIndex, const SlotSet& dirty,
+                                                              SlotSet& rebuilt);
+
+} // namespace hairpaint::sim

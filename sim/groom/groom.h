@@ -1,0 +1,130 @@
+// The groom: every hair's style and rest shape, in immutable chunks.
+#pragma once
+
+#include "sim/groom/groom_input.h"
+#include "sim/groom/roots.h"
+
+#include <bitset>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace hairpaint::sim {
+
+inline constexpr int kLanes = 16; ///< Strands in a block; one SIMD lane each.
+inline constexpr int kBlocksPerChunk = 64;
+inline constexpr int kChunkSlots = kLanes * kBlocksPerChunk;
+inline constexpr float kShortestDrawnM = 1e-4F; ///< Shorter hairs count, but are neither drawn nor exported.
+
+enum class BraidKind : std::uint32_t
+{
+    None = 0,
+    Plait = 1,
+    Twist = 2,
+    Loc = 3
+};
+
+/// What a strand looks like, laid out as the shaders read it (std430, 16 floats).
+struct StrandStyle
+{
+    float lengthM = 0.0F; ///< The skeleton's; a braided hair's is that of its way and its braid.
+    float turns = 0.0F;   ///< Of equation 1 over the whole hair.
+    float curlRadiusM = 0.0F;
+    float phase = 0.0F;           ///< t at the root, rad.
+    std::uint32_t rootColour = 0; ///< 0xAABBGGRR, sRGB as encoded.
+    std::uint32_t tipColour = 0;
+    float widthM = 0.0F;     ///< Diameter.
+    float detail = 2.0F;     ///< threshold/density, 0..1: drawn at level of detail f where detail < f; 2: never drawn.
+    std::uint32_t braid = 0; ///< BraidKind; bits 8..9 the wisp (0..2).
+    float braidRadiusM = 0.0F; ///< r of equation 3.
+    /// Share of the skeleton, 0..1, where the braid begins: node braidStart * (nodes - 1) stands on the centre's root,
+    /// those before it lie on the scalp, those after it follow the centre's skeleton, evenly to its tip.
+    float braidStart = 0.0F;
+    float braidTurns = 0.0F; ///< Of equation 3, from there to the tip.
+    float placeX = 0.0F;     ///< Place inside the wisp, in units of the wisp's radius, -1..1.
+    float placeY = 0.0F;
+    float variation = 0.0F; ///< -1..1, this hair's own lightness.
+    float reserved = 0.0F;  ///< 0 in the groom; the renderer packs the frame's tangent here.
+};
+static_assert(sizeof(StrandStyle) == 64);
+
+/// 1024 slots. Hd, m.
+struct StrandChunk
+{
+    std::bitset<kChunkSlots> hairs;    ///< Slots that are hairs.
+    std::bitset<kChunkSlots> drawn;    ///< Those long enough to be drawn and exported.
+    std::vector<StrandStyle> styles;   ///< [kChunkSlots]
+    std::vector<float> restPositions;  ///< [kBlocksPerChunk][nodes][3][kLanes]; clump already in it.
+    std::vector<float> segmentLengths; ///< [kBlocksPerChunk][kLanes]: distance of neighbouring nodes (their mean
+                                       ///< where braided); 0 where no hair.
+    /// For braided hairs: index into basis hairs of the braid's centre, else kNoCentre.
+    std::vector<std::uint32_t> braidCentre; ///< [kChunkSlots]
+};
+inline constexpr std::uint32_t kNoCentre = 0xFFFFFFFFU;
+
+/// The solved hairs' own styles, in blocks of 16 in the order of RootSet::basisSlot, padded with zero length.
+struct BasisStyles
+{
+    std::vector<float> restPositions;  ///< [blocks][nodes][3][kLanes]
+    std::vector<float> segmentLengths; ///< [blocks][kLanes]; never 0 for a real basis hair.
+    std::vector<float> gel;            ///< [blocks][kLanes], 0..1
+    std::vector<float> height; ///< [blocks][kLanes], 0..1: place in the coat, times volumeM (see PhysicsSettings).
+    std::vector<std::uint32_t> wanted; ///< [blocks]: bit per lane, whether the hair or a dependent of it is drawn.
+    [[nodiscard]] std::size_t blockCount() const { return wanted.size(); }
+};
+
+/// What keeps a group from having all the candidates that its density asks for.
+enum class HairLimit : std::uint8_t
+{
+    None,
+    MaxHairs, ///< The project's limit on candidates.
+    Memory    ///< What all nodes may take.
+};
+
+/// Immutable once shared. Chunks without any hair are null.
+struct Groom
+{
+    int groupId = 0;
+    bool visible = true;
+    GroupSettings settings;
+    std::shared_ptr<const RootSet> roots;
+    int nodes = 8;
+    std::vector<std::shared_ptr<const StrandChunk>> chunks; ///< ceil(candidates / kChunkSlots)
+    /// Index of each chunk's first position in StrandFrame's array, in units of chunks; -1 where null.
+    std::vector<std::int32_t> chunkPlace;
+    std::int32_t placedChunks = 0;
+    std::shared_ptr<const BasisStyles> basis;
+    std::size_t hairCount = 0;
+    std::size_t drawnCount = 0; ///< Also the number exported.
+    std::size_t basisCount = 0; ///< Basis hairs that are wanted.
+    HairLimit limit = HairLimit::None;
+};
+
+/// Builds grooms, and rebuilds what differs from the input before. One thread at a time; loops run through parallelFor.
+class GroomBuilder
+{
+public:
+    GroomBuilder();
+    ~GroomBuilder();
+    GroomBuilder(const GroomBuilder&) = delete;
+    GroomBuilder& operator=(const GroomBuilder&) = delete;
+
+    struct Report
+    {
+        std::vector<std::shared_ptr<const Groom>> grooms; ///< In the input's order.
+        std::size_t rebuiltStrands = 0;                   ///< Slots whose style was evaluated this time.
+        std::vector<std::uint32_t> rebuiltSlots; ///< Of the last group touched; only where collectSlots is set.
+    };
+    void setCollectSlots(bool collect);
+    /// Incremental: only candidates whose map values differ are evaluated; gives the same bytes as a fresh builder.
+    [[nodiscard]] Report update(const GroomInput& input);
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+/// Turns by table 1 for a curl value of 0..1; `stepped` rounds to the table's levels.
+[[nodiscard]] float turnsOfCurl(float value, bool stepped);
+
+} // namespace hairpaint::sim

@@ -1,0 +1,101 @@
+// Following basis hairs from groom to groom.
+#include "sim/groom/groom_lineage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr float kSamePlaceM = 1e-5F;
+
+bool isWanted(const BasisStyles& basis, std::size_t index)
+{
+    return ((basis.wanted[index / kLanes] >> (index % kLanes)) & 1U) != 0;
+}
+
+std::size_t nodeAt(int nodes, std::size_t index, int node)
+{
+    return (index / kLanes * static_cast<std::size_t>(nodes) + static_cast<std::size_t>(node)) * 3 * kLanes +
+           index % kLanes;
+}
+
+bool sameRange(const std::vector<float>& a, const std::vector<float>& b, std::size_t begin, std::size_t count)
+{
+    const auto from = static_cast<std::ptrdiff_t>(begin);
+    return std::equal(a.begin() + from, a.begin() + from + static_cast<std::ptrdiff_t>(count), b.begin() + from);
+}
+
+} // namespace
+
+bool sameStrands(const Groom& before, const Groom& after)
+{
+    return before.nodes == after.nodes && before.roots == after.roots &&
+           before.basis->blockCount() == after.basis->blockCount();
+}
+
+std::vector<std::int32_t> originsOf(const Groom& before, const Groom& after)
+{
+    const std::size_t lanes = after.basis->blockCount() * kLanes;
+    std::vector<std::int32_t> origins(lanes, kNoOrigin);
+    if (before.nodes != after.nodes)
+        return origins;
+    if (sameStrands(before, after)) {
+        for (std::size_t i = 0; i < lanes; ++i)
+            origins[i] = static_cast<std::int32_t>(i);
+        return origins;
+    }
+    if (!before.roots || !after.roots || before.roots->skin != after.roots->skin ||
+        before.roots->seed != after.roots->seed)
+        return origins;
+    const RootSet& old = *before.roots;
+    const RootSet& now = *after.roots;
+    std::vector<std::int32_t> ofRank(old.basisSlot.size(), kNoOrigin);
+    for (std::size_t i = 0; i < old.basisSlot.size(); ++i) {
+        const std::size_t rank = old.rankOfSlot[old.basisSlot[i]];
+        if (rank < ofRank.size())
+            ofRank[rank] = static_cast<std::int32_t>(i);
+    }
+    for (std::size_t i = 0; i < std::min(lanes, now.basisSlot.size()); ++i) {
+        const std::size_t rank = now.rankOfSlot[now.basisSlot[i]];
+        if (rank < ofRank.size())
+            origins[i] = ofRank[rank];
+    }
+    return origins;
+}
+
+StrandChange changeOf(const Groom& before, std::int32_t origin, const Groom& after, std::size_t index)
+{
+    const BasisStyles& now = *after.basis;
+    if (!isWanted(now, index) || now.segmentLengths[index] <= 0.0F)
+        return StrandChange::Gone;
+    const BasisStyles& old = *before.basis;
+    const auto was = static_cast<std::size_t>(std::max(origin, 0));
+    if (origin == kNoOrigin || !isWanted(old, was) || old.segmentLengths[was] <= 0.0F)
+        return StrandChange::Arrived;
+    bool same = now.segmentLengths[index] == old.segmentLengths[was] && now.gel[index] == old.gel[was] &&
+                now.height[index] == old.height[was];
+    for (int node = 0; node < after.nodes; ++node) {
+        for (std::size_t axis = 0; axis < 3 * kLanes; axis += kLanes) {
+            const float a = old.restPositions[nodeAt(before.nodes, was, node) + axis];
+            const float b = now.restPositions[nodeAt(after.nodes, index, node) + axis];
+            if (node == 0 && std::abs(a - b) > kSamePlaceM)
+                return StrandChange::Arrived;
+            same = same && a == b;
+        }
+    }
+    return same ? StrandChange::None : StrandChange::Shape;
+}
+
+bool sameBlock(const BasisStyles& before, const BasisStyles& after, int nodes, std::size_t block)
+{
+    const std::size_t floats = static_cast<std::size_t>(nodes) * 3 * kLanes;
+    return before.wanted[block] == after.wanted[block] &&
+           sameRange(before.segmentLengths, after.segmentLengths, block * kLanes, kLanes) &&
+           sameRange(before.gel, after.gel, block * kLanes, kLanes) &&
+           sameRange(before.height, after.height, block * kLanes, kLanes) &&
+           sameRange(before.restPositions, after.restPositions, block * floats, floats);
+}
+
+} // namespace hairpaint::sim

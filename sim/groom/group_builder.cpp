@@ -1,0 +1,289 @@
+// From what differs in a group's input to its next groom.
+#include "sim/groom/group_builder.h"
+
+#include "sim/base/parallel.h"
+#include "sim/groom/chunk_builder.h"
+#include "sim/groom/rest_shape.h"
+#include "sim/groom/strand_style.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr float kShortestBasisM = 0.005F; ///< A shorter one's displacement in units of its length means nothing.
+constexpr std::size_t kMostNodes = 32;
+constexpr std::size_t kBasisGrain = 256;
+
+MapSamplers samplersOf(const GroupMaps& maps)
+{
+    return {MapSampler(maps.density), MapSampler(maps.length), MapSampler(maps.curl), MapSampler(maps.braid),
+            MapSampler(maps.colour),  MapSampler(maps.clump),  MapSampler(maps.gel)};
+}
+
+/// Whether every hair must be evaluated anew. Density and basis hairs are in the roots; physics and material are not in
+/// the hairs.
+bool sameHairs(GroupSettings before, const GroupSettings& after)
+{
+    before.physics = after.physics;
+    before.material = after.material;
+    before.greatestDensityPerM2 = after.greatestDensityPerM2;
+    before.basisHairs = after.basisHairs;
+    return before == after;
+}
+
+bool sameMaps(const GroupMaps& a, const GroupMaps& b)
+{
+    return a.density == b.density && a.length == b.length && a.curl == b.curl && a.braid == b.braid &&
+           a.colour == b.colour && a.clump == b.clump && a.gel == b.gel;
+}
+
+GroupSettings withinLimits(GroupSettings settings)
+{
+    settings.nodesPerHair = std::clamp(settings.nodesPerHair, 4, static_cast<int>(kMostNodes));
+    return settings;
+}
+
+/// Place in the coat: hairs from higher on the head lie over those from below; chance tells neighbours apart.
+float heightOf(const RootSet& roots, std::uint32_t slot, float crownY)
+{
+    constexpr float kScalpM = 0.20F;
+    constexpr float kChanceShare = 0.3F;
+    const float crownward = std::clamp(1.0F - (crownY - roots.positionHd[slot].y) / kScalpM, 0.0F, 1.0F);
+    return crownward * (1.0F - kChanceShare) + chanceOf(roots.seed, roots.rankOfSlot[slot]).coatHeight * kChanceShare;
+}
+
+std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
+{
+    auto basis = std::make_shared<BasisStyles>();
+    const std::size_t blocks = (roots.basisSlot.size() + kLanes - 1) / kLanes;
+    basis->restPositions.resize(blocks * static_cast<std::size_t>(nodes) * 3 * kLanes);
+    basis->segmentLengths.resize(blocks * kLanes);
+    basis->gel.resize(blocks * kLanes);
+    basis->height.resize(blocks * kLanes);
+    basis->wanted.resize(blocks);
+    float crownY = -std::numeric_limits<float>::max();
+    for (const glm::vec3& position : roots.skin->mesh().positionsHd)
+        crownY = std::max(crownY, position.y);
+    for (std::size_t i = 0; i < roots.basisSlot.size(); ++i)
+        basis->height[i] = heightOf(roots, roots.basisSlot[i], crownY);
+    return basis;
+}
+
+} // namespace
+
+GroupBuilder::Result GroupBuilder::update(const GroupInput& input, const std::shared_ptr<const RootSet>& roots,
+                                          HairLimit limit)
+{
+    const GroupSettings settings = withinLimits(input.settings);
+    const bool allDiffer = !m_groom || roots != m_roots || !sameHairs(m_groom->settings, settings);
+    Result result{m_groom, SlotSet(roots->count())};
+    if (!allDiffer && settings == m_groom->settings && sameMaps(input.maps, m_input.maps) &&
+        input.visible == m_groom->visible && limit == m_groom->limit)
+        return result;
+
+    SlotSet dirty(roots->count());
+    std::shared_ptr<Groom> groom;
+    if (allDiffer) {
+        startOver(input, roots);
+        dirty.insertAll();
+        groom = std::make_shared<Groom>();
+        groom->groupId = input.id;
+        groom->roots = roots;
+        groom->nodes = settings.nodesPerHair;
+        groom->chunks.resize(dirty.chunkCount());
+        m_newBasis = emptyBasis(*roots, groom->nodes);
+    } else {
+        m_changes->find(m_input.maps, input.maps, dirty);
+        groom = std::make_shared<Groom>(*m_groom);
+    }
+    groom->visible = input.visible;
+    groom->settings = settings;
+    groom->limit = limit;
+
+    if (allDiffer || !dirty.empty()) {
+        const MapSamplers maps = samplersOf(input.maps);
+        readKinds(maps, dirty);
+        updateBasis(settings, maps, dirty);
+        updateBraids(settings, dirty);
+        rebuildChunks(settings, maps, dirty, *groom, result.rebuilt);
+        updateWanted(*groom);
+    }
+    m_input = input;
+    m_groom = groom;
+    result.groom = std::move(groom);
+    return result;
+}
+
+void GroupBuilder::startOver(const GroupInput& input, const std::shared_ptr<const RootSet>& roots)
+{
+    if (roots != m_roots) {
+        m_roots = roots;
+        m_changes.emplace(roots);
+        m_changes->prepare(input.maps);
+    }
+    const std::size_t basisCount = roots->basisSlot.size();
+    m_groom.reset();
+    m_basisLengthM.assign(basisCount, 0.0F);
+    m_drawnDependents.assign(basisCount, 0);
+    m_kinds.assign(roots->count(), 0);
+    m_kindOfBasis.assign(basisCount, 0);
+    m_braids = BraidLayout();
+}
+
+void GroupBuilder::readKinds(const MapSamplers& maps, const SlotSet& dirty)
+{
+    parallelFor(dirty.chunkCount(), 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t chunk = begin; chunk < end; ++chunk)
+            dirty.forEachInChunk(chunk, [&](std::uint32_t slot) {
+                m_kinds[slot] = static_cast<std::uint8_t>(std::min<std::uint16_t>(
+                    maps.braid.index(m_roots->uv[slot]), static_cast<std::uint16_t>(BraidKind::Loc)));
+            });
+    });
+}
+
+BasisStyles& GroupBuilder::writableBasis()
+{
+    if (!m_newBasis)
+        m_newBasis = std::make_shared<BasisStyles>(*m_basis);
+    return *m_newBasis;
+}
+
+void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty)
+{
+    const RootSet& roots = *m_roots;
+    m_basisChanged.assign(roots.basisSlot.size(), 0);
+    const auto anyDirty = std::any_of(roots.basisSlot.begin(), roots.basisSlot.end(),
+                                      [&](std::uint32_t slot) { return dirty.contains(slot); });
+    if (!anyDirty)
+        return;
+    BasisStyles& basis = writableBasis();
+    const auto nodeCount = static_cast<std::size_t>(settings.nodesPerHair);
+    parallelFor(roots.basisSlot.size(), kBasisGrain, [&](std::size_t begin, std::size_t end) {
+        std::array<glm::vec3, kMostNodes> nodes{};
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t slot = roots.basisSlot[i];
+            if (!dirty.contains(slot))
+                continue;
+            const float lengthM = std::max(lengthOf(settings, maps.length.scalar(roots.uv[slot])), kShortestBasisM);
+            basis.gel[i] = maps.gel.scalar(roots.uv[slot]);
+            if (lengthM == m_basisLengthM[i])
+                continue;
+            m_basisLengthM[i] = lengthM;
+            m_basisChanged[i] = 1;
+            basis.segmentLengths[i] = lengthM / static_cast<float>(nodeCount - 1);
+            straightRest({roots.positionHd[slot], roots.normalHd[slot]}, lengthM, std::span(nodes).first(nodeCount));
+            float* at = basis.restPositions.data() + i / kLanes * nodeCount * 3 * kLanes + i % kLanes;
+            for (const glm::vec3& node : std::span(nodes).first(nodeCount)) {
+                at[0] = node.x;
+                at[kLanes] = node.y;
+                at[2 * std::size_t{kLanes}] = node.z;
+                at += 3 * std::size_t{kLanes};
+            }
+        }
+    });
+}
+
+void GroupBuilder::updateBraids(const GroupSettings& settings, SlotSet& dirty)
+{
+    const RootSet& roots = *m_roots;
+    std::vector<std::uint8_t> kindOfBasis(roots.basisSlot.size());
+    for (std::size_t i = 0; i < kindOfBasis.size(); ++i)
+        kindOfBasis[i] = m_kinds[roots.basisSlot[i]];
+    const bool sameLayout = kindOfBasis == m_kindOfBasis;
+    const auto moved = [&](std::uint32_t centre) { return m_basisChanged[centre] != 0; };
+    if (sameLayout && std::none_of(m_braids.centres().begin(), m_braids.centres().end(), moved))
+        return;
+    BraidLayout layout = sameLayout ? m_braids : BraidLayout(roots, kindOfBasis, settings.braidSpacingM);
+    if (m_groom) {
+        // Hairs elsewhere in the region whose centre is another, or has another length, follow it.
+        parallelFor(dirty.chunkCount(), 4, [&](std::size_t begin, std::size_t end) {
+            const std::size_t last = std::min(end * kChunkSlots, roots.count());
+            for (std::size_t i = begin * kChunkSlots; i < last; ++i) {
+                if (m_kinds[i] == 0)
+                    continue;
+                const auto slot = static_cast<std::uint32_t>(i);
+                const std::uint32_t centre = layout.centreOf(roots, slot, m_kinds[i]);
+                if (centre != m_braids.centreOf(roots, slot, m_kinds[i]) || (centre != kNoCentre && moved(centre)))
+                    dirty.insert(slot);
+            }
+        });
+    }
+    m_braids = std::move(layout);
+    m_kindOfBasis = std::move(kindOfBasis);
+}
+
+void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty,
+                                 Groom& groom, SlotSet& rebuilt)
+{
+    std::vector<std::size_t> stale;
+    for (std::size_t chunk = 0; chunk < dirty.chunkCount(); ++chunk)
+        if (!dirty.chunkEmpty(chunk))
+            stale.push_back(chunk);
+    const ChunkInputs inputs{settings, *m_roots, maps, m_braids, m_kinds, m_basisLengthM};
+    const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
+    parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            groom.chunks[stale[i]] = rebuildChunk(inputs, before[stale[i]], stale[i], dirty, rebuilt);
+    });
+
+    for (const std::size_t i : stale) {
+        const StrandChunk* was = before[i].get();
+        const StrandChunk* is = groom.chunks[i].get();
+        if (was == is)
+            continue;
+        // Subtracting modulo 2^32: one of -1 takes a dependent away.
+        countDependents(was, i, rebuilt, ~0U);
+        countDependents(is, i, rebuilt, 1U);
+        groom.hairCount += (is != nullptr ? is->hairs.count() : 0) - (was != nullptr ? was->hairs.count() : 0);
+        groom.drawnCount += (is != nullptr ? is->drawn.count() : 0) - (was != nullptr ? was->drawn.count() : 0);
+    }
+    groom.chunkPlace.resize(groom.chunks.size());
+    groom.placedChunks = 0;
+    for (std::size_t i = 0; i < groom.chunks.size(); ++i)
+        groom.chunkPlace[i] = groom.chunks[i] ? groom.placedChunks++ : -1;
+}
+
+void GroupBuilder::countDependents(const StrandChunk* chunk, std::size_t chunkIndex, const SlotSet& slots,
+                                   std::uint32_t one)
+{
+    if (chunk == nullptr)
+        return;
+    slots.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
+        const std::size_t local = slot % kChunkSlots;
+        if (!chunk->drawn[local])
+            return;
+        if (chunk->braidCentre[local] != kNoCentre) {
+            m_drawnDependents[chunk->braidCentre[local]] += one;
+            return;
+        }
+        for (std::size_t k = 0; k < RootSet::kNeighbours; ++k)
+            if (m_roots->weights[slot][k] > 0.0F)
+                m_drawnDependents[m_roots->neighbours[slot][k]] += one;
+    });
+}
+
+void GroupBuilder::updateWanted(Groom& groom)
+{
+    const std::size_t basisCount = m_drawnDependents.size();
+    std::vector<std::uint32_t> wanted((basisCount + kLanes - 1) / kLanes, 0);
+    groom.basisCount = 0;
+    for (std::size_t i = 0; i < basisCount; ++i) {
+        if (m_drawnDependents[i] == 0)
+            continue;
+        wanted[i / kLanes] |= 1U << (i % kLanes);
+        ++groom.basisCount;
+    }
+    const BasisStyles& now = m_newBasis ? *m_newBasis : *m_basis;
+    if (wanted != now.wanted)
+        writableBasis().wanted = std::move(wanted);
+    if (m_newBasis)
+        m_basis = std::exchange(m_newBasis, nullptr);
+    groom.basis = m_basis;
+}
+
+} // namespace hairpaint::sim

@@ -1,0 +1,53 @@
+// One group's groom, kept up to date: finds the hairs that differ and rebuilds those.
+#pragma once
+
+#include "sim/groom/braid_layout.h"
+#include "sim/groom/groom.h"
+#include "sim/groom/map_changes.h"
+#include "sim/groom/map_sampler.h"
+#include "sim/groom/slot_set.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace hairpaint::sim {
+
+/// One thread at a time. After update() the groom has the bytes that a new builder would give it.
+class GroupBuilder
+{
+public:
+    struct Result
+    {
+        std::shared_ptr<const Groom> groom; ///< The one before where nothing differs.
+        SlotSet rebuilt;                    ///< Hairs, and slots that were hairs, that were evaluated.
+    };
+    [[nodiscard]] Result update(const GroupInput& input, const std::shared_ptr<const RootSet>& roots, HairLimit limit);
+
+private:
+    void startOver(const GroupInput& input, const std::shared_ptr<const RootSet>& roots);
+    void readKinds(const MapSamplers& maps, const SlotSet& dirty);
+    void updateBasis(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty);
+    void updateBraids(const GroupSettings& settings, SlotSet& dirty);
+    void rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty, Groom& groom,
+                       SlotSet& rebuilt);
+    void countDependents(const StrandChunk* chunk, std::size_t chunkIndex, const SlotSet& slots, std::uint32_t one);
+    void updateWanted(Groom& groom);
+    /// A copy of the basis styles that this update may write to.
+    [[nodiscard]] BasisStyles& writableBasis();
+
+    std::shared_ptr<const RootSet> m_roots;
+    GroupInput m_input;
+    std::shared_ptr<const Groom> m_groom;
+    std::optional<MapChanges> m_changes;
+    std::shared_ptr<const BasisStyles> m_basis;
+    std::shared_ptr<BasisStyles> m_newBasis;      ///< While updating, once something differs.
+    std::vector<float> m_basisLengthM;            ///< [basis hairs]
+    std::vector<std::uint8_t> m_basisChanged;     ///< [basis hairs], in this update.
+    std::vector<std::uint32_t> m_drawnDependents; ///< [basis hairs]: drawn hairs that follow each.
+    std::vector<std::uint8_t> m_kinds;            ///< [slots], the braid map.
+    std::vector<std::uint8_t> m_kindOfBasis;      ///< [basis hairs]: what m_braids was made from.
+    BraidLayout m_braids;
+};
+
+} // namespace hairpaint::sim

@@ -1,0 +1,53 @@
+// Finds the candidates whose map values differ between two snapshots, from the tiles that differ.
+#pragma once
+
+#include "sim/groom/groom_input.h"
+#include "sim/groom/roots.h"
+#include "sim/groom/slot_set.h"
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hairpaint::sim {
+
+/// The slots whose samples begin in each tile of a raster.
+class TileIndex
+{
+public:
+    /// O(n): a counting sort.
+    TileIndex(std::span<const glm::vec2> uvs, int rasterSize);
+    [[nodiscard]] std::span<const std::uint32_t> slotsOf(int tile) const
+    {
+        const auto at = static_cast<std::size_t>(tile);
+        return std::span(m_slots).subspan(m_start[at], m_start[at + 1] - m_start[at]);
+    }
+
+private:
+    std::vector<std::uint32_t> m_start; ///< [tiles + 1]
+    std::vector<std::uint32_t> m_slots;
+};
+
+/// Compares maps at one root set. Keeps an index for every size of raster it has met.
+class MapChanges
+{
+public:
+    explicit MapChanges(std::shared_ptr<const RootSet> roots) : m_roots(std::move(roots)) {}
+
+    /// Makes the indices for these maps, which else are made at the first change.
+    void prepare(const GroupMaps& maps);
+    /// Adds to `changed` every slot where a value of any map differs. Equal tile pointers are equal tiles; where
+    /// pointers differ the sampled values decide. Of gel only basis hairs have a use.
+    void find(const GroupMaps& before, const GroupMaps& after, SlotSet& changed);
+
+private:
+    const TileIndex& indexFor(int rasterSize);
+    template<typename Differs>
+    void compare(const TiledRaster& before, const TiledRaster& after, const Differs& differs, SlotSet& changed);
+
+    std::shared_ptr<const RootSet> m_roots;
+    std::map<int, TileIndex> m_indices;
+};
+
+} // namespace hairpaint::sim

@@ -1,0 +1,45 @@
+// Reads one map at many roots.
+#pragma once
+
+#include "sim/base/tiled_raster.h"
+
+#include <memory>
+#include <optional>
+
+namespace hairpaint::sim {
+
+/// A map that is the same everywhere is not looked up; the values are the same bits either way.
+class MapSampler
+{
+public:
+    explicit MapSampler(const std::shared_ptr<const TiledRaster>& raster)
+        : m_raster(raster.get()), m_uniform(raster->uniformValue())
+    {
+        if (m_uniform)
+            m_uniformValue = raster->sampleBilinear(glm::vec2(0.5F));
+    }
+
+    [[nodiscard]] bool isUniform() const { return m_uniform.has_value(); }
+    [[nodiscard]] float scalar(glm::vec2 uv) const { return m_uniform ? m_uniformValue.x : m_raster->sampleScalar(uv); }
+    [[nodiscard]] glm::vec4 channels(glm::vec2 uv) const
+    {
+        return m_uniform ? m_uniformValue : m_raster->sampleBilinear(uv);
+    }
+    [[nodiscard]] std::uint16_t index(glm::vec2 uv) const
+    {
+        return m_uniform ? (*m_uniform)[0] : m_raster->sampleNearest(uv)[0];
+    }
+
+private:
+    const TiledRaster* m_raster;
+    std::optional<Texel> m_uniform;
+    glm::vec4 m_uniformValue{0.0F};
+};
+
+/// All maps of a group.
+struct MapSamplers
+{
+    MapSampler density, length, curl, braid, colour, clump, gel;
+};
+
+} // namespace hairpaint::sim

@@ -1,0 +1,161 @@
+// Walks a skeleton and adds curl and braid.
+#include "sim/groom/strand_curve.h"
+
+#include "sim/base/deterministic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr float kTwoPi = 6.28318530717958647692F;
+constexpr float kPointsPerTurn = 8.0F;
+constexpr float kMostSegments = 256.0F;
+constexpr float kTiny = 1e-16F;
+
+/// `reference` at unit length in the plane across a unit tangent, or any vector there.
+glm::vec3 across(glm::vec3 reference, glm::vec3 tangent)
+{
+    glm::vec3 v = reference - tangent * glm::dot(reference, tangent);
+    float squared = glm::dot(v, v);
+    if (squared <= 1e-8F) {
+        const glm::vec3 axis = std::abs(tangent.x) < 0.7F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
+        v = axis - tangent * glm::dot(axis, tangent);
+        squared = glm::dot(v, v);
+    }
+    return v / std::sqrt(squared);
+}
+
+struct CurvePoint
+{
+    glm::vec3 position;
+    glm::vec3 derivative;
+};
+
+/// Catmull-Rom between nodes; past the ends the curve goes on straight.
+CurvePoint catmullRom(std::span<const glm::vec3> nodes, std::size_t segment, float t)
+{
+    const glm::vec3 p1 = nodes[segment];
+    const glm::vec3 p2 = nodes[segment + 1];
+    const glm::vec3 p0 = segment > 0 ? nodes[segment - 1] : 2.0F * p1 - p2;
+    const glm::vec3 p3 = segment + 2 < nodes.size() ? nodes[segment + 2] : 2.0F * p2 - p1;
+    const glm::vec3 c1 = 0.5F * (p2 - p0);
+    const glm::vec3 c2 = p0 - 2.5F * p1 + 2.0F * p2 - 0.5F * p3;
+    const glm::vec3 c3 = 0.5F * (p3 - p0) + 1.5F * (p1 - p2);
+    return {p1 + t * (c1 + t * (c2 + t * c3)), c1 + t * (2.0F * c2 + 3.0F * t * c3)};
+}
+
+/// One step of the double reflection: carries `reference` from one point and tangent to the next.
+glm::vec3 carried(glm::vec3 reference, glm::vec3 lastPoint, glm::vec3 lastTangent, glm::vec3 point, glm::vec3 tangent)
+{
+    const glm::vec3 step = point - lastPoint;
+    const float squared = glm::dot(step, step);
+    if (squared <= kTiny)
+        return reference;
+    const glm::vec3 reflected = reference - step * (2.0F * glm::dot(step, reference) / squared);
+    const glm::vec3 reflectedTangent = lastTangent - step * (2.0F * glm::dot(step, lastTangent) / squared);
+    const glm::vec3 second = tangent - reflectedTangent;
+    const float secondSquared = glm::dot(second, second);
+    if (secondSquared <= kTiny)
+        return reflected;
+    return reflected - second * (2.0F * glm::dot(second, reflected) / secondSquared);
+}
+
+/// The wisp's and the hair's offset at a share q of the braid: x along the frame's first axis, y along the strand, z
+/// along the third.
+glm::vec3 braidedOffset(const StrandStyle& style, float q)
+{
+    const auto kind = static_cast<BraidKind>(style.braid & 0xFFU);
+    const auto wisp = static_cast<float>((style.braid >> 8U) & 3U);
+    const float parted = std::min(q * style.braidTurns / kBraidEaseTurns, 1.0F);
+    const float tuft = std::max(q - (1.0F - kTuftShare), 0.0F) / kTuftShare;
+    const float r = style.braidRadiusM * parted;
+    const float turned = kTwoPi * style.braidTurns * q;
+    const glm::vec3 place(style.placeX, 0.0F, style.placeY);
+    if (kind == BraidKind::Loc)
+        return place * (r * kLocWispShare);
+    glm::vec3 axis = braidOffset(turned, wisp * (kTwoPi / 3.0F));
+    float wispR = r * kWispRadiusShare;
+    if (kind == BraidKind::Twist) {
+        const float angle = turned + wisp * (0.5F * kTwoPi);
+        axis = glm::vec3(cosDet(angle), 0.0F, sinDet(angle)) * kTwistShare;
+        wispR = r * kTwistWispShare;
+    }
+    return axis * (r * (1.0F + (kTuftBraidShare - 1.0F) * tuft)) +
+           place * (wispR * (1.0F + (kTuftWispShare - 1.0F) * tuft));
+}
+
+} // namespace
+
+glm::vec3 curlOffset(float t)
+{
+    const float c = cosDet(t);
+    const float s = sinDet(t);
+    return {c, s, c * s};
+}
+
+glm::vec3 braidOffset(float t, float w)
+{
+    return {cosDet(t + w), 0.0F, sinDet(2.0F * (t + w))};
+}
+
+int segmentsOf(const StrandStyle& style, int nodes)
+{
+    float segments = static_cast<float>(nodes - 1) * 2.0F;
+    if (style.curlRadiusM > 0.0F)
+        segments = std::max(segments, style.turns * kPointsPerTurn);
+    // A wisp swings twice across the braid while it swings once along its width.
+    if ((style.braid & 0xFFU) != 0)
+        segments =
+            std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F));
+    return static_cast<int>(std::ceil(std::clamp(segments, 1.0F, kMostSegments)));
+}
+
+glm::vec3 frameTangentHd(const Groom& groom, std::uint32_t slot)
+{
+    const RootSet& roots = *groom.roots;
+    const auto& chunk = groom.chunks[slot / kChunkSlots];
+    const std::uint32_t centre = chunk ? chunk->braidCentre[slot % kChunkSlots] : kNoCentre;
+    return roots.tangentHd[centre == kNoCentre ? slot : roots.basisSlot[centre]];
+}
+
+void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangentHd, const StrandStyle& style,
+                    int segments, std::vector<glm::vec3>& pointsHd)
+{
+    pointsHd.clear();
+    if (skeletonHd.size() < 2 || segments < 1)
+        return;
+    const bool isCurled = style.turns > 0.0F && style.curlRadiusM > 0.0F;
+    const bool isBraided = (style.braid & 0xFFU) != 0 && style.braidStart < 1.0F;
+    glm::vec3 lastPoint = skeletonHd[0];
+    glm::vec3 lastTangent = across(glm::vec3(0.0F), rootTangentHd); // Only where the skeleton has no direction at all.
+    glm::vec3 reference(0.0F);
+    for (int j = 0; j <= segments; ++j) {
+        const float s = static_cast<float>(j) / static_cast<float>(segments);
+        const float u = s * static_cast<float>(skeletonHd.size() - 1);
+        const std::size_t segment = std::min(static_cast<std::size_t>(u), skeletonHd.size() - 2);
+        const auto [position, derivative] = catmullRom(skeletonHd, segment, u - static_cast<float>(segment));
+        const float squared = glm::dot(derivative, derivative);
+        const glm::vec3 tangent = squared > kTiny ? derivative / std::sqrt(squared) : lastTangent;
+        reference =
+            j == 0 ? across(rootTangentHd, tangent) : carried(reference, lastPoint, lastTangent, position, tangent);
+        lastPoint = position;
+        lastTangent = tangent;
+
+        glm::vec3 point = position;
+        if (isBraided && s > style.braidStart) {
+            const glm::vec3 first = across(rootTangentHd, tangent);
+            const glm::vec3 offset = braidedOffset(style, (s - style.braidStart) / (1.0F - style.braidStart));
+            point += first * offset.x + tangent * offset.y + glm::cross(first, tangent) * offset.z;
+        } else if (isCurled) {
+            const glm::vec3 offset = curlOffset(style.phase + kTwoPi * style.turns * s) *
+                                     (style.curlRadiusM * std::min(1.0F, s / kCurlEaseShare));
+            point += reference * offset.x + glm::cross(tangent, reference) * offset.y + tangent * offset.z;
+        }
+        pointsHd.push_back(point);
+    }
+}
+
+} // namespace hairpaint::sim

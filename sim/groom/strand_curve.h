@@ -1,0 +1,48 @@
+// The drawn curve of one strand along its skeleton: equation 1 (curl) and equation 3 (braid).
+#pragma once
+
+#include "sim/groom/groom.h"
+
+#include <glm/glm.hpp>
+
+#include <span>
+#include <vector>
+
+namespace hairpaint::sim {
+
+/// Equation 1 without its linear part: (cos t, sin t, cos t sin t), in units of the radius.
+[[nodiscard]] glm::vec3 curlOffset(float t);
+/// Equation 3 without its linear part, for wisp offset w: (cos(t + w), 0, sin(2(t + w))), in units of r.
+[[nodiscard]] glm::vec3 braidOffset(float t, float w);
+
+/// Share of the strand, from the root, over which the curl's radius grows from 0.
+inline constexpr float kCurlEaseShare = 0.25F;
+/// Part of a turn of the braid over which its wisps part where it begins.
+inline constexpr float kBraidEaseTurns = 0.5F;
+inline constexpr float kWispRadiusShare = 0.8F; ///< A wisp's radius in units of r.
+/// The wisps of a twist run round its middle at this distance and have this radius, in units of r; a loc is one wisp.
+inline constexpr float kTwistShare = 0.6F;
+inline constexpr float kTwistWispShare = 0.65F;
+inline constexpr float kLocWispShare = 0.9F;
+/// Last share of the braid, a tuft: there the wisps close up to kTuftBraidShare of r while each opens by
+/// kTuftWispShare.
+inline constexpr float kTuftShare = 0.12F;
+inline constexpr float kTuftBraidShare = 0.35F;
+inline constexpr float kTuftWispShare = 1.5F;
+
+/// Segments that a style asks for: at least 8 points a turn, two a skeleton's segment for a straight hair; at most 256.
+[[nodiscard]] int segmentsOf(const StrandStyle& style, int nodes);
+
+/// The tangent that a hair's frame starts from: its root's, or for a braided hair that of its braid's centre, so that
+/// all hairs of a braid are turned alike.
+[[nodiscard]] glm::vec3 frameTangentHd(const Groom& groom, std::uint32_t slot);
+
+/// Evaluates segments + 1 points, root first, along the skeleton (Catmull-Rom through `skeletonHd`, evenly by node).
+/// `rootTangentHd`: frameTangentHd, turned as the head is. A curl stands in the skeleton's rotation-minimising frame,
+/// which starts from that tangent (double reflection, Wang et al. 2008); a braid in the frame that has the tangent's
+/// own projection as its first axis at every point, since hairs reach the braid from all sides. The shader
+/// strand_expand.comp does the same.
+void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangentHd, const StrandStyle& style,
+                    int segments, std::vector<glm::vec3>& pointsHd);
+
+} // namespace hairpaint::sim

@@ -1,0 +1,95 @@
+// From map values to a style.
+#include "sim/groom/strand_style.h"
+
+#include "sim/base/deterministic.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr float kTwoPi = 6.28318530717958647692F;
+constexpr std::uint64_t kChanceKey = 0x6368616E6365U; ///< Apart from the keys of other uses of the seed.
+constexpr float kDefaultCurlSize = 0.5F;              ///< The curl-size map's default.
+
+std::uint32_t byteOf(float value)
+{
+    return static_cast<std::uint32_t>(std::floor(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F));
+}
+
+/// 0xAABBGGRR.
+std::uint32_t packColour(glm::vec3 encoded)
+{
+    return 0xFF000000U | (byteOf(encoded.z) << 16U) | (byteOf(encoded.y) << 8U) | byteOf(encoded.x);
+}
+
+/// Uniform over the unit disc, by rejection from the square.
+glm::vec2 placeInDisc(std::uint64_t hash)
+{
+    constexpr int kTries = 8; // All fail once in 226,000.
+    glm::vec2 place(0.0F);
+    for (int i = 0; i < kTries; ++i) {
+        place = glm::vec2(unitFloat(hash), unitFloat(hash << 32U)) * 2.0F - 1.0F;
+        if (glm::dot(place, place) <= 1.0F)
+            return place;
+        hash = hash64(hash, 1);
+    }
+    return place * 0.5F;
+}
+
+} // namespace
+
+float turnsOfCurl(float value, bool stepped)
+{
+    // Table 1: 1024, 512, 256, 64 and 32 samples are 16, 8, 4, 1 and 1/2 turns; 0 is straight.
+    constexpr std::array<float, 6> kTurns{0.0F, 0.5F, 1.0F, 4.0F, 8.0F, 16.0F};
+    const float level = std::clamp(value, 0.0F, 1.0F) * 5.0F;
+    if (stepped)
+        return kTurns[static_cast<std::size_t>(std::floor(level + 0.5F))];
+    const auto below = static_cast<std::size_t>(std::min(level, 4.0F));
+    return kTurns[below] + (level - static_cast<float>(below)) * (kTurns[below + 1] - kTurns[below]);
+}
+
+RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
+{
+    const std::uint64_t first = hash64(seed ^ kChanceKey, std::uint64_t{rank} * 2);
+    const std::uint64_t second = hash64(seed ^ kChanceKey, std::uint64_t{rank} * 2 + 1);
+    constexpr float kPerSixteenBits = 1.0F / 65536.0F;
+    RootChance chance;
+    chance.phase = unitFloat(first) * kTwoPi;
+    chance.variation = static_cast<float>(first & 0xFFFFU) * (2.0F * kPerSixteenBits) - 1.0F;
+    chance.coatHeight = static_cast<float>((first >> 16U) & 0xFFFFU) * kPerSixteenBits;
+    chance.wisp = static_cast<std::uint32_t>(second & 0xFFU) % 6;
+    chance.place = placeInDisc(second);
+    return chance;
+}
+
+float lengthOf(const GroupSettings& settings, float value)
+{
+    return settings.shortestLengthM + (settings.greatestLengthM - settings.shortestLengthM) * value;
+}
+
+StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance, float detail)
+{
+    StrandStyle style;
+    style.lengthM = lengthOf(settings, values.length);
+    style.turns = turnsOfCurl(values.curl, settings.steppedTurns);
+    if (settings.turnsMode == TurnsMode::PerLength)
+        style.turns *= style.lengthM / std::max(settings.turnsPerLengthM, 1e-3F);
+    // A coil is no wider than its turns are apart, and where the first half turn is not complete it eases in.
+    if (style.turns > 0.0F)
+        style.curlRadiusM = std::min(settings.greatestCurlRadiusM * kDefaultCurlSize, style.lengthM / style.turns) *
+                            std::min(style.turns * 2.0F, 1.0F);
+    style.phase = chance.phase;
+    style.rootColour = packColour(values.colour);
+    style.tipColour = style.rootColour;
+    style.widthM = settings.hairWidthM;
+    style.detail = detail;
+    style.variation = chance.variation;
+    return style;
+}
+
+} // namespace hairpaint::sim

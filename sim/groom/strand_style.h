@@ -1,0 +1,34 @@
+// What one hair looks like, from its rank and the maps' values at its root.
+#pragma once
+
+#include "sim/groom/groom.h"
+
+namespace hairpaint::sim {
+
+/// Values of the maps at one root.
+struct RootValues
+{
+    float length = 0.0F;
+    float curl = 0.0F;
+    glm::vec3 colour{0.0F};
+};
+
+/// What a hair has from chance, always the same for a rank.
+struct RootChance
+{
+    float phase = 0.0F;      ///< rad
+    float variation = 0.0F;  ///< -1..1
+    float coatHeight = 0.0F; ///< 0..1
+    std::uint32_t wisp = 0;  ///< 0..5: even over two wisps and over three
+    glm::vec2 place{0.0F};   ///< In the unit disc, uniform.
+};
+[[nodiscard]] RootChance chanceOf(std::uint64_t seed, std::uint32_t rank);
+
+/// Of the length map's value, m.
+[[nodiscard]] float lengthOf(const GroupSettings& settings, float value);
+
+/// A hair that is not braided; `detail` = threshold / density.
+[[nodiscard]] StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance,
+                                  float detail);
+
+} // namespace hairpaint::sim

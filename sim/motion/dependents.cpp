@@ -1,0 +1,188 @@
+// Preparing and placing dependent hairs.
+#include "sim/motion/dependents.h"
+
+#include "sim/base/parallel.h"
+#include "sim/motion/head_motion.h"
+#include "sim/solver/dependents_kernel.h"
+#include "sim/solver/strand_constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr std::size_t kBlocksAtOnce = 8;
+constexpr std::size_t kBasisBlocksAtOnce = 64;
+
+glm::vec3 inWorld(const RigidMotion& world, glm::vec3 p)
+{
+    glm::vec3 q;
+    for (int i = 0; i < 3; ++i) {
+        const auto& row = world.rows[static_cast<std::size_t>(i)];
+        q[i] = row[0] * p.x + row[1] * p.y + row[2] * p.z + world.offset[static_cast<std::size_t>(i)];
+    }
+    return q;
+}
+
+} // namespace
+
+void Dependents::prepare(const Groom& groom, const ColliderSet& colliders, bool everything)
+{
+    m_chunks.resize(groom.chunks.size());
+    m_placed.clear();
+    std::vector<std::uint32_t> stale;
+    for (std::size_t i = 0; i < groom.chunks.size(); ++i) {
+        if (groom.chunks[i] && groom.chunkPlace[i] >= 0)
+            m_placed.push_back(static_cast<std::uint32_t>(i));
+        if (everything || m_chunks[i].styles != groom.chunks[i])
+            stale.push_back(static_cast<std::uint32_t>(i));
+    }
+    parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            prepareChunk(groom, colliders, stale[i]);
+    });
+}
+
+void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, std::size_t index)
+{
+    Chunk& chunk = m_chunks[index];
+    chunk.styles = groom.chunks[index];
+    chunk.braided.clear();
+    if (!chunk.styles || !groom.roots)
+        return;
+    chunk.lanes.assign(kBlocksPerChunk * kDependentStride, 0.0F);
+    const StrandChunk& styles = *chunk.styles;
+    const std::size_t firstSlot = index * kChunkSlots;
+    for (std::size_t slot = 0; slot < kChunkSlots; ++slot) {
+        if (!styles.drawn[slot] || firstSlot + slot >= groom.roots->neighbours.size())
+            continue;
+        float* const rows = chunk.lanes.data() + slot / kLanes * kDependentStride + slot % kLanes;
+        const float segment = styles.segmentLengths[slot];
+        rows[0] = segment;
+        if (!styles.braidCentre.empty() && styles.braidCentre[slot] != kNoCentre)
+            chunk.braided.push_back(static_cast<std::uint16_t>(slot));
+        float height = 0.0F;
+        for (std::size_t k = 0; k < RootSet::kNeighbours; ++k)
+            height += groom.roots->weights[firstSlot + slot][k] *
+                      groom.basis->height[groom.roots->neighbours[firstSlot + slot][k]];
+        std::array<glm::vec3, 2> rest; // the root and the node after it, as for loose basis hairs
+        readStrand(styles.restPositions.data() + slot / kLanes * static_cast<std::size_t>(groom.nodes) * 3 * kLanes, 2,
+                   slot % kLanes, rest);
+        for (int c = 0; c < colliders.count; ++c) {
+            const float scale = strandScale(colliders.items[static_cast<std::size_t>(c)], rest,
+                                            coatM(height, groom.settings.physics.volumeM, segment));
+            rows[static_cast<std::size_t>(1 + c) * kLanes] = scale * scale;
+        }
+    }
+}
+
+void Dependents::findDisplacements(const Groom& groom, const StrandState& state, float share)
+{
+    const auto nodes = static_cast<std::size_t>(groom.nodes);
+    m_displacements.resize(state.blocks * kLanes * nodes * 4);
+    const BasisStyles& basis = *groom.basis;
+    const AlignedFloats& before = state.positions[static_cast<std::size_t>(1 - state.present)];
+    const AlignedFloats& now = state.positions[static_cast<std::size_t>(state.present)];
+    parallelFor(state.blocks, kBasisBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block) {
+            const std::uint32_t wanted = basis.wanted[block];
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                const float length = basis.segmentLengths[block * kLanes + lane] * static_cast<float>(nodes - 1);
+                const bool solved = ((wanted >> lane) & 1U) != 0 && length > 0.0F;
+                const float perLength = solved ? 1.0F / length : 0.0F;
+                float* out = m_displacements.data() + (block * kLanes + lane) * nodes * 4;
+                std::size_t at = block * nodes * 3 * kLanes + lane;
+                for (std::size_t node = 0; node < nodes; ++node, at += 3 * kLanes, out += 4) {
+                    for (std::size_t axis = 0; axis < 3; ++axis) {
+                        const std::size_t index = at + axis * kLanes;
+                        const float moment = before[index] + (now[index] - before[index]) * share;
+                        out[axis] = (moment - basis.restPositions[index]) * perLength;
+                    }
+                    out[3] = 0.0F;
+                }
+            }
+        }
+    });
+}
+
+void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const RigidMotion& world, float* out) const
+{
+    const auto nodes = static_cast<std::size_t>(groom.nodes);
+    const BasisStyles& basis = *groom.basis;
+    std::array<glm::vec3, kMaxNodes> rest;
+    std::array<glm::vec3, kMaxNodes> centre;
+    for (const std::uint16_t slot : chunk.braided) {
+        const std::size_t basisIndex = chunk.styles->braidCentre[slot];
+        readStrand(chunk.styles->restPositions.data(), groom.nodes, slot, std::span(rest).first(nodes));
+        readStrand(basis.restPositions.data(), groom.nodes, basisIndex, std::span(centre).first(nodes));
+        const float length = basis.segmentLengths[basisIndex] * static_cast<float>(nodes - 1);
+        const float* way = m_displacements.data() + basisIndex * nodes * 4;
+        for (std::size_t i = 0; i < nodes; ++i, way += 4)
+            centre[i] += glm::vec3(way[0], way[1], way[2]) * length;
+        // Along the scalp to the centre's root, then evenly along the centre to its tip.
+        const auto last = static_cast<int>(nodes - 1);
+        const int gathered = std::clamp(
+            static_cast<int>(std::floor(chunk.styles->styles[slot].braidStart * static_cast<float>(last) + 0.5F)), 0,
+            last);
+        float* at = out + slot / kLanes * nodes * 3 * kLanes + slot % kLanes;
+        for (int i = 0; i <= last; ++i, at += 3 * kLanes) {
+            glm::vec3 p = rest[static_cast<std::size_t>(i)];
+            if (i > gathered) {
+                const float along = static_cast<float>((i - gathered) * last) / static_cast<float>(last - gathered);
+                const auto segment = static_cast<std::size_t>(std::min(static_cast<int>(along), last - 1));
+                const glm::vec3 a = centre[segment];
+                const glm::vec3 b = centre[segment + 1];
+                p = a + (b - a) * (along - static_cast<float>(segment));
+            }
+            p = world.identity ? p : inWorld(world, p);
+            at[0] = p.x;
+            at[kLanes] = p.y;
+            at[2 * kLanes] = p.z;
+        }
+    }
+}
+
+void Dependents::write(const Groom& groom, const StrandState& state, const ColliderSet& colliders, float share,
+                       const HeadPose& pose, GroupFrame& frame)
+{
+    const auto nodes = static_cast<std::size_t>(groom.nodes);
+    const std::size_t blockFloats = nodes * 3 * kLanes;
+    const std::size_t chunkFloats = kBlocksPerChunk * blockFloats;
+    frame.positions.resize(static_cast<std::size_t>(groom.placedChunks) * chunkFloats);
+    if (!groom.roots || m_placed.empty())
+        return;
+    findDisplacements(groom, state, share);
+    DependentsTask common;
+    common.nodes = groom.nodes;
+    common.displacements = m_displacements.data();
+    common.colliders = &colliders;
+    common.world = worldOfHead(pose);
+    parallelFor(m_placed.size() * kBlocksPerChunk, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t at = begin; at < end;) {
+            const std::size_t index = m_placed[at / kBlocksPerChunk];
+            const std::size_t chunkBegin = at - at % kBlocksPerChunk;
+            const std::size_t until = std::min(end, chunkBegin + kBlocksPerChunk);
+            const Chunk& chunk = m_chunks[index];
+            DependentsTask task = common;
+            task.neighbours = groom.roots->neighbours.data() + index * kChunkSlots;
+            task.weights = groom.roots->weights.data() + index * kChunkSlots;
+            task.rest = chunk.styles->restPositions.data();
+            task.lanes = chunk.lanes.data();
+            task.out = frame.positions.data() + static_cast<std::size_t>(groom.chunkPlace[index]) * chunkFloats;
+            placeDependents(task, at - chunkBegin, until - chunkBegin);
+            at = until;
+        }
+    });
+    parallelFor(m_placed.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Chunk& chunk = m_chunks[m_placed[i]];
+            const auto place = static_cast<std::size_t>(groom.chunkPlace[m_placed[i]]);
+            if (!chunk.braided.empty())
+                writeBraided(groom, chunk, common.world, frame.positions.data() + place * chunkFloats);
+        }
+    });
+}
+
+} // namespace hairpaint::sim

@@ -1,0 +1,231 @@
+// One group's strands from groom to groom and step to step.
+#include "sim/motion/group_dynamics.h"
+
+#include "sim/base/parallel.h"
+#include "sim/groom/groom_lineage.h"
+#include "sim/solver/solver_kernel.h"
+#include "sim/solver/start_shape.h"
+#include "sim/solver/strand_constants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr std::size_t kBlocksAtOnce = 16;
+constexpr int kSettleSteps = 84; ///< 0.7 s
+constexpr float kSettleDamping = 5.0F;
+
+bool sameColliders(const ColliderSet& a, const ColliderSet& b)
+{
+    if (a.count != b.count)
+        return false;
+    for (int i = 0; i < a.count; ++i) {
+        const Collider& x = a.items[static_cast<std::size_t>(i)];
+        const Collider& y = b.items[static_cast<std::size_t>(i)];
+        if (x.centre != y.centre || x.rows != y.rows)
+            return false;
+    }
+    return true;
+}
+
+/// A groom before the first one: no strands.
+const Groom& nothing()
+{
+    static const Groom groom = [] {
+        Groom empty;
+        empty.nodes = 0;
+        empty.basis = std::make_shared<BasisStyles>();
+        return empty;
+    }();
+    return groom;
+}
+
+} // namespace
+
+void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderSet& colliders, const StepForces& calm)
+{
+    const std::shared_ptr<const Groom> kept = std::exchange(m_groom, std::move(groom));
+    const Groom& before = kept ? *kept : nothing();
+    const bool otherColliders = !sameColliders(m_colliders, colliders);
+    const bool otherGains =
+        !kept || before.settings.physics != m_groom->settings.physics || before.nodes != m_groom->nodes;
+    m_colliders = colliders;
+    if (otherGains)
+        m_gains = gainsOf(m_groom->settings.physics, m_groom->nodes);
+
+    std::vector<std::size_t> arrived;
+    if (sameStrands(before, *m_groom)) {
+        if (before.basis != m_groom->basis)
+            arrived = takeStrands(before, {}, m_state);
+    } else {
+        StrandState old = std::exchange(m_state, {});
+        m_state.resize(m_groom->nodes, m_groom->basis->blockCount());
+        arrived = takeStrands(before, originsOf(before, *m_groom), old);
+    }
+    if (otherGains || otherColliders) {
+        parallelFor(m_state.blocks, kBlocksAtOnce, [this](std::size_t begin, std::size_t end) {
+            for (std::size_t strand = begin * kLanes; strand < end * kLanes; ++strand) {
+                if (m_state.field(strand, kStill) < kUnwanted)
+                    setStrandConstants(m_state, *m_groom, strand, m_colliders);
+            }
+        });
+        wake();
+    }
+    settle(arrived, calm);
+    const bool otherCoat = otherColliders || otherGains || before.roots != m_groom->roots;
+    m_dependents.prepare(*m_groom, m_colliders, otherCoat);
+    m_awake = true;
+}
+
+std::vector<std::size_t> GroupDynamics::takeStrands(const Groom& before, std::span<const std::int32_t> origin,
+                                                    const StrandState& old)
+{
+    const Groom& now = *m_groom;
+    std::vector<std::uint16_t> arrivedLanes(m_state.blocks, 0);
+    parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block) {
+            if (origin.empty() && sameBlock(*before.basis, *now.basis, now.nodes, block))
+                continue;
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                const std::size_t strand = block * kLanes + lane;
+                const std::int32_t was = origin.empty() ? static_cast<std::int32_t>(strand) : origin[strand];
+                const StrandChange change = changeOf(before, was, now, strand);
+                if (change == StrandChange::Gone) {
+                    m_state.field(strand, kStill) = kUnwanted;
+                    continue;
+                }
+                if (change == StrandChange::Arrived) {
+                    arrivedLanes[block] = static_cast<std::uint16_t>(arrivedLanes[block] | (1U << lane));
+                    setStrandConstants(m_state, now, strand, m_colliders);
+                    continue;
+                }
+                if (!origin.empty())
+                    m_state.copyStrand(old, static_cast<std::size_t>(was), strand);
+                if (change == StrandChange::Shape) {
+                    const float lengthBefore = m_state.field(strand, kSegmentLength);
+                    setStrandConstants(m_state, now, strand, m_colliders);
+                    m_state.rescaleStrand(strand, m_state.field(strand, kSegmentLength) / lengthBefore);
+                }
+            }
+        }
+    });
+    std::vector<std::size_t> arrived;
+    for (std::size_t block = 0; block < m_state.blocks; ++block) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            if (((arrivedLanes[block] >> lane) & 1U) != 0)
+                arrived.push_back(block * kLanes + lane);
+        }
+    }
+    return arrived;
+}
+
+void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForces& calm)
+{
+    if (strands.empty())
+        return;
+    // The newcomers alone, packed into blocks of their own.
+    const auto nodes = static_cast<std::size_t>(m_groom->nodes);
+    StrandState alone;
+    alone.present = 0;
+    alone.resize(m_groom->nodes, (strands.size() + kLanes - 1) / kLanes);
+    std::vector<float> rest(alone.positions[0].size(), 0.0F);
+    const GroupGains gains = [this] {
+        PhysicsSettings physics = m_groom->settings.physics;
+        physics.damping = std::max(physics.damping, kSettleDamping);
+        return gainsOf(physics, m_groom->nodes);
+    }();
+    const std::vector<StepForces> steps(kSettleSteps, calm);
+    const glm::vec3 gravity(calm.gravity[0], calm.gravity[1], calm.gravity[2]);
+    const float pull = std::sqrt(glm::dot(gravity, gravity));
+    const glm::vec3 down = pull > 0.0F ? gravity / pull : glm::vec3(0.0F, -1.0F, 0.0F);
+    parallelFor(alone.blocks, 4, [&](std::size_t begin, std::size_t end) {
+        std::array<glm::vec3, kMaxNodes> shape;
+        std::array<glm::vec3, kMaxNodes> hanging;
+        std::array<float, kMaxColliders> scales{};
+        for (std::size_t i = begin * kLanes; i < std::min(end * kLanes, strands.size()); ++i) {
+            const std::size_t strand = strands[i];
+            readStrand(m_groom->basis->restPositions.data(), m_groom->nodes, strand, std::span(shape).first(nodes));
+            for (std::size_t node = 0; node < nodes; ++node) {
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    rest[alone.nodeAt(i, static_cast<int>(node)) + axis * kLanes] = shape[node][static_cast<int>(axis)];
+            }
+            for (int row = 0; row < kLaneFields; ++row)
+                alone.field(i, row) = m_state.field(strand, row);
+            for (std::size_t c = 0; c < kMaxColliders; ++c)
+                scales[c] = std::sqrt(alone.field(i, kScale + static_cast<int>(c)));
+            const glm::vec3 lie(alone.field(i, kLieX), alone.field(i, kLieY), alone.field(i, kLieZ));
+            hangStrand(std::span(hanging).first(nodes), std::span(shape).first(nodes), lie, down,
+                       alone.field(i, kSegmentLength), 1.0F - alone.field(i, kLoose), m_colliders, scales);
+            alone.placeStrand(i, std::span(hanging).first(nodes));
+        }
+        stepBlocks(alone.view(rest.data()), gains, m_colliders, steps, 0, begin, end);
+    });
+    alone.present = kSettleSteps % 2;
+    for (std::size_t i = 0; i < strands.size(); ++i) {
+        alone.stopStrand(i);
+        m_state.copyStrand(alone, i, strands[i]);
+        m_state.wakeStrand(strands[i]);
+    }
+}
+
+void GroupDynamics::reset()
+{
+    if (!m_groom)
+        return;
+    const auto nodes = static_cast<std::size_t>(m_groom->nodes);
+    parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+        std::array<glm::vec3, kMaxNodes> rest;
+        for (std::size_t strand = begin * kLanes; strand < end * kLanes; ++strand) {
+            if (m_state.field(strand, kStill) >= kUnwanted)
+                continue;
+            readStrand(m_groom->basis->restPositions.data(), m_groom->nodes, strand, std::span(rest).first(nodes));
+            m_state.placeStrand(strand, std::span(rest).first(nodes));
+        }
+    });
+    m_awake = true;
+}
+
+void GroupDynamics::wake()
+{
+    for (std::size_t strand = 0; strand < m_state.blocks * kLanes; ++strand) {
+        if (m_state.field(strand, kStill) < kUnwanted)
+            m_state.wakeStrand(strand);
+    }
+    m_awake = true;
+}
+
+bool GroupDynamics::asleep() const
+{
+    return !m_groom || !m_groom->visible || !m_awake;
+}
+
+void GroupDynamics::step(std::span<const StepForces> steps)
+{
+    const bool windy = std::any_of(steps.begin(), steps.end(), [](const StepForces& step) { return step.windy; });
+    const bool moves =
+        std::any_of(steps.begin(), steps.end(), [](const StepForces& step) { return !step.toNewHead.identity; });
+    if (!m_groom || !m_groom->visible || steps.empty())
+        return;
+    if (moves && !windy)
+        wake();
+    if (!m_awake && !windy)
+        return;
+    const SolverBlocks blocks = m_state.view(m_groom->basis->restPositions.data());
+    parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+        stepBlocks(blocks, m_gains, m_colliders, steps, m_state.present, begin, end);
+    });
+    m_state.present = (m_state.present + static_cast<int>(steps.size())) % 2;
+    m_awake = windy || std::any_of(m_state.awake.begin(), m_state.awake.end(), [](std::uint8_t a) { return a != 0; });
+}
+
+void GroupDynamics::write(GroupFrame& frame, float share, const HeadPose& pose) const
+{
+    frame.groom = m_groom;
+    m_dependents.write(*m_groom, m_state, m_colliders, share, pose, frame);
+}
+
+} // namespace hairpaint::sim

@@ -1,0 +1,48 @@
+// The moving hair of one group: its basis hairs' state through grooms, steps and sleep, and its frame.
+#pragma once
+
+#include "sim/motion/dependents.h"
+#include "sim/motion/strand_frame.h"
+#include "sim/solver/strand_state.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hairpaint::sim {
+
+/// Knows nothing of how grooms are built. Not thread safe; loops run through parallelFor, with the same result for any
+/// number of threads.
+class GroupDynamics
+{
+public:
+    /// Strands that stay keep their motion to the last bit; new ones start hanging still under `calm` (gravity alone);
+    /// those whose length differs are stretched along their shape; any other difference wakes the strand.
+    void setGroom(std::shared_ptr<const Groom> groom, const ColliderSet& colliders, const StepForces& calm);
+    /// Every strand to its rest shape, without speed.
+    void reset();
+    void wake();
+    /// No strand moves any more, or none is seen.
+    [[nodiscard]] bool asleep() const;
+
+    void step(std::span<const StepForces> steps);
+    /// `share`: 0 at the step before, 1 at the present one. The pose is that of the same moment.
+    void write(GroupFrame& frame, float share, const HeadPose& pose) const;
+
+    [[nodiscard]] const std::shared_ptr<const Groom>& groom() const { return m_groom; }
+    [[nodiscard]] const StrandState& state() const { return m_state; }
+
+private:
+    [[nodiscard]] std::vector<std::size_t> takeStrands(const Groom& before, std::span<const std::int32_t> origin,
+                                                       const StrandState& old);
+    void settle(std::span<const std::size_t> strands, const StepForces& calm);
+
+    std::shared_ptr<const Groom> m_groom;
+    ColliderSet m_colliders;
+    GroupGains m_gains;
+    StrandState m_state;
+    mutable Dependents m_dependents; ///< Its buffers are reused from frame to frame.
+    bool m_awake = false;
+};
+
+} // namespace hairpaint::sim

@@ -1,0 +1,40 @@
+// Runs a Simulation on its own thread in real time.
+#pragma once
+
+#include "sim/groom/groom_input.h"
+#include "sim/motion/strand_frame.h"
+#include "sim/motion/wind.h"
+
+#include <functional>
+#include <memory>
+
+namespace hairpaint::sim {
+
+/// Every method is called from one thread (the GUI's) and returns at once. `onFrame` is called on the worker's thread
+/// after each new frame; it should only wake the GUI thread, which then calls takeFrame().
+class SimulationWorker
+{
+public:
+    explicit SimulationWorker(std::function<void()> onFrame);
+    ~SimulationWorker(); ///< Stops and joins.
+    SimulationWorker(const SimulationWorker&) = delete;
+    SimulationWorker& operator=(const SimulationWorker&) = delete;
+
+    void setInput(GroomInput input);    ///< Latest wins.
+    void setWind(const Wind& wind);     ///< Latest wins.
+    void setPose(const HeadPose& pose); ///< Latest wins.
+    void puff(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);
+    void reset();
+    void setPaused(bool paused);
+    /// Frames a second wanted at most, 1..240; the GUI lowers it where drawing is slow.
+    void setFrameRate(double framesPerSecond);
+
+    /// The newest frame since the last call, or null.
+    [[nodiscard]] std::shared_ptr<const StrandFrame> takeFrame();
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace hairpaint::sim

@@ -1,0 +1,140 @@
+// Dependent hairs: interpolated displacement, restored lengths, pushed out of the head.
+#include "sim/solver/dependents_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/solver/dependents_kernel.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.
+#include "sim/solver/strand_kernel_inl.h"
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hairpaint::sim::HWY_NAMESPACE {
+
+/// Tips that lie further apart than this share of the length, squared, belong to different sides of a parting.
+constexpr float kApart2 = 0.45F;
+constexpr float kAnywhereM = 1.0F;
+
+/// How much a neighbour counts beside the nearest, 0..1, by how differently its tip hangs.
+HWY_INLINE float agreement(const float* HWY_RESTRICT nearestTip, const float* HWY_RESTRICT tip)
+{
+    const float x = tip[0] - nearestTip[0];
+    const float y = tip[1] - nearestTip[1];
+    const float z = tip[2] - nearestTip[2];
+    const float left = 1.0F - (x * x + y * y + z * z) * (1.0F / kApart2);
+    return left > 0.0F ? left * left : 0.0F;
+}
+
+/// Weighted mean of one slot's three basis hairs into mean: [nodes][kLanes][4], at its lane.
+HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float* HWY_RESTRICT mean)
+{
+    const hn::CappedTag<float, 4> d4;
+    const auto nodes = static_cast<std::size_t>(task.nodes);
+    const std::array<std::uint32_t, 3>& basis = task.neighbours[slot];
+    std::array<float, 3> weight = task.weights[slot];
+    const float* const first = task.displacements + basis[0] * nodes * 4;
+    const float* const second = task.displacements + basis[1] * nodes * 4;
+    const float* const third = task.displacements + basis[2] * nodes * 4;
+    const std::size_t tip = (nodes - 1) * 4;
+    if (weight[1] != 0.0F || weight[2] != 0.0F) {
+        weight[1] *= agreement(first + tip, second + tip);
+        weight[2] *= agreement(first + tip, third + tip);
+        const float sum = weight[0] + weight[1] + weight[2];
+        const float scale = sum > 1e-6F ? 1.0F / sum : 0.0F;
+        for (float& w : weight)
+            w *= scale;
+    }
+    const auto w0 = hn::Set(d4, weight[0]);
+    const auto w1 = hn::Set(d4, weight[1]);
+    const auto w2 = hn::Set(d4, weight[2]);
+    const bool alone = weight[1] == 0.0F && weight[2] == 0.0F;
+    const std::size_t step = hn::Lanes(d4); // 4, or 1 where there is no SIMD
+    for (std::size_t i = 0; i < nodes; ++i) {
+        for (std::size_t axis = 0; axis < 4; axis += step) {
+            const std::size_t at = i * 4 + axis;
+            auto way = hn::Mul(w0, hn::Load(d4, first + at));
+            if (!alone)
+                way = hn::Add(hn::Add(way, hn::Mul(w1, hn::Load(d4, second + at))),
+                              hn::Mul(w2, hn::Load(d4, third + at)));
+            hn::Store(way, d4, mean + i * kLanes * 4 + axis);
+        }
+    }
+}
+
+/// Lanes lane..lane + Lanes(d) of one block, from their mean displacements to their places in the world.
+template<class D>
+HWY_INLINE void placeStrands(D d, const DependentsTask& task, const float* HWY_RESTRICT mean,
+                             const float* HWY_RESTRICT rest, const float* HWY_RESTRICT lanes, float* HWY_RESTRICT out)
+{
+    using V = hn::Vec<D>;
+    const V segment = hn::LoadU(d, lanes);
+    const hn::Mask<D> drawn = hn::Gt(segment, hn::Zero(d));
+    const V length = hn::Mul(segment, hn::Set(d, static_cast<float>(task.nodes - 1)));
+    const V zero = hn::Zero(d);
+    const Vec3<V> nothing{zero, zero, zero};
+    Vec3<V> parent = load3(d, rest);
+    Vec3<V> parentRest = parent;
+    store3(d, choose(drawn, task.world.identity ? parent : moved(d, task.world, parent), nothing), out);
+    for (int i = 1; i < task.nodes; ++i) {
+        const auto node = static_cast<std::size_t>(i);
+        const std::size_t offset = node * 3 * kLanes;
+        Vec3<V> way;
+        V unused;
+        hn::LoadInterleaved4(d, mean + node * kLanes * 4, way.x, way.y, way.z, unused);
+        const Vec3<V> styled = load3(d, rest + offset);
+        Vec3<V> p = atLength(d, parent, addScaled(styled, way, length), segment, sub(styled, parentRest));
+        Contact<D> contact = noContact(d);
+        bool touched = false;
+        for (int c = 0; c < task.colliders->count; ++c)
+            touched |= pushOut(d, task.colliders->items[static_cast<std::size_t>(c)],
+                               hn::LoadU(d, lanes + (1 + c) * kLanes), hn::Set(d, kAnywhereM), p, contact);
+        if (touched)
+            p = choose(contact.touched, atLength(d, parent, p, segment, sub(styled, parentRest)), p);
+        store3(d, choose(drawn, task.world.identity ? p : moved(d, task.world, p), nothing), out + offset);
+        parent = p;
+        parentRest = styled;
+    }
+}
+
+void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t end)
+{
+    const hn::CappedTag<float, kLanes> d;
+    const auto nodes = static_cast<std::size_t>(task.nodes);
+    HWY_ALIGN float mean[std::size_t{kMaxNodes} * kLanes * 4];
+    for (std::size_t i = 0; i < nodes * kLanes * 4; ++i)
+        mean[i] = 0.0F;
+    for (std::size_t block = begin; block < end; ++block) {
+        const float* const lanes = task.lanes + block * kDependentStride;
+        const std::size_t first = block * nodes * 3 * kLanes;
+        bool any = false;
+        for (std::size_t lane = 0; lane < kLanes; ++lane)
+            any |= lanes[lane] > 0.0F;
+        if (!any) {
+            for (std::size_t i = 0; i < nodes * 3 * kLanes; ++i)
+                task.out[first + i] = 0.0F;
+            continue;
+        }
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            if (lanes[lane] > 0.0F)
+                gather(task, block * kLanes + lane, mean + lane * 4);
+        }
+        for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(d))
+            placeStrands(d, task, mean + lane * 4, task.rest + first + lane, lanes + lane, task.out + first + lane);
+    }
+}
+
+} // namespace hairpaint::sim::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hairpaint::sim {
+
+HWY_EXPORT(PlaceDependents);
+
+void placeDependents(const DependentsTask& task, std::size_t begin, std::size_t end)
+{
+    HWY_DYNAMIC_DISPATCH(PlaceDependents)(task, begin, end);
+}
+
+} // namespace hairpaint::sim
+#endif

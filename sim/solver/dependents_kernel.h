@@ -1,0 +1,37 @@
+// Every drawn hair's nodes from the basis hairs around it (Hernandez and Rudomin 2004, algorithm 3).
+#pragma once
+
+#include "sim/solver/solver_layout.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace hairpaint::sim {
+
+/// Rows of kLanes floats of a block of dependents: segment length (0 where nothing is drawn), then the squared scale of
+/// each collider.
+inline constexpr std::size_t kDependentRows = 1 + kMaxColliders;
+inline constexpr std::size_t kDependentStride = kDependentRows * kLanes;
+
+/// One chunk's worth of dependents. Hd, m, but `out`, which is in the world.
+struct DependentsTask
+{
+    int nodes = 0;
+    /// [basis hairs][nodes][4]: the node's way from its rest place, by the basis hair's length; the 4th is not used.
+    const float* displacements = nullptr;
+    const std::array<std::uint32_t, 3>* neighbours = nullptr; ///< [kChunkSlots], indices of basis hairs.
+    const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], sums of 1.
+    const float* rest = nullptr;                              ///< [kBlocksPerChunk][nodes][3][kLanes]
+    const float* lanes = nullptr;                             ///< [kBlocksPerChunk][kDependentRows][kLanes]
+    const ColliderSet* colliders = nullptr;
+    RigidMotion world;    ///< From the head's frame.
+    float* out = nullptr; ///< As `rest`; zeros where nothing is drawn.
+};
+
+/// Blocks begin..end of the chunk. A node's way is the weighted mean of its basis hairs' at the same node; neighbours
+/// that hang to another side than the nearest (across a parting) count less. Then segment lengths are restored from
+/// root to tip, outside the ellipsoids. Neither allocates nor throws; the same bytes with every instruction set.
+void placeDependents(const DependentsTask& task, std::size_t begin, std::size_t end);
+
+} // namespace hairpaint::sim

@@ -1,0 +1,106 @@
+// What the solver's kernel reads and writes: the arrays of a group's basis hairs, a step's forces, a group's gains.
+#pragma once
+
+#include "sim/groom/groom.h"
+#include "sim/solver/collider_set.h"
+
+#include <array>
+#include <cstdint>
+
+namespace hairpaint::sim {
+
+inline constexpr double kStepSeconds = 1.0 / 120.0; ///< The solver's fixed step.
+inline constexpr int kMaxNodes = 32;
+inline constexpr int kMaxPuffs = 4;
+
+/// Constants of a strand, one row of kLanes floats each; kMaxColliders rows of squared collider scales follow.
+enum LaneField : std::uint8_t
+{
+    kSegmentLength, ///< m
+    kInverseSquare, ///< 1/length^2
+    kLoose,         ///< 1 - the gain of gel, 0..1: 0 holds the rest shape fully.
+    kLooseDrag,     ///< Share of the motion against the head that the held shape leaves, 0..1.
+    kLieX,          ///< Unit vector in which the strand leaves the skin.
+    kLieY,
+    kLieZ,
+    kPhaseGust, ///< Of the wind's waves at this root, rad, 0..2 pi.
+    kPhaseA,
+    kPhaseB,
+    kStill,   ///< Steps without motion; kUnwanted where no hair is solved.
+    kMiddleX, ///< Where the middle node was when the hair last moved, Hd, m;
+    kMiddleY,
+    kMiddleZ,
+    kTipX, ///< and the tip.
+    kTipY,
+    kTipZ,
+    kScale, ///< [kMaxColliders] rows.
+    kLaneFields = kScale + kMaxColliders
+};
+inline constexpr std::size_t kLaneStride = std::size_t{kLaneFields} * kLanes;
+
+inline constexpr float kUnwanted = 1e30F;
+inline constexpr float kStillSteps = 60.0F; ///< A strand that lay still for so long falls asleep.
+inline constexpr float kStillM = 2e-4F; ///< What counts as lying still: middle and tip stay this close to their place.
+inline constexpr float kFastestM = 10.0F / 120; ///< Speed limit, m a step.
+
+/// A rigid motion: rows * p + offset.
+struct RigidMotion
+{
+    std::array<std::array<float, 3>, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    std::array<float, 3> offset{};
+    bool identity = true;
+};
+
+/// Air that a puff moves. Hd, metres a step.
+struct PuffForces
+{
+    std::array<float, 3> centre{};
+    std::array<float, 3> velocity{};
+    float inverseRadius2 = 0.0F; ///< 1/m2
+};
+
+/// What acts on every strand in one step. Hd, metres a step.
+struct StepForces
+{
+    RigidMotion toNewHead; ///< From the head's frame a step ago to the present one.
+    std::array<float, 3> gravity{};
+    bool windy = false; ///< Any wind or puff: nothing sleeps.
+    std::array<float, 3> wind{};
+    float gust = 0.0F;             ///< Share that comes and goes from place to place, 0..1.
+    std::array<float, 3> swirlA{}; ///< Amplitudes of the two waves of turbulence.
+    std::array<float, 3> swirlB{};
+    float phaseGust = 0.0F; ///< Of the waves in time, rad, 0..2 pi.
+    float phaseA = 0.0F;
+    float phaseB = 0.0F;
+    int puffCount = 0;
+    std::array<PuffForces, kMaxPuffs> puffs{};
+};
+
+/// A group's own constants for a step of kStepSeconds.
+struct GroupGains
+{
+    int nodes = 0;
+    float drag = 1.0F; ///< Factor of the velocity.
+    float gravityScale = 1.0F;
+    float windScale = 1.0F;
+    float windGain = 0.0F;                   ///< Share of the relative velocity of the air taken over in a step.
+    float frictionKeep = 1.0F;               ///< Share of the tangential motion kept in contact.
+    float stickSlope2 = 0.0F;                ///< Contact sticks while (tangential/normal motion)^2 is below.
+    float straighten = 0.0F;                 ///< Gain toward a straight continuation of the two segments before.
+    std::array<float, kMaxNodes> body{};     ///< Gain toward the direction in which the strand leaves the skin.
+    std::array<float, kMaxNodes> bodyKeep{}; ///< Share of the motion against the head that body leaves.
+    std::array<float, kMaxNodes> waveACos{}, waveASin{}, waveBCos{}, waveBSin{}; ///< Turbulence along the strand.
+};
+
+/// Blocks of kLanes strands. `rest`, `positions` and `previous`: [blocks][nodes][3][kLanes]; `lanes`:
+/// [blocks][kLaneFields][kLanes]. Positions of the step before and of the present one take turns in `positions`.
+struct SolverBlocks
+{
+    const float* rest = nullptr;
+    std::array<float*, 2> positions{};
+    float* previous = nullptr; ///< x* of equation 5: the present position less the velocity.
+    float* lanes = nullptr;
+    std::uint8_t* awake = nullptr; ///< [blocks] whether anything may still move; written by the kernel.
+};
+
+} // namespace hairpaint::sim

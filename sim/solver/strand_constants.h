@@ -1,0 +1,24 @@
+// What the solver keeps about each strand and each group: gains, lie on the head, distance from the ellipsoids.
+#pragma once
+
+#include "sim/groom/groom.h"
+#include "sim/solver/strand_state.h"
+
+namespace hairpaint::sim {
+
+/// A group's constants for a step; gains given for 1/60 s are rescaled: k' = 1 - (1 - k)^(dt/dt0).
+[[nodiscard]] GroupGains gainsOf(const PhysicsSettings& physics, int nodes);
+
+/// The basis hair's rank where the groom has roots, its index elsewhere, as a number 0..1 that stays with the hair.
+[[nodiscard]] float strandHash(const Groom& groom, std::size_t basisIndex);
+
+/// Fills a basis hair's rows in `state`, except kStill.
+void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basisIndex, const ColliderSet& colliders);
+
+/// How strongly a strand is held in its styled shape, 0..1, by gel and, short hair, by its own stiffness.
+[[nodiscard]] float holdOf(float gel, float body, float lengthM);
+
+/// Thickness that a strand's height in the coat adds to the ellipsoids under it; never more than half a segment.
+[[nodiscard]] float coatM(float height, float volumeM, float segmentM);
+
+} // namespace hairpaint::sim

@@ -1,0 +1,50 @@
+// The waves of gusts and turbulence in space.
+#include "sim/solver/wind_phases.h"
+
+#include "sim/base/deterministic.h"
+
+#include <cmath>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr auto kTwoPi = 6.283185307179586;
+
+// rad/m over the head, rad from root to tip.
+constexpr glm::vec3 kGustWave{3.1F, 1.3F, 4.2F};
+constexpr glm::vec3 kWaveA{9.0F, 13.0F, 11.0F};
+constexpr glm::vec3 kWaveB{-23.0F, 14.0F, 19.0F};
+constexpr float kAlongA = 2.4F;
+constexpr float kAlongB = 4.1F;
+
+} // namespace
+
+float wrappedPhase(float phaseRad)
+{
+    const float turns = phaseRad * static_cast<float>(1.0 / kTwoPi);
+    return (turns - std::floor(turns)) * static_cast<float>(kTwoPi);
+}
+
+void setWindPhases(float* lanes, int lane, glm::vec3 rootHd, float hash01)
+{
+    const float jitter = hash01 * 1.2F;
+    lanes[kPhaseGust * kLanes + lane] = wrappedPhase(glm::dot(kGustWave, rootHd));
+    lanes[kPhaseA * kLanes + lane] = wrappedPhase(glm::dot(kWaveA, rootHd) + jitter);
+    lanes[kPhaseB * kLanes + lane] = wrappedPhase(glm::dot(kWaveB, rootHd) + 2.0F * jitter);
+}
+
+void setWaveTables(GroupGains& gains)
+{
+    for (int i = 0; i < gains.nodes; ++i) {
+        const auto node = static_cast<std::size_t>(i);
+        const float share = static_cast<float>(i) / static_cast<float>(gains.nodes - 1);
+        // A lag: the wave at the root reaches the tip later.
+        gains.waveACos[node] = cosDet(kAlongA * share);
+        gains.waveASin[node] = sinDet(kAlongA * share);
+        gains.waveBCos[node] = cosDet(kAlongB * share);
+        gains.waveBSin[node] = sinDet(kAlongB * share);
+    }
+}
+
+} // namespace hairpaint::sim

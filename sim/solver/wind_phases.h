@@ -1,0 +1,19 @@
+// The waves of gusts and turbulence in space: how far each strand and each node lags behind.
+#pragma once
+
+#include "sim/solver/solver_layout.h"
+
+#include <glm/glm.hpp>
+
+namespace hairpaint::sim {
+
+/// A phase as the kernel takes it, 0..2 pi.
+[[nodiscard]] float wrappedPhase(float phaseRad);
+
+/// Fills the lane rows kPhaseGust, kPhaseA and kPhaseB of a strand. `lanes` is its block's, [kLaneFields][kLanes].
+void setWindPhases(float* lanes, int lane, glm::vec3 rootHd, float hash01);
+
+/// The phases by which the two waves of turbulence lag at a node, as tables.
+void setWaveTables(GroupGains& gains);
+
+} // namespace hairpaint::sim

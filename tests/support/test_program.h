@@ -1,0 +1,31 @@
+// Many tests in one program: each file of tests makes itself known here, and one is run at a time, by its name.
+#pragma once
+
+#include <QObject>
+
+#include <memory>
+
+namespace hairpaint::test {
+
+/// What the program has running while the tests of a class do.
+enum class Application
+{
+    None,
+    Core,
+    Gui,
+    Widgets
+};
+
+using MakeTest = std::unique_ptr<QObject> (*)();
+
+/// Called before main() by HAIRPAINT_TEST. `file`: test_NAME.cpp, whose tests are run by `PROGRAM NAME [QtTest's
+/// options]`.
+bool registerTest(const char* file, Application application, MakeTest make);
+
+} // namespace hairpaint::test
+
+/// In place of QTEST_MAIN, with the application that the class needs.
+#define HAIRPAINT_TEST(Class, application)                                                                             \
+    [[maybe_unused]] static const bool isRegistered =                                                                  \
+        hairpaint::test::registerTest(__FILE__, hairpaint::test::Application::application,                             \
+                                      []() -> std::unique_ptr<QObject> { return std::make_unique<Class>(); });
