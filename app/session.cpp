@@ -89,8 +89,8 @@ void Session::onChanged(const model::Change& change)
     using Aspect = model::Change::Aspect;
     if (change.aspect == Aspect::Environment || change.aspect == Aspect::Everything)
         m_worker->setWind(m_document.project().wind);
-    if (change.aspect != Aspect::Environment)
-        m_inputTimer.start();
+    // Whatever changed: frames name the document's revision.
+    m_inputTimer.start();
 }
 
 void Session::lookAt(std::optional<model::MapKind> map)

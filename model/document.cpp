@@ -41,6 +41,7 @@ struct Document::State
 {
     Project committed;
     std::optional<Project> preview;
+    std::uint64_t revision = 1;
     Change previewChange; ///< Of the running preview; for a stroke, with every tile touched so far.
     bool stroke = false;  ///< The preview came through previewTiles.
     QUndoStack undoStack;
@@ -146,6 +147,11 @@ std::shared_ptr<const sim::TiledRaster> Document::resolved(Id group, MapKind map
     return found == m_state->resolved.end() ? nullptr : found->second.result();
 }
 
+std::uint64_t Document::revision() const
+{
+    return m_state->revision;
+}
+
 sim::GroomInput Document::groomInput() const
 {
     const Project& shown = project();
@@ -155,6 +161,8 @@ sim::GroomInput Document::groomInput() const
     input.colliders = shown.ellipsoids;
     input.seed = shown.seed;
     input.maxHairs = shown.maxHairs;
+    input.revision = m_state->revision;
+    input.preview = previewing();
     for (const HairGroup& group : shown.groups) {
         const auto map = [&](MapKind kind) { return resolved(group.id, kind); };
         input.groups.push_back({.id = group.id,
@@ -259,6 +267,7 @@ bool Document::previewing() const
 void Document::tell(Change change, bool preview)
 {
     change.preview = preview;
+    ++m_state->revision;
     Q_EMIT changed(change);
 }
 

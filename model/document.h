@@ -66,6 +66,8 @@ public:
 
     /// The map with all visible layers (and a running preview) applied: `spec.valueChannels` channels.
     [[nodiscard]] std::shared_ptr<const sim::TiledRaster> resolved(Id group, MapKind map) const;
+    /// Grows with every change, previews too; frames of hair name the one they show.
+    [[nodiscard]] std::uint64_t revision() const;
     /// Everything the simulation needs, sharing tiles.
     [[nodiscard]] sim::GroomInput groomInput() const;
 

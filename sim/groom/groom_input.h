@@ -34,7 +34,9 @@ struct GroomInput
     std::vector<Ellipsoid> colliders;
     std::vector<GroupInput> groups;
     std::uint64_t seed = 1;
-    int maxHairs = 1'000'000; ///< Limit on candidates over all groups; divided in the groups' order.
+    int maxHairs = 1'000'000;   ///< Limit on candidates over all groups; divided in the groups' order.
+    std::uint64_t revision = 0; ///< Of the document; frames repeat it. It alone rebuilds nothing.
+    bool preview = false;       ///< Holds something not committed yet.
 };
 
 } // namespace hairpaint::sim

@@ -32,6 +32,8 @@ struct Simulation::State
     double simulatedSeconds = 0.0;
     double stepMilliseconds = 0.0;
     std::size_t rebuilt = 0;
+    std::uint64_t revision = 0; ///< Of the last input,
+    bool preview = false;       ///< and whether it was one.
 
     [[nodiscard]] bool asleep() const
     {
@@ -76,6 +78,8 @@ void Simulation::setInput(const GroomInput& input)
     State& s = *m_state;
     const GroomBuilder::Report report = s.builder.update(input);
     s.rebuilt += report.rebuiltStrands;
+    s.revision = input.revision;
+    s.preview = input.preview;
     s.colliders = prepareColliders(input.colliders);
     const StepForces calm = WindField::calm(s.pose);
     std::vector<std::unique_ptr<GroupDynamics>> groups;
@@ -168,6 +172,8 @@ void Simulation::writeFrame(StrandFrame& frame) const
     frame.stepMilliseconds = s.stepMilliseconds;
     frame.asleep = s.asleep();
     frame.rebuiltStrands = s.rebuilt;
+    frame.revision = s.revision;
+    frame.preview = s.preview;
 }
 
 std::size_t Simulation::rebuiltStrands() const

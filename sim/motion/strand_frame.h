@@ -40,6 +40,8 @@ struct StrandFrame
     HairLimit limit = HairLimit::None; ///< Of the first group that feels one.
     bool asleep = false;               ///< Nothing moves: no newer frame will come until something changes.
     std::uint64_t number = 0;
+    std::uint64_t revision = 0;     ///< Of the input that the hair was made from.
+    bool preview = false;           ///< That input held something not committed yet.
     std::size_t rebuiltStrands = 0; ///< Evaluated since the first frame, in all.
 };
 

@@ -111,6 +111,7 @@ private Q_SLOTS:
     void aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName();
     void aPresetFlattensWhatIsShown();
     void thePreviewOfAPresetIsItsCommit();
+    void everyChangeRaisesTheRevision();
     void theDocumentKnowsWhetherItIsSaved();
     void theHistoryForgetsItsOldestStepsWithinItsBudget();
     void sharedTilesCostTheHistoryNothing();
@@ -323,6 +324,27 @@ void TestCommands::thePreviewOfAPresetIsItsCommit()
     document.clearPreview();
     QVERIFY(sameProjects(document.project(), previewed));
     QVERIFY(*document.resolved(group, MapKind::Density) == *shown);
+}
+
+void TestCommands::everyChangeRaisesTheRevision()
+{
+    Document document(patchProject());
+    std::uint64_t last = document.revision();
+    const auto grew = [&] { return document.revision() > std::exchange(last, document.revision()); };
+    document.push(setBackgroundCommand(document, 0xFF102030));
+    QVERIFY(grew());
+    QVERIFY(!document.groomInput().preview);
+    document.setPreview({.aspect = Change::Aspect::Environment},
+                        [](Project& project) { project.background = 0xFF302010; });
+    QVERIFY(grew());
+    QVERIFY(document.groomInput().preview);
+    QCOMPARE(document.groomInput().revision, document.revision());
+    document.clearPreview();
+    QVERIFY(grew());
+    document.undo();
+    QVERIFY(grew());
+    document.replace(patchProject());
+    QVERIFY(grew());
 }
 
 void TestCommands::theDocumentKnowsWhetherItIsSaved()

@@ -46,6 +46,7 @@ class TestSimulationWorker : public QObject
 private Q_SLOTS:
     void framesComeByThemselvesAndAreNumbered();
     void theLatestInputWins();
+    void framesNameTheRevisionTheyShow();
     void inputWithoutEndHoldsUpNoFrames();
     void aPausedWorkerStillShowsNewInput();
     void stillHairStopsTheFramesUntilSomethingHappens();
@@ -81,6 +82,27 @@ void TestSimulationWorker::theLatestInputWins()
                         0.2F * 48000.0F / 65535.0F / static_cast<float>(frame.groups.front().groom->nodes - 1)) < 1e-5F;
     };
     QVERIFY(awaitFrame(worker, shows));
+}
+
+void TestSimulationWorker::framesNameTheRevisionTheyShow()
+{
+    SimulationWorker worker(nullptr);
+    GroomInput input = paintedBall(400, 200);
+    input.revision = 7;
+    worker.setInput(input);
+    const auto first = awaitFrame(worker, [](const StrandFrame& frame) { return frame.revision == 7; });
+    QVERIFY(first);
+    QVERIFY(hasHair(*first));
+    QVERIFY(!first->preview);
+    const std::size_t rebuilt = first->rebuiltStrands;
+    // The same hair under another name: nothing is rebuilt, yet a frame says so.
+    input.revision = 8;
+    input.preview = true;
+    worker.setInput(input);
+    const auto second = awaitFrame(worker, [](const StrandFrame& frame) { return frame.revision == 8; });
+    QVERIFY(second);
+    QVERIFY(second->preview);
+    QCOMPARE(second->rebuiltStrands, rebuilt);
 }
 
 void TestSimulationWorker::inputWithoutEndHoldsUpNoFrames()
