@@ -106,8 +106,12 @@ void Session::sendInput()
     sim::GroomInput input = m_document.groomInput();
     if (m_looked)
         for (sim::GroupInput& group : input.groups)
-            if (const auto resolved = m_document.resolved(group.id, *m_looked))
-                group.maps.colour = model::colouredMap(*resolved, model::mapSpec(*m_looked));
+            if (const auto resolved = m_document.resolved(group.id, *m_looked)) {
+                const sim::MapRaster coloured = model::colouredMap(*resolved, model::mapSpec(*m_looked));
+                for (const sim::MapRule& rule : sim::kMapRules)
+                    if (rule.effect.look)
+                        group.maps[rule.slot] = coloured;
+            }
     m_worker->setInput(std::move(input));
 }
 

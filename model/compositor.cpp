@@ -1,14 +1,13 @@
 // Resolving of layers, tile by tile.
 #include "model/compositor.h"
 
+#include "model/texel_ops.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace hairpaint::model {
 
 namespace {
-
-constexpr std::size_t kTileTexels = static_cast<std::size_t>(sim::TiledRaster::kTileSize) * sim::TiledRaster::kTileSize;
 
 /// How one layer lies over what is below it.
 struct LayerStep
@@ -18,74 +17,16 @@ struct LayerStep
     std::uint16_t opacity = 65535;
 };
 
-template<BlendMode blend>
-std::uint16_t blended(std::uint16_t below, std::uint16_t value)
+void stepTexel(const MapSpec& spec, const LayerStep& step, sim::Texel& below, const sim::Texel& layer)
 {
-    if constexpr (blend == BlendMode::Multiply)
-        return mul16(below, value);
-    else
-        return value;
-}
-
-sim::Texel stepTexel(const MapSpec& spec, const LayerStep& step, sim::Texel below, const sim::Texel& layer)
-{
-    const std::uint16_t share = mul16(layer[static_cast<std::size_t>(spec.valueChannels)], step.opacity);
-    if (spec.texel == TexelKind::Index) {
-        if (share >= kHalfCoverage)
-            below[0] = layer[0];
-        return below;
-    }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(spec.valueChannels); ++i) {
-        const std::uint16_t above = step.blend == BlendMode::Multiply ? mul16(below[i], layer[i]) : layer[i];
-        below[i] = lerp16(below[i], above, share);
-    }
-    return below;
-}
-
-template<int channels, BlendMode blend>
-void stepPixels(const std::uint16_t* layer, std::uint16_t opacity, std::uint16_t* map)
-{
-    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
-        const std::uint16_t* source = layer + texel * (channels + 1);
-        std::uint16_t* target = map + texel * channels;
-        const std::uint16_t share = mul16(source[channels], opacity);
-        for (int i = 0; i < channels; ++i)
-            target[i] = lerp16(target[i], blended<blend>(target[i], source[i]), share);
-    }
-}
-
-void stepIndexPixels(const std::uint16_t* layer, std::uint16_t opacity, std::uint16_t* map)
-{
-    for (std::size_t texel = 0; texel < kTileTexels; ++texel)
-        map[texel] = mul16(layer[texel * 2 + 1], opacity) >= kHalfCoverage ? layer[texel * 2] : map[texel];
-}
-
-/// A layer's tile of one value over pixels.
-void stepUniform(const MapSpec& spec, const LayerStep& step, std::uint16_t* map)
-{
-    const auto channels = static_cast<std::size_t>(spec.valueChannels);
-    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
-        sim::Texel below{};
-        std::copy_n(map + texel * channels, channels, below.begin());
-        below = stepTexel(spec, step, below, step.tile->uniform);
-        std::copy_n(below.begin(), channels, map + texel * channels);
-    }
+    texelOps(spec).blend(step.blend, layer.data(), 0, step.opacity, below.data(), 1);
 }
 
 void stepTile(const MapSpec& spec, const LayerStep& step, std::uint16_t* map)
 {
-    const std::uint16_t* layer = step.tile->pixels.data();
-    const bool multiply = step.blend == BlendMode::Multiply;
-    if (step.tile->isUniform())
-        stepUniform(spec, step, map);
-    else if (spec.texel == TexelKind::Index)
-        stepIndexPixels(layer, step.opacity, map);
-    else if (spec.valueChannels == 1)
-        multiply ? stepPixels<1, BlendMode::Multiply>(layer, step.opacity, map)
-                 : stepPixels<1, BlendMode::Normal>(layer, step.opacity, map);
-    else
-        multiply ? stepPixels<3, BlendMode::Multiply>(layer, step.opacity, map)
-                 : stepPixels<3, BlendMode::Normal>(layer, step.opacity, map);
+    const bool uniform = step.tile->isUniform();
+    texelOps(spec).blend(step.blend, uniform ? step.tile->uniform.data() : step.tile->pixels.data(),
+                         uniform ? 0 : static_cast<std::size_t>(spec.layerChannels()), step.opacity, map, kTileTexels);
 }
 
 /// The layers that show in a tile; from the last uniform, fully covering one upward, where there is one.
@@ -123,7 +64,7 @@ sim::RasterTilePtr resolveTile(const MapStack& stack, int tileIndex)
     const auto channels = static_cast<std::size_t>(spec.valueChannels);
     auto step = steps.begin();
     for (; step != steps.end() && step->tile->isUniform(); ++step)
-        result->uniform = stepTexel(spec, *step, result->uniform, step->tile->uniform);
+        stepTexel(spec, *step, result->uniform, step->tile->uniform);
     if (step == steps.end())
         return result;
     result->pixels.resize(kTileTexels * channels);
@@ -154,18 +95,13 @@ bool sameButTiles(const MapStack& a, const MapStack& b)
 
 } // namespace
 
-std::uint16_t unit16(float value)
-{
-    return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 65535.0F));
-}
-
 sim::Texel resolveTexel(const MapStack& stack, int x, int y)
 {
     const MapSpec& spec = mapSpec(stack.kind);
     sim::Texel result = spec.defaultValue;
     for (const Layer& layer : stack.layers)
         if (layer.visible)
-            result = stepTexel(spec, {nullptr, layer.blend, unit16(layer.opacity)}, result, layer.raster.texel(x, y));
+            stepTexel(spec, {nullptr, layer.blend, unit16(layer.opacity)}, result, layer.raster.texel(x, y));
     return result;
 }
 

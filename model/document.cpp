@@ -164,17 +164,12 @@ sim::GroomInput Document::groomInput() const
     input.revision = m_state->revision;
     input.preview = previewing();
     for (const HairGroup& group : shown.groups) {
-        const auto map = [&](MapKind kind) { return resolved(group.id, kind); };
-        input.groups.push_back({.id = group.id,
-                                .visible = group.visible,
-                                .settings = group.settings,
-                                .maps = {.density = map(MapKind::Density),
-                                         .length = map(MapKind::Length),
-                                         .curl = map(MapKind::Curl),
-                                         .braid = map(MapKind::Braid),
-                                         .colour = map(MapKind::Colour),
-                                         .clump = map(MapKind::Clump),
-                                         .gel = map(MapKind::Gel)}});
+        sim::GroupInput& one = input.groups.emplace_back();
+        one.id = group.id;
+        one.visible = group.visible;
+        one.settings = group.settings;
+        for (const MapSpec& spec : mapSpecs())
+            one.maps[spec.kind] = resolved(group.id, spec.kind);
     }
     return input;
 }

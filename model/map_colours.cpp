@@ -1,26 +1,11 @@
 // Maps made visible tile by tile.
 #include "model/map_colours.h"
 
+#include "model/texel_math.h"
+#include "model/texel_ops.h"
 #include "sim/base/parallel.h"
 
-#include <algorithm>
-
 namespace hairpaint::model {
-
-namespace {
-
-sim::Texel colourOf(const std::uint16_t* value, const MapSpec& spec)
-{
-    if (spec.texel == TexelKind::Colour)
-        return {value[0], value[1], value[2], 0};
-    const QRgb colour = spec.texel == TexelKind::Index
-                            ? spec.palette[std::min<std::size_t>(value[0], spec.palette.size() - 1)].colour
-                            : scaleToColour(spec, static_cast<float>(value[0]) / 65535.0F, false);
-    const auto wide = [](int channel) { return static_cast<std::uint16_t>(channel * 257); };
-    return {wide(qRed(colour)), wide(qGreen(colour)), wide(qBlue(colour)), 0};
-}
-
-} // namespace
 
 std::shared_ptr<const sim::TiledRaster> colouredMap(const sim::TiledRaster& resolved, const MapSpec& spec)
 {
@@ -31,11 +16,11 @@ std::shared_ptr<const sim::TiledRaster> colouredMap(const sim::TiledRaster& reso
         for (std::size_t index = begin; index < end; ++index) {
             const sim::RasterTile& from = *resolved.tile(static_cast<int>(index));
             auto tile = std::make_shared<sim::RasterTile>();
-            if (from.isUniform())
-                tile->uniform = colourOf(from.uniform.data(), spec);
-            for (std::size_t at = 0; at < from.pixels.size(); at += channels) {
-                const sim::Texel colour = colourOf(from.pixels.data() + at, spec);
-                tile->pixels.insert(tile->pixels.end(), colour.begin(), colour.begin() + 3);
+            if (from.isUniform()) {
+                texelOps(spec).toColours(spec, false, from.uniform.data(), 0, 1, tile->uniform.data());
+            } else {
+                tile->pixels.resize(kTileTexels * 3);
+                texelOps(spec).toColours(spec, false, from.pixels.data(), channels, kTileTexels, tile->pixels.data());
             }
             tiles[index] = std::move(tile);
         }

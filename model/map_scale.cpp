@@ -7,6 +7,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hairpaint::model {
@@ -18,6 +19,8 @@ using sim::GroupSettings;
 constexpr double kPerSquareCm = 1e-4;
 constexpr double kShortGroupM = 0.03; ///< Groups with shorter hair are measured in mm.
 constexpr double kSparse = 20.0;      ///< Hairs a square centimetre, of which tenths count.
+
+constexpr std::array kTurnSteps{0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 struct Units
 {
@@ -90,7 +93,12 @@ const MapScale kLengthScale{
             return range > 0.0 ? (shown / lengthScale(settings) - shortest) / range : 0.0;
         }};
 
-const MapScale kTurnsScale{.unit = turnsUnit, .decimals = always<1>, .shown = turnsAt, .value = redOf};
+const MapScale kTurnsScale{.unit = turnsUnit,
+                           .decimals = always<1>,
+                           .shown = turnsAt,
+                           .value = redOf,
+                           .steps = kTurnSteps,
+                           .sliderExponent = 2.0};
 
 const MapScale kShareScale{.unit = [](const GroupSettings&) { return QStringLiteral("%"); },
                            .decimals = always<0>,

@@ -5,6 +5,8 @@
 
 #include <QString>
 
+#include <span>
+
 namespace hairpaint::model {
 
 /// One unit with its range. Maps may share one.
@@ -15,6 +17,8 @@ struct MapScale
     /// From a map's 0..1 to the number shown, and back; a number beyond the range gives a value beyond 0..1.
     double (*shown)(const sim::GroupSettings& settings, double value);
     double (*value)(const sim::GroupSettings& settings, double shown);
+    std::span<const double> steps = {}; ///< Values to offer; empty: round ones of the range.
+    double sliderExponent = 1.0;        ///< Above 1: low values get more of a slider.
 };
 
 extern const MapScale kDensityScale; ///< Hairs a square centimetre.

@@ -11,7 +11,12 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::array kBlendable{BlendMode::Normal, BlendMode::Multiply};
+constexpr std::array kBlendable = [] {
+    std::array<BlendMode, kBlendModeCount> all{};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i] = static_cast<BlendMode>(i);
+    return all;
+}();
 constexpr std::array kReplacing{BlendMode::Normal};
 constexpr int kPlait = 1;
 
@@ -22,60 +27,71 @@ constexpr std::array kBraidPalette{
     PaletteEntry{"loc", QT_TRANSLATE_NOOP("MapSpec", "Loc"), 0xFF00C080},
 };
 
-constexpr sim::Texel kDarkBrown{0x3B3B, 0x2626, 0x1818, 0};
-
-MapSpec scalar(MapKind kind, const char* id, const char* title, const char* letter, const MapScale& scale,
-               std::uint16_t defaultValue, QRgb scaleColour)
-{
-    return {.kind = kind,
-            .id = id,
-            .title = title,
-            .letter = letter,
-            .texel = TexelKind::Scalar,
-            .scale = &scale,
-            .valueChannels = 1,
-            .defaultValue = {defaultValue, 0, 0, 0},
-            .scaleColour = scaleColour,
-            .palette = {},
-            .blendModes = kBlendable};
-}
-
 std::array<MapSpec, kMapKindCount> makeTable()
 {
-    return {
-        scalar(MapKind::Density, "density", QT_TRANSLATE_NOOP("MapSpec", "Density"),
-               QT_TRANSLATE_NOOP("MapLetter", "D"), kDensityScale, 0, 0xFF00FF00),
-        scalar(MapKind::Length, "length", QT_TRANSLATE_NOOP("MapSpec", "Length"), QT_TRANSLATE_NOOP("MapLetter", "L"),
-               kLengthScale, 32768, 0xFF0000FF),
-        scalar(MapKind::Curl, "curl", QT_TRANSLATE_NOOP("MapSpec", "Curl"), QT_TRANSLATE_NOOP("MapLetter", "C"),
-               kTurnsScale, 0, 0xFFFF0000),
+    std::array rows{
+        MapSpec{.kind = MapKind::Density,
+                .id = "density",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Density"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "D"),
+                .scale = &kDensityScale,
+                .scaleColour = 0xFF00FF00,
+                .blendModes = kBlendable,
+                .firstPaint = {.scalar = 0.8F}},
+        MapSpec{.kind = MapKind::Length,
+                .id = "length",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Length"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "L"),
+                .scale = &kLengthScale,
+                .scaleColour = 0xFF0000FF,
+                .blendModes = kBlendable,
+                .firstPaint = {.scalar = 0.5F}}, // 15 of 30 cm.
+        MapSpec{.kind = MapKind::Curl,
+                .id = "curl",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Curl"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "C"),
+                .scale = &kTurnsScale,
+                .scaleColour = 0xFFFF0000,
+                .blendModes = kBlendable,
+                .firstPaint = {.scalar = 0.6F}},
         MapSpec{.kind = MapKind::Braid,
                 .id = "braid",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Braid"),
                 .letter = QT_TRANSLATE_NOOP("MapLetter", "B"),
                 .texel = TexelKind::Index,
-                .scale = nullptr,
-                .valueChannels = 1,
-                .defaultValue = {},
                 .scaleColour = 0xFFFF00FF,
                 .palette = kBraidPalette,
-                .blendModes = kReplacing},
+                .blendModes = kReplacing,
+                .firstPaint = {.index = kPlait}},
         MapSpec{.kind = MapKind::Colour,
                 .id = "colour",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Colour"),
                 .letter = QT_TRANSLATE_NOOP("MapLetter", "H"),
                 .texel = TexelKind::Colour,
-                .scale = nullptr,
-                .valueChannels = 3,
-                .defaultValue = kDarkBrown,
                 .scaleColour = 0xFF3B2618,
-                .palette = {},
+                .blendModes = kBlendable,
+                .firstPaint = {.colour = QColor(0x8A, 0x4B, 0x2A)}}, // Chestnut.
+        MapSpec{.kind = MapKind::Clump,
+                .id = "clump",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Clump"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "U"),
+                .scale = &kShareScale,
+                .scaleColour = 0xFFFFFF00,
+                .blendModes = kBlendable,
+                .firstPaint = {.scalar = 0.6F}},
+        MapSpec{.kind = MapKind::Gel,
+                .id = "gel",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Gel"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "G"),
+                .scale = &kShareScale,
+                .scaleColour = 0xFF00FFFF,
                 .blendModes = kBlendable},
-        scalar(MapKind::Clump, "clump", QT_TRANSLATE_NOOP("MapSpec", "Clump"), QT_TRANSLATE_NOOP("MapLetter", "U"),
-               kShareScale, 0, 0xFFFFFF00),
-        scalar(MapKind::Gel, "gel", QT_TRANSLATE_NOOP("MapSpec", "Gel"), QT_TRANSLATE_NOOP("MapLetter", "G"),
-               kShareScale, 0, 0xFF00FFFF),
     };
+    for (MapSpec& spec : rows) {
+        spec.valueChannels = sim::ruleOf(spec.kind).channels;
+        spec.defaultValue = sim::ruleOf(spec.kind).defaultValue;
+    }
+    return rows;
 }
 
 std::array<float, 3> channelsOf(QRgb colour)
@@ -93,6 +109,11 @@ float squaredDistance(const std::array<float, 3>& a, const std::array<float, 3>&
 }
 
 } // namespace
+
+QString PaletteEntry::titleText() const
+{
+    return QCoreApplication::translate("MapSpec", title);
+}
 
 QString MapSpec::titleText() const
 {

@@ -16,8 +16,15 @@ namespace {
 
 constexpr std::array<Choice<sim::TurnsMode>, 2> kTurnsModes = {
     {{"per_hair", sim::TurnsMode::PerHair}, {"per_length", sim::TurnsMode::PerLength}}};
-constexpr std::array<Choice<BlendMode>, 2> kBlendModes = {
-    {{"normal", BlendMode::Normal}, {"multiply", BlendMode::Multiply}}};
+
+std::array<Choice<BlendMode>, kBlendModeCount> blendChoices()
+{
+    std::array<Choice<BlendMode>, kBlendModeCount> choices{};
+    std::ranges::transform(blendRules(), choices.begin(), [](const BlendRule& rule) {
+        return Choice<BlendMode>{rule.id, rule.mode};
+    });
+    return choices;
+}
 
 template<typename Fields, typename Settings>
 void visitSettings(Fields& fields, Settings& s)
@@ -60,7 +67,7 @@ void visitLayer(Fields& fields, AnyLayer& layer)
     fields.text("name", layer.name);
     fields.boolean("visible", layer.visible);
     fields.number("opacity", layer.opacity, 0.0F, 1.0F);
-    fields.choice("blend", layer.blend, kBlendModes);
+    fields.choice("blend", layer.blend, blendChoices());
     fields.boolean("locked", layer.locked);
 }
 

@@ -127,7 +127,7 @@ void BrushTool::dab(const BrushPlace& place, const ToolContext& context)
     const int size = m_edit.size();
     Dab dab = dabAt(place.metric, place.uv, 0.5F * sizeM, size);
     dab.hardness = settings.hardness;
-    dab.strength = settings.pressureOpacity && m_edit.spec().texel != TexelKind::Index ? pressure : 1.0F;
+    dab.strength = settings.pressureOpacity && texelOps(m_edit.spec()).continuous ? pressure : 1.0F;
     const auto add = [this](const Dab& one) {
         for (const sim::TexelRect& clip : m_edit.clips())
             m_buffer->add(one, clip);

@@ -22,7 +22,7 @@ class Flood
 public:
     Flood(const sim::TiledRaster& map, const MapSpec& spec, std::vector<std::uint8_t> allowed, float tolerance)
         : m_map(map), m_spec(spec), m_allowed(std::move(allowed)), m_filled(m_allowed.size()),
-          m_tolerance(spec.texel == TexelKind::Index ? 0 : static_cast<int>(unit16(tolerance)))
+          m_tolerance(texelOps(spec).continuous ? static_cast<int>(unit16(tolerance)) : 0)
     {}
 
     void from(int seedX, int seedY)

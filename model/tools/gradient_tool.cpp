@@ -146,6 +146,7 @@ private:
         const auto channels = static_cast<std::size_t>(spec.valueChannels);
         const bool fades = paint.first == paint.second;
         StrokeBuffer::MaskTile mask{};
+        StrokeBuffer::MaskTile shares{};
         std::vector<std::uint16_t> values(StrokeBuffer::kTileTexels * channels);
         const sim::TexelRect rect = m_edit.before().tileRect(index);
         const auto paintTexel = [&](int x, int y) {
@@ -154,12 +155,8 @@ private:
             float share = 1.0F;
             for (const Ramp& ramp : paint.ramps)
                 share = std::min(share, ramp.at(centre));
-            const std::uint16_t share16 = unit16Fast(share);
-            mask[texel] = fades ? static_cast<std::uint16_t>(65535 - share16) : std::uint16_t{65535};
-            for (std::size_t i = 0; i < channels; ++i)
-                values[texel * channels + i] = spec.texel == TexelKind::Index
-                                                   ? (share16 < kHalfCoverage ? paint.first : paint.second)[i]
-                                                   : lerp16(paint.first[i], paint.second[i], share16);
+            shares[texel] = unit16Fast(share);
+            mask[texel] = fades ? static_cast<std::uint16_t>(65535 - shares[texel]) : std::uint16_t{65535};
         };
         for (const sim::TexelRect& clip : m_edit.clips()) {
             const sim::TexelRect part = shared(rect, clip);
@@ -167,6 +164,7 @@ private:
                 for (int x = part.x0; x < part.x1; ++x)
                     paintTexel(x, y);
         }
+        texelOps(spec).mix(paint.first, paint.second, shares, values.data());
         return paintTile(spec, m_edit.before().tile(index), mask, {.values = values.data(), .opacity = paint.opacity});
     }
 

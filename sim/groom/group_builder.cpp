@@ -19,12 +19,6 @@ constexpr float kShortestBasisM = 0.005F; ///< A shorter one's displacement in u
 constexpr std::size_t kMostNodes = 32;
 constexpr std::size_t kBasisGrain = 256;
 
-MapSamplers samplersOf(const GroupMaps& maps)
-{
-    return {MapSampler(maps.density), MapSampler(maps.length), MapSampler(maps.curl), MapSampler(maps.braid),
-            MapSampler(maps.colour),  MapSampler(maps.clump),  MapSampler(maps.gel)};
-}
-
 /// Whether every hair must be evaluated anew. Density and basis hairs are in the roots; physics and material are not in
 /// the hairs.
 bool sameHairs(GroupSettings before, const GroupSettings& after)
@@ -34,12 +28,6 @@ bool sameHairs(GroupSettings before, const GroupSettings& after)
     before.greatestDensityPerM2 = after.greatestDensityPerM2;
     before.basisHairs = after.basisHairs;
     return before == after;
-}
-
-bool sameMaps(const GroupMaps& a, const GroupMaps& b)
-{
-    return a.density == b.density && a.length == b.length && a.curl == b.curl && a.braid == b.braid &&
-           a.colour == b.colour && a.clump == b.clump && a.gel == b.gel;
 }
 
 GroupSettings withinLimits(GroupSettings settings)
@@ -82,20 +70,21 @@ GroupBuilder::Result GroupBuilder::update(const GroupInput& input, const std::sh
     const GroupSettings settings = withinLimits(input.settings);
     const bool allDiffer = !m_groom || roots != m_roots || !sameHairs(m_groom->settings, settings);
     Result result{m_groom, SlotSet(roots->count())};
-    if (!allDiffer && settings == m_groom->settings && sameMaps(input.maps, m_input.maps) &&
+    if (!allDiffer && settings == m_groom->settings && input.maps == m_input.maps &&
         input.visible == m_groom->visible && limit == m_groom->limit)
         return result;
 
-    SlotSet dirty(roots->count());
+    ChangedSlots dirty(roots->count());
     std::shared_ptr<Groom> groom;
     if (allDiffer) {
         startOver(input, roots);
-        dirty.insertAll();
+        dirty.hairs.insertAll();
+        dirty.basis.insertAll();
         groom = std::make_shared<Groom>();
         groom->groupId = input.id;
         groom->roots = roots;
         groom->nodes = settings.nodesPerHair;
-        groom->chunks.resize(dirty.chunkCount());
+        groom->chunks.resize(dirty.hairs.chunkCount());
         m_newBasis = emptyBasis(*roots, groom->nodes);
     } else {
         m_changes->find(m_input.maps, input.maps, dirty);
@@ -106,10 +95,10 @@ GroupBuilder::Result GroupBuilder::update(const GroupInput& input, const std::sh
     groom->limit = limit;
 
     if (allDiffer || !dirty.empty()) {
-        const MapSamplers maps = samplersOf(input.maps);
-        readKinds(maps, dirty);
-        updateBasis(settings, maps, dirty);
-        updateBraids(settings, dirty);
+        const MapSamplers maps(input.maps);
+        readKinds(maps, dirty.hairs);
+        updateBasis(settings, maps, dirty.basis);
+        updateBraids(settings, dirty.hairs);
         rebuildChunks(settings, maps, dirty, *groom, result.rebuilt);
         updateWanted(*groom);
     }
@@ -141,7 +130,7 @@ void GroupBuilder::readKinds(const MapSamplers& maps, const SlotSet& dirty)
         for (std::size_t chunk = begin; chunk < end; ++chunk)
             dirty.forEachInChunk(chunk, [&](std::uint32_t slot) {
                 m_kinds[slot] = static_cast<std::uint8_t>(std::min<std::uint16_t>(
-                    maps.braid.index(m_roots->uv[slot]), static_cast<std::uint16_t>(BraidKind::Loc)));
+                    maps[MapSlot::Braid].index(m_roots->uv[slot]), static_cast<std::uint16_t>(BraidKind::Loc)));
             });
     });
 }
@@ -169,8 +158,9 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             const std::uint32_t slot = roots.basisSlot[i];
             if (!dirty.contains(slot))
                 continue;
-            const float lengthM = std::max(lengthOf(settings, maps.length.scalar(roots.uv[slot])), kShortestBasisM);
-            basis.gel[i] = maps.gel.scalar(roots.uv[slot]);
+            const float lengthM =
+                std::max(lengthOf(settings, maps[MapSlot::Length].scalar(roots.uv[slot])), kShortestBasisM);
+            basis.gel[i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
             if (lengthM == m_basisLengthM[i])
                 continue;
             m_basisLengthM[i] = lengthM;
@@ -217,12 +207,12 @@ void GroupBuilder::updateBraids(const GroupSettings& settings, SlotSet& dirty)
     m_kindOfBasis = std::move(kindOfBasis);
 }
 
-void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty,
+void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const ChangedSlots& dirty,
                                  Groom& groom, SlotSet& rebuilt)
 {
     std::vector<std::size_t> stale;
-    for (std::size_t chunk = 0; chunk < dirty.chunkCount(); ++chunk)
-        if (!dirty.chunkEmpty(chunk))
+    for (std::size_t chunk = 0; chunk < dirty.hairs.chunkCount(); ++chunk)
+        if (!dirty.hairs.chunkEmpty(chunk) || !dirty.look.chunkEmpty(chunk))
             stale.push_back(chunk);
     const ChunkInputs inputs{settings, *m_roots, maps, m_braids, m_kinds, m_basisLengthM};
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;

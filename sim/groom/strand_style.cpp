@@ -67,6 +67,24 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
     return chance;
 }
 
+RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv)
+{
+    return {.root = glm::vec3(maps[MapSlot::Colour].channels(uv))};
+}
+
+RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
+{
+    return {.length = maps[MapSlot::Length].scalar(uv),
+            .curl = maps[MapSlot::Curl].scalar(uv),
+            .colours = coloursAt(maps, uv)};
+}
+
+void setColours(const RootColours& colours, StrandStyle& style)
+{
+    style.rootColour = packColour(colours.root);
+    style.tipColour = style.rootColour;
+}
+
 float lengthOf(const GroupSettings& settings, float value)
 {
     return settings.shortestLengthM + (settings.greatestLengthM - settings.shortestLengthM) * value;
@@ -84,8 +102,7 @@ StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, con
         style.curlRadiusM = std::min(settings.greatestCurlRadiusM * kDefaultCurlSize, style.lengthM / style.turns) *
                             std::min(style.turns * 2.0F, 1.0F);
     style.phase = chance.phase;
-    style.rootColour = packColour(values.colour);
-    style.tipColour = style.rootColour;
+    setColours(values.colours, style);
     style.widthM = settings.hairWidthM;
     style.detail = detail;
     style.variation = chance.variation;

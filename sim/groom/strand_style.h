@@ -2,16 +2,25 @@
 #pragma once
 
 #include "sim/groom/groom.h"
+#include "sim/groom/map_sampler.h"
 
 namespace hairpaint::sim {
 
-/// Values of the maps at one root.
+/// Colours of one hair, sRGB as encoded.
+struct RootColours
+{
+    glm::vec3 root{0.0F};
+};
+
+/// Values of the maps that a style is made from, at one root.
 struct RootValues
 {
     float length = 0.0F;
     float curl = 0.0F;
-    glm::vec3 colour{0.0F};
+    RootColours colours;
 };
+[[nodiscard]] RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv);
+[[nodiscard]] RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv);
 
 /// What a hair has from chance, always the same for a rank.
 struct RootChance
@@ -27,6 +36,7 @@ struct RootChance
 /// Of the length map's value, m.
 [[nodiscard]] float lengthOf(const GroupSettings& settings, float value);
 
+void setColours(const RootColours& colours, StrandStyle& style);
 /// A hair that is not braided; `detail` = threshold / density.
 [[nodiscard]] StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance,
                                   float detail);

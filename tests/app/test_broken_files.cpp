@@ -56,7 +56,7 @@ private:
         for (const char* name : {"mimetype", "project.json", "head.glb"})
             entries.push_back(
                 {.name = name, .bytes = archive->read(QLatin1String(name), 1 << 24).value_or(QByteArray())});
-        for (int layer = 2; layer <= 8; ++layer) {
+        for (int layer = 2; layer < 2 + model::kMapKindCount; ++layer) {
             const QString name = QStringLiteral("groups/1/%1/%2.png")
                                      .arg(QLatin1String(model::mapSpecs()[static_cast<std::size_t>(layer) - 2].id))
                                      .arg(layer);

@@ -5,6 +5,9 @@
 #include "model/project.h"
 #include "tests/support/test_heads.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace hairpaint::test {
 
 /// A texel pattern with uniform tiles, gradients and steps, the same on every machine.
@@ -29,7 +32,8 @@ inline void paintPattern(sim::TiledRaster& raster, bool index, int seed)
     raster.setUniform(1, full);
 }
 
-inline model::Project makeSampleProject(int mapSize = 256)
+/// `lacking`: maps that the file it is compared with has not: empty, with the last ids.
+inline model::Project makeSampleProject(int mapSize = 256, const std::vector<model::MapKind>& lacking = {})
 {
     using namespace model;
     Project project;
@@ -51,6 +55,7 @@ inline model::Project makeSampleProject(int mapSize = 256)
                      .red = 0.9F,
                      .green = 0.8F,
                      .blue = 0.7F};
+    const auto isLacking = [&](MapKind kind) { return std::ranges::find(lacking, kind) != lacking.end(); };
     for (int number = 0; number < 2; ++number) {
         HairGroup group = makeGroup(project, number == 0 ? QStringLiteral("Scalp \"1\"\n") : QString(), mapSize);
         group.visible = number == 0;
@@ -76,7 +81,13 @@ inline model::Project makeSampleProject(int mapSize = 256)
                      .parting = 0.2F,
                      .sweepBack = 0.9F};
         s.material = {.shine = 0.77F, .roughness = 0.22F, .rootAlpha = 0.9F, .tipAlpha = 0.1F, .colourVariation = 0.3F};
+        project.nextId = group.id + 1;
+        for (MapStack& stack : group.maps)
+            if (!isLacking(stack.kind))
+                stack.layers.front().id = project.takeId();
         for (const MapSpec& spec : mapSpecs()) {
+            if (isLacking(spec.kind))
+                continue;
             std::vector<Layer>& layers = group.map(spec.kind).layers;
             paintPattern(layers.front().raster, spec.texel == TexelKind::Index, layers.front().id);
             if (number == 0 && spec.kind == MapKind::Length) {
@@ -91,6 +102,9 @@ inline model::Project makeSampleProject(int mapSize = 256)
         project.groups.push_back(std::move(group));
     }
     project.nextId += 5;
+    for (HairGroup& group : project.groups)
+        for (const MapKind kind : lacking)
+            group.map(kind).layers.front().id = project.takeId();
     return project;
 }
 

@@ -4,7 +4,9 @@
 
 #include <QTest>
 
+#include <cmath>
 #include <random>
+#include <set>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -68,6 +70,9 @@ private Q_SLOTS:
     void productsAndMixesAreRoundedToTheNearest();
     void scalarsBlendAsTheTableSays_data();
     void scalarsBlendAsTheTableSays();
+    void everyModeFollowsItsFormula_data();
+    void everyModeFollowsItsFormula();
+    void everyModeHasItsOwnNames();
     void coloursBlendChannelByChannel();
     void anIndexReplacesFromHalfCoverageOn_data();
     void anIndexReplacesFromHalfCoverageOn();
@@ -131,6 +136,71 @@ void TestCompositor::scalarsBlendAsTheTableSays()
     stack.layers[1].blend = multiplies ? BlendMode::Multiply : BlendMode::Normal;
     QCOMPARE(static_cast<int>(resolveTexel(stack, 3, 5)[0]), expected);
     QCOMPARE(resolveStack(stack).texel(3, 5), resolveTexel(stack, 3, 5));
+}
+
+void TestCompositor::everyModeFollowsItsFormula_data()
+{
+    QTest::addColumn<BlendMode>("mode");
+    QTest::addColumn<double>("below");
+    QTest::addColumn<double>("value");
+    QTest::addColumn<double>("expected");
+    const auto row = [](BlendMode mode, double below, double value, double expected) {
+        QTest::addRow("%s, %g under %g", blendRule(mode).id, below, value) << mode << below << value << expected;
+    };
+    row(BlendMode::Normal, 0.3, 0.8, 0.8);
+    row(BlendMode::Multiply, 0.3, 0.8, 0.24);
+    row(BlendMode::Screen, 0.3, 0.8, 0.86);
+    row(BlendMode::Darken, 0.3, 0.8, 0.3);
+    row(BlendMode::Darken, 0.8, 0.3, 0.3);
+    row(BlendMode::Lighten, 0.3, 0.8, 0.8);
+    row(BlendMode::Lighten, 0.8, 0.3, 0.8);
+    row(BlendMode::Add, 0.3, 0.4, 0.7);
+    row(BlendMode::Add, 0.7, 0.8, 1.0);
+    row(BlendMode::Subtract, 0.8, 0.3, 0.5);
+    row(BlendMode::Subtract, 0.3, 0.8, 0.0);
+    row(BlendMode::Difference, 0.8, 0.3, 0.5);
+    row(BlendMode::Difference, 0.3, 0.8, 0.5);
+    row(BlendMode::Overlay, 0.3, 0.8, 0.48);
+    row(BlendMode::Overlay, 0.8, 0.3, 0.72);
+    row(BlendMode::HardLight, 0.3, 0.8, 0.72);
+    row(BlendMode::HardLight, 0.8, 0.3, 0.48);
+    row(BlendMode::SoftLight, 0.3, 0.25, 0.195);
+    row(BlendMode::SoftLight, 0.49, 0.75, 0.595);
+    row(BlendMode::SoftLight, 0.2, 1.0, 0.448);
+    row(BlendMode::SoftLight, 0.6, 0.5, 0.6);
+}
+
+void TestCompositor::everyModeFollowsItsFormula()
+{
+    QFETCH(BlendMode, mode);
+    QFETCH(double, below);
+    QFETCH(double, value);
+    QFETCH(double, expected);
+    const auto texel = [](double share) { return unit16(static_cast<float>(share)); };
+    const double got = blendRule(mode).formula(texel(below), texel(value)) / 65535.0;
+    QVERIFY2(std::abs(got - expected) < 3e-5, qPrintable(QString::number(got)));
+    // Through a layer, for one channel and for three.
+    MapStack scalars = stackOf(MapKind::Length, {{texel(below), 65535}, {texel(value), 65535}});
+    scalars.layers[1].blend = mode;
+    QCOMPARE(resolveTexel(scalars, 0, 0)[0], blendRule(mode).formula(texel(below), texel(value)));
+    MapStack colours =
+        stackOf(MapKind::Colour, {{texel(below), texel(value), 0, 65535}, {texel(value), texel(below), 65535, 65535}});
+    colours.layers[1].blend = mode;
+    QCOMPARE(resolveTexel(colours, 0, 0),
+             (sim::Texel{blendRule(mode).formula(texel(below), texel(value)),
+                         blendRule(mode).formula(texel(value), texel(below)), blendRule(mode).formula(0, 65535), 0}));
+}
+
+void TestCompositor::everyModeHasItsOwnNames()
+{
+    std::set<QString> ids;
+    std::set<QString> titles;
+    for (const BlendRule& rule : blendRules()) {
+        ids.insert(QString::fromLatin1(rule.id));
+        titles.insert(rule.titleText());
+    }
+    QCOMPARE(ids.size(), kBlendModeCount);
+    QCOMPARE(titles.size(), kBlendModeCount);
 }
 
 void TestCompositor::coloursBlendChannelByChannel()

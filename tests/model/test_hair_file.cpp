@@ -68,13 +68,12 @@ sim::GroupInput group(int id, std::uint16_t density, std::uint16_t length, std::
     input.settings.greatestDensityPerM2 = 20'000.0F;
     input.settings.greatestLengthM = 0.2F;
     input.settings.basisHairs = 256;
-    input.maps = {.density = flat(1, {density}),
-                  .length = flat(1, {length}),
-                  .curl = flat(1, {curl}),
-                  .braid = flat(1, {0}),
-                  .colour = flat(3, {65535, 32896, 0}),
-                  .clump = flat(1, {0}),
-                  .gel = flat(1, {0})};
+    for (const sim::MapRule& rule : sim::kMapRules)
+        input.maps[rule.slot] = flat(rule.channels, rule.defaultValue);
+    input.maps[sim::MapSlot::Density] = flat(1, {density});
+    input.maps[sim::MapSlot::Length] = flat(1, {length});
+    input.maps[sim::MapSlot::Curl] = flat(1, {curl});
+    input.maps[sim::MapSlot::Colour] = flat(3, {65535, 32896, 0});
     return input;
 }
 

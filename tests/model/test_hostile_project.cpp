@@ -24,7 +24,7 @@ std::vector<test::ZipEntry> entriesOf(const QString& path)
     const Checked<ArchiveReader> archive = ArchiveReader::open(path);
     std::vector<test::ZipEntry> entries;
     QStringList names{QStringLiteral("mimetype"), QStringLiteral("project.json")};
-    for (int layer = 2; layer <= 8; ++layer)
+    for (int layer = 2; layer < 2 + kMapKindCount; ++layer)
         names.append(QStringLiteral("groups/1/%1/%2.png")
                          .arg(QLatin1String(mapSpecs()[static_cast<std::size_t>(layer) - 2].id))
                          .arg(layer));

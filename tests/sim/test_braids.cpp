@@ -89,7 +89,7 @@ void TestBraids::aRegionSmallerThanTheSpacingIsOneBraidFromItsMiddle()
 {
     GroomInput input = braidInput(patch());
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, {0.4F, 0.6F}, 0.25F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.4F, 0.6F}, 0.25F, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
     const auto braids = hairsByCentre(*groom);
     QCOMPARE(braids.size(), std::size_t{1});
@@ -105,7 +105,7 @@ void TestBraids::separateRegionsAreSeparateBraids()
 {
     GroomInput input = braidInput(patch());
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(withDab(maps.braid, {0.25F, 0.5F}, 0.15F, {1}), {0.75F, 0.5F}, 0.15F, {1});
+    maps[MapSlot::Braid] = withDab(withDab(maps[MapSlot::Braid], {0.25F, 0.5F}, 0.15F, {1}), {0.75F, 0.5F}, 0.15F, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
     const auto braids = hairsByCentre(*groom);
     QCOMPARE(braids.size(), std::size_t{2});
@@ -119,7 +119,7 @@ void TestBraids::separateRegionsAreSeparateBraids()
 void TestBraids::aLargeRegionHasBraidsAsFarApartAsAsked()
 {
     GroomInput input = braidInput(patch());
-    input.groups[0].maps.braid = indexMap(1);
+    input.groups[0].maps[MapSlot::Braid] = indexMap(1);
     input.groups[0].settings.braidSpacingM = 0.05F;
     const auto groom = GroomBuilder().update(input).grooms[0];
     const auto braids = hairsByCentre(*groom);
@@ -148,7 +148,7 @@ void TestBraids::allHairsOfABraidShareItsSkeleton()
     GroomInput input = braidInput(std::make_shared<const Skin>(makeBallHead(48)));
     input.groups[0].settings.greatestDensityPerM2 = 1e5F;
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, {0.4F, 0.6F}, 0.2F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.4F, 0.6F}, 0.2F, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
     const auto braids = hairsByCentre(*groom);
     QVERIFY(!braids.empty());
@@ -179,7 +179,7 @@ void TestBraids::hairsOnTheirWayStayOutsideTheHead()
     input.groups[0].settings.greatestDensityPerM2 = 1e5F;
     input.groups[0].settings.nodesPerHair = 16;
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, {0.5F, 0.55F}, 0.25F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.5F, 0.55F}, 0.25F, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
     const auto braids = hairsByCentre(*groom);
     QVERIFY(!braids.empty());
@@ -192,7 +192,7 @@ void TestBraids::hairsOnTheirWayStayOutsideTheHead()
 void TestBraids::wispsAndPlacesAreSpreadEvenly()
 {
     GroomInput input = braidInput(patch());
-    input.groups[0].maps.braid = indexMap(1);
+    input.groups[0].maps[MapSlot::Braid] = indexMap(1);
     const auto groom = GroomBuilder().update(input).grooms[0];
     std::array<int, 3> wisps{};
     glm::vec2 mean(0.0F);
@@ -216,11 +216,11 @@ void TestBraids::paintingElsewhereLeavesABraidAlone()
 {
     GroomInput input = braidInput(patch());
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(withDab(maps.braid, {0.2F, 0.5F}, 0.12F, {1}), {0.8F, 0.5F}, 0.12F, {1});
+    maps[MapSlot::Braid] = withDab(withDab(maps[MapSlot::Braid], {0.2F, 0.5F}, 0.12F, {1}), {0.8F, 0.5F}, 0.12F, {1});
     GroomBuilder builder;
     builder.setCollectSlots(true);
     (void)builder.update(input);
-    maps.braid = withDab(maps.braid, {0.9F, 0.7F}, 0.15F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.9F, 0.7F}, 0.15F, {1});
     const auto report = builder.update(input);
     QVERIFY(report.rebuiltStrands > 500);
     for (const std::uint32_t slot : report.rebuiltSlots)
@@ -231,13 +231,13 @@ void TestBraids::theLengthAtTheCentreIsTheBraids()
 {
     GroomInput input = braidInput(patch());
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, {0.5F, 0.5F}, 0.3F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.5F, 0.5F}, 0.3F, {1});
     GroomBuilder builder;
     const auto before = builder.update(input);
     const auto braids = hairsByCentre(*before.grooms[0]);
     QCOMPARE(braids.size(), std::size_t{1});
     // A dab on the length around the centre lengthens every hair of the braid.
-    maps.length = withDab(maps.length, {0.5F, 0.5F}, 0.08F, {65535});
+    maps[MapSlot::Length] = withDab(maps[MapSlot::Length], {0.5F, 0.5F}, 0.08F, {65535});
     const auto after = builder.update(input);
     QVERIFY(after.rebuiltStrands >= braids.begin()->second.size());
     for (const std::uint32_t slot : braids.begin()->second) {
@@ -261,7 +261,7 @@ void TestBraids::aTinyDabBetweenBasisHairsIsNoBraid()
         }
     }
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, roots->uv[furthest], distance - 2.0F / 512.0F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], roots->uv[furthest], distance - 2.0F / 512.0F, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
     QVERIFY(hairsByCentre(*groom).empty());
     QCOMPARE(groom->hairCount, std::size_t{20000});

@@ -293,7 +293,7 @@ private Q_SLOTS:
         PanelFixture f;
         LayersPanel panel(f.state);
         auto* blend = panel.findChild<QComboBox*>();
-        QCOMPARE(blend->count(), 2);
+        QCOMPARE(blend->count(), static_cast<int>(kBlendModeCount));
         f.state.setActiveMap(MapKind::Braid);
         QCOMPARE(blend->count(), 1);
         QVERIFY(!blend->isEnabled());

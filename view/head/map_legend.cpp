@@ -28,13 +28,13 @@ void MapLegend::showMap(const model::MapSpec& spec, const sim::GroupSettings& se
     m_title = spec.titleText();
     m_labels.clear();
     m_colours.clear();
-    m_isScale = spec.texel == model::TexelKind::Scalar;
+    m_isScale = spec.scale != nullptr;
     if (m_isScale) {
         m_labels.append(rangeText(settings, spec));
         m_colours = scaleGradient(spec, false);
     }
     for (const model::PaletteEntry& entry : spec.palette) {
-        m_labels.append(paletteTitle(entry));
+        m_labels.append(entry.titleText());
         m_colours.append(QColor(entry.colour));
     }
     const int lines = static_cast<int>(m_labels.size()) + 1;

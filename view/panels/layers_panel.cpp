@@ -25,11 +25,6 @@ namespace {
 
 constexpr int kThumbnailMs = 120;
 
-QString blendTitle(model::BlendMode mode)
-{
-    return mode == model::BlendMode::Multiply ? LayersPanel::tr("Multiply") : LayersPanel::tr("Normal");
-}
-
 } // namespace
 
 LayersPanel::LayersPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
@@ -214,7 +209,7 @@ void LayersPanel::followActive()
         widget->setEnabled(layer != nullptr);
     m_blend->clear();
     for (const model::BlendMode mode : model::mapSpec(m_state.activeMap()).blendModes)
-        m_blend->addItem(blendTitle(mode), static_cast<int>(mode));
+        m_blend->addItem(model::blendRule(mode).titleText(), static_cast<int>(mode));
     if (layer == nullptr)
         return;
     m_blend->setCurrentIndex(std::max(m_blend->findData(static_cast<int>(layer->blend)), 0));

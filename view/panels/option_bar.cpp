@@ -250,12 +250,12 @@ void OptionBar::follow()
     const sim::GroupSettings& group = settingsOf(m_state);
     const model::PaintValue& value = settings.value(spec.kind);
     m_badge->setMap(spec.kind);
-    const bool scalar = spec.texel == model::TexelKind::Scalar;
+    const bool scalar = spec.scale != nullptr;
     m_scalar->setVisible(scalar);
     if (scalar) {
         const ValueUnit unit = valueUnit(group, spec.kind);
         m_scalar->setLabel(spec.titleText());
-        m_scalar->setExponent(spec.kind == model::MapKind::Curl ? 2.0 : 1.0);
+        m_scalar->setExponent(spec.scale->sliderExponent);
         m_scalar->setRange(unit.minimum, unit.maximum, unit.decimals);
         m_scalar->setUnit(unit.unit);
         m_scalar->setGradient(scaleGradient(spec, m_state.nightPaper()));

@@ -1,6 +1,7 @@
 // The palettes of scalar, index and colour maps.
 #include "view/widgets/value_palette.h"
 
+#include "model/texel_ops.h"
 #include "view/theme.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
@@ -20,7 +21,9 @@
 #include <QRegularExpressionValidator>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace hairpaint::view {
 
@@ -36,8 +39,8 @@ constexpr int kScalarSwatches = 7;
 /// Round numbers of the map's own unit from nothing to the greatest value.
 std::vector<double> roundSteps(const sim::GroupSettings& settings, MapKind map)
 {
-    if (map == MapKind::Curl)
-        return {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+    if (const std::span<const double> steps = model::mapSpec(map).scale->steps; !steps.empty())
+        return {steps.begin(), steps.end()};
     const ValueUnit unit = valueUnit(settings, map);
     const double range = unit.maximum - unit.minimum;
     std::vector<double> steps{unit.minimum};
@@ -56,6 +59,18 @@ std::vector<double> roundSteps(const sim::GroupSettings& settings, MapKind map)
         steps.push_back((first + i) * step);
     steps.push_back(unit.maximum);
     return steps;
+}
+
+/// Nobody could tell them apart.
+bool alike(const MapSpec& spec, const PaintValue& a, const PaintValue& b)
+{
+    constexpr int kStep = 131; ///< Half a step of eight bits.
+    const int tolerance = model::texelOps(spec).continuous ? kStep : 0;
+    const sim::Texel one = a.texel(spec);
+    const sim::Texel other = b.texel(spec);
+    return std::ranges::equal(one, other, [tolerance](std::uint16_t x, std::uint16_t y) {
+        return std::abs(static_cast<int>(x) - static_cast<int>(y)) <= tolerance;
+    });
 }
 
 } // namespace
@@ -138,9 +153,7 @@ void ValuePalette::refresh()
     const PaintValue& value = tools.value(spec.kind);
     bool marked = false;
     for (const auto& [swatch, its] : m_swatches) {
-        const bool same = spec.texel == model::TexelKind::Scalar  ? std::abs(its.scalar - value.scalar) < 0.002F
-                          : spec.texel == model::TexelKind::Index ? its.index == value.index
-                                                                  : its.colour.rgb() == value.colour.rgb();
+        const bool same = alike(spec, its, value);
         swatch->setChecked(same && !marked);
         marked = marked || same;
     }
@@ -177,7 +190,7 @@ void ValuePalette::buildScalar(QVBoxLayout& layout)
     m_slider = new BarSlider(tr("Value"), m_body);
     m_slider->setRange(unit.minimum, unit.maximum, unit.decimals);
     m_slider->setUnit(unit.unit);
-    m_slider->setExponent(spec.kind == MapKind::Curl ? 2.0 : 1.0);
+    m_slider->setExponent(spec.scale->sliderExponent);
     m_slider->setGradient(scaleGradient(spec, m_state.nightPaper()));
     m_slider->setMinimumWidth(260);
     connect(m_slider, &BarSlider::valueChanged, this, [this, kind = spec.kind](double shown) {
@@ -208,7 +221,7 @@ void ValuePalette::buildIndex(QVBoxLayout& layout)
     for (std::size_t i = 0; i < spec.palette.size(); ++i) {
         PaintValue value;
         value.index = static_cast<int>(i);
-        const QString name = paletteTitle(spec.palette[i]);
+        const QString name = spec.palette[i].titleText();
         Swatch* swatch = addSwatch(value, name);
         swatch->setCaption(name);
         row->addWidget(swatch);
@@ -263,15 +276,16 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
 void ValuePalette::chooseColour()
 {
     model::ToolSettings tools = m_state.toolSettings();
-    auto* dialog = new QColorDialog(tools.value(MapKind::Colour).colour, window());
+    const MapKind map = m_state.activeMap();
+    auto* dialog = new QColorDialog(tools.value(map).colour, window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Hair colour"));
     dialog->setOption(QColorDialog::DontUseNativeDialog);
-    connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
+    connect(dialog, &QColorDialog::colorSelected, this, [this, map](const QColor& colour) {
         PaintValue value;
         value.colour = colour;
         model::ToolSettings chosen = m_state.toolSettings();
-        chosen.value(MapKind::Colour) = value;
+        chosen.value(map) = value;
         m_state.setToolSettings(chosen);
     });
     dialog->open();

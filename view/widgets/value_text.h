@@ -33,7 +33,5 @@ struct ValueUnit
 [[nodiscard]] model::PaintValue valueOfTexel(const model::MapSpec& spec, const sim::Texel& texel);
 /// The scale from 0 to 1 in `steps` colours.
 [[nodiscard]] QList<QColor> scaleGradient(const model::MapSpec& spec, bool nightPaper, int steps = 9);
-/// "Plait" of an index map, translated.
-[[nodiscard]] QString paletteTitle(const model::PaletteEntry& entry);
 
 } // namespace hairpaint::view
