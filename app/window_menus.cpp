@@ -195,10 +195,11 @@ void MainWindow::buildMapMenu()
     QMenu& menu = *menuBar()->addMenu(tr("&Map"));
     for (const model::MapSpec& spec : model::mapSpecs()) {
         const QByteArray id = QByteArray("map.") + spec.id;
+        const PhysicalKey digit = digitKey(static_cast<int>(spec.kind) + 1);
         QAction* action =
             m_actions.add(menu, {.id = id.constData(),
                                  .text = spec.titleText(),
-                                 .key = QKeySequence(usualKey(digitKey(static_cast<int>(spec.kind) + 1))),
+                                 .key = digit == PhysicalKey::Other ? QKeySequence() : QKeySequence(usualKey(digit)),
                                  .run = [this, kind = spec.kind] { m_session.editor().setActiveMap(kind); },
                                  .checkable = true});
         connect(action, &QAction::triggered, action, [action] { action->setChecked(true); });

@@ -139,6 +139,14 @@ private Q_SLOTS:
         }
     }
 
+    void mapsPastTheNinthTakeNoKey()
+    {
+        for (int number = 1; number <= kDigits; ++number)
+            QCOMPARE(digitOf(digitKey(number)), number);
+        for (const int number : {0, 10, 11, 12})
+            QVERIFY(digitKey(number) == PhysicalKey::Other);
+    }
+
     void nothingElseHidesThePanels()
     {
         const auto* panel = m_window->findChild<view::ToolBar*>();

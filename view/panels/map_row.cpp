@@ -14,7 +14,8 @@ MapRow::MapRow(model::MapKind map, QWidget* parent) : QAbstractButton(parent), m
     const model::MapSpec& spec = model::mapSpec(map);
     setText(spec.titleText());
     setAccessibleName(spec.titleText());
-    setToolTip(tr("%1 (%2)").arg(spec.titleText()).arg(static_cast<int>(map) + 1));
+    const int number = static_cast<int>(map) + 1;
+    setToolTip(number <= kDigits ? tr("%1 (%2)").arg(spec.titleText()).arg(number) : spec.titleText());
     setCheckable(true);
     setAutoExclusive(true);
     setFocusPolicy(Qt::TabFocus);

@@ -18,6 +18,7 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {220, 28}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
     static constexpr int kThumbnailSide = 24;
+    static constexpr int kDigits = 9; ///< Keys that choose a map.
 
 protected:
     void paintEvent(QPaintEvent* event) override;
