@@ -9,6 +9,15 @@ namespace hairpaint::model {
 
 namespace {
 
+sim::TexelRect tileRectOf(const MapStack& stack, int tileIndex)
+{
+    constexpr int kTile = sim::TiledRaster::kTileSize;
+    const int across = stack.size / kTile;
+    const int x = tileIndex % across * kTile;
+    const int y = tileIndex / across * kTile;
+    return {x, y, x + kTile, y + kTile};
+}
+
 /// How one layer lies over what is below it.
 struct LayerStep
 {
@@ -29,10 +38,16 @@ void stepTile(const MapSpec& spec, const LayerStep& step, std::uint16_t* map)
                          uniform ? 0 : static_cast<std::size_t>(spec.layerChannels()), step.opacity, map, kTileTexels);
 }
 
-/// The layers that show in a tile; from the last uniform, fully covering one upward, where there is one.
-std::vector<LayerStep> stepsOf(const MapStack& stack, const MapSpec& spec, int tileIndex)
+/// The layers that show in a tile.
+struct Steps
 {
-    std::vector<LayerStep> steps;
+    std::vector<LayerStep> all;
+    bool hideStart = false; ///< The first one covers all below it.
+};
+
+Steps stepsOf(const MapStack& stack, const MapSpec& spec, int tileIndex)
+{
+    Steps steps;
     for (const Layer& layer : stack.layers) {
         const sim::RasterTile& tile = *layer.raster.tile(tileIndex);
         const LayerStep step{&tile, layer.blend, unit16(layer.opacity)};
@@ -42,12 +57,82 @@ std::vector<LayerStep> stepsOf(const MapStack& stack, const MapSpec& spec, int t
             const std::uint16_t coverage = tile.uniform[static_cast<std::size_t>(spec.valueChannels)];
             if (coverage == 0)
                 continue;
-            if (mul16(coverage, step.opacity) == 65535 && layer.blend == BlendMode::Normal)
-                steps.clear();
+            if (mul16(coverage, step.opacity) == 65535 && layer.blend == BlendMode::Normal) {
+                steps.all.clear();
+                steps.hideStart = true;
+            }
         }
-        steps.push_back(step);
+        steps.all.push_back(step);
     }
     return steps;
+}
+
+/// A start's value for one texel of a map of `size`.
+sim::Texel startTexel(const MapSpec& spec, const sim::TiledRaster& start, int size, int x, int y)
+{
+    if (start.size() == size)
+        return start.texel(x, y);
+    const glm::vec2 uv((static_cast<float>(x) + 0.5F) / static_cast<float>(size),
+                       1.0F - (static_cast<float>(y) + 0.5F) / static_cast<float>(size));
+    if (!spec.bilinear())
+        return start.sampleNearest(uv);
+    const glm::vec4 value = start.sampleBilinear(uv);
+    return {unit16(value.x), unit16(value.y), unit16(value.z), unit16(value.w)};
+}
+
+/// Back to one value where the texels are equal.
+void fold(sim::RasterTile& tile, std::size_t channels)
+{
+    tile.uniform = {};
+    if (std::equal(tile.pixels.begin() + static_cast<std::ptrdiff_t>(channels), tile.pixels.end(),
+                   tile.pixels.begin())) {
+        std::copy_n(tile.pixels.begin(), channels, tile.uniform.begin());
+        tile.pixels = {};
+    }
+}
+
+sim::RasterTilePtr startTile(const MapStack& stack, const MapSpec& spec, const sim::TiledRaster* start, int tileIndex)
+{
+    if (start != nullptr && start->size() == stack.size)
+        return start->tile(tileIndex);
+    auto tile = std::make_shared<sim::RasterTile>();
+    tile->uniform = spec.defaultValue;
+    if (start == nullptr)
+        return tile;
+    const auto channels = static_cast<std::size_t>(spec.valueChannels);
+    const sim::TexelRect rect = tileRectOf(stack, tileIndex);
+    tile->pixels.reserve(kTileTexels * channels);
+    for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1; ++x) {
+            const sim::Texel texel = startTexel(spec, *start, stack.size, x, y);
+            tile->pixels.insert(tile->pixels.end(), texel.begin(), texel.begin() + spec.valueChannels);
+        }
+    fold(*tile, channels);
+    return tile;
+}
+
+/// Whether a tile of a map of `size` may start from other texels.
+bool startDiffers(const MapStack& stack, const sim::MapRaster& before, const sim::MapRaster& after, int tileIndex)
+{
+    if (before == after)
+        return false;
+    if (before == nullptr || after == nullptr || before->size() != after->size())
+        return true;
+    if (after->size() == stack.size)
+        return before->tile(tileIndex) != after->tile(tileIndex);
+    // The tiles that hold what is sampled, and the texels around it.
+    const sim::TexelRect rect = tileRectOf(stack, tileIndex);
+    const auto tileAt = [&](int texel, int beside) {
+        const int there = static_cast<int>(std::int64_t{texel} * after->size() / stack.size) + beside;
+        return std::clamp(there, 0, after->size() - 1) / sim::TiledRaster::kTileSize;
+    };
+    for (int row = tileAt(rect.y0, -1); row <= tileAt(rect.y1, 1); ++row)
+        for (int column = tileAt(rect.x0, -1); column <= tileAt(rect.x1, 1); ++column) {
+            const int index = row * after->tilesAcross() + column;
+            if (before->tile(index) != after->tile(index))
+                return true;
+        }
+    return false;
 }
 
 bool sameTexels(const sim::RasterTile& a, const sim::RasterTile& b)
@@ -55,31 +140,28 @@ bool sameTexels(const sim::RasterTile& a, const sim::RasterTile& b)
     return a.isUniform() == b.isUniform() && (a.isUniform() ? a.uniform == b.uniform : a.pixels == b.pixels);
 }
 
-sim::RasterTilePtr resolveTile(const MapStack& stack, int tileIndex)
+sim::RasterTilePtr resolveTile(const MapStack& stack, const sim::TiledRaster* start, int tileIndex)
 {
     const MapSpec& spec = mapSpec(stack.kind);
-    const std::vector<LayerStep> steps = stepsOf(stack, spec, tileIndex);
-    auto result = std::make_shared<sim::RasterTile>();
-    result->uniform = spec.defaultValue;
+    const Steps steps = stepsOf(stack, spec, tileIndex);
+    const sim::RasterTilePtr below = startTile(stack, spec, steps.hideStart ? nullptr : start, tileIndex);
+    if (steps.all.empty())
+        return below;
+    auto result = std::make_shared<sim::RasterTile>(*below);
     const auto channels = static_cast<std::size_t>(spec.valueChannels);
-    auto step = steps.begin();
-    for (; step != steps.end() && step->tile->isUniform(); ++step)
-        stepTexel(spec, *step, result->uniform, step->tile->uniform);
-    if (step == steps.end())
-        return result;
-    result->pixels.resize(kTileTexels * channels);
-    for (std::size_t i = 0; i < result->pixels.size(); ++i)
-        result->pixels[i] = result->uniform[i % channels];
-    for (; step != steps.end(); ++step)
-        stepTile(spec, *step, result->pixels.data());
-    // Back to one value where the texels are equal.
-    if (std::equal(result->pixels.begin() + static_cast<std::ptrdiff_t>(channels), result->pixels.end(),
-                   result->pixels.begin())) {
-        std::copy_n(result->pixels.begin(), channels, result->uniform.begin());
-        result->pixels = {};
-    } else {
-        result->uniform = {};
+    auto step = steps.all.begin();
+    if (result->isUniform()) {
+        for (; step != steps.all.end() && step->tile->isUniform(); ++step)
+            stepTexel(spec, *step, result->uniform, step->tile->uniform);
+        if (step == steps.all.end())
+            return result;
+        result->pixels.resize(kTileTexels * channels);
+        for (std::size_t i = 0; i < result->pixels.size(); ++i)
+            result->pixels[i] = result->uniform[i % channels];
     }
+    for (; step != steps.all.end(); ++step)
+        stepTile(spec, *step, result->pixels.data());
+    fold(*result, channels);
     return result;
 }
 
@@ -95,51 +177,63 @@ bool sameButTiles(const MapStack& a, const MapStack& b)
 
 } // namespace
 
-sim::Texel resolveTexel(const MapStack& stack, int x, int y)
+sim::MapRaster startOf(const MapSpec& spec, const Head* head, const std::function<sim::MapRaster(MapKind)>& resolved)
+{
+    if (spec.follows)
+        return resolved(*spec.follows);
+    return spec.ofHead != nullptr && head != nullptr ? spec.ofHead(*head) : nullptr;
+}
+
+sim::Texel resolveTexel(const MapStack& stack, int x, int y, const sim::MapRaster& start)
 {
     const MapSpec& spec = mapSpec(stack.kind);
-    sim::Texel result = spec.defaultValue;
+    sim::Texel result = start == nullptr ? spec.defaultValue : startTexel(spec, *start, stack.size, x, y);
     for (const Layer& layer : stack.layers)
         if (layer.visible)
             stepTexel(spec, {nullptr, layer.blend, unit16(layer.opacity)}, result, layer.raster.texel(x, y));
     return result;
 }
 
-sim::TiledRaster resolveStack(const MapStack& stack)
+sim::TiledRaster resolveStack(const MapStack& stack, const sim::MapRaster& start)
 {
     const MapSpec& spec = mapSpec(stack.kind);
     sim::TiledRaster result(stack.size, spec.valueChannels, spec.defaultValue);
     for (int index = 0; index < result.tileCount(); ++index) {
-        sim::RasterTilePtr tile = resolveTile(stack, index);
-        if (!sameTexels(*tile, *result.tile(index)))
+        sim::RasterTilePtr tile = resolveTile(stack, start.get(), index);
+        if (start != nullptr || !sameTexels(*tile, *result.tile(index)))
             result.setTile(index, std::move(tile));
     }
     return result;
 }
 
-ResolvedMap::ResolvedMap(const MapStack& stack)
-    : m_seen(stack), m_result(std::make_shared<const sim::TiledRaster>(resolveStack(stack)))
-{}
+ResolvedMap::ResolvedMap(const MapStack& stack, sim::MapRaster start)
+    : m_seen(stack), m_start(std::move(start)),
+      m_result(std::make_shared<const sim::TiledRaster>(resolveStack(stack, m_start)))
+{
+    shareStart();
+}
 
-bool ResolvedMap::update(const MapStack& stack)
+bool ResolvedMap::update(const MapStack& stack, const sim::MapRaster& start)
 {
     if (stack.size != m_seen.size) {
-        *this = ResolvedMap(stack);
+        *this = ResolvedMap(stack, start);
         return true;
     }
     std::vector<int> tiles;
-    const bool structureKept = sameButTiles(m_seen, stack);
+    bool layersDiffer = !sameButTiles(m_seen, stack);
+    const bool structureKept = !layersDiffer;
     for (int index = 0; index < m_result->tileCount(); ++index) {
         bool differs = !structureKept;
         for (std::size_t layer = 0; layer < stack.layers.size() && !differs; ++layer)
             differs = stack.layers[layer].raster.tile(index) != m_seen.layers[layer].raster.tile(index);
-        if (differs)
+        layersDiffer = layersDiffer || differs;
+        if (differs || startDiffers(stack, m_start, start, index))
             tiles.push_back(index);
     }
-    if (tiles.empty())
-        return false;
-    m_seen = stack;
-    return resolveTiles(tiles);
+    m_start = start;
+    if (layersDiffer)
+        m_seen = stack;
+    return !tiles.empty() && resolveTiles(tiles);
 }
 
 bool ResolvedMap::updateTiles(const MapStack& stack, Id layer, std::span<const int> tiles)
@@ -157,7 +251,7 @@ bool ResolvedMap::resolveTiles(std::span<const int> tiles)
 {
     std::shared_ptr<sim::TiledRaster> next;
     for (const int index : tiles) {
-        sim::RasterTilePtr tile = resolveTile(m_seen, index);
+        sim::RasterTilePtr tile = resolveTile(m_seen, m_start.get(), index);
         if (sameTexels(*tile, *m_result->tile(index)))
             continue;
         if (next == nullptr)
@@ -167,7 +261,18 @@ bool ResolvedMap::resolveTiles(std::span<const int> tiles)
     if (next == nullptr)
         return false;
     m_result = std::move(next);
+    shareStart();
     return true;
+}
+
+void ResolvedMap::shareStart()
+{
+    if (m_start == nullptr || m_start->size() != m_result->size())
+        return;
+    for (int index = 0; index < m_result->tileCount(); ++index)
+        if (m_result->tile(index) != m_start->tile(index))
+            return;
+    m_result = m_start;
 }
 
 } // namespace hairpaint::model

@@ -17,8 +17,7 @@ using MapKey = std::pair<Id, MapKind>;
 
 bool touchesMaps(Change::Aspect aspect)
 {
-    return aspect != Change::Aspect::Settings && aspect != Change::Aspect::Environment &&
-           aspect != Change::Aspect::Head;
+    return aspect != Change::Aspect::Settings && aspect != Change::Aspect::Environment;
 }
 
 bool namesOneMap(Change::Aspect aspect)
@@ -62,21 +61,36 @@ struct Document::State
             for (const MapStack& stack : group.maps)
                 resolveOne(group.id, stack);
     }
+    sim::MapRaster resolvedMap(Id group, MapKind map) const
+    {
+        const auto found = resolved.find({group, map});
+        return found == resolved.end() ? nullptr : found->second.result();
+    }
     void resolveOne(Id group, const MapStack& stack)
     {
+        const sim::MapRaster start =
+            startOf(mapSpec(stack.kind), shown().head.get(), [&](MapKind kind) { return resolvedMap(group, kind); });
         const auto found = resolved.find({group, stack.kind});
         if (found == resolved.end())
-            resolved.emplace(MapKey{group, stack.kind}, stack);
+            resolved.emplace(MapKey{group, stack.kind}, ResolvedMap(stack, start));
         else
-            found->second.update(stack);
+            found->second.update(stack, start);
+    }
+    void resolveFollowers(const HairGroup& group, MapKind map)
+    {
+        for (const MapStack& stack : group.maps)
+            if (mapSpec(stack.kind).follows == map)
+                resolveOne(group.id, stack);
     }
     void resolveFor(const Change& change)
     {
         const HairGroup* group = shown().group(change.group);
-        if (namesOneMap(change.aspect) && group != nullptr)
+        if (namesOneMap(change.aspect) && group != nullptr) {
             resolveOne(change.group, group->map(change.map));
-        else if (touchesMaps(change.aspect))
+            resolveFollowers(*group, change.map);
+        } else if (touchesMaps(change.aspect)) {
             resolveAll();
+        }
     }
 };
 
@@ -143,8 +157,7 @@ void Document::replace(Project project)
 
 std::shared_ptr<const sim::TiledRaster> Document::resolved(Id group, MapKind map) const
 {
-    const auto found = m_state->resolved.find({group, map});
-    return found == m_state->resolved.end() ? nullptr : found->second.result();
+    return m_state->resolvedMap(group, map);
 }
 
 std::uint64_t Document::revision() const
@@ -231,7 +244,9 @@ void Document::previewTiles(const LayerAddress& address, const std::vector<std::
         change.tiles.push_back(index);
     }
     const auto map = state.resolved.find({address.group, address.map});
-    map->second.updateTiles(state.preview->group(address.group)->map(address.map), address.layer, change.tiles);
+    const HairGroup& group = *state.preview->group(address.group);
+    map->second.updateTiles(group.map(address.map), address.layer, change.tiles);
+    state.resolveFollowers(group, address.map);
     std::ranges::sort(change.tiles);
     std::vector<int> all;
     std::ranges::set_union(state.previewChange.tiles, change.tiles, std::back_inserter(all));

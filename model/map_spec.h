@@ -9,6 +9,7 @@
 #include <QColor>
 #include <QString>
 
+#include <optional>
 #include <span>
 
 namespace hairpaint::model {
@@ -23,6 +24,7 @@ enum class TexelKind : std::uint8_t
     Colour
 };
 
+struct Head;
 struct MapSpec;
 
 /// One entry of an index map's palette.
@@ -56,7 +58,11 @@ struct MapSpec
     QRgb scaleColour;                           ///< The colour at 1 ("green"); of a colour map, its default.
     std::span<const PaletteEntry> palette = {}; ///< Of an index map.
     std::span<const BlendMode> blendModes = {};
-    PaintValue firstPaint = {};   ///< What is painted at first.
+    PaintValue firstPaint = {}; ///< What is painted at first.
+    /// Where nothing is painted a map shows its rule's default value, or another map of the group (one that stands
+    /// before it in the table), or a raster of the head's.
+    std::optional<MapKind> follows = {};
+    sim::MapRaster (*ofHead)(const Head& head) = nullptr;
     int valueChannels = 1;        ///< The rule's. A layer's raster has one more: coverage.
     sim::Texel defaultValue = {}; ///< The rule's.
 

@@ -5,6 +5,7 @@
 #include "model/compositor.h"
 
 #include <algorithm>
+#include <array>
 
 namespace hairpaint::model {
 
@@ -30,6 +31,20 @@ sim::TiledRaster coveredRaster(const sim::TiledRaster& resolved)
         }
     }
     return layer;
+}
+
+/// Whether anything of a map shows but what it starts from.
+bool isPainted(const MapStack& stack)
+{
+    const auto coverage = static_cast<std::size_t>(mapSpec(stack.kind).valueChannels);
+    return std::ranges::any_of(stack.layers, [coverage](const Layer& layer) {
+        for (int index = 0; layer.visible && index < layer.raster.tileCount(); ++index) {
+            const sim::RasterTile& tile = *layer.raster.tile(index);
+            if (!tile.isUniform() || tile.uniform[coverage] != 0)
+                return true;
+        }
+        return false;
+    });
 }
 
 MapStack stackOf(Project& project, const HairGroup& group, const MapSpec& spec, const QString& layerName)
@@ -61,8 +76,15 @@ Preset presetFrom(const Project& project, const QString& name)
         flat.name = group.name;
         flat.visible = group.visible;
         flat.settings = group.settings;
+        std::array<sim::MapRaster, sim::kMapSlotCount> resolved;
         for (const MapStack& stack : group.maps) {
-            Layer layer{.id = nextId++, .name = name, .raster = coveredRaster(resolveStack(stack))};
+            const MapSpec& spec = mapSpec(stack.kind);
+            sim::MapRaster& map = resolved[sim::indexOf(stack.kind)];
+            map = std::make_shared<const sim::TiledRaster>(resolveStack(
+                stack, startOf(spec, project.head.get(), [&](MapKind kind) { return resolved[sim::indexOf(kind)]; })));
+            Layer layer{.id = nextId++,
+                        .name = name,
+                        .raster = isPainted(stack) ? coveredRaster(*map) : emptyRaster(spec, stack.size)};
             flat.maps.push_back({.kind = stack.kind, .size = stack.size, .layers = {std::move(layer)}});
         }
         preset.groups.push_back(std::move(flat));

@@ -34,11 +34,16 @@ Layer* Project::layer(Id groupId, MapKind kind, Id layerId)
     return const_cast<Layer*>(std::as_const(*this).layer(groupId, kind, layerId));
 }
 
-Layer makeLayer(Project& project, const MapSpec& spec, int size, const QString& name)
+sim::TiledRaster emptyRaster(const MapSpec& spec, int size)
 {
     sim::Texel empty = spec.defaultValue;
     empty[static_cast<std::size_t>(spec.valueChannels)] = 0;
-    return Layer{.id = project.takeId(), .name = name, .raster = sim::TiledRaster(size, spec.layerChannels(), empty)};
+    return {size, spec.layerChannels(), empty};
+}
+
+Layer makeLayer(Project& project, const MapSpec& spec, int size, const QString& name)
+{
+    return Layer{.id = project.takeId(), .name = name, .raster = emptyRaster(spec, size)};
 }
 
 HairGroup makeGroup(Project& project, const QString& name, int mapSize)

@@ -99,6 +99,8 @@ struct Project
 
 /// A group named `name` with every map present and empty (default values, one empty layer a map).
 [[nodiscard]] HairGroup makeGroup(Project& project, const QString& name, int mapSize = 1024);
+/// What a layer without paint holds.
+[[nodiscard]] sim::TiledRaster emptyRaster(const MapSpec& spec, int size);
 [[nodiscard]] Layer makeLayer(Project& project, const MapSpec& spec, int size, const QString& name);
 
 } // namespace hairpaint::model

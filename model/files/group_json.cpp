@@ -80,14 +80,6 @@ void visitGroup(Fields& fields, AnyGroup& group)
     fields.object("settings", [&group](Fields& inner) { visitSettings(inner, group.settings); });
 }
 
-/// A raster of one tile that holds a layer's place until its image is read.
-sim::TiledRaster emptyRaster(const MapSpec& spec, int size)
-{
-    sim::Texel empty = spec.defaultValue;
-    empty[static_cast<std::size_t>(spec.valueChannels)] = 0;
-    return {size, spec.layerChannels(), empty};
-}
-
 class GroupsParser
 {
 public:
@@ -140,13 +132,22 @@ private:
             if (findMapSpec(id) == nullptr)
                 m_unknownMap = id.left(40);
         for (const MapSpec& spec : mapSpecs())
-            group.maps.push_back(parseStack(mapObjects.value(QLatin1String(spec.id)), spec));
+            group.maps.push_back(
+                parseStack(mapObjects.value(QLatin1String(spec.id)), spec, sizeOfAbsent(spec, group.maps)));
         return group;
     }
 
-    MapStack parseStack(const QJsonValue& value, const MapSpec& spec)
+    /// That of the map it follows, so that it shows the very same; else of the group's first.
+    static int sizeOfAbsent(const MapSpec& spec, const std::vector<MapStack>& before)
     {
-        MapStack stack{.kind = spec.kind, .size = 1024, .layers = {}};
+        if (before.empty())
+            return MapStack().size;
+        return spec.follows ? before[sim::indexOf(*spec.follows)].size : before.front().size;
+    }
+
+    MapStack parseStack(const QJsonValue& value, const MapSpec& spec, int sizeIfAbsent)
+    {
+        MapStack stack{.kind = spec.kind, .size = sizeIfAbsent, .layers = {}};
         if (value.isUndefined()) {
             stack.layers.push_back(Layer{.name = layerName(1), .raster = emptyRaster(spec, stack.size)});
             return stack;
@@ -170,7 +171,8 @@ private:
 
     Layer parseLayer(const QJsonValue& value, const MapSpec& spec)
     {
-        Layer layer{.name = {}, .raster = emptyRaster(spec, sim::TiledRaster::kTileSize)};
+        Layer layer{.name = {},
+                    .raster = emptyRaster(spec, sim::TiledRaster::kTileSize)}; // Holds its place until it is read.
         if (!value.isObject())
             complain();
         FieldReader fields(value.toObject(), m_problem);

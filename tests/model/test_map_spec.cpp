@@ -35,6 +35,7 @@ void TestMapSpec::everyMapHasItsOwnIdAndLetter()
         QCOMPARE(spec.palette.empty(), spec.texel != TexelKind::Index);
         QCOMPARE(spec.valueChannels, spec.texel == TexelKind::Colour ? 3 : 1);
         QVERIFY(!spec.titleText().isEmpty());
+        QVERIFY(!spec.follows || *spec.follows < spec.kind);
     }
     QCOMPARE(index, kMapKindCount);
     QCOMPARE(ids.size(), kMapKindCount);
