@@ -154,21 +154,22 @@ QRgb scaleToColour(const MapSpec& spec, float value, bool nightPaper)
     return qRgb(mixed[0], mixed[1], mixed[2]);
 }
 
-/// Of a scale whose full colour has channels of 1 and of 0: the least of those that are 1, less the greatest of those
-/// that are 0. For green that is G - max(R, B), for yellow min(R, G) - B.
+/// How far the channels that the full colour has less of lie below those it has whole, in parts of what they do at 1.
+/// For green that is G - max(R, B), for yellow min(R, G) - B, for orange min(R - B, 2 (R - G)).
 float colourToScale(const MapSpec& spec, float red, float green, float blue)
 {
+    constexpr float kWhole = 0.9F;
     const std::array<float, 3> full = channelsOf(spec.scaleColour);
     const std::array<float, 3> read{red, green, blue};
     float least = 1.0F;
-    float greatest = 0.0F;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (full[i] > 0.5F)
+    for (std::size_t i = 0; i < 3; ++i)
+        if (full[i] > kWhole)
             least = std::min(least, read[i]);
-        else
-            greatest = std::max(greatest, read[i]);
-    }
-    return std::clamp(least - greatest, 0.0F, 1.0F);
+    float value = 1.0F;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (full[i] <= kWhole)
+            value = std::min(value, (least - read[i]) / (1.0F - full[i]));
+    return std::max(value, 0.0F);
 }
 
 /// Plait is a magenta of 1/2 or more. The others are the nearest palette colour, where "none" is the whole grey axis.
