@@ -38,6 +38,11 @@ double greatestDensity(const GroupSettings& settings)
     return static_cast<double>(settings.greatestDensityPerM2) * kPerSquareCm;
 }
 
+double greatestRadiusMm(const GroupSettings& settings)
+{
+    return static_cast<double>(settings.greatestCurlRadiusM) * 1000.0;
+}
+
 double lengthScale(const GroupSettings& settings)
 {
     return static_cast<double>(settings.greatestLengthM) < kShortGroupM ? 1000.0 : 100.0;
@@ -99,6 +104,16 @@ const MapScale kTurnsScale{.unit = turnsUnit,
                            .value = redOf,
                            .steps = kTurnSteps,
                            .sliderExponent = 2.0};
+
+const MapScale kRadiusScale{
+    .unit = [](const GroupSettings&) { return Units::tr("mm"); },
+    .decimals = always<1>,
+    .shown = [](const GroupSettings& settings, double value) { return value * greatestRadiusMm(settings); },
+    .value =
+        [](const GroupSettings& settings, double shown) {
+            const double greatest = greatestRadiusMm(settings);
+            return greatest > 0.0 ? shown / greatest : 0.0;
+        }};
 
 const MapScale kShareScale{.unit = [](const GroupSettings&) { return QStringLiteral("%"); },
                            .decimals = always<0>,

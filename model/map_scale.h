@@ -24,6 +24,7 @@ struct MapScale
 extern const MapScale kDensityScale; ///< Hairs a square centimetre.
 extern const MapScale kLengthScale;  ///< Centimetres; of short hair millimetres.
 extern const MapScale kTurnsScale;   ///< The paper's table 1.
+extern const MapScale kRadiusScale;  ///< Of curls, millimetres.
 extern const MapScale kShareScale;   ///< Per cent.
 
 } // namespace hairpaint::model

@@ -48,7 +48,7 @@ struct GroupSettings
     TurnsMode turnsMode = TurnsMode::PerHair;
     bool steppedTurns = false;          ///< Table 1's levels only.
     float turnsPerLengthM = 0.10F;      ///< With PerLength: the length that table 1's turns are for.
-    float greatestCurlRadiusM = 0.012F; ///< A curl-size value of 1; the map's default is 1/2.
+    float greatestCurlRadiusM = 0.012F; ///< A curl-size value of 1.
     float braidSpacingM = 0.30F;        ///< Distance of braid centres within one painted region.
     float braidRadiusM = 0.014F;        ///< Radius r of equation 3.
     PhysicsSettings physics;

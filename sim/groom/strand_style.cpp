@@ -13,7 +13,6 @@ namespace {
 
 constexpr float kTwoPi = 6.28318530717958647692F;
 constexpr std::uint64_t kChanceKey = 0x6368616E6365U; ///< Apart from the keys of other uses of the seed.
-constexpr float kDefaultCurlSize = 0.5F;              ///< The curl-size map's default.
 
 std::uint32_t byteOf(float value)
 {
@@ -74,8 +73,10 @@ RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv)
 
 RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
 {
+    const float curl = maps[MapSlot::Curl].scalar(uv);
     return {.length = maps[MapSlot::Length].scalar(uv),
-            .curl = maps[MapSlot::Curl].scalar(uv),
+            .curl = curl,
+            .curlSize = curl > 0.0F ? maps[MapSlot::CurlSize].scalar(uv) : 0.0F,
             .colours = coloursAt(maps, uv)};
 }
 
@@ -90,6 +91,15 @@ float lengthOf(const GroupSettings& settings, float value)
     return settings.shortestLengthM + (settings.greatestLengthM - settings.shortestLengthM) * value;
 }
 
+float curlRadiusOf(const GroupSettings& settings, float value)
+{
+    // The default is the texel next above one half. It means one half, not a little more.
+    constexpr float kHalfTexel = static_cast<float>(ruleOf(MapSlot::CurlSize).defaultValue[0]) / 65535.0F;
+    const float share =
+        value <= kHalfTexel ? 0.5F * (value / kHalfTexel) : 0.5F + 0.5F * ((value - kHalfTexel) / (1.0F - kHalfTexel));
+    return settings.greatestCurlRadiusM * share;
+}
+
 StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance, float detail)
 {
     StrandStyle style;
@@ -99,7 +109,7 @@ StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, con
         style.turns *= style.lengthM / std::max(settings.turnsPerLengthM, 1e-3F);
     // A coil is no wider than its turns are apart, and where the first half turn is not complete it eases in.
     if (style.turns > 0.0F)
-        style.curlRadiusM = std::min(settings.greatestCurlRadiusM * kDefaultCurlSize, style.lengthM / style.turns) *
+        style.curlRadiusM = std::min(curlRadiusOf(settings, values.curlSize), style.lengthM / style.turns) *
                             std::min(style.turns * 2.0F, 1.0F);
     style.phase = chance.phase;
     setColours(values.colours, style);

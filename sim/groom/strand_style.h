@@ -17,6 +17,7 @@ struct RootValues
 {
     float length = 0.0F;
     float curl = 0.0F;
+    float curlSize = 0.0F; ///< Where there is curl.
     RootColours colours;
 };
 [[nodiscard]] RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv);
@@ -32,6 +33,9 @@ struct RootChance
     glm::vec2 place{0.0F};   ///< In the unit disc, uniform.
 };
 [[nodiscard]] RootChance chanceOf(std::uint64_t seed, std::uint32_t rank);
+
+/// Of the curl-size map's value, m: exactly half of the greatest where nothing is painted.
+[[nodiscard]] float curlRadiusOf(const GroupSettings& settings, float value);
 
 /// Of the length map's value, m.
 [[nodiscard]] float lengthOf(const GroupSettings& settings, float value);

@@ -50,6 +50,7 @@ void TestMapSpec::defaultsAreThoseOfTheDesign_data()
     QTest::newRow("no hair") << "density" << 0;
     QTest::newRow("half the length") << "length" << 32768;
     QTest::newRow("straight") << "curl" << 0;
+    QTest::newRow("curls of half the greatest size") << "curl_size" << 32768;
     QTest::newRow("no braid") << "braid" << 0;
     QTest::newRow("no clump") << "clump" << 0;
     QTest::newRow("no gel") << "gel" << 0;
@@ -87,6 +88,8 @@ void TestMapSpec::theScaleReadsAlongItsOwnHue_data()
     QTest::newRow("red is no green") << "density" << 1.0F << 0.0F << 0.0F << 0.0F;
     QTest::newRow("blue") << "length" << 0.5F << 0.25F << 1.0F << 0.5F;
     QTest::newRow("red") << "curl" << 1.0F << 0.25F << 0.5F << 0.5F;
+    QTest::newRow("orange") << "curl_size" << 1.0F << 0.75F << 0.5F << 0.5F;
+    QTest::newRow("yellow is no orange") << "curl_size" << 1.0F << 1.0F << 0.5F << 0.0F;
     QTest::newRow("yellow") << "clump" << 1.0F << 0.75F << 0.25F << 0.5F;
     QTest::newRow("cyan") << "gel" << 0.25F << 0.75F << 1.0F << 0.5F;
     QTest::newRow("green is no cyan") << "gel" << 0.0F << 1.0F << 0.0F << 0.0F;

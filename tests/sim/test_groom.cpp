@@ -52,6 +52,8 @@ private Q_SLOTS:
     void lengthIsBetweenShortestAndGreatest_data();
     void lengthIsBetweenShortestAndGreatest();
     void tooShortHairsCountButAreNotDrawn();
+    void theCurlSizeMapScalesTheRadius_data();
+    void theCurlSizeMapScalesTheRadius();
     void turnsAndRadiusFollowTheCurlMap_data();
     void turnsAndRadiusFollowTheCurlMap();
     void coloursAreTheMapsOwn();
@@ -189,6 +191,33 @@ void TestGroom::tooShortHairsCountButAreNotDrawn()
         drawn += isDrawn ? 1U : 0U;
     });
     QCOMPARE(groom->drawnCount, drawn);
+}
+
+void TestGroom::theCurlSizeMapScalesTheRadius_data()
+{
+    QTest::addColumn<int>("texel");
+    QTest::addColumn<float>("radiusM");
+    QTest::newRow("nothing") << 0 << 0.0F;
+    QTest::newRow("a quarter") << 16384 << 0.004F;
+    QTest::newRow("the default is exactly half") << 32768 << 0.008F;
+    QTest::newRow("the greatest") << 65535 << 0.016F;
+}
+
+void TestGroom::theCurlSizeMapScalesTheRadius()
+{
+    QFETCH(int, texel);
+    QFETCH(float, radiusM);
+    GroupInput group = smallGroup();
+    group.settings.greatestCurlRadiusM = 0.016F;
+    group.maps[MapSlot::Curl] = uniformMap(0.6F);
+    group.maps[MapSlot::CurlSize] =
+        std::make_shared<const TiledRaster>(512, 1, Texel{static_cast<std::uint16_t>(texel)});
+    const auto groom = groomOf(inputOf(patch(), group));
+    forEachHair(*groom, [&](std::uint32_t, const StrandStyle& style) {
+        if (texel == 32768)
+            QVERIFY(style.curlRadiusM == radiusM); // Bit for bit: files without the map keep their hair.
+        QVERIFY(std::abs(style.curlRadiusM - radiusM) < 1e-7F);
+    });
 }
 
 void TestGroom::turnsAndRadiusFollowTheCurlMap_data()
