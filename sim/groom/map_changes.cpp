@@ -123,7 +123,12 @@ void MapChanges::find(const GroupMaps& before, const GroupMaps& after, ChangedSl
     for (const MapRule& rule : kMapRules) {
         const MapRaster& was = before[rule.slot];
         const MapRaster& is = after[rule.slot];
-        if (was == is)
+        // A map that shows another's own raster does not differ anywhere else.
+        const auto isCompared = [&](const MapRule& other) {
+            return other.slot < rule.slot && other.effect == rule.effect && before[other.slot] == was &&
+                   after[other.slot] == is;
+        };
+        if (was == is || std::ranges::any_of(kMapRules, isCompared))
             continue;
         if (rule.sampling == MapSampling::Nearest)
             compare(rule, nearest, *was, *is, changed);

@@ -18,6 +18,8 @@ public:
             m_uniformValue = raster->sampleBilinear(glm::vec2(0.5F));
     }
 
+    /// Whether both read the very same raster.
+    [[nodiscard]] bool sameAs(const MapSampler& other) const { return m_raster == other.m_raster; }
     [[nodiscard]] bool isUniform() const { return m_uniform.has_value(); }
     [[nodiscard]] float scalar(glm::vec2 uv) const { return m_uniform ? m_uniformValue.x : m_raster->sampleScalar(uv); }
     [[nodiscard]] glm::vec4 channels(glm::vec2 uv) const

@@ -35,6 +35,7 @@ struct MapEffect
     bool hairs = false; ///< Which candidates are hairs, and their rest shapes and styles.
     bool basis = false; ///< The solved hairs' own shapes.
     bool look = false;  ///< The colours of styles alone.
+    friend bool operator==(const MapEffect&, const MapEffect&) = default;
 };
 
 struct MapRule
