@@ -78,6 +78,15 @@ std::array<MapSpec, kMapKindCount> makeTable()
                 .scaleColour = 0xFF3B2618,
                 .blendModes = kBlendable,
                 .firstPaint = {.colour = QColor(0x8A, 0x4B, 0x2A)}}, // Chestnut.
+        MapSpec{.kind = MapKind::TipColour,
+                .id = "tip_colour",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Tip colour"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "T"),
+                .texel = TexelKind::Colour,
+                .scaleColour = 0xFF3B2618,
+                .blendModes = kBlendable,
+                .firstPaint = {.colour = QColor(0xC9, 0xA2, 0x6B)}, // Honey blonde.
+                .follows = MapKind::Colour},
         MapSpec{.kind = MapKind::Clump,
                 .id = "clump",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Clump"),

@@ -19,6 +19,7 @@ enum class MapSlot : std::uint8_t
     CurlSize,
     Braid,
     Colour,
+    TipColour,
     Clump,
     Gel
 };
@@ -57,6 +58,10 @@ inline constexpr std::array kMapRules{
             .channels = 3,
             .effect = {.look = true},
             .defaultValue = {0x3B3B, 0x2626, 0x1818}}, // Dark brown.
+    MapRule{.slot = MapSlot::TipColour,
+            .channels = 3,
+            .effect = {.look = true},
+            .defaultValue = {0x3B3B, 0x2626, 0x1818}}, // Of empty layers; nothing painted shows the colour map.
     MapRule{.slot = MapSlot::Clump, .effect = {.hairs = true}},
     MapRule{.slot = MapSlot::Gel, .effect = {.basis = true}},
 };

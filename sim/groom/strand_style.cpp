@@ -68,7 +68,10 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
 
 RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv)
 {
-    return {.root = glm::vec3(maps[MapSlot::Colour].channels(uv))};
+    const MapSampler& colour = maps[MapSlot::Colour];
+    const MapSampler& tip = maps[MapSlot::TipColour];
+    const glm::vec3 root(colour.channels(uv));
+    return {.root = root, .tip = tip.sameAs(colour) ? root : glm::vec3(tip.channels(uv))};
 }
 
 RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
@@ -83,7 +86,7 @@ RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
 void setColours(const RootColours& colours, StrandStyle& style)
 {
     style.rootColour = packColour(colours.root);
-    style.tipColour = style.rootColour;
+    style.tipColour = packColour(colours.tip);
 }
 
 float lengthOf(const GroupSettings& settings, float value)

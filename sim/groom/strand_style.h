@@ -10,6 +10,7 @@ namespace hairpaint::sim {
 struct RootColours
 {
     glm::vec3 root{0.0F};
+    glm::vec3 tip{0.0F};
 };
 
 /// Values of the maps that a style is made from, at one root.

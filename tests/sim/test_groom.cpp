@@ -260,10 +260,11 @@ void TestGroom::coloursAreTheMapsOwn()
 {
     GroupInput group = smallGroup();
     group.maps[MapSlot::Colour] = uniformColour({1.0F, 128.0F / 255.0F, 3.0F / 255.0F});
+    group.maps[MapSlot::TipColour] = uniformColour({1.0F, 1.0F, 0.0F});
     const auto groom = groomOf(inputOf(patch(), group));
     forEachHair(*groom, [&](std::uint32_t, const StrandStyle& style) {
         QCOMPARE(style.rootColour, 0xFF0380FFU);
-        QCOMPARE(style.tipColour, style.rootColour);
+        QCOMPARE(style.tipColour, 0xFF00FFFFU);
         QVERIFY(style.variation >= -1.0F && style.variation <= 1.0F);
         QCOMPARE(style.widthM, group.settings.hairWidthM);
     });

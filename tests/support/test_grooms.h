@@ -81,6 +81,7 @@ inline sim::GroupInput uniformGroup(int id = 1)
         group.maps[rule.slot] = std::make_shared<const sim::TiledRaster>(512, rule.channels, rule.defaultValue);
     group.maps[sim::MapSlot::Density] = uniformMap(1.0F);
     group.maps[sim::MapSlot::Colour] = uniformColour({0.3F, 0.2F, 0.1F});
+    group.maps[sim::MapSlot::TipColour] = group.maps[sim::MapSlot::Colour];
     return group;
 }
 
