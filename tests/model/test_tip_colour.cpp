@@ -1,4 +1,5 @@
 // The tip colour map shows the colour map where nothing is painted on it.
+#include "model/files/group_json.h"
 #include "model/files/project_json.h"
 #include "model/preset.h"
 #include "tests/model/tool_studio.h"
