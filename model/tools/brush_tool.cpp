@@ -151,7 +151,9 @@ void BrushTool::dab(const BrushPlace& place, const ToolContext& context)
 void BrushTool::show(ToolContext& context)
 {
     m_edit.update(context.document, m_buffer->takeDirty(), [this](int index, const sim::RasterTilePtr& before) {
-        return paintTile(m_edit.spec(), before, *m_buffer->mask(index), m_paint);
+        TilePaint paint = m_paint;
+        paint.values = m_buffer->values(index);
+        return paintTile(m_edit.spec(), before, *m_buffer->mask(index), paint);
     });
 }
 
