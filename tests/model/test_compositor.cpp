@@ -4,9 +4,7 @@
 
 #include <QTest>
 
-#include <cmath>
 #include <random>
-#include <set>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -70,13 +68,6 @@ private Q_SLOTS:
     void productsAndMixesAreRoundedToTheNearest();
     void scalarsBlendAsTheTableSays_data();
     void scalarsBlendAsTheTableSays();
-    void everyModeFollowsItsFormula_data();
-    void everyModeFollowsItsFormula();
-    void everyModeHasItsOwnNames();
-    void aMapStartsFromARasterWhereItHasOne();
-    void whereTheStartChangesOnlyThatIsResolvedAgain_data();
-    void whereTheStartChangesOnlyThatIsResolvedAgain();
-    void aStartIsAConstantAnotherMapOrTheHeads();
     void coloursBlendChannelByChannel();
     void anIndexReplacesFromHalfCoverageOn_data();
     void anIndexReplacesFromHalfCoverageOn();
@@ -140,161 +131,6 @@ void TestCompositor::scalarsBlendAsTheTableSays()
     stack.layers[1].blend = multiplies ? BlendMode::Multiply : BlendMode::Normal;
     QCOMPARE(static_cast<int>(resolveTexel(stack, 3, 5)[0]), expected);
     QCOMPARE(resolveStack(stack).texel(3, 5), resolveTexel(stack, 3, 5));
-}
-
-void TestCompositor::everyModeFollowsItsFormula_data()
-{
-    QTest::addColumn<BlendMode>("mode");
-    QTest::addColumn<double>("below");
-    QTest::addColumn<double>("value");
-    QTest::addColumn<double>("expected");
-    const auto row = [](BlendMode mode, double below, double value, double expected) {
-        QTest::addRow("%s, %g under %g", blendRule(mode).id, below, value) << mode << below << value << expected;
-    };
-    row(BlendMode::Normal, 0.3, 0.8, 0.8);
-    row(BlendMode::Multiply, 0.3, 0.8, 0.24);
-    row(BlendMode::Screen, 0.3, 0.8, 0.86);
-    row(BlendMode::Darken, 0.3, 0.8, 0.3);
-    row(BlendMode::Darken, 0.8, 0.3, 0.3);
-    row(BlendMode::Lighten, 0.3, 0.8, 0.8);
-    row(BlendMode::Lighten, 0.8, 0.3, 0.8);
-    row(BlendMode::Add, 0.3, 0.4, 0.7);
-    row(BlendMode::Add, 0.7, 0.8, 1.0);
-    row(BlendMode::Subtract, 0.8, 0.3, 0.5);
-    row(BlendMode::Subtract, 0.3, 0.8, 0.0);
-    row(BlendMode::Difference, 0.8, 0.3, 0.5);
-    row(BlendMode::Difference, 0.3, 0.8, 0.5);
-    row(BlendMode::Overlay, 0.3, 0.8, 0.48);
-    row(BlendMode::Overlay, 0.8, 0.3, 0.72);
-    row(BlendMode::HardLight, 0.3, 0.8, 0.72);
-    row(BlendMode::HardLight, 0.8, 0.3, 0.48);
-    row(BlendMode::SoftLight, 0.3, 0.25, 0.195);
-    row(BlendMode::SoftLight, 0.49, 0.75, 0.595);
-    row(BlendMode::SoftLight, 0.2, 1.0, 0.448);
-    row(BlendMode::SoftLight, 0.6, 0.5, 0.6);
-}
-
-void TestCompositor::everyModeFollowsItsFormula()
-{
-    QFETCH(BlendMode, mode);
-    QFETCH(double, below);
-    QFETCH(double, value);
-    QFETCH(double, expected);
-    const auto texel = [](double share) { return unit16(static_cast<float>(share)); };
-    const double got = blendRule(mode).formula(texel(below), texel(value)) / 65535.0;
-    QVERIFY2(std::abs(got - expected) < 3e-5, qPrintable(QString::number(got)));
-    // Through a layer, for one channel and for three.
-    MapStack scalars = stackOf(MapKind::Length, {{texel(below), 65535}, {texel(value), 65535}});
-    scalars.layers[1].blend = mode;
-    QCOMPARE(resolveTexel(scalars, 0, 0)[0], blendRule(mode).formula(texel(below), texel(value)));
-    MapStack colours =
-        stackOf(MapKind::Colour, {{texel(below), texel(value), 0, 65535}, {texel(value), texel(below), 65535, 65535}});
-    colours.layers[1].blend = mode;
-    QCOMPARE(resolveTexel(colours, 0, 0),
-             (sim::Texel{blendRule(mode).formula(texel(below), texel(value)),
-                         blendRule(mode).formula(texel(value), texel(below)), blendRule(mode).formula(0, 65535), 0}));
-}
-
-/// Left half 10000, right half noise: a map's start that is a raster.
-std::shared_ptr<sim::TiledRaster> halfNoise(int size)
-{
-    std::mt19937 random(5);
-    auto raster = std::make_shared<sim::TiledRaster>(size, 1, sim::Texel{10000});
-    for (int y = 0; y < size; ++y)
-        for (int x = size / 2; x < size; ++x)
-            raster->setTexel(x, y, {static_cast<std::uint16_t>(random())});
-    return raster;
-}
-
-void TestCompositor::aMapStartsFromARasterWhereItHasOne()
-{
-    const auto start = halfNoise(256);
-    MapStack stack = stackOf(MapKind::Length, {{0, 0, 0, 0}});
-    ResolvedMap map(stack, start);
-    QVERIFY(map.result() == start); // Nothing is painted: the start itself.
-
-    const int tile = stack.layers[0].raster.tileIndexAt(200, 100);
-    stack.layers[0].raster.setTexel(200, 100, {60000, 65535});
-    stack.layers[0].raster.setTexel(201, 100, {60000, 32768});
-    QVERIFY(map.updateTiles(stack, 1, std::vector<int>{tile}));
-    QCOMPARE(map.result()->texel(200, 100)[0], std::uint16_t{60000});
-    QCOMPARE(map.result()->texel(201, 100)[0], lerp16(start->texel(201, 100)[0], 60000, 32768));
-    QCOMPARE(map.result()->texel(202, 100), start->texel(202, 100));
-    for (int other = 0; other < start->tileCount(); ++other)
-        QCOMPARE(map.result()->tile(other) == start->tile(other), other != tile);
-    QCOMPARE(resolveStack(stack, start), *map.result());
-    QCOMPARE(resolveTexel(stack, 201, 100, start), map.result()->texel(201, 100));
-
-    stack.layers[0].blend = BlendMode::Multiply;
-    QVERIFY(map.update(stack, start));
-    QCOMPARE(map.result()->texel(200, 100)[0], mul16(start->texel(200, 100)[0], 60000));
-
-    stack.layers[0].raster.setUniform(tile, {});
-    QVERIFY(map.update(stack, start));
-    QVERIFY(map.result() == start); // Erased: the start again.
-}
-
-void TestCompositor::whereTheStartChangesOnlyThatIsResolvedAgain_data()
-{
-    QTest::addColumn<int>("startSize");
-    QTest::newRow("the map's size") << 512;
-    QTest::newRow("smaller") << 256;
-    QTest::newRow("larger") << 1024;
-}
-
-void TestCompositor::whereTheStartChangesOnlyThatIsResolvedAgain()
-{
-    QFETCH(int, startSize);
-    std::mt19937 random(7);
-    MapStack stack{.kind = MapKind::Length, .size = 512, .layers = {}};
-    stack.layers.push_back({.id = 1, .name = {}, .raster = sim::TiledRaster(512, 2)});
-    stack.layers[0].raster.setTexel(300, 300, {40000, 30000});
-    auto start = halfNoise(startSize);
-    ResolvedMap map(stack, start);
-    for (int edit = 0; edit < 40; ++edit) {
-        auto next = std::make_shared<sim::TiledRaster>(*start);
-        const auto at = [&] { return static_cast<int>(random() % static_cast<unsigned>(startSize)); };
-        const int x = at();
-        const int y = at();
-        next->setTexel(x, y, {static_cast<std::uint16_t>(random())});
-        const sim::MapRaster before = map.result();
-        (void)map.update(stack, next);
-        QCOMPARE(resolveStack(stack, next), *map.result());
-        int changed = 0;
-        for (int tile = 0; tile < map.result()->tileCount(); ++tile)
-            changed += map.result()->tile(tile) != before->tile(tile) ? 1 : 0;
-        QVERIFY(changed <= 4);
-        start = next;
-    }
-}
-
-void TestCompositor::aStartIsAConstantAnotherMapOrTheHeads()
-{
-    const auto raster = halfNoise(256);
-    const auto resolved = [&](MapKind kind) { return kind == MapKind::Length ? raster : sim::MapRaster(); };
-    MapSpec spec = mapSpec(MapKind::Curl);
-    const Head head;
-    QVERIFY(startOf(spec, &head, resolved) == nullptr);
-    spec.follows = MapKind::Length;
-    QVERIFY(startOf(spec, &head, resolved) == raster);
-    spec.follows.reset();
-    spec.ofHead = [](const Head& of) -> sim::MapRaster {
-        return std::make_shared<const sim::TiledRaster>(of.builtIn ? 256 : 512, 1);
-    };
-    QCOMPARE(startOf(spec, &head, resolved)->size(), 256);
-    QVERIFY(startOf(spec, nullptr, resolved) == nullptr);
-}
-
-void TestCompositor::everyModeHasItsOwnNames()
-{
-    std::set<QString> ids;
-    std::set<QString> titles;
-    for (const BlendRule& rule : blendRules()) {
-        ids.insert(QString::fromLatin1(rule.id));
-        titles.insert(rule.titleText());
-    }
-    QCOMPARE(ids.size(), kBlendModeCount);
-    QCOMPARE(titles.size(), kBlendModeCount);
 }
 
 void TestCompositor::coloursBlendChannelByChannel()
