@@ -2,12 +2,14 @@
 #include "sim/base/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <mutex>
 #include <thread>
 
 #ifdef HAIRPAINT_STD_THREADS
 #include <atomic>
+#include <exception>
 #include <vector>
 #else
 #include <tbb/blocked_range.h>
@@ -29,16 +31,36 @@ int coreCount()
 
 using RangeBody = std::function<void(std::size_t, std::size_t)>;
 
-/// The threads that loops run on. Loops under way keep the pool they began with.
+constexpr std::size_t kArenas = 3;
+
+/// Where the loops of this thread run.
+thread_local Arena currentArena = Arena::Window;
+
+#ifndef HAIRPAINT_STD_THREADS
+tbb::task_arena::priority priorityOf(Arena arena)
+{
+    switch (arena) {
+    case Arena::Window:
+        return tbb::task_arena::priority::high;
+    case Arena::Simulation:
+        return tbb::task_arena::priority::normal;
+    case Arena::Background:
+        break;
+    }
+    return tbb::task_arena::priority::low;
+}
+#endif
+
+/// The threads that the loops of one arena run on. Loops under way keep the pool they began with.
 class Pool
 {
 public:
-    explicit Pool(int threads)
+    Pool([[maybe_unused]] Arena arena, int threads)
         : m_threads(threads)
 #ifndef HAIRPAINT_STD_THREADS
           ,
           m_cap(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(std::max(threads, coreCount()))),
-          m_arena(threads)
+          m_arena(threads, 1, priorityOf(arena))
 #endif
     {}
 
@@ -52,16 +74,28 @@ public:
     {
 #ifdef HAIRPAINT_STD_THREADS
         std::atomic<std::size_t> next{0};
+        std::mutex mutex;
+        std::exception_ptr thrown;
         const auto work = [&] {
-            for (std::size_t piece = next.fetch_add(1); piece < pieces; piece = next.fetch_add(1))
-                body(piece, piece + 1);
+            try {
+                for (std::size_t piece = next.fetch_add(1); piece < pieces; piece = next.fetch_add(1))
+                    body(piece, piece + 1);
+            } catch (...) {
+                next = pieces;
+                const std::lock_guard lock(mutex);
+                thrown = std::current_exception();
+            }
         };
-        std::vector<std::jthread> helpers;
-        const std::size_t helperCount = std::min(pieces, static_cast<std::size_t>(m_threads)) - 1;
-        helpers.reserve(helperCount);
-        for (std::size_t i = 0; i < helperCount; ++i)
-            helpers.emplace_back(work);
-        work();
+        {
+            std::vector<std::jthread> helpers;
+            const std::size_t helperCount = std::min(pieces, static_cast<std::size_t>(m_threads)) - 1;
+            helpers.reserve(helperCount);
+            for (std::size_t i = 0; i < helperCount; ++i)
+                helpers.emplace_back(work);
+            work();
+        }
+        if (thrown)
+            std::rethrow_exception(thrown);
 #else
         m_arena.execute([&] {
             tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pieces),
@@ -78,26 +112,28 @@ private:
 #endif
 };
 
-/// The pool in use; made on first use, since oneTBB's objects must not outlive its own statics.
-struct PoolSlot
+/// The pools in use; made on first use, since oneTBB's objects must not outlive its own statics.
+struct Pools
 {
     std::mutex mutex;
-    std::shared_ptr<Pool> pool;
+    int threads = 0; ///< 0: not chosen yet.
+    std::array<std::shared_ptr<Pool>, kArenas> ofArena;
 };
 
-PoolSlot& poolSlot()
+Pools& pools()
 {
-    static PoolSlot slot;
-    return slot;
+    static Pools all;
+    return all;
 }
 
 std::shared_ptr<Pool> currentPool()
 {
-    PoolSlot& slot = poolSlot();
-    const std::lock_guard lock(slot.mutex);
-    if (!slot.pool)
-        slot.pool = std::make_shared<Pool>(coreCount());
-    return slot.pool;
+    Pools& all = pools();
+    const std::lock_guard lock(all.mutex);
+    std::shared_ptr<Pool>& pool = all.ofArena[static_cast<std::size_t>(currentArena)];
+    if (!pool)
+        pool = std::make_shared<Pool>(currentArena, all.threads > 0 ? all.threads : coreCount());
+    return pool;
 }
 
 } // namespace
@@ -118,18 +154,32 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
         return;
     }
     // Every range begins at a multiple of the grain; the last piece takes the rest.
-    pool->run(pieces, [&](std::size_t firstPiece, std::size_t endPiece) {
+    pool->run(pieces, [&, arena = currentArena](std::size_t firstPiece, std::size_t endPiece) {
+        const ArenaScope scope(arena); // For loops within the body, on whichever thread it runs.
         body(firstPiece * step, endPiece == pieces ? count : endPiece * step);
     });
+}
+
+ArenaScope::ArenaScope(Arena arena) : m_before(currentArena)
+{
+    currentArena = arena;
+}
+
+ArenaScope::~ArenaScope()
+{
+    currentArena = m_before;
 }
 
 void setThreadCount(int threads)
 {
     const int wanted = threads <= 0 ? coreCount() : std::min(threads, kMostThreads);
-    PoolSlot& slot = poolSlot();
-    const std::lock_guard lock(slot.mutex);
-    if (!slot.pool || slot.pool->threads() != wanted)
-        slot.pool = std::make_shared<Pool>(wanted);
+    Pools& all = pools();
+    const std::lock_guard lock(all.mutex);
+    if (all.threads == wanted)
+        return;
+    all.threads = wanted;
+    for (std::shared_ptr<Pool>& pool : all.ofArena)
+        pool.reset();
 }
 
 int threadCount()

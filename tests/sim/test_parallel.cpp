@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
+#include <new>
 #include <set>
 #include <thread>
 #include <vector>
@@ -23,6 +24,10 @@ private Q_SLOTS:
     void eightThreadsAreEightOnAnyMachine();
     void theCountIsKeptWithinItsRange();
     void loopsMayBeNested();
+    void aLoopOfTheWindowWaitsForNoOther_data();
+    void aLoopOfTheWindowWaitsForNoOther();
+    void whatABodyThrowsComesOutOfTheLoop_data();
+    void whatABodyThrowsComesOutOfTheLoop();
 };
 
 void TestParallel::everyIndexIsVisitedOnceInRangesOfTheGrain_data()
@@ -102,6 +107,62 @@ void TestParallel::loopsMayBeNested()
             parallelFor(50, 1, [&](std::size_t b, std::size_t e) { total += static_cast<int>(e - b); });
     });
     QCOMPARE(total.load(), 1000);
+}
+
+void TestParallel::aLoopOfTheWindowWaitsForNoOther_data()
+{
+    QTest::addColumn<int>("arena");
+    QTest::newRow("simulation") << static_cast<int>(Arena::Simulation);
+    QTest::newRow("background") << static_cast<int>(Arena::Background);
+}
+
+void TestParallel::aLoopOfTheWindowWaitsForNoOther()
+{
+    QFETCH(int, arena);
+    setThreadCount(2);
+    std::atomic<int> held{0};
+    std::atomic<bool> letGo{false};
+    std::thread other([&] {
+        const ArenaScope scope(static_cast<Arena>(arena));
+        parallelFor(8, 1, [&](std::size_t, std::size_t) {
+            ++held;
+            while (!letGo)
+                std::this_thread::yield();
+            // A loop within it keeps to the same arena, on whichever thread the body runs.
+            parallelFor(2, 1, [](std::size_t, std::size_t) {});
+        });
+    });
+    while (held < 2) // Every place of that arena is taken.
+        std::this_thread::yield();
+    std::atomic<std::size_t> done{0};
+    parallelFor(1000, 1, [&](std::size_t begin, std::size_t end) { done += end - begin; });
+    const std::size_t doneMeanwhile = done;
+    letGo = true;
+    other.join();
+    QCOMPARE(doneMeanwhile, std::size_t{1000});
+}
+
+void TestParallel::whatABodyThrowsComesOutOfTheLoop_data()
+{
+    QTest::addColumn<int>("threads");
+    QTest::newRow("one thread") << 1;
+    QTest::newRow("four threads") << 4;
+}
+
+void TestParallel::whatABodyThrowsComesOutOfTheLoop()
+{
+    QFETCH(int, threads);
+    setThreadCount(threads);
+    for (const std::size_t culprit : {std::size_t{0}, std::size_t{57}, std::size_t{99}})
+        QVERIFY_EXCEPTION_THROWN(parallelFor(100, 1,
+                                             [&](std::size_t begin, std::size_t end) {
+                                                 if (begin <= culprit && culprit < end)
+                                                     throw std::bad_alloc();
+                                             }),
+                                 std::bad_alloc);
+    std::atomic<std::size_t> done{0};
+    parallelFor(100, 1, [&](std::size_t begin, std::size_t end) { done += end - begin; });
+    QCOMPARE(done.load(), std::size_t{100});
 }
 
 HAIRPAINT_TEST(TestParallel, None)
