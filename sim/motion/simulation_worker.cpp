@@ -2,12 +2,15 @@
 #include "sim/motion/simulation_worker.h"
 
 #include "sim/base/mailbox.h"
+#include "sim/base/parallel.h"
 #include "sim/motion/frame_pool.h"
 #include "sim/motion/simulation.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -40,6 +43,8 @@ struct Requests
 };
 
 constexpr std::size_t kMostPuffs = 8;
+/// The simulation drops what lies behind more than a few steps, so it is advanced at least so often.
+constexpr double kLongestTickSeconds = 1.0 / 30.0;
 
 } // namespace
 
@@ -48,6 +53,7 @@ struct SimulationWorker::State
     std::function<void()> onFrame;
     Mailbox<Requests> requests;
     Mailbox<std::shared_ptr<const StrandFrame>> frames;
+    std::atomic<bool> failed = false;
     std::thread thread;
 
     void run();
@@ -64,8 +70,8 @@ public:
     {}
 
     /// Nothing will move until something arrives.
-    [[nodiscard]] bool idle() const { return !m_stale && (m_paused || m_simulation.asleep()); }
-    [[nodiscard]] Clock::time_point nextFrame() const { return m_next; }
+    [[nodiscard]] bool idle() const { return !m_simulation || (!m_stale && (m_paused || m_simulation->asleep())); }
+    [[nodiscard]] Clock::time_point nextTick() const { return m_nextTick; }
 
     void apply(Requests&& requests)
     {
@@ -74,36 +80,61 @@ public:
         if (requests.paused)
             m_paused = *requests.paused;
         if (requests.pose)
-            m_simulation.setPose(*requests.pose);
-        if (requests.input)
-            m_simulation.setInput(*requests.input);
+            m_pose = *requests.pose;
         if (requests.wind)
-            m_simulation.setWind(*requests.wind);
+            m_wind = *requests.wind;
+        const bool renewed = requests.input || requests.reset;
+        if (requests.input)
+            m_input = *std::move(requests.input);
+        if (!m_simulation && !renewed)
+            return; // It failed on this content before.
+        if (!m_simulation) {
+            m_simulation = std::make_unique<Simulation>();
+            m_simulation->setPose(m_pose);
+            m_simulation->setWind(m_wind);
+            m_simulation->setInput(m_input);
+        } else {
+            if (requests.pose)
+                m_simulation->setPose(m_pose);
+            if (requests.input)
+                m_simulation->setInput(m_input);
+            if (requests.wind)
+                m_simulation->setWind(m_wind);
+        }
         for (const PuffRequest& puff : requests.puffs)
-            m_simulation.puff(puff.centreWo, puff.velocity, puff.radiusM);
+            m_simulation->puff(puff.centreWo, puff.velocity, puff.radiusM);
         if (requests.reset)
-            m_simulation.reset();
-        m_stale = m_stale || requests.input || requests.reset;
+            m_simulation->reset();
+        m_stale = m_stale || renewed;
     }
 
     /// After a wait of any length: the clock starts anew.
     void restartClock()
     {
         m_last = Clock::now();
-        m_next = m_last;
+        m_nextTick = m_last;
+        m_nextFrame = m_last;
     }
 
-    void frame()
+    /// Advances to now, and makes a frame where one is due.
+    void tick()
     {
         const Clock::time_point now = Clock::now();
         const std::chrono::duration<double> elapsed = now - m_last;
         m_last = now;
-        // Behind by more than a frame: the frames missed are dropped, not caught up with.
-        m_next = std::max(m_next + std::chrono::duration_cast<Clock::duration>(m_period), now);
+        // Behind by more than a tick: those missed are dropped, not caught up with.
+        const auto after = [now](Clock::time_point time, double seconds) {
+            return std::max(time + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)),
+                            now);
+        };
+        m_nextTick = after(m_nextTick, std::min(m_period.count(), kLongestTickSeconds));
         if (!m_paused)
-            m_simulation.advance(elapsed.count());
+            m_simulation->advance(elapsed.count());
+        if (now < m_nextFrame && !m_stale && !m_simulation->asleep())
+            return;
+        m_nextFrame = after(m_nextFrame, m_period.count());
         const std::shared_ptr<StrandFrame> frame = m_pool.frame();
-        m_simulation.writeFrame(*frame);
+        m_simulation->writeFrame(*frame);
         frame->number = ++m_number;
         m_stale = false;
         m_frames.put(frame);
@@ -111,14 +142,25 @@ public:
             m_onFrame();
     }
 
+    /// Memory ran out somewhere within: nothing of it can be relied on.
+    void giveUp()
+    {
+        m_simulation.reset();
+        m_stale = false;
+    }
+
 private:
     Mailbox<std::shared_ptr<const StrandFrame>>& m_frames;
     const std::function<void()>& m_onFrame;
-    Simulation m_simulation;
+    std::unique_ptr<Simulation> m_simulation = std::make_unique<Simulation>(); ///< Null: it failed.
+    GroomInput m_input;                                                        ///< The last of each that was asked for.
+    Wind m_wind;
+    HeadPose m_pose;
     FramePool m_pool;
     std::chrono::duration<double> m_period{1.0 / 60.0};
     Clock::time_point m_last = Clock::now();
-    Clock::time_point m_next = m_last;
+    Clock::time_point m_nextTick = m_last;
+    Clock::time_point m_nextFrame = m_last;
     std::uint64_t m_number = 0;
     bool m_paused = false;
     bool m_stale = false; ///< The last frame does not show what is there now.
@@ -128,6 +170,7 @@ private:
 
 void SimulationWorker::State::run()
 {
+    const ArenaScope arena(Arena::Simulation);
     Runner runner(frames, onFrame);
     for (;;) {
         std::optional<Requests> arrived;
@@ -135,17 +178,24 @@ void SimulationWorker::State::run()
             arrived = requests.waitAndTake();
             runner.restartClock();
         } else {
-            arrived = requests.takeUntil(runner.nextFrame());
+            arrived = requests.takeUntil(runner.nextTick());
         }
-        if (arrived) {
-            if (arrived->stop)
-                return;
-            runner.apply(*std::move(arrived));
-            // A frame that is due comes also where more arrives all the time, faster than it is taken in.
-            if (runner.idle() || Clock::now() < runner.nextFrame())
-                continue;
+        if (arrived && arrived->stop)
+            return;
+        try {
+            if (arrived) {
+                runner.apply(*std::move(arrived));
+                // A frame that is due comes also where more arrives all the time, faster than it is taken in.
+                if (runner.idle() || Clock::now() < runner.nextTick())
+                    continue;
+            }
+            runner.tick();
+        } catch (const std::exception&) {
+            runner.giveUp();
+            failed = true;
+            if (onFrame)
+                onFrame();
         }
-        runner.frame();
     }
 }
 
@@ -204,6 +254,11 @@ void SimulationWorker::setFrameRate(double framesPerSecond)
 std::shared_ptr<const StrandFrame> SimulationWorker::takeFrame()
 {
     return m_state->frames.take().value_or(nullptr);
+}
+
+bool SimulationWorker::takeFailure()
+{
+    return m_state->failed.exchange(false);
 }
 
 } // namespace hairpaint::sim

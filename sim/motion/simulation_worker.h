@@ -11,7 +11,10 @@
 namespace hairpaint::sim {
 
 /// Every method is called from one thread (the GUI's) and returns at once. `onFrame` is called on the worker's thread
-/// after each new frame; it should only wake the GUI thread, which then calls takeFrame().
+/// after each new frame and each failure; it should only wake the GUI thread, which then calls takeFrame() and
+/// takeFailure().
+///
+/// Where memory runs out the last frame stays the newest one, and the content is tried again when it is next set.
 class SimulationWorker
 {
 public:
@@ -26,11 +29,14 @@ public:
     void puff(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);
     void reset();
     void setPaused(bool paused);
-    /// Frames a second wanted at most, 1..240; the GUI lowers it where drawing is slow.
+    /// Frames a second wanted at most, 1..240; the GUI lowers it where drawing is slow. The motion keeps its pace:
+    /// what is saved is the dependents of frames that nobody would see. New content comes at once all the same.
     void setFrameRate(double framesPerSecond);
 
     /// The newest frame since the last call, or null.
     [[nodiscard]] std::shared_ptr<const StrandFrame> takeFrame();
+    /// Whether hair could not be made, for want of memory, since the last call.
+    [[nodiscard]] bool takeFailure();
 
 private:
     struct State;

@@ -81,13 +81,15 @@ float scoreOf(const SolidGrid& grid, const std::vector<std::uint8_t>& left, cons
 
 /// Pattern search: any single move that scores better is taken; where none does, moves become smaller.
 Ellipsoid improved(const SolidGrid& grid, const std::vector<std::uint8_t>& left, Ellipsoid best,
-                   const std::array<bool, kMoves>& allowed)
+                   const std::array<bool, kMoves>& allowed, const std::function<bool()>& goesOn)
 {
     float bestScore = scoreOf(grid, left, best);
     float step = kFirstStep;
     for (int size = 0; size < kStepSizes; ++size, step *= 0.6F) {
         bool any = true;
         for (int round = 0; any && round < kMostRounds; ++round) {
+            if (!goesOn())
+                return best;
             any = false;
             for (int move = 0; move < kMoves; ++move) {
                 if (!allowed[static_cast<std::size_t>(move)])
@@ -131,9 +133,14 @@ void snapToSkin(const HeadMesh& mesh, Ellipsoid& e)
 
 } // namespace
 
-std::vector<Ellipsoid> fitEllipsoids(const HeadMesh& mesh, int count)
+std::vector<Ellipsoid> fitEllipsoids(const HeadMesh& mesh, int count, const std::function<bool(double)>& goesOn)
 {
     std::vector<Ellipsoid> result;
+    const auto mayGoOn = [&] {
+        return !goesOn || goesOn(static_cast<double>(result.size()) / static_cast<double>(count));
+    };
+    if (!mayGoOn())
+        return result;
     const SolidGrid grid = solidGridOf(mesh, kCells);
     const auto total = static_cast<double>(std::count(grid.inside.begin(), grid.inside.end(), std::uint8_t{1}));
     if (total == 0.0)
@@ -144,7 +151,7 @@ std::vector<Ellipsoid> fitEllipsoids(const HeadMesh& mesh, int count)
     const std::array<bool, kMoves> allowed{!symmetric, true, true, true, true, true, true, !symmetric, !symmetric};
 
     std::vector<std::uint8_t> left = grid.inside;
-    while (static_cast<int>(result.size()) < count) {
+    while (static_cast<int>(result.size()) < count && mayGoOn()) {
         const std::vector<int> depth = depthsOf(grid, left);
         Ellipsoid start;
         int deepest = 0;
@@ -166,7 +173,7 @@ std::vector<Ellipsoid> fitEllipsoids(const HeadMesh& mesh, int count)
         if (symmetric)
             start.centreHd.x = 0.0F;
         start.semiAxesM = glm::vec3(static_cast<float>(deepest) * grid.cellM);
-        Ellipsoid fitted = improved(grid, left, start, allowed);
+        Ellipsoid fitted = improved(grid, left, start, allowed, mayGoOn);
         if (static_cast<double>(scoreOf(grid, left, fitted)) < kLeastGain * total)
             break;
         forCellsIn(grid, fitted, [&](std::size_t index) { left[index] = 0; });

@@ -1,5 +1,7 @@
 // The worker's thread: frames come by themselves, stop where nothing moves, and the newest input is what they show.
 #include "sim/motion/simulation_worker.h"
+#include "sim/solver/solver_layout.h"
+#include "tests/support/allocation_limit.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/test_program.h"
 
@@ -9,6 +11,7 @@
 #include <atomic>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 using namespace hairpaint::sim;
 using namespace hairpaint::test;
@@ -51,7 +54,9 @@ private Q_SLOTS:
     void aPausedWorkerStillShowsNewInput();
     void stillHairStopsTheFramesUntilSomethingHappens();
     void aFrameKeptStaysAsItWas();
-    void itStopsQuicklyInTheMiddleOfAnything();
+    void itStopsInTheMiddleOfAnything();
+    void motionKeepsItsPaceWhereFewFramesAreWanted();
+    void wantOfMemoryLeavesTheLastFrameAndIsToldOnce();
 };
 
 void TestSimulationWorker::framesComeByThemselvesAndAreNumbered()
@@ -178,7 +183,7 @@ void TestSimulationWorker::aFrameKeptStaysAsItWas()
     QVERIFY(kept->groups.front().positions == positions);
 }
 
-void TestSimulationWorker::itStopsQuicklyInTheMiddleOfAnything()
+void TestSimulationWorker::itStopsInTheMiddleOfAnything()
 {
     std::shared_ptr<const StrandFrame> survivor;
     for (int i = 0; i < 20; ++i) {
@@ -195,6 +200,59 @@ void TestSimulationWorker::itStopsQuicklyInTheMiddleOfAnything()
     }
     QVERIFY(survivor); // a frame outlives its worker
     QVERIFY(!survivor->groups.empty());
+}
+
+void TestSimulationWorker::motionKeepsItsPaceWhereFewFramesAreWanted()
+{
+    SimulationWorker worker(nullptr);
+    worker.setFrameRate(2.0);
+    worker.setInput(paintedBall(400, 200));
+    worker.setWind(kBreeze);
+    double shown = 0.0;
+    std::uint64_t number = 0;
+    // More time between two frames that follow each other than one advance of the simulation covers.
+    const auto far = awaitFrame(worker, [&](const StrandFrame& frame) {
+        const bool next = frame.number == number + 1;
+        const double passed = frame.simulatedSeconds - std::exchange(shown, frame.simulatedSeconds);
+        number = frame.number;
+        return next && hasHair(frame) && passed > 12.0 * kStepSeconds;
+    });
+    QVERIFY(far);
+    // New content is not kept waiting.
+    worker.setInput(paintedBall(800, 200));
+    QVERIFY(awaitFrame(worker, [&](const StrandFrame& frame) { return frame.hairCount > far->hairCount; }));
+}
+
+void TestSimulationWorker::wantOfMemoryLeavesTheLastFrameAndIsToldOnce()
+{
+    std::atomic<int> calls{0};
+    SimulationWorker worker([&calls] { ++calls; });
+    GroomInput small = paintedBall(400, 200);
+    small.groups.front().maps.gel = uniformMap(1, {65535});
+    worker.setInput(small);
+    const auto kept = awaitFrame(worker, [](const StrandFrame& frame) { return hasHair(frame) && frame.asleep; });
+    QVERIFY(kept);
+    QVERIFY(!worker.takeFailure());
+    const int callsBefore = calls;
+    const GroomInput large = paintedBall(200'000, 2'000);
+    {
+        const AllocationLimit limit(std::size_t{1} << 18U);
+        worker.setInput(large);
+        while (calls == callsBefore)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        QVERIFY(worker.takeFailure());
+        QVERIFY(!worker.takeFailure());
+        QVERIFY(!worker.takeFrame());
+        QVERIFY(hasHair(*kept));
+        // What can't be made is not tried again and again.
+        worker.setWind(kBreeze);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        QCOMPARE(calls.load(), callsBefore + 1);
+    }
+    // It goes on with what fits, in the wind of meanwhile.
+    worker.setInput(paintedBall(800, 200));
+    QVERIFY(awaitFrame(worker, [&](const StrandFrame& f) { return f.hairCount > kept->hairCount && !f.asleep; }));
+    QVERIFY(!worker.takeFailure());
 }
 
 HAIRPAINT_TEST(TestSimulationWorker, None)
