@@ -98,7 +98,7 @@ bool ProjectFiles::saveAs()
 
 bool ProjectFiles::mayDiscard()
 {
-    m_session.editor().commitStroke();
+    m_session.document().settle();
     if (!m_session.document().modified())
         return true;
     const auto answer = QMessageBox::question(
@@ -111,7 +111,7 @@ bool ProjectFiles::mayDiscard()
 
 bool ProjectFiles::saveTo(const QString& path)
 {
-    m_session.editor().commitStroke();
+    m_session.document().settle();
     const QImage thumbnail = m_thumbnail ? m_thumbnail() : QImage();
     bool cancelled = false;
     // A copy shares tiles, so it is cheap, and the document may go on meanwhile.

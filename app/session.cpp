@@ -25,6 +25,9 @@ Session::Session(model::Project project, QObject* parent)
 Session::~Session()
 {
     m_worker.reset();
+    // Edits still open end with their owners; the views must hear of nothing any more.
+    m_editor.blockSignals(true);
+    m_document.blockSignals(true);
 }
 
 void Session::setPaused(bool paused)
@@ -53,28 +56,24 @@ void Session::setPose(const sim::HeadPose& pose)
 
 void Session::changeLight(const model::LightSettings& light, bool done)
 {
-    if (done)
-        keep(model::setLightCommand(m_document, light));
-    else
-        m_document.setPreview({.aspect = model::Change::Aspect::Environment},
-                              [light](model::Project& project) { project.light = light; });
+    if (!done || m_lightEdit.active())
+        m_document.show(m_lightEdit, {.text = model::lightStepText()}, {.aspect = model::Change::Aspect::Environment},
+                        [light](model::Project& project) { project.light = light; });
+    if (m_lightEdit.active() && done)
+        m_lightEdit.commit();
+    else if (done)
+        m_document.push(model::setLightCommand(m_document, light));
 }
 
 void Session::changeWind(const sim::Wind& wind, bool done)
 {
-    if (done)
-        keep(model::setWindCommand(m_document, wind));
-    else
-        m_document.setPreview({.aspect = model::Change::Aspect::Environment},
-                              [wind](model::Project& project) { project.wind = wind; });
-}
-
-void Session::keep(std::unique_ptr<QUndoCommand> command)
-{
-    // A command takes the place of its preview, so nobody sees the old values in between.
-    if (command == nullptr)
-        m_document.clearPreview();
-    m_document.push(std::move(command));
+    if (!done || m_windEdit.active())
+        m_document.show(m_windEdit, {.text = model::windStepText()}, {.aspect = model::Change::Aspect::Environment},
+                        [wind](model::Project& project) { project.wind = wind; });
+    if (m_windEdit.active() && done)
+        m_windEdit.commit();
+    else if (done)
+        m_document.push(model::setWindCommand(m_document, wind));
 }
 
 void Session::toggleWind()

@@ -47,13 +47,12 @@ Q_SIGNALS:
 
 private:
     void onChanged(const model::Change& change);
-    /// Ends a preview with its command; null where nothing differs.
-    void keep(std::unique_ptr<QUndoCommand> command);
     void sendInput();
     void takeFrame();
 
     model::Document m_document;
     view::EditorState m_editor;
+    model::EditSession m_lightEdit, m_windEdit; ///< What keys and drags change until they are done.
     std::shared_ptr<const sim::StrandFrame> m_frame;
     QTimer m_inputTimer; ///< Zero: fires when the event loop has nothing older to do.
     std::atomic<bool> m_frameAnnounced = false;

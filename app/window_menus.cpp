@@ -135,7 +135,7 @@ void MainWindow::buildEditMenu()
                                          .icon = "redo"});
     redo->setShortcuts({redo->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     const auto follow = [this, undo, redo, &stack, &document] {
-        // While a stroke runs, undo cancels it, whatever the stack holds.
+        // While a tool runs, undo cancels it or its last part, whatever the stack holds.
         undo->setEnabled(document.canUndo() || m_session.editor().stroking());
         redo->setEnabled(stack.canRedo());
         undo->setText(stack.canUndo() ? tr("&Undo %1").arg(inMenu(stack.undoText())) : tr("&Undo"));
@@ -143,6 +143,7 @@ void MainWindow::buildEditMenu()
     };
     connect(&stack, &QUndoStack::indexChanged, this, follow);
     connect(&document, &model::Document::changed, this, follow);
+    connect(&m_session.editor(), &view::EditorState::overlayChanged, this, follow);
     follow();
     menu.addSeparator();
     m_actions.add(menu,
@@ -235,19 +236,19 @@ void MainWindow::buildToolMenu()
     QMenu& menu = *menuBar()->addMenu(tr("&Tools"));
     view::EditorState& editor = m_session.editor();
     for (const auto& tool : editor.tools()) {
-        const QByteArray id = QByteArray("tool.") + tool->id();
+        const QByteArray id = QByteArray("tool.") + model::toolName(tool->id());
         QAction* action = m_actions.add(menu, {.id = id.constData(),
                                                .text = tool->title(),
                                                .key = tool->defaultKey(),
                                                .run =
-                                                   [&editor, name = QLatin1StringView(tool->id())] {
-                                                       if (name == QLatin1StringView("eraser"))
-                                                           editor.toggleTool(name);
+                                                   [&editor, tool = tool->id()] {
+                                                       if (tool == model::ToolId::Eraser)
+                                                           editor.toggleTool(tool);
                                                        else
-                                                           editor.setActiveTool(name);
+                                                           editor.setActiveTool(tool);
                                                    },
-                                               .icon = tool->id()});
-        m_toolBar->setKey(QLatin1StringView(tool->id()), action->shortcut());
+                                               .icon = model::toolName(tool->id())});
+        m_toolBar->setKey(tool->id(), action->shortcut());
     }
     menu.addSeparator();
     m_actions.add(

@@ -198,6 +198,7 @@ void MainWindow::copySelection()
 
 void MainWindow::cutSelection()
 {
+    m_session.document().endEdit(); // What is cut is what is there then.
     copySelection();
     const model::LayerAddress target = m_session.editor().target();
     m_session.document().push(model::clearCommand(m_session.document(), target, m_session.editor().selection(),

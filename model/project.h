@@ -1,7 +1,7 @@
 // The document's content as plain values. Copies share tiles, so they are cheap.
 #pragma once
 
-#include "model/map_spec.h"
+#include "model/change.h"
 #include "sim/groom/group_settings.h"
 #include "sim/motion/wind.h"
 #include "sim/skin/ellipsoid.h"
@@ -15,8 +15,6 @@
 
 namespace hairpaint::model {
 
-using Id = int; ///< From a counter that the file keeps; unique within the project; 0 is none.
-
 struct Layer
 {
     Id id = 0;
@@ -26,6 +24,7 @@ struct Layer
     BlendMode blend = BlendMode::Normal;
     bool locked = false;
     sim::TiledRaster raster; ///< Value channels, then coverage; unassociated.
+    friend bool operator==(const Layer&, const Layer&) = default;
 };
 
 /// Resolving starts from the spec's default. `layers` from the bottom up. Every map of a group is present.
@@ -34,6 +33,7 @@ struct MapStack
     MapKind kind = MapKind::Density;
     int size = 1024; ///< Texels a side.
     std::vector<Layer> layers;
+    friend bool operator==(const MapStack&, const MapStack&) = default;
 };
 
 struct HairGroup
@@ -45,6 +45,7 @@ struct HairGroup
     std::vector<MapStack> maps; ///< kMapKindCount, in the order of MapKind.
     [[nodiscard]] MapStack& map(MapKind kind) { return maps[static_cast<std::size_t>(kind)]; }
     [[nodiscard]] const MapStack& map(MapKind kind) const { return maps[static_cast<std::size_t>(kind)]; }
+    friend bool operator==(const HairGroup&, const HairGroup&) = default;
 };
 
 enum class UpAxis : std::uint8_t

@@ -20,13 +20,6 @@ bool sameSettings(const model::ToolSettings& a, const model::ToolSettings& b)
            a.values == b.values && a.secondValues == b.secondValues;
 }
 
-/// Tools that leave the layer as it is need none.
-bool onlyLooks(const model::Tool& tool)
-{
-    const QLatin1StringView id(tool.id());
-    return id == QLatin1StringView("picker") || id == QLatin1StringView("select");
-}
-
 /// The Length brush is ready with 15 cm.
 model::ToolSettings startSettings(const model::Project& project)
 {
@@ -49,7 +42,7 @@ EditorState::EditorState(model::Document& document, QObject* parent)
     if (!document.project().groups.empty())
         m_activeGroup = document.project().groups.front().id;
     connect(&document, &model::Document::changed, this, &EditorState::onDocumentChanged);
-    connect(&document, &model::Document::strokeMustEnd, this, &EditorState::onStrokeMustEnd);
+    connect(&document, &model::Document::editEnded, this, &EditorState::overlayChanged);
     connect(&m_selection, &model::Selection::changed, this, &EditorState::overlayChanged);
 }
 
@@ -59,7 +52,7 @@ bool EditorState::setActiveGroup(model::Id group)
 {
     if (group == m_activeGroup || m_document.project().group(group) == nullptr)
         return false;
-    onStrokeMustEnd(false);
+    commitStroke();
     m_activeGroup = group;
     Q_EMIT targetChanged();
     return true;
@@ -69,7 +62,7 @@ bool EditorState::setActiveMap(MapKind map)
 {
     if (map == m_activeMap)
         return false;
-    onStrokeMustEnd(false);
+    commitStroke();
     m_activeMap = map;
     Q_EMIT targetChanged();
     return true;
@@ -92,7 +85,7 @@ bool EditorState::setActiveLayer(model::Id layer)
 {
     if (layer == activeLayer() || m_document.project().layer(m_activeGroup, m_activeMap, layer) == nullptr)
         return false;
-    onStrokeMustEnd(false);
+    commitStroke();
     std::erase_if(m_activeLayers, [this](const model::LayerAddress& address) {
         return address.group == m_activeGroup && address.map == m_activeMap;
     });
@@ -106,32 +99,29 @@ model::LayerAddress EditorState::target() const
     return {.group = m_activeGroup, .map = m_activeMap, .layer = activeLayer()};
 }
 
-std::optional<std::size_t> EditorState::toolIndex(QLatin1StringView id) const
+std::size_t EditorState::toolIndex(model::ToolId id) const
 {
-    const auto found =
-        std::ranges::find_if(m_tools, [id](const auto& tool) { return id == QLatin1StringView(tool->id()); });
-    if (found == m_tools.end())
-        return std::nullopt;
+    const auto found = std::ranges::find_if(m_tools, [id](const auto& tool) { return tool->id() == id; });
     return static_cast<std::size_t>(found - m_tools.begin());
 }
 
-bool EditorState::setActiveTool(QLatin1StringView id)
+bool EditorState::setActiveTool(model::ToolId id)
 {
-    const std::optional<std::size_t> index = toolIndex(id);
-    if (!index || *index == m_activeTool)
+    const std::size_t index = toolIndex(id);
+    if (index == m_activeTool)
         return false;
-    onStrokeMustEnd(false);
+    commitStroke();
     m_previousTool = m_activeTool;
-    m_activeTool = *index;
+    m_activeTool = index;
     Q_EMIT activeToolChanged();
     Q_EMIT overlayChanged();
     return true;
 }
 
-void EditorState::toggleTool(QLatin1StringView id)
+void EditorState::toggleTool(model::ToolId id)
 {
     if (!setActiveTool(id))
-        setActiveTool(QLatin1StringView(m_tools[m_previousTool]->id()));
+        setActiveTool(m_tools[m_previousTool]->id());
 }
 
 bool EditorState::setToolSettings(const model::ToolSettings& settings)
@@ -167,33 +157,6 @@ bool EditorState::setWireframe(bool shown)
     return setOption(m_wireframe, shown);
 }
 
-void EditorState::setHover(const std::optional<Hover>& hover)
-{
-    if (!hover && !m_hover)
-        return;
-    m_hover = hover;
-    Q_EMIT hoverChanged();
-}
-
-QString EditorState::refusal(bool picks) const
-{
-    const model::HairGroup* group = m_document.project().group(m_activeGroup);
-    if (group == nullptr)
-        return tr("There is no hair group to paint on; add one in the Hair panel.");
-    if (picks || onlyLooks(activeTool()))
-        return {};
-    const model::Layer* layer = m_document.project().layer(m_activeGroup, m_activeMap, activeLayer());
-    if (layer == nullptr)
-        return tr("This map has no layer to paint on; add one in the Layers panel.");
-    if (!group->visible)
-        return tr("“%1” is hidden; show the group to paint on it.").arg(model::shownName(group->name));
-    if (!layer->visible)
-        return tr("“%1” is hidden; show the layer to paint on it.").arg(model::shownName(layer->name));
-    if (layer->locked)
-        return tr("“%1” is locked; unlock the layer to paint on it.").arg(model::shownName(layer->name));
-    return {};
-}
-
 template<typename Call>
 void EditorState::withTool(const Call& call)
 {
@@ -206,6 +169,39 @@ void EditorState::withTool(const Call& call)
         Q_EMIT toolSettingsChanged();
     if (hadOverlay || !tool.overlay().empty())
         Q_EMIT overlayChanged();
+}
+
+void EditorState::setHover(const std::optional<Hover>& hover)
+{
+    if (!hover && !m_hover)
+        return;
+    m_hover = hover;
+    Q_EMIT hoverChanged();
+    if (!activeTool().pending())
+        return;
+    model::ToolEvent event{.area = model::Area::Head};
+    if (hover)
+        event = {.area = hover->area, .uv = hover->uv, .point = hover->point};
+    withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.hover(event, toolContext); });
+}
+
+QString EditorState::refusal(bool picks) const
+{
+    const model::HairGroup* group = m_document.project().group(m_activeGroup);
+    if (group == nullptr)
+        return tr("There is no hair group to paint on; add one in the Hair panel.");
+    if (picks || !activeTool().paints())
+        return {};
+    const model::Layer* layer = m_document.project().layer(m_activeGroup, m_activeMap, activeLayer());
+    if (layer == nullptr)
+        return tr("This map has no layer to paint on; add one in the Layers panel.");
+    if (!group->visible)
+        return tr("“%1” is hidden; show the group to paint on it.").arg(model::shownName(group->name));
+    if (!layer->visible)
+        return tr("“%1” is hidden; show the layer to paint on it.").arg(model::shownName(layer->name));
+    if (layer->locked)
+        return tr("“%1” is locked; unlock the layer to paint on it.").arg(model::shownName(layer->name));
+    return {};
 }
 
 void EditorState::press(const model::ToolEvent& event)
@@ -240,7 +236,23 @@ void EditorState::cancelStroke()
 
 void EditorState::commitStroke()
 {
-    onStrokeMustEnd(false);
+    if (stroking())
+        withTool([](model::Tool& tool, model::ToolContext& toolContext) { tool.commit(toolContext); });
+}
+
+bool EditorState::toolKey(Qt::Key key, Qt::KeyboardModifiers modifiers)
+{
+    if (key == Qt::Key_Escape && stroking()) {
+        cancelStroke();
+        return true;
+    }
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && stroking()) {
+        commitStroke();
+        return true;
+    }
+    bool used = false;
+    withTool([&](model::Tool& tool, model::ToolContext& toolContext) { used = tool.key(key, modifiers, toolContext); });
+    return used;
 }
 
 bool EditorState::stroking() const
@@ -272,18 +284,6 @@ void EditorState::onDocumentChanged(const Change& change)
         m_selection.setRectangle(std::nullopt);
     }
     Q_EMIT targetChanged();
-}
-
-void EditorState::onStrokeMustEnd(bool undoing)
-{
-    if (!stroking())
-        return;
-    withTool([undoing](model::Tool& tool, model::ToolContext& toolContext) {
-        if (undoing)
-            tool.cancel(toolContext);
-        else
-            tool.commit(toolContext);
-    });
 }
 
 model::ToolContext EditorState::context()

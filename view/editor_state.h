@@ -43,9 +43,9 @@ public:
 
     [[nodiscard]] const std::vector<std::unique_ptr<model::Tool>>& tools() const { return m_tools; }
     [[nodiscard]] model::Tool& activeTool() const { return *m_tools[m_activeTool]; }
-    bool setActiveTool(QLatin1StringView id);
+    bool setActiveTool(model::ToolId id);
     /// Back to the tool before the last setActiveTool: E toggles brush and eraser.
-    void toggleTool(QLatin1StringView id);
+    void toggleTool(model::ToolId id);
 
     [[nodiscard]] const model::ToolSettings& toolSettings() const { return m_toolSettings; }
     bool setToolSettings(const model::ToolSettings& settings);
@@ -59,6 +59,7 @@ public:
     bool setWireframe(bool shown);
 
     [[nodiscard]] const std::optional<Hover>& hover() const { return m_hover; }
+    /// Tools with something pending hear of it too.
     void setHover(const std::optional<Hover>& hover);
 
     /// Pointer events on the skin. press() does nothing where the target layer is missing, hidden or locked: refused()
@@ -69,6 +70,8 @@ public:
     void cancelStroke();
     void commitStroke(); ///< Ends what a tool still has open (a polygon), keeping it.
     [[nodiscard]] bool stroking() const;
+    /// A key pressed over either area: Esc and Enter end what runs, others are the active tool's. False: not ours.
+    bool toolKey(Qt::Key key, Qt::KeyboardModifiers modifiers);
 
 Q_SIGNALS:
     void targetChanged(); ///< Active group, map or layer.
@@ -81,9 +84,8 @@ Q_SIGNALS:
 
 private:
     void onDocumentChanged(const model::Change& change);
-    void onStrokeMustEnd(bool undoing);
     [[nodiscard]] model::ToolContext context();
-    [[nodiscard]] std::optional<std::size_t> toolIndex(QLatin1StringView id) const;
+    [[nodiscard]] std::size_t toolIndex(model::ToolId id) const;
     bool setOption(bool& option, bool value);
     /// Why the active tool can't start on the target; empty where it can.
     [[nodiscard]] QString refusal(bool picks) const;

@@ -42,7 +42,6 @@ void HeadView::pointerPressed(const PointerSample& sample)
         return;
     state.turning.stop();
     state.puffs.interrupt();
-    state.weather->settle(); // A stroke's preview would take the place of the keys'.
     state.pressed = sample;
     state.cameraBefore = state.scene.camera;
     state.settingsBefore = state.editor.toolSettings();
@@ -229,16 +228,13 @@ bool HeadView::event(QEvent* event)
 void HeadView::keyPressEvent(QKeyEvent* event)
 {
     State& state = *m_state;
-    if (event->key() == Qt::Key_Escape && state.editor.stroking()) {
-        state.editor.cancelStroke();
-        if (state.drag == State::Drag::Stroke)
+    if (state.editor.toolKey(static_cast<Qt::Key>(event->key()), event->modifiers())) {
+        if (state.drag == State::Drag::Stroke && !state.editor.stroking())
             state.drag = State::Drag::None;
     } else if (event->key() == Qt::Key_Escape && state.drag == State::Drag::Light) {
         state.drag = State::Drag::None;
         Q_EMIT lightWanted(state.lightBefore, true);
         refreshEnvironment();
-    } else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && state.editor.stroking()) {
-        state.editor.commitStroke();
     } else if (!weatherShown() || !state.weather->handleKey(event->key(), event->modifiers())) {
         QWidget::keyPressEvent(event);
     }

@@ -286,6 +286,11 @@ void PaintView::paintOverlay(QPainter& painter) const
         }
         draw(dark);
         draw(light);
+        painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
+        painter.setBrush(QColor(255, 255, 255, 235));
+        for (const QPointF& handle : onWidget(shape.uvHandles, toWidget))
+            painter.drawRect(handleAt(handle));
+        painter.setBrush(Qt::NoBrush);
     }
 }
 

@@ -185,12 +185,9 @@ bool PaintView::event(QEvent* event)
 void PaintView::keyPressEvent(QKeyEvent* event)
 {
     EditorState& editor = m_state->editor;
-    if (event->key() == Qt::Key_Escape && editor.stroking()) {
-        editor.cancelStroke();
-        if (m_state->drag == State::Drag::Stroke)
+    if (editor.toolKey(static_cast<Qt::Key>(event->key()), event->modifiers())) {
+        if (m_state->drag == State::Drag::Stroke && !editor.stroking())
             m_state->drag = State::Drag::None;
-    } else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && editor.stroking()) {
-        editor.commitStroke();
     } else {
         QWidget::keyPressEvent(event);
     }

@@ -1,6 +1,5 @@
 // Layers added, removed, moved and changed.
-#include "model/commands/commands.h"
-#include "model/commands/slice_command.h"
+#include "model/commands/edit_command.h"
 #include "model/names.h"
 
 #include <QCoreApplication>
@@ -16,35 +15,14 @@ class Commands
     Q_DECLARE_TR_FUNCTIONS(Commands)
 };
 
-/// The layers of one map.
-struct LayersSlice
-{
-    std::vector<Layer> layers;
-    Id nextId = 1;
-
-    static LayersSlice take(const Project& project, const Change& change)
-    {
-        const HairGroup* group = project.group(change.group);
-        return {group != nullptr ? group->map(change.map).layers : std::vector<Layer>{}, project.nextId};
-    }
-    void put(Project& project, const Change& change) const
-    {
-        if (HairGroup* group = project.group(change.group))
-            group->map(change.map).layers = layers;
-        project.nextId = nextId;
-    }
-    void visitTiles(const TileHolder::Visit& visit) const { visitTilesOf(layers, visit); }
-};
-
 CommandPtr layersCommand(Document& document, Id groupId, MapKind map, const QString& text,
                          std::function<void(Project&, std::vector<Layer>&)> edit)
 {
     const Change change{.aspect = Change::Aspect::LayerList, .group = groupId, .map = map};
-    return std::make_unique<SliceCommand<LayersSlice>>(document, change, text,
-                                                       [groupId, map, edit = std::move(edit)](Project& project) {
-                                                           if (HairGroup* group = project.group(groupId))
-                                                               edit(project, group->map(map).layers);
-                                                       });
+    return editCommand(document, change, text, [groupId, map, edit = std::move(edit)](Project& project) {
+        if (HairGroup* group = project.group(groupId))
+            edit(project, group->map(map).layers);
+    });
 }
 
 std::vector<Layer>::iterator findLayer(std::vector<Layer>& layers, Id id)
@@ -113,6 +91,7 @@ LayerProperties propertiesOf(const Layer& layer)
 CommandPtr setLayerPropertiesCommand(Document& document, const LayerAddress& address, const LayerProperties& properties,
                                      const QString& text)
 {
+    document.endEdit();
     const Layer* layer = document.committed().layer(address.group, address.map, address.layer);
     if (layer == nullptr || propertiesOf(*layer) == properties)
         return nullptr;

@@ -18,8 +18,9 @@ class Clipboard
     Q_DECLARE_TR_FUNCTIONS(Clipboard)
 };
 
-const Layer* paintable(const Document& document, const LayerAddress& address)
+const Layer* paintable(Document& document, const LayerAddress& address)
 {
+    document.endEdit();
     const Layer* layer = document.committed().layer(address.group, address.map, address.layer);
     return layer != nullptr && layer->visible && !layer->locked ? layer : nullptr;
 }

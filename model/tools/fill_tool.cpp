@@ -77,7 +77,7 @@ class FillTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] const char* id() const override { return "fill"; }
+    [[nodiscard]] ToolId id() const override { return ToolId::Fill; }
     [[nodiscard]] QString title() const override { return tr("Fill"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::SHIFT | Qt::Key_G; }
     [[nodiscard]] QString hint() const override
@@ -93,13 +93,13 @@ public:
     {
         if (picksInstead(event, context) || active() || (event.area == Area::Head && !event.point))
             return;
-        if (m_edit.begin(context))
+        if (m_edit.begin(context, title()))
             fill(event.uv, context);
     }
     void move(const ToolEvent& /*event*/, ToolContext& /*context*/) override {}
     void release(const ToolEvent& /*event*/, ToolContext& context) override { commit(context); }
-    void cancel(ToolContext& context) override { m_edit.cancel(context.document); }
-    void commit(ToolContext& context) override { m_edit.commit(context.document, title()); }
+    void cancel(ToolContext& /*context*/) override { m_edit.cancel(); }
+    void commit(ToolContext& /*context*/) override { m_edit.commit(); }
     [[nodiscard]] bool active() const override { return m_edit.active(); }
 
 private:
@@ -152,19 +152,18 @@ private:
         const TilePaint paint{.value = context.settings.value(context.target.map).texel(m_edit.spec()),
                               .opacity = unit16(context.settings.opacity)};
         const int size = m_edit.size();
-        m_edit.update(context.document, tilesIn(m_edit.before(), m_edit.clips()),
-                      [&](int index, const sim::RasterTilePtr& before) {
-                          StrokeBuffer::MaskTile mask{};
-                          const sim::TexelRect rect = m_edit.before().tileRect(index);
-                          std::size_t texel = 0;
-                          for (int y = rect.y0; y < rect.y1; ++y)
-                              for (int x = rect.x0; x < rect.x1; ++x, ++texel)
-                                  mask[texel] = filled[static_cast<std::size_t>(y) * static_cast<std::size_t>(size) +
-                                                       static_cast<std::size_t>(x)] != 0
-                                                    ? 65535
-                                                    : 0;
-                          return paintTile(m_edit.spec(), before, mask, paint);
-                      });
+        m_edit.update(tilesIn(m_edit.before(), m_edit.clips()), [&](int index, const sim::RasterTilePtr& before) {
+            StrokeBuffer::MaskTile mask{};
+            const sim::TexelRect rect = m_edit.before().tileRect(index);
+            std::size_t texel = 0;
+            for (int y = rect.y0; y < rect.y1; ++y)
+                for (int x = rect.x0; x < rect.x1; ++x, ++texel)
+                    mask[texel] = filled[static_cast<std::size_t>(y) * static_cast<std::size_t>(size) +
+                                         static_cast<std::size_t>(x)] != 0
+                                      ? 65535
+                                      : 0;
+            return paintTile(m_edit.spec(), before, mask, paint);
+        });
     }
 
     LiveEdit m_edit;

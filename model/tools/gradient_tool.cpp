@@ -49,7 +49,7 @@ class GradientTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] const char* id() const override { return "gradient"; }
+    [[nodiscard]] ToolId id() const override { return ToolId::Gradient; }
     [[nodiscard]] QString title() const override { return tr("Gradient"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_G; }
     [[nodiscard]] QString hint() const override
@@ -65,7 +65,7 @@ public:
     {
         if (picksInstead(event, context) || active() || (event.area == Area::Head && !event.point))
             return;
-        if (m_edit.begin(context))
+        if (m_edit.begin(context, title()))
             m_startUv = m_endUv = event.uv;
     }
     void move(const ToolEvent& event, ToolContext& context) override
@@ -82,8 +82,8 @@ public:
         move(event, context);
         commit(context);
     }
-    void cancel(ToolContext& context) override { m_edit.cancel(context.document); }
-    void commit(ToolContext& context) override { m_edit.commit(context.document, title()); }
+    void cancel(ToolContext& /*context*/) override { m_edit.cancel(); }
+    void commit(ToolContext& /*context*/) override { m_edit.commit(); }
     [[nodiscard]] bool active() const override { return m_edit.active(); }
     [[nodiscard]] std::vector<OverlayShape> overlay() const override
     {
@@ -135,7 +135,7 @@ private:
             for (std::size_t i = begin; i < end; ++i)
                 made[i] = makeTile(tiles[i], paint);
         });
-        m_edit.replace(context.document, tiles, [&](int index, const sim::RasterTilePtr& /*before*/) {
+        m_edit.replace(tiles, [&](int index, const sim::RasterTilePtr& /*before*/) {
             return made[static_cast<std::size_t>(std::ranges::lower_bound(tiles, index) - tiles.begin())];
         });
     }

@@ -10,11 +10,13 @@ class PickerTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] const char* id() const override { return "picker"; }
+    [[nodiscard]] ToolId id() const override { return ToolId::Picker; }
     [[nodiscard]] QString title() const override { return tr("Picker"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_I; }
     [[nodiscard]] QString hint() const override { return tr("Click to take the value under the pointer"); }
     [[nodiscard]] std::vector<ToolOption> options() const override { return {ToolOption::Value}; }
+
+    [[nodiscard]] bool paints() const override { return false; }
 
     void press(const ToolEvent& event, ToolContext& context) override
     {

@@ -67,7 +67,7 @@ private Q_SLOTS:
         const auto paintAndWait = [this](float u) {
             const std::size_t before = hairs();
             key(Qt::Key_1);
-            editor().setActiveTool(QLatin1StringView("eraser"));
+            editor().setActiveTool(model::ToolId::Eraser);
             drag(m_window->paintView(), paintPoint(u, 0.5F), paintPoint(u, 0.6F));
             QTRY_VERIFY_WITH_TIMEOUT(hairs() < before, kPatienceMs);
         };

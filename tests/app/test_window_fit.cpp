@@ -121,7 +121,7 @@ private Q_SLOTS:
         };
         view::EditorState& editor = m_window->session().editor();
         for (const auto& tool : editor.tools()) {
-            editor.setActiveTool(QLatin1StringView(tool->id()));
+            editor.setActiveTool(tool->id());
             for (const model::MapSpec& spec : model::mapSpecs()) {
                 editor.setActiveMap(spec.kind);
                 measure(*m_window);

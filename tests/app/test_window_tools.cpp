@@ -225,6 +225,27 @@ private Q_SLOTS:
         QCOMPARE(stack().count(), 1);
     }
 
+    void cuttingWhileAPolygonIsOpenCutsWhatItPainted()
+    {
+        openWindow(model::newProject());
+        editor().setActiveMap(model::MapKind::Gel);
+        editor().setActiveTool(model::ToolId::Shape);
+        model::ToolSettings settings = editor().toolSettings();
+        settings.shape = model::ShapeKind::Polygon;
+        editor().setToolSettings(settings);
+        for (const auto& [u, v] : {std::pair(0.3F, 0.3F), std::pair(0.7F, 0.3F), std::pair(0.5F, 0.7F)})
+            QTest::mouseClick(&m_window->paintView(), Qt::LeftButton, {}, paintPoint(u, v));
+        QVERIFY(editor().stroking());
+        editor().selection().setRectangle(QRectF(0.4, 0.0, 0.2, 1.0));
+        key(Qt::Key_X, Qt::ControlModifier);
+        QVERIFY(!editor().stroking());
+        QCOMPARE(stack().count(), 2);
+        QCOMPARE(int(texelAt(0.5F, 0.4F)[1]), 0); // Cut.
+        QCOMPARE(int(texelAt(0.35F, 0.32F)[1]), 65535);
+        key(Qt::Key_V, Qt::ControlModifier);
+        QCOMPARE(int(texelAt(0.5F, 0.4F)[1]), 65535);
+    }
+
     void pointingAtAStylePreviewsItAndClickingKeepsIt()
     {
         openWindow(model::newProject());
@@ -344,7 +365,7 @@ private Q_SLOTS:
         QVERIFY(help != nullptr && help->isVisible());
         const QString text = help->text();
         for (const auto& tool : editor().tools())
-            QVERIFY2(text.contains(tool->title()) && text.contains(tool->hint()), tool->id());
+            QVERIFY2(text.contains(tool->title()) && text.contains(tool->hint()), model::toolName(tool->id()));
         for (const view::KeyBinding& binding : m_window->actions().bindings())
             if (!binding.action->shortcut().isEmpty())
                 QVERIFY2(text.contains(binding.action->shortcut().toString(QKeySequence::NativeText)),

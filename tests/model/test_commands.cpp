@@ -311,17 +311,20 @@ void TestCommands::thePreviewOfAPresetIsItsCommit()
     styled.groups[0].map(MapKind::Density).layers[0].raster.setUniform(3, {60000, 65535, 0, 0});
     const Preset preset = presetFrom(styled, QStringLiteral("P"));
     const Project first = document.committed();
-    document.setPreview({.aspect = Change::Aspect::GroupList}, [&](Project& project) { applyPreset(project, preset); });
+    EditSession edit;
+    document.show(edit, {.policy = EditPolicy::Drop}, {.aspect = Change::Aspect::GroupList},
+                  [&](Project& project) { applyPreset(project, preset); });
     const Project previewed = document.project();
     QVERIFY(sameProjects(document.committed(), first));
     const Id group = previewed.groups[0].id;
     const auto shown = document.resolved(group, MapKind::Density);
-    document.push(applyPresetCommand(document, preset));
+    edit.commit();
     QVERIFY(!document.previewing());
     QVERIFY(sameProjects(document.project(), previewed));
     QCOMPARE(document.resolved(group, MapKind::Density), shown); // Nothing had to be resolved again.
-    document.setPreview({.aspect = Change::Aspect::GroupList}, [](Project& project) { project.groups.clear(); });
-    document.clearPreview();
+    document.show(edit, {.policy = EditPolicy::Drop}, {.aspect = Change::Aspect::GroupList},
+                  [](Project& project) { project.groups.clear(); });
+    edit.drop();
     QVERIFY(sameProjects(document.project(), previewed));
     QVERIFY(*document.resolved(group, MapKind::Density) == *shown);
 }
@@ -334,12 +337,13 @@ void TestCommands::everyChangeRaisesTheRevision()
     document.push(setBackgroundCommand(document, 0xFF102030));
     QVERIFY(grew());
     QVERIFY(!document.groomInput().preview);
-    document.setPreview({.aspect = Change::Aspect::Environment},
-                        [](Project& project) { project.background = 0xFF302010; });
+    EditSession edit;
+    document.show(edit, {}, {.aspect = Change::Aspect::Environment},
+                  [](Project& project) { project.background = 0xFF302010; });
     QVERIFY(grew());
     QVERIFY(document.groomInput().preview);
     QCOMPARE(document.groomInput().revision, document.revision());
-    document.clearPreview();
+    edit.drop();
     QVERIFY(grew());
     document.undo();
     QVERIFY(grew());

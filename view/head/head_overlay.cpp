@@ -2,6 +2,7 @@
 #include "view/head/head_overlay.h"
 
 #include "view/head/head_camera.h"
+#include "view/painted_area.h"
 
 #include <QPainter>
 
@@ -53,6 +54,7 @@ void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, cons
                             const rendering::Camera& camera, const sim::HeadPose& pose)
 {
     m_lines.clear();
+    m_handles.clear();
     for (const model::OverlayShape& shape : shapes) {
         const qsizetype corners = shape.uvOutline.size();
         QPolygonF line;
@@ -73,13 +75,16 @@ void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, cons
         }
         if (!line.isEmpty())
             m_lines.push_back(line);
+        for (qsizetype i = 0; skin != nullptr && i < shape.uvHandles.size(); ++i)
+            if (const auto at = shownAt(shape.uvHandles[i], *skin, camera, pose, QSizeF(size())))
+                m_handles.push_back(*at);
     }
     showIfNeeded();
 }
 
 void HeadOverlay::showIfNeeded()
 {
-    setVisible(!m_message.isEmpty() || !m_lines.empty());
+    setVisible(!m_message.isEmpty() || !m_lines.empty() || !m_handles.isEmpty());
     update();
 }
 
@@ -94,6 +99,10 @@ void HeadOverlay::paintEvent(QPaintEvent*)
         for (const QPolygonF& line : m_lines)
             painter.drawPolyline(line);
     }
+    painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
+    painter.setBrush(QColor(255, 255, 255, 235));
+    for (const QPointF& handle : m_handles)
+        painter.drawRect(handleAt(handle));
     if (!m_message.isEmpty()) {
         painter.fillRect(rect(), m_theme.window);
         painter.setPen(m_theme.dimText);

@@ -33,7 +33,8 @@ private:
 
     Theme m_theme;
     QString m_message;
-    std::vector<QPolygonF> m_lines; ///< In this widget's coordinates.
+    std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next.
+    QPolygonF m_handles;
 };
 
 } // namespace hairpaint::view

@@ -1,13 +1,13 @@
 // The hair groups and the active group's settings.
 #include "view/panels/hair_panel.h"
 
+#include "model/commands/commands.h"
 #include "model/names.h"
 #include "view/panels/hair_settings.h"
 #include "view/panels/layer_list.h"
 #include "view/theme.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
-#include "view/widgets/live_edit.h"
 #include "view/widgets/section.h"
 
 #include <QCheckBox>
@@ -137,18 +137,30 @@ BarSlider* HairPanel::makeSlider(const SettingRow& row, QWidget* parent)
 
 void HairPanel::bind(BarSlider& slider, void (*write)(GroupSettings&, double))
 {
-    connect(&slider, &BarSlider::valueChanged, this, [this, write](double value) {
-        const model::Id id = m_state.activeGroup();
-        previewEdit(m_state.document(), {.aspect = Change::Aspect::Settings, .group = id},
-                    [id, write, value](model::Project& project) {
-                        if (model::HairGroup* one = project.group(id))
-                            write(one->settings, value);
-                    });
+    // A session a slider: moving one ends, and keeps, what another one left open.
+    auto session = std::make_shared<model::EditSession>();
+    const auto show = [this, &slider, session, write](double value) {
+        const model::HairGroup* shown = group();
+        if (shown == nullptr)
+            return;
+        m_state.document().show(*session, {.text = settingsText(slider.label(), *shown)},
+                                {.aspect = Change::Aspect::Settings, .group = shown->id},
+                                [id = shown->id, write, value](model::Project& project) {
+                                    if (model::HairGroup* one = project.group(id))
+                                        write(one->settings, value);
+                                });
+    };
+    connect(&slider, &BarSlider::valueChanged, this, show);
+    connect(&slider, &BarSlider::editingFinished, this, [show, session](double value) {
+        show(value);
+        session->commit();
     });
-    connect(&slider, &BarSlider::editingFinished, this, [this, &slider, write](double value) {
-        changeSettings(slider.label(), [=](GroupSettings& settings) { write(settings, value); });
-    });
-    connect(&slider, &BarSlider::editingCancelled, this, [this] { m_state.document().clearPreview(); });
+    connect(&slider, &BarSlider::editingCancelled, this, [session] { session->drop(); });
+}
+
+QString HairPanel::settingsText(const QString& what, const model::HairGroup& group)
+{
+    return tr("%1 of \"%2\"").arg(what, model::shownName(group.name));
 }
 
 void HairPanel::buildTurns(Section& section)
@@ -187,15 +199,13 @@ const model::HairGroup* HairPanel::group() const
 void HairPanel::changeSettings(const QString& what, const std::function<void(GroupSettings&)>& edit)
 {
     const model::Id id = m_state.activeGroup();
-    commitEdit(m_state.document(), [&]() -> model::CommandPtr {
-        const model::HairGroup* found = m_state.document().committed().group(id);
-        if (found == nullptr)
-            return nullptr;
-        GroupSettings settings = found->settings;
-        edit(settings);
-        return setSettingsCommand(m_state.document(), id, settings,
-                                  tr("%1 of \"%2\"").arg(what, model::shownName(found->name)));
-    });
+    m_state.document().endEdit();
+    const model::HairGroup* found = m_state.document().committed().group(id);
+    if (found == nullptr)
+        return;
+    GroupSettings settings = found->settings;
+    edit(settings);
+    m_state.document().push(setSettingsCommand(m_state.document(), id, settings, settingsText(what, *found)));
 }
 
 void HairPanel::rebuildGroups()

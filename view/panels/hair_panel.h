@@ -38,6 +38,7 @@ private:
     void rebuildGroups();
     void follow();
     [[nodiscard]] const model::HairGroup* group() const;
+    [[nodiscard]] static QString settingsText(const QString& what, const model::HairGroup& group);
     void changeSettings(const QString& what, const std::function<void(sim::GroupSettings&)>& edit);
 
     EditorState& m_state;

@@ -7,7 +7,6 @@
 #include "view/theme.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
-#include "view/widgets/live_edit.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -124,21 +123,21 @@ void LayersPanel::connectList()
 
 void LayersPanel::connectProperties()
 {
-    connect(m_opacity, &BarSlider::valueChanged, this, [this](double percent) {
+    const auto show = [this](double percent) {
         const model::LayerAddress target = m_state.target();
-        previewEdit(
-            m_state.document(),
-            {.aspect = Change::Aspect::LayerList, .group = target.group, .map = target.map, .layer = target.layer},
-            [target, percent](model::Project& project) {
-                if (Layer* layer = project.layer(target.group, target.map, target.layer))
-                    layer->opacity = static_cast<float>(percent / 100.0);
-            });
+        m_state.document().show(m_opacityEdit, {.text = tr("Layer opacity")},
+                                {.aspect = Change::Aspect::LayerList, .group = target.group, .map = target.map},
+                                [target, percent](model::Project& project) {
+                                    if (Layer* layer = project.layer(target.group, target.map, target.layer))
+                                        layer->opacity = static_cast<float>(percent / 100.0);
+                                });
+    };
+    connect(m_opacity, &BarSlider::valueChanged, this, show);
+    connect(m_opacity, &BarSlider::editingFinished, this, [this, show](double percent) {
+        show(percent);
+        m_opacityEdit.commit();
     });
-    connect(m_opacity, &BarSlider::editingFinished, this, [this](double percent) {
-        change(m_state.activeLayer(), tr("Layer opacity"),
-               [percent](LayerProperties& properties) { properties.opacity = static_cast<float>(percent / 100.0); });
-    });
-    connect(m_opacity, &BarSlider::editingCancelled, this, [this] { m_state.document().clearPreview(); });
+    connect(m_opacity, &BarSlider::editingCancelled, this, [this] { m_opacityEdit.drop(); });
     connect(m_blend, &QComboBox::activated, this, [this](int index) {
         const auto mode = static_cast<model::BlendMode>(m_blend->itemData(index).toInt());
         change(m_state.activeLayer(), tr("Layer blend mode"),
@@ -240,14 +239,13 @@ void LayersPanel::refreshThumbnails()
 void LayersPanel::change(model::Id layer, const QString& text, const std::function<void(LayerProperties&)>& edit)
 {
     const model::LayerAddress address{.group = m_state.activeGroup(), .map = m_state.activeMap(), .layer = layer};
-    commitEdit(m_state.document(), [&]() -> model::CommandPtr {
-        const Layer* found = m_state.document().committed().layer(address.group, address.map, address.layer);
-        if (found == nullptr)
-            return nullptr;
-        LayerProperties properties = model::propertiesOf(*found);
-        edit(properties);
-        return setLayerPropertiesCommand(m_state.document(), address, properties, text);
-    });
+    m_state.document().endEdit();
+    const Layer* found = m_state.document().committed().layer(address.group, address.map, address.layer);
+    if (found == nullptr)
+        return;
+    LayerProperties properties = model::propertiesOf(*found);
+    edit(properties);
+    m_state.document().push(setLayerPropertiesCommand(m_state.document(), address, properties, text));
 }
 
 void LayersPanel::addLayer()

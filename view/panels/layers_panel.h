@@ -42,6 +42,7 @@ private:
     void change(model::Id layer, const QString& text, const std::function<void(model::LayerProperties&)>& edit);
 
     EditorState& m_state;
+    model::EditSession m_opacityEdit;
     LayerList* m_list = nullptr;
     BarSlider* m_opacity = nullptr;
     QComboBox* m_blend = nullptr;

@@ -228,8 +228,8 @@ void OptionBar::showOptions()
     const model::Tool& tool = m_state.activeTool();
     const std::vector<ToolOption> options = tool.options();
     const auto has = [&options](ToolOption option) { return std::ranges::find(options, option) != options.end(); };
-    m_toolIcon->setPixmap(
-        iconPixmap(QLatin1String(tool.id()), metrics::kIcon, Theme::current().text, devicePixelRatioF()));
+    m_toolIcon->setPixmap(iconPixmap(QLatin1String(model::toolName(tool.id())), metrics::kIcon, Theme::current().text,
+                                     devicePixelRatioF()));
     m_toolName->setText(tool.title());
     m_valueBox->setVisible(has(ToolOption::Value));
     m_size->setVisible(has(ToolOption::Size));
@@ -239,7 +239,7 @@ void OptionBar::showOptions()
     m_shapeBox->setVisible(has(ToolOption::ShapeKind));
     m_gradientBox->setVisible(has(ToolOption::GradientKind));
     m_tolerance->setVisible(has(ToolOption::FillTolerance));
-    m_selectionBox->setVisible(QLatin1StringView(tool.id()) == QLatin1StringView("select"));
+    m_selectionBox->setVisible(tool.id() == model::ToolId::Select);
     follow();
 }
 

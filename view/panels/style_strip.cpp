@@ -5,7 +5,6 @@
 #include "model/names.h"
 #include "view/panels/style_tile.h"
 #include "view/theme.h"
-#include "view/widgets/live_edit.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -56,11 +55,6 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, QWidget* parent)
     m_pause.setSingleShot(true);
     m_pause.setInterval(kHoverMs);
     connect(&m_pause, &QTimer::timeout, this, [this] { wish(m_hovered, false); });
-    // Anybody else's change ends what is shown; the strip must not take that away again.
-    connect(&state.document(), &model::Document::changed, this, [this] {
-        if (m_previewing && !m_state.document().previewing())
-            m_previewing = false;
-    });
     setEntries({});
 }
 
@@ -189,37 +183,43 @@ void StyleStrip::loaded(const QString& path, const model::Result<PresetPtr>& pre
 void StyleStrip::arrived(const QString& path, const PresetPtr& preset)
 {
     if (m_toCommit == path)
-        apply(*preset);
+        apply(preset);
     else if (m_hovered == path)
         preview(preset);
 }
 
 void StyleStrip::preview(const PresetPtr& preset)
 {
-    if (!m_previewing) {
+    if (!m_edit.active()) {
         m_groupBefore = m_state.activeGroup();
         m_layerBefore = m_state.activeLayer();
     }
-    previewEdit(m_state.document(), {.aspect = Change::Aspect::GroupList},
-                [preset](model::Project& project) { applyPreset(project, *preset); });
-    m_previewing = true;
+    show(preset);
 }
 
-void StyleStrip::apply(const Preset& preset)
+void StyleStrip::show(const PresetPtr& preset)
+{
+    // Only looked at: whoever changes something else goes on from the hair that was there.
+    m_state.document().show(m_edit, {.policy = model::EditPolicy::Drop}, {.aspect = Change::Aspect::GroupList},
+                            [preset](model::Project& project) { applyPreset(project, *preset); });
+}
+
+void StyleStrip::apply(const PresetPtr& preset)
 {
     m_toCommit.clear();
     m_hovered.clear();
-    m_previewing = false;
-    m_state.document().push(applyPresetCommand(m_state.document(), preset));
+    show(preset);
+    m_edit.setText(applyPresetText(*preset));
+    m_edit.commit();
 }
 
 void StyleStrip::endPreview()
 {
     m_pause.stop();
     m_hovered.clear();
-    if (!std::exchange(m_previewing, false))
+    if (!m_edit.active())
         return;
-    m_state.document().clearPreview();
+    m_edit.drop();
     m_state.setActiveGroup(m_groupBefore);
     m_state.setActiveLayer(m_layerBefore);
 }

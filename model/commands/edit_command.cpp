@@ -1,0 +1,247 @@
+// Parts of the content taken out and put back.
+#include "model/commands/edit_command.h"
+
+#include "model/commands/undo_budget.h"
+
+#include <optional>
+#include <variant>
+
+namespace hairpaint::model {
+
+namespace {
+
+struct GroupsPart
+{
+    std::vector<HairGroup> groups;
+    Id nextId = 1;
+
+    static GroupsPart take(const Project& project, const Change& /*change*/)
+    {
+        return {project.groups, project.nextId};
+    }
+    void put(Project& project, const Change& /*change*/) const
+    {
+        project.groups = groups;
+        project.nextId = nextId;
+    }
+    friend bool operator==(const GroupsPart&, const GroupsPart&) = default;
+};
+
+/// One map.
+struct StackPart
+{
+    std::optional<MapStack> stack;
+    Id nextId = 1;
+
+    static StackPart take(const Project& project, const Change& change)
+    {
+        const HairGroup* group = project.group(change.group);
+        return {group != nullptr ? std::optional(group->map(change.map)) : std::nullopt, project.nextId};
+    }
+    void put(Project& project, const Change& change) const
+    {
+        if (HairGroup* group = project.group(change.group); group != nullptr && stack)
+            group->map(change.map) = *stack;
+        project.nextId = nextId;
+    }
+    friend bool operator==(const StackPart&, const StackPart&) = default;
+};
+
+struct SettingsPart
+{
+    sim::GroupSettings settings;
+
+    static SettingsPart take(const Project& project, const Change& change)
+    {
+        const HairGroup* group = project.group(change.group);
+        return {group != nullptr ? group->settings : sim::GroupSettings{}};
+    }
+    void put(Project& project, const Change& change) const
+    {
+        if (HairGroup* group = project.group(change.group))
+            group->settings = settings;
+    }
+    friend bool operator==(const SettingsPart&, const SettingsPart&) = default;
+};
+
+struct EnvironmentPart
+{
+    sim::Wind wind;
+    LightSettings light;
+    QRgb background = 0;
+
+    static EnvironmentPart take(const Project& project, const Change& /*change*/)
+    {
+        return {project.wind, project.light, project.background};
+    }
+    void put(Project& project, const Change& /*change*/) const
+    {
+        project.wind = wind;
+        project.light = light;
+        project.background = background;
+    }
+    friend bool operator==(const EnvironmentPart&, const EnvironmentPart&) = default;
+};
+
+struct HeadPart
+{
+    std::shared_ptr<const Head> head;
+    std::vector<sim::Ellipsoid> ellipsoids;
+
+    static HeadPart take(const Project& project, const Change& /*change*/)
+    {
+        return {project.head, project.ellipsoids};
+    }
+    void put(Project& project, const Change& /*change*/) const
+    {
+        project.head = head;
+        project.ellipsoids = ellipsoids;
+    }
+    friend bool operator==(const HeadPart& a, const HeadPart& b) { return a.head == b.head; }
+};
+
+using Part = std::variant<GroupsPart, StackPart, SettingsPart, EnvironmentPart, HeadPart>;
+
+Part partOf(const Project& project, const Change& change)
+{
+    switch (change.aspect) {
+    case Change::Aspect::LayerList:
+        return StackPart::take(project, change);
+    case Change::Aspect::Settings:
+        return SettingsPart::take(project, change);
+    case Change::Aspect::Environment:
+        return EnvironmentPart::take(project, change);
+    case Change::Aspect::Head:
+        return HeadPart::take(project, change);
+    default:
+        return GroupsPart::take(project, change);
+    }
+}
+
+void visitTilesOf(const MapStack& stack, const TileHolder::Visit& visit)
+{
+    for (const Layer& layer : stack.layers)
+        for (int index = 0; index < layer.raster.tileCount(); ++index)
+            visit(layer.raster.tile(index));
+}
+
+class EditCommand : public QUndoCommand, public TileHolder
+{
+public:
+    EditCommand(Document& document, Change change, const QString& text, std::function<void(Project&)> edit)
+        : QUndoCommand(text), m_document(document), m_change(std::move(change)), m_edit(std::move(edit))
+    {}
+
+    void redo() override
+    {
+        m_document.apply(m_change, [this](Project& project) {
+            if (m_edit == nullptr) {
+                put(m_after, project);
+                return;
+            }
+            m_before = partOf(project, m_change);
+            m_edit(project);
+            m_edit = nullptr;
+            m_after = partOf(project, m_change);
+        });
+    }
+    void undo() override
+    {
+        m_document.apply(m_change, [this](Project& project) { put(m_before, project); });
+    }
+
+    void visitTiles(const Visit& visit) const override
+    {
+        for (const std::optional<Part>* part : {&m_before, &m_after}) {
+            if (!*part)
+                continue;
+            if (const auto* groups = std::get_if<GroupsPart>(&**part))
+                for (const HairGroup& group : groups->groups)
+                    for (const MapStack& stack : group.maps)
+                        visitTilesOf(stack, visit);
+            if (const auto* stack = std::get_if<StackPart>(&**part); stack != nullptr && stack->stack)
+                visitTilesOf(*stack->stack, visit);
+        }
+    }
+    void release() override
+    {
+        m_before.reset();
+        m_after.reset();
+    }
+
+private:
+    void put(const std::optional<Part>& part, Project& project) const
+    {
+        std::visit([&](const auto& one) { one.put(project, m_change); }, part.value());
+    }
+
+    Document& m_document;
+    Change m_change;
+    std::function<void(Project&)> m_edit; ///< Until it ran.
+    std::optional<Part> m_before, m_after;
+};
+
+/// Several commands as one step.
+class JoinedCommand : public QUndoCommand, public TileHolder
+{
+public:
+    JoinedCommand(std::vector<CommandPtr> commands, const QString& text)
+        : QUndoCommand(text), m_commands(std::move(commands))
+    {}
+    void redo() override
+    {
+        for (const CommandPtr& command : m_commands)
+            command->redo();
+    }
+    void undo() override
+    {
+        for (auto command = m_commands.rbegin(); command != m_commands.rend(); ++command)
+            (*command)->undo();
+    }
+    void visitTiles(const Visit& visit) const override
+    {
+        for (const CommandPtr& command : m_commands)
+            dynamic_cast<const TileHolder&>(*command).visitTiles(visit);
+    }
+    void release() override
+    {
+        for (const CommandPtr& command : m_commands)
+            dynamic_cast<TileHolder&>(*command).release();
+    }
+
+private:
+    std::vector<CommandPtr> m_commands;
+};
+
+/// Whether the edit, run on the committed content, changes the part it may touch.
+bool changesContent(const Project& committed, const ShownPart& part)
+{
+    Project edited = committed;
+    part.edit(edited);
+    return partOf(edited, part.change) != partOf(committed, part.change);
+}
+
+} // namespace
+
+CommandPtr editCommand(Document& document, const Change& change, const QString& text,
+                       std::function<void(Project&)> edit)
+{
+    document.endEdit();
+    return std::make_unique<EditCommand>(document, change, text, std::move(edit));
+}
+
+CommandPtr shownEditCommand(Document& document, const std::vector<ShownPart>& parts, std::vector<LayerEdit> layers,
+                            const QString& text)
+{
+    std::vector<CommandPtr> commands;
+    for (const ShownPart& part : parts)
+        if (changesContent(document.committed(), part))
+            commands.push_back(editCommand(document, part.change, text, part.edit));
+    if (CommandPtr paint = paintCommand(document, std::move(layers), text))
+        commands.push_back(std::move(paint));
+    if (commands.size() < 2)
+        return commands.empty() ? nullptr : std::move(commands.front());
+    return std::make_unique<JoinedCommand>(std::move(commands), text);
+}
+
+} // namespace hairpaint::model
