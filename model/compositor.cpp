@@ -1,8 +1,11 @@
 // Resolving of layers, tile by tile.
 #include "model/compositor.h"
 
+#include "sim/base/parallel.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hairpaint::model {
 
@@ -142,6 +145,18 @@ sim::RasterTilePtr resolveTile(const MapStack& stack, int tileIndex)
     return result;
 }
 
+/// In parallel: a whole map at once when a project opens, or at each tick of a layer's opacity.
+std::vector<sim::RasterTilePtr> tilesResolved(const MapStack& stack, std::span<const int> indices)
+{
+    constexpr std::size_t kTilesAtOnce = 8;
+    std::vector<sim::RasterTilePtr> tiles(indices.size());
+    sim::parallelFor(indices.size(), kTilesAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            tiles[i] = resolveTile(stack, indices[i]);
+    });
+    return tiles;
+}
+
 /// Whether two stacks differ in their tiles alone.
 bool sameButTiles(const MapStack& a, const MapStack& b)
 {
@@ -173,8 +188,11 @@ sim::TiledRaster resolveStack(const MapStack& stack)
 {
     const MapSpec& spec = mapSpec(stack.kind);
     sim::TiledRaster result(stack.size, spec.valueChannels, spec.defaultValue);
+    std::vector<int> all(static_cast<std::size_t>(result.tileCount()));
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<sim::RasterTilePtr> tiles = tilesResolved(stack, all);
     for (int index = 0; index < result.tileCount(); ++index) {
-        sim::RasterTilePtr tile = resolveTile(stack, index);
+        sim::RasterTilePtr& tile = tiles[static_cast<std::size_t>(index)];
         if (!sameTexels(*tile, *result.tile(index)))
             result.setTile(index, std::move(tile));
     }
@@ -220,8 +238,10 @@ bool ResolvedMap::updateTiles(const MapStack& stack, Id layer, std::span<const i
 bool ResolvedMap::resolveTiles(std::span<const int> tiles)
 {
     std::shared_ptr<sim::TiledRaster> next;
-    for (const int index : tiles) {
-        sim::RasterTilePtr tile = resolveTile(m_seen, index);
+    std::vector<sim::RasterTilePtr> made = tilesResolved(m_seen, tiles);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const int index = tiles[i];
+        sim::RasterTilePtr& tile = made[i];
         if (sameTexels(*tile, *m_result->tile(index)))
             continue;
         if (next == nullptr)

@@ -107,8 +107,7 @@ bool Document::canUndo() const
 
 void Document::setUndoBudget(std::size_t bytes)
 {
-    m_state->undoBudget.setLimit(bytes);
-    m_state->undoBudget.enforce(m_state->undoStack, m_state->committed);
+    m_state->undoBudget.setLimit(m_state->undoStack, bytes);
 }
 
 bool Document::modified() const
@@ -176,7 +175,9 @@ void Document::apply(const Change& change, const std::function<void(Project&)>& 
 {
     State& state = *m_state;
     // A running edit makes room for what is applied: its own command, or an undo that knows nothing of it.
-    const std::optional<RunningEdit> over = std::exchange(state.running, std::nullopt);
+    std::optional<RunningEdit> over = std::exchange(state.running, std::nullopt);
+    if (over)
+        over->shown = {}; // Shares maps, which would be copied to be written.
     edit(state.committed);
     // Resolving compares tile pointers, so what a preview already showed costs nothing here.
     if (over)
@@ -332,7 +333,7 @@ void Document::push(std::unique_ptr<QUndoCommand> command)
         return;
     endEdit();
     m_state->undoStack.push(command.release());
-    m_state->undoBudget.enforce(m_state->undoStack, m_state->committed);
+    m_state->undoBudget.pushed(m_state->undoStack);
 }
 
 } // namespace hairpaint::model

@@ -34,18 +34,18 @@ sim::TiledRaster coveredRaster(const sim::TiledRaster& resolved)
 
 MapStack stackOf(Project& project, const HairGroup& group, const MapSpec& spec, const QString& layerName)
 {
-    const auto found = std::ranges::find(group.maps, spec.kind, &MapStack::kind);
-    if (found == group.maps.end() || found->layers.empty()) {
+    const auto found = std::ranges::find_if(group.maps, [&](const MapStack& stack) { return stack.kind == spec.kind; });
+    if (found == group.maps.end() || (*found)->layers.empty()) {
         MapStack stack{.kind = spec.kind, .layers = {}};
         if (found != group.maps.end())
-            stack.size = found->size;
+            stack.size = (*found)->size;
         stack.layers.push_back(makeLayer(project, spec, stack.size, layerName));
         return stack;
     }
-    Layer layer = found->layers.front();
+    Layer layer = (*found)->layers.front();
     layer.id = project.takeId();
     layer.name = layerName;
-    return {.kind = spec.kind, .size = found->size, .layers = {std::move(layer)}};
+    return {.kind = spec.kind, .size = (*found)->size, .layers = {std::move(layer)}};
 }
 
 } // namespace
@@ -63,7 +63,7 @@ Preset presetFrom(const Project& project, const QString& name)
         flat.settings = group.settings;
         for (const MapStack& stack : group.maps) {
             Layer layer{.id = nextId++, .name = name, .raster = coveredRaster(resolveStack(stack))};
-            flat.maps.push_back({.kind = stack.kind, .size = stack.size, .layers = {std::move(layer)}});
+            flat.maps.emplace_back(MapStack{.kind = stack.kind, .size = stack.size, .layers = {std::move(layer)}});
         }
         preset.groups.push_back(std::move(flat));
     }
@@ -87,7 +87,7 @@ void applyPreset(Project& project, const Preset& preset)
         group.visible = style.visible;
         group.settings = style.settings;
         for (const MapSpec& spec : mapSpecs())
-            group.maps.push_back(stackOf(project, style, spec, preset.name));
+            group.maps.emplace_back(stackOf(project, style, spec, preset.name));
         project.groups.push_back(std::move(group));
     }
 }

@@ -1,4 +1,4 @@
-// The document's content as plain values. Copies share tiles, so they are cheap.
+// The document's content as plain values. Copies share maps and tiles, so they are cheap.
 #pragma once
 
 #include "model/change.h"
@@ -36,15 +36,37 @@ struct MapStack
     friend bool operator==(const MapStack&, const MapStack&) = default;
 };
 
+/// A map that copies of a project share until one of them changes it: copying a project costs its groups, not its
+/// tiles. Copies may be read on other threads while this one is written.
+class SharedStack
+{
+public:
+    SharedStack(MapStack stack) : m_stack(std::make_shared<MapStack>(std::move(stack))) {}
+    operator const MapStack&() const { return *m_stack; }
+    [[nodiscard]] const MapStack* operator->() const { return m_stack.get(); }
+    [[nodiscard]] const MapStack& operator*() const { return *m_stack; }
+    /// This copy's own.
+    [[nodiscard]] MapStack& write();
+    [[nodiscard]] bool sharesWith(const SharedStack& other) const { return m_stack == other.m_stack; }
+    friend bool operator==(const SharedStack& a, const SharedStack& b)
+    {
+        return a.m_stack == b.m_stack || *a.m_stack == *b.m_stack;
+    }
+
+private:
+    std::shared_ptr<MapStack> m_stack;
+};
+
 struct HairGroup
 {
     Id id = 0;
     QString name;
     bool visible = true;
     sim::GroupSettings settings;
-    std::vector<MapStack> maps; ///< kMapKindCount, in the order of MapKind.
-    [[nodiscard]] MapStack& map(MapKind kind) { return maps[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] const MapStack& map(MapKind kind) const { return maps[static_cast<std::size_t>(kind)]; }
+    std::vector<SharedStack> maps; ///< kMapKindCount, in the order of MapKind.
+    /// To be changed: no longer shared.
+    [[nodiscard]] MapStack& map(MapKind kind) { return maps[static_cast<std::size_t>(kind)].write(); }
+    [[nodiscard]] const MapStack& map(MapKind kind) const { return *maps[static_cast<std::size_t>(kind)]; }
     friend bool operator==(const HairGroup&, const HairGroup&) = default;
 };
 

@@ -3,6 +3,7 @@
 
 #include "model/commands/undo_budget.h"
 
+#include <algorithm>
 #include <optional>
 #include <variant>
 
@@ -30,18 +31,20 @@ struct GroupsPart
 /// One map.
 struct StackPart
 {
-    std::optional<MapStack> stack;
+    std::optional<SharedStack> stack;
     Id nextId = 1;
 
     static StackPart take(const Project& project, const Change& change)
     {
         const HairGroup* group = project.group(change.group);
-        return {group != nullptr ? std::optional(group->map(change.map)) : std::nullopt, project.nextId};
+        if (group == nullptr)
+            return {std::nullopt, project.nextId};
+        return {group->maps[static_cast<std::size_t>(change.map)], project.nextId};
     }
     void put(Project& project, const Change& change) const
     {
         if (HairGroup* group = project.group(change.group); group != nullptr && stack)
-            group->map(change.map) = *stack;
+            group->maps[static_cast<std::size_t>(change.map)] = *stack;
         project.nextId = nextId;
     }
     friend bool operator==(const StackPart&, const StackPart&) = default;
@@ -118,11 +121,35 @@ Part partOf(const Project& project, const Change& change)
     }
 }
 
-void visitTilesOf(const MapStack& stack, const TileHolder::Visit& visit)
+/// Bytes of the tiles that a map had and has no more; every layer of it where it is gone.
+std::size_t bytesLost(const SharedStack& before, const SharedStack* after)
 {
-    for (const Layer& layer : stack.layers)
+    if (after != nullptr && before.sharesWith(*after))
+        return 0;
+    std::size_t bytes = 0;
+    for (const Layer& layer : before->layers) {
+        const Layer* kept = nullptr;
+        if (after != nullptr) {
+            const auto found = std::ranges::find((*after)->layers, layer.id, &Layer::id);
+            if (found != (*after)->layers.end() && found->raster.size() == layer.raster.size())
+                kept = &*found;
+        }
         for (int index = 0; index < layer.raster.tileCount(); ++index)
-            visit(layer.raster.tile(index));
+            if (kept == nullptr || kept->raster.tile(index) != layer.raster.tile(index))
+                bytes += bytesOf(layer.raster.tile(index));
+    }
+    return bytes;
+}
+
+std::size_t bytesLost(const GroupsPart& before, const GroupsPart& after)
+{
+    std::size_t bytes = 0;
+    for (const HairGroup& group : before.groups) {
+        const auto kept = std::ranges::find(after.groups, group.id, &HairGroup::id);
+        for (std::size_t map = 0; map < group.maps.size(); ++map)
+            bytes += bytesLost(group.maps[map], kept != after.groups.end() ? &kept->maps[map] : nullptr);
+    }
+    return bytes;
 }
 
 class EditCommand : public QUndoCommand, public TileHolder
@@ -150,18 +177,17 @@ public:
         m_document.apply(m_change, [this](Project& project) { put(m_before, project); });
     }
 
-    void visitTiles(const Visit& visit) const override
+    [[nodiscard]] std::size_t keptBytes() const override
     {
-        for (const std::optional<Part>* part : {&m_before, &m_after}) {
-            if (!*part)
-                continue;
-            if (const auto* groups = std::get_if<GroupsPart>(&**part))
-                for (const HairGroup& group : groups->groups)
-                    for (const MapStack& stack : group.maps)
-                        visitTilesOf(stack, visit);
-            if (const auto* stack = std::get_if<StackPart>(&**part); stack != nullptr && stack->stack)
-                visitTilesOf(*stack->stack, visit);
+        if (!m_before || !m_after)
+            return 0;
+        if (const auto* groups = std::get_if<GroupsPart>(&*m_before))
+            return bytesLost(*groups, std::get<GroupsPart>(*m_after));
+        if (const auto* map = std::get_if<StackPart>(&*m_before); map != nullptr && map->stack) {
+            const std::optional<SharedStack>& after = std::get<StackPart>(*m_after).stack;
+            return bytesLost(*map->stack, after ? &*after : nullptr);
         }
+        return 0;
     }
     void release() override
     {
@@ -198,10 +224,12 @@ public:
         for (auto command = m_commands.rbegin(); command != m_commands.rend(); ++command)
             (*command)->undo();
     }
-    void visitTiles(const Visit& visit) const override
+    [[nodiscard]] std::size_t keptBytes() const override
     {
+        std::size_t bytes = 0;
         for (const CommandPtr& command : m_commands)
-            dynamic_cast<const TileHolder&>(*command).visitTiles(visit);
+            bytes += dynamic_cast<const TileHolder&>(*command).keptBytes();
+        return bytes;
     }
     void release() override
     {

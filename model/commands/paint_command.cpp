@@ -16,11 +16,13 @@ public:
     {}
     void redo() override { swapTiles(); }
     void undo() override { swapTiles(); }
-    void visitTiles(const Visit& visit) const override
+    [[nodiscard]] std::size_t keptBytes() const override
     {
+        std::size_t bytes = 0;
         for (const LayerEdit& layer : m_layers)
             for (const auto& [index, tile] : layer.after)
-                visit(tile);
+                bytes += bytesOf(tile);
+        return bytes;
     }
     void release() override { m_layers = {}; }
 

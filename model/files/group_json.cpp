@@ -133,7 +133,7 @@ private:
             if (findMapSpec(id) == nullptr)
                 m_unknownMap = id.left(40);
         for (const MapSpec& spec : mapSpecs())
-            group.maps.push_back(parseStack(mapObjects.value(QLatin1String(spec.id)), spec));
+            group.maps.emplace_back(parseStack(mapObjects.value(QLatin1String(spec.id)), spec));
         return group;
     }
 

@@ -36,9 +36,11 @@ std::vector<Place> placesOf(std::vector<HairGroup>& groups)
 {
     std::vector<Place> places;
     for (HairGroup& group : groups)
-        for (MapStack& stack : group.maps)
+        for (SharedStack& map : group.maps) {
+            MapStack& stack = map.write();
             for (Layer& layer : stack.layers)
                 places.push_back({.stack = &stack, .layer = &layer, .entry = layerEntryName(group, stack, layer)});
+        }
     return places;
 }
 

@@ -121,8 +121,8 @@ Checked<Id> parseNextId(const QJsonObject& root)
 void fillIds(std::vector<HairGroup>& groups, Id& nextId)
 {
     for (HairGroup& group : groups)
-        for (MapStack& stack : group.maps)
-            for (Layer& layer : stack.layers)
+        for (SharedStack& map : group.maps)
+            for (Layer& layer : map.write().layers)
                 if (layer.id == 0)
                     layer.id = nextId++;
 }

@@ -347,7 +347,7 @@ private Q_SLOTS:
         // Files are the same in every language.
         const model::Project project = model::newProject();
         QCOMPARE(project.groups.front().name, QStringLiteral("Scalp"));
-        QCOMPARE(project.groups.front().maps.front().layers.front().name, QStringLiteral("Layer 1"));
+        QCOMPARE(project.groups.front().maps.front()->layers.front().name, QStringLiteral("Layer 1"));
     }
 };
 

@@ -119,12 +119,12 @@ inline QString difference(const model::Project& a, const model::Project& b)
             return QStringLiteral("group %1").arg(g);
         for (std::size_t m = 0; m < one.maps.size(); ++m) {
             const QString where = QStringLiteral("group %1, map %2").arg(g).arg(m);
-            if (one.maps[m].kind != other.maps[m].kind || one.maps[m].size != other.maps[m].size ||
-                one.maps[m].layers.size() != other.maps[m].layers.size())
+            if (one.maps[m]->kind != other.maps[m]->kind || one.maps[m]->size != other.maps[m]->size ||
+                one.maps[m]->layers.size() != other.maps[m]->layers.size())
                 return where;
-            for (std::size_t l = 0; l < one.maps[m].layers.size(); ++l) {
-                const Layer& x = one.maps[m].layers[l];
-                const Layer& y = other.maps[m].layers[l];
+            for (std::size_t l = 0; l < one.maps[m]->layers.size(); ++l) {
+                const Layer& x = one.maps[m]->layers[l];
+                const Layer& y = other.maps[m]->layers[l];
                 if (x.id != y.id || x.name != y.name || x.visible != y.visible || x.opacity != y.opacity ||
                     x.blend != y.blend || x.locked != y.locked)
                     return where + QStringLiteral(", a layer's properties");

@@ -36,7 +36,8 @@ private:
         project.head = builtInHead();
         project.groups.push_back(makeGroup(project, QStringLiteral("Fringe"), 256));
         for (HairGroup& group : project.groups)
-            for (MapStack& stack : group.maps) {
+            for (SharedStack& map : group.maps) {
+                MapStack& stack = map.write();
                 stack.layers.push_back(stack.layers.front());
                 stack.layers.back().id = project.takeId();
             }
