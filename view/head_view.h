@@ -99,6 +99,7 @@ private:
     void pointerPressed(const PointerSample& sample) override;
     void pointerMoved(const PointerSample& sample) override;
     void pointerReleased(const PointerSample& sample) override;
+    void strokeTo(const PointerSample& sample);
     void hoverAt(const PointerSample& sample);
     void blowAt(const PointerSample& sample);
     void dragLight(QPointF pixels);

@@ -55,6 +55,7 @@ struct HeadView::State
 
     Drag drag = Drag::None;
     PointerSample pressed;
+    PointerSample strokeAt; ///< Where the stroke got to.
     rendering::Camera cameraBefore;
     sim::HeadPose poseBefore;
     model::LightSettings lightBefore;
