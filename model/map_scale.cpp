@@ -68,6 +68,16 @@ double redOf(const GroupSettings& settings, double turns)
 
 } // namespace
 
+double MapScale::amount(const GroupSettings& settings, double fraction) const
+{
+    return shown(settings, fraction) * (common != nullptr ? common(settings) : 1.0);
+}
+
+double MapScale::fraction(const GroupSettings& settings, double amount) const
+{
+    return std::clamp(value(settings, amount / (common != nullptr ? common(settings) : 1.0)), 0.0, 1.0);
+}
+
 const MapScale kDensityScale{
     .unit = [](const GroupSettings&) { return Units::tr("hairs/cm²"); },
     .decimals = [](const GroupSettings& settings) { return greatestDensity(settings) < kSparse ? 1 : 0; },
@@ -88,7 +98,8 @@ const MapScale kLengthScale{
             const auto shortest = static_cast<double>(settings.shortestLengthM);
             const double range = static_cast<double>(settings.greatestLengthM) - shortest;
             return range > 0.0 ? (shown / lengthScale(settings) - shortest) / range : 0.0;
-        }};
+        },
+    .common = [](const GroupSettings& settings) { return 1.0 / lengthScale(settings); }};
 
 const MapScale kTurnsScale{.unit = turnsUnit, .decimals = always<1>, .shown = turnsAt, .value = redOf};
 

@@ -15,6 +15,12 @@ struct MapScale
     /// From a map's 0..1 to the number shown, and back; a number beyond the range gives a value beyond 0..1.
     double (*shown)(const sim::GroupSettings& settings, double value);
     double (*value)(const sim::GroupSettings& settings, double shown);
+    /// One of the unit shown, in a unit that is the same for all groups; null: they show the same one.
+    double (*common)(const sim::GroupSettings& settings) = nullptr;
+
+    /// From 0..1 to an amount that can be compared between groups, and back, clamped to 0..1.
+    [[nodiscard]] double amount(const sim::GroupSettings& settings, double fraction) const;
+    [[nodiscard]] double fraction(const sim::GroupSettings& settings, double amount) const;
 };
 
 extern const MapScale kDensityScale; ///< Hairs a square centimetre.

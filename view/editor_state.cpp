@@ -2,8 +2,10 @@
 #include "view/editor_state.h"
 
 #include "model/names.h"
+#include "view/widgets/value_text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -41,6 +43,8 @@ EditorState::EditorState(model::Document& document, QObject* parent)
 {
     if (!document.project().groups.empty())
         m_activeGroup = document.project().groups.front().id;
+    if (const sim::GroupSettings* settings = activeSettings())
+        m_amounts.take(*settings, m_toolSettings);
     connect(&document, &model::Document::changed, this, &EditorState::onDocumentChanged);
     connect(&document, &model::Document::editEnded, this, &EditorState::overlayChanged);
     connect(&m_selection, &model::Selection::changed, this, &EditorState::overlayChanged);
@@ -54,6 +58,7 @@ bool EditorState::setActiveGroup(model::Id group)
         return false;
     commitStroke();
     m_activeGroup = group;
+    followAmounts(false);
     Q_EMIT targetChanged();
     return true;
 }
@@ -128,9 +133,34 @@ bool EditorState::setToolSettings(const model::ToolSettings& settings)
 {
     if (sameSettings(settings, m_toolSettings))
         return false;
-    m_toolSettings = settings;
+    const model::ToolSettings before = std::exchange(m_toolSettings, settings);
+    if (const sim::GroupSettings* group = activeSettings())
+        m_amounts.takeChanges(*group, before, m_toolSettings);
     Q_EMIT toolSettingsChanged();
     return true;
+}
+
+const sim::GroupSettings* EditorState::activeSettings() const
+{
+    const model::HairGroup* group = m_document.project().group(m_activeGroup);
+    return group != nullptr ? &group->settings : nullptr;
+}
+
+void EditorState::followAmounts(bool tell)
+{
+    const sim::GroupSettings* settings = activeSettings();
+    if (settings == nullptr)
+        return;
+    const model::ToolSettings before = m_toolSettings;
+    const std::vector<MapKind> beyond = m_amounts.putOn(*settings, m_toolSettings);
+    if (sameSettings(before, m_toolSettings))
+        return;
+    Q_EMIT toolSettingsChanged();
+    if (tell && std::ranges::find(beyond, m_activeMap) != beyond.end()) {
+        const model::MapSpec& spec = model::mapSpec(m_activeMap);
+        Q_EMIT told(tr("%1 is painted with %2 now: this group's range ends there.")
+                        .arg(spec.titleText(), valueText(*settings, spec, m_toolSettings.value(m_activeMap))));
+    }
 }
 
 bool EditorState::setOption(bool& option, bool value)
@@ -165,8 +195,11 @@ void EditorState::withTool(const Call& call)
     const model::ToolSettings before = m_toolSettings;
     model::ToolContext toolContext = context();
     call(tool, toolContext);
-    if (!sameSettings(before, m_toolSettings))
+    if (!sameSettings(before, m_toolSettings)) {
+        if (const sim::GroupSettings* group = activeSettings())
+            m_amounts.takeChanges(*group, before, m_toolSettings);
         Q_EMIT toolSettingsChanged();
+    }
     if (hadOverlay || !tool.overlay().empty())
         Q_EMIT overlayChanged();
 }
@@ -268,10 +301,13 @@ void EditorState::onDocumentChanged(const Change& change)
         if (m_document.project().group(change.group) != nullptr) {
             m_activeGroup = change.group;
             m_activeMap = change.map;
+            followAmounts(false);
             Q_EMIT targetChanged();
         }
         return;
     }
+    if (change.aspect == Change::Aspect::Settings && change.group == m_activeGroup)
+        followAmounts(!change.preview);
     const bool listsChanged = change.aspect == Change::Aspect::LayerList ||
                               change.aspect == Change::Aspect::GroupList || change.aspect == Change::Aspect::Everything;
     if (!listsChanged)
@@ -283,6 +319,8 @@ void EditorState::onDocumentChanged(const Change& change)
         m_activeLayers.clear();
         m_selection.setRectangle(std::nullopt);
     }
+    if (change.aspect != Change::Aspect::LayerList)
+        followAmounts(!change.preview);
     Q_EMIT targetChanged();
 }
 

@@ -83,6 +83,7 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
     connect(&state, &EditorState::hoverChanged, this, &StatusReadout::followHover);
     connect(&state, &EditorState::targetChanged, this, &StatusReadout::followHover);
     connect(&state, &EditorState::refused, this, [this](const QString& reason) { showMessage(reason, true); });
+    connect(&state, &EditorState::told, this, [this](const QString& text) { showMessage(text, false); });
     follow();
 }
 
