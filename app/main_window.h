@@ -72,6 +72,7 @@ private:
     void buildFileMenu();
     void buildEditMenu();
     void buildMapMenu();
+    void buildMapSizeMenu(QMenu& menu);
     void buildToolMenu();
     void buildViewMenu();
     void buildHairMenu();

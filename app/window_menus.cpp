@@ -229,6 +229,32 @@ void MainWindow::buildMapMenu()
                          .key = QKeySequence(Qt::CTRL | Qt::Key_PageDown),
                          .run = [this] { m_sidebar->layers().moveLayer(-1); },
                          .icon = "down"});
+    menu.addSeparator();
+    buildMapSizeMenu(*menu.addMenu(tr("Map &size")));
+}
+
+void MainWindow::buildMapSizeMenu(QMenu& menu)
+{
+    menu.setObjectName(QStringLiteral("mapSizeMenu"));
+    for (int size = sim::TiledRaster::kSmallestSize; size <= sim::TiledRaster::kLargestSize; size *= 2) {
+        QAction* action = menu.addAction(tr("%1 × %1").arg(size), this, [this, size] {
+            model::Document& document = m_session.document();
+            const model::LayerAddress target = m_session.editor().target();
+            QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+            document.push(model::resizeMapCommand(document, target.group, target.map, size));
+            QGuiApplication::restoreOverrideCursor();
+        });
+        action->setCheckable(true);
+        action->setData(size);
+    }
+    connect(&menu, &QMenu::aboutToShow, &menu, [this, &menu] {
+        const view::EditorState& editor = m_session.editor();
+        const model::HairGroup* group = m_session.document().project().group(editor.activeGroup());
+        for (QAction* action : menu.actions()) {
+            action->setEnabled(group != nullptr);
+            action->setChecked(group != nullptr && group->map(editor.activeMap()).size == action->data().toInt());
+        }
+    });
 }
 
 void MainWindow::buildToolMenu()

@@ -4,6 +4,7 @@
 
 #include "model/commands/undo_budget.h"
 #include "model/compositor.h"
+#include "model/content_budget.h"
 #include "model/running_edit.h"
 
 #include <algorithm>
@@ -218,6 +219,16 @@ void Document::endEdit()
         commitEdit();
     else
         dropEdit();
+}
+
+bool Document::mayBecome(const Project& after)
+{
+    const ContentExcess excess = excessOf(after.groups);
+    // Where it is too large already, making it smaller step by step must be possible.
+    if (excess == ContentExcess::None || excessOf(m_state->committed.groups) != ContentExcess::None)
+        return true;
+    Q_EMIT refused(excessText(excess));
+    return false;
 }
 
 void Document::settle()

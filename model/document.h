@@ -58,6 +58,9 @@ public:
     void endEdit();
     /// Commits what runs, unless the user only looks: before saving.
     void settle();
+    /// Whether the content may become `after`, which must not be larger than can be saved (model/content_budget.h).
+    /// Where it may not, refused() says why. For making commands.
+    [[nodiscard]] bool mayBecome(const Project& after);
     /// Whether an edit runs that shows something.
     [[nodiscard]] bool previewing() const;
     /// The content without any preview; what files are written from.
@@ -67,6 +70,8 @@ Q_SIGNALS:
     void changed(const hairpaint::model::Change& change);
     void modifiedChanged(bool modified);
     void editEnded(); ///< A session is over, whoever ended it.
+    /// What was asked for would make the content larger than can be saved, and was not done.
+    void refused(const QString& reason);
     /// After undo() or redo() took the step of that name.
     void undone(const QString& name);
     void redone(const QString& name);

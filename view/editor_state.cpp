@@ -46,6 +46,7 @@ EditorState::EditorState(model::Document& document, QObject* parent)
     if (const sim::GroupSettings* settings = activeSettings())
         m_amounts.take(*settings, m_toolSettings);
     connect(&document, &model::Document::changed, this, &EditorState::onDocumentChanged);
+    connect(&document, &model::Document::refused, this, &EditorState::refused);
     connect(&document, &model::Document::editEnded, this, &EditorState::overlayChanged);
     connect(&m_selection, &model::Selection::changed, this, &EditorState::overlayChanged);
 }
@@ -241,6 +242,9 @@ void EditorState::press(const model::ToolEvent& event)
 {
     // With Ctrl every painting tool picks the value under the pointer.
     const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().hasRing();
+    // Somebody else's edit ends before it is asked what there is to paint on.
+    if (!picks && activeTool().paints() && !stroking())
+        m_document.endEdit();
     if (const QString reason = refusal(picks); !reason.isEmpty()) {
         Q_EMIT refused(reason);
         return;

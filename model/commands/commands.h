@@ -30,6 +30,10 @@ struct LayerEdit
 [[nodiscard]] CommandPtr removeLayerCommand(Document& document, const LayerAddress& address);
 [[nodiscard]] CommandPtr moveLayerCommand(Document& document, const LayerAddress& address, int newPosition);
 
+/// Every layer at another size (256 to 8192, a power of two): values bilinearly, weighted by coverage; indices by the
+/// nearest texel. Null where it has that size or the content would become too large.
+[[nodiscard]] CommandPtr resizeMapCommand(Document& document, Id group, MapKind map, int size);
+
 struct LayerProperties
 {
     QString name;

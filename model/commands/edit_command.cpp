@@ -255,6 +255,12 @@ CommandPtr editCommand(Document& document, const Change& change, const QString& 
                        std::function<void(Project&)> edit)
 {
     document.endEdit();
+    if (change.aspect == Change::Aspect::LayerList || change.aspect == Change::Aspect::GroupList) {
+        Project after = document.committed();
+        edit(after);
+        if (!document.mayBecome(after))
+            return nullptr;
+    }
     return std::make_unique<EditCommand>(document, change, text, std::move(edit));
 }
 
@@ -262,9 +268,14 @@ CommandPtr shownEditCommand(Document& document, const std::vector<ShownPart>& pa
                             const QString& text)
 {
     std::vector<CommandPtr> commands;
-    for (const ShownPart& part : parts)
-        if (changesContent(document.committed(), part))
-            commands.push_back(editCommand(document, part.change, text, part.edit));
+    for (const ShownPart& part : parts) {
+        if (!changesContent(document.committed(), part))
+            continue;
+        CommandPtr command = editCommand(document, part.change, text, part.edit);
+        if (command == nullptr)
+            return nullptr; // Refused: all of it or nothing.
+        commands.push_back(std::move(command));
+    }
     if (CommandPtr paint = paintCommand(document, std::move(layers), text))
         commands.push_back(std::move(paint));
     if (commands.size() < 2)

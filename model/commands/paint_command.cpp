@@ -1,6 +1,7 @@
 // Undo of painting: only the touched tiles are kept.
 #include "model/commands/commands.h"
 #include "model/commands/undo_budget.h"
+#include "model/content_budget.h"
 
 #include <algorithm>
 
@@ -53,6 +54,19 @@ private:
     std::vector<LayerEdit> m_layers; ///< What the next swap puts in.
 };
 
+/// Whether the content may take these tiles in.
+bool fits(Document& document, const std::vector<LayerEdit>& layers)
+{
+    if (!paintingMayExceed(document.committed().groups))
+        return true;
+    Project after = document.committed();
+    for (const LayerEdit& edit : layers)
+        if (Layer* layer = after.layer(edit.address.group, edit.address.map, edit.address.layer))
+            for (const auto& [index, tile] : edit.after)
+                layer->raster.setTile(index, tile);
+    return document.mayBecome(after);
+}
+
 } // namespace
 
 CommandPtr paintCommand(Document& document, std::vector<LayerEdit> layers, const QString& text)
@@ -67,7 +81,7 @@ CommandPtr paintCommand(Document& document, std::vector<LayerEdit> layers, const
         std::ranges::sort(edit.after, {}, [](const auto& entry) { return entry.first; });
     }
     std::erase_if(layers, [](const LayerEdit& edit) { return edit.after.empty(); });
-    if (layers.empty())
+    if (layers.empty() || !fits(document, layers))
         return nullptr;
     return std::make_unique<PaintCommand>(document, std::move(layers), text);
 }

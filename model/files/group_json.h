@@ -1,17 +1,14 @@
 // Hair groups as JSON, shared by projects and presets. Keys, ranges and defaults: hairpaint_format.md.
 #pragma once
 
+#include "model/content_budget.h"
 #include "model/files/sentences.h"
-#include "model/project.h"
 
 #include <QJsonArray>
 #include <QSet>
 
 namespace hairpaint::model {
 
-inline constexpr int kMostGroups = 256;
-inline constexpr int kMostLayersInMap = 256;
-inline constexpr int kMostLayers = 4096;
 inline constexpr Id kGreatestNextId = 2'000'000'000;
 
 [[nodiscard]] QJsonArray groupsToJson(const std::vector<HairGroup>& groups);

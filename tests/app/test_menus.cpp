@@ -66,6 +66,30 @@ private Q_SLOTS:
         document.undo();
     }
 
+    void theMapMenuShowsAndChangesTheMapsSize()
+    {
+        model::Document& document = m_window->session().document();
+        const view::EditorState& editor = m_window->session().editor();
+        const auto size = [&] {
+            return document.committed().group(editor.activeGroup())->map(editor.activeMap()).size;
+        };
+        auto* menu = m_window->findChild<QMenu*>(QStringLiteral("mapSizeMenu"));
+        QVERIFY(menu != nullptr);
+        const int before = size();
+        Q_EMIT menu->aboutToShow();
+        QAction* half = nullptr;
+        for (QAction* action : menu->actions()) {
+            QCOMPARE(action->isChecked(), action->data().toInt() == before);
+            if (action->data().toInt() == before / 2)
+                half = action;
+        }
+        QVERIFY(half != nullptr);
+        half->trigger();
+        QCOMPARE(size(), before / 2);
+        document.undo();
+        QCOMPARE(size(), before);
+    }
+
     void theAreasShownAreTicked()
     {
         QVERIFY(checked("view.both"));

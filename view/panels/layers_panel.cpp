@@ -1,6 +1,7 @@
 // The layers of the active map.
 #include "view/panels/layers_panel.h"
 
+#include "model/commands/commands.h"
 #include "model/names.h"
 #include "view/panels/layer_list.h"
 #include "view/panels/map_thumbnail.h"
@@ -277,7 +278,8 @@ void LayersPanel::duplicateLayer()
     m_state.document().push(insertLayerCommand(m_state.document(), m_state.activeGroup(), m_state.activeMap(),
                                                std::move(copy), position,
                                                tr("Duplicate layer \"%1\"").arg(model::shownName(layer->name))));
-    if (const model::MapStack* after = stack(); after != nullptr)
+    // A document that is full takes no more.
+    if (const model::MapStack* after = stack(); after != nullptr && position < std::ssize(after->layers))
         m_state.setActiveLayer(after->layers[static_cast<std::size_t>(position)].id);
 }
 
