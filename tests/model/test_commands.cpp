@@ -111,7 +111,6 @@ private Q_SLOTS:
     void aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName();
     void aPresetFlattensWhatIsShown();
     void thePreviewOfAPresetIsItsCommit();
-    void everyChangeRaisesTheRevision();
     void theDocumentKnowsWhetherItIsSaved();
     void theHistoryForgetsItsOldestStepsWithinItsBudget();
     void sharedTilesCostTheHistoryNothing();
@@ -327,28 +326,6 @@ void TestCommands::thePreviewOfAPresetIsItsCommit()
     edit.drop();
     QVERIFY(sameProjects(document.project(), previewed));
     QVERIFY(*document.resolved(group, MapKind::Density) == *shown);
-}
-
-void TestCommands::everyChangeRaisesTheRevision()
-{
-    Document document(patchProject());
-    std::uint64_t last = document.revision();
-    const auto grew = [&] { return document.revision() > std::exchange(last, document.revision()); };
-    document.push(setBackgroundCommand(document, 0xFF102030));
-    QVERIFY(grew());
-    QVERIFY(!document.groomInput().preview);
-    EditSession edit;
-    document.show(edit, {}, {.aspect = Change::Aspect::Environment},
-                  [](Project& project) { project.background = 0xFF302010; });
-    QVERIFY(grew());
-    QVERIFY(document.groomInput().preview);
-    QCOMPARE(document.groomInput().revision, document.revision());
-    edit.drop();
-    QVERIFY(grew());
-    document.undo();
-    QVERIFY(grew());
-    document.replace(patchProject());
-    QVERIFY(grew());
 }
 
 void TestCommands::theDocumentKnowsWhetherItIsSaved()

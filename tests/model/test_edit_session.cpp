@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <random>
+#include <utility>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -51,6 +52,7 @@ private Q_SLOTS:
     void anEditEndsWithItsOwner();
     void aPendingPolygonShowsItsCornersAndTheNextLine();
     void anyEditsPreviewEqualsItsCommitAndUndoGivesBackTheStart();
+    void everyChangeRaisesTheRevision();
 };
 
 void TestEditSession::anotherEditCommitsWhatIsChanged()
@@ -283,6 +285,28 @@ void TestEditSession::anyEditsPreviewEqualsItsCommitAndUndoGivesBackTheStart()
     while (document.canUndo())
         document.undo();
     QVERIFY(sameProjects(document.committed(), start));
+}
+
+void TestEditSession::everyChangeRaisesTheRevision()
+{
+    Document document(patchProject());
+    std::uint64_t last = document.revision();
+    const auto grew = [&] { return document.revision() > std::exchange(last, document.revision()); };
+    document.push(setBackgroundCommand(document, 0xFF102030));
+    QVERIFY(grew());
+    QVERIFY(!document.groomInput().preview);
+    EditSession edit;
+    document.show(edit, {}, {.aspect = Change::Aspect::Environment},
+                  [](Project& project) { project.background = 0xFF302010; });
+    QVERIFY(grew());
+    QVERIFY(document.groomInput().preview);
+    QCOMPARE(document.groomInput().revision, document.revision());
+    edit.drop();
+    QVERIFY(grew());
+    document.undo();
+    QVERIFY(grew());
+    document.replace(patchProject());
+    QVERIFY(grew());
 }
 
 HAIRPAINT_TEST(TestEditSession, Gui)
