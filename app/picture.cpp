@@ -4,11 +4,10 @@
 #include "view/gl_problem.h"
 #include "view/scene_light.h"
 
-#include "model/files/sentences.h"
+#include "model/files/atomic_file.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QSaveFile>
 
 namespace hairpaint::app {
 
@@ -70,17 +69,14 @@ model::Result<QImage> PictureMaker::take(const model::Project& project, std::sha
 
 model::Result<void> writePicture(const QImage& picture, const QString& path)
 {
-    if (const model::Checked<void> writable = model::checkWritable(path); !writable)
-        return model::cannotWrite(path, writable.error());
     // Into memory first: libpng would tell of a full disk on standard error, in a line of its own.
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    QSaveFile file(path);
     if (!picture.save(&buffer, "PNG"))
         return model::cannotWrite(path, {.text = QCoreApplication::translate("Picture", "there is no picture")});
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return model::cannotWrite(path, {.text = file.errorString()});
+    if (const model::Checked<void> written = model::writeFile(path, bytes); !written)
+        return model::cannotWrite(path, written.error());
     return {};
 }
 

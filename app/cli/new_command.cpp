@@ -63,10 +63,7 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
         return model::failure(
             CommandLine::tr("'%1' goes to the hair group '%2', and the project has none of that name.")
                 .arg(argument.image, argument.group));
-    const model::Result<model::ForeignImage> image = model::ImporterClient().readImage(argument.image);
-    if (!image)
-        return tl::unexpected(image.error());
-    model::Result<sim::TiledRaster> raster = model::layerFromImage(*image, *argument.spec, argument.grey, 0);
+    model::Result<sim::TiledRaster> raster = model::layerFromFile(argument.image, *argument.spec, argument.grey, 0);
     if (!raster)
         return tl::unexpected(raster.error());
     model::MapStack& stack = group->map(argument.spec->kind);

@@ -194,6 +194,34 @@ QJsonObject stackToJson(const MapStack& stack)
 
 } // namespace
 
+Id nextIdOf(const std::vector<HairGroup>& groups)
+{
+    Id next = 1;
+    for (const HairGroup& group : groups) {
+        next = std::max(next, group.id + 1);
+        for (const MapStack& stack : group.maps)
+            for (const Layer& layer : stack.layers)
+                next = std::max(next, layer.id + 1);
+    }
+    return next;
+}
+
+bool idsFit(const std::vector<HairGroup>& groups, Id nextId)
+{
+    return std::max(nextId, nextIdOf(groups)) <= kGreatestNextId;
+}
+
+void renumber(std::vector<HairGroup>& groups, Id& nextId)
+{
+    nextId = 1;
+    for (HairGroup& group : groups) {
+        group.id = nextId++;
+        for (MapStack& stack : group.maps)
+            for (Layer& layer : stack.layers)
+                layer.id = nextId++;
+    }
+}
+
 QJsonArray groupsToJson(const std::vector<HairGroup>& groups)
 {
     QJsonArray array;

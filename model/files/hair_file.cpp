@@ -2,11 +2,10 @@
 // another: segments, points, thickness, transparency, colours.
 #include "model/files/hair_file.h"
 
-#include "model/files/sentences.h"
+#include "model/files/atomic_file.h"
 #include "sim/base/parallel.h"
 #include "sim/groom/strand_curve.h"
 
-#include <QSaveFile>
 #include <QtEndian>
 
 #include <algorithm>
@@ -127,27 +126,15 @@ std::array<char, kHeaderBytes> makeHeader(std::size_t strands, std::size_t point
     return header;
 }
 
-/// Writes in pieces and remembers the first failure.
-class Output
+template<typename T>
+void writeArray(AtomicFile& file, const std::vector<T>& values)
 {
-public:
-    explicit Output(QSaveFile& file) : m_file(file) {}
-    template<typename T>
-    void write(const std::vector<T>& values)
-    {
-        write(reinterpret_cast<const char*>(values.data()), static_cast<qint64>(values.size()) * qint64{sizeof(T)});
-    }
-    void write(const char* bytes, qint64 count) { m_ok = m_ok && m_file.write(bytes, count) == count; }
-    [[nodiscard]] bool ok() const { return m_ok; }
-
-private:
-    QSaveFile& m_file;
-    bool m_ok = true;
-};
+    file.write({reinterpret_cast<const char*>(values.data()), static_cast<qsizetype>(values.size() * sizeof(T))});
+}
 
 /// One value per point, computed from the strand and the share of the way to the tip.
 template<typename T, typename Function>
-void writePerPoint(Output& output, const std::vector<Strand>& strands, const Function& function)
+void writePerPoint(AtomicFile& file, const std::vector<Strand>& strands, const Function& function)
 {
     constexpr std::size_t kPiece = 1U << 16U;
     std::vector<T> values;
@@ -155,51 +142,53 @@ void writePerPoint(Output& output, const std::vector<Strand>& strands, const Fun
         for (int i = 0; i <= strand.segments; ++i)
             values.push_back(function(strand, static_cast<float>(i) / static_cast<float>(strand.segments)));
         if (values.size() >= kPiece) {
-            output.write(values);
+            writeArray(file, values);
             values.clear();
         }
     }
-    output.write(values);
+    writeArray(file, values);
 }
 
-} // namespace
-
-Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path)
+Result<void> write(const sim::StrandFrame& frame, const QString& path)
 {
     const std::vector<Strand> strands = collectStrands(frame);
     const std::size_t pointCount = strands.empty() ? 0 : strands.back().endPoint();
     if (pointCount > std::numeric_limits<quint32>::max())
         return cannotWrite(path,
                            {.text = say(QT_TRANSLATE_NOOP("Files", "the hair has too many points for this format"))});
-    if (const Checked<void> writable = checkWritable(path); !writable)
-        return cannotWrite(path, writable.error());
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return cannotWrite(path, {.text = file.errorString()});
-    Output output(file);
+    AtomicFile file(path);
+    if (const Checked<void> opened = file.open(); !opened)
+        return cannotWrite(path, opened.error());
     const std::array<char, kHeaderBytes> header = makeHeader(strands.size(), pointCount);
-    output.write(header.data(), static_cast<qint64>(header.size()));
+    file.write({header.data(), static_cast<qsizetype>(header.size())});
     std::vector<quint16> segments;
     segments.reserve(strands.size());
     for (const Strand& strand : strands)
         segments.push_back(static_cast<quint16>(strand.segments));
-    output.write(segments);
+    writeArray(file, segments);
     // All points of much curled hair would be gigabytes.
     constexpr std::size_t kAtOnce = 1U << 15U;
-    for (std::size_t first = 0; first < strands.size(); first += kAtOnce)
-        output.write(evaluate(frame, std::span(strands).subspan(first, std::min(kAtOnce, strands.size() - first))));
-    writePerPoint<float>(output, strands, [&](const Strand& s, float) { return styleOf(frame, s).widthM; });
-    writePerPoint<float>(output, strands, [&](const Strand& s, float share) {
+    for (std::size_t first = 0; first < strands.size() && !file.failed(); first += kAtOnce)
+        writeArray(file, evaluate(frame, std::span(strands).subspan(first, std::min(kAtOnce, strands.size() - first))));
+    writePerPoint<float>(file, strands, [&](const Strand& s, float) { return styleOf(frame, s).widthM; });
+    writePerPoint<float>(file, strands, [&](const Strand& s, float share) {
         const sim::StrandMaterial& material = frame.groups[s.group].groom->settings.material;
         return 1.0F - (material.rootAlpha + (material.tipAlpha - material.rootAlpha) * share);
     });
-    writePerPoint<glm::vec3>(output, strands, [&](const Strand& s, float share) {
+    writePerPoint<glm::vec3>(file, strands, [&](const Strand& s, float share) {
         const sim::StrandStyle& style = styleOf(frame, s);
         return glm::mix(colourOf(style.rootColour), colourOf(style.tipColour), share);
     });
-    if (!output.ok() || !file.commit())
-        return cannotWrite(path, {.text = file.errorString()});
+    if (const Checked<void> written = file.commit(); !written)
+        return cannotWrite(path, written.error());
     return {};
+}
+
+} // namespace
+
+Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path)
+{
+    return withinMemory(path, cannotWrite, [&] { return write(frame, path); });
 }
 
 } // namespace hairpaint::model

@@ -2,6 +2,7 @@
 #include "model/files/image_map.h"
 
 #include "model/files/image_resample.h"
+#include "model/files/sentences.h"
 
 #include <QCoreApplication>
 
@@ -126,6 +127,17 @@ Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec
     if (fits || !spec.bilinear())
         return resampleNearest(image.width, image.height, readRow, target, spec.layerChannels());
     return resampleBilinear(image.width, image.height, readRow, target, spec.layerChannels(), spec.defaultValue);
+}
+
+Result<sim::TiledRaster> layerFromFile(const QString& path, const MapSpec& spec, bool grey, int size,
+                                       const Progress& progress)
+{
+    return withinMemory(path, cannotOpen, [&]() -> Result<sim::TiledRaster> {
+        const Result<ForeignImage> image = ImporterClient().readImage(path, progress);
+        if (!image)
+            return tl::unexpected(image.error());
+        return layerFromImage(*image, spec, grey, size);
+    });
 }
 
 ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec)

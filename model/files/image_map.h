@@ -12,6 +12,10 @@ namespace hairpaint::model {
 [[nodiscard]] Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec& spec, bool grey,
                                                       int size);
 
+/// The same from a file of any format that the helper program reads.
+[[nodiscard]] Result<sim::TiledRaster> layerFromFile(const QString& path, const MapSpec& spec, bool grey, int size,
+                                                     const Progress& progress = {});
+
 /// A resolved map as an image in its scale, white to colour as in the paper.
 [[nodiscard]] ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec);
 

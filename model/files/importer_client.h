@@ -28,6 +28,10 @@ public:
     [[nodiscard]] Result<sim::HeadMesh> readMesh(const QString& path, const Progress& progress = {}) const;
 
 private:
+    [[nodiscard]] Result<ForeignImage> decodeImage(const QString& path, const Progress& progress) const;
+    [[nodiscard]] Result<sim::HeadMesh> decodeMesh(const QString& path, const Progress& progress) const;
+    [[nodiscard]] Result<void> encodeImage(const ForeignImage& image, const QString& path, int bits) const;
+
     QString m_helperPath;
     int m_timeoutMs;
 };

@@ -204,18 +204,6 @@ QByteArray toBytes(QJsonObject root, const char* format)
     return QJsonDocument(root).toJson(QJsonDocument::Indented);
 }
 
-Id nextIdOf(const std::vector<HairGroup>& groups)
-{
-    Id next = 1;
-    for (const HairGroup& group : groups) {
-        next = std::max(next, group.id + 1);
-        for (const MapStack& stack : group.maps)
-            for (const Layer& layer : stack.layers)
-                next = std::max(next, layer.id + 1);
-    }
-    return next;
-}
-
 } // namespace
 
 Checked<QByteArray> projectToJson(const Project& project)
