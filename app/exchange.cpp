@@ -5,6 +5,7 @@
 #include "app/heads.h"
 #include "app/library.h"
 #include "app/picture.h"
+#include "app/save_dialog.h"
 #include "model/commands/commands.h"
 #include "model/files/hair_file.h"
 #include "model/files/image_map.h"
@@ -65,12 +66,7 @@ void Exchange::importImageFrom(const QString& path, bool grey)
     bool cancelled = false;
     model::Result<sim::TiledRaster> raster = runInBackground<sim::TiledRaster>(
         &m_window, tr("Reading %1…").arg(QFileInfo(path).fileName()),
-        [&](const model::Progress& progress) -> model::Result<sim::TiledRaster> {
-            const model::Result<model::ForeignImage> image = model::ImporterClient().readImage(path, progress);
-            if (!image)
-                return tl::unexpected(image.error());
-            return model::layerFromImage(*image, spec, grey, size);
-        },
+        [&](const model::Progress& progress) { return model::layerFromFile(path, spec, grey, size, progress); },
         &cancelled);
     if (cancelled)
         return;
@@ -223,13 +219,11 @@ void Exchange::complain(const QString& message)
 
 QString Exchange::askSavePath(const QString& title, const QString& name, const QString& filter, const QString& suffix)
 {
-    QString path = QFileDialog::getSaveFileName(
-        &m_window, title, m_settings.lastFolder() + QLatin1Char('/') + name + QLatin1Char('.') + suffix, filter);
-    if (path.isEmpty())
-        return {};
-    if (QFileInfo(path).suffix().isEmpty())
-        path += QLatin1Char('.') + suffix;
-    m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    const QString suggested = m_settings.lastFolder() + QLatin1Char('/') + name + QLatin1Char('.') + suffix;
+    const QString path =
+        app::askSavePath(m_window, {.title = title, .suggestedPath = suggested, .filter = filter, .suffix = suffix});
+    if (!path.isEmpty())
+        m_settings.setLastFolder(QFileInfo(path).absolutePath());
     return path;
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/background_task.h"
 #include "app/library.h"
+#include "app/save_dialog.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -87,13 +88,11 @@ bool ProjectFiles::saveAs()
     const QString suggested =
         m_path.isEmpty() ? m_settings.lastFolder() + QLatin1Char('/') + displayName() + QStringLiteral(".hairpaint")
                          : m_path;
-    QString path =
-        QFileDialog::getSaveFileName(&m_window, tr("Save project"), suggested, tr("Hair Paint projects (*.hairpaint)"));
-    if (path.isEmpty())
-        return false;
-    if (QFileInfo(path).suffix().isEmpty())
-        path += QStringLiteral(".hairpaint");
-    return saveTo(path);
+    const QString path = askSavePath(m_window, {.title = tr("Save project"),
+                                                .suggestedPath = suggested,
+                                                .filter = tr("Hair Paint projects (*.hairpaint)"),
+                                                .suffix = QStringLiteral("hairpaint")});
+    return !path.isEmpty() && saveTo(path);
 }
 
 bool ProjectFiles::mayDiscard()
