@@ -26,7 +26,7 @@ void visitSettings(Fields& fields, Settings& s)
     fields.number("greatest_length_m", s.greatestLengthM, 0.001F, 2.0F);
     fields.number("shortest_length_m", s.shortestLengthM, 0.0F, 2.0F);
     fields.number("hair_width_m", s.hairWidthM, 1e-5F, 1e-3F);
-    fields.integer("nodes_per_hair", s.nodesPerHair, 4, 32);
+    fields.integer("nodes_per_hair", s.nodesPerHair, sim::kLeastNodes, sim::kMostNodes);
     fields.integer("basis_hairs", s.basisHairs, 256, 1'000'000);
     fields.choice("turns_mode", s.turnsMode, kTurnsModes);
     fields.boolean("stepped_turns", s.steppedTurns);

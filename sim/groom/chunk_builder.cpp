@@ -12,8 +12,6 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr std::size_t kMostNodes = 32;
-
 RootPlace placeOf(const RootSet& roots, std::uint32_t slot)
 {
     return {roots.positionHd[slot], roots.normalHd[slot]};

@@ -16,7 +16,6 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr float kShortestBasisM = 0.005F; ///< A shorter one's displacement in units of its length means nothing.
-constexpr std::size_t kMostNodes = 32;
 constexpr std::size_t kBasisGrain = 256;
 
 MapSamplers samplersOf(const GroupMaps& maps)
@@ -44,7 +43,7 @@ bool sameMaps(const GroupMaps& a, const GroupMaps& b)
 
 GroupSettings withinLimits(GroupSettings settings)
 {
-    settings.nodesPerHair = std::clamp(settings.nodesPerHair, 4, static_cast<int>(kMostNodes));
+    settings.nodesPerHair = std::clamp(settings.nodesPerHair, kLeastNodes, kMostNodes);
     return settings;
 }
 

@@ -36,6 +36,10 @@ struct StrandMaterial
     friend bool operator==(const StrandMaterial&, const StrandMaterial&) = default;
 };
 
+/// Nodes of a skeleton, root and tip included.
+inline constexpr int kLeastNodes = 4;
+inline constexpr int kMostNodes = 32;
+
 /// SI units. A map value of 1 means the `greatest...` of its kind.
 struct GroupSettings
 {
@@ -43,7 +47,7 @@ struct GroupSettings
     float greatestLengthM = 0.30F;       ///< 0.001..2.
     float shortestLengthM = 0.0F;        ///< The length where the map is 0.
     float hairWidthM = 80e-6F;           ///< Diameter, 10e-6..1e-3.
-    int nodesPerHair = 8;                ///< 4..32, root and tip included.
+    int nodesPerHair = 8;                ///< kLeastNodes..kMostNodes.
     int basisHairs = 4096;               ///< Of the candidates, the solved ones; 256..1,000,000.
     TurnsMode turnsMode = TurnsMode::PerHair;
     bool steppedTurns = false;          ///< Table 1's levels only.

@@ -101,16 +101,22 @@ glm::vec3 braidOffset(float t, float w)
     return {cosDet(t + w), 0.0F, sinDet(2.0F * (t + w))};
 }
 
-int segmentsOf(const StrandStyle& style, int nodes)
+int curveSegmentsOf(const StrandStyle& style)
 {
-    float segments = static_cast<float>(nodes - 1) * 2.0F;
+    float segments = 0.0F;
     if (style.curlRadiusM > 0.0F)
-        segments = std::max(segments, style.turns * kPointsPerTurn);
+        segments = style.turns * kPointsPerTurn;
     // A wisp swings twice across the braid while it swings once along its width.
     if ((style.braid & 0xFFU) != 0)
         segments =
             std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F));
-    return static_cast<int>(std::ceil(std::clamp(segments, 1.0F, kMostSegments)));
+    return static_cast<int>(std::ceil(std::clamp(segments, 0.0F, kMostSegments)));
+}
+
+int segmentsOf(const StrandStyle& style, int nodes)
+{
+    constexpr int kMost = static_cast<int>(kMostSegments);
+    return std::clamp(std::max((nodes - 1) * 2, curveSegmentsOf(style)), 1, kMost);
 }
 
 glm::vec3 frameTangentHd(const Groom& groom, std::uint32_t slot)

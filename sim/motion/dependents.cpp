@@ -111,8 +111,8 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
 {
     const auto nodes = static_cast<std::size_t>(groom.nodes);
     const BasisStyles& basis = *groom.basis;
-    std::array<glm::vec3, kMaxNodes> rest;
-    std::array<glm::vec3, kMaxNodes> centre;
+    std::array<glm::vec3, kMostNodes> rest;
+    std::array<glm::vec3, kMostNodes> centre;
     for (const std::uint16_t slot : chunk.braided) {
         const std::size_t basisIndex = chunk.styles->braidCentre[slot];
         readStrand(chunk.styles->restPositions.data(), groom.nodes, slot, std::span(rest).first(nodes));

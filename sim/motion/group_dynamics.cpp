@@ -143,8 +143,8 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
     const float pull = std::sqrt(glm::dot(gravity, gravity));
     const glm::vec3 down = pull > 0.0F ? gravity / pull : glm::vec3(0.0F, -1.0F, 0.0F);
     parallelFor(alone.blocks, 4, [&](std::size_t begin, std::size_t end) {
-        std::array<glm::vec3, kMaxNodes> shape;
-        std::array<glm::vec3, kMaxNodes> hanging;
+        std::array<glm::vec3, kMostNodes> shape;
+        std::array<glm::vec3, kMostNodes> hanging;
         std::array<float, kMaxColliders> scales{};
         for (std::size_t i = begin * kLanes; i < std::min(end * kLanes, strands.size()); ++i) {
             const std::size_t strand = strands[i];
@@ -178,7 +178,7 @@ void GroupDynamics::reset()
         return;
     const auto nodes = static_cast<std::size_t>(m_groom->nodes);
     parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
-        std::array<glm::vec3, kMaxNodes> rest;
+        std::array<glm::vec3, kMostNodes> rest;
         for (std::size_t strand = begin * kLanes; strand < end * kLanes; ++strand) {
             if (m_state.field(strand, kStill) >= kUnwanted)
                 continue;

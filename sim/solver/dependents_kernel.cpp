@@ -100,7 +100,7 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
 {
     const hn::CappedTag<float, kLanes> d;
     const auto nodes = static_cast<std::size_t>(task.nodes);
-    HWY_ALIGN float mean[std::size_t{kMaxNodes} * kLanes * 4];
+    HWY_ALIGN float mean[std::size_t{kMostNodes} * kLanes * 4];
     for (std::size_t i = 0; i < nodes * kLanes * 4; ++i)
         mean[i] = 0.0F;
     for (std::size_t block = begin; block < end; ++block) {

@@ -311,7 +311,7 @@ void StepBlocks(const SolverBlocks& blocks, const GroupGains& gains, const Colli
 {
     const hn::CappedTag<float, kLanes> d;
     const std::size_t lanesAtOnce = hn::Lanes(d);
-    HWY_ALIGN float scratch[std::size_t{kMaxNodes} * 3 * kLanes];
+    HWY_ALIGN float scratch[std::size_t{kMostNodes} * 3 * kLanes];
     for (std::size_t block = begin; block < end; ++block) {
         const std::size_t first = block * static_cast<std::size_t>(gains.nodes) * 3 * kLanes;
         std::uint8_t awake = 0;

@@ -84,7 +84,7 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
 {
     const BasisStyles& basis = *groom.basis;
     const PhysicsSettings& physics = groom.settings.physics;
-    std::array<glm::vec3, kMaxNodes> rest;
+    std::array<glm::vec3, kMostNodes> rest;
     const auto nodes = static_cast<std::size_t>(groom.nodes);
     readStrand(basis.restPositions.data(), groom.nodes, basisIndex, std::span(rest).first(nodes));
 
