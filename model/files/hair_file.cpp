@@ -106,6 +106,17 @@ std::vector<glm::vec3> evaluate(const sim::StrandFrame& frame, std::span<const S
     return points;
 }
 
+const sim::StrandMaterial& materialOf(const sim::StrandFrame& frame, const Strand& strand)
+{
+    return frame.groups[strand.group].groom->settings.material;
+}
+
+/// As strand_shade.comp has it: a hair keeps its root's opacity for long, and thins out by it.
+float opacityAt(const sim::StrandMaterial& material, float fraction)
+{
+    return glm::mix(material.rootAlpha, material.tipAlpha, fraction * fraction);
+}
+
 /// sRGB as encoded, 0..1.
 glm::vec3 colourOf(std::uint32_t packed)
 {
@@ -170,11 +181,11 @@ Result<void> write(const sim::StrandFrame& frame, const QString& path)
     constexpr std::size_t kAtOnce = 1U << 15U;
     for (std::size_t first = 0; first < strands.size() && !file.failed(); first += kAtOnce)
         writeArray(file, evaluate(frame, std::span(strands).subspan(first, std::min(kAtOnce, strands.size() - first))));
-    writePerPoint<float>(file, strands, [&](const Strand& s, float) { return styleOf(frame, s).widthM; });
     writePerPoint<float>(file, strands, [&](const Strand& s, float share) {
-        const sim::StrandMaterial& material = frame.groups[s.group].groom->settings.material;
-        return 1.0F - (material.rootAlpha + (material.tipAlpha - material.rootAlpha) * share);
+        return styleOf(frame, s).widthM * opacityAt(materialOf(frame, s), share);
     });
+    writePerPoint<float>(file, strands,
+                         [&](const Strand& s, float share) { return 1.0F - opacityAt(materialOf(frame, s), share); });
     writePerPoint<glm::vec3>(file, strands, [&](const Strand& s, float share) {
         const sim::StrandStyle& style = styleOf(frame, s);
         return glm::mix(colourOf(style.rootColour), colourOf(style.tipColour), share);

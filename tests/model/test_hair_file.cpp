@@ -173,9 +173,15 @@ private Q_SLOTS:
         const HairFile file = written(frameOf({input}));
         QVERIFY(file.whole && !file.segments.empty());
         const std::size_t tip = file.segments.front();
-        QCOMPARE(file.thickness[0], 70e-6F);
+        QCOMPARE(file.thickness[0], 0.75F * 70e-6F);
+        QCOMPARE(file.thickness[tip], 0.25F * 70e-6F);
         QCOMPARE(file.transparency[0], 0.25F);
         QCOMPARE(file.transparency[tip], 0.75F);
+        // By the square of the way to the tip, as the shader has it.
+        const float middle = 0.75F - 0.5F * 0.25F;
+        QCOMPARE(tip % 2, std::size_t{0});
+        QCOMPARE(file.transparency[tip / 2], 1.0F - middle);
+        QCOMPARE(file.thickness[tip / 2], middle * 70e-6F);
         QVERIFY(glm::distance(file.colours[0], glm::vec3(1.0F, 128.0F / 255.0F, 0.0F)) < 0.01F);
     }
 
