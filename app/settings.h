@@ -1,18 +1,18 @@
 // What the program remembers between runs.
 #pragma once
 
+#include "app/settings_store.h"
 #include "view/dialogs/preferences_dialog.h"
 
 #include <QByteArray>
 #include <QKeySequence>
-#include <QSettings>
 #include <QStringList>
 
 #include <optional>
 
 namespace hairpaint::app {
 
-/// Over QSettings; every value has a default. GUI thread.
+/// Every value has a default. GUI thread.
 class Settings
 {
 public:
@@ -36,7 +36,7 @@ public:
     void setKey(const QString& actionId, const QKeySequence& key);
 
 private:
-    mutable QSettings m_settings;
+    SettingsStore m_settings;
 };
 
 } // namespace hairpaint::app

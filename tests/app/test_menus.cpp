@@ -16,7 +16,6 @@
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMimeData>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QToolButton>
 #include <QtTest>
@@ -38,7 +37,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         QStandardPaths::setTestModeEnabled(true);
-        QSettings().clear();
+        SettingsStore().clear();
         view::initResources();
         m_window = std::make_unique<MainWindow>(model::newProject(), QString());
         m_window->show();

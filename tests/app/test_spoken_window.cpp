@@ -21,7 +21,6 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QSysInfo>
 #include <QTemporaryDir>
@@ -182,7 +181,7 @@ private Q_SLOTS:
     }
     void init()
     {
-        QSettings().clear();
+        SettingsStore().clear();
         m_foreign.clear();
     }
     void cleanup()

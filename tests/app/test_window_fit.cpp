@@ -17,7 +17,6 @@
 
 #include <QDialog>
 #include <QMenuBar>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QTranslator>
 #include <QtTest>
@@ -53,7 +52,7 @@ private Q_SLOTS:
         view::initResources();
         view::applyTheme(*qApp, view::ThemeKind::Dark); // The fonts, too.
     }
-    void init() { QSettings().clear(); }
+    void init() { SettingsStore().clear(); }
     void cleanup()
     {
         m_window.reset();

@@ -9,7 +9,6 @@
 #include "view/resources.h"
 
 #include <QFile>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QUndoStack>
@@ -122,7 +121,7 @@ protected:
     static void prepareApplication()
     {
         QStandardPaths::setTestModeEnabled(true);
-        QSettings().clear();
+        SettingsStore().clear();
         // A display can carry the QOpenGLWidget, also where OpenGL is software.
         if (QGuiApplication::platformName() == QLatin1String("xcb")) {
             view::Preferences preferences;
