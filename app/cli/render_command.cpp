@@ -22,11 +22,9 @@ struct RenderOptions
 {
     QSize size{1024, 1024};
     rendering::StandardView view = rendering::StandardView::ThreeQuarter;
-    double settleSeconds = 2.0;
     int firstFrame = 0;
     int lastFrame = -1; ///< Below the first: one picture.
     double framesPerSecond = 30.0;
-    std::optional<glm::vec3> windVelocity;
     [[nodiscard]] bool isFilm() const { return lastFrame >= firstFrame; }
 };
 
@@ -57,18 +55,6 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
         if (!match.hasMatch() || options.lastFrame < options.firstFrame)
             return tl::unexpected(
                 CommandLine::tr("--frames takes A-B with B not below A, up to 9999, not '%1'").arg(frames));
-    }
-    if (parser.isSet(QStringLiteral("wind"))) {
-        const QStringList parts = parser.value(QStringLiteral("wind")).split(QLatin1Char(','));
-        glm::vec3 velocity(0.0F);
-        bool good = parts.size() == 3;
-        for (int i = 0; good && i < 3; ++i) {
-            velocity[i] = parts[i].toFloat(&good);
-            good = good && std::abs(velocity[i]) <= 30.0F;
-        }
-        if (!good)
-            return tl::unexpected(CommandLine::tr("--wind takes X,Y,Z in m/s, each from -30 to 30"));
-        options.windVelocity = velocity;
     }
     return options;
 }
@@ -182,6 +168,7 @@ ExitCode runRender(const QStringList& arguments)
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
                        {QStringLiteral("fps"), {}, QStringLiteral("number")},
+                       {QStringLiteral("hairs"), {}, QStringLiteral("number")},
                        {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")}});
     const std::optional<QStringList> files = parse(parser, kName, arguments, 1);
     if (!files)
@@ -192,9 +179,12 @@ ExitCode runRender(const QStringList& arguments)
     tl::expected<RenderOptions, QString> options = readOptions(parser);
     if (!options)
         return wrongUsage(kName, options.error());
-    const auto settle = numberOption(parser, kName, QStringLiteral("settle"), options->settleSeconds, 0.0, 60.0);
+    constexpr double kSettleSeconds = 2.0;
+    const auto settle = numberOption(parser, kName, QStringLiteral("settle"), kSettleSeconds, 0.0, 60.0);
     const auto rate = numberOption(parser, kName, QStringLiteral("fps"), options->framesPerSecond, 1.0, 240.0);
-    if (!settle || !rate)
+    const auto hairs = hairsOption(parser, kName);
+    const auto wind = windOption(parser, kName);
+    if (!settle || !rate || !hairs || !wind)
         return ExitCode::WrongUsage;
     options->framesPerSecond = *rate;
 
@@ -203,11 +193,7 @@ ExitCode runRender(const QStringList& arguments)
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());
-    if (options->windVelocity) {
-        project->wind.enabled = true;
-        project->wind.velocity = *options->windVelocity;
-    }
-    SettledHair hair(std::move(*project), *settle);
+    SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
     return renderAll(hair, *options, output);
 }
 

@@ -110,6 +110,7 @@ QImage loadThumbnail(const QString& path)
 Project newProject()
 {
     Project project;
+    project.maxHairs = kMostHairs; // A file that does not say has a smaller limit.
     project.head = builtInHead();
     project.ellipsoids = builtInEllipsoids();
     project.groups.push_back(makeGroup(project, QStringLiteral("Scalp")));
