@@ -277,6 +277,8 @@ private Q_SLOTS:
         panel.show();
         BarSlider* slider = sliderNamed(panel, QStringLiteral("Opacity"));
         const auto opacity = [&] { return f.scalp().map(MapKind::Length).layers.front().opacity; };
+        const int drawn = panel.drawnThumbnails();
+        QCOMPARE(drawn, 1);
         holdAt(*slider, 0.25);
         QVERIFY(f.document.previewing());
         const float shown = opacity();
@@ -286,6 +288,7 @@ private Q_SLOTS:
         QCOMPARE(opacity(), shown);
         f.document.undo();
         QCOMPARE(opacity(), 1.0F);
+        QCOMPARE(panel.drawnThumbnails(), drawn); // No texel of the layer has changed.
     }
 
     void an_index_map_offers_only_its_own_blend_modes()

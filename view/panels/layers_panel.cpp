@@ -15,6 +15,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace hairpaint::view {
 
 using model::Change;
@@ -229,11 +231,25 @@ void LayersPanel::refreshThumbnails()
     m_thumbnails.stop();
     const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
     const int side = qRound(LayerList::kThumbnailSide * devicePixelRatioF());
+    const bool night = m_state.nightPaper();
+    std::map<model::Id, Thumbnail> before = std::exchange(m_thumbnailOf, {});
     for (int row = 0; row < m_list->count(); ++row) {
-        const Layer* layer = m_state.document().project().layer(m_state.activeGroup(), spec.kind, m_list->idAt(row));
-        if (layer != nullptr)
-            m_list->item(row)->setData(LayerList::ThumbnailRole,
-                                       layerThumbnail(*layer, spec, m_state.nightPaper(), side));
+        const model::Id id = m_list->idAt(row);
+        const Layer* layer = m_state.document().project().layer(m_state.activeGroup(), spec.kind, id);
+        if (layer == nullptr)
+            continue;
+        const auto known = before.find(id);
+        const bool holds = known != before.end() && known->second.map == spec.kind &&
+                           known->second.nightPaper == night && known->second.side == side &&
+                           known->second.raster == layer->raster;
+        QImage image = holds ? known->second.image : layerThumbnail(*layer, spec, night, side);
+        m_drawnThumbnails += holds ? 0 : 1;
+        m_list->item(row)->setData(LayerList::ThumbnailRole, image);
+        m_thumbnailOf.insert_or_assign(id, Thumbnail{.raster = layer->raster,
+                                                     .map = spec.kind,
+                                                     .nightPaper = night,
+                                                     .side = side,
+                                                     .image = std::move(image)});
     }
 }
 

@@ -4,10 +4,12 @@
 #include "model/commands/commands.h"
 #include "view/editor_state.h"
 
+#include <QImage>
 #include <QTimer>
 #include <QWidget>
 
 #include <functional>
+#include <map>
 
 class QComboBox;
 class QToolButton;
@@ -29,7 +31,20 @@ public:
     void duplicateLayer();
     void moveLayer(int steps); ///< Upward when positive.
 
+    /// Small pictures drawn so far: only those of layers whose texels changed.
+    [[nodiscard]] int drawnThumbnails() const { return m_drawnThumbnails; }
+
 private:
+    /// A layer's small picture and what it was drawn from.
+    struct Thumbnail
+    {
+        sim::TiledRaster raster;
+        model::MapKind map;
+        bool nightPaper;
+        int side;
+        QImage image;
+    };
+
     void connectList();
     void connectProperties();
     void onChanged(const model::Change& change);
@@ -50,6 +65,8 @@ private:
     QToolButton* m_up = nullptr;
     QToolButton* m_down = nullptr;
     QTimer m_thumbnails;
+    std::map<model::Id, Thumbnail> m_thumbnailOf; ///< Of the layers listed.
+    int m_drawnThumbnails = 0;
     bool m_filling = false;
 };
 
