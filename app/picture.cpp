@@ -16,6 +16,7 @@ namespace {
 
 /// Larger pictures are drawn at their own size: memory, and no driver promises more than 16384.
 constexpr int kLargestDoubledPx = 2048;
+constexpr std::size_t kSketchedHairs = 20'000;
 
 } // namespace
 
@@ -42,19 +43,38 @@ model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create()
 }
 
 model::Result<QImage> PictureMaker::take(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
-                                         rendering::StandardView view, QSize size)
+                                         rendering::StandardView view, QSize size, const model::Progress& progress)
 {
-    const rendering::Scene scene{.head = project.head->shownMesh,
-                                 .headInMotion = {},
-                                 .hair = std::move(frame),
-                                 .camera = rendering::standardCamera(view, project.head->skin->mesh()),
-                                 .light = view::sceneLight(project.light),
-                                 .background = view::linearColour(project.background),
-                                 .ring = {},
-                                 .mirroredRing = {}};
-    const int scale = std::max(size.width(), size.height()) <= kLargestDoubledPx ? 2 : 1;
+    return take({.head = project.head->shownMesh,
+                 .headInMotion = {},
+                 .hair = std::move(frame),
+                 .camera = rendering::standardCamera(view, project.head->skin->mesh()),
+                 .light = view::sceneLight(project.light),
+                 .background = view::linearColour(project.background),
+                 .ring = {},
+                 .mirroredRing = {}},
+                size, progress);
+}
+
+model::Result<QImage> PictureMaker::take(const rendering::Scene& scene, QSize size, const model::Progress& progress)
+{
+    return draw(scene, 1.0F, size, std::max(size.width(), size.height()) <= kLargestDoubledPx ? 2 : 1, progress);
+}
+
+model::Result<QImage> PictureMaker::sketch(const rendering::Scene& scene, QSize size, const model::Progress& progress)
+{
+    const std::size_t hairs = scene.hair ? scene.hair->hairCount : 0;
+    return draw(scene, hairs > kSketchedHairs ? static_cast<float>(kSketchedHairs) / static_cast<float>(hairs) : 1.0F,
+                size, 1, progress);
+}
+
+model::Result<QImage> PictureMaker::draw(const rendering::Scene& scene, float detail, QSize size, int scale,
+                                         const model::Progress& progress)
+{
     const QSize drawn = size * scale;
-    m_renderer->draw(scene, {.detail = 1.0F, .samples = 4, .smoothSegments = 12}, drawn.width(), drawn.height());
+    const rendering::Quality quality{.detail = detail, .samples = 4, .smoothSegments = 12};
+    if (!m_renderer->drawPatiently(scene, quality, drawn.width(), drawn.height(), progress))
+        return model::failure(QCoreApplication::translate("Picture", "Drawing the picture was cancelled."));
     if (!m_renderer->statistics().complete)
         return model::failure(QCoreApplication::translate("Picture",
                                                           "No picture of %1 x %2 pixels can be drawn: the OpenGL "

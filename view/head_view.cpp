@@ -204,12 +204,17 @@ void HeadView::cameraMoved()
     requestDraw();
 }
 
-QImage HeadView::grabPicture(QSize size)
+rendering::Scene HeadView::pictureScene() const
 {
     rendering::Scene scene = m_state->scene;
     scene.ring.reset();
     scene.mirroredRing.reset();
-    return size.isEmpty() ? QImage() : m_state->presenter->grab(scene, size);
+    return scene;
+}
+
+QImage HeadView::grabPicture(QSize size)
+{
+    return size.isEmpty() ? QImage() : m_state->presenter->grab(pictureScene(), size);
 }
 
 std::optional<sim::SurfacePoint> HeadView::skinAt(QPointF position) const

@@ -38,6 +38,8 @@ public:
     void setCamera(const rendering::Camera& camera);
     void setView(rendering::StandardView view); ///< Turns there in a moment.
 
+    /// What is shown at present, without rings, for pictures drawn elsewhere.
+    [[nodiscard]] rendering::Scene pictureScene() const;
     /// Draws the present moment at full quality without rings; waits for it. Null where there is no OpenGL.
     [[nodiscard]] QImage grabPicture(QSize size);
     /// The skin that a position in this widget shows, hair ignored; none where the ray misses the head.

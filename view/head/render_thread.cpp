@@ -4,6 +4,7 @@
 #include "view/gl_problem.h"
 #include "view/rendering/offscreen_context.h"
 
+#include <new>
 #include <utility>
 
 namespace hairpaint::view {
@@ -50,9 +51,13 @@ public:
         if (!m_last || !start().works)
             return;
         const Shot& shot = m_last->shot;
-        m_renderer->draw(shot.scene, m_governor.quality(), m_last->size.width(), m_last->size.height());
-        m_governor.observe(m_renderer->statistics(), shot.allHairs, shot.still);
-        m_frames.put({readImage(m_last->size), m_renderer->statistics()});
+        try {
+            m_renderer->draw(shot.scene, m_governor.quality(), m_last->size.width(), m_last->size.height());
+            m_governor.observe(m_renderer->statistics(), shot.allHairs, shot.still);
+            m_frames.put({readImage(m_last->size), m_renderer->statistics()});
+        } catch (const std::bad_alloc&) {
+            return; // The last picture stays until there is memory for another.
+        }
         Q_EMIT m_owner.frameReady();
         m_refines = shot.still && m_governor.wantsRefinement();
         if (m_refines)

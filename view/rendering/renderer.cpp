@@ -107,6 +107,17 @@ tl::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
 
 void Renderer::draw(const Scene& scene, const Quality& quality, int width, int height)
 {
+    drawIn(scene, quality, width, height, {});
+}
+
+bool Renderer::drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
+                             const Progress& progress)
+{
+    return drawIn(scene, quality, width, height, progress);
+}
+
+bool Renderer::drawIn(const Scene& scene, const Quality& quality, int width, int height, const Progress& progress)
+{
     const auto begin = std::chrono::steady_clock::now();
     State& state = *m_state;
     takeErrors(); // Somebody else's.
@@ -139,7 +150,10 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     }
     state.samples.copyFrom(state.prepared, sampleCount * sizeof(std::uint32_t));
 
-    state.hair->draw(constants, detail, state.samples);
+    if (!state.hair->draw(constants, detail, state.samples, progress)) {
+        state.statistics = {.complete = false};
+        return false;
+    }
 
     if (report.hairs > 0) {
         state.head->bind(0, 1);
@@ -179,6 +193,7 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
                         .milliseconds =
                             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count(),
                         .complete = !takeErrors()};
+    return true;
 }
 
 void Renderer::blitTo(unsigned framebuffer, int width, int height)
