@@ -164,7 +164,7 @@ void writePerPoint(Output& output, const std::vector<Strand>& strands, const Fun
 
 } // namespace
 
-Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path)
+Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path, const Progress& progress)
 {
     const std::vector<Strand> strands = collectStrands(frame);
     const std::size_t pointCount = strands.empty() ? 0 : strands.back().endPoint();
@@ -186,8 +186,11 @@ Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path)
     output.write(segments);
     // All points of much curled hair would be gigabytes.
     constexpr std::size_t kAtOnce = 1U << 15U;
-    for (std::size_t first = 0; first < strands.size(); first += kAtOnce)
+    for (std::size_t first = 0; first < strands.size(); first += kAtOnce) {
+        if (progress && !progress(static_cast<double>(first) / static_cast<double>(strands.size())))
+            return cancelled(path);
         output.write(evaluate(frame, std::span(strands).subspan(first, std::min(kAtOnce, strands.size() - first))));
+    }
     writePerPoint<float>(output, strands, [&](const Strand& s, float) { return styleOf(frame, s).widthM; });
     writePerPoint<float>(output, strands, [&](const Strand& s, float share) {
         const sim::StrandMaterial& material = frame.groups[s.group].groom->settings.material;
@@ -197,6 +200,8 @@ Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path)
         const sim::StrandStyle& style = styleOf(frame, s);
         return glm::mix(colourOf(style.rootColour), colourOf(style.tipColour), share);
     });
+    if (progress && !progress(1.0))
+        return cancelled(path);
     if (!output.ok() || !file.commit())
         return cannotWrite(path, {.text = file.errorString()});
     return {};

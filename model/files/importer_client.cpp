@@ -146,7 +146,8 @@ Result<sim::HeadMesh> ImporterClient::readMesh(const QString& path, const Progre
     return std::move(*mesh);
 }
 
-Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString& path, int bits) const
+Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString& path, int bits,
+                                        const Progress& progress) const
 {
     wire::EncodeRequest request{.bits = bits <= 8 ? 8U : 16U,
                                 .ending = QFileInfo(path).suffix().toLower().toStdString(),
@@ -162,7 +163,7 @@ Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString
     if (const Checked<void> writable = checkWritable(path); !writable)
         return cannotWrite(path, writable.error());
     Result<wire::Bytes> body =
-        ask(m_helperPath, m_timeoutMs, wire::encodeRequest(request), wire::Kind::Encoded, path, {}, cannotWrite);
+        ask(m_helperPath, m_timeoutMs, wire::encodeRequest(request), wire::Kind::Encoded, path, progress, cannotWrite);
     if (!body)
         return tl::unexpected(body.error());
     QSaveFile file(path);

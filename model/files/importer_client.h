@@ -24,7 +24,8 @@ public:
 
     [[nodiscard]] Result<ForeignImage> readImage(const QString& path, const Progress& progress = {}) const;
     /// PNG, TIFF, EXR, ... by the file's ending; 8 or 16 bits a channel.
-    [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16) const;
+    [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16,
+                                          const Progress& progress = {}) const;
     [[nodiscard]] Result<sim::HeadMesh> readMesh(const QString& path, const Progress& progress = {}) const;
 
 private:

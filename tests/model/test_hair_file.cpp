@@ -202,6 +202,20 @@ private Q_SLOTS:
         QVERIFY(once == test::readBytes(path()) && once.size() > 128);
     }
 
+    void writingStopsWhereverItIsAsked()
+    {
+        const sim::StrandFrame frame = frameOf({group(1, 65535, 65535, 0)});
+        int asked = 0;
+        QVERIFY(writeHairFile(frame, path(), [&asked](double) { return ++asked > 0; }));
+        QVERIFY(asked >= 2);
+        const QByteArray before = test::readBytes(path());
+        for (int stopAt = 1; stopAt <= asked; ++stopAt) {
+            int count = 0;
+            QVERIFY(!writeHairFile(frame, path(), [&](double) { return ++count < stopAt; }));
+            QVERIFY(test::readBytes(path()) == before);
+        }
+    }
+
     void whereItCannotBeWrittenNothingIs()
     {
         const QString nowhere = m_folder.filePath(QStringLiteral("none/a.hair"));
