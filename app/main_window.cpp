@@ -4,6 +4,7 @@
 #include "app/dropped_file.h"
 #include "app/library.h"
 #include "app/physical_keys.h"
+#include "app/picture.h"
 #include "view/head/map_legend.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
@@ -29,12 +30,27 @@ namespace {
 
 constexpr QSize kSmallestWindow(1100, 680);
 constexpr QSize kFirstWindow(1440, 900);
+constexpr QSize kThumbnail(256, 256);
+
+/// Draws what the 3D area shows now; without OpenGL a file has no picture.
+ProjectFiles::Picture thumbnailOf(rendering::Scene scene)
+{
+    return [scene = std::move(scene)](const model::Progress& progress) {
+        const model::Result<QImage> picture =
+            model::guarded(MainWindow::tr("Drawing the picture"), [&]() -> model::Result<QImage> {
+                const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
+                return maker ? (*maker)->sketch(scene, kThumbnail, progress) : tl::unexpected(maker.error());
+            });
+        return picture.value_or(QImage());
+    };
+}
 
 } // namespace
 
 MainWindow::MainWindow(model::Project project, const QString& path, QWidget* parent)
-    : QMainWindow(parent), m_session(std::move(project)), m_files(m_session, m_settings, *this),
-      m_exchange(m_session, m_settings, *this), m_actions(m_settings, *this), m_preferences(m_settings.preferences())
+    : QMainWindow(parent), m_session(std::move(project)), m_jobs(*this), m_files(m_session, m_settings, m_jobs, *this),
+      m_exchange(m_session, m_settings, m_jobs, *this), m_stylePictures(m_jobs), m_actions(m_settings, *this),
+      m_preferences(m_settings.preferences())
 {
     setAcceptDrops(true);
     setMinimumSize(kSmallestWindow);
@@ -117,6 +133,8 @@ void MainWindow::connectViews()
         m_headView->setFrame(frame);
         m_status->setSimulationMs(frame->stepMilliseconds);
     });
+    connect(&m_session, &Session::hairFailed, m_status,
+            [this](const QString& reason) { m_status->showMessage(reason, true, 20'000); });
     connect(&m_session, &Session::pausedChanged, m_headView, &view::HeadView::setHairPaused);
     connect(m_headView, &view::HeadView::puffWanted, &m_session, &Session::puff);
     connect(m_headView, &view::HeadView::poseWanted, &m_session, &Session::setPose);
@@ -137,8 +155,8 @@ void MainWindow::connectViews()
     connect(&m_session.editor(), &view::EditorState::refused, m_status,
             [this](const QString& reason) { m_status->showMessage(reason, true); });
 
-    m_files.setThumbnailMaker([this] { return m_headView->grabPicture(QSize(256, 256)); });
-    m_exchange.setPictureMaker([this](QSize size) { return m_headView->grabPicture(size); });
+    m_files.setThumbnailMaker([this] { return thumbnailOf(m_headView->pictureScene()); });
+    m_exchange.setSceneSource([this] { return m_headView->pictureScene(); });
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
     connect(&m_session.document(), &model::Document::modifiedChanged, this, &MainWindow::setWindowModified);
     connect(&m_exchange, &Exchange::stylesChanged, this, &MainWindow::refreshStyles);
@@ -320,10 +338,29 @@ void MainWindow::showTitle()
 
 void MainWindow::refreshStyles()
 {
-    QStringList problems;
-    m_styleStrip->setEntries(model::listPresets(ownPresetFolder(), &problems));
-    if (!problems.isEmpty())
-        m_status->showMessage(problems.constFirst(), true);
+    struct Library
+    {
+        std::vector<model::PresetEntry> entries;
+        QStringList problems;
+    };
+    m_jobs.start<Library>(
+        tr("Reading the styles"),
+        [](const model::Progress&) -> model::Result<Library> {
+            Library library;
+            library.entries = model::listPresets(ownPresetFolder(), &library.problems);
+            return library;
+        },
+        this,
+        [this, number = ++m_libraryNumber](const model::Result<Library>& library) {
+            if (number != m_libraryNumber)
+                return; // It was asked for again meanwhile.
+            m_stylePictures.forget();
+            if (library)
+                m_styleStrip->setEntries(library->entries);
+            const QString problem = !library ? library.error().message : library->problems.value(0);
+            if (!problem.isEmpty())
+                m_status->showMessage(problem, true);
+        });
 }
 
 void MainWindow::showAreaMenu(const QPoint& globalPosition)
@@ -342,6 +379,9 @@ void MainWindow::onFrameDrawn(const rendering::FrameStatistics& statistics)
         m_status->setFramesPerSecond(m_frameRate);
     }
     const auto& frame = m_session.frame();
+    // A still picture may be a fine one, that takes its time.
+    if (frame && !frame->asleep && !m_session.paused())
+        m_session.setDrawTime(statistics.milliseconds);
     if (frame)
         m_status->setHairs(static_cast<qint64>(statistics.drawnHairs), static_cast<qint64>(frame->hairCount),
                            frame->limit);

@@ -109,6 +109,7 @@ private:
 
     Settings m_settings;
     Session m_session;
+    Jobs m_jobs;
     ProjectFiles m_files;
     Exchange m_exchange;
     StylePictures m_stylePictures;
@@ -129,6 +130,7 @@ private:
     QMenu* m_areaMenu = nullptr;
     std::optional<model::Clip> m_clip;
     bool m_panelsHidden = false;
+    int m_libraryNumber = 0; ///< Of the newest list of styles asked for.
     double m_frameRate = 0.0;
     QElapsedTimer m_sinceFrame;
 };

@@ -1,6 +1,7 @@
 // The open project's file: new, open, save, and the question before anything is lost.
 #pragma once
 
+#include "app/jobs.h"
 #include "app/session.h"
 #include "app/settings.h"
 #include "model/files/project_file.h"
@@ -9,6 +10,7 @@
 #include <QObject>
 
 #include <functional>
+#include <optional>
 
 namespace hairpaint::app {
 
@@ -17,12 +19,13 @@ class ProjectFiles : public QObject
 {
     Q_OBJECT
 public:
-    ProjectFiles(Session& session, Settings& settings, QWidget& window);
+    ProjectFiles(Session& session, Settings& settings, Jobs& jobs, QWidget& window);
 
     [[nodiscard]] const QString& path() const { return m_path; } ///< Empty: never saved.
     [[nodiscard]] QString displayName() const;
-    /// Takes the picture that files are saved with.
-    void setThumbnailMaker(std::function<QImage()> maker);
+    /// Draws the picture that files are saved with, on a thread of the jobs'; made anew for each file, on this one.
+    using Picture = std::function<QImage(const model::Progress&)>;
+    void setThumbnailMaker(std::function<Picture()> maker);
     /// The open project came from here.
     void setPath(const QString& path);
 
@@ -43,9 +46,10 @@ private:
 
     Session& m_session;
     Settings& m_settings;
+    Jobs& m_jobs;
     QWidget& m_window;
     QString m_path;
-    std::function<QImage()> m_thumbnail;
+    std::function<Picture()> m_thumbnail;
     std::shared_ptr<model::EncodedLayers> m_encoded;
 };
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <exception>
 #include <new>
 
 namespace hairpaint::app {
@@ -27,6 +28,17 @@ constexpr std::array<Command, 5> kCommands = {{
      "[--frames A-B] [--fps F] [--wind X,Y,Z]",
      QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), runRender},
 }};
+
+/// The project that a verb is about, else its first file.
+QString projectIn(const QStringList& arguments)
+{
+    for (const QString& argument : arguments)
+        if (argument.endsWith(QLatin1String(".hairpaint"), Qt::CaseInsensitive))
+            return argument;
+    const auto file =
+        std::ranges::find_if(arguments, [](const QString& argument) { return !argument.startsWith(QLatin1Char('-')); });
+    return file == arguments.end() ? QString() : *file;
+}
 
 void printError(const QString& text)
 {
@@ -50,10 +62,16 @@ const Command* findCommand(const QString& name)
 
 ExitCode run(const Command& command, const QStringList& arguments)
 {
+    const auto about = [&arguments] { return model::shownPath(projectIn(arguments)); };
     try {
         return command.run(arguments);
     } catch (const std::bad_alloc&) {
-        return failed({CommandLine::tr("There is not enough memory for this; give a smaller size or fewer hairs.")});
+        return failed({CommandLine::tr("There is not enough memory for what is wanted of '%1'; give a smaller size or "
+                                       "fewer hairs.")
+                           .arg(about())});
+    } catch (const std::exception& other) {
+        return failed(
+            {CommandLine::tr("What is wanted of '%1' failed: %2.").arg(about(), QString::fromLocal8Bit(other.what()))});
     }
 }
 

@@ -38,7 +38,7 @@ struct Command
 [[nodiscard]] std::span<const Command> commands();
 /// The verb of that name, or null.
 [[nodiscard]] const Command* findCommand(const QString& name);
-/// Runs a verb; where memory runs out, that is one more way to fail.
+/// Runs a verb; where memory runs out, that is one more way to fail, and the sentence names the project.
 [[nodiscard]] ExitCode run(const Command& command, const QStringList& arguments);
 
 ExitCode runNew(const QStringList& arguments);

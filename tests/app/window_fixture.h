@@ -6,6 +6,7 @@
 #include "model/files/project_file.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
+#include "view/panels/style_strip.h"
 #include "view/resources.h"
 
 #include <QFile>
@@ -57,6 +58,8 @@ protected:
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         m_window->activateWindow();
         QTRY_VERIFY_WITH_TIMEOUT(session().frame() != nullptr, kPatienceMs);
+        auto* styles = m_window->findChild<view::StyleStrip*>();
+        QTRY_VERIFY_WITH_TIMEOUT(!styles->paths().empty(), kPatienceMs); // They are read in the background.
         editor().setMirror(false);
     }
 

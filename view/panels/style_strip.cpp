@@ -2,11 +2,14 @@
 #include "view/panels/style_strip.h"
 
 #include "model/commands/commands.h"
+#include "model/guarded.h"
 #include "model/names.h"
+#include "sim/base/parallel.h"
 #include "view/panels/style_tile.h"
 #include "view/theme.h"
 #include "view/widgets/live_edit.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
@@ -159,7 +162,9 @@ void StyleStrip::wish(const QString& path, bool commit)
         return;
     m_loading.push_back(path);
     m_threads.start([this, path, load = m_loader] {
-        model::Result<Preset> read = load(path);
+        const sim::ArenaScope arena(sim::Arena::Background);
+        model::Result<Preset> read =
+            model::guarded(tr("Reading %1").arg(QFileInfo(path).fileName()), [&] { return load(path); });
         model::Result<PresetPtr> result =
             read ? model::Result<PresetPtr>(std::make_shared<const Preset>(std::move(*read)))
                  : model::Result<PresetPtr>(tl::unexpected<model::Error>(read.error()));
