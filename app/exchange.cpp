@@ -154,9 +154,10 @@ void Exchange::useBuiltInHead()
 
 std::shared_ptr<const sim::StrandFrame> Exchange::currentHair()
 {
-    m_session.endPreviews();
-    const bool came = m_jobs.awaitUntil(tr("Waiting for the newest hair"),
-                                        [this] { return m_session.hair() != Session::Hair::Underway; });
+    const bool came = m_jobs.awaitUntil(tr("Waiting for the newest hair"), [this] {
+        m_session.endPreviews(); // Also those that come late.
+        return m_session.hair() != Session::Hair::Underway;
+    });
     if (!came)
         return nullptr;
     if (m_session.hair() == Session::Hair::Current)

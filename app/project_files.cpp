@@ -113,10 +113,13 @@ bool ProjectFiles::mayDiscard()
 
 bool ProjectFiles::saveTo(const QString& path)
 {
-    m_session.endPreviews();
     // The picture is to show what is saved.
     const QString saving = tr("Saving %1").arg(QFileInfo(path).fileName());
-    if (!m_jobs.awaitUntil(saving, [this] { return m_session.hair() != Session::Hair::Underway; }))
+    const bool came = m_jobs.awaitUntil(saving, [this] {
+        m_session.endPreviews(); // Also those that come late.
+        return m_session.hair() != Session::Hair::Underway;
+    });
+    if (!came)
         return false;
     const Picture picture = m_thumbnail ? m_thumbnail() : Picture();
     // A copy shares tiles, so it is cheap, and the document may go on meanwhile.

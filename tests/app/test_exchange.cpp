@@ -18,6 +18,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 
 namespace hairpaint::app {
 
@@ -307,7 +308,9 @@ private Q_SLOTS:
         qputenv("HAIRPAINT_IMPORT", HAIRPAINT_FAKE_HELPER_PROGRAM);
         qputenv("HAIRPAINT_FAKE_HELPER", mode);
         m_answers->cancels = true;
-        m_answers->file = action == "file.saveImage" ? path("never.png") : ballHead("silent.glb");
+        m_answers->file = action == "file.saveImage"    ? path("never.png")
+                          : action == "file.importHead" ? ballHead("silent.glb")
+                                                        : halfImage("silent.png", Qt::blue);
         trigger(action.constData()); // Comes back once it is cancelled.
         QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('|'))));
         QVERIFY(m_done.isEmpty());

@@ -5,6 +5,7 @@
 #include "app/library.h"
 #include "app/picture.h"
 #include "app/session.h"
+#include "sim/motion/simulation.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/allocation_limit.h"
 #include "tests/support/test_heads.h"
@@ -15,8 +16,11 @@
 #include <QDialogButtonBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTemporaryFile>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <atomic>
 #include <new>
 #include <stdexcept>
 #include <thread>
