@@ -2,6 +2,7 @@
 #include "model/files/image_map.h"
 
 #include "model/files/image_resample.h"
+#include "model/map_colours.h"
 
 #include <QCoreApplication>
 
@@ -147,6 +148,10 @@ void paintMapTexels(const sim::TiledRaster& resolved, const MapSpec& spec, bool 
 {
     constexpr int kTile = sim::TiledRaster::kTileSize;
     const Scale scale = scaleOf(spec, nightPaper && spec.texel != TexelKind::Colour);
+    const auto colourOf = [&](const sim::Texel& texel) {
+        return spec.texel == TexelKind::Scalar ? shownColour(spec, texel[0], nightPaper)
+                                               : narrow(rgbFrom(texel, spec, scale));
+    };
     const auto channels = static_cast<std::ptrdiff_t>(resolved.channels());
     for (int y = rect.y0; y < rect.y1; ++y) {
         QRgb* out = pixels + static_cast<std::ptrdiff_t>(y - rect.y0) * stride;
@@ -154,7 +159,7 @@ void paintMapTexels(const sim::TiledRaster& resolved, const MapSpec& spec, bool 
             const int end = std::min(rect.x1, (x / kTile + 1) * kTile);
             const sim::RasterTile& tile = *resolved.tile(resolved.tileIndexAt(x, y));
             if (tile.isUniform()) {
-                out = std::fill_n(out, end - x, narrow(rgbFrom(tile.uniform, spec, scale)));
+                out = std::fill_n(out, end - x, colourOf(tile.uniform));
                 x = end;
                 continue;
             }
@@ -163,7 +168,7 @@ void paintMapTexels(const sim::TiledRaster& resolved, const MapSpec& spec, bool 
             for (; x < end; ++x, texel += channels) {
                 sim::Texel value{};
                 std::copy_n(texel, channels, value.begin());
-                *out++ = narrow(rgbFrom(value, spec, scale));
+                *out++ = colourOf(value);
             }
         }
     }

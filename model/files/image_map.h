@@ -15,7 +15,7 @@ namespace hairpaint::model {
 /// A resolved map as an image in its scale, white to colour as in the paper.
 [[nodiscard]] ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec);
 
-/// For the paint area: texels of `rect` as ARGB32, night paper or white.
+/// For the paint area: texels of `rect` as ARGB32 in the scale that is shown, on night paper or white.
 void paintMapTexels(const sim::TiledRaster& resolved, const MapSpec& spec, bool nightPaper, const sim::TexelRect& rect,
                     QRgb* pixels, int stride);
 

@@ -1,10 +1,13 @@
 // Values in the group's units.
 #include "view/widgets/value_text.h"
 
+#include "model/map_colours.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hairpaint::view {
 
@@ -68,7 +71,9 @@ QColor valueColour(const model::MapSpec& spec, const model::PaintValue& value, b
     if (spec.texel == model::TexelKind::Colour)
         return value.colour;
     if (spec.texel == model::TexelKind::Scalar)
-        return QColor::fromRgb(model::scaleToColour(spec, value.scalar, nightPaper));
+        return QColor::fromRgb(model::shownColour(
+            spec, static_cast<std::uint16_t>(std::lround(std::clamp(value.scalar, 0.0F, 1.0F) * 65535.0F)),
+            nightPaper));
     const auto index = static_cast<std::size_t>(std::max(value.index, 0));
     if (index >= spec.palette.size() || (index == 0 && nightPaper))
         return Qt::black;
@@ -91,8 +96,8 @@ QList<QColor> scaleGradient(const model::MapSpec& spec, bool nightPaper, int ste
     if (spec.texel != model::TexelKind::Scalar)
         return colours;
     for (int i = 0; i < steps; ++i)
-        colours.append(QColor::fromRgb(
-            model::scaleToColour(spec, static_cast<float>(i) / static_cast<float>(steps - 1), nightPaper)));
+        colours.append(
+            QColor::fromRgb(model::shownColour(spec, static_cast<std::uint16_t>(i * 65535 / (steps - 1)), nightPaper)));
     return colours;
 }
 
