@@ -4,6 +4,7 @@
 #include "view/theme.h"
 #include "view/widgets/icons.h"
 #include "view/widgets/value_pair.h"
+#include "view/widgets/value_palette.h"
 
 #include <QAction>
 #include <QButtonGroup>
@@ -55,7 +56,10 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
         m_buttons.push_back(button);
     }
     layout->addSpacing(metrics::kGap);
-    layout->addWidget(new ValuePair(state, this), 0, Qt::AlignHCenter);
+    auto* values = new ValuePair(state, this);
+    connect(values, &ValuePair::pickWanted, this,
+            [this, values](bool second) { ValuePalette::openUnder(*values, m_state, second); });
+    layout->addWidget(values, 0, Qt::AlignHCenter);
     layout->addStretch(1);
     m_foot = new QVBoxLayout;
     m_foot->setSpacing(2);

@@ -11,6 +11,7 @@
 #include "view/widgets/value_text.h"
 
 #include <QColorDialog>
+#include <QFrame>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -18,8 +19,10 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QRegularExpressionValidator>
+#include <QScreen>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hairpaint::view {
@@ -101,11 +104,13 @@ void ValuePalette::rebuild()
     auto* head = new QHBoxLayout;
     head->setSpacing(metrics::kGap);
     head->addWidget(new MapBadge(spec.kind, m_body));
-    auto* title = new QLabel(spec.titleText(), m_body);
-    head->addWidget(title, 1);
+    m_title = new QLabel(m_body);
+    head->addWidget(m_title, 1);
     auto* swap = makeActionButton(QStringLiteral("swap"), tr("Swap the two values (X)"), m_body);
     auto* reset = makeActionButton(QStringLiteral("reset"), tr("Reset the two values (D)"), m_body);
-    head->addWidget(new ValuePair(m_state, m_body));
+    auto* pair = new ValuePair(m_state, m_body);
+    connect(pair, &ValuePair::pickWanted, this, &ValuePalette::setSecond);
+    head->addWidget(pair);
     head->addWidget(swap);
     head->addWidget(reset);
     column->addLayout(head);
@@ -134,8 +139,8 @@ void ValuePalette::refresh()
         m_builtFor = wanted;
         rebuild();
     }
-    model::ToolSettings tools = m_state.toolSettings();
-    const PaintValue& value = tools.value(spec.kind);
+    m_title->setText(m_second ? tr("%1, second value").arg(spec.titleText()) : spec.titleText());
+    const PaintValue value = edited(spec.kind);
     bool marked = false;
     for (const auto& [swatch, its] : m_swatches) {
         const bool same = spec.texel == model::TexelKind::Scalar  ? std::abs(its.scalar - value.scalar) < 0.002F
@@ -150,12 +155,47 @@ void ValuePalette::refresh()
         m_hex->setText(value.colour.name());
 }
 
+void ValuePalette::setSecond(bool second)
+{
+    m_second = second;
+    refresh();
+}
+
+PaintValue ValuePalette::edited(MapKind map) const
+{
+    const model::ToolSettings& tools = m_state.toolSettings();
+    return m_second ? tools.secondValue(map) : tools.value(map);
+}
+
 void ValuePalette::setValue(const PaintValue& value)
 {
     model::ToolSettings tools = m_state.toolSettings();
-    tools.value(m_state.activeMap()) = value;
+    (m_second ? tools.secondValue(m_state.activeMap()) : tools.value(m_state.activeMap())) = value;
     m_state.setToolSettings(tools);
     refresh();
+}
+
+ValuePalette* ValuePalette::openUnder(QWidget& anchor, EditorState& state, bool second)
+{
+    auto* popup = new QFrame(&anchor, Qt::Popup);
+    popup->setObjectName(QStringLiteral("popup"));
+    popup->setAttribute(Qt::WA_DeleteOnClose);
+    auto* column = new QVBoxLayout(popup);
+    column->setContentsMargins(metrics::kPadding, metrics::kPadding, metrics::kPadding, metrics::kPadding);
+    auto* palette = new ValuePalette(state, popup);
+    palette->setSecond(second);
+    column->addWidget(palette);
+    connect(palette, &ValuePalette::picked, popup, &QWidget::close);
+    popup->adjustSize();
+    const QRect screen = anchor.screen()->availableGeometry();
+    QPoint corner = anchor.mapToGlobal(QPoint(0, anchor.height() + metrics::kGrid));
+    if (corner.y() + popup->height() > screen.bottom())
+        corner = anchor.mapToGlobal(QPoint(anchor.width() + metrics::kGap, anchor.height() - popup->height()));
+    corner.setX(std::clamp(corner.x(), screen.left(), std::max(screen.left(), screen.right() - popup->width())));
+    popup->move(corner);
+    popup->show();
+    palette->setFocus();
+    return palette;
 }
 
 Swatch* ValuePalette::addSwatch(const PaintValue& value, const QString& name)
@@ -181,8 +221,7 @@ void ValuePalette::buildScalar(QVBoxLayout& layout)
     m_slider->setGradient(scaleGradient(spec, m_state.nightPaper()));
     m_slider->setMinimumWidth(260);
     connect(m_slider, &BarSlider::valueChanged, this, [this, kind = spec.kind](double shown) {
-        model::ToolSettings tools = m_state.toolSettings();
-        PaintValue value = tools.value(kind);
+        PaintValue value = edited(kind);
         value.scalar = static_cast<float>(mapValue(settings(), kind, shown));
         setValue(value);
     });
@@ -262,18 +301,18 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
 
 void ValuePalette::chooseColour()
 {
-    model::ToolSettings tools = m_state.toolSettings();
-    auto* dialog = new QColorDialog(tools.value(MapKind::Colour).colour, window());
+    // The popup, and this palette with it, is gone by the time that a colour is chosen.
+    QWidget* host = window()->parentWidget() != nullptr ? window()->parentWidget()->window() : window();
+    auto* dialog = new QColorDialog(edited(MapKind::Colour).colour, host);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Hair colour"));
     dialog->setOption(QColorDialog::DontUseNativeDialog);
-    connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
-        PaintValue value;
-        value.colour = colour;
-        model::ToolSettings chosen = m_state.toolSettings();
-        chosen.value(MapKind::Colour) = value;
-        m_state.setToolSettings(chosen);
-    });
+    connect(dialog, &QColorDialog::colorSelected, &m_state,
+            [&state = m_state, second = m_second](const QColor& colour) {
+                model::ToolSettings chosen = state.toolSettings();
+                (second ? chosen.secondValue(MapKind::Colour) : chosen.value(MapKind::Colour)).colour = colour;
+                state.setToolSettings(chosen);
+            });
     dialog->open();
     Q_EMIT picked();
 }
