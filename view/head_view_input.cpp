@@ -202,16 +202,6 @@ void HeadView::wheelEvent(QWheelEvent* event)
     event->accept();
 }
 
-void HeadView::zoomIn()
-{
-    setCamera(zoomed(m_state->scene.camera, kZoomPerNotch, QRectF(rect()).center(), QSizeF(size())));
-}
-
-void HeadView::zoomOut()
-{
-    setCamera(zoomed(m_state->scene.camera, 1.0 / kZoomPerNotch, QRectF(rect()).center(), QSizeF(size())));
-}
-
 bool HeadView::event(QEvent* event)
 {
     // With the Weather overlay open its keys are its own here too, also those that choose tools elsewhere.

@@ -50,11 +50,16 @@ public:
         if (!m_last || !start().works)
             return;
         const Shot& shot = m_last->shot;
-        m_renderer->draw(shot.scene, m_governor.quality(), m_last->size.width(), m_last->size.height());
-        m_governor.observe(m_renderer->statistics(), shot.allHairs, shot.still);
-        m_frames.put({readImage(m_last->size), m_renderer->statistics()});
-        Q_EMIT m_owner.frameReady();
+        // A fine picture may take seconds: whatever comes meanwhile goes first.
+        const auto interrupted = [this] { return m_jobs.waiting(); };
+        if (!m_renderer->drawUnless(shot.still ? interrupted : std::function<bool()>(), shot.scene,
+                                    m_governor.begin(shot.still), m_last->size.width(), m_last->size.height()))
+            return;
+        QImage image = readImage(m_last->size);
+        m_governor.observe(m_renderer->statistics(), shot.allHairs);
         m_refines = shot.still && m_governor.wantsRefinement();
+        m_frames.put({std::move(image), m_renderer->statistics(), m_refines});
+        Q_EMIT m_owner.frameReady();
         if (m_refines)
             QMetaObject::invokeMethod(
                 this, [this] { drawLatest(); }, Qt::QueuedConnection);
@@ -64,7 +69,7 @@ public:
     {
         if (!start().works)
             return {};
-        m_renderer->draw(scene, pictureQuality(), size.width(), size.height());
+        m_renderer->draw(scene, rendering::pictureQuality(), size.width(), size.height());
         return readImage(size);
     }
 

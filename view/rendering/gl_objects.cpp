@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace hairpaint::rendering {
 
@@ -28,6 +29,11 @@ void deleteProgram(unsigned id)
 void deleteFramebuffer(unsigned id)
 {
     glDeleteFramebuffers(1, &id);
+}
+
+void deleteQuery(unsigned id)
+{
+    glDeleteQueries(1, &id);
 }
 
 void deleteVertexArray(unsigned id)
@@ -77,6 +83,29 @@ void Buffer::write(std::size_t offset, const void* data, std::size_t bytes)
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_name.id());
     glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+std::size_t Buffer::writeChanged(const void* data, std::size_t bytes, const void* before, std::size_t bytesBefore)
+{
+    constexpr std::size_t kBlock = 16U << 10U;
+    if (bytes > m_capacity || bytesBefore != bytes || before == nullptr) {
+        assign(data, bytes);
+        return bytes;
+    }
+    const auto* now = static_cast<const std::byte*>(data);
+    const auto* was = static_cast<const std::byte*>(before);
+    std::size_t written = 0;
+    std::size_t from = 0; // Of the run of blocks that differ.
+    for (std::size_t at = 0; at < bytes; at += kBlock) {
+        const std::size_t length = std::min(kBlock, bytes - at);
+        if (std::memcmp(now + at, was + at, length) != 0)
+            continue;
+        write(from, now + from, at - from);
+        written += at - from;
+        from = at + length;
+    }
+    write(from, now + from, bytes - from);
+    return written + (bytes - from);
 }
 
 void Buffer::read(void* data, std::size_t bytes) const

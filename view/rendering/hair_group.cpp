@@ -28,18 +28,21 @@ std::size_t HairGroup::upload(const std::shared_ptr<const sim::StrandFrame>& fra
     std::size_t bytes = 0;
     if (m_list.update(group.groom, detail, smoothSegments)) {
         const std::vector<DrawnStrand>& strands = m_list.strands();
-        m_strands.assign(strands.data(), strands.size() * sizeof(DrawnStrand));
-        bytes += strands.size() * sizeof(DrawnStrand);
+        bytes += m_strands.writeChanged(strands.data(), strands.size() * sizeof(DrawnStrand), m_sent.data(),
+                                        m_sent.size() * sizeof(DrawnStrand));
+        m_sent = strands;
     }
     if (group.groom != m_groom) {
         m_groom = group.groom;
         bytes += uploadStyles();
     }
-    if (frame != m_frame) {
-        m_frame = frame;
-        bytes += uploadPositions(group);
-    }
-    return bytes;
+    return bytes + uploadPositions(frame, group);
+}
+
+void HairGroup::release()
+{
+    if (m_groom)
+        *this = HairGroup();
 }
 
 std::size_t HairGroup::uploadStyles()
@@ -76,10 +79,16 @@ std::size_t HairGroup::uploadStyles()
     return bytes;
 }
 
-std::size_t HairGroup::uploadPositions(const sim::GroupFrame& group)
+std::size_t HairGroup::uploadPositions(const std::shared_ptr<const sim::StrandFrame>& frame,
+                                       const sim::GroupFrame& group)
 {
-    const std::size_t bytes = group.positions.size() * sizeof(float);
-    m_positions.assign(group.positions.data(), bytes);
+    if (m_shown.get() == &group.positions)
+        return 0;
+    const std::vector<float>* before = m_shown.get();
+    const std::size_t bytes = m_positions.writeChanged(group.positions.data(), group.positions.size() * sizeof(float),
+                                                       before != nullptr ? before->data() : nullptr,
+                                                       before != nullptr ? before->size() * sizeof(float) : 0);
+    m_shown = std::shared_ptr<const std::vector<float>>(frame, &group.positions);
     return bytes;
 }
 

@@ -60,8 +60,11 @@ HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>&
         });
     });
     for (const sim::GroupFrame& group : frame->groups) {
-        if (!group.groom || !group.groom->visible || group.groom->placedChunks == 0)
+        if (!group.groom || !group.groom->visible || group.groom->placedChunks == 0) {
+            if (group.groom)
+                m_groups[group.groom->groupId].release();
             continue;
+        }
         HairGroup& held = m_groups[group.groom->groupId];
         report.uploadedBytes += held.upload(frame, group, detail, smoothSegments);
         if (held.list().strandCount() == 0)
@@ -73,14 +76,17 @@ HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>&
     return report;
 }
 
-void HairPass::draw(const FrameConstants& constants, float detail, const Buffer& samples)
+bool HairPass::draw(const FrameConstants& constants, float detail, const Buffer& samples,
+                    const std::function<bool()>& interrupted)
 {
     if (m_visible.empty())
-        return;
+        return true;
     fillGrid(constants, detail);
     for (const int id : m_visible)
-        drawGroup(m_groups.at(id), constants, detail, samples);
+        if (!drawGroup(m_groups.at(id), constants, detail, samples, interrupted))
+            return false;
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    return true;
 }
 
 void HairPass::bindOpacity(unsigned lightUnit, unsigned eyeUnit) const
@@ -117,7 +123,8 @@ void HairPass::fillGrid(const FrameConstants& constants, float detail)
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples)
+bool HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples,
+                         const std::function<bool()>& interrupted)
 {
     const sim::GroupSettings& settings = group.groom().settings;
     std::uint32_t mostPoints = 0;
@@ -161,7 +168,13 @@ void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants
         m_raster.set("pointCount", batch.pointCount);
         dispatch(batch.pointCount, rows);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        if (!interrupted)
+            continue;
+        glFinish(); // Else the driver would only have been told, and the answer would come too late.
+        if (interrupted())
+            return false;
     }
+    return true;
 }
 
 } // namespace hairpaint::rendering

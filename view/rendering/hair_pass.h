@@ -6,6 +6,7 @@
 #include "view/rendering/hair_group.h"
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -27,7 +28,9 @@ public:
     Report upload(const std::shared_ptr<const sim::StrandFrame>& frame, float detail, int smoothSegments);
     /// With the frame's constants bound to uniform buffer 0: fills the opacity grid, then draws into `samples`, which
     /// already hold the head's depth.
-    void draw(const FrameConstants& constants, float detail, const Buffer& samples);
+    /// With `interrupted` each batch is finished and it is asked then; false where it said yes.
+    [[nodiscard]] bool draw(const FrameConstants& constants, float detail, const Buffer& samples,
+                            const std::function<bool()>& interrupted = {});
 
     /// Binds the opacity grids of the last draw to two texture units.
     void bindOpacity(unsigned lightUnit, unsigned eyeUnit) const;
@@ -39,7 +42,8 @@ public:
 private:
     HairPass() = default;
     void fillGrid(const FrameConstants& constants, float detail);
-    void drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples);
+    [[nodiscard]] bool drawGroup(const HairGroup& group, const FrameConstants& constants, float detail,
+                                 const Buffer& samples, const std::function<bool()>& interrupted);
 
     Program m_splat;
     Program m_sum;
