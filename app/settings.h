@@ -34,6 +34,7 @@ public:
     /// A rebound key; none where the default holds.
     [[nodiscard]] std::optional<QKeySequence> key(const QString& actionId) const;
     void setKey(const QString& actionId, const QKeySequence& key);
+    void removeKey(const QString& actionId);
 
 private:
     mutable QSettings m_settings;
