@@ -21,17 +21,7 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr QSize kStylePictureSize(192, 192);
 constexpr QSize kPictureSize(2048, 2048);
-
-/// Letters and digits of a name as a file name that every system takes.
-QString fileNameFor(const QString& name)
-{
-    QString result;
-    for (const QChar letter : name.toLower())
-        result += letter.isLetterOrNumber() ? letter : QLatin1Char('-');
-    return result.isEmpty() ? QStringLiteral("style") : result;
-}
 
 } // namespace
 
@@ -183,23 +173,42 @@ void Exchange::saveStyle()
     const QString folder = ownPresetFolder();
     if (!QDir().mkpath(folder))
         return complain(tr("The folder '%1' could not be made; check that you may write there.").arg(folder));
-    const QString path = folder + QLatin1Char('/') + fileNameFor(name) + QStringLiteral(".hairpreset");
+    const QString path = ownStylePath(name);
     if (QFile::exists(path) &&
         QMessageBox::question(&m_window, tr("Save style"),
                               tr("There is a style '%1' already. Replace it?").arg(name)) != QMessageBox::Yes)
         return;
-    model::Preset preset = model::presetFrom(m_session.document().committed(), name);
-    preset.picture = m_picture(kStylePictureSize);
+    // Without a picture: the strip has one drawn, framed as all the others are.
+    const model::Preset preset = model::presetFrom(m_session.document().committed(), name);
     if (const model::Result<void> saved = model::savePreset(preset, path); !saved)
         return complain(saved.error().message);
     Q_EMIT stylesChanged();
     Q_EMIT done(tr("Style '%1' saved").arg(name));
 }
 
+void Exchange::renameStyle(const QString& path)
+{
+    const QString before = styleName(path);
+    bool accepted = false;
+    const QString name = QInputDialog::getText(&m_window, tr("Rename style"), tr("Name of the style"),
+                                               QLineEdit::Normal, before, &accepted)
+                             .trimmed();
+    if (!accepted || name.isEmpty() || name == before)
+        return;
+    const QString there = ownStylePath(name);
+    if (there != path && QFile::exists(there) &&
+        QMessageBox::question(&m_window, tr("Rename style"),
+                              tr("There is a style '%1' already. Replace it?").arg(name)) != QMessageBox::Yes)
+        return;
+    if (const model::Result<QString> renamed = app::renameStyle(path, name); !renamed)
+        return complain(renamed.error().message);
+    Q_EMIT stylesChanged();
+}
+
 void Exchange::deleteStyle(const QString& path)
 {
-    if (QMessageBox::question(&m_window, tr("Delete style"),
-                              tr("Move '%1' to the trash?").arg(QFileInfo(path).baseName())) != QMessageBox::Yes)
+    if (QMessageBox::question(&m_window, tr("Delete style"), tr("Move '%1' to the trash?").arg(styleName(path))) !=
+        QMessageBox::Yes)
         return;
     if (!QFile::moveToTrash(path))
         return complain(tr("'%1' could not be moved to the trash; delete it by hand.").arg(path));

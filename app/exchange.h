@@ -33,6 +33,7 @@ public:
     void exportHair();
     void savePicture();
     void saveStyle();
+    void renameStyle(const QString& path); ///< Asks for the name.
     void deleteStyle(const QString& path);
     void applyStyleFrom(const QString& path);
 

@@ -4,8 +4,8 @@
 #include "app/dropped_file.h"
 #include "app/library.h"
 #include "app/physical_keys.h"
-#include "view/head/map_legend.h"
 #include "view/head_view.h"
+#include "view/map_legend.h"
 #include "view/paint_view.h"
 #include "view/panels/option_bar.h"
 #include "view/panels/sidebar.h"
@@ -74,7 +74,7 @@ void MainWindow::buildLayout()
     m_headView = new view::HeadView(editor, theme, m_preferences.presenter);
     m_legend = new view::MapLegend(m_headView);
     m_sidebar = new view::Sidebar(editor);
-    m_styleStrip = new view::StyleStrip(editor);
+    m_styleStrip = new view::StyleStrip(editor, loadStyle);
     m_status = new view::StatusReadout(editor);
 
     m_splitter = new QSplitter(Qt::Horizontal);
@@ -118,6 +118,7 @@ void MainWindow::connectViews()
         m_status->setSimulationMs(frame->stepMilliseconds);
     });
     connect(&m_session, &Session::pausedChanged, m_headView, &view::HeadView::setHairPaused);
+    connect(&m_session, &Session::pausedChanged, m_status, &view::StatusReadout::setPaused);
     connect(m_headView, &view::HeadView::puffWanted, &m_session, &Session::puff);
     connect(m_headView, &view::HeadView::poseWanted, &m_session, &Session::setPose);
     connect(m_headView, &view::HeadView::lightWanted, &m_session, &Session::changeLight);
@@ -126,13 +127,12 @@ void MainWindow::connectViews()
     connect(m_headView, &view::HeadView::glUnavailable, m_status,
             [this](const QString& reason) { m_status->showMessage(reason, true, 20'000); });
     connect(m_headView, &view::HeadView::statusText, this, showMessage);
+    connect(m_paintView, &view::PaintView::statusText, this, showMessage);
     connect(&m_session.document(), &model::Document::undone, m_status,
             [this](const QString& name) { m_status->showMessage(tr("Undone: %1").arg(name)); });
     connect(&m_session.document(), &model::Document::redone, m_status,
             [this](const QString& name) { m_status->showMessage(tr("Redone: %1").arg(name)); });
     connect(m_headView, &view::HeadView::contextMenuWanted, this, &MainWindow::showAreaMenu);
-    connect(m_headView, &view::HeadView::weatherShownChanged, m_actions.find(QLatin1StringView("hair.weather")),
-            &QAction::setChecked);
     connect(m_paintView, &view::PaintView::contextMenuWanted, this, &MainWindow::showAreaMenu);
     connect(&m_session.editor(), &view::EditorState::refused, m_status,
             [this](const QString& reason) { m_status->showMessage(reason, true); });
@@ -140,12 +140,13 @@ void MainWindow::connectViews()
     m_files.setThumbnailMaker([this] { return m_headView->grabPicture(QSize(256, 256)); });
     m_exchange.setPictureMaker([this](QSize size) { return m_headView->grabPicture(size); });
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
-    connect(&m_session.document(), &model::Document::modifiedChanged, this, &MainWindow::setWindowModified);
+    connect(&m_session.document(), &model::Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(&m_exchange, &Exchange::stylesChanged, this, &MainWindow::refreshStyles);
     connect(&m_exchange, &Exchange::done, this, showMessage);
     connect(&m_exchange, &Exchange::headDialogMade, this,
             [this](QDialog& dialog) { addHelpKey(dialog, view::HelpDialog::Topic::HeadImport); });
     connect(m_styleStrip, &view::StyleStrip::saveStyleRequested, &m_exchange, &Exchange::saveStyle);
+    connect(m_styleStrip, &view::StyleStrip::renameStyleRequested, &m_exchange, &Exchange::renameStyle);
     connect(m_styleStrip, &view::StyleStrip::deleteStyleRequested, &m_exchange, &Exchange::deleteStyle);
     connect(m_styleStrip, &view::StyleStrip::pictureWanted, &m_stylePictures, &StylePictures::make);
     connect(&m_stylePictures, &StylePictures::made, m_styleStrip, &view::StyleStrip::setPicture);
@@ -279,8 +280,8 @@ void MainWindow::showAreas(Areas areas)
 {
     m_paintView->setVisible(areas != Areas::Head);
     m_headView->setVisible(areas != Areas::Paint);
-    const char* shown = areas == Areas::Both ? "view.both" : areas == Areas::Head ? "view.head" : "view.paint";
-    m_actions.find(QLatin1StringView(shown))->setChecked(true);
+    m_areas = areas;
+    m_actions.follow();
 }
 
 void MainWindow::swapAreas()
@@ -296,8 +297,7 @@ void MainWindow::setPanelsHidden(bool hidden)
     for (QWidget* panel : {static_cast<QWidget*>(m_toolBar), static_cast<QWidget*>(m_optionBar),
                            static_cast<QWidget*>(m_sidebar), static_cast<QWidget*>(m_styleStrip)})
         panel->setVisible(!hidden);
-    if (QAction* action = m_actions.find(QLatin1StringView("view.panels")))
-        action->setChecked(hidden);
+    m_actions.follow();
 }
 
 void MainWindow::applyTheme()
@@ -307,21 +307,22 @@ void MainWindow::applyTheme()
     qApp->setStyleSheet(theme.styleSheet());
     m_paintView->setTheme(theme);
     m_headView->setTheme(theme);
-    const bool light = m_preferences.theme == view::ThemeKind::Light;
-    m_actions.find(QLatin1StringView(light ? "view.light" : "view.dark"))->setChecked(true);
 }
 
 void MainWindow::showTitle()
 {
     setWindowTitle(QStringLiteral("%1[*] - Hair Paint").arg(m_files.displayName()));
-    setWindowModified(m_session.document().modified());
+    const bool modified = m_session.document().modified();
+    setWindowModified(modified);
+    using Saved = view::StatusReadout::Saved;
+    m_status->setSaved(modified ? Saved::No : m_files.path().isEmpty() ? Saved::NothingToSave : Saved::Yes);
     fillRecentMenu();
 }
 
 void MainWindow::refreshStyles()
 {
     QStringList problems;
-    m_styleStrip->setEntries(model::listPresets(ownPresetFolder(), &problems));
+    m_styleStrip->setEntries(listStyles(&problems));
     if (!problems.isEmpty())
         m_status->showMessage(problems.constFirst(), true);
 }

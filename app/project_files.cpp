@@ -37,10 +37,22 @@ void ProjectFiles::setPath(const QString& path)
 
 void ProjectFiles::newProject()
 {
+    if (mayDiscard())
+        begin(starterProject());
+}
+
+bool ProjectFiles::newBaldProject()
+{
     if (!mayDiscard())
-        return;
+        return false;
+    begin(model::newProject());
+    return true;
+}
+
+void ProjectFiles::begin(model::Project project)
+{
     m_encoded = model::makeEncodedLayers();
-    m_session.document().replace(starterProject());
+    m_session.document().replace(std::move(project));
     setPath({});
 }
 

@@ -26,8 +26,9 @@ public:
     /// The open project came from here.
     void setPath(const QString& path);
 
-    void newProject();
-    void open(); ///< Asks for the file.
+    void newProject();     ///< With the first of the built-in styles.
+    bool newBaldProject(); ///< With an empty group; false where the user wants to keep what is open.
+    void open();           ///< Asks for the file.
     bool openPath(const QString& path);
     bool save();
     bool saveAs();
@@ -38,6 +39,7 @@ Q_SIGNALS:
     void pathChanged();
 
 private:
+    void begin(model::Project project);
     bool saveTo(const QString& path);
     void complain(const QString& message);
 

@@ -36,7 +36,9 @@ struct LayerProperties
 [[nodiscard]] CommandPtr setLayerPropertiesCommand(Document& document, const LayerAddress& address,
                                                    const LayerProperties& properties, const QString& text);
 
-[[nodiscard]] CommandPtr addGroupCommand(Document& document, const QString& name);
+/// Every map empty.
+[[nodiscard]] CommandPtr addGroupCommand(Document& document, const QString& name,
+                                         const sim::GroupSettings& settings = {});
 [[nodiscard]] CommandPtr removeGroupCommand(Document& document, Id group);
 [[nodiscard]] CommandPtr renameGroupCommand(Document& document, Id group, const QString& name);
 /// Null where it stays in its place; `newPosition` is counted from the first.

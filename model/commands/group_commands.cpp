@@ -69,10 +69,13 @@ QString nameOf(const Document& document, Id id)
 
 } // namespace
 
-CommandPtr addGroupCommand(Document& document, const QString& name)
+CommandPtr addGroupCommand(Document& document, const QString& name, const sim::GroupSettings& settings)
 {
     return groupsCommand(document, 0, Commands::tr("Add group \"%1\"").arg(shownName(name)),
-                         [name](Project& project) { project.groups.push_back(makeGroup(project, name)); });
+                         [name, settings](Project& project) {
+                             project.groups.push_back(makeGroup(project, name));
+                             project.groups.back().settings = settings;
+                         });
 }
 
 CommandPtr removeGroupCommand(Document& document, Id group)

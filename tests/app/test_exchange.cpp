@@ -319,8 +319,9 @@ private Q_SLOTS:
             const model::Result<model::Preset> style = model::loadPreset(file);
             QVERIFY(style);
             QCOMPARE(style->name, QStringLiteral("Sunday, Best"));
-            QCOMPARE(style->picture.size(), QSize(192, 192));
             QVERIFY(tile(file) != nullptr && tile(file)->own());
+            // Drawn in the background as those of all other styles are, whatever the camera looks at.
+            QTRY_VERIFY_WITH_TIMEOUT(tile(file)->hasPicture(), kPatienceMs);
             QCOMPARE(m_done.size(), again ? 2 : 1);
         }
         QCOMPARE(stack().count(), 0);
@@ -330,7 +331,19 @@ private Q_SLOTS:
         QTest::mouseClick(tile(file), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
         QVERIFY(layers().back().raster == wanted);
-        QFile::remove(file);
+
+        // It gets another name, and its file with it.
+        m_answers->name = QStringLiteral("Monday");
+        Q_EMIT strip->renameStyleRequested(file);
+        const QString renamed = ownPresetFolder() + QStringLiteral("/monday.hairpreset");
+        QVERIFY(tile(file) == nullptr && !QFile::exists(file));
+        QVERIFY(tile(renamed) != nullptr);
+        QCOMPARE(tile(renamed)->text(), QStringLiteral("Monday"));
+        // The question before the trash names the style as the strip does.
+        m_answers->said.clear();
+        Q_EMIT strip->deleteStyleRequested(renamed);
+        QVERIFY2(m_answers->said.value(0).contains(QStringLiteral("Monday")), qPrintable(m_answers->said.value(0)));
+        QFile::remove(renamed);
     }
 
     void hairGoesOutAsCurves()

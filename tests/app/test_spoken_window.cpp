@@ -10,6 +10,7 @@
 #include "view/dialogs/head_import_dialog.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
+#include "view/panels/hair_kinds.h"
 #include "view/panels/sidebar.h"
 #include "view/resources.h"
 
@@ -281,7 +282,7 @@ private Q_SLOTS:
         sidebar->layers().duplicateLayer();
         sidebar->layers().moveLayer(-1);
         sidebar->layers().removeLayer();
-        sidebar->hair().addGroup();
+        sidebar->hair().addGroup(view::hairKinds().back());
         look(*m_window);
         sidebar->showHair();
         look(*m_window);

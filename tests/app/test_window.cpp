@@ -107,11 +107,12 @@ private Q_SLOTS:
         QHash<QKeySequence, QString> owners;
         for (const view::KeyBinding& binding : m_window->actions().bindings()) {
             QVERIFY(!binding.action->text().isEmpty());
-            if (binding.defaultKey.isEmpty())
-                continue;
-            QVERIFY2(!owners.contains(binding.defaultKey),
-                     qPrintable(binding.action->objectName() + QLatin1Char(' ') + owners.value(binding.defaultKey)));
-            owners.insert(binding.defaultKey, binding.action->objectName());
+            QVERIFY(!binding.name.isEmpty());
+            for (const QKeySequence& key : binding.defaultKeys) {
+                QVERIFY2(!owners.contains(key),
+                         qPrintable(binding.action->objectName() + QLatin1Char(' ') + owners.value(key)));
+                owners.insert(key, binding.action->objectName());
+            }
         }
         QVERIFY(owners.size() > 30);
     }

@@ -6,7 +6,7 @@
 #include "tests/support/test_program.h"
 #include "view/dialogs/help_dialog.h"
 #include "view/dialogs/wind_dialog.h"
-#include "view/head/map_legend.h"
+#include "view/map_legend.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
 
@@ -232,7 +232,7 @@ private Q_SLOTS:
         auto* strip = m_window->findChild<view::StyleStrip*>();
         const QList<view::StyleTile*> tiles = strip->findChildren<view::StyleTile*>();
         QVERIFY(tiles.size() >= 9);
-        view::StyleTile* bob = tiles.at(1);
+        view::StyleTile* bob = tiles.at(2);
         Q_EMIT bob->entered();
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 10'000, kPatienceMs);
         const std::size_t previewed = hairs();
@@ -322,7 +322,7 @@ private Q_SLOTS:
         m_window->paintView().setFocus();
         QTest::keyPress(&paper(), Qt::Key_2, Qt::AltModifier);
         QVERIFY(legend->isVisible());
-        QCOMPARE(legend->title(), QStringLiteral("Length"));
+        QCOMPARE(legend->title(), QStringLiteral("Length, cm"));
         // From white to blue: the blue is full, red and green fall together.
         const auto isBlue = [&rootColour] {
             const std::uint32_t colour = rootColour();

@@ -2,6 +2,7 @@
 #include "view/panels/hair_panel.h"
 
 #include "model/names.h"
+#include "view/panels/hair_kinds.h"
 #include "view/panels/hair_settings.h"
 #include "view/panels/layer_list.h"
 #include "view/theme.h"
@@ -14,6 +15,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -73,14 +75,14 @@ void HairPanel::buildGroups(QVBoxLayout& layout)
     section->body().addWidget(m_groups);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(metrics::kGrid);
-    QToolButton* add = makeActionButton(QStringLiteral("group-add"), tr("Add hair group"), section);
+    m_add = makeActionButton(QStringLiteral("group-add"), tr("Add hair group: choose what grows"), section);
     m_remove = makeActionButton(QStringLiteral("remove"), tr("Remove hair group (Delete)"), section);
-    buttons->addWidget(add);
+    buttons->addWidget(m_add);
     buttons->addStretch(1);
     buttons->addWidget(m_remove);
     section->body().addLayout(buttons);
     layout.addWidget(section);
-    connect(add, &QToolButton::clicked, this, &HairPanel::addGroup);
+    connect(m_add, &QToolButton::clicked, this, &HairPanel::askWhatGrows);
     connect(m_remove, &QToolButton::clicked, this, &HairPanel::removeGroup);
     connect(m_groups, &LayerList::removeWanted, this, &HairPanel::removeGroup);
     connect(m_groups, &LayerList::currentRowChanged, this, [this](int row) {
@@ -242,11 +244,29 @@ void HairPanel::follow()
     m_stepped->setChecked(settings.steppedTurns);
 }
 
-void HairPanel::addGroup()
+void HairPanel::askWhatGrows()
 {
-    const auto count = m_state.document().committed().groups.size();
-    m_state.document().push(addGroupCommand(m_state.document(), model::groupName(static_cast<qsizetype>(count) + 1)));
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("whatGrows"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addSection(tr("What grows?"));
+    for (const HairKind& kind : hairKinds())
+        menu->addAction(titleOf(kind), this, [this, &kind] { addGroup(kind); });
+    menu->popup(m_add->mapToGlobal(QPoint(0, m_add->height())));
+}
+
+void HairPanel::addGroup(const HairKind& kind)
+{
+    const auto& groups = m_state.document().committed().groups;
+    QString name = QLatin1StringView(kind.name);
+    if (name.isEmpty() || std::ranges::find(groups, name, &model::HairGroup::name) != groups.end())
+        name = model::groupName(static_cast<qsizetype>(groups.size()) + 1);
+    GroupSettings settings;
+    kind.apply(settings);
+    m_state.document().push(addGroupCommand(m_state.document(), name, settings));
     m_state.setActiveGroup(m_state.document().project().groups.back().id);
+    m_state.setActiveMap(model::MapKind::Density);
+    m_state.setActiveTool(QLatin1StringView("brush"));
 }
 
 void HairPanel::removeGroup()

@@ -17,6 +17,7 @@ namespace hairpaint::view {
 class BarSlider;
 class LayerList;
 class Section;
+struct HairKind;
 struct SettingRow;
 
 class HairPanel : public QWidget
@@ -25,7 +26,10 @@ class HairPanel : public QWidget
 public:
     explicit HairPanel(EditorState& state, QWidget* parent = nullptr);
 
-    void addGroup();
+    /// Shows a list of what can grow; the one chosen is added.
+    void askWhatGrows();
+    /// Adds a group of that kind, ready to be painted: its Density is the map that is painted then.
+    void addGroup(const HairKind& kind);
     void removeGroup();
 
 private:
@@ -42,6 +46,7 @@ private:
 
     EditorState& m_state;
     LayerList* m_groups = nullptr;
+    QToolButton* m_add = nullptr;
     QToolButton* m_remove = nullptr;
     std::vector<QWidget*> m_settings; ///< Sections that need a group.
     std::vector<std::pair<const SettingRow*, BarSlider*>> m_sliders;

@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -120,6 +121,35 @@ void LayersPanel::connectList()
         },
         Qt::QueuedConnection);
     connect(m_list, &LayerList::removeWanted, this, &LayersPanel::removeLayer);
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_list, &QWidget::customContextMenuRequested, this, &LayersPanel::showMenu);
+}
+
+void LayersPanel::showMenu(QPoint position)
+{
+    if (QListWidgetItem* under = m_list->itemAt(position))
+        m_list->setCurrentItem(under);
+    const Layer* layer = activeLayer();
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("layerMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Add layer"), this, &LayersPanel::addLayer);
+    if (layer != nullptr) {
+        const model::Id id = layer->id;
+        menu->addAction(tr("Duplicate layer"), this, &LayersPanel::duplicateLayer);
+        menu->addAction(tr("Rename layer"), this, [this] { m_list->editItem(m_list->currentItem()); });
+        menu->addSeparator();
+        menu->addAction(layer->visible ? tr("Hide layer") : tr("Show layer"), this,
+                        [this, id, visible = !layer->visible] { Q_EMIT m_list->visibleWanted(id, visible); });
+        menu->addAction(layer->locked ? tr("Unlock layer") : tr("Lock layer"), this,
+                        [this, id, locked = !layer->locked] { Q_EMIT m_list->lockWanted(id, locked); });
+        menu->addSeparator();
+        menu->addAction(tr("Move layer up"), this, [this] { moveLayer(1); })->setEnabled(m_up->isEnabled());
+        menu->addAction(tr("Move layer down"), this, [this] { moveLayer(-1); })->setEnabled(m_down->isEnabled());
+        menu->addSeparator();
+        menu->addAction(tr("Remove layer"), this, &LayersPanel::removeLayer);
+    }
+    menu->popup(m_list->viewport()->mapToGlobal(position));
 }
 
 void LayersPanel::connectProperties()

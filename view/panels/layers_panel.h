@@ -33,6 +33,7 @@ private:
     void connectList();
     void connectProperties();
     void onChanged(const model::Change& change);
+    void showMenu(QPoint position);
     void moveTo(model::Id layer, int position);
     void rebuild();
     void refreshThumbnails();

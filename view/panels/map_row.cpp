@@ -14,7 +14,6 @@ MapRow::MapRow(model::MapKind map, QWidget* parent) : QAbstractButton(parent), m
     const model::MapSpec& spec = model::mapSpec(map);
     setText(spec.titleText());
     setAccessibleName(spec.titleText());
-    setToolTip(tr("%1 (%2)").arg(spec.titleText()).arg(static_cast<int>(map) + 1));
     setCheckable(true);
     setAutoExclusive(true);
     setFocusPolicy(Qt::TabFocus);
@@ -22,10 +21,14 @@ MapRow::MapRow(model::MapKind map, QWidget* parent) : QAbstractButton(parent), m
     setAttribute(Qt::WA_Hover);
 }
 
-void MapRow::setRange(const QString& range)
+void MapRow::setRange(const QString& range, int size)
 {
-    m_range = range;
-    setAccessibleDescription(range);
+    const QString texels = size > 0 ? tr("%1 px").arg(size) : QString();
+    m_range = range.isEmpty() || texels.isEmpty() ? range + texels : range + QStringLiteral("  ·  ") + texels;
+    setAccessibleDescription(m_range);
+    const int number = static_cast<int>(m_map) + 1;
+    setToolTip(size > 0 ? tr("%1 (%2): %3 x %3 texels").arg(text()).arg(number).arg(size)
+                        : tr("%1 (%2)").arg(text()).arg(number));
     update();
 }
 

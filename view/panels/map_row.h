@@ -13,7 +13,8 @@ class MapRow : public QAbstractButton
     Q_OBJECT
 public:
     explicit MapRow(model::MapKind map, QWidget* parent = nullptr);
-    void setRange(const QString& range);
+    /// `size`: texels a side, 0 where there is no map.
+    void setRange(const QString& range, int size);
     void setThumbnail(const QImage& thumbnail);
     [[nodiscard]] QSize sizeHint() const override { return {220, 28}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }

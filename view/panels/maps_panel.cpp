@@ -60,6 +60,8 @@ void MapsPanel::onChanged(const Change& change)
         if (change.group != m_shownGroup)
             return;
         m_stale[indexOf(change.map)] = true;
+        if (change.aspect == Change::Aspect::LayerList)
+            follow(); // It may have another size.
         if (!m_redraw.isActive())
             m_redraw.start();
     } else if (change.aspect != Change::Aspect::Environment && change.aspect != Change::Aspect::Head) {
@@ -83,7 +85,8 @@ void MapsPanel::follow()
     for (const MapSpec& spec : model::mapSpecs()) {
         MapRow* row = m_rows[indexOf(spec.kind)];
         row->setChecked(spec.kind == m_state.activeMap());
-        row->setRange(group != nullptr ? rangeText(group->settings, spec) : QString());
+        row->setRange(group != nullptr ? rangeText(group->settings, spec) : QString(),
+                      group != nullptr ? group->map(spec.kind).size : 0);
     }
     if (m_shownGroup != m_state.activeGroup()) {
         m_shownGroup = m_state.activeGroup();

@@ -111,6 +111,7 @@ void StyleStrip::addTile(StyleTile* tile, const QImage& picture)
         connect(tile, &QWidget::customContextMenuRequested, this, [this, tile, path](QPoint position) {
             auto* menu = new QMenu(this);
             menu->setAttribute(Qt::WA_DeleteOnClose);
+            menu->addAction(tr("Rename style…"), this, [this, path] { Q_EMIT renameStyleRequested(path); });
             menu->addAction(tr("Delete style"), this, [this, path] { Q_EMIT deleteStyleRequested(path); });
             menu->popup(tile->mapToGlobal(position));
         });
@@ -211,6 +212,10 @@ void StyleStrip::apply(const Preset& preset)
     m_hovered.clear();
     m_previewing = false;
     m_state.document().push(applyPresetCommand(m_state.document(), preset));
+    // On a bald head only Density makes hair.
+    const auto density = m_state.document().resolved(m_state.activeGroup(), model::MapKind::Density);
+    if (density != nullptr && density->uniformValue() == sim::Texel{})
+        m_state.setActiveMap(model::MapKind::Density);
 }
 
 void StyleStrip::endPreview()

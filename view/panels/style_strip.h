@@ -39,9 +39,10 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void saveStyleRequested();
-    void deleteStyleRequested(const QString& path); ///< Of the user's own ones, from the context menu.
-    void pictureWanted(const QString& path);        ///< For each entry that has none.
-    void failed(const QString& message);            ///< A style could not be read.
+    void renameStyleRequested(const QString& path); ///< Of the user's own ones, from the context menu.
+    void deleteStyleRequested(const QString& path);
+    void pictureWanted(const QString& path); ///< For each entry that has none.
+    void failed(const QString& message);     ///< A style could not be read.
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
