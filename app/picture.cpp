@@ -42,12 +42,12 @@ model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create()
 }
 
 model::Result<QImage> PictureMaker::take(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
-                                         rendering::StandardView view, QSize size)
+                                         const rendering::Camera& camera, QSize size)
 {
     const rendering::Scene scene{.head = project.head->shownMesh,
                                  .headInMotion = {},
                                  .hair = std::move(frame),
-                                 .camera = rendering::standardCamera(view, project.head->skin->mesh()),
+                                 .camera = camera,
                                  .light = view::sceneLight(project.light),
                                  .background = view::linearColour(project.background),
                                  .ring = {},

@@ -21,7 +21,7 @@ public:
     /// up.
     [[nodiscard]] model::Result<QImage> take(const model::Project& project,
                                              std::shared_ptr<const sim::StrandFrame> frame,
-                                             rendering::StandardView view, QSize size);
+                                             const rendering::Camera& camera, QSize size);
 
 private:
     PictureMaker() = default;

@@ -23,7 +23,8 @@ constexpr std::array<Command, 5> kCommands = {{
     {"export", "P.hairpaint -o FILE.hair [--settle SECONDS]",
      QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), runExport},
     {"render",
-     "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|three-quarter] [--settle SECONDS] "
+     "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|three-quarter] "
+     "[--fit hair|head|bust] [--settle SECONDS] "
      "[--frames A-B] [--fps F] [--wind X,Y,Z]",
      QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), runRender},
 }};

@@ -4,6 +4,7 @@
 #include "app/picture.h"
 #include "model/files/project_file.h"
 #include "model/files/sentences.h"
+#include "view/head/stage.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -22,6 +23,7 @@ struct RenderOptions
 {
     QSize size{1024, 1024};
     rendering::StandardView view = rendering::StandardView::ThreeQuarter;
+    rendering::Fit fit = rendering::Fit::Hair;
     double settleSeconds = 2.0;
     int firstFrame = 0;
     int lastFrame = -1; ///< Below the first: one picture.
@@ -48,6 +50,13 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
         if (!view)
             return tl::unexpected(CommandLine::tr("There is no view '%1'").arg(name));
         options.view = *view;
+    }
+    if (parser.isSet(QStringLiteral("fit"))) {
+        const QString name = parser.value(QStringLiteral("fit"));
+        const auto fit = rendering::fitNamed(name.toStdString());
+        if (!fit)
+            return tl::unexpected(CommandLine::tr("--fit takes hair, head or bust, not '%1'").arg(name));
+        options.fit = *fit;
     }
     if (parser.isSet(QStringLiteral("frames"))) {
         const QString frames = parser.value(QStringLiteral("frames"));
@@ -109,10 +118,10 @@ private:
     QTemporaryDir m_folder;
 };
 
-model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, const RenderOptions& options,
-                                  const QString& path)
+model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, const rendering::Camera& camera,
+                                  QSize size, const QString& path)
 {
-    const model::Result<QImage> picture = maker.take(hair.project(), hair.frame(), options.view, options.size);
+    const model::Result<QImage> picture = maker.take(hair.project(), hair.frame(), camera, size);
     if (!picture)
         return tl::unexpected(picture.error());
     return writePicture(*picture, path);
@@ -129,7 +138,7 @@ double secondsBefore(int number, double framesPerSecond)
 }
 
 model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const RenderOptions& options,
-                               const QString& output)
+                               const rendering::Camera& camera, const QString& output)
 {
     FilmFolder folder(output);
     QStringList frames;
@@ -139,7 +148,8 @@ model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const Ren
         if (number < options.firstFrame)
             continue;
         frames.append(framePath(output, number));
-        if (model::Result<void> written = renderPicture(maker, hair, options, folder.pathFor(frames.back()));
+        if (model::Result<void> written =
+                renderPicture(maker, hair, camera, options.size, folder.pathFor(frames.back()));
             !written) {
             // The sentence names the frame that is wanted, not where it lay meanwhile.
             written.error().message.replace(model::shownPath(folder.pathFor(frames.back())),
@@ -155,8 +165,12 @@ ExitCode renderAll(SettledHair& hair, const RenderOptions& options, const QStrin
     const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
     if (!maker)
         return failed(maker.error());
-    const model::Result<void> written =
-        options.isFilm() ? renderFilm(**maker, hair, options, output) : renderPicture(**maker, hair, options, output);
+    // Of a film's start, and it stands still.
+    const float aspect = static_cast<float>(options.size.width()) / static_cast<float>(options.size.height());
+    const rendering::Camera camera =
+        view::pictureCamera(options.view, options.fit, *hair.project().head, hair.frame().get(), aspect);
+    const model::Result<void> written = options.isFilm() ? renderFilm(**maker, hair, options, camera, output)
+                                                         : renderPicture(**maker, hair, camera, options.size, output);
     return written ? ExitCode::Done : failed(written.error());
 }
 
@@ -179,6 +193,7 @@ ExitCode runRender(const QStringList& arguments)
     parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
                        {QStringLiteral("size"), {}, QStringLiteral("WxH")},
                        {QStringLiteral("view"), {}, QStringLiteral("name")},
+                       {QStringLiteral("fit"), {}, QStringLiteral("what")},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
                        {QStringLiteral("fps"), {}, QStringLiteral("number")},

@@ -129,11 +129,11 @@ private Q_SLOTS:
     /// +X is the head's own left, which the view from the front shows on the right.
     void theWindBlowsTheHairItsWay()
     {
-        QCOMPARE(render(m_baldProject, "bald.png", "--view front --settle 0"), QString());
+        QCOMPARE(render(m_baldProject, "bald.png", "--view front --fit bust --settle 0"), QString());
         const QImage bald(path("bald.png"));
         const auto middle = [&](const char* wind) {
-            const QString problem =
-                render(m_project, "wind.png", QByteArray("--view front --settle 0.5 ").append(wind).constData());
+            const QString problem = render(
+                m_project, "wind.png", QByteArray("--view front --fit bust --settle 0.5 ").append(wind).constData());
             return problem.isEmpty() ? middleOfHair(QImage(path("wind.png")), bald) : std::nullopt;
         };
         const auto still = middle("");
