@@ -12,6 +12,12 @@
 
 namespace hairpaint::view {
 
+namespace {
+
+constexpr double kMostRefinedMs = 250.0; ///< The next step may take four times as long.
+
+} // namespace
+
 class GlPresenter::Canvas : public QOpenGLWidget
 {
 public:
@@ -76,7 +82,9 @@ protected:
         m_renderer->draw(m_shot->scene, m_governor.begin(m_shot->still), size.width(), size.height());
         m_renderer->blitTo(defaultFramebufferObject(), size.width(), size.height());
         m_governor.observe(m_renderer->statistics(), m_shot->allHairs);
-        const bool refines = m_shot->still && m_governor.wantsRefinement();
+        // This is the GUI thread: a GPU that is slow already is not asked for more.
+        const bool refines =
+            m_shot->still && m_governor.wantsRefinement() && m_renderer->statistics().milliseconds < kMostRefinedMs;
         QMetaObject::invokeMethod(
             this,
             [this, refines, statistics = m_renderer->statistics()] {

@@ -51,9 +51,11 @@ public:
             return;
         const Shot& shot = m_last->shot;
         // A fine picture may take seconds: whatever comes meanwhile goes first.
-        const auto interrupted = [this] { return m_jobs.waiting(); };
-        if (!m_renderer->drawUnless(shot.still ? interrupted : std::function<bool()>(), shot.scene,
-                                    m_governor.begin(shot.still), m_last->size.width(), m_last->size.height()))
+        rendering::Renderer::Progress goesOn;
+        if (shot.still)
+            goesOn = [this](double) { return !m_jobs.waiting(); };
+        if (!m_renderer->drawPatiently(shot.scene, m_governor.begin(shot.still), m_last->size.width(),
+                                       m_last->size.height(), goesOn))
             return;
         QImage image = readImage(m_last->size);
         m_governor.observe(m_renderer->statistics(), shot.allHairs);

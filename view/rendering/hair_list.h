@@ -30,8 +30,7 @@ struct StrandBatch
 class HairList
 {
 public:
-    static constexpr std::uint32_t kBatchPoints =
-        1U << 17U; ///< A moment's work also in software, where drawing is interrupted.
+    static constexpr std::uint32_t kBatchPoints = 1U << 20U;
 
     /// Brings the list up to date; false where nothing differs from the call before.
     bool update(const std::shared_ptr<const sim::Groom>& groom, float detail, int smoothSegments);

@@ -13,6 +13,8 @@ constexpr unsigned kWorkgroup = 64;
 constexpr float kVoxelUnitM2 = 1e-9F;            ///< Hair's area that one unit of a voxel stands for.
 constexpr std::uint32_t kSplattedStrands = 8192; ///< About as many are enough for a smooth grid.
 
+constexpr std::uint32_t kPatientPoints = 1U << 15U; ///< A piece that software draws in a fraction of a second.
+
 constexpr float kLeastWidth = 0.35F;    ///< Samples: what the thinnest hair covers.
 constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
 
@@ -77,13 +79,26 @@ HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>&
 }
 
 bool HairPass::draw(const FrameConstants& constants, float detail, const Buffer& samples,
-                    const std::function<bool()>& interrupted)
+                    const std::function<bool(double)>& progress)
 {
     if (m_visible.empty())
         return true;
     fillGrid(constants, detail);
+    double allPoints = 0.0;
     for (const int id : m_visible)
-        if (!drawGroup(m_groups.at(id), constants, detail, samples, interrupted))
+        for (const StrandBatch& batch : m_groups.at(id).list().batches())
+            allPoints += batch.pointCount;
+    double drawnPoints = 0.0;
+    const auto pieceDone = [&](std::uint32_t points) {
+        if (!progress)
+            return true;
+        glFinish();
+        drawnPoints += points;
+        return progress(drawnPoints / allPoints);
+    };
+    const std::uint32_t piecePoints = progress ? kPatientPoints : HairList::kBatchPoints;
+    for (const int id : m_visible)
+        if (!drawGroup(m_groups.at(id), constants, detail, samples, piecePoints, pieceDone))
             return false;
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     return true;
@@ -124,7 +139,7 @@ void HairPass::fillGrid(const FrameConstants& constants, float detail)
 }
 
 bool HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples,
-                         const std::function<bool()>& interrupted)
+                         std::uint32_t piecePoints, const std::function<bool(std::uint32_t)>& pieceDone)
 {
     const sim::GroupSettings& settings = group.groom().settings;
     std::uint32_t mostPoints = 0;
@@ -138,43 +153,60 @@ bool HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants
                            detail * std::max(settings.material.rootAlpha, settings.material.tipAlpha);
     const auto rows = static_cast<unsigned>(std::min(thickest, kGreatestWidth) * 1.42F) + 1U;
 
+    const std::vector<DrawnStrand>& strands = group.list().strands();
     for (const StrandBatch& batch : group.list().batches()) {
-        group.bind();
-        m_points.bindStorage(3);
-        m_expand.use();
-        m_expand.set("firstStrand", batch.firstStrand);
-        m_expand.set("strandCount", batch.strandCount);
-        m_expand.set("nodes", group.groom().nodes);
-        dispatch(batch.strandCount);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-
-        m_points.bindStorage(2);
-        m_projected.bindStorage(3);
-        m_shade.use();
-        m_shade.set("firstStrand", batch.firstStrand);
-        m_shade.set("pointCount", batch.pointCount);
-        m_shade.set("widening", 1.0F / detail);
-        m_shade.set("leastWidth", kLeastWidth);
-        m_shade.set("greatestWidth", kGreatestWidth);
-        m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness,
-                                          settings.material.rootAlpha, settings.material.tipAlpha));
-        m_shade.set("variationScale", settings.material.colourVariation);
-        dispatch(batch.pointCount);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-
-        m_projected.bindStorage(0);
-        samples.bindStorage(1);
-        m_raster.use();
-        m_raster.set("pointCount", batch.pointCount);
-        dispatch(batch.pointCount, rows);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-        if (!interrupted)
-            continue;
-        glFinish(); // Else the driver would only have been told, and the answer would come too late.
-        if (interrupted())
-            return false;
+        const std::uint32_t end = batch.firstStrand + batch.strandCount;
+        StrandBatch piece{.firstStrand = batch.firstStrand, .strandCount = 0, .pointCount = 0};
+        while (piece.firstStrand < end) {
+            const std::uint32_t first = strands[piece.firstStrand].firstPoint;
+            std::uint32_t next = end;
+            if (strands[end].firstPoint - first > piecePoints)
+                for (next = piece.firstStrand + 1; strands[next + 1].firstPoint - first <= piecePoints;)
+                    ++next;
+            piece.strandCount = next - piece.firstStrand;
+            piece.pointCount = strands[next].firstPoint - first;
+            drawPiece(piece, group, detail, samples, rows);
+            if (!pieceDone(piece.pointCount))
+                return false;
+            piece.firstStrand = next;
+        }
     }
     return true;
+}
+
+void HairPass::drawPiece(const StrandBatch& piece, const HairGroup& group, float detail, const Buffer& samples,
+                         unsigned rows)
+{
+    const sim::GroupSettings& settings = group.groom().settings;
+    group.bind();
+    m_points.bindStorage(3);
+    m_expand.use();
+    m_expand.set("firstStrand", piece.firstStrand);
+    m_expand.set("strandCount", piece.strandCount);
+    m_expand.set("nodes", group.groom().nodes);
+    dispatch(piece.strandCount);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+
+    m_points.bindStorage(2);
+    m_projected.bindStorage(3);
+    m_shade.use();
+    m_shade.set("firstStrand", piece.firstStrand);
+    m_shade.set("pointCount", piece.pointCount);
+    m_shade.set("widening", 1.0F / detail);
+    m_shade.set("leastWidth", kLeastWidth);
+    m_shade.set("greatestWidth", kGreatestWidth);
+    m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness, settings.material.rootAlpha,
+                                      settings.material.tipAlpha));
+    m_shade.set("variationScale", settings.material.colourVariation);
+    dispatch(piece.pointCount);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+
+    m_projected.bindStorage(0);
+    samples.bindStorage(1);
+    m_raster.use();
+    m_raster.set("pointCount", piece.pointCount);
+    dispatch(piece.pointCount, rows);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 } // namespace hairpaint::rendering

@@ -108,11 +108,16 @@ tl::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
 
 void Renderer::draw(const Scene& scene, const Quality& quality, int width, int height)
 {
-    static_cast<void>(drawUnless({}, scene, quality, width, height));
+    drawIn(scene, quality, width, height, {});
 }
 
-bool Renderer::drawUnless(const std::function<bool()>& interrupted, const Scene& scene, const Quality& quality,
-                          int width, int height)
+bool Renderer::drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
+                             const Progress& progress)
+{
+    return drawIn(scene, quality, width, height, progress);
+}
+
+bool Renderer::drawIn(const Scene& scene, const Quality& quality, int width, int height, const Progress& progress)
 {
     State& state = *m_state;
     state.timer.begin();
@@ -146,8 +151,9 @@ bool Renderer::drawUnless(const std::function<bool()>& interrupted, const Scene&
     }
     state.samples.copyFrom(state.prepared, sampleCount * sizeof(std::uint32_t));
 
-    if (!state.hair->draw(constants, detail, state.samples, interrupted)) {
+    if (!state.hair->draw(constants, detail, state.samples, progress)) {
         state.timer.end();
+        state.statistics = {.complete = false};
         return false;
     }
 

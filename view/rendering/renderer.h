@@ -44,10 +44,12 @@ public:
 
     /// Draws into the renderer's own target of width x height pixels; waits for nothing.
     void draw(const Scene& scene, const Quality& quality, int width, int height);
-    /// The same, finished; `interrupted` is asked after each batch of strands. False where it said yes: the picture is
-    /// then not whole and the statistics stay as they were.
-    [[nodiscard]] bool drawUnless(const std::function<bool()>& interrupted, const Scene& scene, const Quality& quality,
-                                  int width, int height);
+    /// Called with 0..1 while a picture is drawn; false stops it.
+    using Progress = std::function<bool(double)>;
+    /// The same picture in pieces that are waited for one by one, for pictures that take seconds. False, with nothing
+    /// to be read, where it was stopped.
+    [[nodiscard]] bool drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
+                                     const Progress& progress);
     /// Copies the last picture to the framebuffer object bound by the caller.
     void blitTo(unsigned framebuffer, int width, int height);
     /// Reads the last picture: RGBA8, row 0 on top, sRGB as encoded. Reuses `pixels`. Waits for the picture.
@@ -60,6 +62,7 @@ public:
 
 private:
     Renderer();
+    bool drawIn(const Scene& scene, const Quality& quality, int width, int height, const Progress& progress);
     struct State;
     std::unique_ptr<State> m_state;
 };
