@@ -2,6 +2,7 @@
 #include "app/style_pictures.h"
 
 #include "app/cli/settled_hair.h"
+#include "app/library.h"
 #include "app/picture.h"
 #include "model/commands/commands.h"
 #include "model/files/preset_file.h"
@@ -30,8 +31,9 @@ QImage stylePicture(const model::Preset& preset, PictureMaker& maker, const std:
             return {};
         hair.advance(kStepSeconds);
     }
-    const model::Result<QImage> whole =
-        maker.take(project, hair.frame(), rendering::StandardView::ThreeQuarter, kWholeSize);
+    const model::Result<QImage> whole = maker.take(
+        project, hair.frame(),
+        rendering::standardCamera(rendering::StandardView::ThreeQuarter, project.head->skin->mesh()), kWholeSize);
     if (!whole)
         return {};
     return whole->copy(kHeadPart).scaled(kPictureSize, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -56,7 +58,7 @@ void StylePictures::make(const QString& path)
 
 void StylePictures::work(const QString& path)
 {
-    model::Result<model::Preset> preset = model::loadPreset(path);
+    model::Result<model::Preset> preset = loadStyle(path);
     if (m_stop || !preset)
         return;
     const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
@@ -66,7 +68,8 @@ void StylePictures::work(const QString& path)
     if (preset->picture.isNull())
         return;
     // Another picture is drawn next time where the folder takes none.
-    (void)model::savePreset(*preset, path);
+    if (path != baldStylePath())
+        (void)model::savePreset(*preset, path);
     QMetaObject::invokeMethod(
         this, [this, path, picture = preset->picture] { Q_EMIT made(path, picture); }, Qt::QueuedConnection);
 }

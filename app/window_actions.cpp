@@ -274,13 +274,14 @@ void MainWindow::addViewActions(QMenu& menu)
     };
     // The number pad as in Blender.
     constexpr Qt::KeyboardModifier kPad = Qt::KeypadModifier;
-    m_actions.add(sides,
-                  {side("look.front", tr("&Front"), kPad | Qt::Key_1, StandardView::Front),
-                   side("look.back", tr("&Back"), QKeyCombination(Qt::CTRL | kPad, Qt::Key_1), StandardView::Back),
-                   side("look.right", tr("&Right"), kPad | Qt::Key_3, StandardView::Right),
-                   side("look.left", tr("&Left"), QKeyCombination(Qt::CTRL | kPad, Qt::Key_3), StandardView::Left),
-                   side("look.top", tr("&Top"), kPad | Qt::Key_7, StandardView::Top),
-                   side("look.threeQuarter", tr("T&hree-quarter"), kPad | Qt::Key_5, StandardView::ThreeQuarter)});
+    m_actions.add(
+        sides,
+        {side("look.front", tr("&Front"), kPad | Qt::Key_1, StandardView::Front),
+         side("look.back", tr("&Back"), QKeyCombination(Qt::ControlModifier | kPad, Qt::Key_1), StandardView::Back),
+         side("look.right", tr("&Right"), kPad | Qt::Key_3, StandardView::Right),
+         side("look.left", tr("&Left"), QKeyCombination(Qt::ControlModifier | kPad, Qt::Key_3), StandardView::Left),
+         side("look.top", tr("&Top"), kPad | Qt::Key_7, StandardView::Top),
+         side("look.threeQuarter", tr("T&hree-quarter"), kPad | Qt::Key_5, StandardView::ThreeQuarter)});
     menu.addSeparator();
     const auto theme = [this](const char* id, const QString& text, view::ThemeKind kind) {
         return ActionRow{.id = id,

@@ -337,10 +337,8 @@ private Q_SLOTS:
         Q_EMIT strip->renameStyleRequested(file);
         const QString renamed = ownPresetFolder() + QStringLiteral("/monday.hairpreset");
         QVERIFY(tile(file) == nullptr && !QFile::exists(file));
-        QVERIFY(tile(renamed) != nullptr);
         QCOMPARE(tile(renamed)->text(), QStringLiteral("Monday"));
-        // The question before the trash names the style as the strip does.
-        m_answers->said.clear();
+        m_answers->said.clear(); // The question before the trash names the style as the strip does.
         Q_EMIT strip->deleteStyleRequested(renamed);
         QVERIFY2(m_answers->said.value(0).contains(QStringLiteral("Monday")), qPrintable(m_answers->said.value(0)));
         QFile::remove(renamed);
