@@ -2,6 +2,7 @@
 #include "model/files/group_json.h"
 
 #include "model/files/json_fields.h"
+#include "model/group_schema.h"
 #include "model/names.h"
 
 #include <QCoreApplication>
@@ -9,48 +10,63 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <type_traits>
 
 namespace hairpaint::model {
 
 namespace {
 
-constexpr std::array<Choice<sim::TurnsMode>, 2> kTurnsModes = {
-    {{"per_hair", sim::TurnsMode::PerHair}, {"per_length", sim::TurnsMode::PerLength}}};
 constexpr std::array<Choice<BlendMode>, 2> kBlendModes = {
     {{"normal", BlendMode::Normal}, {"multiply", BlendMode::Multiply}}};
 
+/// One row of the schema. Constant settings are only written.
 template<typename Fields, typename Settings>
-void visitSettings(Fields& fields, Settings& s)
+void visitSetting(Fields& fields, const GroupSetting& row, const char* key, Settings& settings)
 {
-    fields.number("greatest_density_per_m2", s.greatestDensityPerM2, 1e4F, 4e6F);
-    fields.number("greatest_length_m", s.greatestLengthM, 0.001F, 2.0F);
-    fields.number("shortest_length_m", s.shortestLengthM, 0.0F, 2.0F);
-    fields.number("hair_width_m", s.hairWidthM, 1e-5F, 1e-3F);
-    fields.integer("nodes_per_hair", s.nodesPerHair, 4, 32);
-    fields.integer("basis_hairs", s.basisHairs, 256, 1'000'000);
-    fields.choice("turns_mode", s.turnsMode, kTurnsModes);
-    fields.boolean("stepped_turns", s.steppedTurns);
-    fields.number("turns_per_length_m", s.turnsPerLengthM, 0.001F, 10.0F);
-    fields.number("greatest_curl_radius_m", s.greatestCurlRadiusM, 0.0F, 0.2F);
-    fields.number("braid_spacing_m", s.braidSpacingM, 0.005F, 2.0F);
-    fields.number("braid_radius_m", s.braidRadiusM, 0.0005F, 0.2F);
-    fields.object("physics", [&p = s.physics](Fields& inner) {
-        inner.number("damping_per_s", p.damping, 0.0F, 20.0F);
-        inner.number("gravity_scale", p.gravityScale, 0.0F, 2.0F);
-        inner.number("wind_scale", p.windScale, 0.0F, 4.0F);
-        inner.number("body", p.body, 0.0F, 1.0F);
-        inner.number("friction", p.friction, 0.0F, 1.0F);
-        inner.number("volume_m", p.volumeM, 0.0F, 0.05F);
-        inner.number("parting", p.parting, 0.0F, 1.0F);
-        inner.number("sweep_back", p.sweepBack, 0.0F, 1.0F);
-    });
-    fields.object("material", [&m = s.material](Fields& inner) {
-        inner.number("shine", m.shine, 0.0F, 1.0F);
-        inner.number("roughness", m.roughness, 0.05F, 1.0F);
-        inner.number("root_alpha", m.rootAlpha, 0.0F, 1.0F);
-        inner.number("tip_alpha", m.tipAlpha, 0.0F, 1.0F);
-        inner.number("colour_variation", m.colourVariation, 0.0F, 1.0F);
-    });
+    double value = row.read(settings);
+    if (!row.choices.empty()) {
+        QString id = QLatin1String(row.choices[static_cast<std::size_t>(value)].id);
+        fields.text(key, id);
+        const auto found = std::ranges::find_if(
+            row.choices, [&](const SettingChoice& choice) { return id == QLatin1String(choice.id); });
+        if constexpr (!std::is_const_v<Settings>)
+            if (found == row.choices.end())
+                return fields.complain(key);
+        value = static_cast<double>(found - row.choices.begin());
+    } else if (row.isSwitch()) {
+        bool on = value != 0.0;
+        fields.boolean(key, on);
+        value = on ? 1.0 : 0.0;
+    } else if (row.isInteger()) {
+        int number = static_cast<int>(value);
+        fields.integer(key, number, static_cast<int>(row.least), static_cast<int>(row.greatest));
+        value = number;
+    } else {
+        auto number = static_cast<float>(value);
+        fields.number(key, number, static_cast<float>(row.least), static_cast<float>(row.greatest));
+        value = static_cast<double>(number);
+    }
+    if constexpr (!std::is_const_v<Settings>)
+        row.write(settings, value);
+}
+
+/// The rows whose keys begin with `prefix` and have no further dot.
+template<typename Fields, typename Settings>
+void visitPart(Fields& fields, QLatin1StringView prefix, Settings& settings)
+{
+    for (const GroupSetting& row : groupSchema()) {
+        const QLatin1StringView key(row.key);
+        if (key.startsWith(prefix) && !key.mid(prefix.size()).contains(QLatin1Char('.')))
+            visitSetting(fields, row, row.key + prefix.size(), settings);
+    }
+}
+
+template<typename Fields, typename Settings>
+void visitSettings(Fields& fields, Settings& settings)
+{
+    visitPart(fields, {}, settings);
+    fields.object("physics", [&](Fields& inner) { visitPart(inner, QLatin1StringView("physics."), settings); });
+    fields.object("material", [&](Fields& inner) { visitPart(inner, QLatin1StringView("material."), settings); });
 }
 
 template<typename Fields, typename AnyLayer>

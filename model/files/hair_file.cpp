@@ -40,14 +40,9 @@ struct Strand
     [[nodiscard]] std::size_t endPoint() const { return firstPoint + static_cast<std::size_t>(segments) + 1; }
 };
 
-const sim::StrandChunk& chunkOf(const sim::Groom& groom, std::uint32_t slot)
-{
-    return *groom.chunks[slot / sim::kChunkSlots];
-}
-
 const sim::StrandStyle& styleOf(const sim::StrandFrame& frame, const Strand& strand)
 {
-    return chunkOf(*frame.groups[strand.group].groom, strand.slot).styles[strand.slot % sim::kChunkSlots];
+    return frame.groups[strand.group].groom->style(strand.slot);
 }
 
 std::vector<Strand> collectStrands(const sim::StrandFrame& frame)
@@ -59,9 +54,7 @@ std::vector<Strand> collectStrands(const sim::StrandFrame& frame)
         if (!groom.visible || groom.roots == nullptr)
             continue;
         for (const std::uint32_t slot : groom.roots->slotOfRank) {
-            const std::size_t chunk = slot / sim::kChunkSlots;
-            if (chunk >= groom.chunks.size() || groom.chunks[chunk] == nullptr || groom.chunkPlace[chunk] < 0 ||
-                !groom.chunks[chunk]->drawn[slot % sim::kChunkSlots])
+            if (!groom.isDrawn(slot))
                 continue;
             Strand strand{.group = group, .slot = slot, .firstPoint = points};
             strand.segments = std::max(1, sim::segmentsOf(styleOf(frame, strand), groom.nodes));
@@ -74,14 +67,8 @@ std::vector<Strand> collectStrands(const sim::StrandFrame& frame)
 
 void skeletonOf(const sim::GroupFrame& group, std::uint32_t slot, std::vector<glm::vec3>& nodesWo)
 {
-    const auto nodes = static_cast<std::size_t>(group.groom->nodes);
-    const auto place = static_cast<std::size_t>(group.groom->chunkPlace[slot / sim::kChunkSlots]);
-    const std::size_t block = place * sim::kBlocksPerChunk + slot % sim::kChunkSlots / sim::kLanes;
-    const float* lane = group.positions.data() + block * nodes * 3 * sim::kLanes + slot % sim::kLanes;
-    nodesWo.resize(nodes);
-    for (std::size_t node = 0; node < nodes; ++node)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            nodesWo[node][static_cast<int>(axis)] = lane[(node * 3 + axis) * sim::kLanes];
+    nodesWo.resize(static_cast<std::size_t>(group.groom->nodes));
+    group.groom->blocks().read(group.positions, group.groom->frameStrand(slot), nodesWo);
 }
 
 /// The curves of some strands, points one after another.
@@ -188,7 +175,9 @@ Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path)
     constexpr std::size_t kAtOnce = 1U << 15U;
     for (std::size_t first = 0; first < strands.size(); first += kAtOnce)
         output.write(evaluate(frame, std::span(strands).subspan(first, std::min(kAtOnce, strands.size() - first))));
-    writePerPoint<float>(output, strands, [&](const Strand& s, float) { return styleOf(frame, s).widthM; });
+    writePerPoint<float>(output, strands, [&](const Strand& s, float) {
+        return styleOf(frame, s).width * frame.groups[s.group].groom->settings.material.widthM;
+    });
     writePerPoint<float>(output, strands, [&](const Strand& s, float share) {
         const sim::StrandMaterial& material = frame.groups[s.group].groom->settings.material;
         return 1.0F - (material.rootAlpha + (material.tipAlpha - material.rootAlpha) * share);

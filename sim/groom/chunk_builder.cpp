@@ -81,13 +81,7 @@ private:
         m_chunk.styles[local] = style;
         m_chunk.braidCentre[local] = centre;
         m_chunk.segmentLengths[local] = style.lengthM / static_cast<float>(m_nodes - 1);
-        float* at = m_chunk.restPositions.data() + local / kLanes * m_nodes * 3 * kLanes + local % kLanes;
-        for (const glm::vec3& node : nodes) {
-            at[0] = node.x;
-            at[kLanes] = node.y;
-            at[2 * std::size_t{kLanes}] = node.z;
-            at += 3 * std::size_t{kLanes};
-        }
+        StrandBlocks(m_inputs.settings.nodesPerHair).write(m_chunk.restPositions, local, nodes);
     }
 
     const ChunkInputs& m_inputs;
@@ -101,7 +95,7 @@ std::shared_ptr<StrandChunk> emptyChunk(int nodes)
 {
     auto chunk = std::make_shared<StrandChunk>();
     chunk->styles.resize(kChunkSlots);
-    chunk->restPositions.resize(static_cast<std::size_t>(kChunkSlots) * static_cast<std::size_t>(nodes) * 3);
+    chunk->restPositions.resize(StrandBlocks(nodes).floatsFor(kBlocksPerChunk));
     chunk->segmentLengths.resize(kChunkSlots);
     chunk->braidCentre.assign(kChunkSlots, kNoCentre);
     return chunk;

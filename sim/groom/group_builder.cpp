@@ -60,8 +60,8 @@ float heightOf(const RootSet& roots, std::uint32_t slot, float crownY)
 std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
 {
     auto basis = std::make_shared<BasisStyles>();
-    const std::size_t blocks = (roots.basisSlot.size() + kLanes - 1) / kLanes;
-    basis->restPositions.resize(blocks * static_cast<std::size_t>(nodes) * 3 * kLanes);
+    const std::size_t blocks = blocksFor(roots.basisSlot.size());
+    basis->restPositions.resize(StrandBlocks(nodes).floatsFor(blocks));
     basis->segmentLengths.resize(blocks * kLanes);
     basis->gel.resize(blocks * kLanes);
     basis->height.resize(blocks * kLanes);
@@ -177,13 +177,7 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             m_basisChanged[i] = 1;
             basis.segmentLengths[i] = lengthM / static_cast<float>(nodeCount - 1);
             straightRest({roots.positionHd[slot], roots.normalHd[slot]}, lengthM, std::span(nodes).first(nodeCount));
-            float* at = basis.restPositions.data() + i / kLanes * nodeCount * 3 * kLanes + i % kLanes;
-            for (const glm::vec3& node : std::span(nodes).first(nodeCount)) {
-                at[0] = node.x;
-                at[kLanes] = node.y;
-                at[2 * std::size_t{kLanes}] = node.z;
-                at += 3 * std::size_t{kLanes};
-            }
+            StrandBlocks(settings.nodesPerHair).write(basis.restPositions, i, std::span(nodes).first(nodeCount));
         }
     });
 }
@@ -254,7 +248,7 @@ void GroupBuilder::countDependents(const StrandChunk* chunk, std::size_t chunkIn
     if (chunk == nullptr)
         return;
     slots.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
-        const std::size_t local = slot % kChunkSlots;
+        const std::size_t local = inChunk(slot);
         if (!chunk->drawn[local])
             return;
         if (chunk->braidCentre[local] != kNoCentre) {
@@ -270,12 +264,12 @@ void GroupBuilder::countDependents(const StrandChunk* chunk, std::size_t chunkIn
 void GroupBuilder::updateWanted(Groom& groom)
 {
     const std::size_t basisCount = m_drawnDependents.size();
-    std::vector<std::uint32_t> wanted((basisCount + kLanes - 1) / kLanes, 0);
+    std::vector<std::uint32_t> wanted(blocksFor(basisCount), 0);
     groom.basisCount = 0;
     for (std::size_t i = 0; i < basisCount; ++i) {
         if (m_drawnDependents[i] == 0)
             continue;
-        wanted[i / kLanes] |= 1U << (i % kLanes);
+        insertLane(wanted, i);
         ++groom.basisCount;
     }
     const BasisStyles& now = m_newBasis ? *m_newBasis : *m_basis;

@@ -28,6 +28,7 @@ struct PhysicsSettings
 /// How the hairs of a group look.
 struct StrandMaterial
 {
+    float widthM = 80e-6F;         ///< Diameter of a hair, 10e-6..1e-3.
     float shine = 0.5F;            ///< 0..1: strength of the highlights.
     float roughness = 0.35F;       ///< 0.05..1: width of the highlights.
     float rootAlpha = 1.0F;        ///< 0..1.
@@ -42,7 +43,6 @@ struct GroupSettings
     float greatestDensityPerM2 = 1.5e6F; ///< 1e4..4e6.
     float greatestLengthM = 0.30F;       ///< 0.001..2.
     float shortestLengthM = 0.0F;        ///< The length where the map is 0.
-    float hairWidthM = 80e-6F;           ///< Diameter, 10e-6..1e-3.
     int nodesPerHair = 8;                ///< 4..32, root and tip included.
     int basisHairs = 4096;               ///< Of the candidates, the solved ones; 256..1,000,000.
     TurnsMode turnsMode = TurnsMode::PerHair;

@@ -27,17 +27,17 @@ std::uint32_t packColour(glm::vec3 encoded)
 }
 
 /// Uniform over the unit disc, by rejection from the square.
-glm::vec2 placeInDisc(std::uint64_t hash)
+glm::vec2 pointInDisc(std::uint64_t hash)
 {
     constexpr int kTries = 8; // All fail once in 226,000.
-    glm::vec2 place(0.0F);
+    glm::vec2 point(0.0F);
     for (int i = 0; i < kTries; ++i) {
-        place = glm::vec2(unitFloat(hash), unitFloat(hash << 32U)) * 2.0F - 1.0F;
-        if (glm::dot(place, place) <= 1.0F)
-            return place;
+        point = glm::vec2(unitFloat(hash), unitFloat(hash << 32U)) * 2.0F - 1.0F;
+        if (glm::dot(point, point) <= 1.0F)
+            return point;
         hash = hash64(hash, 1);
     }
-    return place * 0.5F;
+    return point * 0.5F;
 }
 
 } // namespace
@@ -63,7 +63,7 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
     chance.variation = static_cast<float>(first & 0xFFFFU) * (2.0F * kPerSixteenBits) - 1.0F;
     chance.coatHeight = static_cast<float>((first >> 16U) & 0xFFFFU) * kPerSixteenBits;
     chance.wisp = static_cast<std::uint32_t>(second & 0xFFU) % 6;
-    chance.place = placeInDisc(second);
+    chance.wispOffset = pointInDisc(second);
     return chance;
 }
 
@@ -86,7 +86,6 @@ StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, con
     style.phase = chance.phase;
     style.rootColour = packColour(values.colour);
     style.tipColour = style.rootColour;
-    style.widthM = settings.hairWidthM;
     style.detail = detail;
     style.variation = chance.variation;
     return style;

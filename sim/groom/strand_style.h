@@ -16,11 +16,11 @@ struct RootValues
 /// What a hair has from chance, always the same for a rank.
 struct RootChance
 {
-    float phase = 0.0F;      ///< rad
-    float variation = 0.0F;  ///< -1..1
-    float coatHeight = 0.0F; ///< 0..1
-    std::uint32_t wisp = 0;  ///< 0..5: even over two wisps and over three
-    glm::vec2 place{0.0F};   ///< In the unit disc, uniform.
+    float phase = 0.0F;         ///< rad
+    float variation = 0.0F;     ///< -1..1
+    float coatHeight = 0.0F;    ///< 0..1
+    std::uint32_t wisp = 0;     ///< 0..5: even over two wisps and over three
+    glm::vec2 wispOffset{0.0F}; ///< In the unit disc, uniform.
 };
 [[nodiscard]] RootChance chanceOf(std::uint64_t seed, std::uint32_t rank);
 

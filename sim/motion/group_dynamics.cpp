@@ -131,7 +131,7 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
     const auto nodes = static_cast<std::size_t>(m_groom->nodes);
     StrandState alone;
     alone.present = 0;
-    alone.resize(m_groom->nodes, (strands.size() + kLanes - 1) / kLanes);
+    alone.resize(m_groom->nodes, blocksFor(strands.size()));
     std::vector<float> rest(alone.positions[0].size(), 0.0F);
     const GroupGains gains = [this] {
         PhysicsSettings physics = m_groom->settings.physics;
@@ -148,11 +148,8 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
         std::array<float, kMaxColliders> scales{};
         for (std::size_t i = begin * kLanes; i < std::min(end * kLanes, strands.size()); ++i) {
             const std::size_t strand = strands[i];
-            readStrand(m_groom->basis->restPositions.data(), m_groom->nodes, strand, std::span(shape).first(nodes));
-            for (std::size_t node = 0; node < nodes; ++node) {
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    rest[alone.nodeAt(i, static_cast<int>(node)) + axis * kLanes] = shape[node][static_cast<int>(axis)];
-            }
+            m_groom->blocks().read(m_groom->basis->restPositions, strand, std::span(shape).first(nodes));
+            alone.shape().write(rest, i, std::span(shape).first(nodes));
             for (int row = 0; row < kLaneFields; ++row)
                 alone.field(i, row) = m_state.field(strand, row);
             for (std::size_t c = 0; c < kMaxColliders; ++c)
@@ -182,7 +179,7 @@ void GroupDynamics::reset()
         for (std::size_t strand = begin * kLanes; strand < end * kLanes; ++strand) {
             if (m_state.field(strand, kStill) >= kUnwanted)
                 continue;
-            readStrand(m_groom->basis->restPositions.data(), m_groom->nodes, strand, std::span(rest).first(nodes));
+            m_groom->blocks().read(m_groom->basis->restPositions, strand, std::span(rest).first(nodes));
             m_state.placeStrand(strand, std::span(rest).first(nodes));
         }
     });

@@ -167,7 +167,7 @@ private Q_SLOTS:
     void thicknessTransparencyAndColourRunFromRootToTip()
     {
         sim::GroupInput input = group(1, 65535, 65535, 0);
-        input.settings.hairWidthM = 70e-6F;
+        input.settings.material.widthM = 70e-6F;
         input.settings.material.rootAlpha = 0.75F;
         input.settings.material.tipAlpha = 0.25F;
         const HairFile file = written(frameOf({input}));

@@ -1,6 +1,7 @@
 // The renderer draws what the scene says, off-screen.
 #include "tests/rendering/renderer_fixture.h"
 #include "tests/support/test_program.h"
+#include "view/rendering/packed_style.h"
 
 #include <QtTest>
 
@@ -174,7 +175,7 @@ void TestRenderer::onlyChangedChunksAreSent()
     scene.hair = frame;
     draw(scene);
     const std::size_t all = m_renderer->statistics().uploadedBytes;
-    QVERIFY(all > 5 * sim::kChunkSlots * sizeof(sim::StrandStyle));
+    QVERIFY(all > 5 * sim::kChunkSlots * sizeof(rendering::PackedStyle));
     draw(scene);
     QCOMPARE(m_renderer->statistics().uploadedBytes, std::size_t{0});
 
@@ -195,7 +196,7 @@ void TestRenderer::onlyChangedChunksAreSent()
     scene.hair = painted;
     draw(scene);
     const std::size_t list = 5001 * 8;
-    QCOMPARE(m_renderer->statistics().uploadedBytes, positions + list + sim::kChunkSlots * sizeof(sim::StrandStyle));
+    QCOMPARE(m_renderer->statistics().uploadedBytes, positions + list + sim::kChunkSlots * sizeof(rendering::PackedStyle));
 }
 
 void TestRenderer::theSameSceneGivesTheSamePixels_data()

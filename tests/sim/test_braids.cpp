@@ -1,6 +1,7 @@
 // Braids grow in connected regions, and their hairs gather at the middle.
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/groom.h"
+#include "tests/sim/groom_reading.h"
 #include "tests/support/test_grooms.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
@@ -42,22 +43,6 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> hairsByCentre(const Groom& g
     return hairs;
 }
 
-glm::vec3 restNode(const Groom& groom, std::uint32_t slot, int node)
-{
-    const StrandChunk& chunk = *groom.chunks[slot / kChunkSlots];
-    const std::size_t local = slot % kChunkSlots;
-    const float* at =
-        chunk.restPositions.data() +
-        (local / kLanes * static_cast<std::size_t>(groom.nodes) + static_cast<std::size_t>(node)) * 3 * kLanes +
-        local % kLanes;
-    return {at[0], at[kLanes], at[2 * kLanes]};
-}
-
-const StrandStyle& styleOf(const Groom& groom, std::uint32_t slot)
-{
-    return groom.chunks[slot / kChunkSlots]->styles[slot % kChunkSlots];
-}
-
 } // namespace
 
 class TestBraids : public QObject
@@ -82,7 +67,7 @@ void TestBraids::withoutBraidsNoHairIsBraided()
     QVERIFY(hairsByCentre(*groom).empty());
     QVERIFY(groom->hairCount > 0);
     for (std::uint32_t slot = 0; slot < 1000; ++slot)
-        QCOMPARE(styleOf(*groom, slot).braid, 0U);
+        QCOMPARE(groom->style(slot).braid, BraidKind::None);
 }
 
 void TestBraids::aRegionSmallerThanTheSpacingIsOneBraidFromItsMiddle()
@@ -156,7 +141,7 @@ void TestBraids::allHairsOfABraidShareItsSkeleton()
         const std::uint32_t centreSlot = groom->roots->basisSlot[centre];
         const float centreLengthM = groom->basis->segmentLengths[centre] * 7.0F;
         for (const std::uint32_t slot : slots) {
-            const StrandStyle& style = styleOf(*groom, slot);
+            const StrandStyle& style = groom->style(slot);
             const int gathered = static_cast<int>(std::lround(style.braidStart * 7.0F));
             QVERIFY(gathered >= 1 && gathered < 6);
             QVERIFY(restNode(*groom, slot, 0) == groom->roots->positionHd[slot]);
@@ -198,10 +183,10 @@ void TestBraids::wispsAndPlacesAreSpreadEvenly()
     glm::vec2 mean(0.0F);
     float meanSquare = 0.0F;
     for (std::uint32_t slot = 0; slot < groom->roots->count(); ++slot) {
-        const StrandStyle& style = styleOf(*groom, slot);
-        QCOMPARE(style.braid & 0xFFU, 1U);
-        ++wisps[(style.braid >> 8U) & 3U];
-        const glm::vec2 place(style.placeX, style.placeY);
+        const StrandStyle& style = groom->style(slot);
+        QCOMPARE(style.braid, BraidKind::Plait);
+        ++wisps[style.wisp];
+        const glm::vec2 place = style.wispOffset;
         QVERIFY(glm::length(place) <= 1.0F);
         mean += place / 20000.0F;
         meanSquare += glm::dot(place, place) / 20000.0F;
@@ -241,7 +226,7 @@ void TestBraids::theLengthAtTheCentreIsTheBraids()
     const auto after = builder.update(input);
     QVERIFY(after.rebuiltStrands >= braids.begin()->second.size());
     for (const std::uint32_t slot : braids.begin()->second) {
-        const float grown = styleOf(*after.grooms[0], slot).lengthM - styleOf(*before.grooms[0], slot).lengthM;
+        const float grown = after.grooms[0]->style(slot).lengthM - before.grooms[0]->style(slot).lengthM;
         QVERIFY(std::abs(grown - 0.15F) < 1e-5F);
     }
 }

@@ -67,20 +67,16 @@ void TestDependents::braidedHairFollowsItsCentre()
     glm::vec3 tips[2] = {glm::vec3(0.0F), glm::vec3(0.0F)};
     std::uint32_t centreOfFirst = kNoCentre;
     for (std::size_t slot = 0; slot < kHairs; ++slot) {
-        const StrandChunk& chunk = *groom.chunks[slot / kChunkSlots];
-        const std::size_t inChunk = slot % kChunkSlots;
-        const std::uint32_t centre = chunk.braidCentre[inChunk];
+        const StrandChunk& chunk = *groom.chunks[chunkOf(slot)];
+        const std::size_t local = inChunk(slot);
+        const std::uint32_t centre = chunk.braidCentre[local];
         const std::vector<glm::vec3> nodes = nodesOf(frame, slot);
         if (nodes.empty() || centre == kNoCentre)
             continue;
         // The gathering part lies where it was groomed.
-        const int gathered = static_cast<int>(std::lround(chunk.styles[inChunk].braidStart * static_cast<float>(last)));
-        const auto nodeCount = static_cast<std::size_t>(groom.nodes);
+        const int gathered = static_cast<int>(std::lround(chunk.styles[local].braidStart * static_cast<float>(last)));
         for (int node = 0; node <= gathered; ++node) {
-            const float* at = chunk.restPositions.data() +
-                              (inChunk / kLanes * nodeCount + static_cast<std::size_t>(node)) * 3 * kLanes +
-                              inChunk % kLanes;
-            const glm::vec3 rest(at[0], at[kLanes], at[2 * kLanes]);
+            const glm::vec3 rest = groom.blocks().node(chunk.restPositions, local, static_cast<std::size_t>(node));
             QVERIFY(glm::distance(nodes[static_cast<std::size_t>(node)], rest) < 1e-6F);
         }
         // All hairs of one braid end at the same tip.

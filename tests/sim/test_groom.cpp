@@ -236,7 +236,7 @@ void TestGroom::coloursAreTheMapsOwn()
         QCOMPARE(style.rootColour, 0xFF0380FFU);
         QCOMPARE(style.tipColour, style.rootColour);
         QVERIFY(style.variation >= -1.0F && style.variation <= 1.0F);
-        QCOMPARE(style.widthM, group.settings.hairWidthM);
+        QCOMPARE(style.width, 1.0F);
     });
 }
 
@@ -296,7 +296,7 @@ void TestGroom::basisHairsHaveStylesOfTheirOwn()
         QVERIFY(std::abs(basis.gel[i] - (left ? 0.25F : 0.75F)) < 1e-4F);
         QVERIFY(basis.height[i] >= 0.0F && basis.height[i] <= 1.0F);
         const glm::vec3 root = groom->roots->positionHd[groom->roots->basisSlot[i]];
-        QCOMPARE(basis.restPositions[i / kLanes * 8 * 3 * kLanes + i % kLanes], root.x);
+        QCOMPARE(StrandBlocks(8).node(basis.restPositions, i, 0), root);
     }
 }
 
@@ -312,7 +312,7 @@ void TestGroom::basisHairsAreWantedWhileADependentIsDrawn()
                 followed.insert(groom->roots->neighbours[slot][k]);
     });
     for (std::uint32_t i = 0; i < 256; ++i)
-        QCOMPARE(((groom->basis->wanted[i / kLanes] >> (i % kLanes)) & 1U) != 0, followed.contains(i));
+        QCOMPARE(hasLane(groom->basis->wanted, i), followed.contains(i));
     QCOMPARE(groom->basisCount, followed.size());
     QVERIFY(followed.size() > 5 && followed.size() < 40);
 }

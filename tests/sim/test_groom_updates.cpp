@@ -240,6 +240,8 @@ void TestGroomUpdates::settingsThatLeaveTheHairsAloneShareThem()
     const auto before = builder.update(input).grooms[0];
     input.groups[0].settings.physics.damping = 5.0F;
     input.groups[0].settings.material.shine = 0.9F;
+    input.groups[0].settings.material.widthM = 1e-4F;
+    input.groups[0].settings.material.colourVariation = 0.5F;
     input.groups[0].visible = false;
     const auto report = builder.update(input);
     QCOMPARE(report.rebuiltStrands, std::size_t{0});
@@ -259,7 +261,6 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild_data()
     row("nodes", [](GroomInput& i) { i.groups[0].settings.nodesPerHair = 5; });
     row("basis hairs", [](GroomInput& i) { i.groups[0].settings.basisHairs = 300; });
     row("turns per length", [](GroomInput& i) { i.groups[0].settings.turnsMode = TurnsMode::PerLength; });
-    row("width", [](GroomInput& i) { i.groups[0].settings.hairWidthM = 1e-4F; });
     row("braid spacing", [](GroomInput& i) { i.groups[0].settings.braidSpacingM = 0.05F; });
     row("seed", [](GroomInput& i) { i.seed = 2; });
     row("limit", [](GroomInput& i) { i.maxHairs = 3000; });

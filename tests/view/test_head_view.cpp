@@ -302,8 +302,7 @@ private Q_SLOTS:
         std::vector<float>& positions = frame->groups.front().positions;
         QVERIFY(!positions.empty());
         const glm::vec3 tip = glm::vec3(0.0F, 0.5F, 0.0F) + 0.1F * glm::normalize(f.area.camera().eyeWo());
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            positions[axis * sim::kLanes] = tip[static_cast<int>(axis)];
+        sim::StrandBlocks::store(positions.data(), tip);
         f.area.setFrame(frame);
         QVERIFY(f.area.positionOf(tip)->y() < 0.0);
         f.area.fit();

@@ -22,10 +22,10 @@ float highestSeen(const rendering::Camera& camera, const sim::StrandFrame& hair)
     for (const sim::GroupFrame& group : hair.groups) {
         if (!group.groom->visible)
             continue;
-        for (std::size_t row = 0; row + 3 * sim::kLanes <= group.positions.size(); row += 3 * sim::kLanes)
+        constexpr std::size_t kRow = sim::StrandBlocks::kNodeStride;
+        for (std::size_t row = 0; row + kRow <= group.positions.size(); row += kRow)
             for (std::size_t lane = row; lane < row + sim::kLanes; ++lane) {
-                const glm::vec3 node(group.positions[lane], group.positions[lane + sim::kLanes],
-                                     group.positions[lane + 2 * sim::kLanes]);
+                const glm::vec3 node = sim::StrandBlocks::load(group.positions.data() + lane);
                 const glm::vec3 offset = node - camera.targetWo;
                 const float nearness = std::max(0.1F, 1.0F - glm::dot(offset, towardEye) / camera.distanceM);
                 highest = std::max(highest, glm::dot(offset, up) / nearness);

@@ -1,8 +1,8 @@
 // The hair groups and the active group's settings.
 #include "view/panels/hair_panel.h"
 
+#include "model/group_schema.h"
 #include "model/names.h"
-#include "view/panels/hair_settings.h"
 #include "view/panels/layer_list.h"
 #include "view/theme.h"
 #include "view/widgets/action_button.h"
@@ -23,6 +23,9 @@
 namespace hairpaint::view {
 
 using model::Change;
+using model::GroupSetting;
+using model::schemaText;
+using model::SettingSection;
 using sim::GroupSettings;
 using sim::TurnsMode;
 
@@ -111,72 +114,69 @@ void HairPanel::buildSettings(QVBoxLayout& layout)
                                                          {SettingSection::Look, tr("Look")}};
     for (const auto& [kind, title] : titles) {
         auto* section = new Section(title, this);
-        for (const SettingRow& row : settingRows()) {
-            if (row.section == kind)
+        for (const GroupSetting& row : model::groupSchema()) {
+            if (row.section != kind)
+                continue;
+            if (!row.choices.empty())
+                section->body().addWidget(makeChoice(row, section));
+            else if (row.isSwitch())
+                section->body().addWidget(makeSwitch(row, section));
+            else
                 section->body().addWidget(makeSlider(row, section));
         }
-        if (kind == SettingSection::Shape)
-            buildTurns(*section);
         layout.addWidget(section);
         m_settings.push_back(section);
     }
 }
 
-BarSlider* HairPanel::makeSlider(const SettingRow& row, QWidget* parent)
+QWidget* HairPanel::makeChoice(const GroupSetting& row, QWidget* parent)
 {
-    auto* slider = new BarSlider(settingText(row.label), parent);
-    slider->setRange(row.minimum, row.maximum, row.decimals);
-    slider->setExponent(row.exponent);
-    slider->setUnit(*row.unit != '\0' ? settingText(row.unit) : QString());
-    slider->setDefaultValue(row.read(GroupSettings{}));
-    slider->setHint(settingText(row.hint));
-    bind(*slider, row.write);
-    m_sliders.emplace_back(&row, slider);
-    return slider;
+    auto* box = new QComboBox(parent);
+    box->setAccessibleName(schemaText(row.hint));
+    box->setToolTip(box->accessibleName());
+    for (const model::SettingChoice& choice : row.choices)
+        box->addItem(schemaText(choice.title));
+    connect(box, &QComboBox::activated, this, [this, &row](int index) { change(row, index); });
+    m_followers.emplace_back(
+        [box, &row](const GroupSettings& settings) { box->setCurrentIndex(static_cast<int>(row.read(settings))); });
+    return box;
 }
 
-void HairPanel::bind(BarSlider& slider, void (*write)(GroupSettings&, double))
+QWidget* HairPanel::makeSwitch(const GroupSetting& row, QWidget* parent)
 {
-    connect(&slider, &BarSlider::valueChanged, this, [this, write](double value) {
+    auto* box = new QCheckBox(schemaText(row.hint), parent);
+    connect(box, &QCheckBox::clicked, this, [this, &row](bool on) { change(row, on ? 1.0 : 0.0); });
+    m_followers.emplace_back(
+        [box, &row](const GroupSettings& settings) { box->setChecked(row.read(settings) != 0.0); });
+    return box;
+}
+
+QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
+{
+    auto* slider = new BarSlider(schemaText(row.label), parent);
+    slider->setRange(row.sliderLeast, row.sliderGreatest, row.decimals);
+    slider->setExponent(row.exponent);
+    slider->setUnit(schemaText(row.unit));
+    slider->setDefaultValue(row.shown(GroupSettings{}));
+    slider->setHint(schemaText(row.hint));
+    // Previews while the slider moves, one command when it is let go.
+    connect(slider, &BarSlider::valueChanged, this, [this, &row](double value) {
         const model::Id id = m_state.activeGroup();
         previewEdit(m_state.document(), {.aspect = Change::Aspect::Settings, .group = id},
-                    [id, write, value](model::Project& project) {
+                    [id, &row, value](model::Project& project) {
                         if (model::HairGroup* one = project.group(id))
-                            write(one->settings, value);
+                            row.writeShown(one->settings, value);
                     });
     });
-    connect(&slider, &BarSlider::editingFinished, this, [this, &slider, write](double value) {
-        changeSettings(slider.label(), [=](GroupSettings& settings) { write(settings, value); });
+    connect(slider, &BarSlider::editingFinished, this,
+            [this, &row](double value) { change(row, value / row.shownPerSi); });
+    connect(slider, &BarSlider::editingCancelled, this, [this] { m_state.document().clearPreview(); });
+    const bool needsPerLength = row.member == model::SettingMember(&GroupSettings::turnsPerLengthM);
+    m_followers.emplace_back([slider, &row, needsPerLength](const GroupSettings& settings) {
+        slider->setValue(row.shown(settings));
+        slider->setVisible(!needsPerLength || settings.turnsMode == TurnsMode::PerLength);
     });
-    connect(&slider, &BarSlider::editingCancelled, this, [this] { m_state.document().clearPreview(); });
-}
-
-void HairPanel::buildTurns(Section& section)
-{
-    m_turnsMode = new QComboBox(&section);
-    m_turnsMode->setAccessibleName(tr("What the turns of a curl are counted by"));
-    m_turnsMode->setToolTip(m_turnsMode->accessibleName());
-    m_turnsMode->addItem(tr("Turns per hair"));
-    m_turnsMode->addItem(tr("Turns per length"));
-    m_turnsPerLength = new BarSlider(tr("Turns are for"), &section);
-    m_turnsPerLength->setRange(1.0, 100.0, 1);
-    m_turnsPerLength->setExponent(2.0);
-    m_turnsPerLength->setUnit(tr("cm"));
-    m_turnsPerLength->setDefaultValue(10.0);
-    bind(*m_turnsPerLength,
-         [](GroupSettings& settings, double cm) { settings.turnsPerLengthM = static_cast<float>(cm / 100.0); });
-    m_stepped = new QCheckBox(tr("Whole curl levels only"), &section);
-    section.body().addWidget(m_turnsMode);
-    section.body().addWidget(m_turnsPerLength);
-    section.body().addWidget(m_stepped);
-    connect(m_turnsMode, &QComboBox::activated, this, [this](int index) {
-        changeSettings(tr("Turns mode"), [index](GroupSettings& settings) {
-            settings.turnsMode = index == 0 ? TurnsMode::PerHair : TurnsMode::PerLength;
-        });
-    });
-    connect(m_stepped, &QCheckBox::clicked, this, [this](bool on) {
-        changeSettings(tr("Curl levels"), [on](GroupSettings& settings) { settings.steppedTurns = on; });
-    });
+    return slider;
 }
 
 const model::HairGroup* HairPanel::group() const
@@ -184,7 +184,7 @@ const model::HairGroup* HairPanel::group() const
     return m_state.document().project().group(m_state.activeGroup());
 }
 
-void HairPanel::changeSettings(const QString& what, const std::function<void(GroupSettings&)>& edit)
+void HairPanel::change(const GroupSetting& row, double value)
 {
     const model::Id id = m_state.activeGroup();
     commitEdit(m_state.document(), [&]() -> model::CommandPtr {
@@ -192,9 +192,9 @@ void HairPanel::changeSettings(const QString& what, const std::function<void(Gro
         if (found == nullptr)
             return nullptr;
         GroupSettings settings = found->settings;
-        edit(settings);
+        row.write(settings, value);
         return setSettingsCommand(m_state.document(), id, settings,
-                                  tr("%1 of \"%2\"").arg(what, model::shownName(found->name)));
+                                  tr("%1 of \"%2\"").arg(schemaText(row.label), model::shownName(found->name)));
     });
 }
 
@@ -233,13 +233,8 @@ void HairPanel::follow()
         section->setEnabled(shown != nullptr);
     if (shown == nullptr)
         return;
-    const GroupSettings& settings = shown->settings;
-    for (const auto& [row, slider] : m_sliders)
-        slider->setValue(row->read(settings));
-    m_turnsMode->setCurrentIndex(settings.turnsMode == TurnsMode::PerHair ? 0 : 1);
-    m_turnsPerLength->setVisible(settings.turnsMode == TurnsMode::PerLength);
-    m_turnsPerLength->setValue(static_cast<double>(settings.turnsPerLengthM) * 100.0);
-    m_stepped->setChecked(settings.steppedTurns);
+    for (const auto& follower : m_followers)
+        follower(shown->settings);
 }
 
 void HairPanel::addGroup()

@@ -168,13 +168,15 @@ tl::expected<Program, std::string> Program::link(std::initializer_list<Stage> st
     std::array<char, 1024> log{};
     for (const Stage& stage : stages) {
         const unsigned shader = glCreateShader(stage.kind);
-        const std::string_view common = shaderSource("common.glsl");
-        const std::string_view text = shaderSource(stage.file);
-        const std::array<const char*, 4> parts{"#version 430 core\n", defines.empty() ? "" : defines.data(),
-                                               common.data(), text.data()};
-        const std::array<int, 4> lengths{-1, static_cast<int>(defines.size()), static_cast<int>(common.size()),
-                                         static_cast<int>(text.size())};
-        glShaderSource(shader, 4, parts.data(), lengths.data());
+        const std::array<std::string_view, 5> parts{"#version 430 core\n", defines, shaderSource("strand_layout.glsl"),
+                                                    shaderSource("common.glsl"), shaderSource(stage.file)};
+        std::array<const char*, parts.size()> texts{};
+        std::array<int, parts.size()> lengths{};
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            texts[i] = parts[i].empty() ? "" : parts[i].data();
+            lengths[i] = static_cast<int>(parts[i].size());
+        }
+        glShaderSource(shader, static_cast<int>(parts.size()), texts.data(), lengths.data());
         glCompileShader(shader);
         int done = 0;
         glGetShaderiv(shader, GL_COMPILE_STATUS, &done);

@@ -16,7 +16,7 @@ int curveSegments(const sim::StrandStyle& style)
     float segments = 0.0F;
     if (style.curlRadiusM > 0.0F)
         segments = style.turns * kPointsPerTurn;
-    if ((style.braid & 0xFFU) != 0)
+    if (style.braid != sim::BraidKind::None)
         segments =
             std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F));
     return std::clamp(static_cast<int>(std::ceil(segments)), 0, kMostSegments);

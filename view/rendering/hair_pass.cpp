@@ -102,7 +102,8 @@ void HairPass::fillGrid(const FrameConstants& constants, float detail)
         m_splat.set("strandCount", strands);
         m_splat.set("strandStep", step);
         m_splat.set("nodes", group.groom().nodes);
-        m_splat.set("weight", group.groom().settings.hairWidthM * static_cast<float>(step) / (detail * kVoxelUnitM2));
+        m_splat.set("weight",
+                    group.groom().settings.material.widthM * static_cast<float>(step) / (detail * kVoxelUnitM2));
         dispatch((strands + step - 1) / step);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -127,8 +128,9 @@ void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants
     m_projected.reserve(mostPoints * sizeof(glm::uvec4));
     bindOpacity(0, 1);
 
-    const float thickest = std::max(settings.hairWidthM * constants.gridSize.z / constants.depthRange.x, kLeastWidth) /
-                           detail * std::max(settings.material.rootAlpha, settings.material.tipAlpha);
+    const float thickest =
+        std::max(settings.material.widthM * constants.gridSize.z / constants.depthRange.x, kLeastWidth) / detail *
+        std::max(settings.material.rootAlpha, settings.material.tipAlpha);
     const auto rows = static_cast<unsigned>(std::min(thickest, kGreatestWidth) * 1.42F) + 1U;
 
     for (const StrandBatch& batch : group.list().batches()) {
@@ -151,6 +153,7 @@ void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants
         m_shade.set("greatestWidth", kGreatestWidth);
         m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness,
                                           settings.material.rootAlpha, settings.material.tipAlpha));
+        m_shade.set("groupWidthM", settings.material.widthM);
         m_shade.set("variationScale", settings.material.colourVariation);
         dispatch(batch.pointCount);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
