@@ -1,4 +1,4 @@
-// The list of actions: see the header.
+// The table of actions: see the header.
 #include "app/action_set.h"
 
 #include "view/widgets/icons.h"
@@ -7,25 +7,64 @@
 
 namespace hairpaint::app {
 
+namespace {
+
+/// Without the mark of its mnemonic and a key that stands behind a tab.
+QString wordsOf(const QString& text)
+{
+    QString words = text.section(QLatin1Char('\t'), 0, 0);
+    words.replace(QStringLiteral("&&"), QStringLiteral("\x01"));
+    words.remove(QLatin1Char('&'));
+    return words.replace(QLatin1Char('\x01'), QLatin1Char('&'));
+}
+
+} // namespace
+
 ActionSet::ActionSet(Settings& settings, QWidget& window) : QObject(&window), m_settings(settings), m_window(window) {}
 
-QAction* ActionSet::add(QMenu& menu, const ActionSpec& spec)
+void ActionSet::add(QMenu& menu, const std::vector<ActionRow>& rows)
 {
-    auto* action = new QAction(spec.text, &m_window);
-    action->setObjectName(QLatin1StringView(spec.id));
-    action->setCheckable(spec.checkable);
-    if (spec.icon != nullptr)
-        action->setIcon(spec.checkable ? view::switchIcon(QLatin1StringView(spec.icon))
-                                       : view::icon(QLatin1StringView(spec.icon)));
+    for (const ActionRow& row : rows)
+        addRow(menu, row);
+}
+
+void ActionSet::addRow(QMenu& menu, const ActionRow& row)
+{
+    const bool checkable = static_cast<bool>(row.on);
+    auto* action = new QAction(row.text, &m_window);
+    action->setObjectName(QString::fromLatin1(row.id));
+    action->setCheckable(checkable);
+    if (row.icon != nullptr)
+        action->setIcon(checkable ? view::switchIcon(QLatin1StringView(row.icon))
+                                  : view::icon(QLatin1StringView(row.icon)));
     // A menu shows the icon or the tick, and what is on must be seen.
-    action->setIconVisibleInMenu(!spec.checkable);
-    action->setShortcut(m_settings.key(action->objectName()).value_or(spec.key));
-    if (spec.run)
-        connect(action, &QAction::triggered, &m_window, spec.run);
+    action->setIconVisibleInMenu(!checkable);
+    if (const std::optional<QKeySequence> key = m_settings.key(action->objectName()))
+        action->setShortcut(*key);
+    else
+        action->setShortcuts(row.keys);
+    connect(action, &QAction::triggered, &m_window, [this, run = row.run] {
+        run();
+        follow();
+    });
     menu.addAction(action);
     m_window.addAction(action); // Keys work while the menu bar is hidden too.
-    m_entries.push_back({.action = action, .section = menu.title().remove(QLatin1Char('&')), .defaultKey = spec.key});
-    return action;
+    m_entries.push_back({.action = action,
+                         .section = wordsOf(menu.title()),
+                         .name = wordsOf(row.text).remove(QChar(0x2026)),
+                         .row = row});
+}
+
+void ActionSet::follow()
+{
+    for (const Entry& entry : m_entries) {
+        if (entry.row.on)
+            entry.action->setChecked(entry.row.on());
+        if (entry.row.enabled)
+            entry.action->setEnabled(entry.row.enabled());
+        if (entry.row.label)
+            entry.action->setText(entry.row.label());
+    }
 }
 
 QAction* ActionSet::find(QLatin1StringView id) const
@@ -39,13 +78,19 @@ std::vector<view::KeyBinding> ActionSet::bindings() const
 {
     std::vector<view::KeyBinding> bindings;
     for (const Entry& entry : m_entries)
-        bindings.push_back({.action = entry.action, .section = entry.section, .defaultKey = entry.defaultKey});
+        bindings.push_back(
+            {.action = entry.action, .section = entry.section, .name = entry.name, .defaultKeys = entry.row.keys});
     return bindings;
 }
 
 void ActionSet::remember(QAction* action, const QKeySequence& key)
 {
     m_settings.setKey(action->objectName(), key);
+}
+
+void ActionSet::forget(QAction* action)
+{
+    m_settings.removeKey(action->objectName());
 }
 
 } // namespace hairpaint::app

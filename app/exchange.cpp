@@ -1,13 +1,15 @@
 // Import and export: see the header.
 #include "app/exchange.h"
 
-#include "app/background_task.h"
 #include "app/heads.h"
 #include "app/library.h"
 #include "app/picture.h"
+#include "app/save_dialog.h"
+#include "app/style_pictures.h"
 #include "model/commands/commands.h"
 #include "model/files/hair_file.h"
 #include "model/files/image_map.h"
+#include "model/files/sentences.h"
 #include "view/dialogs/head_import_dialog.h"
 
 #include <QDir>
@@ -21,33 +23,24 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr QSize kStylePictureSize(192, 192);
 constexpr QSize kPictureSize(2048, 2048);
-
-/// Letters and digits of a name as a file name that every system takes.
-QString fileNameFor(const QString& name)
-{
-    QString result;
-    for (const QChar letter : name.toLower())
-        result += letter.isLetterOrNumber() ? letter : QLatin1Char('-');
-    return result.isEmpty() ? QStringLiteral("style") : result;
-}
 
 } // namespace
 
-Exchange::Exchange(Session& session, Settings& settings, QWidget& window)
-    : QObject(&window), m_session(session), m_settings(settings), m_window(window)
+Exchange::Exchange(Session& session, Settings& settings, Jobs& jobs, QWidget& window)
+    : QObject(&window), m_session(session), m_settings(settings), m_jobs(jobs), m_window(window)
 {}
 
-void Exchange::setPictureMaker(std::function<QImage(QSize)> maker)
+void Exchange::setSceneSource(std::function<rendering::Scene()> source)
 {
-    m_picture = std::move(maker);
+    m_scene = std::move(source);
 }
 
 void Exchange::importImage(bool grey)
 {
-    const QString path = askOpenPath(tr("Load image into %1").arg(mapSpec(m_session.editor().activeMap()).titleText()),
-                                     tr("Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)"));
+    const QString path =
+        askOpenPath(tr("Load image into %1").arg(model::mapSpec(m_session.editor().activeMap()).titleText()),
+                    tr("Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)"));
     if (!path.isEmpty())
         importImageFrom(path, grey);
 }
@@ -62,21 +55,14 @@ void Exchange::importImageFrom(const QString& path, bool grey)
         return;
     const model::MapSpec& spec = model::mapSpec(target.map);
     const int size = group->map(target.map).size;
-    bool cancelled = false;
-    model::Result<sim::TiledRaster> raster = runInBackground<sim::TiledRaster>(
-        &m_window, tr("Reading %1…").arg(QFileInfo(path).fileName()),
-        [&](const model::Progress& progress) -> model::Result<sim::TiledRaster> {
-            const model::Result<model::ForeignImage> image = model::ImporterClient().readImage(path, progress);
-            if (!image)
-                return tl::unexpected(image.error());
-            return model::layerFromImage(*image, spec, grey, size);
-        },
-        &cancelled);
-    if (cancelled)
-        return;
+    std::optional<model::Result<sim::TiledRaster>> raster = m_jobs.await<sim::TiledRaster>(
+        tr("Reading %1").arg(QFileInfo(path).fileName()),
+        [&](const model::Progress& progress) { return model::layerFromFile(path, spec, grey, size, progress); });
     if (!raster)
-        return complain(raster.error().message);
-    model::Layer layer{.id = 0, .name = QFileInfo(path).completeBaseName(), .raster = std::move(*raster)};
+        return;
+    if (!*raster)
+        return complain(raster->error().message);
+    model::Layer layer{.id = 0, .name = QFileInfo(path).completeBaseName(), .raster = std::move(**raster)};
     const int top = static_cast<int>(group->map(target.map).layers.size());
     document.push(model::insertLayerCommand(document, target.group, target.map, std::move(layer), top,
                                             tr("Load %1 into %2").arg(QFileInfo(path).fileName(), spec.titleText())));
@@ -91,13 +77,19 @@ void Exchange::exportMap()
     if (path.isEmpty())
         return;
     const auto resolved = m_session.document().resolved(editor.activeGroup(), editor.activeMap());
-    const model::Result<void> written = runInBackground<void>(
-        &m_window, tr("Writing %1…").arg(QFileInfo(path).fileName()), [&](const model::Progress&) {
-            return model::ImporterClient().writeImage(model::imageFromMap(*resolved, spec), path);
-        });
-    if (!written)
-        return complain(written.error().message);
-    Q_EMIT done(tr("%1 written").arg(QFileInfo(path).fileName()));
+    write(path, [&](const model::Progress& progress) {
+        return model::ImporterClient().writeImage(model::imageFromMap(*resolved, spec), path, 16, progress);
+    });
+}
+
+void Exchange::write(const QString& path, const Work<void>& work)
+{
+    const QString name = QFileInfo(path).fileName();
+    const std::optional<model::Result<void>> written = m_jobs.await<void>(tr("Writing %1").arg(name), work);
+    if (written && !*written)
+        complain(written->error().message);
+    else if (written)
+        Q_EMIT done(tr("%1 written").arg(name));
 }
 
 void Exchange::importHead()
@@ -111,29 +103,31 @@ void Exchange::importHead()
 void Exchange::importHeadFrom(const QString& path)
 {
     m_session.editor().commitStroke();
-    bool cancelled = false;
     const QString name = QFileInfo(path).fileName();
-    const model::Result<sim::HeadMesh> mesh = runInBackground<sim::HeadMesh>(
-        &m_window, tr("Reading %1…").arg(name),
-        [&path](const model::Progress& progress) { return model::ImporterClient().readMesh(path, progress); },
-        &cancelled);
-    if (cancelled)
-        return;
+    const std::optional<model::Result<sim::HeadMesh>> mesh =
+        m_jobs.await<sim::HeadMesh>(tr("Reading %1").arg(name), [&path](const model::Progress& progress) {
+            return model::ImporterClient().readMesh(path, progress);
+        });
     if (!mesh)
-        return complain(mesh.error().message);
-    view::HeadImportDialog dialog(*mesh, name, &m_window);
+        return;
+    if (!*mesh)
+        return complain(mesh->error().message);
+    view::HeadImportDialog dialog(**mesh, name, &m_window);
     Q_EMIT headDialogMade(dialog);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const model::HeadGuess guess{.unitScale = dialog.unitScale(), .upAxis = dialog.upAxis()};
-    const model::Result<ImportedHead> head =
-        runInBackground<ImportedHead>(&m_window, tr("Preparing %1…").arg(name), [&](const model::Progress&) {
-            return remakeHead(QFileInfo(path).completeBaseName(), model::writeGlb(*mesh), guess);
+    const std::optional<model::Result<ImportedHead>> made =
+        m_jobs.await<ImportedHead>(tr("Preparing %1").arg(name), [&](const model::Progress& progress) {
+            return remakeHead(QFileInfo(path).completeBaseName(), model::writeGlb(**mesh), guess, progress);
         });
-    if (!head)
-        return complain(head.error().message);
+    if (!made)
+        return;
+    if (!*made)
+        return complain(made->error().message);
+    const ImportedHead& head = **made;
     model::Document& document = m_session.document();
-    document.push(model::setHeadCommand(document, head->head, head->ellipsoids));
+    document.push(model::setHeadCommand(document, head.head, head.ellipsoids));
 }
 
 void Exchange::useBuiltInHead()
@@ -143,32 +137,44 @@ void Exchange::useBuiltInHead()
     document.push(model::setHeadCommand(document, model::builtInHead(), model::builtInEllipsoids()));
 }
 
+std::shared_ptr<const sim::StrandFrame> Exchange::currentHair()
+{
+    const bool came = m_jobs.awaitUntil(tr("Waiting for the newest hair"), [this] {
+        m_session.endPreviews(); // Also those that come late.
+        return m_session.hair() != Session::Hair::Underway;
+    });
+    if (!came)
+        return nullptr;
+    if (m_session.hair() == Session::Hair::Current)
+        return m_session.frame();
+    complain(tr("There is not enough memory for this hair; take less density or smaller maps."));
+    return nullptr;
+}
+
 void Exchange::exportHair()
 {
     const QString path = askSavePath(tr("Export hair"), tr("hair"), tr("Hair curves (*.hair)"), QStringLiteral("hair"));
-    const std::shared_ptr<const sim::StrandFrame> frame = m_session.frame();
-    if (path.isEmpty() || frame == nullptr)
+    const std::shared_ptr<const sim::StrandFrame> frame = path.isEmpty() ? nullptr : currentHair();
+    if (frame == nullptr)
         return;
-    const model::Result<void> written =
-        runInBackground<void>(&m_window, tr("Writing %1…").arg(QFileInfo(path).fileName()),
-                              [&](const model::Progress&) { return model::writeHairFile(*frame, path); });
-    if (!written)
-        return complain(written.error().message);
-    Q_EMIT done(tr("%1 written").arg(QFileInfo(path).fileName()));
+    write(path, [&](const model::Progress& progress) { return model::writeHairFile(*frame, path, progress); });
 }
 
 void Exchange::savePicture()
 {
-    const QImage picture = m_picture(kPictureSize);
-    if (picture.isNull())
-        return complain(tr("There is no OpenGL on this machine to draw a picture with; install a graphics driver."));
     const QString path =
         askSavePath(tr("Save picture"), tr("hairstyle"), tr("PNG images (*.png)"), QStringLiteral("png"));
-    if (path.isEmpty())
+    if (path.isEmpty() || currentHair() == nullptr)
         return;
-    if (const model::Result<void> written = writePicture(picture, path); !written)
-        return complain(written.error().message);
-    Q_EMIT done(tr("%1 written").arg(QFileInfo(path).fileName()));
+    write(path, [scene = m_scene(), path](const model::Progress& progress) -> model::Result<void> {
+        const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
+        if (!maker)
+            return tl::unexpected(maker.error());
+        const model::Result<QImage> picture = (*maker)->take(scene, kPictureSize, progress);
+        if (!picture)
+            return tl::unexpected(picture.error());
+        return writePicture(*picture, path);
+    });
 }
 
 void Exchange::saveStyle()
@@ -183,23 +189,51 @@ void Exchange::saveStyle()
     const QString folder = ownPresetFolder();
     if (!QDir().mkpath(folder))
         return complain(tr("The folder '%1' could not be made; check that you may write there.").arg(folder));
-    const QString path = folder + QLatin1Char('/') + fileNameFor(name) + QStringLiteral(".hairpreset");
+    const QString path = ownStylePath(name);
     if (QFile::exists(path) &&
         QMessageBox::question(&m_window, tr("Save style"),
                               tr("There is a style '%1' already. Replace it?").arg(name)) != QMessageBox::Yes)
         return;
-    model::Preset preset = model::presetFrom(m_session.document().committed(), name);
-    preset.picture = m_picture(kStylePictureSize);
-    if (const model::Result<void> saved = model::savePreset(preset, path); !saved)
-        return complain(saved.error().message);
+    // Without a picture: the strip has one drawn, framed as all the others are.
+    const model::Project project = m_session.document().committed();
+    const std::optional<model::Result<void>> saved = m_jobs.await<void>(
+        tr("Saving style %1").arg(name), [&](const model::Progress& progress) -> model::Result<void> {
+            const model::Preset preset = model::presetFrom(project, name);
+            if (!progress(1.0))
+                return model::cancelled(path);
+            return model::savePreset(preset, path);
+        });
+    if (!saved)
+        return;
+    if (!*saved)
+        return complain(saved->error().message);
     Q_EMIT stylesChanged();
     Q_EMIT done(tr("Style '%1' saved").arg(name));
 }
 
+void Exchange::renameStyle(const QString& path)
+{
+    const QString before = styleName(path);
+    bool accepted = false;
+    const QString name = QInputDialog::getText(&m_window, tr("Rename style"), tr("Name of the style"),
+                                               QLineEdit::Normal, before, &accepted)
+                             .trimmed();
+    if (!accepted || name.isEmpty() || name == before)
+        return;
+    const QString there = ownStylePath(name);
+    if (there != path && QFile::exists(there) &&
+        QMessageBox::question(&m_window, tr("Rename style"),
+                              tr("There is a style '%1' already. Replace it?").arg(name)) != QMessageBox::Yes)
+        return;
+    if (const model::Result<QString> renamed = app::renameStyle(path, name); !renamed)
+        return complain(renamed.error().message);
+    Q_EMIT stylesChanged();
+}
+
 void Exchange::deleteStyle(const QString& path)
 {
-    if (QMessageBox::question(&m_window, tr("Delete style"),
-                              tr("Move '%1' to the trash?").arg(QFileInfo(path).baseName())) != QMessageBox::Yes)
+    if (QMessageBox::question(&m_window, tr("Delete style"), tr("Move '%1' to the trash?").arg(styleName(path))) !=
+        QMessageBox::Yes)
         return;
     if (!QFile::moveToTrash(path))
         return complain(tr("'%1' could not be moved to the trash; delete it by hand.").arg(path));
@@ -209,11 +243,15 @@ void Exchange::deleteStyle(const QString& path)
 void Exchange::applyStyleFrom(const QString& path)
 {
     m_session.editor().commitStroke();
-    const model::Result<model::Preset> preset = model::loadPreset(path);
+    const std::optional<model::Result<model::Preset>> preset =
+        m_jobs.await<model::Preset>(tr("Reading %1").arg(QFileInfo(path).fileName()),
+                                    [&path](const model::Progress&) { return model::loadPreset(path); });
     if (!preset)
-        return complain(preset.error().message);
+        return;
+    if (!*preset)
+        return complain(preset->error().message);
     model::Document& document = m_session.document();
-    document.push(model::applyPresetCommand(document, *preset));
+    document.push(model::applyPresetCommand(document, **preset));
 }
 
 void Exchange::complain(const QString& message)
@@ -223,13 +261,11 @@ void Exchange::complain(const QString& message)
 
 QString Exchange::askSavePath(const QString& title, const QString& name, const QString& filter, const QString& suffix)
 {
-    QString path = QFileDialog::getSaveFileName(
-        &m_window, title, m_settings.lastFolder() + QLatin1Char('/') + name + QLatin1Char('.') + suffix, filter);
-    if (path.isEmpty())
-        return {};
-    if (QFileInfo(path).suffix().isEmpty())
-        path += QLatin1Char('.') + suffix;
-    m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    const QString suggested = m_settings.lastFolder() + QLatin1Char('/') + name + QLatin1Char('.') + suffix;
+    const QString path =
+        app::askSavePath(m_window, {.title = title, .suggestedPath = suggested, .filter = filter, .suffix = suffix});
+    if (!path.isEmpty())
+        m_settings.setLastFolder(QFileInfo(path).absolutePath());
     return path;
 }
 

@@ -1,10 +1,11 @@
 // What comes in from other programs and goes out to them: images, heads, hair, pictures, styles.
 #pragma once
 
+#include "app/jobs.h"
 #include "app/session.h"
 #include "app/settings.h"
+#include "view/rendering/scene.h"
 
-#include <QImage>
 #include <QObject>
 
 #include <functional>
@@ -18,10 +19,10 @@ class Exchange : public QObject
 {
     Q_OBJECT
 public:
-    Exchange(Session& session, Settings& settings, QWidget& window);
+    Exchange(Session& session, Settings& settings, Jobs& jobs, QWidget& window);
 
-    /// Draws the present moment, as large as asked.
-    void setPictureMaker(std::function<QImage(QSize)> maker);
+    /// What the 3D area shows at present, for pictures of it.
+    void setSceneSource(std::function<rendering::Scene()> source);
 
     /// Into the active map; `grey`: brightness is the value, else the image's colours are read by the map's scale.
     void importImage(bool grey); ///< Asks for the file.
@@ -33,6 +34,7 @@ public:
     void exportHair();
     void savePicture();
     void saveStyle();
+    void renameStyle(const QString& path); ///< Asks for the name.
     void deleteStyle(const QString& path);
     void applyStyleFrom(const QString& path);
 
@@ -43,6 +45,10 @@ Q_SIGNALS:
 
 private:
     void complain(const QString& message);
+    /// The hair of the document as it is, waited for; null where that was cancelled or there is no memory for it.
+    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair();
+    /// Has a file written with progress, and tells of it.
+    void write(const QString& path, const Work<void>& work);
     /// The chosen path with `suffix` added where it has none; empty where cancelled.
     [[nodiscard]] QString askSavePath(const QString& title, const QString& name, const QString& filter,
                                       const QString& suffix);
@@ -50,8 +56,9 @@ private:
 
     Session& m_session;
     Settings& m_settings;
+    Jobs& m_jobs;
     QWidget& m_window;
-    std::function<QImage(QSize)> m_picture;
+    std::function<rendering::Scene()> m_scene;
 };
 
 } // namespace hairpaint::app

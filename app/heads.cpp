@@ -1,6 +1,8 @@
 // Heads from foreign meshes: see the header.
 #include "app/heads.h"
 
+#include "model/files/sentences.h"
+
 #include <QFileInfo>
 
 namespace hairpaint::app {
@@ -8,6 +10,9 @@ namespace hairpaint::app {
 namespace {
 
 constexpr int kFittedEllipsoids = 5;
+/// Of the whole preparation, for its progress.
+constexpr double kShareOfReading = 0.1;
+constexpr double kShareOfSkin = 0.5;
 
 } // namespace
 
@@ -16,18 +21,25 @@ model::Result<ImportedHead> importHead(const QString& path, const model::Progres
     const model::Result<sim::HeadMesh> mesh = model::ImporterClient().readMesh(path, progress);
     if (!mesh)
         return tl::unexpected(mesh.error());
-    return remakeHead(QFileInfo(path).completeBaseName(), model::writeGlb(*mesh), model::guessHead(*mesh));
+    return remakeHead(QFileInfo(path).completeBaseName(), model::writeGlb(*mesh), model::guessHead(*mesh), progress);
 }
 
-model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& sourceGlb, const model::HeadGuess& guess)
+model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& sourceGlb, const model::HeadGuess& guess,
+                                       const model::Progress& progress)
 {
+    const auto goesOn = [&progress](double done) { return !progress || progress(done); };
+    if (!goesOn(kShareOfReading))
+        return model::cancelled(name);
     model::Result<std::shared_ptr<const model::Head>> head =
         model::makeHead(name, sourceGlb, guess.unitScale, guess.upAxis);
     if (!head)
         return tl::unexpected(head.error());
     ImportedHead result;
     result.head = std::move(*head);
-    result.ellipsoids = sim::fitEllipsoids(result.head->skin->mesh(), kFittedEllipsoids);
+    const auto keepGoing = [&](double fitted) { return goesOn(kShareOfSkin + (1.0 - kShareOfSkin) * fitted); };
+    result.ellipsoids = sim::fitEllipsoids(result.head->skin->mesh(), kFittedEllipsoids, keepGoing);
+    if (!goesOn(1.0))
+        return model::cancelled(name);
     result.sourceGlb = sourceGlb;
     result.guess = guess;
     return result;

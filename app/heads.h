@@ -18,6 +18,7 @@ struct ImportedHead
 [[nodiscard]] model::Result<ImportedHead> importHead(const QString& path, const model::Progress& progress = {});
 /// The same source with another unit and axis.
 [[nodiscard]] model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& sourceGlb,
-                                                     const model::HeadGuess& guess);
+                                                     const model::HeadGuess& guess,
+                                                     const model::Progress& progress = {});
 
 } // namespace hairpaint::app

@@ -6,6 +6,7 @@
 #include "model/names.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -37,8 +38,64 @@ model::Project starterProject()
     if (!entries.empty())
         if (const model::Result<model::Preset> preset = model::loadPreset(entries.front().path))
             model::applyPreset(project, *preset);
-    project.wind.velocity = glm::vec3(1.2F, 0.0F, 0.5F);
+    // A breath: enough to see that hair lives, too little to skew a haircut.
+    project.wind.velocity = glm::vec3(0.12F, 0.0F, 0.1F);
     return project;
+}
+
+QString baldStylePath()
+{
+    return QStringLiteral(":/bald");
+}
+
+std::vector<model::PresetEntry> listStyles(QStringList* problems)
+{
+    std::vector<model::PresetEntry> entries = model::listPresets(ownPresetFolder(), problems);
+    entries.insert(entries.begin(), {.path = baldStylePath(),
+                                     .name = QStringLiteral("Bald"),
+                                     .tags = {},
+                                     .folder = QStringLiteral("built-in"),
+                                     .picture = {}});
+    return entries;
+}
+
+model::Result<model::Preset> loadStyle(const QString& path)
+{
+    if (path == baldStylePath())
+        return model::presetFrom(model::newProject(), QStringLiteral("Bald"));
+    return model::loadPreset(path);
+}
+
+QString styleName(const QString& path)
+{
+    for (const model::PresetEntry& entry : listStyles())
+        if (entry.path == path)
+            return model::shownName(entry.name);
+    return QFileInfo(path).completeBaseName();
+}
+
+QString ownStylePath(const QString& name)
+{
+    // Letters and digits are a file name that every system takes.
+    QString base;
+    for (const QChar letter : name.toLower())
+        base += letter.isLetterOrNumber() ? letter : QLatin1Char('-');
+    return ownPresetFolder() + QLatin1Char('/') + (base.isEmpty() ? QStringLiteral("style") : base) +
+           QStringLiteral(".hairpreset");
+}
+
+model::Result<QString> renameStyle(const QString& path, const QString& name)
+{
+    model::Result<model::Preset> preset = model::loadPreset(path);
+    if (!preset)
+        return tl::unexpected(preset.error());
+    preset->name = name;
+    const QString renamed = ownStylePath(name);
+    if (const model::Result<void> saved = model::savePreset(*preset, renamed); !saved)
+        return tl::unexpected(saved.error());
+    if (renamed != path)
+        QFile::remove(path);
+    return renamed;
 }
 
 } // namespace hairpaint::app

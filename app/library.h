@@ -16,4 +16,18 @@ namespace hairpaint::app {
 /// The style that the program starts with, applied to a new project on the built-in head.
 [[nodiscard]] model::Project starterProject();
 
+/// What a bald head stands under in the list of styles; no file.
+[[nodiscard]] QString baldStylePath();
+/// The styles as the window lists them: a bald head first, then model::listPresets.
+[[nodiscard]] std::vector<model::PresetEntry> listStyles(QStringList* problems = nullptr);
+/// A style of that list. Any thread.
+[[nodiscard]] model::Result<model::Preset> loadStyle(const QString& path);
+/// The name of a style of that list as people read it.
+[[nodiscard]] QString styleName(const QString& path);
+/// The user's own style gets another name, and a file named after it; a style of that name is replaced. Returns the new
+/// path.
+[[nodiscard]] model::Result<QString> renameStyle(const QString& path, const QString& name);
+/// Where the user's own style of that name lies.
+[[nodiscard]] QString ownStylePath(const QString& name);
+
 } // namespace hairpaint::app

@@ -34,9 +34,8 @@ void printHelp()
 {
     QString text = CommandLine::tr("hairpaint [PROJECT]\n    opens the editor") + QLatin1Char('\n');
     for (const Command& command : hairpaint::app::commands())
-        text += QStringLiteral("hairpaint %1 %2\n    %3\n")
-                    .arg(QLatin1StringView(command.name), QLatin1StringView(command.usage),
-                         CommandLine::tr(command.purpose));
+        text += hairpaint::app::helpOf(command, false);
+    text += CommandLine::tr("hairpaint COMMAND --help\n    tells what each option does") + QLatin1Char('\n');
     hairpaint::app::printOut(text);
 }
 

@@ -4,8 +4,9 @@
 #include "app/dropped_file.h"
 #include "app/library.h"
 #include "app/physical_keys.h"
-#include "view/head/map_legend.h"
+#include "app/picture.h"
 #include "view/head_view.h"
+#include "view/map_legend.h"
 #include "view/paint_view.h"
 #include "view/panels/option_bar.h"
 #include "view/panels/sidebar.h"
@@ -29,12 +30,27 @@ namespace {
 
 constexpr QSize kSmallestWindow(1100, 680);
 constexpr QSize kFirstWindow(1440, 900);
+constexpr QSize kThumbnail(256, 256);
+
+/// Draws what the 3D area shows now; without OpenGL a file has no picture.
+ProjectFiles::Picture thumbnailOf(rendering::Scene scene)
+{
+    return [scene = std::move(scene)](const model::Progress& progress) {
+        const model::Result<QImage> picture =
+            model::guarded(MainWindow::tr("Drawing the picture"), [&]() -> model::Result<QImage> {
+                const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
+                return maker ? (*maker)->sketch(scene, kThumbnail, progress) : tl::unexpected(maker.error());
+            });
+        return picture.value_or(QImage());
+    };
+}
 
 } // namespace
 
 MainWindow::MainWindow(model::Project project, const QString& path, QWidget* parent)
-    : QMainWindow(parent), m_session(std::move(project)), m_files(m_session, m_settings, *this),
-      m_exchange(m_session, m_settings, *this), m_actions(m_settings, *this), m_preferences(m_settings.preferences())
+    : QMainWindow(parent), m_session(std::move(project)), m_jobs(*this), m_files(m_session, m_settings, m_jobs, *this),
+      m_exchange(m_session, m_settings, m_jobs, *this), m_stylePictures(m_jobs), m_actions(m_settings, *this),
+      m_preferences(m_settings.preferences())
 {
     setAcceptDrops(true);
     setMinimumSize(kSmallestWindow);
@@ -74,7 +90,7 @@ void MainWindow::buildLayout()
     m_headView = new view::HeadView(editor, theme, m_preferences.presenter);
     m_legend = new view::MapLegend(m_headView);
     m_sidebar = new view::Sidebar(editor);
-    m_styleStrip = new view::StyleStrip(editor);
+    m_styleStrip = new view::StyleStrip(editor, loadStyle);
     m_status = new view::StatusReadout(editor);
 
     m_splitter = new QSplitter(Qt::Horizontal);
@@ -117,7 +133,10 @@ void MainWindow::connectViews()
         m_headView->setFrame(frame);
         m_status->setSimulationMs(frame->stepMilliseconds);
     });
+    connect(&m_session, &Session::hairFailed, m_status,
+            [this](const QString& reason) { m_status->showMessage(reason, true, 20'000); });
     connect(&m_session, &Session::pausedChanged, m_headView, &view::HeadView::setHairPaused);
+    connect(&m_session, &Session::pausedChanged, m_status, &view::StatusReadout::setPaused);
     connect(m_headView, &view::HeadView::puffWanted, &m_session, &Session::puff);
     connect(m_headView, &view::HeadView::poseWanted, &m_session, &Session::setPose);
     connect(m_headView, &view::HeadView::lightWanted, &m_session, &Session::changeLight);
@@ -126,26 +145,26 @@ void MainWindow::connectViews()
     connect(m_headView, &view::HeadView::glUnavailable, m_status,
             [this](const QString& reason) { m_status->showMessage(reason, true, 20'000); });
     connect(m_headView, &view::HeadView::statusText, this, showMessage);
+    connect(m_paintView, &view::PaintView::statusText, this, showMessage);
     connect(&m_session.document(), &model::Document::undone, m_status,
             [this](const QString& name) { m_status->showMessage(tr("Undone: %1").arg(name)); });
     connect(&m_session.document(), &model::Document::redone, m_status,
             [this](const QString& name) { m_status->showMessage(tr("Redone: %1").arg(name)); });
     connect(m_headView, &view::HeadView::contextMenuWanted, this, &MainWindow::showAreaMenu);
-    connect(m_headView, &view::HeadView::weatherShownChanged, m_actions.find(QLatin1StringView("hair.weather")),
-            &QAction::setChecked);
     connect(m_paintView, &view::PaintView::contextMenuWanted, this, &MainWindow::showAreaMenu);
     connect(&m_session.editor(), &view::EditorState::refused, m_status,
             [this](const QString& reason) { m_status->showMessage(reason, true); });
 
-    m_files.setThumbnailMaker([this] { return m_headView->grabPicture(QSize(256, 256)); });
-    m_exchange.setPictureMaker([this](QSize size) { return m_headView->grabPicture(size); });
+    m_files.setThumbnailMaker([this] { return thumbnailOf(m_headView->pictureScene()); });
+    m_exchange.setSceneSource([this] { return m_headView->pictureScene(); });
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
-    connect(&m_session.document(), &model::Document::modifiedChanged, this, &MainWindow::setWindowModified);
+    connect(&m_session.document(), &model::Document::modifiedChanged, this, &MainWindow::showTitle);
     connect(&m_exchange, &Exchange::stylesChanged, this, &MainWindow::refreshStyles);
     connect(&m_exchange, &Exchange::done, this, showMessage);
     connect(&m_exchange, &Exchange::headDialogMade, this,
             [this](QDialog& dialog) { addHelpKey(dialog, view::HelpDialog::Topic::HeadImport); });
     connect(m_styleStrip, &view::StyleStrip::saveStyleRequested, &m_exchange, &Exchange::saveStyle);
+    connect(m_styleStrip, &view::StyleStrip::renameStyleRequested, &m_exchange, &Exchange::renameStyle);
     connect(m_styleStrip, &view::StyleStrip::deleteStyleRequested, &m_exchange, &Exchange::deleteStyle);
     connect(m_styleStrip, &view::StyleStrip::pictureWanted, &m_stylePictures, &StylePictures::make);
     connect(&m_stylePictures, &StylePictures::made, m_styleStrip, &view::StyleStrip::setPicture);
@@ -279,8 +298,8 @@ void MainWindow::showAreas(Areas areas)
 {
     m_paintView->setVisible(areas != Areas::Head);
     m_headView->setVisible(areas != Areas::Paint);
-    const char* shown = areas == Areas::Both ? "view.both" : areas == Areas::Head ? "view.head" : "view.paint";
-    m_actions.find(QLatin1StringView(shown))->setChecked(true);
+    m_areas = areas;
+    m_actions.follow();
 }
 
 void MainWindow::swapAreas()
@@ -296,8 +315,7 @@ void MainWindow::setPanelsHidden(bool hidden)
     for (QWidget* panel : {static_cast<QWidget*>(m_toolBar), static_cast<QWidget*>(m_optionBar),
                            static_cast<QWidget*>(m_sidebar), static_cast<QWidget*>(m_styleStrip)})
         panel->setVisible(!hidden);
-    if (QAction* action = m_actions.find(QLatin1StringView("view.panels")))
-        action->setChecked(hidden);
+    m_actions.follow();
 }
 
 void MainWindow::applyTheme()
@@ -307,23 +325,43 @@ void MainWindow::applyTheme()
     qApp->setStyleSheet(theme.styleSheet());
     m_paintView->setTheme(theme);
     m_headView->setTheme(theme);
-    const bool light = m_preferences.theme == view::ThemeKind::Light;
-    m_actions.find(QLatin1StringView(light ? "view.light" : "view.dark"))->setChecked(true);
 }
 
 void MainWindow::showTitle()
 {
     setWindowTitle(QStringLiteral("%1[*] - Hair Paint").arg(m_files.displayName()));
-    setWindowModified(m_session.document().modified());
+    const bool modified = m_session.document().modified();
+    setWindowModified(modified);
+    using Saved = view::StatusReadout::Saved;
+    m_status->setSaved(modified ? Saved::No : m_files.path().isEmpty() ? Saved::NothingToSave : Saved::Yes);
     fillRecentMenu();
 }
 
 void MainWindow::refreshStyles()
 {
-    QStringList problems;
-    m_styleStrip->setEntries(model::listPresets(ownPresetFolder(), &problems));
-    if (!problems.isEmpty())
-        m_status->showMessage(problems.constFirst(), true);
+    struct Library
+    {
+        std::vector<model::PresetEntry> entries;
+        QStringList problems;
+    };
+    m_jobs.start<Library>(
+        tr("Reading the styles"),
+        [](const model::Progress&) -> model::Result<Library> {
+            Library library;
+            library.entries = listStyles(&library.problems);
+            return library;
+        },
+        this,
+        [this, number = ++m_libraryNumber](const model::Result<Library>& library) {
+            if (number != m_libraryNumber)
+                return; // It was asked for again meanwhile.
+            m_stylePictures.forget();
+            if (library)
+                m_styleStrip->setEntries(library->entries);
+            const QString problem = !library ? library.error().message : library->problems.value(0);
+            if (!problem.isEmpty())
+                m_status->showMessage(problem, true);
+        });
 }
 
 void MainWindow::showAreaMenu(const QPoint& globalPosition)
@@ -342,6 +380,9 @@ void MainWindow::onFrameDrawn(const rendering::FrameStatistics& statistics)
         m_status->setFramesPerSecond(m_frameRate);
     }
     const auto& frame = m_session.frame();
+    // A still picture may be a fine one, that takes its time.
+    if (frame && !frame->asleep && !m_session.paused())
+        m_session.setDrawTime(statistics.milliseconds);
     if (frame)
         m_status->setHairs(static_cast<qint64>(statistics.drawnHairs), static_cast<qint64>(frame->hairCount),
                            frame->limit);

@@ -69,13 +69,14 @@ private:
     void buildLayout();
     void connectViews();
     void buildMenus();
-    void buildFileMenu();
-    void buildEditMenu();
-    void buildMapMenu();
-    void buildToolMenu();
-    void buildViewMenu();
-    void buildHairMenu();
-    void buildHelpMenu();
+    void addFileActions(QMenu& menu);
+    void addEditActions(QMenu& menu);
+    void addMapActions(QMenu& menu);
+    void fillMapSizeMenu(QMenu& menu);
+    void addToolActions(QMenu& menu);
+    void addViewActions(QMenu& menu);
+    void addHairActions(QMenu& menu);
+    void addHelpActions(QMenu& menu);
     void fillRecentMenu();
 
     void showAreas(Areas areas);
@@ -92,7 +93,6 @@ private:
     /// Brackets and digits go by their place on the keyboard, since many layouts can't type them: the action that has
     /// that key, null where it has been given another.
     [[nodiscard]] QAction* actionAt(PhysicalKey key) const;
-    void nextValueStep(int steps);
     void changeBrushSize(float factor);
     void selectAll();
     void copySelection();
@@ -109,6 +109,7 @@ private:
 
     Settings m_settings;
     Session m_session;
+    Jobs m_jobs;
     ProjectFiles m_files;
     Exchange m_exchange;
     StylePictures m_stylePictures;
@@ -128,7 +129,9 @@ private:
     QMenu* m_recentMenu = nullptr;
     QMenu* m_areaMenu = nullptr;
     std::optional<model::Clip> m_clip;
+    Areas m_areas = Areas::Both;
     bool m_panelsHidden = false;
+    int m_libraryNumber = 0; ///< Of the newest list of styles asked for.
     double m_frameRate = 0.0;
     QElapsedTimer m_sinceFrame;
 };

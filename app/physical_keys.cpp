@@ -43,7 +43,9 @@ Qt::Key usualKey(PhysicalKey key)
 
 PhysicalKey digitKey(int number)
 {
-    return static_cast<PhysicalKey>(static_cast<int>(PhysicalKey::Digit1) + number - 1);
+    return number >= 1 && number <= kDigits
+               ? static_cast<PhysicalKey>(static_cast<int>(PhysicalKey::Digit1) + number - 1)
+               : PhysicalKey::Other;
 }
 
 int digitOf(PhysicalKey key)

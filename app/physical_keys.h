@@ -25,7 +25,8 @@ enum class PhysicalKey
 [[nodiscard]] PhysicalKey physicalKey(const QKeyEvent& event);
 /// What the key types on most keyboards.
 [[nodiscard]] Qt::Key usualKey(PhysicalKey key);
-/// 1..9 and its key.
+inline constexpr int kDigits = 9;
+/// The key of 1..9; Other for a number beyond.
 [[nodiscard]] PhysicalKey digitKey(int number);
 /// 1..9, or 0 for any other key.
 [[nodiscard]] int digitOf(PhysicalKey key);

@@ -4,11 +4,10 @@
 #include "view/gl_problem.h"
 #include "view/scene_light.h"
 
-#include "model/files/sentences.h"
+#include "model/files/atomic_file.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QSaveFile>
 
 namespace hairpaint::app {
 
@@ -16,6 +15,7 @@ namespace {
 
 /// Larger pictures are drawn at their own size: memory, and no driver promises more than 16384.
 constexpr int kLargestDoubledPx = 2048;
+constexpr std::size_t kSketchedHairs = 20'000;
 
 } // namespace
 
@@ -42,19 +42,38 @@ model::Result<std::unique_ptr<PictureMaker>> PictureMaker::create()
 }
 
 model::Result<QImage> PictureMaker::take(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
-                                         rendering::StandardView view, QSize size)
+                                         const rendering::Camera& camera, QSize size, const model::Progress& progress)
 {
-    const rendering::Scene scene{.head = project.head->shownMesh,
-                                 .headInMotion = {},
-                                 .hair = std::move(frame),
-                                 .camera = rendering::standardCamera(view, project.head->skin->mesh()),
-                                 .light = view::sceneLight(project.light),
-                                 .background = view::linearColour(project.background),
-                                 .ring = {},
-                                 .mirroredRing = {}};
-    const int scale = std::max(size.width(), size.height()) <= kLargestDoubledPx ? 2 : 1;
+    return take({.head = project.head->shownMesh,
+                 .headInMotion = {},
+                 .hair = std::move(frame),
+                 .camera = camera,
+                 .light = view::sceneLight(project.light),
+                 .background = view::linearColour(project.background),
+                 .ring = {},
+                 .mirroredRing = {}},
+                size, progress);
+}
+
+model::Result<QImage> PictureMaker::take(const rendering::Scene& scene, QSize size, const model::Progress& progress)
+{
+    return draw(scene, 1.0F, size, std::max(size.width(), size.height()) <= kLargestDoubledPx ? 2 : 1, progress);
+}
+
+model::Result<QImage> PictureMaker::sketch(const rendering::Scene& scene, QSize size, const model::Progress& progress)
+{
+    const std::size_t hairs = scene.hair ? scene.hair->hairCount : 0;
+    return draw(scene, hairs > kSketchedHairs ? static_cast<float>(kSketchedHairs) / static_cast<float>(hairs) : 1.0F,
+                size, 1, progress);
+}
+
+model::Result<QImage> PictureMaker::draw(const rendering::Scene& scene, float detail, QSize size, int scale,
+                                         const model::Progress& progress)
+{
     const QSize drawn = size * scale;
-    m_renderer->draw(scene, {.detail = 1.0F, .samples = 4, .smoothSegments = 12}, drawn.width(), drawn.height());
+    const rendering::Quality quality{.detail = detail, .samples = 4, .smoothSegments = 12};
+    if (!m_renderer->drawPatiently(scene, quality, drawn.width(), drawn.height(), progress))
+        return model::failure(QCoreApplication::translate("Picture", "Drawing the picture was cancelled."));
     if (!m_renderer->statistics().complete)
         return model::failure(QCoreApplication::translate("Picture",
                                                           "No picture of %1 x %2 pixels can be drawn: the OpenGL "
@@ -70,17 +89,14 @@ model::Result<QImage> PictureMaker::take(const model::Project& project, std::sha
 
 model::Result<void> writePicture(const QImage& picture, const QString& path)
 {
-    if (const model::Checked<void> writable = model::checkWritable(path); !writable)
-        return model::cannotWrite(path, writable.error());
     // Into memory first: libpng would tell of a full disk on standard error, in a line of its own.
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    QSaveFile file(path);
     if (!picture.save(&buffer, "PNG"))
         return model::cannotWrite(path, {.text = QCoreApplication::translate("Picture", "there is no picture")});
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return model::cannotWrite(path, {.text = file.errorString()});
+    if (const model::Checked<void> written = model::writeFile(path, bytes); !written)
+        return model::cannotWrite(path, written.error());
     return {};
 }
 

@@ -1,8 +1,8 @@
 // New, open, save: see the header.
 #include "app/project_files.h"
 
-#include "app/background_task.h"
 #include "app/library.h"
+#include "app/save_dialog.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -10,8 +10,14 @@
 
 namespace hairpaint::app {
 
-ProjectFiles::ProjectFiles(Session& session, Settings& settings, QWidget& window)
-    : QObject(&window), m_session(session), m_settings(settings), m_window(window),
+namespace {
+
+constexpr double kShareOfThumbnail = 0.3; ///< Of saving, for its progress.
+
+} // namespace
+
+ProjectFiles::ProjectFiles(Session& session, Settings& settings, Jobs& jobs, QWidget& window)
+    : QObject(&window), m_session(session), m_settings(settings), m_jobs(jobs), m_window(window),
       m_encoded(model::makeEncodedLayers())
 {}
 
@@ -20,7 +26,7 @@ QString ProjectFiles::displayName() const
     return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).completeBaseName();
 }
 
-void ProjectFiles::setThumbnailMaker(std::function<QImage()> maker)
+void ProjectFiles::setThumbnailMaker(std::function<Picture()> maker)
 {
     m_thumbnail = std::move(maker);
 }
@@ -37,10 +43,22 @@ void ProjectFiles::setPath(const QString& path)
 
 void ProjectFiles::newProject()
 {
+    if (mayDiscard())
+        begin(starterProject());
+}
+
+bool ProjectFiles::newBaldProject()
+{
     if (!mayDiscard())
-        return;
+        return false;
+    begin(model::newProject());
+    return true;
+}
+
+void ProjectFiles::begin(model::Project project)
+{
     m_encoded = model::makeEncodedLayers();
-    m_session.document().replace(starterProject());
+    m_session.document().replace(std::move(project));
     setPath({});
 }
 
@@ -57,22 +75,19 @@ bool ProjectFiles::openPath(const QString& path)
     if (!mayDiscard())
         return false;
     auto encoded = model::makeEncodedLayers();
-    bool cancelled = false;
-    model::Result<model::Project> project = runInBackground<model::Project>(
-        &m_window, tr("Opening %1…").arg(QFileInfo(path).fileName()),
-        [&path, &encoded](const model::Progress& progress) {
+    std::optional<model::Result<model::Project>> project = m_jobs.await<model::Project>(
+        tr("Opening %1").arg(QFileInfo(path).fileName()), [&path, &encoded](const model::Progress& progress) {
             return model::loadProject(path, encoded.get(), progress);
-        },
-        &cancelled);
-    if (cancelled)
+        });
+    if (!project)
         return false;
-    if (!project) {
+    if (!*project) {
         m_settings.removeRecentFile(QFileInfo(path).absoluteFilePath());
-        complain(project.error().message);
+        complain(project->error().message);
         return false;
     }
     m_encoded = std::move(encoded);
-    m_session.document().replace(std::move(*project));
+    m_session.document().replace(std::move(**project));
     setPath(path);
     return true;
 }
@@ -87,18 +102,16 @@ bool ProjectFiles::saveAs()
     const QString suggested =
         m_path.isEmpty() ? m_settings.lastFolder() + QLatin1Char('/') + displayName() + QStringLiteral(".hairpaint")
                          : m_path;
-    QString path =
-        QFileDialog::getSaveFileName(&m_window, tr("Save project"), suggested, tr("Hair Paint projects (*.hairpaint)"));
-    if (path.isEmpty())
-        return false;
-    if (QFileInfo(path).suffix().isEmpty())
-        path += QStringLiteral(".hairpaint");
-    return saveTo(path);
+    const QString path = askSavePath(m_window, {.title = tr("Save project"),
+                                                .suggestedPath = suggested,
+                                                .filter = tr("Hair Paint projects (*.hairpaint)"),
+                                                .suffix = QStringLiteral("hairpaint")});
+    return !path.isEmpty() && saveTo(path);
 }
 
 bool ProjectFiles::mayDiscard()
 {
-    m_session.editor().commitStroke();
+    m_session.document().settle();
     if (!m_session.document().modified())
         return true;
     const auto answer = QMessageBox::question(
@@ -111,20 +124,29 @@ bool ProjectFiles::mayDiscard()
 
 bool ProjectFiles::saveTo(const QString& path)
 {
-    m_session.editor().commitStroke();
-    const QImage thumbnail = m_thumbnail ? m_thumbnail() : QImage();
-    bool cancelled = false;
+    // The picture is to show what is saved.
+    const QString saving = tr("Saving %1").arg(QFileInfo(path).fileName());
+    const bool came = m_jobs.awaitUntil(saving, [this] {
+        m_session.endPreviews(); // Also those that come late.
+        return m_session.hair() != Session::Hair::Underway;
+    });
+    if (!came)
+        return false;
+    const Picture picture = m_thumbnail ? m_thumbnail() : Picture();
     // A copy shares tiles, so it is cheap, and the document may go on meanwhile.
     const model::Project project = m_session.document().committed();
-    const model::Result<void> saved = runInBackground<void>(
-        &m_window, tr("Saving %1…").arg(QFileInfo(path).fileName()),
-        [&](const model::Progress& progress) {
-            return model::saveProject(project, path, thumbnail, m_encoded.get(), progress);
-        },
-        &cancelled);
-    if (!saved) {
-        if (!cancelled)
-            complain(saved.error().message);
+    const std::optional<model::Result<void>> saved =
+        m_jobs.await<void>(saving, [&](const model::Progress& progress) -> model::Result<void> {
+            const QImage thumbnail =
+                picture ? picture([&](double drawn) { return progress(drawn * kShareOfThumbnail); }) : QImage();
+            return model::saveProject(project, path, thumbnail, m_encoded.get(), [&](double written) {
+                return progress(kShareOfThumbnail + written * (1.0 - kShareOfThumbnail));
+            });
+        });
+    if (!saved)
+        return false;
+    if (!*saved) {
+        complain(saved->error().message);
         return false;
     }
     m_session.document().markSaved();

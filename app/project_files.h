@@ -1,6 +1,7 @@
 // The open project's file: new, open, save, and the question before anything is lost.
 #pragma once
 
+#include "app/jobs.h"
 #include "app/session.h"
 #include "app/settings.h"
 #include "model/files/project_file.h"
@@ -9,6 +10,7 @@
 #include <QObject>
 
 #include <functional>
+#include <optional>
 
 namespace hairpaint::app {
 
@@ -17,17 +19,19 @@ class ProjectFiles : public QObject
 {
     Q_OBJECT
 public:
-    ProjectFiles(Session& session, Settings& settings, QWidget& window);
+    ProjectFiles(Session& session, Settings& settings, Jobs& jobs, QWidget& window);
 
     [[nodiscard]] const QString& path() const { return m_path; } ///< Empty: never saved.
     [[nodiscard]] QString displayName() const;
-    /// Takes the picture that files are saved with.
-    void setThumbnailMaker(std::function<QImage()> maker);
+    /// Draws the picture that files are saved with, on a thread of the jobs'; made anew for each file, on this one.
+    using Picture = std::function<QImage(const model::Progress&)>;
+    void setThumbnailMaker(std::function<Picture()> maker);
     /// The open project came from here.
     void setPath(const QString& path);
 
-    void newProject();
-    void open(); ///< Asks for the file.
+    void newProject();     ///< With the first of the built-in styles.
+    bool newBaldProject(); ///< With an empty group; false where the user wants to keep what is open.
+    void open();           ///< Asks for the file.
     bool openPath(const QString& path);
     bool save();
     bool saveAs();
@@ -38,14 +42,16 @@ Q_SIGNALS:
     void pathChanged();
 
 private:
+    void begin(model::Project project);
     bool saveTo(const QString& path);
     void complain(const QString& message);
 
     Session& m_session;
     Settings& m_settings;
+    Jobs& m_jobs;
     QWidget& m_window;
     QString m_path;
-    std::function<QImage()> m_thumbnail;
+    std::function<Picture()> m_thumbnail;
     std::shared_ptr<model::EncodedLayers> m_encoded;
 };
 

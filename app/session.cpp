@@ -2,9 +2,20 @@
 #include "app/session.h"
 
 #include "model/commands/commands.h"
-#include "model/map_colours.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace hairpaint::app {
+
+namespace {
+
+constexpr double kMostFramesPerSecond = 60.0;
+constexpr double kFewestFramesPerSecond = 5.0;
+constexpr double kDrawTimeWeight = 0.2;   ///< Of the newest frame.
+constexpr double kRateWorthTelling = 0.1; ///< Relative difference.
+
+} // namespace
 
 Session::Session(model::Project project, QObject* parent)
     : QObject(parent), m_document(std::move(project)), m_editor(m_document)
@@ -25,6 +36,22 @@ Session::Session(model::Project project, QObject* parent)
 Session::~Session()
 {
     m_worker.reset();
+    // Edits still open end with their owners; the views must hear of nothing any more.
+    m_editor.blockSignals(true);
+    m_document.blockSignals(true);
+}
+
+Session::Hair Session::hair() const
+{
+    if (m_frame && m_frame->revision == m_document.revision() && !m_frame->preview)
+        return Hair::Current;
+    return m_failedRevision == m_document.revision() ? Hair::Failed : Hair::Underway;
+}
+
+void Session::endPreviews()
+{
+    m_document.endEdit();
+    lookAt(std::nullopt);
 }
 
 void Session::setPaused(bool paused)
@@ -53,28 +80,24 @@ void Session::setPose(const sim::HeadPose& pose)
 
 void Session::changeLight(const model::LightSettings& light, bool done)
 {
-    if (done)
-        keep(model::setLightCommand(m_document, light));
-    else
-        m_document.setPreview({.aspect = model::Change::Aspect::Environment},
-                              [light](model::Project& project) { project.light = light; });
+    if (!done || m_lightEdit.active())
+        m_document.show(m_lightEdit, {.text = model::lightStepText()}, {.aspect = model::Change::Aspect::Environment},
+                        [light](model::Project& project) { project.light = light; });
+    if (m_lightEdit.active() && done)
+        m_lightEdit.commit();
+    else if (done)
+        m_document.push(model::setLightCommand(m_document, light));
 }
 
 void Session::changeWind(const sim::Wind& wind, bool done)
 {
-    if (done)
-        keep(model::setWindCommand(m_document, wind));
-    else
-        m_document.setPreview({.aspect = model::Change::Aspect::Environment},
-                              [wind](model::Project& project) { project.wind = wind; });
-}
-
-void Session::keep(std::unique_ptr<QUndoCommand> command)
-{
-    // A command takes the place of its preview, so nobody sees the old values in between.
-    if (command == nullptr)
-        m_document.clearPreview();
-    m_document.push(std::move(command));
+    if (!done || m_windEdit.active())
+        m_document.show(m_windEdit, {.text = model::windStepText()}, {.aspect = model::Change::Aspect::Environment},
+                        [wind](model::Project& project) { project.wind = wind; });
+    if (m_windEdit.active() && done)
+        m_windEdit.commit();
+    else if (done)
+        m_document.push(model::setWindCommand(m_document, wind));
 }
 
 void Session::toggleWind()
@@ -98,22 +121,49 @@ void Session::lookAt(std::optional<model::MapKind> map)
     if (map == m_looked)
         return;
     m_looked = map;
+    m_colours.clear();
     m_inputTimer.start();
+}
+
+void Session::setDrawTime(double milliseconds)
+{
+    if (!(milliseconds > 0.0))
+        return;
+    m_drawMs = m_drawMs > 0.0 ? m_drawMs + (milliseconds - m_drawMs) * kDrawTimeWeight : milliseconds;
+    const double rate = std::clamp(1000.0 / m_drawMs, kFewestFramesPerSecond, kMostFramesPerSecond);
+    if (std::abs(rate - m_frameRate) <= m_frameRate * kRateWorthTelling)
+        return;
+    m_frameRate = rate;
+    m_worker->setFrameRate(rate);
 }
 
 void Session::sendInput()
 {
     sim::GroomInput input = m_document.groomInput();
+    // Colours of a map are no part of the document.
+    input.preview = input.preview || m_looked;
+    m_sentRevision = input.revision;
+    m_failedRevision.reset();
     if (m_looked)
         for (sim::GroupInput& group : input.groups)
-            if (const auto resolved = m_document.resolved(group.id, *m_looked))
-                group.maps.colour = model::colouredMap(*resolved, model::mapSpec(*m_looked));
+            if (const auto resolved = m_document.resolved(group.id, *m_looked)) {
+                const sim::MapRaster coloured = m_colours[group.id].of(resolved, model::mapSpec(*m_looked));
+                for (const sim::MapRule& rule : sim::kMapRules)
+                    if (rule.effect.look)
+                        group.maps[rule.slot] = coloured;
+            }
     m_worker->setInput(std::move(input));
 }
 
 void Session::takeFrame()
 {
     m_frameAnnounced = false;
+    if (m_worker->takeFailure()) {
+        m_failedRevision = m_sentRevision;
+        Q_EMIT hairFailed(
+            tr("There is not enough memory for this hair: what is shown is older. Undo the last change, or "
+               "take less density or smaller maps."));
+    }
     if (auto frame = m_worker->takeFrame()) {
         m_frame = std::move(frame);
         Q_EMIT frameChanged(m_frame);

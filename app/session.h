@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document.h"
+#include "model/map_colours.h"
 #include "sim/motion/simulation_worker.h"
 #include "view/editor_state.h"
 
@@ -9,6 +10,7 @@
 #include <QTimer>
 
 #include <atomic>
+#include <map>
 
 namespace hairpaint::app {
 
@@ -28,8 +30,20 @@ public:
     [[nodiscard]] const std::shared_ptr<const sim::StrandFrame>& frame() const { return m_frame; }
     [[nodiscard]] bool paused() const { return m_paused; }
 
+    enum class Hair : std::uint8_t
+    {
+        Underway, ///< frame() shows something older, or something that is no part of the document.
+        Current,  ///< frame() is the hair of the document as it is.
+        Failed    ///< There was no memory for it.
+    };
+    [[nodiscard]] Hair hair() const;
+    /// Before something is made of the hair: keeps a stroke, drops what is only shown. Its frame is soon there.
+    void endPreviews();
+
     /// The hair in that map's colours, its own again with none. Outside undo; the hair's motion goes on.
     void lookAt(std::optional<model::MapKind> map);
+    /// How long the 3D area took to draw a frame of hair in motion: no more frames are made than it can draw.
+    void setDrawTime(double milliseconds);
 
 public Q_SLOTS:
     void setPaused(bool paused);
@@ -44,22 +58,28 @@ public Q_SLOTS:
 Q_SIGNALS:
     void frameChanged(const std::shared_ptr<const hairpaint::sim::StrandFrame>& frame);
     void pausedChanged(bool paused);
+    /// The newest content could not be made into hair: one sentence. The last frame stays.
+    void hairFailed(const QString& reason);
 
 private:
     void onChanged(const model::Change& change);
-    /// Ends a preview with its command; null where nothing differs.
-    void keep(std::unique_ptr<QUndoCommand> command);
     void sendInput();
     void takeFrame();
 
     model::Document m_document;
     view::EditorState m_editor;
+    model::EditSession m_lightEdit, m_windEdit; ///< What keys and drags change until they are done.
     std::shared_ptr<const sim::StrandFrame> m_frame;
     QTimer m_inputTimer; ///< Zero: fires when the event loop has nothing older to do.
     std::atomic<bool> m_frameAnnounced = false;
     bool m_paused = false;
+    std::uint64_t m_sentRevision = 0;
+    std::optional<std::uint64_t> m_failedRevision;
     std::optional<model::MapKind> m_looked;
-    std::unique_ptr<sim::SimulationWorker> m_worker; ///< Last: it calls back until it is gone.
+    std::map<model::Id, model::MapColours> m_colours; ///< Of the map looked at, by group.
+    double m_drawMs = 0.0;                            ///< Smoothed.
+    double m_frameRate = 0.0;                         ///< As the worker was told.
+    std::unique_ptr<sim::SimulationWorker> m_worker;  ///< Last: it calls back until it is gone.
 };
 
 } // namespace hairpaint::app

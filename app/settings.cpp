@@ -89,4 +89,9 @@ void Settings::setKey(const QString& actionId, const QKeySequence& key)
     m_settings.setValue(QStringLiteral("keys/") + actionId, key.toString(QKeySequence::PortableText));
 }
 
+void Settings::removeKey(const QString& actionId)
+{
+    m_settings.remove(QStringLiteral("keys/") + actionId);
+}
+
 } // namespace hairpaint::app

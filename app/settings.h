@@ -1,18 +1,18 @@
 // What the program remembers between runs.
 #pragma once
 
+#include "app/settings_store.h"
 #include "view/dialogs/preferences_dialog.h"
 
 #include <QByteArray>
 #include <QKeySequence>
-#include <QSettings>
 #include <QStringList>
 
 #include <optional>
 
 namespace hairpaint::app {
 
-/// Over QSettings; every value has a default. GUI thread.
+/// Every value has a default. GUI thread.
 class Settings
 {
 public:
@@ -34,9 +34,10 @@ public:
     /// A rebound key; none where the default holds.
     [[nodiscard]] std::optional<QKeySequence> key(const QString& actionId) const;
     void setKey(const QString& actionId, const QKeySequence& key);
+    void removeKey(const QString& actionId);
 
 private:
-    mutable QSettings m_settings;
+    SettingsStore m_settings;
 };
 
 } // namespace hairpaint::app

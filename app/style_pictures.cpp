@@ -2,10 +2,19 @@
 #include "app/style_pictures.h"
 
 #include "app/cli/settled_hair.h"
+#include "app/library.h"
 #include "app/picture.h"
 #include "model/commands/commands.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <utility>
 
 namespace hairpaint::app {
 
@@ -16,59 +25,121 @@ constexpr QSize kWholeSize(480, 480);
 constexpr QRect kHeadPart(105, 18, 276, 276); ///< Of the whole picture: the bust's foot is no hair.
 constexpr int kSteps = 10;
 constexpr double kStepSeconds = 0.2;
+constexpr qsizetype kMostKept = 500; ///< Pictures in the cache.
+
+QString cacheFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/style-pictures");
+}
+
+/// What the file holds, as a name; empty where it can't be read.
+QString contentName(const QString& path)
+{
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
+        return {};
+    return QString::fromLatin1(hash.result().toHex());
+}
+
+/// A cache that takes nothing costs no more than drawing again.
+void keep(const QImage& picture, const QString& path)
+{
+    QDir folder(cacheFolder());
+    if (!folder.mkpath(QStringLiteral(".")) || !writePicture(picture, path))
+        return;
+    const QStringList newestFirst = folder.entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Time);
+    for (const QString& old : newestFirst.mid(kMostKept))
+        folder.remove(old);
+}
+
+QImage drawStyle(const model::Preset& preset, const model::Progress& progress)
+{
+    const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
+    return maker ? stylePicture(preset, **maker, progress) : QImage();
+}
+
+QImage pictureOfFile(const QString& path, const StylePictures::Draw& draw, const model::Progress& progress)
+{
+    const QString name = contentName(path); // None of the bald head, which is no file.
+    const QString cached = cacheFolder() + QLatin1Char('/') + name + QStringLiteral(".png");
+    if (QImage known; !name.isEmpty() && known.load(cached, "PNG"))
+        return known;
+    const model::Result<model::Preset> preset = loadStyle(path);
+    if (!preset || !progress(0.0))
+        return {};
+    const QImage picture = draw(*preset, progress);
+    if (picture.isNull() || contentName(path) != name)
+        return {};
+    if (!name.isEmpty())
+        keep(picture, cached);
+    return picture;
+}
 
 } // namespace
 
-QImage stylePicture(const model::Preset& preset, PictureMaker& maker, const std::function<bool()>& cancelled)
+QImage stylePicture(const model::Preset& preset, PictureMaker& maker, const model::Progress& progress)
 {
     model::Project project = model::newProject();
     model::applyPreset(project, preset);
     project.wind.enabled = false;
     SettledHair hair(project, kStepSeconds);
     for (int step = 1; step < kSteps; ++step) {
-        if (cancelled && cancelled())
+        if (progress && !progress(static_cast<double>(step) / kSteps))
             return {};
         hair.advance(kStepSeconds);
     }
+    return stylePicture(project, hair.frame(), maker, progress);
+}
+
+QImage stylePicture(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame, PictureMaker& maker,
+                    const model::Progress& progress)
+{
     const model::Result<QImage> whole =
-        maker.take(project, hair.frame(), rendering::StandardView::ThreeQuarter, kWholeSize);
+        maker.take(project, std::move(frame),
+                   rendering::standardCamera(rendering::StandardView::ThreeQuarter, project.head->skin->mesh()),
+                   kWholeSize, progress);
     if (!whole)
         return {};
     return whole->copy(kHeadPart).scaled(kPictureSize, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
-StylePictures::StylePictures(QObject* parent) : QObject(parent)
-{
-    m_threads.setMaxThreadCount(1);
-}
-
-StylePictures::~StylePictures()
-{
-    m_stop = true;
-    m_threads.clear();
-    m_threads.waitForDone();
-}
+StylePictures::StylePictures(Jobs& jobs, Draw draw, QObject* parent)
+    : QObject(parent), m_jobs(jobs), m_draw(draw ? std::move(draw) : drawStyle)
+{}
 
 void StylePictures::make(const QString& path)
 {
-    m_threads.start([this, path] { work(path); });
+    if (!m_wanted.contains(path))
+        m_wanted.append(path);
+    next();
 }
 
-void StylePictures::work(const QString& path)
+void StylePictures::forget()
 {
-    model::Result<model::Preset> preset = model::loadPreset(path);
-    if (m_stop || !preset)
+    m_wanted.clear();
+    m_forgotten = m_busy;
+}
+
+void StylePictures::next()
+{
+    if (m_busy || m_wanted.isEmpty())
         return;
-    const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
-    if (!maker)
-        return;
-    preset->picture = stylePicture(*preset, **maker, [this] { return m_stop.load(); });
-    if (preset->picture.isNull())
-        return;
-    // Another picture is drawn next time where the folder takes none.
-    (void)model::savePreset(*preset, path);
-    QMetaObject::invokeMethod(
-        this, [this, path, picture = preset->picture] { Q_EMIT made(path, picture); }, Qt::QueuedConnection);
+    m_busy = true;
+    const QString path = m_wanted.takeFirst();
+    m_jobs.start<QImage>(
+        tr("Drawing the style %1").arg(QFileInfo(path).fileName()),
+        [path, draw = m_draw](const model::Progress& progress) -> model::Result<QImage> {
+            return pictureOfFile(path, draw, progress);
+        },
+        this,
+        [this, path](const model::Result<QImage>& picture) {
+            m_busy = false;
+            // Without one the tile shows a sign; that is not worth a sentence.
+            if (!std::exchange(m_forgotten, false) && picture && !picture->isNull())
+                Q_EMIT made(path, *picture);
+            next();
+        });
 }
 
 } // namespace hairpaint::app

@@ -1,42 +1,57 @@
-// Pictures of styles that have none, drawn in the background and kept in the style's own file.
+// Pictures of styles that have none, drawn in the background and kept in a cache of the program's own.
 #pragma once
 
+#include "app/jobs.h"
 #include "model/preset.h"
+#include "sim/motion/strand_frame.h"
 
 #include <QImage>
 #include <QObject>
-#include <QThreadPool>
+#include <QStringList>
 
-#include <atomic>
 #include <functional>
+#include <memory>
 
 namespace hairpaint::app {
 
 class PictureMaker;
 
-/// The style as it hangs on the built-in head after two calm seconds. Null where `cancelled` says so between two steps.
+/// The style as it hangs on the built-in head after two calm seconds. Null where `progress` stops it.
 [[nodiscard]] QImage stylePicture(const model::Preset& preset, PictureMaker& maker,
-                                  const std::function<bool()>& cancelled = {});
+                                  const model::Progress& progress = {});
+/// A project's hair at a moment, framed in the same way; null where nothing can be drawn.
+[[nodiscard]] QImage stylePicture(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
+                                  PictureMaker& maker, const model::Progress& progress = {});
 
-/// One style at a time on a thread of its own. Where there is no OpenGL, or the file can't be read, nothing comes;
-/// where it can't be written, the picture comes all the same. The destructor waits for the step under way.
+/// One style after the other. The styles' own files are only read: a picture is kept under what the file holds, so that
+/// another style of that name never gets it. Where there is no OpenGL, or the file can't be read or changes meanwhile,
+/// nothing comes; where the cache can't be written, the picture comes all the same.
 class StylePictures : public QObject
 {
     Q_OBJECT
 public:
-    explicit StylePictures(QObject* parent = nullptr);
-    ~StylePictures() override;
+    using Draw = std::function<QImage(const model::Preset& preset, const model::Progress& progress)>;
+
+    /// `draw` runs on another thread; null: as stylePicture() does.
+    explicit StylePictures(Jobs& jobs, Draw draw = {}, QObject* parent = nullptr);
 
     void make(const QString& path);
+    /// The library is another one now: what was asked for and has not come is wanted no more.
+    void forget();
+    /// Nothing is asked for that has not come.
+    [[nodiscard]] bool idle() const { return !m_busy && m_wanted.isEmpty(); }
 
 Q_SIGNALS:
     void made(const QString& path, const QImage& picture);
 
 private:
-    void work(const QString& path);
+    void next();
 
-    std::atomic<bool> m_stop = false;
-    QThreadPool m_threads;
+    Jobs& m_jobs;
+    Draw m_draw;
+    QStringList m_wanted;
+    bool m_busy = false;
+    bool m_forgotten = false; ///< The one under way.
 };
 
 } // namespace hairpaint::app

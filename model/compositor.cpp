@@ -1,14 +1,24 @@
 // Resolving of layers, tile by tile.
 #include "model/compositor.h"
 
+#include "model/texel_ops.h"
+#include "sim/base/parallel.h"
+
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
 namespace hairpaint::model {
 
 namespace {
 
-constexpr std::size_t kTileTexels = static_cast<std::size_t>(sim::TiledRaster::kTileSize) * sim::TiledRaster::kTileSize;
+sim::TexelRect tileRectOf(const MapStack& stack, int tileIndex)
+{
+    constexpr int kTile = sim::TiledRaster::kTileSize;
+    const int across = stack.size / kTile;
+    const int x = tileIndex % across * kTile;
+    const int y = tileIndex / across * kTile;
+    return {x, y, x + kTile, y + kTile};
+}
 
 /// How one layer lies over what is below it.
 struct LayerStep
@@ -18,80 +28,28 @@ struct LayerStep
     std::uint16_t opacity = 65535;
 };
 
-template<BlendMode blend>
-std::uint16_t blended(std::uint16_t below, std::uint16_t value)
+void stepTexel(const MapSpec& spec, const LayerStep& step, sim::Texel& below, const sim::Texel& layer)
 {
-    if constexpr (blend == BlendMode::Multiply)
-        return mul16(below, value);
-    else
-        return value;
-}
-
-sim::Texel stepTexel(const MapSpec& spec, const LayerStep& step, sim::Texel below, const sim::Texel& layer)
-{
-    const std::uint16_t share = mul16(layer[static_cast<std::size_t>(spec.valueChannels)], step.opacity);
-    if (spec.texel == TexelKind::Index) {
-        if (share >= kHalfCoverage)
-            below[0] = layer[0];
-        return below;
-    }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(spec.valueChannels); ++i) {
-        const std::uint16_t above = step.blend == BlendMode::Multiply ? mul16(below[i], layer[i]) : layer[i];
-        below[i] = lerp16(below[i], above, share);
-    }
-    return below;
-}
-
-template<int channels, BlendMode blend>
-void stepPixels(const std::uint16_t* layer, std::uint16_t opacity, std::uint16_t* map)
-{
-    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
-        const std::uint16_t* source = layer + texel * (channels + 1);
-        std::uint16_t* target = map + texel * channels;
-        const std::uint16_t share = mul16(source[channels], opacity);
-        for (int i = 0; i < channels; ++i)
-            target[i] = lerp16(target[i], blended<blend>(target[i], source[i]), share);
-    }
-}
-
-void stepIndexPixels(const std::uint16_t* layer, std::uint16_t opacity, std::uint16_t* map)
-{
-    for (std::size_t texel = 0; texel < kTileTexels; ++texel)
-        map[texel] = mul16(layer[texel * 2 + 1], opacity) >= kHalfCoverage ? layer[texel * 2] : map[texel];
-}
-
-/// A layer's tile of one value over pixels.
-void stepUniform(const MapSpec& spec, const LayerStep& step, std::uint16_t* map)
-{
-    const auto channels = static_cast<std::size_t>(spec.valueChannels);
-    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
-        sim::Texel below{};
-        std::copy_n(map + texel * channels, channels, below.begin());
-        below = stepTexel(spec, step, below, step.tile->uniform);
-        std::copy_n(below.begin(), channels, map + texel * channels);
-    }
+    texelOps(spec).blend(step.blend, layer.data(), 0, step.opacity, below.data(), 1);
 }
 
 void stepTile(const MapSpec& spec, const LayerStep& step, std::uint16_t* map)
 {
-    const std::uint16_t* layer = step.tile->pixels.data();
-    const bool multiply = step.blend == BlendMode::Multiply;
-    if (step.tile->isUniform())
-        stepUniform(spec, step, map);
-    else if (spec.texel == TexelKind::Index)
-        stepIndexPixels(layer, step.opacity, map);
-    else if (spec.valueChannels == 1)
-        multiply ? stepPixels<1, BlendMode::Multiply>(layer, step.opacity, map)
-                 : stepPixels<1, BlendMode::Normal>(layer, step.opacity, map);
-    else
-        multiply ? stepPixels<3, BlendMode::Multiply>(layer, step.opacity, map)
-                 : stepPixels<3, BlendMode::Normal>(layer, step.opacity, map);
+    const bool uniform = step.tile->isUniform();
+    texelOps(spec).blend(step.blend, uniform ? step.tile->uniform.data() : step.tile->pixels.data(),
+                         uniform ? 0 : static_cast<std::size_t>(spec.layerChannels()), step.opacity, map, kTileTexels);
 }
 
-/// The layers that show in a tile; from the last uniform, fully covering one upward, where there is one.
-std::vector<LayerStep> stepsOf(const MapStack& stack, const MapSpec& spec, int tileIndex)
+/// The layers that show in a tile.
+struct Steps
 {
-    std::vector<LayerStep> steps;
+    std::vector<LayerStep> all;
+    bool hideStart = false; ///< The first one covers all below it.
+};
+
+Steps stepsOf(const MapStack& stack, const MapSpec& spec, int tileIndex)
+{
+    Steps steps;
     for (const Layer& layer : stack.layers) {
         const sim::RasterTile& tile = *layer.raster.tile(tileIndex);
         const LayerStep step{&tile, layer.blend, unit16(layer.opacity)};
@@ -101,12 +59,82 @@ std::vector<LayerStep> stepsOf(const MapStack& stack, const MapSpec& spec, int t
             const std::uint16_t coverage = tile.uniform[static_cast<std::size_t>(spec.valueChannels)];
             if (coverage == 0)
                 continue;
-            if (mul16(coverage, step.opacity) == 65535 && layer.blend == BlendMode::Normal)
-                steps.clear();
+            if (mul16(coverage, step.opacity) == 65535 && layer.blend == BlendMode::Normal) {
+                steps.all.clear();
+                steps.hideStart = true;
+            }
         }
-        steps.push_back(step);
+        steps.all.push_back(step);
     }
     return steps;
+}
+
+/// A start's value for one texel of a map of `size`.
+sim::Texel startTexel(const MapSpec& spec, const sim::TiledRaster& start, int size, int x, int y)
+{
+    if (start.size() == size)
+        return start.texel(x, y);
+    const glm::vec2 uv((static_cast<float>(x) + 0.5F) / static_cast<float>(size),
+                       1.0F - (static_cast<float>(y) + 0.5F) / static_cast<float>(size));
+    if (!spec.bilinear())
+        return start.sampleNearest(uv);
+    const glm::vec4 value = start.sampleBilinear(uv);
+    return {unit16(value.x), unit16(value.y), unit16(value.z), unit16(value.w)};
+}
+
+/// Back to one value where the texels are equal.
+void fold(sim::RasterTile& tile, std::size_t channels)
+{
+    tile.uniform = {};
+    if (std::equal(tile.pixels.begin() + static_cast<std::ptrdiff_t>(channels), tile.pixels.end(),
+                   tile.pixels.begin())) {
+        std::copy_n(tile.pixels.begin(), channels, tile.uniform.begin());
+        tile.pixels = {};
+    }
+}
+
+sim::RasterTilePtr startTile(const MapStack& stack, const MapSpec& spec, const sim::TiledRaster* start, int tileIndex)
+{
+    if (start != nullptr && start->size() == stack.size)
+        return start->tile(tileIndex);
+    auto tile = std::make_shared<sim::RasterTile>();
+    tile->uniform = spec.defaultValue;
+    if (start == nullptr)
+        return tile;
+    const auto channels = static_cast<std::size_t>(spec.valueChannels);
+    const sim::TexelRect rect = tileRectOf(stack, tileIndex);
+    tile->pixels.reserve(kTileTexels * channels);
+    for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1; ++x) {
+            const sim::Texel texel = startTexel(spec, *start, stack.size, x, y);
+            tile->pixels.insert(tile->pixels.end(), texel.begin(), texel.begin() + spec.valueChannels);
+        }
+    fold(*tile, channels);
+    return tile;
+}
+
+/// Whether a tile of a map of `size` may start from other texels.
+bool startDiffers(const MapStack& stack, const sim::MapRaster& before, const sim::MapRaster& after, int tileIndex)
+{
+    if (before == after)
+        return false;
+    if (before == nullptr || after == nullptr || before->size() != after->size())
+        return true;
+    if (after->size() == stack.size)
+        return before->tile(tileIndex) != after->tile(tileIndex);
+    // The tiles that hold what is sampled, and the texels around it.
+    const sim::TexelRect rect = tileRectOf(stack, tileIndex);
+    const auto tileAt = [&](int texel, int beside) {
+        const int there = static_cast<int>(std::int64_t{texel} * after->size() / stack.size) + beside;
+        return std::clamp(there, 0, after->size() - 1) / sim::TiledRaster::kTileSize;
+    };
+    for (int row = tileAt(rect.y0, -1); row <= tileAt(rect.y1, 1); ++row)
+        for (int column = tileAt(rect.x0, -1); column <= tileAt(rect.x1, 1); ++column) {
+            const int index = row * after->tilesAcross() + column;
+            if (before->tile(index) != after->tile(index))
+                return true;
+        }
+    return false;
 }
 
 bool sameTexels(const sim::RasterTile& a, const sim::RasterTile& b)
@@ -114,32 +142,42 @@ bool sameTexels(const sim::RasterTile& a, const sim::RasterTile& b)
     return a.isUniform() == b.isUniform() && (a.isUniform() ? a.uniform == b.uniform : a.pixels == b.pixels);
 }
 
-sim::RasterTilePtr resolveTile(const MapStack& stack, int tileIndex)
+sim::RasterTilePtr resolveTile(const MapStack& stack, const sim::TiledRaster* start, int tileIndex)
 {
     const MapSpec& spec = mapSpec(stack.kind);
-    const std::vector<LayerStep> steps = stepsOf(stack, spec, tileIndex);
-    auto result = std::make_shared<sim::RasterTile>();
-    result->uniform = spec.defaultValue;
+    const Steps steps = stepsOf(stack, spec, tileIndex);
+    const sim::RasterTilePtr below = startTile(stack, spec, steps.hideStart ? nullptr : start, tileIndex);
+    if (steps.all.empty())
+        return below;
+    auto result = std::make_shared<sim::RasterTile>(*below);
     const auto channels = static_cast<std::size_t>(spec.valueChannels);
-    auto step = steps.begin();
-    for (; step != steps.end() && step->tile->isUniform(); ++step)
-        result->uniform = stepTexel(spec, *step, result->uniform, step->tile->uniform);
-    if (step == steps.end())
-        return result;
-    result->pixels.resize(kTileTexels * channels);
-    for (std::size_t i = 0; i < result->pixels.size(); ++i)
-        result->pixels[i] = result->uniform[i % channels];
-    for (; step != steps.end(); ++step)
-        stepTile(spec, *step, result->pixels.data());
-    // Back to one value where the texels are equal.
-    if (std::equal(result->pixels.begin() + static_cast<std::ptrdiff_t>(channels), result->pixels.end(),
-                   result->pixels.begin())) {
-        std::copy_n(result->pixels.begin(), channels, result->uniform.begin());
-        result->pixels = {};
-    } else {
-        result->uniform = {};
+    auto step = steps.all.begin();
+    if (result->isUniform()) {
+        for (; step != steps.all.end() && step->tile->isUniform(); ++step)
+            stepTexel(spec, *step, result->uniform, step->tile->uniform);
+        if (step == steps.all.end())
+            return result;
+        result->pixels.resize(kTileTexels * channels);
+        for (std::size_t i = 0; i < result->pixels.size(); ++i)
+            result->pixels[i] = result->uniform[i % channels];
     }
+    for (; step != steps.all.end(); ++step)
+        stepTile(spec, *step, result->pixels.data());
+    fold(*result, channels);
     return result;
+}
+
+/// In parallel: a whole map at once when a project opens, or at each tick of a layer's opacity.
+std::vector<sim::RasterTilePtr> tilesResolved(const MapStack& stack, const sim::TiledRaster* start,
+                                              std::span<const int> indices)
+{
+    constexpr std::size_t kTilesAtOnce = 8;
+    std::vector<sim::RasterTilePtr> tiles(indices.size());
+    sim::parallelFor(indices.size(), kTilesAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            tiles[i] = resolveTile(stack, start, indices[i]);
+    });
+    return tiles;
 }
 
 /// Whether two stacks differ in their tiles alone.
@@ -154,56 +192,66 @@ bool sameButTiles(const MapStack& a, const MapStack& b)
 
 } // namespace
 
-std::uint16_t unit16(float value)
+sim::MapRaster startOf(const MapSpec& spec, const Head* head, const std::function<sim::MapRaster(MapKind)>& resolved)
 {
-    return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 65535.0F));
+    if (spec.follows)
+        return resolved(*spec.follows);
+    return spec.ofHead != nullptr && head != nullptr ? spec.ofHead(*head) : nullptr;
 }
 
-sim::Texel resolveTexel(const MapStack& stack, int x, int y)
+sim::Texel resolveTexel(const MapStack& stack, int x, int y, const sim::MapRaster& start)
 {
     const MapSpec& spec = mapSpec(stack.kind);
-    sim::Texel result = spec.defaultValue;
+    sim::Texel result = start == nullptr ? spec.defaultValue : startTexel(spec, *start, stack.size, x, y);
     for (const Layer& layer : stack.layers)
         if (layer.visible)
-            result = stepTexel(spec, {nullptr, layer.blend, unit16(layer.opacity)}, result, layer.raster.texel(x, y));
+            stepTexel(spec, {nullptr, layer.blend, unit16(layer.opacity)}, result, layer.raster.texel(x, y));
     return result;
 }
 
-sim::TiledRaster resolveStack(const MapStack& stack)
+sim::TiledRaster resolveStack(const MapStack& stack, const sim::MapRaster& start)
 {
     const MapSpec& spec = mapSpec(stack.kind);
     sim::TiledRaster result(stack.size, spec.valueChannels, spec.defaultValue);
+    std::vector<int> all(static_cast<std::size_t>(result.tileCount()));
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<sim::RasterTilePtr> tiles = tilesResolved(stack, start.get(), all);
     for (int index = 0; index < result.tileCount(); ++index) {
-        sim::RasterTilePtr tile = resolveTile(stack, index);
-        if (!sameTexels(*tile, *result.tile(index)))
+        sim::RasterTilePtr& tile = tiles[static_cast<std::size_t>(index)];
+        if (start != nullptr || !sameTexels(*tile, *result.tile(index)))
             result.setTile(index, std::move(tile));
     }
     return result;
 }
 
-ResolvedMap::ResolvedMap(const MapStack& stack)
-    : m_seen(stack), m_result(std::make_shared<const sim::TiledRaster>(resolveStack(stack)))
-{}
+ResolvedMap::ResolvedMap(const MapStack& stack, sim::MapRaster start)
+    : m_seen(stack), m_start(std::move(start)),
+      m_result(std::make_shared<const sim::TiledRaster>(resolveStack(stack, m_start)))
+{
+    shareStart();
+}
 
-bool ResolvedMap::update(const MapStack& stack)
+bool ResolvedMap::update(const MapStack& stack, const sim::MapRaster& start)
 {
     if (stack.size != m_seen.size) {
-        *this = ResolvedMap(stack);
+        *this = ResolvedMap(stack, start);
         return true;
     }
     std::vector<int> tiles;
-    const bool structureKept = sameButTiles(m_seen, stack);
+    bool layersDiffer = !sameButTiles(m_seen, stack);
+    const bool structureKept = !layersDiffer;
     for (int index = 0; index < m_result->tileCount(); ++index) {
         bool differs = !structureKept;
         for (std::size_t layer = 0; layer < stack.layers.size() && !differs; ++layer)
             differs = stack.layers[layer].raster.tile(index) != m_seen.layers[layer].raster.tile(index);
-        if (differs)
+        layersDiffer = layersDiffer || differs;
+        if (differs || startDiffers(stack, m_start, start, index))
             tiles.push_back(index);
     }
-    if (tiles.empty())
-        return false;
-    m_seen = stack;
-    return resolveTiles(tiles);
+    m_start = start;
+    if (layersDiffer)
+        m_seen = stack;
+    return !tiles.empty() && resolveTiles(tiles);
 }
 
 bool ResolvedMap::updateTiles(const MapStack& stack, Id layer, std::span<const int> tiles)
@@ -220,8 +268,10 @@ bool ResolvedMap::updateTiles(const MapStack& stack, Id layer, std::span<const i
 bool ResolvedMap::resolveTiles(std::span<const int> tiles)
 {
     std::shared_ptr<sim::TiledRaster> next;
-    for (const int index : tiles) {
-        sim::RasterTilePtr tile = resolveTile(m_seen, index);
+    std::vector<sim::RasterTilePtr> made = tilesResolved(m_seen, m_start.get(), tiles);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const int index = tiles[i];
+        sim::RasterTilePtr& tile = made[i];
         if (sameTexels(*tile, *m_result->tile(index)))
             continue;
         if (next == nullptr)
@@ -231,7 +281,18 @@ bool ResolvedMap::resolveTiles(std::span<const int> tiles)
     if (next == nullptr)
         return false;
     m_result = std::move(next);
+    shareStart();
     return true;
+}
+
+void ResolvedMap::shareStart()
+{
+    if (m_start == nullptr || m_start->size() != m_result->size())
+        return;
+    for (int index = 0; index < m_result->tileCount(); ++index)
+        if (m_result->tile(index) != m_start->tile(index))
+            return;
+    m_result = m_start;
 }
 
 } // namespace hairpaint::model

@@ -1,8 +1,11 @@
-// Committed content, at most one preview over it, and the maps resolved from whichever of the two is shown.
+// Committed content, at most one running edit's preview over it, and the maps resolved from whichever of the two is
+// shown.
 #include "model/document.h"
 
 #include "model/commands/undo_budget.h"
 #include "model/compositor.h"
+#include "model/content_budget.h"
+#include "model/running_edit.h"
 
 #include <algorithm>
 #include <iterator>
@@ -17,8 +20,7 @@ using MapKey = std::pair<Id, MapKind>;
 
 bool touchesMaps(Change::Aspect aspect)
 {
-    return aspect != Change::Aspect::Settings && aspect != Change::Aspect::Environment &&
-           aspect != Change::Aspect::Head;
+    return aspect != Change::Aspect::Settings && aspect != Change::Aspect::Environment;
 }
 
 bool namesOneMap(Change::Aspect aspect)
@@ -26,33 +28,24 @@ bool namesOneMap(Change::Aspect aspect)
     return aspect == Change::Aspect::Texels || aspect == Change::Aspect::LayerList;
 }
 
-/// Whether telling of `b` tells all that `a` says. Tiles are sorted.
-bool covers(const Change& b, const Change& a)
-{
-    if (b.aspect == Change::Aspect::Everything)
-        return true;
-    return a.aspect == b.aspect && a.group == b.group && a.map == b.map && a.layer == b.layer &&
-           (b.tiles.empty() || std::ranges::includes(b.tiles, a.tiles));
-}
-
 } // namespace
 
 struct Document::State
 {
     Project committed;
-    std::optional<Project> preview;
+    std::optional<RunningEdit> running;
+    bool committing = false; ///< The running edit's command is being made and pushed.
+    std::uint64_t sessions = 0;
     std::uint64_t revision = 1;
-    Change previewChange; ///< Of the running preview; for a stroke, with every tile touched so far.
-    bool stroke = false;  ///< The preview came through previewTiles.
     QUndoStack undoStack;
     UndoBudget undoBudget;
     std::map<MapKey, ResolvedMap> resolved; ///< Of what is shown.
 
     explicit State(Project project) : committed(std::move(project)) { resolveAll(); }
 
-    const Project& shown() const { return preview ? *preview : committed; }
-    /// The user changes something that is not committed yet. A preset shown on hover is no change.
-    bool changing() const { return preview && (stroke || previewChange.aspect == Change::Aspect::Environment); }
+    const Project& shown() const { return running ? running->shown : committed; }
+    /// The user changes something that is not committed yet. What is only looked at is no change.
+    bool changing() const { return running && running->owner.policy == EditPolicy::Commit; }
 
     void resolveAll()
     {
@@ -62,21 +55,36 @@ struct Document::State
             for (const MapStack& stack : group.maps)
                 resolveOne(group.id, stack);
     }
+    sim::MapRaster resolvedMap(Id group, MapKind map) const
+    {
+        const auto found = resolved.find({group, map});
+        return found == resolved.end() ? nullptr : found->second.result();
+    }
     void resolveOne(Id group, const MapStack& stack)
     {
+        const sim::MapRaster start =
+            startOf(mapSpec(stack.kind), shown().head.get(), [&](MapKind kind) { return resolvedMap(group, kind); });
         const auto found = resolved.find({group, stack.kind});
         if (found == resolved.end())
-            resolved.emplace(MapKey{group, stack.kind}, stack);
+            resolved.emplace(MapKey{group, stack.kind}, ResolvedMap(stack, start));
         else
-            found->second.update(stack);
+            found->second.update(stack, start);
+    }
+    void resolveFollowers(const HairGroup& group, MapKind map)
+    {
+        for (const MapStack& stack : group.maps)
+            if (mapSpec(stack.kind).follows == map)
+                resolveOne(group.id, stack);
     }
     void resolveFor(const Change& change)
     {
         const HairGroup* group = shown().group(change.group);
-        if (namesOneMap(change.aspect) && group != nullptr)
+        if (namesOneMap(change.aspect) && group != nullptr) {
             resolveOne(change.group, group->map(change.map));
-        else if (touchesMaps(change.aspect))
+            resolveFollowers(*group, change.map);
+        } else if (touchesMaps(change.aspect)) {
             resolveAll();
+        }
     }
 };
 
@@ -114,8 +122,7 @@ bool Document::canUndo() const
 
 void Document::setUndoBudget(std::size_t bytes)
 {
-    m_state->undoBudget.setLimit(bytes);
-    m_state->undoBudget.enforce(m_state->undoStack, m_state->committed);
+    m_state->undoBudget.setLimit(m_state->undoStack, bytes);
 }
 
 bool Document::modified() const
@@ -130,21 +137,20 @@ void Document::markSaved()
 
 void Document::replace(Project project)
 {
-    Q_EMIT strokeMustEnd(true);
-    m_state->preview.reset();
-    m_state->stroke = false;
+    const bool ended = std::exchange(m_state->running, std::nullopt).has_value();
     m_state->committed = std::move(project);
     m_state->resolved.clear();
     m_state->resolveAll();
     m_state->undoStack.clear();
     m_state->undoBudget.reset();
     tell(Change{}, false);
+    if (ended)
+        Q_EMIT editEnded();
 }
 
 std::shared_ptr<const sim::TiledRaster> Document::resolved(Id group, MapKind map) const
 {
-    const auto found = m_state->resolved.find({group, map});
-    return found == m_state->resolved.end() ? nullptr : found->second.result();
+    return m_state->resolvedMap(group, map);
 }
 
 std::uint64_t Document::revision() const
@@ -164,17 +170,12 @@ sim::GroomInput Document::groomInput() const
     input.revision = m_state->revision;
     input.preview = previewing();
     for (const HairGroup& group : shown.groups) {
-        const auto map = [&](MapKind kind) { return resolved(group.id, kind); };
-        input.groups.push_back({.id = group.id,
-                                .visible = group.visible,
-                                .settings = group.settings,
-                                .maps = {.density = map(MapKind::Density),
-                                         .length = map(MapKind::Length),
-                                         .curl = map(MapKind::Curl),
-                                         .braid = map(MapKind::Braid),
-                                         .colour = map(MapKind::Colour),
-                                         .clump = map(MapKind::Clump),
-                                         .gel = map(MapKind::Gel)}});
+        sim::GroupInput& one = input.groups.emplace_back();
+        one.id = group.id;
+        one.visible = group.visible;
+        one.settings = group.settings;
+        for (const MapSpec& spec : mapSpecs())
+            one.maps[spec.kind] = resolved(group.id, spec.kind);
     }
     return input;
 }
@@ -182,86 +183,133 @@ sim::GroomInput Document::groomInput() const
 void Document::apply(const Change& change, const std::function<void(Project&)>& edit)
 {
     State& state = *m_state;
-    const bool hadPreview = state.preview.has_value();
-    state.preview.reset();
-    state.stroke = false;
+    // A running edit makes room for what is applied: its own command, or an undo that knows nothing of it.
+    std::optional<RunningEdit> over = std::exchange(state.running, std::nullopt);
+    if (over)
+        over->shown = {}; // Shares maps, which would be copied to be written.
     edit(state.committed);
     // Resolving compares tile pointers, so what a preview already showed costs nothing here.
-    if (hadPreview)
+    if (over)
         state.resolveAll();
     else
         state.resolveFor(change);
-    if (hadPreview && !covers(change, state.previewChange))
-        tell(state.previewChange, true);
+    if (over)
+        for (const Change& shown : over->changes())
+            if (!covers(change, shown))
+                tell(shown, true);
     tell(change, false);
+    if (over)
+        Q_EMIT editEnded();
 }
 
-void Document::setPreview(const Change& change, const std::function<void(Project&)>& edit)
+EditSession Document::begin(EditOwner owner)
+{
+    endEdit();
+    State& state = *m_state;
+    state.running = RunningEdit{
+        .session = ++state.sessions, .owner = std::move(owner), .shown = state.committed, .parts = {}, .tiles = {}};
+    return {*this, state.running->session};
+}
+
+void Document::show(EditSession& session, const EditOwner& owner, const Change& change,
+                    const std::function<void(Project&)>& edit)
+{
+    if (!session.active())
+        session = begin(owner);
+    session.preview(change, edit);
+}
+
+void Document::endEdit()
+{
+    if (m_state->committing)
+        return;
+    if (m_state->changing())
+        commitEdit();
+    else
+        dropEdit();
+}
+
+bool Document::mayBecome(const Project& after)
+{
+    const ContentExcess excess = excessOf(after.groups);
+    // Where it is too large already, making it smaller step by step must be possible.
+    if (excess == ContentExcess::None || excessOf(m_state->committed.groups) != ContentExcess::None)
+        return true;
+    Q_EMIT refused(excessText(excess));
+    return false;
+}
+
+void Document::settle()
+{
+    if (m_state->changing())
+        endEdit();
+}
+
+bool Document::runs(std::uint64_t session) const
+{
+    return m_state->running && m_state->running->session == session;
+}
+
+void Document::preview(const Change& change, const std::function<void(Project&)>& edit)
 {
     State& state = *m_state;
-    Q_EMIT strokeMustEnd(false);
-    const bool hadPreview = state.preview.has_value();
-    const Change before = std::exchange(state.previewChange, change);
-    state.preview = state.committed;
-    state.stroke = false;
-    edit(*state.preview);
-    if (hadPreview && !covers(change, before)) {
-        state.resolveAll();
-        tell(before, true);
-    } else {
-        state.resolveFor(change);
-    }
+    state.running->showPart(state.committed, {.change = change, .edit = edit});
+    state.resolveFor(change);
     tell(change, true);
 }
 
-void Document::previewTiles(const LayerAddress& address, const std::vector<std::pair<int, sim::RasterTilePtr>>& tiles)
+void Document::previewTiles(const LayerAddress& address, const LayerTiles& tiles)
 {
     State& state = *m_state;
-    Change change{.aspect = Change::Aspect::Texels, .group = address.group, .map = address.map, .layer = address.layer};
-    const Change& running = state.previewChange;
-    if (state.preview && !(state.stroke && running.group == address.group && running.map == address.map &&
-                           running.layer == address.layer))
-        dropPreview();
-    if (!state.preview) {
-        state.preview = state.committed;
-        state.stroke = true;
-        state.previewChange = change;
-    }
-    Layer* layer = state.preview->layer(address.group, address.map, address.layer);
-    if (layer == nullptr)
+    if (state.committed.layer(address.group, address.map, address.layer) == nullptr)
         return;
-    change.tiles.reserve(tiles.size());
-    for (const auto& [index, tile] : tiles) {
-        layer->raster.setTile(index, tile);
-        change.tiles.push_back(index);
-    }
+    const std::optional<Change> change = state.running->showTiles(address, tiles);
+    if (!change)
+        return;
     const auto map = state.resolved.find({address.group, address.map});
-    map->second.updateTiles(state.preview->group(address.group)->map(address.map), address.layer, change.tiles);
-    std::ranges::sort(change.tiles);
-    std::vector<int> all;
-    std::ranges::set_union(state.previewChange.tiles, change.tiles, std::back_inserter(all));
-    state.previewChange.tiles = std::move(all);
-    tell(std::move(change), true);
+    const HairGroup& group = *project().group(address.group);
+    map->second.updateTiles(group.map(address.map), address.layer, change->tiles);
+    state.resolveFollowers(group, address.map);
+    tell(*change, true);
 }
 
-void Document::clearPreview()
+void Document::setEditText(const QString& text)
 {
-    if (m_state->preview)
-        dropPreview();
+    m_state->running->owner.text = text;
 }
 
-void Document::dropPreview()
+void Document::commitEdit()
 {
     State& state = *m_state;
-    state.preview.reset();
-    state.stroke = false;
-    state.resolveFor(state.previewChange);
-    tell(state.previewChange, true);
+    if (!state.running || state.committing)
+        return;
+    state.committing = true;
+    CommandPtr command = state.running->command(*this);
+    const bool changes = command != nullptr;
+    push(std::move(command)); // Its redo() takes the place of what is shown.
+    state.committing = false;
+    if (!changes)
+        dropEdit();
+}
+
+void Document::dropEdit()
+{
+    State& state = *m_state;
+    if (!state.running || state.committing)
+        return;
+    const RunningEdit over = std::move(*state.running);
+    state.running.reset();
+    const std::vector<Change> changes = over.changes();
+    for (const Change& change : changes)
+        state.resolveFor(change);
+    for (const Change& change : changes)
+        tell(change, true);
+    Q_EMIT editEnded();
 }
 
 bool Document::previewing() const
 {
-    return m_state->preview.has_value();
+    return m_state->running && m_state->running->showsSomething();
 }
 
 void Document::tell(Change change, bool preview)
@@ -273,10 +321,17 @@ void Document::tell(Change change, bool preview)
 
 void Document::undo()
 {
-    const bool changing = m_state->changing();
-    Q_EMIT strokeMustEnd(true);
-    clearPreview();
-    if (changing || !canUndo())
+    if (m_state->running) {
+        // By value: it may end the edit that holds it.
+        const std::function<bool()> stepBack = m_state->running->owner.stepBack;
+        if (stepBack != nullptr && stepBack())
+            return;
+        const bool changing = m_state->changing();
+        dropEdit();
+        if (changing)
+            return;
+    }
+    if (!canUndo())
         return;
     const QString name = m_state->undoStack.undoText();
     m_state->undoStack.undo();
@@ -285,8 +340,7 @@ void Document::undo()
 
 void Document::redo()
 {
-    Q_EMIT strokeMustEnd(false);
-    clearPreview();
+    endEdit();
     if (!m_state->undoStack.canRedo())
         return;
     const QString name = m_state->undoStack.redoText();
@@ -298,9 +352,9 @@ void Document::push(std::unique_ptr<QUndoCommand> command)
 {
     if (command == nullptr)
         return;
-    Q_EMIT strokeMustEnd(false);
+    endEdit();
     m_state->undoStack.push(command.release());
-    m_state->undoBudget.enforce(m_state->undoStack, m_state->committed);
+    m_state->undoBudget.pushed(m_state->undoStack);
 }
 
 } // namespace hairpaint::model

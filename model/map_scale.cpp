@@ -7,6 +7,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hairpaint::model {
@@ -18,6 +19,8 @@ using sim::GroupSettings;
 constexpr double kPerSquareCm = 1e-4;
 constexpr double kShortGroupM = 0.03; ///< Groups with shorter hair are measured in mm.
 constexpr double kSparse = 20.0;      ///< Hairs a square centimetre, of which tenths count.
+
+constexpr std::array kTurnSteps{0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 struct Units
 {
@@ -33,6 +36,11 @@ int always(const GroupSettings&)
 double greatestDensity(const GroupSettings& settings)
 {
     return static_cast<double>(settings.greatestDensityPerM2) * kPerSquareCm;
+}
+
+double greatestRadiusMm(const GroupSettings& settings)
+{
+    return static_cast<double>(settings.greatestCurlRadiusM) * 1000.0;
 }
 
 double lengthScale(const GroupSettings& settings)
@@ -68,6 +76,16 @@ double redOf(const GroupSettings& settings, double turns)
 
 } // namespace
 
+double MapScale::amount(const GroupSettings& settings, double fraction) const
+{
+    return shown(settings, fraction) * (common != nullptr ? common(settings) : 1.0);
+}
+
+double MapScale::fraction(const GroupSettings& settings, double amount) const
+{
+    return std::clamp(value(settings, amount / (common != nullptr ? common(settings) : 1.0)), 0.0, 1.0);
+}
+
 const MapScale kDensityScale{
     .unit = [](const GroupSettings&) { return Units::tr("hairs/cm²"); },
     .decimals = [](const GroupSettings& settings) { return greatestDensity(settings) < kSparse ? 1 : 0; },
@@ -88,9 +106,25 @@ const MapScale kLengthScale{
             const auto shortest = static_cast<double>(settings.shortestLengthM);
             const double range = static_cast<double>(settings.greatestLengthM) - shortest;
             return range > 0.0 ? (shown / lengthScale(settings) - shortest) / range : 0.0;
-        }};
+        },
+    .common = [](const GroupSettings& settings) { return 1.0 / lengthScale(settings); }};
 
-const MapScale kTurnsScale{.unit = turnsUnit, .decimals = always<1>, .shown = turnsAt, .value = redOf};
+const MapScale kTurnsScale{.unit = turnsUnit,
+                           .decimals = always<1>,
+                           .shown = turnsAt,
+                           .value = redOf,
+                           .steps = kTurnSteps,
+                           .sliderExponent = 2.0};
+
+const MapScale kRadiusScale{
+    .unit = [](const GroupSettings&) { return Units::tr("mm"); },
+    .decimals = always<1>,
+    .shown = [](const GroupSettings& settings, double value) { return value * greatestRadiusMm(settings); },
+    .value =
+        [](const GroupSettings& settings, double shown) {
+            const double greatest = greatestRadiusMm(settings);
+            return greatest > 0.0 ? shown / greatest : 0.0;
+        }};
 
 const MapScale kShareScale{.unit = [](const GroupSettings&) { return QStringLiteral("%"); },
                            .decimals = always<0>,

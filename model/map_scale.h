@@ -5,6 +5,8 @@
 
 #include <QString>
 
+#include <span>
+
 namespace hairpaint::model {
 
 /// One unit with its range. Maps may share one.
@@ -15,11 +17,20 @@ struct MapScale
     /// From a map's 0..1 to the number shown, and back; a number beyond the range gives a value beyond 0..1.
     double (*shown)(const sim::GroupSettings& settings, double value);
     double (*value)(const sim::GroupSettings& settings, double shown);
+    std::span<const double> steps = {}; ///< Values to offer; empty: round ones of the range.
+    double sliderExponent = 1.0;        ///< Above 1: low values get more of a slider.
+    /// One of the unit shown, in a unit that is the same for all groups; null: they show the same one.
+    double (*common)(const sim::GroupSettings& settings) = nullptr;
+
+    /// From 0..1 to an amount that can be compared between groups, and back, clamped to 0..1.
+    [[nodiscard]] double amount(const sim::GroupSettings& settings, double fraction) const;
+    [[nodiscard]] double fraction(const sim::GroupSettings& settings, double amount) const;
 };
 
 extern const MapScale kDensityScale; ///< Hairs a square centimetre.
 extern const MapScale kLengthScale;  ///< Centimetres; of short hair millimetres.
 extern const MapScale kTurnsScale;   ///< The paper's table 1.
+extern const MapScale kRadiusScale;  ///< Of curls, millimetres.
 extern const MapScale kShareScale;   ///< Per cent.
 
 } // namespace hairpaint::model

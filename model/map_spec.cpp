@@ -11,7 +11,12 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::array kBlendable{BlendMode::Normal, BlendMode::Multiply};
+constexpr std::array kBlendable = [] {
+    std::array<BlendMode, kBlendModeCount> all{};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i] = static_cast<BlendMode>(i);
+    return all;
+}();
 constexpr std::array kReplacing{BlendMode::Normal};
 constexpr int kPlait = 1;
 
@@ -22,60 +27,87 @@ constexpr std::array kBraidPalette{
     PaletteEntry{"loc", QT_TRANSLATE_NOOP("MapSpec", "Loc"), 0xFF00C080},
 };
 
-constexpr sim::Texel kDarkBrown{0x3B3B, 0x2626, 0x1818, 0};
-
-MapSpec scalar(MapKind kind, const char* id, const char* title, const char* letter, const MapScale& scale,
-               std::uint16_t defaultValue, QRgb scaleColour)
-{
-    return {.kind = kind,
-            .id = id,
-            .title = title,
-            .letter = letter,
-            .texel = TexelKind::Scalar,
-            .scale = &scale,
-            .valueChannels = 1,
-            .defaultValue = {defaultValue, 0, 0, 0},
-            .scaleColour = scaleColour,
-            .palette = {},
-            .blendModes = kBlendable};
-}
-
 std::array<MapSpec, kMapKindCount> makeTable()
 {
-    return {
-        scalar(MapKind::Density, "density", QT_TRANSLATE_NOOP("MapSpec", "Density"),
-               QT_TRANSLATE_NOOP("MapLetter", "D"), kDensityScale, 0, 0xFF00FF00),
-        scalar(MapKind::Length, "length", QT_TRANSLATE_NOOP("MapSpec", "Length"), QT_TRANSLATE_NOOP("MapLetter", "L"),
-               kLengthScale, 32768, 0xFF0000FF),
-        scalar(MapKind::Curl, "curl", QT_TRANSLATE_NOOP("MapSpec", "Curl"), QT_TRANSLATE_NOOP("MapLetter", "C"),
-               kTurnsScale, 0, 0xFFFF0000),
+    std::array rows{
+        MapSpec{.kind = MapKind::Density,
+                .id = "density",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Density"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "D"),
+                .scale = &kDensityScale,
+                .scaleColour = 0xFF00FF00,
+                .blendModes = kBlendable,
+                .firstPaint = {.scalar = 0.8F}},
+        MapSpec{.kind = MapKind::Length,
+                .id = "length",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Length"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "L"),
+                .scale = &kLengthScale,
+                .scaleColour = 0xFF0000FF,
+                .blendModes = kBlendable,
+                .firstPaint = {.scalar = 0.5F}}, // 15 of 30 cm.
+        MapSpec{.kind = MapKind::Curl,
+                .id = "curl",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Curl"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "C"),
+                .scale = &kTurnsScale,
+                .scaleColour = 0xFFFF0000,
+                .blendModes = kBlendable,
+                .firstPaint = {.scalar = 0.6F}},
+        MapSpec{.kind = MapKind::CurlSize,
+                .id = "curl_size",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Curl size"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "S"),
+                .scale = &kRadiusScale,
+                .scaleColour = 0xFFFF8000,
+                .blendModes = kBlendable},
         MapSpec{.kind = MapKind::Braid,
                 .id = "braid",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Braid"),
                 .letter = QT_TRANSLATE_NOOP("MapLetter", "B"),
                 .texel = TexelKind::Index,
-                .scale = nullptr,
-                .valueChannels = 1,
-                .defaultValue = {},
                 .scaleColour = 0xFFFF00FF,
                 .palette = kBraidPalette,
-                .blendModes = kReplacing},
+                .blendModes = kReplacing,
+                .firstPaint = {.index = kPlait}},
         MapSpec{.kind = MapKind::Colour,
                 .id = "colour",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Colour"),
                 .letter = QT_TRANSLATE_NOOP("MapLetter", "H"),
                 .texel = TexelKind::Colour,
-                .scale = nullptr,
-                .valueChannels = 3,
-                .defaultValue = kDarkBrown,
                 .scaleColour = 0xFF3B2618,
-                .palette = {},
+                .blendModes = kBlendable,
+                .firstPaint = {.colour = QColor(0x8A, 0x4B, 0x2A)}}, // Chestnut.
+        MapSpec{.kind = MapKind::TipColour,
+                .id = "tip_colour",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Tip colour"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "T"),
+                .texel = TexelKind::Colour,
+                .scaleColour = 0xFF3B2618,
+                .blendModes = kBlendable,
+                .firstPaint = {.colour = QColor(0xC9, 0xA2, 0x6B)}, // Honey blonde.
+                .follows = MapKind::Colour},
+        MapSpec{.kind = MapKind::Clump,
+                .id = "clump",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Clump"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "U"),
+                .scale = &kShareScale,
+                .scaleColour = 0xFFFFFF00,
+                .blendModes = kBlendable,
+                .firstPaint = {.scalar = 0.6F}},
+        MapSpec{.kind = MapKind::Gel,
+                .id = "gel",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Gel"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "G"),
+                .scale = &kShareScale,
+                .scaleColour = 0xFF00FFFF,
                 .blendModes = kBlendable},
-        scalar(MapKind::Clump, "clump", QT_TRANSLATE_NOOP("MapSpec", "Clump"), QT_TRANSLATE_NOOP("MapLetter", "U"),
-               kShareScale, 0, 0xFFFFFF00),
-        scalar(MapKind::Gel, "gel", QT_TRANSLATE_NOOP("MapSpec", "Gel"), QT_TRANSLATE_NOOP("MapLetter", "G"),
-               kShareScale, 0, 0xFF00FFFF),
     };
+    for (MapSpec& spec : rows) {
+        spec.valueChannels = sim::ruleOf(spec.kind).channels;
+        spec.defaultValue = sim::ruleOf(spec.kind).defaultValue;
+    }
+    return rows;
 }
 
 std::array<float, 3> channelsOf(QRgb colour)
@@ -93,6 +125,11 @@ float squaredDistance(const std::array<float, 3>& a, const std::array<float, 3>&
 }
 
 } // namespace
+
+QString PaletteEntry::titleText() const
+{
+    return QCoreApplication::translate("MapSpec", title);
+}
 
 QString MapSpec::titleText() const
 {
@@ -133,21 +170,35 @@ QRgb scaleToColour(const MapSpec& spec, float value, bool nightPaper)
     return qRgb(mixed[0], mixed[1], mixed[2]);
 }
 
-/// Of a scale whose full colour has channels of 1 and of 0: the least of those that are 1, less the greatest of those
-/// that are 0. For green that is G - max(R, B), for yellow min(R, G) - B.
+/// How far the channels that the full colour has less of lie below those it has whole, in parts of what they do at 1.
+/// For green that is G - max(R, B), for yellow min(R, G) - B, for orange min(R - B, 2 (R - G)).
 float colourToScale(const MapSpec& spec, float red, float green, float blue)
 {
+    constexpr float kWhole = 0.9F;
     const std::array<float, 3> full = channelsOf(spec.scaleColour);
     const std::array<float, 3> read{red, green, blue};
     float least = 1.0F;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (full[i] > kWhole)
+            least = std::min(least, read[i]);
+    // What a channel does at 1 is also how exactly it tells: two that agree within a step of eight bits leave it to the
+    // one that does more.
+    constexpr float kAgreement = 1.5F / 255.0F;
+    float value = 1.0F;
+    float exact = 1.0F;
     float greatest = 0.0F;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (full[i] > 0.5F)
-            least = std::min(least, read[i]);
-        else
-            greatest = std::max(greatest, read[i]);
+        if (full[i] > kWhole)
+            continue;
+        const float span = 1.0F - full[i];
+        const float told = (least - read[i]) / span;
+        value = std::min(value, told);
+        exact = span > greatest + 0.1F ? told : span > greatest - 0.1F ? std::min(exact, told) : exact;
+        greatest = std::max(greatest, span);
     }
-    return std::clamp(least - greatest, 0.0F, 1.0F);
+    if (exact - value < kAgreement)
+        value = exact;
+    return std::max(value, 0.0F);
 }
 
 /// Plait is a magenta of 1/2 or more. The others are the nearest palette colour, where "none" is the whole grey axis.

@@ -1,27 +1,21 @@
-// The one table that describes every map. Panels, files, import, colour scales and the groom read it.
+// The table that describes every map: what the groom says of it (sim/groom/map_slot.h), and its names, units and
+// colours. Panels, files, import and colour scales read it.
 #pragma once
 
+#include "model/blend_modes.h"
 #include "model/map_scale.h"
-#include "sim/base/tiled_raster.h"
+#include "sim/groom/map_slot.h"
 
 #include <QColor>
 #include <QString>
 
+#include <optional>
 #include <span>
 
 namespace hairpaint::model {
 
-enum class MapKind : std::uint8_t
-{
-    Density,
-    Length,
-    Curl,
-    Braid,
-    Colour,
-    Clump,
-    Gel
-};
-inline constexpr int kMapKindCount = 7;
+using MapKind = sim::MapSlot;
+inline constexpr int kMapKindCount = static_cast<int>(sim::kMapSlotCount);
 
 enum class TexelKind : std::uint8_t
 {
@@ -30,18 +24,27 @@ enum class TexelKind : std::uint8_t
     Colour
 };
 
-enum class BlendMode : std::uint8_t
-{
-    Normal,
-    Multiply
-};
+struct Head;
+struct MapSpec;
 
 /// One entry of an index map's palette.
 struct PaletteEntry
 {
-    const char* id;    ///< In files.
-    const char* title; ///< To be translated in context "MapSpec".
-    QRgb colour;       ///< In written images.
+    const char* id;                          ///< In files.
+    const char* title;                       ///< To be translated in context "MapSpec".
+    QRgb colour;                             ///< In written images.
+    [[nodiscard]] QString titleText() const; ///< Translated.
+};
+
+/// A value that a map is painted with: a scalar in `scalar`, an index in `index`, a colour in `colour`.
+struct PaintValue
+{
+    float scalar = 1.0F; ///< 0..1
+    int index = 1;
+    QColor colour = QColor(0x5A, 0x38, 0x22);
+    friend bool operator==(const PaintValue&, const PaintValue&) = default;
+    /// As a raster's texel, without coverage.
+    [[nodiscard]] sim::Texel texel(const MapSpec& spec) const;
 };
 
 struct MapSpec
@@ -50,18 +53,23 @@ struct MapSpec
     const char* id;     ///< In files and on the command line: "density".
     const char* title;  ///< To be translated in context "MapSpec".
     const char* letter; ///< For the colour-blind; unique. To be translated in context "MapLetter".
-    TexelKind texel;
-    const MapScale* scale; ///< Of a scalar map, else null.
-    int valueChannels;     ///< 1, or 3 for colours. A layer's raster has one more: coverage.
-    sim::Texel defaultValue;
-    QRgb scaleColour;                      ///< The colour at 1 ("green"); unused by colours.
-    std::span<const PaletteEntry> palette; ///< Of an index map.
-    std::span<const BlendMode> blendModes;
+    TexelKind texel = TexelKind::Scalar;
+    const MapScale* scale = nullptr;            ///< Of a scalar map, else null.
+    QRgb scaleColour;                           ///< The colour at 1 ("green"); of a colour map, its default.
+    std::span<const PaletteEntry> palette = {}; ///< Of an index map.
+    std::span<const BlendMode> blendModes = {};
+    PaintValue firstPaint = {}; ///< What is painted at first.
+    /// Where nothing is painted a map shows its rule's default value, or another map of the group (one that stands
+    /// before it in the table), or a raster of the head's.
+    std::optional<MapKind> follows = {};
+    sim::MapRaster (*ofHead)(const Head& head) = nullptr;
+    int valueChannels = 1;        ///< The rule's. A layer's raster has one more: coverage.
+    sim::Texel defaultValue = {}; ///< The rule's.
 
     [[nodiscard]] QString titleText() const;  ///< Translated.
     [[nodiscard]] QString letterText() const; ///< Translated.
     [[nodiscard]] int layerChannels() const { return valueChannels + 1; }
-    [[nodiscard]] bool bilinear() const { return texel != TexelKind::Index; }
+    [[nodiscard]] bool bilinear() const { return sim::ruleOf(kind).sampling == sim::MapSampling::Bilinear; }
 };
 
 [[nodiscard]] std::span<const MapSpec> mapSpecs(); ///< In the order of MapKind.

@@ -14,7 +14,11 @@ namespace {
 /// What newProject and the files of resources/presets hold; a test compares.
 constexpr std::array kNames = {
     QT_TRANSLATE_NOOP("Names", "Scalp"),
+    QT_TRANSLATE_NOOP("Names", "Brows"),
+    QT_TRANSLATE_NOOP("Names", "Lashes"),
+    QT_TRANSLATE_NOOP("Names", "Beard"),
     // Styles
+    QT_TRANSLATE_NOOP("Names", "Bald"),
     QT_TRANSLATE_NOOP("Names", "Long straight"),
     QT_TRANSLATE_NOOP("Names", "Bob"),
     QT_TRANSLATE_NOOP("Names", "Ringlets"),

@@ -5,6 +5,7 @@
 #include "model/compositor.h"
 
 #include <algorithm>
+#include <array>
 
 namespace hairpaint::model {
 
@@ -32,20 +33,34 @@ sim::TiledRaster coveredRaster(const sim::TiledRaster& resolved)
     return layer;
 }
 
+/// Whether anything of a map shows but what it starts from.
+bool isPainted(const MapStack& stack)
+{
+    const auto coverage = static_cast<std::size_t>(mapSpec(stack.kind).valueChannels);
+    return std::ranges::any_of(stack.layers, [coverage](const Layer& layer) {
+        for (int index = 0; layer.visible && index < layer.raster.tileCount(); ++index) {
+            const sim::RasterTile& tile = *layer.raster.tile(index);
+            if (!tile.isUniform() || tile.uniform[coverage] != 0)
+                return true;
+        }
+        return false;
+    });
+}
+
 MapStack stackOf(Project& project, const HairGroup& group, const MapSpec& spec, const QString& layerName)
 {
-    const auto found = std::ranges::find(group.maps, spec.kind, &MapStack::kind);
-    if (found == group.maps.end() || found->layers.empty()) {
+    const auto found = std::ranges::find_if(group.maps, [&](const MapStack& stack) { return stack.kind == spec.kind; });
+    if (found == group.maps.end() || (*found)->layers.empty()) {
         MapStack stack{.kind = spec.kind, .layers = {}};
         if (found != group.maps.end())
-            stack.size = found->size;
+            stack.size = (*found)->size;
         stack.layers.push_back(makeLayer(project, spec, stack.size, layerName));
         return stack;
     }
-    Layer layer = found->layers.front();
+    Layer layer = (*found)->layers.front();
     layer.id = project.takeId();
     layer.name = layerName;
-    return {.kind = spec.kind, .size = found->size, .layers = {std::move(layer)}};
+    return {.kind = spec.kind, .size = (*found)->size, .layers = {std::move(layer)}};
 }
 
 } // namespace
@@ -61,9 +76,16 @@ Preset presetFrom(const Project& project, const QString& name)
         flat.name = group.name;
         flat.visible = group.visible;
         flat.settings = group.settings;
+        std::array<sim::MapRaster, sim::kMapSlotCount> resolved;
         for (const MapStack& stack : group.maps) {
-            Layer layer{.id = nextId++, .name = name, .raster = coveredRaster(resolveStack(stack))};
-            flat.maps.push_back({.kind = stack.kind, .size = stack.size, .layers = {std::move(layer)}});
+            const MapSpec& spec = mapSpec(stack.kind);
+            sim::MapRaster& map = resolved[sim::indexOf(stack.kind)];
+            map = std::make_shared<const sim::TiledRaster>(resolveStack(
+                stack, startOf(spec, project.head.get(), [&](MapKind kind) { return resolved[sim::indexOf(kind)]; })));
+            Layer layer{.id = nextId++,
+                        .name = name,
+                        .raster = isPainted(stack) ? coveredRaster(*map) : emptyRaster(spec, stack.size)};
+            flat.maps.emplace_back(MapStack{.kind = stack.kind, .size = stack.size, .layers = {std::move(layer)}});
         }
         preset.groups.push_back(std::move(flat));
     }
@@ -87,7 +109,7 @@ void applyPreset(Project& project, const Preset& preset)
         group.visible = style.visible;
         group.settings = style.settings;
         for (const MapSpec& spec : mapSpecs())
-            group.maps.push_back(stackOf(project, style, spec, preset.name));
+            group.maps.emplace_back(stackOf(project, style, spec, preset.name));
         project.groups.push_back(std::move(group));
     }
 }

@@ -7,6 +7,13 @@
 
 namespace hairpaint::model {
 
+MapStack& SharedStack::write()
+{
+    if (m_stack.use_count() > 1)
+        m_stack = std::make_shared<MapStack>(*m_stack);
+    return *m_stack;
+}
+
 const HairGroup* Project::group(Id id) const
 {
     const auto found = std::ranges::find(groups, id, &HairGroup::id);
@@ -31,14 +38,25 @@ const Layer* Project::layer(Id groupId, MapKind kind, Id layerId) const
 
 Layer* Project::layer(Id groupId, MapKind kind, Id layerId)
 {
-    return const_cast<Layer*>(std::as_const(*this).layer(groupId, kind, layerId));
+    // Looked for first, so that a layer that is not there leaves the map shared.
+    const Layer* found = std::as_const(*this).layer(groupId, kind, layerId);
+    if (found == nullptr)
+        return nullptr;
+    HairGroup& owner = *group(groupId);
+    const auto index = found - std::as_const(owner).map(kind).layers.data();
+    return &owner.map(kind).layers[static_cast<std::size_t>(index)];
+}
+
+sim::TiledRaster emptyRaster(const MapSpec& spec, int size)
+{
+    sim::Texel empty = spec.defaultValue;
+    empty[static_cast<std::size_t>(spec.valueChannels)] = 0;
+    return {size, spec.layerChannels(), empty};
 }
 
 Layer makeLayer(Project& project, const MapSpec& spec, int size, const QString& name)
 {
-    sim::Texel empty = spec.defaultValue;
-    empty[static_cast<std::size_t>(spec.valueChannels)] = 0;
-    return Layer{.id = project.takeId(), .name = name, .raster = sim::TiledRaster(size, spec.layerChannels(), empty)};
+    return Layer{.id = project.takeId(), .name = name, .raster = emptyRaster(spec, size)};
 }
 
 HairGroup makeGroup(Project& project, const QString& name, int mapSize)
@@ -49,7 +67,7 @@ HairGroup makeGroup(Project& project, const QString& name, int mapSize)
     for (const MapSpec& spec : mapSpecs()) {
         MapStack stack{.kind = spec.kind, .size = mapSize, .layers = {}};
         stack.layers.push_back(makeLayer(project, spec, mapSize, layerName(1)));
-        group.maps.push_back(std::move(stack));
+        group.maps.emplace_back(std::move(stack));
     }
     return group;
 }

@@ -1,7 +1,7 @@
-// The document's content as plain values. Copies share tiles, so they are cheap.
+// The document's content as plain values. Copies share maps and tiles, so they are cheap.
 #pragma once
 
-#include "model/map_spec.h"
+#include "model/change.h"
 #include "sim/groom/group_settings.h"
 #include "sim/motion/wind.h"
 #include "sim/skin/ellipsoid.h"
@@ -15,8 +15,6 @@
 
 namespace hairpaint::model {
 
-using Id = int; ///< From a counter that the file keeps; unique within the project; 0 is none.
-
 struct Layer
 {
     Id id = 0;
@@ -26,6 +24,7 @@ struct Layer
     BlendMode blend = BlendMode::Normal;
     bool locked = false;
     sim::TiledRaster raster; ///< Value channels, then coverage; unassociated.
+    friend bool operator==(const Layer&, const Layer&) = default;
 };
 
 /// Resolving starts from the spec's default. `layers` from the bottom up. Every map of a group is present.
@@ -34,6 +33,28 @@ struct MapStack
     MapKind kind = MapKind::Density;
     int size = 1024; ///< Texels a side.
     std::vector<Layer> layers;
+    friend bool operator==(const MapStack&, const MapStack&) = default;
+};
+
+/// A map that copies of a project share until one of them changes it: copying a project costs its groups, not its
+/// tiles. Copies may be read on other threads while this one is written.
+class SharedStack
+{
+public:
+    SharedStack(MapStack stack) : m_stack(std::make_shared<MapStack>(std::move(stack))) {}
+    operator const MapStack&() const { return *m_stack; }
+    [[nodiscard]] const MapStack* operator->() const { return m_stack.get(); }
+    [[nodiscard]] const MapStack& operator*() const { return *m_stack; }
+    /// This copy's own.
+    [[nodiscard]] MapStack& write();
+    [[nodiscard]] bool sharesWith(const SharedStack& other) const { return m_stack == other.m_stack; }
+    friend bool operator==(const SharedStack& a, const SharedStack& b)
+    {
+        return a.m_stack == b.m_stack || *a.m_stack == *b.m_stack;
+    }
+
+private:
+    std::shared_ptr<MapStack> m_stack;
 };
 
 struct HairGroup
@@ -42,9 +63,11 @@ struct HairGroup
     QString name;
     bool visible = true;
     sim::GroupSettings settings;
-    std::vector<MapStack> maps; ///< kMapKindCount, in the order of MapKind.
-    [[nodiscard]] MapStack& map(MapKind kind) { return maps[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] const MapStack& map(MapKind kind) const { return maps[static_cast<std::size_t>(kind)]; }
+    std::vector<SharedStack> maps; ///< kMapKindCount, in the order of MapKind.
+    /// To be changed: no longer shared.
+    [[nodiscard]] MapStack& map(MapKind kind) { return maps[static_cast<std::size_t>(kind)].write(); }
+    [[nodiscard]] const MapStack& map(MapKind kind) const { return *maps[static_cast<std::size_t>(kind)]; }
+    friend bool operator==(const HairGroup&, const HairGroup&) = default;
 };
 
 enum class UpAxis : std::uint8_t
@@ -99,6 +122,8 @@ struct Project
 
 /// A group named `name` with every map present and empty (default values, one empty layer a map).
 [[nodiscard]] HairGroup makeGroup(Project& project, const QString& name, int mapSize = 1024);
+/// What a layer without paint holds.
+[[nodiscard]] sim::TiledRaster emptyRaster(const MapSpec& spec, int size);
 [[nodiscard]] Layer makeLayer(Project& project, const MapSpec& spec, int size, const QString& name);
 
 } // namespace hairpaint::model

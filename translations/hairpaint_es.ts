@@ -2,6 +2,53 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es">
 <context>
+    <name>BlendMode</name>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Multiplicar</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Trama</translation>
+    </message>
+    <message>
+        <source>Darken</source>
+        <translation>Oscurecer</translation>
+    </message>
+    <message>
+        <source>Lighten</source>
+        <translation>Aclarar</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Sumar</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>Restar</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferencia</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Superponer</translation>
+    </message>
+    <message>
+        <source>Soft light</source>
+        <translation>Luz suave</translation>
+    </message>
+    <message>
+        <source>Hard light</source>
+        <translation>Luz fuerte</translation>
+    </message>
+</context>
+<context>
     <name>Clipboard</name>
     <message>
         <source>Paste into %1</source>
@@ -13,10 +60,6 @@
     <message>
         <source>%1. Usage: hairpaint %2 %3</source>
         <translation>%1. Uso: hairpaint %2 %3</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this; give a smaller size or fewer hairs.</source>
-        <translation>No hay memoria suficiente para esto; pide un tamaño menor o menos pelos.</translation>
     </message>
     <message>
         <source>No file name belongs here</source>
@@ -125,12 +168,98 @@
         <translation>  %1: %2 x %3, capas: %4</translation>
     </message>
     <message>
-        <source>  Fewer hairs than painted: the limit of %1 for the whole head is reached</source>
-        <translation>  Menos pelos de los pintados: se alcanza el límite de %1 para toda la cabeza</translation>
-    </message>
-    <message>
         <source>  Fewer hairs than painted: memory would not hold more</source>
         <translation>  Menos pelos de los pintados: en la memoria no cabrían más</translation>
+    </message>
+    <message>
+        <source>the project to write</source>
+        <translation>el proyecto que se escribe</translation>
+    </message>
+    <message>
+        <source>a mesh with uv coordinates instead of the built-in head</source>
+        <translation>una malla con coordenadas uv en lugar de la cabeza incluida</translation>
+    </message>
+    <message>
+        <source>a style of the library</source>
+        <translation>un estilo de la biblioteca</translation>
+    </message>
+    <message>
+        <source>an image as a map, by its colours, or by its brightness with :grey</source>
+        <translation>una imagen como mapa, por sus colores o, con :grey, por su brillo</translation>
+    </message>
+    <message>
+        <source>another drawing of the roots; 1 unless given</source>
+        <translation>otro reparto de las raíces; 1 si no se da</translation>
+    </message>
+    <message>
+        <source>limit on the places, over the whole head, where hair may stand (was: --max-hairs)</source>
+        <translation>límite de los sitios, en toda la cabeza, donde puede haber pelo (antes: --max-hairs)</translation>
+    </message>
+    <message>
+        <source>as JSON, for scripts</source>
+        <translation>como JSON, para scripts</translation>
+    </message>
+    <message>
+        <source>how long the hair falls first; 0 is the shape it was given</source>
+        <translation>cuánto cae antes el pelo; 0 es la forma que se le dio</translation>
+    </message>
+    <message>
+        <source>only so many of the hairs that are there, an even share</source>
+        <translation>solo tantos de los pelos que hay, repartidos por igual</translation>
+    </message>
+    <message>
+        <source>in m/s, instead of the project&apos;s; x to the head&apos;s left, y up, z forward</source>
+        <translation>en m/s, en lugar del viento del proyecto; x a la izquierda de la cabeza, y arriba, z adelante</translation>
+    </message>
+    <message>
+        <source>the curves to write</source>
+        <translation>las curvas que se escriben</translation>
+    </message>
+    <message>
+        <source>the picture to write</source>
+        <translation>la imagen que se escribe</translation>
+    </message>
+    <message>
+        <source>in pixels; 1024x1024 unless given</source>
+        <translation>en píxeles; 1024x1024 si no se da</translation>
+    </message>
+    <message>
+        <source>front, back, left, right, top or three-quarter</source>
+        <translation>front, back, left, right, top o three-quarter</translation>
+    </message>
+    <message>
+        <source>what fills the picture: hair (with the head), head or bust; hair unless given</source>
+        <translation>lo que llena la imagen: hair (con la cabeza), head o bust; hair si no se da</translation>
+    </message>
+    <message>
+        <source>a film instead of one picture: FILE.0001.png and on</source>
+        <translation>una película en lugar de una imagen: FILE.0001.png y siguientes</translation>
+    </message>
+    <message>
+        <source>frames a second of a film; 30 unless given</source>
+        <translation>fotogramas por segundo de una película; 30 si no se da</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for what is wanted of &apos;%1&apos;; give a smaller size or fewer hairs.</source>
+        <translation>No hay memoria suficiente para lo que se pide de «%1»; da un tamaño menor o menos pelos.</translation>
+    </message>
+    <message>
+        <source>What is wanted of &apos;%1&apos; failed: %2.</source>
+        <translation>Falló lo que se pide de «%1»: %2.</translation>
+    </message>
+    <message>
+        <source>  Fewer hairs than painted: the limit of %1 candidates for the whole head is reached</source>
+        <translation>  Menos pelos de los pintados: se alcanzó el límite de %1 candidatos para toda la cabeza</translation>
+    </message>
+    <message>
+        <source>--fit takes hair, head or bust, not &apos;%1&apos;</source>
+        <translation>--fit admite hair, head o bust, no «%1»</translation>
+    </message>
+    <message>
+        <source>hairpaint COMMAND --help
+    tells what each option does</source>
+        <translation>hairpaint ORDEN --help
+    explica cada opción</translation>
     </message>
 </context>
 <context>
@@ -190,6 +319,21 @@
     <message>
         <source>Move group &quot;%1&quot;</source>
         <translation>Mover grupo «%1»</translation>
+    </message>
+    <message>
+        <source>Resize %1 to %2 × %2</source>
+        <translation>Cambiar %1 a %2 × %2</translation>
+    </message>
+</context>
+<context>
+    <name>ContentBudget</name>
+    <message>
+        <source>A project holds at most %1 groups, %2 layers in a map and %3 layers in all: remove some first.</source>
+        <translation>Un proyecto contiene como máximo %1 grupos, %2 capas por mapa y %3 capas en total: elimina antes algunas.</translation>
+    </message>
+    <message>
+        <source>The project&apos;s maps would be larger than a project can be (%1 MiB painted): use fewer layers or smaller maps.</source>
+        <translation>Los mapas del proyecto serían mayores de lo que un proyecto puede ser (%1 MiB pintados): usa menos capas o mapas más pequeños.</translation>
     </message>
 </context>
 <context>
@@ -441,6 +585,268 @@
         <source>there is no folder &apos;%1&apos;; make it first</source>
         <translation>no existe la carpeta «%1»; créala antes</translation>
     </message>
+    <message>
+        <source>there is no space left on its disk; make room there and try again</source>
+        <translation>no queda espacio en su disco; haz sitio e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>only a part of it could be written; check that its disk has room</source>
+        <translation>solo se pudo escribir una parte; comprueba que su disco tiene sitio</translation>
+    </message>
+    <message>
+        <source>its head stands %1 m from the scene&apos;s origin, and 1 km is the most; move it there in a 3D program</source>
+        <translation>su cabeza está a %1 m del origen de la escena, y 1 km es lo máximo; muévela allí en un programa 3D</translation>
+    </message>
+    <message>
+        <source>the way it is compressed is not supported; save it as PNG or TIFF in the program that made it, and try again</source>
+        <translation>su forma de compresión no se admite; guárdala como PNG o TIFF en el programa que la hizo e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for it; close other programs and try again</source>
+        <translation>no hay memoria suficiente para ello; cierra otros programas e inténtalo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>GroupSchema</name>
+    <message>
+        <source>Turns per hair</source>
+        <translation>Vueltas por pelo</translation>
+    </message>
+    <message>
+        <source>Turns per length</source>
+        <translation>Vueltas por longitud</translation>
+    </message>
+    <message>
+        <source>Greatest length</source>
+        <translation>Longitud máxima</translation>
+    </message>
+    <message>
+        <source>Length where the length map is brightest</source>
+        <translation>Longitud donde el mapa de longitud es más claro</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>Shortest length</source>
+        <translation>Longitud mínima</translation>
+    </message>
+    <message>
+        <source>Length where the length map is 0</source>
+        <translation>Longitud donde el mapa de longitud es 0</translation>
+    </message>
+    <message>
+        <source>Greatest density</source>
+        <translation>Densidad máxima</translation>
+    </message>
+    <message>
+        <source>Hairs where the density map is brightest</source>
+        <translation>Pelos donde el mapa de densidad es más claro</translation>
+    </message>
+    <message>
+        <source>hairs/cm²</source>
+        <translation>pelos/cm²</translation>
+    </message>
+    <message>
+        <source>Hair width</source>
+        <translation>Grosor del pelo</translation>
+    </message>
+    <message>
+        <source>Diameter of one hair</source>
+        <translation>Diámetro de un pelo</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>µm</translation>
+    </message>
+    <message>
+        <source>Curl radius</source>
+        <translation>Radio del rizo</translation>
+    </message>
+    <message>
+        <source>Greatest radius of a curl</source>
+        <translation>Radio máximo de un rizo</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Nodes per hair</source>
+        <translation>Nodos por pelo</translation>
+    </message>
+    <message>
+        <source>More bend more finely and cost more</source>
+        <translation>Con más, el pelo se dobla con más detalle y cuesta más</translation>
+    </message>
+    <message>
+        <source>Basis hairs</source>
+        <translation>Pelos guía</translation>
+    </message>
+    <message>
+        <source>Hairs that are simulated; the others follow them</source>
+        <translation>Pelos que se simulan; los demás los siguen</translation>
+    </message>
+    <message>
+        <source>Turns mode</source>
+        <translation>Modo de vueltas</translation>
+    </message>
+    <message>
+        <source>What the turns of a curl are counted by</source>
+        <translation>Cómo se cuentan las vueltas de un rizo</translation>
+    </message>
+    <message>
+        <source>Turns are for</source>
+        <translation>Vueltas en</translation>
+    </message>
+    <message>
+        <source>The length that the turns of a curl are for</source>
+        <translation>La longitud a la que se refieren las vueltas de un rizo</translation>
+    </message>
+    <message>
+        <source>Curl levels</source>
+        <translation>Niveles de rizo</translation>
+    </message>
+    <message>
+        <source>Whole curl levels only</source>
+        <translation>Solo niveles enteros de rizo</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Separación</translation>
+    </message>
+    <message>
+        <source>Distance between braids in one painted patch</source>
+        <translation>Distancia entre trenzas en una misma zona pintada</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>Thickness of a braid</source>
+        <translation>Grosor de una trenza</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Cuerpo</translation>
+    </message>
+    <message>
+        <source>How firmly hair keeps its shape near the root</source>
+        <translation>Con qué firmeza el pelo conserva su forma cerca de la raíz</translation>
+    </message>
+    <message>
+        <source>Parting</source>
+        <translation>Raya</translation>
+    </message>
+    <message>
+        <source>How far long hair is combed to either side of the middle</source>
+        <translation>Cuánto se peina el pelo largo hacia los lados desde el centro</translation>
+    </message>
+    <message>
+        <source>Sweep back</source>
+        <translation>Hacia atrás</translation>
+    </message>
+    <message>
+        <source>How far long hair is combed away from the face</source>
+        <translation>Cuánto se peina el pelo largo apartándolo de la cara</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Thickness of the whole coat of hair</source>
+        <translation>Espesor de todo el manto de pelo</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortiguación</translation>
+    </message>
+    <message>
+        <source>How soon motion dies down</source>
+        <translation>Cuán pronto se apaga el movimiento</translation>
+    </message>
+    <message>
+        <source>per s</source>
+        <translation>por s</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Gravedad</translation>
+    </message>
+    <message>
+        <source>100 % is as on earth</source>
+        <translation>100 % es como en la Tierra</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Rozamiento</translation>
+    </message>
+    <message>
+        <source>How much hair sticks to the head</source>
+        <translation>Cuánto se agarra el pelo a la cabeza</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Viento</translation>
+    </message>
+    <message>
+        <source>How strongly the wind takes this hair</source>
+        <translation>Con qué fuerza el viento mueve este pelo</translation>
+    </message>
+    <message>
+        <source>Shine</source>
+        <translation>Brillo</translation>
+    </message>
+    <message>
+        <source>Strength of the highlights</source>
+        <translation>Intensidad de los reflejos</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rugosidad</translation>
+    </message>
+    <message>
+        <source>Width of the highlights</source>
+        <translation>Anchura de los reflejos</translation>
+    </message>
+    <message>
+        <source>Opacity at the root</source>
+        <translation>Opacidad en la raíz</translation>
+    </message>
+    <message>
+        <source>Less lets the skin show through</source>
+        <translation>Con menos se transparenta la piel</translation>
+    </message>
+    <message>
+        <source>Opacity at the tip</source>
+        <translation>Opacidad en la punta</translation>
+    </message>
+    <message>
+        <source>Less makes hair thin out</source>
+        <translation>Con menos el pelo se afina</translation>
+    </message>
+    <message>
+        <source>Colour variation</source>
+        <translation>Variación de color</translation>
+    </message>
+    <message>
+        <source>Difference between neighbouring hairs</source>
+        <translation>Diferencia entre pelos vecinos</translation>
+    </message>
+</context>
+<context>
+    <name>Guarded</name>
+    <message>
+        <source>%1: there is not enough memory for it; close other programs, or take something smaller.</source>
+        <translation>%1: no hay memoria suficiente; cierra otros programas o elige algo más pequeño.</translation>
+    </message>
+    <message>
+        <source>%1 failed: %2.</source>
+        <translation>%1: falló (%2).</translation>
+    </message>
 </context>
 <context>
     <name>HairColours</name>
@@ -566,202 +972,26 @@
     </message>
 </context>
 <context>
-    <name>HairSettings</name>
+    <name>HairKinds</name>
     <message>
-        <source>Greatest length</source>
-        <translation>Longitud máxima</translation>
+        <source>Hair of the head</source>
+        <translation>Pelo de la cabeza</translation>
     </message>
     <message>
-        <source>Length where the length map is brightest</source>
-        <translation>Longitud donde el mapa de longitud es más claro</translation>
+        <source>Brows</source>
+        <translation>Cejas</translation>
     </message>
     <message>
-        <source>cm</source>
-        <translation>cm</translation>
+        <source>Lashes</source>
+        <translation>Pestañas</translation>
     </message>
     <message>
-        <source>Shortest length</source>
-        <translation>Longitud mínima</translation>
+        <source>Beard</source>
+        <translation>Barba</translation>
     </message>
     <message>
-        <source>Length where the length map is 0</source>
-        <translation>Longitud donde el mapa de longitud es 0</translation>
-    </message>
-    <message>
-        <source>Greatest density</source>
-        <translation>Densidad máxima</translation>
-    </message>
-    <message>
-        <source>Hairs where the density map is brightest</source>
-        <translation>Pelos donde el mapa de densidad es más claro</translation>
-    </message>
-    <message>
-        <source>hairs/cm²</source>
-        <translation>pelos/cm²</translation>
-    </message>
-    <message>
-        <source>Hair width</source>
-        <translation>Grosor del pelo</translation>
-    </message>
-    <message>
-        <source>Diameter of one hair</source>
-        <translation>Diámetro de un pelo</translation>
-    </message>
-    <message>
-        <source>µm</source>
-        <translation>µm</translation>
-    </message>
-    <message>
-        <source>Curl radius</source>
-        <translation>Radio del rizo</translation>
-    </message>
-    <message>
-        <source>Greatest radius of a curl</source>
-        <translation>Radio máximo de un rizo</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Nodes per hair</source>
-        <translation>Nodos por pelo</translation>
-    </message>
-    <message>
-        <source>More bend more finely and cost more</source>
-        <translation>Con más, el pelo se dobla con más detalle y cuesta más</translation>
-    </message>
-    <message>
-        <source>Basis hairs</source>
-        <translation>Pelos guía</translation>
-    </message>
-    <message>
-        <source>Hairs that are simulated; the others follow them</source>
-        <translation>Pelos que se simulan; los demás los siguen</translation>
-    </message>
-    <message>
-        <source>Spacing</source>
-        <translation>Separación</translation>
-    </message>
-    <message>
-        <source>Distance between braids in one painted patch</source>
-        <translation>Distancia entre trenzas en una misma zona pintada</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radio</translation>
-    </message>
-    <message>
-        <source>Thickness of a braid</source>
-        <translation>Grosor de una trenza</translation>
-    </message>
-    <message>
-        <source>Body</source>
-        <translation>Cuerpo</translation>
-    </message>
-    <message>
-        <source>How firmly hair keeps its shape near the root</source>
-        <translation>Con qué firmeza el pelo conserva su forma cerca de la raíz</translation>
-    </message>
-    <message>
-        <source>Parting</source>
-        <translation>Raya</translation>
-    </message>
-    <message>
-        <source>How far long hair is combed to either side of the middle</source>
-        <translation>Cuánto se peina el pelo largo hacia los lados desde el centro</translation>
-    </message>
-    <message>
-        <source>Sweep back</source>
-        <translation>Hacia atrás</translation>
-    </message>
-    <message>
-        <source>How far long hair is combed away from the face</source>
-        <translation>Cuánto se peina el pelo largo apartándolo de la cara</translation>
-    </message>
-    <message>
-        <source>Damping</source>
-        <translation>Amortiguación</translation>
-    </message>
-    <message>
-        <source>How soon motion dies down</source>
-        <translation>Cuán pronto se apaga el movimiento</translation>
-    </message>
-    <message>
-        <source>per s</source>
-        <translation>por s</translation>
-    </message>
-    <message>
-        <source>Gravity</source>
-        <translation>Gravedad</translation>
-    </message>
-    <message>
-        <source>100 % is as on earth</source>
-        <translation>100 % es como en la Tierra</translation>
-    </message>
-    <message>
-        <source>Friction</source>
-        <translation>Rozamiento</translation>
-    </message>
-    <message>
-        <source>How much hair sticks to the head</source>
-        <translation>Cuánto se agarra el pelo a la cabeza</translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>Thickness of the whole coat of hair</source>
-        <translation>Espesor de todo el manto de pelo</translation>
-    </message>
-    <message>
-        <source>Wind</source>
-        <translation>Viento</translation>
-    </message>
-    <message>
-        <source>How strongly the wind takes this hair</source>
-        <translation>Con qué fuerza el viento mueve este pelo</translation>
-    </message>
-    <message>
-        <source>Shine</source>
-        <translation>Brillo</translation>
-    </message>
-    <message>
-        <source>Strength of the highlights</source>
-        <translation>Intensidad de los reflejos</translation>
-    </message>
-    <message>
-        <source>Roughness</source>
-        <translation>Rugosidad</translation>
-    </message>
-    <message>
-        <source>Width of the highlights</source>
-        <translation>Anchura de los reflejos</translation>
-    </message>
-    <message>
-        <source>Opacity at the root</source>
-        <translation>Opacidad en la raíz</translation>
-    </message>
-    <message>
-        <source>Less lets the skin show through</source>
-        <translation>Con menos se transparenta la piel</translation>
-    </message>
-    <message>
-        <source>Opacity at the tip</source>
-        <translation>Opacidad en la punta</translation>
-    </message>
-    <message>
-        <source>Less makes hair thin out</source>
-        <translation>Con menos el pelo se afina</translation>
-    </message>
-    <message>
-        <source>Colour variation</source>
-        <translation>Variación de color</translation>
-    </message>
-    <message>
-        <source>Difference between neighbouring hairs</source>
-        <translation>Diferencia entre pelos vecinos</translation>
+        <source>Something else</source>
+        <translation>Otra cosa</translation>
     </message>
 </context>
 <context>
@@ -809,16 +1039,28 @@
         <translation>nuca</translation>
     </message>
     <message>
-        <source>ear</source>
-        <translation>oreja</translation>
-    </message>
-    <message>
         <source>nose</source>
         <translation>nariz</translation>
     </message>
     <message>
         <source>chin</source>
         <translation>barbilla</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>left ear</source>
+        <translation>oreja izquierda</translation>
+    </message>
+    <message>
+        <source>right ear</source>
+        <translation>oreja derecha</translation>
     </message>
 </context>
 <context>
@@ -865,6 +1107,14 @@
     <message>
         <source>G</source>
         <translation>G</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>P</translation>
     </message>
 </context>
 <context>
@@ -935,6 +1185,14 @@
     <message>
         <source>Gel</source>
         <translation>Gel</translation>
+    </message>
+    <message>
+        <source>Curl size</source>
+        <translation>Radio del rizo</translation>
+    </message>
+    <message>
+        <source>Tip colour</source>
+        <translation>Color de puntas</translation>
     </message>
 </context>
 <context>
@@ -1031,6 +1289,22 @@
         <source>Layer %1</source>
         <translation>Capa %1</translation>
     </message>
+    <message>
+        <source>Brows</source>
+        <translation>Cejas</translation>
+    </message>
+    <message>
+        <source>Lashes</source>
+        <translation>Pestañas</translation>
+    </message>
+    <message>
+        <source>Beard</source>
+        <translation>Barba</translation>
+    </message>
+    <message>
+        <source>Bald</source>
+        <translation>Sin pelo</translation>
+    </message>
 </context>
 <context>
     <name>Picture</name>
@@ -1046,19 +1320,16 @@
         <source>No picture of %1 x %2 pixels can be drawn: the OpenGL driver gave up, most likely for want of memory. Choose a smaller size.</source>
         <translation>No se puede dibujar una imagen de %1 x %2 píxeles: el controlador de OpenGL se rindió, probablemente por falta de memoria. Elige un tamaño menor.</translation>
     </message>
+    <message>
+        <source>Drawing the picture was cancelled.</source>
+        <translation>Se canceló el dibujo de la imagen.</translation>
+    </message>
 </context>
 <context>
     <name>Pointer</name>
     <message>
         <source>Size %1 cm, hardness %2 %, opacity %3 %</source>
         <translation>Tamaño %1 cm, dureza %2 %, opacidad %3 %</translation>
-    </message>
-</context>
-<context>
-    <name>QProgressDialog</name>
-    <message>
-        <source>Cancel</source>
-        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
@@ -1082,6 +1353,24 @@
     <message>
         <source>OpenGL 4.3 is needed; this driver has %1.</source>
         <translation>Hace falta OpenGL 4.3; este controlador tiene %1.</translation>
+    </message>
+</context>
+<context>
+    <name>RevealedText</name>
+    <message>
+        <source>reveals the layers below</source>
+        <translation>deja ver las capas de abajo</translation>
+    </message>
+    <message>
+        <source>reveals %1, the default</source>
+        <translation>deja ver %1, lo predeterminado</translation>
+    </message>
+</context>
+<context>
+    <name>SaveDialog</name>
+    <message>
+        <source>There is a file &apos;%1&apos; already. Replace it?</source>
+        <translation>Ya hay un archivo «%1». ¿Reemplazarlo?</translation>
     </message>
 </context>
 <context>
@@ -1139,16 +1428,16 @@
         <translation>Forma</translation>
     </message>
     <message>
-        <source>Click corner by corner; click the first one to close</source>
-        <translation>Haz clic esquina por esquina; la primera cierra la forma</translation>
-    </message>
-    <message>
         <source>Drag a filled shape; Shift makes it a square or a circle; polygons: click corner by corner</source>
         <translation>Arrastra una forma rellena; Mayúsculas la hace cuadrado o círculo; polígonos: haz clic esquina por esquina</translation>
     </message>
     <message>
         <source>Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing</source>
         <translation>Arrastra un rectángulo; Mayúsculas añade a la selección o hace un cuadrado; haz clic para no seleccionar nada</translation>
+    </message>
+    <message>
+        <source>Click corner by corner; click the first one to close; Backspace takes one back</source>
+        <translation>Haz clic esquina a esquina; haz clic en la primera para cerrar; Retroceso quita la última</translation>
     </message>
 </context>
 <context>
@@ -1160,10 +1449,6 @@
     <message>
         <source>Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</source>
         <translation>Imágenes (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</translation>
-    </message>
-    <message>
-        <source>Reading %1…</source>
-        <translation>Leyendo %1…</translation>
     </message>
     <message>
         <source>Load %1 into %2</source>
@@ -1178,10 +1463,6 @@
         <translation>Imágenes (*.png *.tif *.exr *.tga)</translation>
     </message>
     <message>
-        <source>Writing %1…</source>
-        <translation>Escribiendo %1…</translation>
-    </message>
-    <message>
         <source>%1 written</source>
         <translation>%1 guardado</translation>
     </message>
@@ -1194,10 +1475,6 @@
         <translation>Mallas (*.glb *.gltf *.obj *.fbx *.ply *.dae *.3ds *.x3d)</translation>
     </message>
     <message>
-        <source>Preparing %1…</source>
-        <translation>Preparando %1…</translation>
-    </message>
-    <message>
         <source>Export hair</source>
         <translation>Exportar pelo</translation>
     </message>
@@ -1208,10 +1485,6 @@
     <message>
         <source>Hair curves (*.hair)</source>
         <translation>Curvas de pelo (*.hair)</translation>
-    </message>
-    <message>
-        <source>There is no OpenGL on this machine to draw a picture with; install a graphics driver.</source>
-        <translation>En este equipo no hay OpenGL con el que dibujar; instala un controlador gráfico.</translation>
     </message>
     <message>
         <source>Save picture</source>
@@ -1269,6 +1542,49 @@
         <source>;;All files (*)</source>
         <translation>;;Todos los archivos (*)</translation>
     </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Leyendo %1</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Escribiendo %1</translation>
+    </message>
+    <message>
+        <source>Preparing %1</source>
+        <translation>Preparando %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the newest hair</source>
+        <translation>Esperando el pelo más reciente</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this hair; take less density or smaller maps.</source>
+        <translation>No hay memoria suficiente para este pelo; elige menos densidad o mapas más pequeños.</translation>
+    </message>
+    <message>
+        <source>Saving style %1</source>
+        <translation>Guardando el estilo %1</translation>
+    </message>
+    <message>
+        <source>Rename style</source>
+        <translation>Cambiar el nombre del estilo</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::Jobs</name>
+    <message>
+        <source>Hair Paint</source>
+        <translation>Hair Paint</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation>%1…</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Cancelando…</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::MainWindow</name>
@@ -1311,10 +1627,6 @@
     <message>
         <source>Import &amp;head…</source>
         <translation>Importar ca&amp;beza…</translation>
-    </message>
-    <message>
-        <source>Use the &amp;built-in head</source>
-        <translation>Usar la cabeza in&amp;cluida</translation>
     </message>
     <message>
         <source>&amp;Export hair…</source>
@@ -1529,10 +1841,6 @@
         <translation>&amp;Reiniciar la simulación</translation>
     </message>
     <message>
-        <source>&amp;Add hair group</source>
-        <translation>&amp;Añadir grupo de pelo</translation>
-    </message>
-    <message>
         <source>Remo&amp;ve hair group</source>
         <translation>&amp;Quitar grupo de pelo</translation>
     </message>
@@ -1588,6 +1896,38 @@
         <source>Redone: %1</source>
         <translation>Rehecho: %1</translation>
     </message>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Dibujando la imagen</translation>
+    </message>
+    <message>
+        <source>Reading the styles</source>
+        <translation>Leyendo los estilos</translation>
+    </message>
+    <message>
+        <source>New with a &amp;bald head</source>
+        <translation>Nuev&amp;o con la cabeza sin pelo</translation>
+    </message>
+    <message>
+        <source>Use the built-in hea&amp;d</source>
+        <translation>Usar la cabeza in&amp;cluida</translation>
+    </message>
+    <message>
+        <source>Map &amp;size</source>
+        <translation>&amp;Tamaño del mapa</translation>
+    </message>
+    <message>
+        <source>%1 × %1</source>
+        <translation>%1 × %1</translation>
+    </message>
+    <message>
+        <source>&amp;Turn to the brush</source>
+        <translation>&amp;Girar hacia el pincel</translation>
+    </message>
+    <message>
+        <source>&amp;Add hair group…</source>
+        <translation>&amp;Añadir grupo de pelo…</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ProjectFiles</name>
@@ -1604,10 +1944,6 @@
         <translation>Proyectos de Hair Paint (*.hairpaint)</translation>
     </message>
     <message>
-        <source>Opening %1…</source>
-        <translation>Abriendo %1…</translation>
-    </message>
-    <message>
         <source>Save project</source>
         <translation>Guardar proyecto</translation>
     </message>
@@ -1620,12 +1956,30 @@
         <translation>«%1» tiene cambios sin guardar.</translation>
     </message>
     <message>
-        <source>Saving %1…</source>
-        <translation>Guardando %1…</translation>
-    </message>
-    <message>
         <source>Hair Paint</source>
         <translation>Hair Paint</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Guardando %1</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::Session</name>
+    <message>
+        <source>There is not enough memory for this hair: what is shown is older. Undo the last change, or take less density or smaller maps.</source>
+        <translation>No hay memoria suficiente para este pelo: lo que se ve es anterior. Deshaz el último cambio, o elige menos densidad o mapas más pequeños.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::StylePictures</name>
+    <message>
+        <source>Drawing the style %1</source>
+        <translation>Dibujando el estilo %1</translation>
     </message>
 </context>
 <context>
@@ -1719,6 +2073,10 @@
         <source>“%1” is locked; unlock the layer to paint on it.</source>
         <translation>«%1» está bloqueada; desbloquea la capa para pintar en ella.</translation>
     </message>
+    <message>
+        <source>%1 is painted with %2 now: this group&apos;s range ends there.</source>
+        <translation>%1 se pinta ahora con %2: el rango de este grupo termina ahí.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::HairPanel</name>
@@ -1733,10 +2091,6 @@
     <message>
         <source>Hair groups</source>
         <translation>Grupos de pelo</translation>
-    </message>
-    <message>
-        <source>Add hair group</source>
-        <translation>Añadir grupo de pelo</translation>
     </message>
     <message>
         <source>Remove hair group (Delete)</source>
@@ -1759,44 +2113,20 @@
         <translation>Aspecto</translation>
     </message>
     <message>
-        <source>What the turns of a curl are counted by</source>
-        <translation>Cómo se cuentan las vueltas de un rizo</translation>
-    </message>
-    <message>
-        <source>Turns per hair</source>
-        <translation>Vueltas por pelo</translation>
-    </message>
-    <message>
-        <source>Turns per length</source>
-        <translation>Vueltas por longitud</translation>
-    </message>
-    <message>
-        <source>Turns are for</source>
-        <translation>Vueltas en</translation>
-    </message>
-    <message>
-        <source>cm</source>
-        <translation>cm</translation>
-    </message>
-    <message>
-        <source>Whole curl levels only</source>
-        <translation>Solo niveles enteros de rizo</translation>
-    </message>
-    <message>
-        <source>Turns mode</source>
-        <translation>Modo de vueltas</translation>
-    </message>
-    <message>
-        <source>Curl levels</source>
-        <translation>Niveles de rizo</translation>
-    </message>
-    <message>
         <source>%1 of &quot;%2&quot;</source>
         <translation>%1 de «%2»</translation>
     </message>
     <message>
         <source>%1, hidden</source>
         <translation>%1, oculto</translation>
+    </message>
+    <message>
+        <source>Add hair group: choose what grows</source>
+        <translation>Añadir grupo de pelo: elige qué crece</translation>
+    </message>
+    <message>
+        <source>What grows?</source>
+        <translation>¿Qué crece?</translation>
     </message>
 </context>
 <context>
@@ -1866,6 +2196,13 @@
             <numerusform>%Ln triángulo, %1 cm de alto.</numerusform>
             <numerusform>%Ln triángulos, %1 cm de alto.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::HeadOverlay</name>
+    <message>
+        <source>on the far side</source>
+        <translation>en el otro lado</translation>
     </message>
 </context>
 <context>
@@ -2057,14 +2394,6 @@
 <context>
     <name>hairpaint::view::LayersPanel</name>
     <message>
-        <source>Multiply</source>
-        <translation>Multiplicar</translation>
-    </message>
-    <message>
-        <source>Normal</source>
-        <translation>Normal</translation>
-    </message>
-    <message>
         <source>Layers</source>
         <translation>Capas</translation>
     </message>
@@ -2148,6 +2477,18 @@
         <source>Duplicate layer &quot;%1&quot;</source>
         <translation>Duplicar capa «%1»</translation>
     </message>
+    <message>
+        <source>Move layer up</source>
+        <translation>Subir capa</translation>
+    </message>
+    <message>
+        <source>Move layer down</source>
+        <translation>Bajar capa</translation>
+    </message>
+    <message>
+        <source>Remove layer</source>
+        <translation>Quitar capa</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::LightDialog</name>
@@ -2198,12 +2539,24 @@
         <source>What the colours mean</source>
         <translation>Qué significan los colores</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::MapRow</name>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1: %2 x %2 texels</source>
+        <translation>%1: %2 x %2 téxeles</translation>
     </message>
 </context>
 <context>
@@ -2285,13 +2638,6 @@
     <message>
         <source>Palette, %1</source>
         <translation>Paleta, %1</translation>
-    </message>
-</context>
-<context>
-    <name>hairpaint::view::PaintView</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -2408,6 +2754,14 @@
         <source>Press the new key in the field, then Assign.</source>
         <translation>Pulsa la tecla nueva en el campo y después Asignar.</translation>
     </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Restablecer todo</translation>
+    </message>
+    <message>
+        <source>Gives every action its own key again</source>
+        <translation>Devuelve a cada acción su propia tecla</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::Section</name>
@@ -2480,8 +2834,28 @@
         <translation>Menos pelos de los pintados: en la memoria no cabrían más. Baja los nodos por pelo o la densidad máxima para hacer sitio.</translation>
     </message>
     <message>
-        <source>%1 (limit)</source>
-        <translation>%1 (límite)</translation>
+        <source>%1, limit reached</source>
+        <translation>%1, límite alcanzado</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>● Not saved</source>
+        <translation>● Sin guardar</translation>
+    </message>
+    <message>
+        <source>✓ Saved</source>
+        <translation>✓ Guardado</translation>
+    </message>
+    <message>
+        <source>Changes that no file holds yet; Ctrl+S saves them</source>
+        <translation>Cambios que aún no están en ningún archivo; Ctrl+S los guarda</translation>
+    </message>
+    <message>
+        <source>%1. Erasing %2</source>
+        <translation>%1. Borrar %2</translation>
     </message>
 </context>
 <context>
@@ -2506,6 +2880,14 @@
         <source>Delete style</source>
         <translation>Eliminar peinado</translation>
     </message>
+    <message>
+        <source>Rename style…</source>
+        <translation>Cambiar el nombre…</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Leyendo %1</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::StyleTile</name>
@@ -2528,8 +2910,8 @@
         <translation>Valor y segundo valor</translation>
     </message>
     <message>
-        <source>Paints %1; the second value is %2. Click to swap (X)</source>
-        <translation>Pinta %1; el segundo valor es %2. Haz clic para intercambiarlos (X)</translation>
+        <source>Paints %1; the second value is %2. Click a square to choose, the arrow to swap (X)</source>
+        <translation>Pinta %1; el segundo valor es %2. Haz clic en un cuadro para elegir y en la flecha para intercambiar (X)</translation>
     </message>
 </context>
 <context>
@@ -2557,6 +2939,21 @@
     <message>
         <source>Hair colour</source>
         <translation>Color del pelo</translation>
+    </message>
+    <message>
+        <source>%1, second value</source>
+        <translation>%1, segundo valor</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::ViewSigns</name>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>Refining…</source>
+        <translation>Afinando…</translation>
     </message>
 </context>
 <context>

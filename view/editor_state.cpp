@@ -2,8 +2,10 @@
 #include "view/editor_state.h"
 
 #include "model/names.h"
+#include "view/widgets/value_text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -18,13 +20,6 @@ bool sameSettings(const model::ToolSettings& a, const model::ToolSettings& b)
            a.pressureSize == b.pressureSize && a.pressureOpacity == b.pressureOpacity &&
            a.fillTolerance == b.fillTolerance && a.shape == b.shape && a.gradient == b.gradient &&
            a.values == b.values && a.secondValues == b.secondValues;
-}
-
-/// Tools that leave the layer as it is need none.
-bool onlyLooks(const model::Tool& tool)
-{
-    const QLatin1StringView id(tool.id());
-    return id == QLatin1StringView("picker") || id == QLatin1StringView("select");
 }
 
 /// The Length brush is ready with 15 cm.
@@ -48,8 +43,11 @@ EditorState::EditorState(model::Document& document, QObject* parent)
 {
     if (!document.project().groups.empty())
         m_activeGroup = document.project().groups.front().id;
+    if (const sim::GroupSettings* settings = activeSettings())
+        m_amounts.take(*settings, m_toolSettings);
     connect(&document, &model::Document::changed, this, &EditorState::onDocumentChanged);
-    connect(&document, &model::Document::strokeMustEnd, this, &EditorState::onStrokeMustEnd);
+    connect(&document, &model::Document::refused, this, &EditorState::refused);
+    connect(&document, &model::Document::editEnded, this, &EditorState::overlayChanged);
     connect(&m_selection, &model::Selection::changed, this, &EditorState::overlayChanged);
 }
 
@@ -59,8 +57,9 @@ bool EditorState::setActiveGroup(model::Id group)
 {
     if (group == m_activeGroup || m_document.project().group(group) == nullptr)
         return false;
-    onStrokeMustEnd(false);
+    commitStroke();
     m_activeGroup = group;
+    followAmounts(false);
     Q_EMIT targetChanged();
     return true;
 }
@@ -69,7 +68,7 @@ bool EditorState::setActiveMap(MapKind map)
 {
     if (map == m_activeMap)
         return false;
-    onStrokeMustEnd(false);
+    commitStroke();
     m_activeMap = map;
     Q_EMIT targetChanged();
     return true;
@@ -92,7 +91,7 @@ bool EditorState::setActiveLayer(model::Id layer)
 {
     if (layer == activeLayer() || m_document.project().layer(m_activeGroup, m_activeMap, layer) == nullptr)
         return false;
-    onStrokeMustEnd(false);
+    commitStroke();
     std::erase_if(m_activeLayers, [this](const model::LayerAddress& address) {
         return address.group == m_activeGroup && address.map == m_activeMap;
     });
@@ -106,41 +105,63 @@ model::LayerAddress EditorState::target() const
     return {.group = m_activeGroup, .map = m_activeMap, .layer = activeLayer()};
 }
 
-std::optional<std::size_t> EditorState::toolIndex(QLatin1StringView id) const
+std::size_t EditorState::toolIndex(model::ToolId id) const
 {
-    const auto found =
-        std::ranges::find_if(m_tools, [id](const auto& tool) { return id == QLatin1StringView(tool->id()); });
-    if (found == m_tools.end())
-        return std::nullopt;
+    const auto found = std::ranges::find_if(m_tools, [id](const auto& tool) { return tool->id() == id; });
     return static_cast<std::size_t>(found - m_tools.begin());
 }
 
-bool EditorState::setActiveTool(QLatin1StringView id)
+bool EditorState::setActiveTool(model::ToolId id)
 {
-    const std::optional<std::size_t> index = toolIndex(id);
-    if (!index || *index == m_activeTool)
+    const std::size_t index = toolIndex(id);
+    if (index == m_activeTool)
         return false;
-    onStrokeMustEnd(false);
+    commitStroke();
     m_previousTool = m_activeTool;
-    m_activeTool = *index;
+    m_activeTool = index;
     Q_EMIT activeToolChanged();
     Q_EMIT overlayChanged();
     return true;
 }
 
-void EditorState::toggleTool(QLatin1StringView id)
+void EditorState::toggleTool(model::ToolId id)
 {
     if (!setActiveTool(id))
-        setActiveTool(QLatin1StringView(m_tools[m_previousTool]->id()));
+        setActiveTool(m_tools[m_previousTool]->id());
 }
 
 bool EditorState::setToolSettings(const model::ToolSettings& settings)
 {
     if (sameSettings(settings, m_toolSettings))
         return false;
-    m_toolSettings = settings;
+    const model::ToolSettings before = std::exchange(m_toolSettings, settings);
+    if (const sim::GroupSettings* group = activeSettings())
+        m_amounts.takeChanges(*group, before, m_toolSettings);
     Q_EMIT toolSettingsChanged();
     return true;
+}
+
+const sim::GroupSettings* EditorState::activeSettings() const
+{
+    const model::HairGroup* group = m_document.project().group(m_activeGroup);
+    return group != nullptr ? &group->settings : nullptr;
+}
+
+void EditorState::followAmounts(bool tell)
+{
+    const sim::GroupSettings* settings = activeSettings();
+    if (settings == nullptr)
+        return;
+    const model::ToolSettings before = m_toolSettings;
+    const std::vector<MapKind> beyond = m_amounts.putOn(*settings, m_toolSettings);
+    if (sameSettings(before, m_toolSettings))
+        return;
+    Q_EMIT toolSettingsChanged();
+    if (tell && std::ranges::find(beyond, m_activeMap) != beyond.end()) {
+        const model::MapSpec& spec = model::mapSpec(m_activeMap);
+        Q_EMIT told(tr("%1 is painted with %2 now: this group's range ends there.")
+                        .arg(spec.titleText(), valueText(*settings, spec, m_toolSettings.value(m_activeMap))));
+    }
 }
 
 bool EditorState::setOption(bool& option, bool value)
@@ -167,12 +188,35 @@ bool EditorState::setWireframe(bool shown)
     return setOption(m_wireframe, shown);
 }
 
+template<typename Call>
+void EditorState::withTool(const Call& call)
+{
+    model::Tool& tool = activeTool();
+    const bool hadOverlay = !tool.overlay().empty();
+    const model::ToolSettings before = m_toolSettings;
+    model::ToolContext toolContext = context();
+    call(tool, toolContext);
+    if (!sameSettings(before, m_toolSettings)) {
+        if (const sim::GroupSettings* group = activeSettings())
+            m_amounts.takeChanges(*group, before, m_toolSettings);
+        Q_EMIT toolSettingsChanged();
+    }
+    if (hadOverlay || !tool.overlay().empty())
+        Q_EMIT overlayChanged();
+}
+
 void EditorState::setHover(const std::optional<Hover>& hover)
 {
     if (!hover && !m_hover)
         return;
     m_hover = hover;
     Q_EMIT hoverChanged();
+    if (!activeTool().pending())
+        return;
+    model::ToolEvent event{.area = model::Area::Head};
+    if (hover)
+        event = {.area = hover->area, .uv = hover->uv, .point = hover->point};
+    withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.hover(event, toolContext); });
 }
 
 QString EditorState::refusal(bool picks) const
@@ -180,7 +224,7 @@ QString EditorState::refusal(bool picks) const
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
     if (group == nullptr)
         return tr("There is no hair group to paint on; add one in the Hair panel.");
-    if (picks || onlyLooks(activeTool()))
+    if (picks || !activeTool().paints())
         return {};
     const model::Layer* layer = m_document.project().layer(m_activeGroup, m_activeMap, activeLayer());
     if (layer == nullptr)
@@ -194,24 +238,13 @@ QString EditorState::refusal(bool picks) const
     return {};
 }
 
-template<typename Call>
-void EditorState::withTool(const Call& call)
-{
-    model::Tool& tool = activeTool();
-    const bool hadOverlay = !tool.overlay().empty();
-    const model::ToolSettings before = m_toolSettings;
-    model::ToolContext toolContext = context();
-    call(tool, toolContext);
-    if (!sameSettings(before, m_toolSettings))
-        Q_EMIT toolSettingsChanged();
-    if (hadOverlay || !tool.overlay().empty())
-        Q_EMIT overlayChanged();
-}
-
 void EditorState::press(const model::ToolEvent& event)
 {
     // With Ctrl every painting tool picks the value under the pointer.
     const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().hasRing();
+    // Somebody else's edit ends before it is asked what there is to paint on.
+    if (!picks && activeTool().paints() && !stroking())
+        m_document.endEdit();
     if (const QString reason = refusal(picks); !reason.isEmpty()) {
         Q_EMIT refused(reason);
         return;
@@ -240,7 +273,23 @@ void EditorState::cancelStroke()
 
 void EditorState::commitStroke()
 {
-    onStrokeMustEnd(false);
+    if (stroking())
+        withTool([](model::Tool& tool, model::ToolContext& toolContext) { tool.commit(toolContext); });
+}
+
+bool EditorState::toolKey(Qt::Key key, Qt::KeyboardModifiers modifiers)
+{
+    if (key == Qt::Key_Escape && stroking()) {
+        cancelStroke();
+        return true;
+    }
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && stroking()) {
+        commitStroke();
+        return true;
+    }
+    bool used = false;
+    withTool([&](model::Tool& tool, model::ToolContext& toolContext) { used = tool.key(key, modifiers, toolContext); });
+    return used;
 }
 
 bool EditorState::stroking() const
@@ -256,10 +305,13 @@ void EditorState::onDocumentChanged(const Change& change)
         if (m_document.project().group(change.group) != nullptr) {
             m_activeGroup = change.group;
             m_activeMap = change.map;
+            followAmounts(false);
             Q_EMIT targetChanged();
         }
         return;
     }
+    if (change.aspect == Change::Aspect::Settings && change.group == m_activeGroup)
+        followAmounts(!change.preview);
     const bool listsChanged = change.aspect == Change::Aspect::LayerList ||
                               change.aspect == Change::Aspect::GroupList || change.aspect == Change::Aspect::Everything;
     if (!listsChanged)
@@ -271,19 +323,9 @@ void EditorState::onDocumentChanged(const Change& change)
         m_activeLayers.clear();
         m_selection.setRectangle(std::nullopt);
     }
+    if (change.aspect != Change::Aspect::LayerList)
+        followAmounts(!change.preview);
     Q_EMIT targetChanged();
-}
-
-void EditorState::onStrokeMustEnd(bool undoing)
-{
-    if (!stroking())
-        return;
-    withTool([undoing](model::Tool& tool, model::ToolContext& toolContext) {
-        if (undoing)
-            tool.cancel(toolContext);
-        else
-            tool.commit(toolContext);
-    });
 }
 
 model::ToolContext EditorState::context()

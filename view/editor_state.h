@@ -3,6 +3,7 @@
 
 #include "model/tools/selection.h"
 #include "model/tools/tool.h"
+#include "model/tools/value_amounts.h"
 
 #include <QObject>
 
@@ -43,10 +44,12 @@ public:
 
     [[nodiscard]] const std::vector<std::unique_ptr<model::Tool>>& tools() const { return m_tools; }
     [[nodiscard]] model::Tool& activeTool() const { return *m_tools[m_activeTool]; }
-    bool setActiveTool(QLatin1StringView id);
+    bool setActiveTool(model::ToolId id);
     /// Back to the tool before the last setActiveTool: E toggles brush and eraser.
-    void toggleTool(QLatin1StringView id);
+    void toggleTool(model::ToolId id);
 
+    /// Values of scalar maps keep their amount (15 cm, 3 turns) where another group's or a changed group's range makes
+    /// another fraction of it; beyond that range they are at its end until it widens.
     [[nodiscard]] const model::ToolSettings& toolSettings() const { return m_toolSettings; }
     bool setToolSettings(const model::ToolSettings& settings);
     [[nodiscard]] model::Selection& selection() { return m_selection; }
@@ -59,6 +62,7 @@ public:
     bool setWireframe(bool shown);
 
     [[nodiscard]] const std::optional<Hover>& hover() const { return m_hover; }
+    /// Tools with something pending hear of it too.
     void setHover(const std::optional<Hover>& hover);
 
     /// Pointer events on the skin. press() does nothing where the target layer is missing, hidden or locked: refused()
@@ -69,6 +73,8 @@ public:
     void cancelStroke();
     void commitStroke(); ///< Ends what a tool still has open (a polygon), keeping it.
     [[nodiscard]] bool stroking() const;
+    /// A key pressed over either area: Esc and Enter end what runs, others are the active tool's. False: not ours.
+    bool toolKey(Qt::Key key, Qt::KeyboardModifiers modifiers);
 
 Q_SIGNALS:
     void targetChanged(); ///< Active group, map or layer.
@@ -78,13 +84,16 @@ Q_SIGNALS:
     void hoverChanged();
     void overlayChanged(); ///< The active tool's overlay or the selection.
     void refused(const QString& reason);
+    void told(const QString& text); ///< What the user should know and did not ask for.
 
 private:
     void onDocumentChanged(const model::Change& change);
-    void onStrokeMustEnd(bool undoing);
     [[nodiscard]] model::ToolContext context();
-    [[nodiscard]] std::optional<std::size_t> toolIndex(QLatin1StringView id) const;
+    [[nodiscard]] std::size_t toolIndex(model::ToolId id) const;
     bool setOption(bool& option, bool value);
+    [[nodiscard]] const sim::GroupSettings* activeSettings() const;
+    /// Puts the amounts on the active group's range.
+    void followAmounts(bool tell);
     /// Why the active tool can't start on the target; empty where it can.
     [[nodiscard]] QString refusal(bool picks) const;
     template<typename Call>
@@ -96,6 +105,7 @@ private:
     std::size_t m_previousTool = 0;
     model::LayerAddress m_strokeTarget; ///< Stays the same from press to release.
     model::ToolSettings m_toolSettings;
+    model::ValueAmounts m_amounts;
     model::Selection m_selection;
     model::Id m_activeGroup = 0;
     model::MapKind m_activeMap = model::MapKind::Length;

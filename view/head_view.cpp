@@ -13,20 +13,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hairpaint::view {
 
 namespace {
 
 constexpr int kLeastMsBetweenDraws = 16;
-constexpr int kSettleMs = 180;
+constexpr int kSettleMs = 250;
 constexpr int kTurnMs = 240;
 constexpr int kTurnBackMs = 500;
-
-rendering::Ring ringAt(const sim::SurfacePoint& point, float radiusM)
-{
-    return {.centreHd = point.positionHd, .normalHd = point.normalHd, .radiusM = radiusM};
-}
 
 /// Where a QOpenGLWidget can't work at all.
 bool headless()
@@ -44,6 +40,7 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
     setMinimumSize(160, 160);
     m_state->overlay = new HeadOverlay(theme, this);
     m_state->weather = new WeatherOverlay(theme, this);
+    m_state->signs = new ViewSigns(this);
     m_state->weather->hide();
     connect(m_state->weather, &WeatherOverlay::windWanted, this, &HeadView::windWanted);
     connect(m_state->weather, &WeatherOverlay::lightWanted, this, &HeadView::lightWanted);
@@ -106,6 +103,10 @@ void HeadView::makePresenter(PresenterChoice choice)
         m_state->presenter = new SoftwarePresenter(std::move(thread), this);
     }
     connect(m_state->presenter, &FramePresenter::frameDrawn, this, &HeadView::frameDrawn);
+    connect(m_state->presenter, &FramePresenter::refining, this, [this](bool on) {
+        m_state->refining = on;
+        refreshSigns();
+    });
     connect(m_state->presenter, &FramePresenter::failed, this, &HeadView::onPresenterFailed, Qt::QueuedConnection);
     m_state->presenter->widget().lower();
     m_state->presenter->widget().show();
@@ -138,12 +139,6 @@ void HeadView::setTheme(const Theme& theme)
     m_state->theme = theme;
     m_state->overlay->setTheme(theme);
     m_state->weather->setTheme(theme);
-}
-
-void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
-{
-    m_state->scene.hair = std::move(frame);
-    requestDraw();
 }
 
 const rendering::Camera& HeadView::camera() const
@@ -198,18 +193,34 @@ void HeadView::animateTo(const rendering::Camera& camera)
 
 void HeadView::cameraMoved()
 {
-    m_state->moving = true;
-    m_state->settle.start(kSettleMs, this);
     refreshOverlay();
+    wake();
+}
+
+void HeadView::wake()
+{
+    if (std::exchange(m_state->still, false))
+        refreshSigns();
+    m_state->settle.start(kSettleMs, this);
     requestDraw();
 }
 
-QImage HeadView::grabPicture(QSize size)
+bool HeadView::refining() const
+{
+    return m_state->refining;
+}
+
+rendering::Scene HeadView::pictureScene() const
 {
     rendering::Scene scene = m_state->scene;
     scene.ring.reset();
     scene.mirroredRing.reset();
-    return size.isEmpty() ? QImage() : m_state->presenter->grab(scene, size);
+    return scene;
+}
+
+QImage HeadView::grabPicture(QSize size)
+{
+    return size.isEmpty() ? QImage() : m_state->presenter->grab(pictureScene(), size);
 }
 
 std::optional<sim::SurfacePoint> HeadView::skinAt(QPointF position) const
@@ -255,73 +266,19 @@ void HeadView::setWeatherShown(bool shown)
     Q_EMIT weatherShownChanged(shown);
 }
 
-void HeadView::onDocumentChanged(const model::Change& change)
+void HeadView::turnToBrush()
 {
-    using Aspect = model::Change::Aspect;
-    if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything)
-        refreshHead();
-    if (change.aspect == Aspect::Environment || change.aspect == Aspect::Everything)
-        refreshEnvironment();
-}
-
-void HeadView::refreshHead()
-{
-    const std::shared_ptr<const model::Head>& head = m_state->editor.document().project().head;
-    const std::shared_ptr<const sim::HeadMesh> before = m_state->scene.head;
-    m_state->scene.headInMotion.reset();
-    if (head)
-        m_state->scene.headInMotion = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
-    m_state->scene.head = head && head->shownMesh ? head->shownMesh : m_state->scene.headInMotion;
-    if (m_state->scene.head == before)
+    if (!m_state->brush)
         return;
-    m_state->scene.hair.reset();
-    if (before && m_state->scene.head)
-        fit();
-    requestDraw();
-}
-
-void HeadView::refreshEnvironment()
-{
-    const model::Project& project = m_state->editor.document().project();
-    m_state->scene.light = sceneLight(m_state->drag == State::Drag::Light ? m_state->light : project.light);
-    m_state->scene.background = linearColour(project.background);
-    m_state->weather->setValues(project.wind, project.light);
-    requestDraw();
-}
-
-void HeadView::refreshRings()
-{
-    rendering::Scene& scene = m_state->scene;
-    const EditorState& editor = m_state->editor;
-    const bool hadRing = scene.ring.has_value();
-    scene.ring.reset();
-    scene.mirroredRing.reset();
-    if (const std::optional<Hover>& hover = editor.hover(); hover && hover->point && editor.activeTool().hasRing()) {
-        const float radiusM = editor.toolSettings().brushSizeM / 2.0F;
-        scene.ring = ringAt(*hover->point, radiusM);
-        const sim::Skin* skin = m_state->skin();
-        if (editor.mirror() && skin != nullptr) {
-            if (const std::optional<sim::SurfacePoint> twin = skin->mirrored(*hover->point))
-                scene.mirroredRing = ringAt(*twin, radiusM);
-        }
-    }
-    if (hadRing || scene.ring)
-        requestDraw();
-    updateCursor();
-}
-
-void HeadView::refreshOverlay()
-{
-    std::vector<model::OverlayShape> shapes = m_state->editor.activeTool().overlay();
-    for (QPolygonF& outline : m_state->editor.selection().outlines())
-        shapes.push_back({.uvOutline = std::move(outline), .closed = true, .marching = true});
-    m_state->overlay->setShapes(shapes, m_state->skin(), m_state->scene.camera, m_state->shownPose());
+    const sim::HeadPose pose = m_state->shownPose();
+    const glm::vec3 placeWo = inWorld(m_state->brush->positionHd, pose);
+    animateTo(lookingAt(m_state->scene.camera, placeWo, pose.rotation * m_state->brush->normalHd));
 }
 
 void HeadView::setHairPaused(bool paused)
 {
     m_state->paused = paused;
-    requestDraw();
+    refreshSigns();
 }
 
 void HeadView::requestDraw()
@@ -337,7 +294,7 @@ void HeadView::timerEvent(QTimerEvent* event)
 {
     if (event->timerId() == m_state->settle.timerId()) {
         m_state->settle.stop();
-        m_state->moving = false;
+        m_state->still = true;
         requestDraw();
     } else if (event->timerId() == m_state->drawSoon.timerId()) {
         m_state->drawSoon.stop();
@@ -345,9 +302,8 @@ void HeadView::timerEvent(QTimerEvent* event)
             return; // showEvent asks again.
         m_state->sinceDraw.start();
         const std::shared_ptr<const sim::StrandFrame>& hair = m_state->scene.hair;
-        m_state->presenter->present({.scene = m_state->scene,
-                                     .allHairs = hair ? hair->hairCount : 0,
-                                     .still = !m_state->moving && (!hair || hair->asleep || m_state->paused)});
+        m_state->presenter->present(
+            {.scene = m_state->scene, .allHairs = hair ? hair->hairCount : 0, .still = m_state->still});
     } else {
         QWidget::timerEvent(event);
     }
@@ -375,6 +331,15 @@ void HeadView::placeChildren()
     const QSize panel = m_state->weather->sizeHint().boundedTo(size() - QSize(2 * kMargin, 2 * kMargin));
     m_state->weather->setGeometry(QRect(QPoint(kMargin, height() - kMargin - panel.height()), panel));
     m_state->weather->raise();
+    m_state->signs->move(width() - kMargin - m_state->signs->width(), kMargin);
+    m_state->signs->raise();
+}
+
+void HeadView::refreshSigns()
+{
+    // While something moves the last picture's word no longer holds.
+    m_state->signs->show(m_state->paused, m_state->refining && m_state->still);
+    placeChildren();
 }
 
 } // namespace hairpaint::view

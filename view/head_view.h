@@ -38,6 +38,8 @@ public:
     void setCamera(const rendering::Camera& camera);
     void setView(rendering::StandardView view); ///< Turns there in a moment.
 
+    /// What is shown at present, without rings, for pictures drawn elsewhere.
+    [[nodiscard]] rendering::Scene pictureScene() const;
     /// Draws the present moment at full quality without rings; waits for it. Null where there is no OpenGL.
     [[nodiscard]] QImage grabPicture(QSize size);
     /// The skin that a position in this widget shows, hair ignored; none where the ray misses the head.
@@ -49,15 +51,16 @@ public:
     /// What is shown in place of the head; empty while it can be drawn.
     [[nodiscard]] QString missingText() const;
     [[nodiscard]] bool weatherShown() const;
+    /// Whether a still picture is being made finer just now.
+    [[nodiscard]] bool refining() const;
 
     [[nodiscard]] QSize sizeHint() const override;
 
 public Q_SLOTS:
-    void resetCamera(); ///< Also turns the head back.
-    void fit();         ///< The head with all of its hair, from where the camera looks now.
-    void zoomIn();
-    void zoomOut();
-    void setHairPaused(bool paused);  ///< What stands still is drawn finer.
+    void resetCamera();               ///< Also turns the head back.
+    void fit();                       ///< The head with all of its hair, from where the camera looks now.
+    void turnToBrush();               ///< So that the place shows where the brush was last, in whichever area.
+    void setHairPaused(bool paused);  ///< Says so over the picture.
     void setWeatherShown(bool shown); ///< F7: the paper's keys for wind and light.
 
 Q_SIGNALS:
@@ -92,17 +95,21 @@ private:
     void refreshEnvironment();
     void refreshRings();
     void refreshOverlay();
+    void refreshGhost();
     void requestDraw(); ///< Soon, at most once in 16 ms.
+    void wake();        ///< What is shown changes: draws fast until it is still again.
     void cameraMoved();
     void animateTo(const rendering::Camera& camera);
 
     void pointerPressed(const PointerSample& sample) override;
     void pointerMoved(const PointerSample& sample) override;
     void pointerReleased(const PointerSample& sample) override;
+    void strokeTo(const PointerSample& sample);
     void hoverAt(const PointerSample& sample);
     void blowAt(const PointerSample& sample);
     void dragLight(QPointF pixels);
     void placeChildren();
+    void refreshSigns();
     void updateCursor();
 
     std::unique_ptr<State> m_state;

@@ -19,6 +19,9 @@ constexpr double kZoomPerNotch = 1.15;
 constexpr double kWheelNotch = 120.0;
 constexpr float kLightRadPerPx = 0.01F;
 constexpr double kClickPx = 4.0; ///< A press that moves less is a click.
+constexpr double kProbePx = 3.0; ///< A gap in the skin narrower than this may be bridged by a stroke.
+constexpr int kMostProbes = 400;
+constexpr float kBehindM = 0.03F; ///< So much further at the next probe lies behind, or in front of, the last one.
 
 model::ToolEvent toolEvent(const PointerSample& sample, const std::optional<sim::SurfacePoint>& point,
                            glm::vec2& lastUv)
@@ -33,6 +36,21 @@ model::ToolEvent toolEvent(const PointerSample& sample, const std::optional<sim:
             .modifiers = sample.modifiers};
 }
 
+/// Whether a stroke breaks between two neighbouring places of the screen.
+bool breaksBetween(const std::optional<sim::SurfacePoint>& a, const std::optional<sim::SurfacePoint>& b)
+{
+    return a.has_value() != b.has_value() || (a && b && glm::length(a->positionHd - b->positionHd) > kBehindM);
+}
+
+PointerSample between(const PointerSample& from, const PointerSample& to, double fraction)
+{
+    PointerSample sample = to;
+    sample.position = from.position + (to.position - from.position) * fraction;
+    sample.pressure = from.pressure + (to.pressure - from.pressure) * static_cast<float>(fraction);
+    sample.seconds = from.seconds + (to.seconds - from.seconds) * fraction;
+    return sample;
+}
+
 } // namespace
 
 void HeadView::pointerPressed(const PointerSample& sample)
@@ -42,7 +60,6 @@ void HeadView::pointerPressed(const PointerSample& sample)
         return;
     state.turning.stop();
     state.puffs.interrupt();
-    state.weather->settle(); // A stroke's preview would take the place of the keys'.
     state.pressed = sample;
     state.cameraBefore = state.scene.camera;
     state.settingsBefore = state.editor.toolSettings();
@@ -69,6 +86,7 @@ void HeadView::pointerPressed(const PointerSample& sample)
         state.drag = point ? State::Drag::Stroke : State::Drag::Orbit;
         if (point) {
             hoverAt(sample);
+            state.strokeAt = sample;
             state.editor.press(toolEvent(sample, point, state.lastUv));
         }
     }
@@ -87,7 +105,7 @@ void HeadView::pointerMoved(const PointerSample& sample)
         break;
     case State::Drag::Stroke:
         hoverAt(sample);
-        state.editor.move(toolEvent(sample, skinAt(sample.position), state.lastUv));
+        strokeTo(sample);
         break;
     case State::Drag::Orbit:
         setCamera(orbited(state.cameraBefore, moved));
@@ -121,6 +139,9 @@ void HeadView::pointerReleased(const PointerSample& sample)
     const State::Drag drag = std::exchange(state.drag, State::Drag::None);
     const QPointF moved = sample.position - state.pressed.position;
     if (drag == State::Drag::Stroke) {
+        PointerSample last = sample;
+        last.pressure = state.strokeAt.pressure; // A pen that is lifted has none left.
+        strokeTo(last);
         state.editor.release(toolEvent(sample, skinAt(sample.position), state.lastUv));
     } else if (drag == State::Drag::Light && state.light != state.lightBefore) {
         Q_EMIT lightWanted(state.light, true);
@@ -131,6 +152,34 @@ void HeadView::pointerReleased(const PointerSample& sample)
     }
     hoverAt(sample);
     updateCursor();
+}
+
+/// Where the ray misses the skin between two events, or goes on behind, the stroke breaks: the tool gets the last place
+/// before, then none, then the first place after.
+void HeadView::strokeTo(const PointerSample& sample)
+{
+    State& state = *m_state;
+    if (!state.editor.stroking())
+        return;
+    const PointerSample from = std::exchange(state.strokeAt, sample);
+    const QPointF moved = sample.position - from.position;
+    const int steps = std::clamp(static_cast<int>(std::hypot(moved.x(), moved.y()) / kProbePx), 1, kMostProbes);
+    PointerSample last = from;
+    std::optional<sim::SurfacePoint> lastPoint = skinAt(from.position);
+    for (int i = 1; i <= steps; ++i) {
+        const PointerSample probe = i == steps ? sample : between(from, sample, static_cast<double>(i) / steps);
+        const std::optional<sim::SurfacePoint> point = skinAt(probe.position);
+        if (breaksBetween(lastPoint, point)) {
+            if (lastPoint)
+                state.editor.move(toolEvent(last, lastPoint, state.lastUv));
+            state.editor.move(toolEvent(probe, std::nullopt, state.lastUv));
+            if (point)
+                state.editor.move(toolEvent(probe, point, state.lastUv));
+        }
+        last = probe;
+        lastPoint = point;
+    }
+    state.editor.move(toolEvent(sample, lastPoint, state.lastUv));
 }
 
 void HeadView::dragLight(QPointF pixels)
@@ -202,16 +251,6 @@ void HeadView::wheelEvent(QWheelEvent* event)
     event->accept();
 }
 
-void HeadView::zoomIn()
-{
-    setCamera(zoomed(m_state->scene.camera, kZoomPerNotch, QRectF(rect()).center(), QSizeF(size())));
-}
-
-void HeadView::zoomOut()
-{
-    setCamera(zoomed(m_state->scene.camera, 1.0 / kZoomPerNotch, QRectF(rect()).center(), QSizeF(size())));
-}
-
 bool HeadView::event(QEvent* event)
 {
     // With the Weather overlay open its keys are its own here too, also those that choose tools elsewhere.
@@ -229,16 +268,13 @@ bool HeadView::event(QEvent* event)
 void HeadView::keyPressEvent(QKeyEvent* event)
 {
     State& state = *m_state;
-    if (event->key() == Qt::Key_Escape && state.editor.stroking()) {
-        state.editor.cancelStroke();
-        if (state.drag == State::Drag::Stroke)
+    if (state.editor.toolKey(static_cast<Qt::Key>(event->key()), event->modifiers())) {
+        if (state.drag == State::Drag::Stroke && !state.editor.stroking())
             state.drag = State::Drag::None;
     } else if (event->key() == Qt::Key_Escape && state.drag == State::Drag::Light) {
         state.drag = State::Drag::None;
         Q_EMIT lightWanted(state.lightBefore, true);
         refreshEnvironment();
-    } else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && state.editor.stroking()) {
-        state.editor.commitStroke();
     } else if (!weatherShown() || !state.weather->handleKey(event->key(), event->modifiers())) {
         QWidget::keyPressEvent(event);
     }

@@ -64,6 +64,7 @@ PaintView::PaintView(EditorState& state, const Theme& theme, QWidget* parent)
     setObjectName(QStringLiteral("paintArea"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMinimumSize(160, 160);
+    m_state->legend = new MapLegend(this);
     connect(&state.document(), &model::Document::changed, this, &PaintView::onDocumentChanged);
     connect(&state.document(), &model::Document::undone, this, &PaintView::outlineChangedPlace);
     connect(&state.document(), &model::Document::redone, this, &PaintView::outlineChangedPlace);
@@ -81,7 +82,6 @@ PaintView::PaintView(EditorState& state, const Theme& theme, QWidget* parent)
     connect(&state, &EditorState::toolSettingsChanged, this, &PaintView::refreshHover);
     connect(&state, &EditorState::hoverChanged, this, &PaintView::refreshHover);
     connect(&state, &EditorState::overlayChanged, this, &PaintView::refreshOverlay);
-    connect(&state, &EditorState::refused, this, &PaintView::statusText);
     connect(&m_state->keys, &HeldKeys::changed, this, &PaintView::updateCursor);
     refreshHead();
     refreshMap();
@@ -163,6 +163,18 @@ void PaintView::refreshMap()
     for (const QRectF& part : changed)
         dirty += toWidget.mapRect(part).toAlignedRect().adjusted(-2, -2, 2, 2);
     update(dirty);
+    refreshLegend();
+}
+
+void PaintView::refreshLegend()
+{
+    const EditorState& editor = m_state->editor;
+    const model::MapSpec& spec = model::mapSpec(editor.activeMap());
+    const model::HairGroup* group = editor.document().project().group(editor.activeGroup());
+    if (group == nullptr || spec.texel == model::TexelKind::Colour)
+        m_state->legend->hide();
+    else
+        m_state->legend->showMap(spec, group->settings, editor.nightPaper());
 }
 
 void PaintView::refreshHover()
@@ -242,7 +254,6 @@ void PaintView::lookChanged()
     refreshHover();
     refreshOverlay();
     update();
-    Q_EMIT viewChanged();
 }
 
 void PaintView::paintEvent(QPaintEvent* event)
@@ -286,6 +297,11 @@ void PaintView::paintOverlay(QPainter& painter) const
         }
         draw(dark);
         draw(light);
+        painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
+        painter.setBrush(QColor(255, 255, 255, 235));
+        for (const QPointF& handle : onWidget(shape.uvHandles, toWidget))
+            painter.drawRect(handleAt(handle));
+        painter.setBrush(Qt::NoBrush);
     }
 }
 
@@ -317,6 +333,7 @@ void PaintView::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     m_state->transform.widget = QSizeF(size());
+    m_state->legend->place();
     if (m_state->fitted)
         m_state->transform.fit(QRectF(0.0, 0.0, 1.0, 1.0));
     lookChanged();

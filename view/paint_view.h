@@ -36,8 +36,6 @@ public:
     [[nodiscard]] QSize sizeHint() const override;
 
 public Q_SLOTS:
-    void zoomIn();
-    void zoomOut();
     void zoomAt(QPointF position, double factor);
     void panBy(QPointF pixels);
     void rotateBy(double degrees);
@@ -46,10 +44,9 @@ public Q_SLOTS:
     void mirrorView();
 
 Q_SIGNALS:
-    /// What is under the pointer: the value, or what went wrong.
+    /// What a drag changes: the brush's size, hardness, opacity.
     void statusText(const QString& text);
     void contextMenuWanted(const QPoint& globalPosition);
-    void viewChanged();
 
 protected:
     bool event(QEvent* event) override;
@@ -68,7 +65,6 @@ private:
     void pointerMoved(const PointerSample& sample) override;
     void pointerReleased(const PointerSample& sample) override;
     void hoverAt(const PointerSample& sample);
-    void showValueAt(glm::vec2 uv);
     void updateCursor();
 
     void onDocumentChanged(const model::Change& change);
@@ -77,6 +73,7 @@ private:
     void refreshHead();
     void refreshHover();
     void refreshOverlay();
+    void refreshLegend();
     void lookChanged();
     void paintOverlay(QPainter& painter) const;
     void paintRings(QPainter& painter) const;

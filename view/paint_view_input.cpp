@@ -1,7 +1,6 @@
 // The paint area's pointer, wheel and keys.
 #include "view/paint/paint_view_state.h"
 #include "view/paint_view.h"
-#include "view/widgets/value_text.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -113,22 +112,6 @@ void PaintView::hoverAt(const PointerSample& sample)
     if (head && head->skin)
         hover.point = head->skin->atUv(uv);
     m_state->editor.setHover(hover);
-    showValueAt(uv);
-}
-
-void PaintView::showValueAt(glm::vec2 uv)
-{
-    const EditorState& editor = m_state->editor;
-    const model::HairGroup* group = editor.document().project().group(editor.activeGroup());
-    const std::shared_ptr<const sim::TiledRaster>& raster = m_state->canvas.pyramid().raster();
-    const bool inside = uv.x >= 0.0F && uv.x < 1.0F && uv.y > 0.0F && uv.y <= 1.0F;
-    if (group == nullptr || !raster || !inside) {
-        Q_EMIT statusText(QString());
-        return;
-    }
-    const model::MapSpec& spec = model::mapSpec(editor.activeMap());
-    Q_EMIT statusText(tr("%1: %2").arg(
-        spec.titleText(), valueText(group->settings, spec, valueOfTexel(spec, raster->sampleNearest(uv)))));
 }
 
 void PaintView::updateCursor()
@@ -153,7 +136,6 @@ void PaintView::leaveEvent(QEvent* event)
     const std::optional<Hover>& hover = m_state->editor.hover();
     if (m_state->drag == State::Drag::None && hover && hover->area == model::Area::Paint)
         m_state->editor.setHover(std::nullopt);
-    Q_EMIT statusText(QString());
 }
 
 void PaintView::wheelEvent(QWheelEvent* event)
@@ -185,12 +167,9 @@ bool PaintView::event(QEvent* event)
 void PaintView::keyPressEvent(QKeyEvent* event)
 {
     EditorState& editor = m_state->editor;
-    if (event->key() == Qt::Key_Escape && editor.stroking()) {
-        editor.cancelStroke();
-        if (m_state->drag == State::Drag::Stroke)
+    if (editor.toolKey(static_cast<Qt::Key>(event->key()), event->modifiers())) {
+        if (m_state->drag == State::Drag::Stroke && !editor.stroking())
             m_state->drag = State::Drag::None;
-    } else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && editor.stroking()) {
-        editor.commitStroke();
     } else {
         QWidget::keyPressEvent(event);
     }
@@ -204,16 +183,6 @@ void PaintView::contextMenuEvent(QContextMenuEvent* event)
     if (!sizing)
         Q_EMIT contextMenuWanted(event->globalPos());
     event->accept();
-}
-
-void PaintView::zoomIn()
-{
-    zoomAt(QRectF(rect()).center(), kZoomPerNotch);
-}
-
-void PaintView::zoomOut()
-{
-    zoomAt(QRectF(rect()).center(), 1.0 / kZoomPerNotch);
 }
 
 void PaintView::zoomAt(QPointF position, double factor)

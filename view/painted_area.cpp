@@ -40,14 +40,14 @@ void PaintedArea::tabletEvent(QTabletEvent* event)
     event->accept();
     if (event->type() == QEvent::TabletPress) {
         const bool turned = event->pointerType() == QPointingDevice::PointerType::Eraser;
-        m_eraserTurned = turned && m_editor.setActiveTool(QLatin1StringView("eraser"));
+        m_eraserTurned = turned && m_editor.setActiveTool(model::ToolId::Eraser);
         pointerPressed(sample);
     } else if (event->type() == QEvent::TabletMove) {
         pointerMoved(sample);
     } else if (event->type() == QEvent::TabletRelease) {
         pointerReleased(sample);
         if (std::exchange(m_eraserTurned, false))
-            m_editor.toggleTool(QLatin1StringView("eraser"));
+            m_editor.toggleTool(model::ToolId::Eraser);
     }
 }
 

@@ -7,6 +7,13 @@
 
 namespace hairpaint::view {
 
+/// How large a tool's handle is drawn around its place.
+[[nodiscard]] inline QRectF handleAt(QPointF place)
+{
+    constexpr double kHalfPx = 2.5;
+    return {place.x() - kHalfPx, place.y() - kHalfPx, 2.0 * kHalfPx, 2.0 * kHalfPx};
+}
+
 class EditorState;
 
 /// Makes one stream of samples of mouse and pen. The pen's other end chooses the eraser for its stroke.

@@ -2,31 +2,86 @@
 #include "app/cli/command.h"
 
 #include "model/files/sentences.h"
+#include "model/project.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <exception>
 #include <new>
 
 namespace hairpaint::app {
 
 namespace {
 
+constexpr std::array<OptionHelp, 6> kNewOptions = {{
+    {"-o, --output FILE", QT_TRANSLATE_NOOP("CommandLine", "the project to write")},
+    {"--head MESH", QT_TRANSLATE_NOOP("CommandLine", "a mesh with uv coordinates instead of the built-in head")},
+    {"--preset NAME", QT_TRANSLATE_NOOP("CommandLine", "a style of the library")},
+    {"--map [GROUP/]KIND[:grey]=IMAGE",
+     QT_TRANSLATE_NOOP("CommandLine", "an image as a map, by its colours, or by its brightness with :grey")},
+    {"--seed N", QT_TRANSLATE_NOOP("CommandLine", "another drawing of the roots; 1 unless given")},
+    {"--max-candidates N",
+     QT_TRANSLATE_NOOP("CommandLine",
+                       "limit on the places, over the whole head, where hair may stand (was: --max-hairs)")},
+}};
+constexpr OptionHelp kJson{"--json", QT_TRANSLATE_NOOP("CommandLine", "as JSON, for scripts")};
+constexpr OptionHelp kSettle{
+    "--settle SECONDS", QT_TRANSLATE_NOOP("CommandLine", "how long the hair falls first; 0 is the shape it was given")};
+constexpr OptionHelp kHairs{
+    "--hairs N", QT_TRANSLATE_NOOP("CommandLine", "only so many of the hairs that are there, an even share")};
+constexpr OptionHelp kWind{
+    "--wind X,Y,Z",
+    QT_TRANSLATE_NOOP("CommandLine", "in m/s, instead of the project's; x to the head's left, y up, z forward")};
+constexpr std::array<OptionHelp, 1> kJsonOptions = {{kJson}};
+constexpr std::array<OptionHelp, 4> kExportOptions = {{
+    {"-o, --output FILE.hair", QT_TRANSLATE_NOOP("CommandLine", "the curves to write")},
+    kSettle,
+    kHairs,
+    kWind,
+}};
+constexpr std::array<OptionHelp, 9> kRenderOptions = {{
+    {"-o, --output FILE.png", QT_TRANSLATE_NOOP("CommandLine", "the picture to write")},
+    {"--size WxH", QT_TRANSLATE_NOOP("CommandLine", "in pixels; 1024x1024 unless given")},
+    {"--view NAME", QT_TRANSLATE_NOOP("CommandLine", "front, back, left, right, top or three-quarter")},
+    {"--fit WHAT",
+     QT_TRANSLATE_NOOP("CommandLine", "what fills the picture: hair (with the head), head or bust; hair unless given")},
+    kSettle,
+    {"--frames A-B", QT_TRANSLATE_NOOP("CommandLine", "a film instead of one picture: FILE.0001.png and on")},
+    {"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")},
+    kHairs,
+    kWind,
+}};
+
 constexpr std::array<Command, 5> kCommands = {{
     {"new",
-     "-o P.hairpaint [--head MESH] [--preset NAME] [--map [GROUP/]KIND[:grey]=IMAGE]... [--seed N] [--max-hairs N]",
-     QT_TRANSLATE_NOOP("CommandLine", "makes a project"), runNew},
-    {"info", "P.hairpaint [--json]", QT_TRANSLATE_NOOP("CommandLine", "tells what a project holds"), runInfo},
-    {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), runPresets},
-    {"export", "P.hairpaint -o FILE.hair [--settle SECONDS]",
-     QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), runExport},
+     "-o P.hairpaint [--head MESH] [--preset NAME] [--map [GROUP/]KIND[:grey]=IMAGE]... [--seed N] "
+     "[--max-candidates N]",
+     QT_TRANSLATE_NOOP("CommandLine", "makes a project"), kNewOptions, runNew},
+    {"info", "P.hairpaint [--json]", QT_TRANSLATE_NOOP("CommandLine", "tells what a project holds"), kJsonOptions,
+     runInfo},
+    {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), kJsonOptions, runPresets},
+    {"export", "P.hairpaint -o FILE.hair [--settle SECONDS] [--hairs N] [--wind X,Y,Z]",
+     QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), kExportOptions, runExport},
     {"render",
-     "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|three-quarter] [--settle SECONDS] "
-     "[--frames A-B] [--fps F] [--wind X,Y,Z]",
-     QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), runRender},
+     "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|three-quarter] "
+     "[--fit hair|head|bust] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z]",
+     QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},
 }};
+
+/// The project that a verb is about, else its first file.
+QString projectIn(const QStringList& arguments)
+{
+    for (const QString& argument : arguments)
+        if (argument.endsWith(QLatin1String(".hairpaint"), Qt::CaseInsensitive))
+            return argument;
+    const auto file =
+        std::ranges::find_if(arguments, [](const QString& argument) { return !argument.startsWith(QLatin1Char('-')); });
+    return file == arguments.end() ? QString() : *file;
+}
 
 void printError(const QString& text)
 {
@@ -48,12 +103,34 @@ const Command* findCommand(const QString& name)
     return found == kCommands.end() ? nullptr : &*found;
 }
 
+QString helpOf(const Command& command, bool options)
+{
+    QString text =
+        QStringLiteral("hairpaint %1 %2\n    %3\n")
+            .arg(QLatin1StringView(command.name), QLatin1StringView(command.usage), CommandLine::tr(command.purpose));
+    if (options)
+        for (const OptionHelp& option : command.options)
+            text +=
+                QStringLiteral("  %1\n    %2\n").arg(QLatin1StringView(option.option), CommandLine::tr(option.meaning));
+    return text;
+}
+
 ExitCode run(const Command& command, const QStringList& arguments)
 {
+    if (arguments.contains(QLatin1String("--help")) || arguments.contains(QLatin1String("-h"))) {
+        printOut(helpOf(command, true));
+        return ExitCode::Done;
+    }
+    const auto about = [&arguments] { return model::shownPath(projectIn(arguments)); };
     try {
         return command.run(arguments);
     } catch (const std::bad_alloc&) {
-        return failed({CommandLine::tr("There is not enough memory for this; give a smaller size or fewer hairs.")});
+        return failed({CommandLine::tr("There is not enough memory for what is wanted of '%1'; give a smaller size or "
+                                       "fewer hairs.")
+                           .arg(about())});
+    } catch (const std::exception& other) {
+        return failed(
+            {CommandLine::tr("What is wanted of '%1' failed: %2.").arg(about(), QString::fromLocal8Bit(other.what()))});
     }
 }
 
@@ -106,6 +183,37 @@ std::optional<double> numberOption(const QCommandLineParser& parser, const char*
                                   .arg(most, 0, 'g', 10)
                                   .arg(parser.value(option)));
     return std::nullopt;
+}
+
+std::optional<std::optional<glm::vec3>> windOption(const QCommandLineParser& parser, const char* command)
+{
+    constexpr float kStrongest = 30.0F;
+    const QString option = QStringLiteral("wind");
+    if (!parser.isSet(option))
+        return std::optional<glm::vec3>();
+    const QStringList parts = parser.value(option).split(QLatin1Char(','));
+    glm::vec3 velocity(0.0F);
+    bool good = parts.size() == 3;
+    for (int i = 0; good && i < 3; ++i) {
+        velocity[i] = parts[i].toFloat(&good);
+        good = good && std::abs(velocity[i]) <= kStrongest;
+    }
+    if (good)
+        return velocity;
+    (void)wrongUsage(command, CommandLine::tr("--wind takes X,Y,Z in m/s, each from -30 to 30"));
+    return std::nullopt;
+}
+
+std::optional<std::optional<std::size_t>> hairsOption(const QCommandLineParser& parser, const char* command)
+{
+    const QString option = QStringLiteral("hairs");
+    if (!parser.isSet(option))
+        return std::optional<std::size_t>();
+    const std::optional<double> count =
+        numberOption(parser, command, option, 0.0, 1.0, static_cast<double>(model::kMostHairs));
+    if (!count)
+        return std::nullopt;
+    return static_cast<std::size_t>(*count);
 }
 
 model::Result<void> checkOutput(const QString& output, const QStringList& inputs)

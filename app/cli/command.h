@@ -7,6 +7,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <glm/glm.hpp>
+
 #include <optional>
 #include <span>
 
@@ -26,19 +28,30 @@ enum class ExitCode : int
     WrongUsage = 2
 };
 
+/// A line of a verb's help.
+struct OptionHelp
+{
+    const char* option;
+    const char* meaning; ///< To be translated in context "CommandLine".
+};
+
 /// One verb: "new", "info", "presets", "export", "render".
 struct Command
 {
     const char* name;
     const char* usage;   ///< What follows the name.
     const char* purpose; ///< To be translated in context "CommandLine".
+    std::span<const OptionHelp> options = {};
     ExitCode (*run)(const QStringList& arguments);
 };
 
 [[nodiscard]] std::span<const Command> commands();
 /// The verb of that name, or null.
 [[nodiscard]] const Command* findCommand(const QString& name);
-/// Runs a verb; where memory runs out, that is one more way to fail.
+/// Usage and purpose; with `options` a line for each of them, too.
+[[nodiscard]] QString helpOf(const Command& command, bool options);
+/// Runs a verb, or prints its help where the arguments ask for it; where memory runs out, that is one more way to fail,
+/// and the sentence names the project.
 [[nodiscard]] ExitCode run(const Command& command, const QStringList& arguments);
 
 ExitCode runNew(const QStringList& arguments);
@@ -58,6 +71,11 @@ ExitCode wrongUsage(const char* command, const QString& problem);
 /// nonsense.
 [[nodiscard]] std::optional<double> numberOption(const QCommandLineParser& parser, const char* command,
                                                  const QString& option, double fallback, double least, double most);
+/// --wind X,Y,Z in m/s: no value inside where it is not given; none (with the usage printed) where it is nonsense.
+[[nodiscard]] std::optional<std::optional<glm::vec3>> windOption(const QCommandLineParser& parser, const char* command);
+/// --hairs N, likewise.
+[[nodiscard]] std::optional<std::optional<std::size_t>> hairsOption(const QCommandLineParser& parser,
+                                                                    const char* command);
 /// Fails, before any work is done, where `output` can't be written or is one of `inputs`.
 [[nodiscard]] model::Result<void> checkOutput(const QString& output, const QStringList& inputs);
 void printOut(const QString& text);

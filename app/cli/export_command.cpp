@@ -11,7 +11,9 @@ ExitCode runExport(const QStringList& arguments)
     constexpr const char* kName = "export";
     QCommandLineParser parser;
     parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
-                       {QStringLiteral("settle"), {}, QStringLiteral("seconds")}});
+                       {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
+                       {QStringLiteral("hairs"), {}, QStringLiteral("number")},
+                       {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")}});
     const std::optional<QStringList> files = parse(parser, kName, arguments, 1);
     if (!files)
         return ExitCode::WrongUsage;
@@ -19,7 +21,9 @@ ExitCode runExport(const QStringList& arguments)
     if (!output.endsWith(QLatin1String(".hair"), Qt::CaseInsensitive))
         return wrongUsage(kName, CommandLine::tr("-o takes a name that ends in .hair"));
     const std::optional<double> settle = numberOption(parser, kName, QStringLiteral("settle"), 0.0, 0.0, 60.0);
-    if (!settle)
+    const auto hairs = hairsOption(parser, kName);
+    const auto wind = windOption(parser, kName);
+    if (!settle || !hairs || !wind)
         return ExitCode::WrongUsage;
 
     if (const model::Result<void> free = checkOutput(output, *files); !free)
@@ -27,7 +31,7 @@ ExitCode runExport(const QStringList& arguments)
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());
-    const SettledHair hair(std::move(*project), *settle);
+    const SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
     if (const model::Result<void> written = model::writeHairFile(*hair.frame(), output); !written)
         return failed(written.error());
     return ExitCode::Done;

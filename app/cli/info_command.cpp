@@ -34,7 +34,7 @@ QJsonValue idOf(sim::HairLimit limit)
     case sim::HairLimit::None:
         break;
     case sim::HairLimit::MaxHairs:
-        return QStringLiteral("max_hairs");
+        return QStringLiteral("max_candidates");
     case sim::HairLimit::Memory:
         return QStringLiteral("memory");
     }
@@ -62,7 +62,8 @@ QJsonObject describe(const model::Project& project, const std::vector<std::share
     const sim::HeadMesh& mesh = project.head->skin->mesh();
     return {{QStringLiteral("format_version"), model::kFormatVersion},
             {QStringLiteral("seed"), static_cast<qint64>(project.seed)},
-            {QStringLiteral("max_hairs"), project.maxHairs},
+            {QStringLiteral("max_candidates"), project.maxHairs},
+            {QStringLiteral("max_hairs"), project.maxHairs}, // Its name in 0.1.
             {QStringLiteral("head"),
              QJsonObject{{QStringLiteral("name"), project.head->name},
                          {QStringLiteral("vertices"), static_cast<qint64>(mesh.positionsHd.size())},
@@ -73,13 +74,22 @@ QJsonObject describe(const model::Project& project, const std::vector<std::share
             {QStringLiteral("groups"), groups}};
 }
 
+/// Qt's JSON has signed numbers of 64 bits only, and a seed has no sign.
+QString asJson(const QJsonObject& info, std::uint64_t seed)
+{
+    const QByteArray key = "\"seed\": ";
+    QByteArray text = QJsonDocument(info).toJson();
+    text.replace(key + QByteArray::number(static_cast<qint64>(seed)), key + QByteArray::number(quint64{seed}));
+    return QString::fromUtf8(text);
+}
+
 /// A number as people read it.
 QString count(const QJsonObject& object, const char* key)
 {
     return QLocale().toString(object[QLatin1StringView(key)].toInteger());
 }
 
-QString asText(const QJsonObject& info)
+QString asText(const QJsonObject& info, std::uint64_t seed)
 {
     // Names may hold "%2" themselves, so each text takes all its parts at once.
     const QJsonObject head = info[QLatin1StringView("head")].toObject();
@@ -88,8 +98,7 @@ QString asText(const QJsonObject& info)
             .arg(head[QLatin1StringView("name")].toString(), count(head, "vertices"), count(head, "triangles")) +
         QLatin1Char('\n');
     text += CommandLine::tr("Hairs: %1 (%2 exported, %3 basis hairs), seed %4")
-                .arg(count(info, "hairs"), count(info, "exported"), count(info, "basis_hairs"),
-                     QString::number(info[QLatin1StringView("seed")].toInteger())) +
+                .arg(count(info, "hairs"), count(info, "exported"), count(info, "basis_hairs"), QString::number(seed)) +
             QLatin1Char('\n');
     for (const auto& value : info[QLatin1StringView("groups")].toArray()) {
         const QJsonObject group = value.toObject();
@@ -98,10 +107,11 @@ QString asText(const QJsonObject& info)
                          count(group, "nodes_per_hair")) +
                 QLatin1Char('\n');
         const QString limit = group[QLatin1StringView("limited_by")].toString();
-        if (limit == QLatin1String("max_hairs"))
-            text += CommandLine::tr("  Fewer hairs than painted: the limit of %1 for the whole head is reached")
-                        .arg(count(info, "max_hairs")) +
-                    QLatin1Char('\n');
+        if (limit == QLatin1String("max_candidates"))
+            text +=
+                CommandLine::tr("  Fewer hairs than painted: the limit of %1 candidates for the whole head is reached")
+                    .arg(count(info, "max_candidates")) +
+                QLatin1Char('\n');
         else if (limit == QLatin1String("memory"))
             text += CommandLine::tr("  Fewer hairs than painted: memory would not hold more") + QLatin1Char('\n');
         for (const auto& mapValue : group[QLatin1StringView("maps")].toArray()) {
@@ -131,7 +141,8 @@ ExitCode runInfo(const QStringList& arguments)
     sim::GroomBuilder builder;
     const sim::GroomBuilder::Report report = builder.update(document.groomInput());
     const QJsonObject info = describe(document.project(), report.grooms);
-    printOut(parser.isSet(QStringLiteral("json")) ? QString::fromUtf8(QJsonDocument(info).toJson()) : asText(info));
+    const std::uint64_t seed = document.project().seed;
+    printOut(parser.isSet(QStringLiteral("json")) ? asJson(info, seed) : asText(info, seed));
     return ExitCode::Done;
 }
 

@@ -63,10 +63,7 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
         return model::failure(
             CommandLine::tr("'%1' goes to the hair group '%2', and the project has none of that name.")
                 .arg(argument.image, argument.group));
-    const model::Result<model::ForeignImage> image = model::ImporterClient().readImage(argument.image);
-    if (!image)
-        return tl::unexpected(image.error());
-    model::Result<sim::TiledRaster> raster = model::layerFromImage(*image, *argument.spec, argument.grey, 0);
+    model::Result<sim::TiledRaster> raster = model::layerFromFile(argument.image, *argument.spec, argument.grey, 0);
     if (!raster)
         return tl::unexpected(raster.error());
     model::MapStack& stack = group->map(argument.spec->kind);
@@ -83,13 +80,15 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
 ExitCode runNew(const QStringList& arguments)
 {
     constexpr const char* kName = "new";
+    const QString kMaxCandidates = QStringLiteral("max-candidates");
+    const QString kMaxHairs = QStringLiteral("max-hairs"); // Its name in 0.1.
     QCommandLineParser parser;
     parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
                        {QStringLiteral("head"), {}, QStringLiteral("mesh")},
                        {QStringLiteral("preset"), {}, QStringLiteral("name")},
                        {QStringLiteral("map"), {}, QStringLiteral("kind=image")},
                        {QStringLiteral("seed"), {}, QStringLiteral("number")},
-                       {QStringLiteral("max-hairs"), {}, QStringLiteral("number")}});
+                       {{kMaxCandidates, kMaxHairs}, {}, QStringLiteral("number")}});
     if (!parse(parser, kName, arguments, 0))
         return ExitCode::WrongUsage;
     const QString output = parser.value(QStringLiteral("o"));
@@ -104,12 +103,12 @@ ExitCode runNew(const QStringList& arguments)
         maps.push_back(*map);
     }
     model::Project project = model::newProject();
-    const std::optional<double> maxHairs =
-        numberOption(parser, kName, QStringLiteral("max-hairs"), static_cast<double>(project.maxHairs), 1.0,
+    const std::optional<double> maxCandidates =
+        numberOption(parser, kName, kMaxCandidates, static_cast<double>(project.maxHairs), 1.0,
                      static_cast<double>(model::kMostHairs));
-    if (!maxHairs)
+    if (!maxCandidates)
         return ExitCode::WrongUsage;
-    project.maxHairs = static_cast<int>(*maxHairs);
+    project.maxHairs = static_cast<int>(*maxCandidates);
     if (parser.isSet(QStringLiteral("seed"))) {
         bool isNumber = false;
         project.seed = parser.value(QStringLiteral("seed")).toULongLong(&isNumber);

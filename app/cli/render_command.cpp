@@ -4,6 +4,7 @@
 #include "app/picture.h"
 #include "model/files/project_file.h"
 #include "model/files/sentences.h"
+#include "view/head/stage.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -22,11 +23,10 @@ struct RenderOptions
 {
     QSize size{1024, 1024};
     rendering::StandardView view = rendering::StandardView::ThreeQuarter;
-    double settleSeconds = 2.0;
+    rendering::Fit fit = rendering::Fit::Hair;
     int firstFrame = 0;
     int lastFrame = -1; ///< Below the first: one picture.
     double framesPerSecond = 30.0;
-    std::optional<glm::vec3> windVelocity;
     [[nodiscard]] bool isFilm() const { return lastFrame >= firstFrame; }
 };
 
@@ -49,6 +49,13 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
             return tl::unexpected(CommandLine::tr("There is no view '%1'").arg(name));
         options.view = *view;
     }
+    if (parser.isSet(QStringLiteral("fit"))) {
+        const QString name = parser.value(QStringLiteral("fit"));
+        const auto fit = rendering::fitNamed(name.toStdString());
+        if (!fit)
+            return tl::unexpected(CommandLine::tr("--fit takes hair, head or bust, not '%1'").arg(name));
+        options.fit = *fit;
+    }
     if (parser.isSet(QStringLiteral("frames"))) {
         const QString frames = parser.value(QStringLiteral("frames"));
         const auto match = QRegularExpression(QStringLiteral("^(\\d{1,4})-(\\d{1,4})$")).match(frames);
@@ -57,18 +64,6 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
         if (!match.hasMatch() || options.lastFrame < options.firstFrame)
             return tl::unexpected(
                 CommandLine::tr("--frames takes A-B with B not below A, up to 9999, not '%1'").arg(frames));
-    }
-    if (parser.isSet(QStringLiteral("wind"))) {
-        const QStringList parts = parser.value(QStringLiteral("wind")).split(QLatin1Char(','));
-        glm::vec3 velocity(0.0F);
-        bool good = parts.size() == 3;
-        for (int i = 0; good && i < 3; ++i) {
-            velocity[i] = parts[i].toFloat(&good);
-            good = good && std::abs(velocity[i]) <= 30.0F;
-        }
-        if (!good)
-            return tl::unexpected(CommandLine::tr("--wind takes X,Y,Z in m/s, each from -30 to 30"));
-        options.windVelocity = velocity;
     }
     return options;
 }
@@ -109,10 +104,10 @@ private:
     QTemporaryDir m_folder;
 };
 
-model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, const RenderOptions& options,
-                                  const QString& path)
+model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, const rendering::Camera& camera,
+                                  QSize size, const QString& path)
 {
-    const model::Result<QImage> picture = maker.take(hair.project(), hair.frame(), options.view, options.size);
+    const model::Result<QImage> picture = maker.take(hair.project(), hair.frame(), camera, size);
     if (!picture)
         return tl::unexpected(picture.error());
     return writePicture(*picture, path);
@@ -129,7 +124,7 @@ double secondsBefore(int number, double framesPerSecond)
 }
 
 model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const RenderOptions& options,
-                               const QString& output)
+                               const rendering::Camera& camera, const QString& output)
 {
     FilmFolder folder(output);
     QStringList frames;
@@ -139,7 +134,8 @@ model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const Ren
         if (number < options.firstFrame)
             continue;
         frames.append(framePath(output, number));
-        if (model::Result<void> written = renderPicture(maker, hair, options, folder.pathFor(frames.back()));
+        if (model::Result<void> written =
+                renderPicture(maker, hair, camera, options.size, folder.pathFor(frames.back()));
             !written) {
             // The sentence names the frame that is wanted, not where it lay meanwhile.
             written.error().message.replace(model::shownPath(folder.pathFor(frames.back())),
@@ -155,8 +151,12 @@ ExitCode renderAll(SettledHair& hair, const RenderOptions& options, const QStrin
     const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
     if (!maker)
         return failed(maker.error());
-    const model::Result<void> written =
-        options.isFilm() ? renderFilm(**maker, hair, options, output) : renderPicture(**maker, hair, options, output);
+    // Of a film's start, and it stands still.
+    const float aspect = static_cast<float>(options.size.width()) / static_cast<float>(options.size.height());
+    const rendering::Camera camera =
+        view::pictureCamera(options.view, options.fit, *hair.project().head, hair.frame().get(), aspect);
+    const model::Result<void> written = options.isFilm() ? renderFilm(**maker, hair, options, camera, output)
+                                                         : renderPicture(**maker, hair, camera, options.size, output);
     return written ? ExitCode::Done : failed(written.error());
 }
 
@@ -179,9 +179,11 @@ ExitCode runRender(const QStringList& arguments)
     parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
                        {QStringLiteral("size"), {}, QStringLiteral("WxH")},
                        {QStringLiteral("view"), {}, QStringLiteral("name")},
+                       {QStringLiteral("fit"), {}, QStringLiteral("what")},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
                        {QStringLiteral("fps"), {}, QStringLiteral("number")},
+                       {QStringLiteral("hairs"), {}, QStringLiteral("number")},
                        {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")}});
     const std::optional<QStringList> files = parse(parser, kName, arguments, 1);
     if (!files)
@@ -192,9 +194,12 @@ ExitCode runRender(const QStringList& arguments)
     tl::expected<RenderOptions, QString> options = readOptions(parser);
     if (!options)
         return wrongUsage(kName, options.error());
-    const auto settle = numberOption(parser, kName, QStringLiteral("settle"), options->settleSeconds, 0.0, 60.0);
+    constexpr double kSettleSeconds = 2.0;
+    const auto settle = numberOption(parser, kName, QStringLiteral("settle"), kSettleSeconds, 0.0, 60.0);
     const auto rate = numberOption(parser, kName, QStringLiteral("fps"), options->framesPerSecond, 1.0, 240.0);
-    if (!settle || !rate)
+    const auto hairs = hairsOption(parser, kName);
+    const auto wind = windOption(parser, kName);
+    if (!settle || !rate || !hairs || !wind)
         return ExitCode::WrongUsage;
     options->framesPerSecond = *rate;
 
@@ -203,11 +208,7 @@ ExitCode runRender(const QStringList& arguments)
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());
-    if (options->windVelocity) {
-        project->wind.enabled = true;
-        project->wind.velocity = *options->windVelocity;
-    }
-    SettledHair hair(std::move(*project), *settle);
+    SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
     return renderAll(hair, *options, output);
 }
 

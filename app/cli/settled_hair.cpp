@@ -2,11 +2,17 @@
 #include "app/cli/settled_hair.h"
 
 #include "model/document.h"
+#include "sim/groom/even_share.h"
 
 namespace hairpaint::app {
 
-SettledHair::SettledHair(model::Project project, double settleSeconds) : m_project(std::move(project))
+SettledHair::SettledHair(model::Project project, double settleSeconds, const SettleOptions& options)
+    : m_project(std::move(project)), m_hairs(options.hairs)
 {
+    if (options.windVelocity) {
+        m_project.wind.enabled = true;
+        m_project.wind.velocity = *options.windVelocity;
+    }
     m_simulation.setInput(model::Document(m_project).groomInput());
     m_simulation.setWind(m_project.wind);
     m_simulation.reset();
@@ -23,6 +29,14 @@ std::shared_ptr<const sim::StrandFrame> SettledHair::frame() const
 {
     auto frame = std::make_shared<sim::StrandFrame>();
     m_simulation.writeFrame(*frame);
+    if (m_hairs) {
+        std::vector<std::shared_ptr<const sim::Groom>> grooms;
+        for (const sim::GroupFrame& group : frame->groups)
+            grooms.push_back(group.groom);
+        grooms = sim::evenShare(grooms, *m_hairs);
+        for (std::size_t i = 0; i < grooms.size(); ++i)
+            frame->groups[i].groom = grooms[i];
+    }
     return frame;
 }
 

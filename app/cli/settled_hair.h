@@ -4,13 +4,21 @@
 #include "model/project.h"
 #include "sim/motion/simulation.h"
 
+#include <optional>
+
 namespace hairpaint::app {
+
+struct SettleOptions
+{
+    std::optional<std::size_t> hairs;      ///< An even share of those that are there; else all.
+    std::optional<glm::vec3> windVelocity; ///< Wo, m/s; else the project's own wind.
+};
 
 class SettledHair
 {
 public:
     /// With 0 seconds the hair keeps its rest shape.
-    SettledHair(model::Project project, double settleSeconds);
+    SettledHair(model::Project project, double settleSeconds, const SettleOptions& options = {});
 
     [[nodiscard]] const model::Project& project() const { return m_project; }
     void advance(double seconds);
@@ -18,6 +26,7 @@ public:
 
 private:
     model::Project m_project;
+    std::optional<std::size_t> m_hairs;
     sim::Simulation m_simulation;
 };
 

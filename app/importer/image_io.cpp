@@ -23,6 +23,41 @@ void setGlobals()
     OIIO::attribute("limits:channels", 64);
 }
 
+/// Turns the image upright: `orientation` 1..8 as EXIF and TIFF have it, saying where row 0 and column 0 stand.
+void makeUpright(wire::Image& image, int orientation)
+{
+    if (orientation < 2 || orientation > 8)
+        return;
+    const bool isTurned = orientation >= 5; // Rows are columns.
+    const bool fromRight = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
+    const bool fromBelow = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+    const wire::Image stored = std::move(image);
+    image = {.width = isTurned ? stored.height : stored.width,
+             .height = isTurned ? stored.width : stored.height,
+             .channels = stored.channels,
+             .samples = std::vector<std::uint16_t>(stored.samples.size())};
+    auto out = image.samples.begin();
+    for (std::uint32_t y = 0; y < image.height; ++y)
+        for (std::uint32_t x = 0; x < image.width; ++x) {
+            std::uint32_t storedX = isTurned ? y : x;
+            std::uint32_t storedY = isTurned ? x : y;
+            storedX = fromRight ? stored.width - 1 - storedX : storedX;
+            storedY = fromBelow ? stored.height - 1 - storedY : storedY;
+            const std::size_t at = (std::size_t{storedY} * stored.width + storedX) * stored.channels;
+            out = std::copy_n(stored.samples.begin() + static_cast<std::ptrdiff_t>(at), stored.channels, out);
+        }
+}
+
+/// Why a file that is there can't be opened, by what the library says of it.
+wire::Reason reasonOf(const std::string& message)
+{
+    if (message.find("limits:") != std::string::npos)
+        return wire::Reason::TooLarge;
+    if (message.find("ompression") != std::string::npos)
+        return wire::Reason::UnknownCompression;
+    return wire::Reason::UnknownFormat;
+}
+
 /// Channels as grey, grey and alpha, RGB or RGBA. An alpha that stands elsewhere than second or fourth is left out.
 int keptChannels(const OIIO::ImageSpec& spec)
 {
@@ -43,10 +78,7 @@ tl::expected<wire::Image, wire::Reason> readImage(const std::string& path)
         std::error_code unreadable;
         const bool there =
             std::filesystem::exists(std::filesystem::path(std::u8string(path.begin(), path.end())), unreadable);
-        const bool mentionsLimit = OIIO::geterror().find("limits:") != std::string::npos;
-        if (mentionsLimit)
-            return tl::unexpected(wire::Reason::TooLarge);
-        return tl::unexpected(there ? wire::Reason::UnknownFormat : wire::Reason::CannotOpen);
+        return tl::unexpected(there ? reasonOf(OIIO::geterror()) : wire::Reason::CannotOpen);
     }
     const OIIO::ImageSpec& spec = input->spec();
     const int channels = keptChannels(spec);
@@ -61,7 +93,10 @@ tl::expected<wire::Image, wire::Reason> readImage(const std::string& path)
     image.samples.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
                          static_cast<std::size_t>(channels));
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT16, image.samples.data()))
-        return tl::unexpected(wire::Reason::Damaged);
+        return tl::unexpected(input->geterror().find("ompression") != std::string::npos
+                                  ? wire::Reason::UnknownCompression
+                                  : wire::Reason::Damaged);
+    makeUpright(image, spec.get_int_attribute("Orientation", 1));
     return image;
 }
 

@@ -1,7 +1,7 @@
 // Joining corners into an indexed mesh.
 #include "app/importer/mesh_builder.h"
 
-#include "model/files/wire_format.h"
+#include "sim/skin/head_limits.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,12 +11,15 @@ namespace hairpaint::importer {
 
 namespace {
 
+/// Whole tiles are taken off a uv, and beyond this nothing of the tile itself would be left.
+constexpr float kFarthestTile = 1e5F;
+
 bool usable(const Corner& corner)
 {
     for (int axis = 0; axis < 3; ++axis)
-        if (!(std::abs(corner.position[axis]) <= wire::kFarthestPosition))
+        if (!(std::abs(corner.position[axis]) <= sim::kFarthestPosition))
             return false;
-    return std::isfinite(corner.uv.x) && std::isfinite(corner.uv.y);
+    return std::abs(corner.uv.x) <= kFarthestTile && std::abs(corner.uv.y) <= kFarthestTile;
 }
 
 glm::vec3 unitNormal(const glm::vec3& normal, const glm::vec3& own)

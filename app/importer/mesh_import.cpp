@@ -2,6 +2,7 @@
 #include "app/importer/mesh_import.h"
 
 #include "app/importer/mesh_builder.h"
+#include "sim/skin/head_limits.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
@@ -77,7 +78,7 @@ private:
                 triangle[corner].uv = {mesh.mTextureCoords[0][index].x, mesh.mTextureCoords[0][index].y};
             }
             m_builder.add(triangle);
-            if (m_builder.vertexCount() > wire::kMostVertices || m_builder.triangleCount() > wire::kMostTriangles)
+            if (m_builder.vertexCount() > sim::kMostVertices || m_builder.triangleCount() > sim::kMostTriangles)
                 return false;
         }
         return true;

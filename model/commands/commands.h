@@ -1,4 +1,5 @@
-// Every change the user can make, as undo commands. They hold ids, never pointers into the project.
+// Every change the user can make, as undo commands. They hold ids, never pointers into the project. Making one first
+// ends the edit that runs, by its policy.
 #pragma once
 
 #include "model/document.h"
@@ -11,9 +12,16 @@ namespace hairpaint::model {
 
 using CommandPtr = std::unique_ptr<QUndoCommand>;
 
-/// Swaps tiles of one layer. `after`: tile index and its new content. `text`: what undo says, "Brush on Length".
-[[nodiscard]] CommandPtr paintCommand(Document& document, const LayerAddress& address,
-                                      std::vector<std::pair<int, sim::RasterTilePtr>> after, const QString& text);
+/// Tiles of one layer and their new content.
+struct LayerEdit
+{
+    LayerAddress address;
+    LayerTiles after;
+};
+/// Swaps tiles. `text`: what undo says, "Brush on Length". Null where none differs.
+[[nodiscard]] CommandPtr paintCommand(Document& document, std::vector<LayerEdit> layers, const QString& text);
+[[nodiscard]] CommandPtr paintCommand(Document& document, const LayerAddress& address, LayerTiles after,
+                                      const QString& text);
 
 [[nodiscard]] CommandPtr addLayerCommand(Document& document, Id group, MapKind map, const QString& name);
 /// Adds a copy of `layer` (with a new id) above the topmost; image import and paste as layer use it.
@@ -21,6 +29,10 @@ using CommandPtr = std::unique_ptr<QUndoCommand>;
                                             const QString& text);
 [[nodiscard]] CommandPtr removeLayerCommand(Document& document, const LayerAddress& address);
 [[nodiscard]] CommandPtr moveLayerCommand(Document& document, const LayerAddress& address, int newPosition);
+
+/// Every layer at another size (256 to 8192, a power of two): values bilinearly, weighted by coverage; indices by the
+/// nearest texel. Null where it has that size or the content would become too large.
+[[nodiscard]] CommandPtr resizeMapCommand(Document& document, Id group, MapKind map, int size);
 
 struct LayerProperties
 {
@@ -36,7 +48,9 @@ struct LayerProperties
 [[nodiscard]] CommandPtr setLayerPropertiesCommand(Document& document, const LayerAddress& address,
                                                    const LayerProperties& properties, const QString& text);
 
-[[nodiscard]] CommandPtr addGroupCommand(Document& document, const QString& name);
+/// Every map empty.
+[[nodiscard]] CommandPtr addGroupCommand(Document& document, const QString& name,
+                                         const sim::GroupSettings& settings = {});
 [[nodiscard]] CommandPtr removeGroupCommand(Document& document, Id group);
 [[nodiscard]] CommandPtr renameGroupCommand(Document& document, Id group, const QString& name);
 /// Null where it stays in its place; `newPosition` is counted from the first.
@@ -48,10 +62,15 @@ struct LayerProperties
 [[nodiscard]] CommandPtr setWindCommand(Document& document, const sim::Wind& wind);
 [[nodiscard]] CommandPtr setLightCommand(Document& document, const LightSettings& light);
 [[nodiscard]] CommandPtr setBackgroundCommand(Document& document, QRgb background);
+/// What undo says of those three, for edits that are shown before they are kept.
+[[nodiscard]] QString windStepText();
+[[nodiscard]] QString lightStepText();
+[[nodiscard]] QString backgroundStepText();
 [[nodiscard]] CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head,
                                         std::vector<sim::Ellipsoid> ellipsoids);
 /// Replaces all groups by a preset's (model/preset.h). Groups with the same name keep their ids.
 [[nodiscard]] CommandPtr applyPresetCommand(Document& document, const struct Preset& preset);
+[[nodiscard]] QString applyPresetText(const struct Preset& preset);
 /// The edit of applyPresetCommand on any project, for previews.
 void applyPreset(Project& project, const struct Preset& preset);
 

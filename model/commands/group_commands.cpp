@@ -1,6 +1,5 @@
 // Groups added, removed, renamed, moved, shown and replaced by a preset's.
-#include "model/commands/commands.h"
-#include "model/commands/slice_command.h"
+#include "model/commands/edit_command.h"
 #include "model/names.h"
 #include "model/preset.h"
 
@@ -17,48 +16,9 @@ class Commands
     Q_DECLARE_TR_FUNCTIONS(Commands)
 };
 
-struct GroupsSlice
-{
-    std::vector<HairGroup> groups;
-    Id nextId = 1;
-
-    static GroupsSlice take(const Project& project, const Change& /*change*/)
-    {
-        return {project.groups, project.nextId};
-    }
-    void put(Project& project, const Change& /*change*/) const
-    {
-        project.groups = groups;
-        project.nextId = nextId;
-    }
-    void visitTiles(const TileHolder::Visit& visit) const
-    {
-        for (const HairGroup& group : groups)
-            for (const MapStack& stack : group.maps)
-                visitTilesOf(stack.layers, visit);
-    }
-};
-
-struct SettingsSlice
-{
-    sim::GroupSettings settings;
-
-    static SettingsSlice take(const Project& project, const Change& change)
-    {
-        const HairGroup* group = project.group(change.group);
-        return {group != nullptr ? group->settings : sim::GroupSettings{}};
-    }
-    void put(Project& project, const Change& change) const
-    {
-        if (HairGroup* group = project.group(change.group))
-            group->settings = settings;
-    }
-};
-
 CommandPtr groupsCommand(Document& document, Id group, const QString& text, std::function<void(Project&)> edit)
 {
-    const Change change{.aspect = Change::Aspect::GroupList, .group = group};
-    return std::make_unique<SliceCommand<GroupsSlice>>(document, change, text, std::move(edit));
+    return editCommand(document, {.aspect = Change::Aspect::GroupList, .group = group}, text, std::move(edit));
 }
 
 QString nameOf(const Document& document, Id id)
@@ -69,10 +29,13 @@ QString nameOf(const Document& document, Id id)
 
 } // namespace
 
-CommandPtr addGroupCommand(Document& document, const QString& name)
+CommandPtr addGroupCommand(Document& document, const QString& name, const sim::GroupSettings& settings)
 {
     return groupsCommand(document, 0, Commands::tr("Add group \"%1\"").arg(shownName(name)),
-                         [name](Project& project) { project.groups.push_back(makeGroup(project, name)); });
+                         [name, settings](Project& project) {
+                             project.groups.push_back(makeGroup(project, name));
+                             project.groups.back().settings = settings;
+                         });
 }
 
 CommandPtr removeGroupCommand(Document& document, Id group)
@@ -94,6 +57,7 @@ CommandPtr renameGroupCommand(Document& document, Id group, const QString& name)
 
 CommandPtr moveGroupCommand(Document& document, Id group, int newPosition)
 {
+    document.endEdit();
     const std::vector<HairGroup>& groups = document.committed().groups;
     const auto found = std::ranges::find(groups, group, &HairGroup::id);
     const auto from = found - groups.begin();
@@ -121,19 +85,25 @@ CommandPtr showGroupCommand(Document& document, Id group, bool visible)
 
 CommandPtr setSettingsCommand(Document& document, Id group, const sim::GroupSettings& settings, const QString& text)
 {
+    document.endEdit();
     const HairGroup* found = document.committed().group(group);
     if (found == nullptr || found->settings == settings)
         return nullptr;
-    const Change change{.aspect = Change::Aspect::Settings, .group = group};
-    return std::make_unique<SliceCommand<SettingsSlice>>(document, change, text, [group, settings](Project& project) {
-        if (HairGroup* one = project.group(group))
-            one->settings = settings;
-    });
+    return editCommand(document, {.aspect = Change::Aspect::Settings, .group = group}, text,
+                       [group, settings](Project& project) {
+                           if (HairGroup* one = project.group(group))
+                               one->settings = settings;
+                       });
+}
+
+QString applyPresetText(const Preset& preset)
+{
+    return Commands::tr("Apply style \"%1\"").arg(shownName(preset.name));
 }
 
 CommandPtr applyPresetCommand(Document& document, const Preset& preset)
 {
-    return groupsCommand(document, 0, Commands::tr("Apply style \"%1\"").arg(shownName(preset.name)),
+    return groupsCommand(document, 0, applyPresetText(preset),
                          [preset](Project& project) { applyPreset(project, preset); });
 }
 

@@ -1,11 +1,12 @@
 // Layers added, removed, moved and changed.
-#include "model/commands/commands.h"
-#include "model/commands/slice_command.h"
+#include "model/commands/edit_command.h"
+#include "model/files/image_resample.h"
 #include "model/names.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <span>
 
 namespace hairpaint::model {
 
@@ -16,35 +17,14 @@ class Commands
     Q_DECLARE_TR_FUNCTIONS(Commands)
 };
 
-/// The layers of one map.
-struct LayersSlice
-{
-    std::vector<Layer> layers;
-    Id nextId = 1;
-
-    static LayersSlice take(const Project& project, const Change& change)
-    {
-        const HairGroup* group = project.group(change.group);
-        return {group != nullptr ? group->map(change.map).layers : std::vector<Layer>{}, project.nextId};
-    }
-    void put(Project& project, const Change& change) const
-    {
-        if (HairGroup* group = project.group(change.group))
-            group->map(change.map).layers = layers;
-        project.nextId = nextId;
-    }
-    void visitTiles(const TileHolder::Visit& visit) const { visitTilesOf(layers, visit); }
-};
-
 CommandPtr layersCommand(Document& document, Id groupId, MapKind map, const QString& text,
                          std::function<void(Project&, std::vector<Layer>&)> edit)
 {
     const Change change{.aspect = Change::Aspect::LayerList, .group = groupId, .map = map};
-    return std::make_unique<SliceCommand<LayersSlice>>(document, change, text,
-                                                       [groupId, map, edit = std::move(edit)](Project& project) {
-                                                           if (HairGroup* group = project.group(groupId))
-                                                               edit(project, group->map(map).layers);
-                                                       });
+    return editCommand(document, change, text, [groupId, map, edit = std::move(edit)](Project& project) {
+        if (HairGroup* group = project.group(groupId))
+            edit(project, group->map(map).layers);
+    });
 }
 
 std::vector<Layer>::iterator findLayer(std::vector<Layer>& layers, Id id)
@@ -63,6 +43,30 @@ QString nameOf(const Document& document, const LayerAddress& address)
     return layer != nullptr ? shownName(layer->name) : QString();
 }
 
+MapStack resized(const MapStack& stack, int size)
+{
+    const MapSpec& spec = mapSpec(stack.kind);
+    sim::Texel empty = spec.defaultValue;
+    empty[static_cast<std::size_t>(spec.valueChannels)] = 0;
+    MapStack result = stack;
+    result.size = size;
+    for (Layer& layer : result.layers) {
+        const sim::TiledRaster& from = layer.raster;
+        if (const std::optional<sim::Texel> value = from.uniformValue()) {
+            layer.raster = sim::TiledRaster(size, spec.layerChannels(), *value);
+            continue;
+        }
+        const auto readRow = [&from](int y, std::span<sim::Texel> texels) {
+            for (std::size_t x = 0; x < texels.size(); ++x)
+                texels[x] = from.texel(static_cast<int>(x), y);
+        };
+        layer.raster = spec.bilinear()
+                           ? resampleBilinear(from.size(), from.size(), readRow, size, spec.layerChannels(), empty)
+                           : resampleNearest(from.size(), from.size(), readRow, size, spec.layerChannels());
+    }
+    return result;
+}
+
 } // namespace
 
 CommandPtr addLayerCommand(Document& document, Id group, MapKind map, const QString& name)
@@ -77,9 +81,10 @@ CommandPtr addLayerCommand(Document& document, Id group, MapKind map, const QStr
 CommandPtr insertLayerCommand(Document& document, Id group, MapKind map, Layer layer, int position, const QString& text)
 {
     return layersCommand(document, group, map, text,
-                         [layer = std::move(layer), position](Project& project, std::vector<Layer>& layers) mutable {
-                             layer.id = project.takeId();
-                             insertAt(layers, std::move(layer), position);
+                         [layer = std::move(layer), position](Project& project, std::vector<Layer>& layers) {
+                             Layer copy = layer;
+                             copy.id = project.takeId();
+                             insertAt(layers, std::move(copy), position);
                          });
 }
 
@@ -105,6 +110,27 @@ CommandPtr moveLayerCommand(Document& document, const LayerAddress& address, int
                          });
 }
 
+CommandPtr resizeMapCommand(Document& document, Id groupId, MapKind map, int size)
+{
+    document.endEdit();
+    const HairGroup* group = document.committed().group(groupId);
+    if (group == nullptr || group->map(map).size == size)
+        return nullptr;
+    const MapStack& now = group->map(map);
+    // Refused before the work is done where even unpainted layers would be too much.
+    Project large = document.committed();
+    MapStack& grown = large.group(groupId)->map(map);
+    grown.size = size;
+    if (!document.mayBecome(large))
+        return nullptr;
+    const QString text = Commands::tr("Resize %1 to %2 × %2").arg(mapSpec(map).titleText()).arg(size);
+    return editCommand(document, {.aspect = Change::Aspect::LayerList, .group = groupId, .map = map}, text,
+                       [groupId, map, after = SharedStack(resized(now, size))](Project& project) {
+                           if (HairGroup* one = project.group(groupId))
+                               one->maps[static_cast<std::size_t>(map)] = after;
+                       });
+}
+
 LayerProperties propertiesOf(const Layer& layer)
 {
     return {layer.name, layer.visible, layer.opacity, layer.blend, layer.locked};
@@ -113,6 +139,7 @@ LayerProperties propertiesOf(const Layer& layer)
 CommandPtr setLayerPropertiesCommand(Document& document, const LayerAddress& address, const LayerProperties& properties,
                                      const QString& text)
 {
+    document.endEdit();
     const Layer* layer = document.committed().layer(address.group, address.map, address.layer);
     if (layer == nullptr || propertiesOf(*layer) == properties)
         return nullptr;

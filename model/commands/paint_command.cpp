@@ -1,6 +1,7 @@
 // Undo of painting: only the touched tiles are kept.
 #include "model/commands/commands.h"
 #include "model/commands/undo_budget.h"
+#include "model/content_budget.h"
 
 #include <algorithm>
 
@@ -11,56 +12,83 @@ namespace {
 class PaintCommand : public QUndoCommand, public TileHolder
 {
 public:
-    PaintCommand(Document& document, const LayerAddress& address, std::vector<std::pair<int, sim::RasterTilePtr>> tiles,
-                 const QString& text)
-        : QUndoCommand(text), m_document(document), m_address(address), m_tiles(std::move(tiles))
+    PaintCommand(Document& document, std::vector<LayerEdit> layers, const QString& text)
+        : QUndoCommand(text), m_document(document), m_layers(std::move(layers))
     {}
     void redo() override { swapTiles(); }
     void undo() override { swapTiles(); }
-    void visitTiles(const Visit& visit) const override
+    [[nodiscard]] std::size_t keptBytes() const override
     {
-        for (const auto& [index, tile] : m_tiles)
-            visit(tile);
+        std::size_t bytes = 0;
+        for (const LayerEdit& layer : m_layers)
+            for (const auto& [index, tile] : layer.after)
+                bytes += bytesOf(tile);
+        return bytes;
     }
-    void release() override { m_tiles = {}; }
+    void release() override { m_layers = {}; }
 
 private:
     void swapTiles()
     {
-        Change change{
-            .aspect = Change::Aspect::Texels, .group = m_address.group, .map = m_address.map, .layer = m_address.layer};
-        for (const auto& [index, tile] : m_tiles)
-            change.tiles.push_back(index);
-        m_document.apply(change, [this](Project& project) {
-            Layer* layer = project.layer(m_address.group, m_address.map, m_address.layer);
-            if (layer == nullptr)
-                return;
-            for (auto& [index, tile] : m_tiles) {
-                sim::RasterTilePtr other = layer->raster.tile(index);
-                layer->raster.setTile(index, std::move(tile));
-                tile = std::move(other);
-            }
-        });
+        for (LayerEdit& edit : m_layers) {
+            Change change{.aspect = Change::Aspect::Texels,
+                          .group = edit.address.group,
+                          .map = edit.address.map,
+                          .layer = edit.address.layer};
+            for (const auto& [index, tile] : edit.after)
+                change.tiles.push_back(index);
+            m_document.apply(change, [&edit](Project& project) {
+                Layer* layer = project.layer(edit.address.group, edit.address.map, edit.address.layer);
+                if (layer == nullptr)
+                    return;
+                for (auto& [index, tile] : edit.after) {
+                    sim::RasterTilePtr other = layer->raster.tile(index);
+                    layer->raster.setTile(index, std::move(tile));
+                    tile = std::move(other);
+                }
+            });
+        }
     }
 
     Document& m_document;
-    LayerAddress m_address;
-    std::vector<std::pair<int, sim::RasterTilePtr>> m_tiles; ///< What the next swap puts in.
+    std::vector<LayerEdit> m_layers; ///< What the next swap puts in.
 };
+
+/// Whether the content may take these tiles in.
+bool fits(Document& document, const std::vector<LayerEdit>& layers)
+{
+    if (!paintingMayExceed(document.committed().groups))
+        return true;
+    Project after = document.committed();
+    for (const LayerEdit& edit : layers)
+        if (Layer* layer = after.layer(edit.address.group, edit.address.map, edit.address.layer))
+            for (const auto& [index, tile] : edit.after)
+                layer->raster.setTile(index, tile);
+    return document.mayBecome(after);
+}
 
 } // namespace
 
-CommandPtr paintCommand(Document& document, const LayerAddress& address,
-                        std::vector<std::pair<int, sim::RasterTilePtr>> after, const QString& text)
+CommandPtr paintCommand(Document& document, std::vector<LayerEdit> layers, const QString& text)
 {
-    const Layer* layer = document.committed().layer(address.group, address.map, address.layer);
-    if (layer == nullptr)
+    document.endEdit();
+    for (LayerEdit& edit : layers) {
+        const LayerAddress& at = edit.address;
+        const Layer* layer = document.committed().layer(at.group, at.map, at.layer);
+        std::erase_if(edit.after, [layer](const auto& entry) {
+            return layer == nullptr || layer->raster.tile(entry.first) == entry.second;
+        });
+        std::ranges::sort(edit.after, {}, [](const auto& entry) { return entry.first; });
+    }
+    std::erase_if(layers, [](const LayerEdit& edit) { return edit.after.empty(); });
+    if (layers.empty() || !fits(document, layers))
         return nullptr;
-    std::erase_if(after, [layer](const auto& entry) { return layer->raster.tile(entry.first) == entry.second; });
-    if (after.empty())
-        return nullptr;
-    std::ranges::sort(after, {}, [](const auto& entry) { return entry.first; });
-    return std::make_unique<PaintCommand>(document, address, std::move(after), text);
+    return std::make_unique<PaintCommand>(document, std::move(layers), text);
+}
+
+CommandPtr paintCommand(Document& document, const LayerAddress& address, LayerTiles after, const QString& text)
+{
+    return paintCommand(document, {{.address = address, .after = std::move(after)}}, text);
 }
 
 } // namespace hairpaint::model

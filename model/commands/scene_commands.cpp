@@ -1,6 +1,5 @@
 // Wind, light, background and the head.
-#include "model/commands/commands.h"
-#include "model/commands/slice_command.h"
+#include "model/commands/edit_command.h"
 
 #include <QCoreApplication>
 
@@ -13,68 +12,58 @@ class Commands
     Q_DECLARE_TR_FUNCTIONS(Commands)
 };
 
-struct EnvironmentSlice
-{
-    sim::Wind wind;
-    LightSettings light;
-    QRgb background = 0;
-
-    static EnvironmentSlice take(const Project& project, const Change& /*change*/)
-    {
-        return {project.wind, project.light, project.background};
-    }
-    void put(Project& project, const Change& /*change*/) const
-    {
-        project.wind = wind;
-        project.light = light;
-        project.background = background;
-    }
-};
-
-struct HeadSlice
-{
-    std::shared_ptr<const Head> head;
-    std::vector<sim::Ellipsoid> ellipsoids;
-
-    static HeadSlice take(const Project& project, const Change& /*change*/)
-    {
-        return {project.head, project.ellipsoids};
-    }
-    void put(Project& project, const Change& /*change*/) const
-    {
-        project.head = head;
-        project.ellipsoids = ellipsoids;
-    }
-};
-
 CommandPtr environmentCommand(Document& document, const QString& text, std::function<void(Project&)> edit)
 {
-    const Change change{.aspect = Change::Aspect::Environment};
-    return std::make_unique<SliceCommand<EnvironmentSlice>>(document, change, text, std::move(edit));
+    return editCommand(document, {.aspect = Change::Aspect::Environment}, text, std::move(edit));
+}
+
+/// Whether the committed content differs in that member from `value`. Ends what runs only where it matters: a wish for
+/// what is there already must not end a stroke.
+template<typename Member, typename Value>
+bool differs(Document& document, Member member, const Value& value)
+{
+    if (document.committed().*member == value && document.project().*member == value)
+        return false;
+    document.endEdit();
+    return !(document.committed().*member == value);
 }
 
 } // namespace
 
+QString windStepText()
+{
+    return Commands::tr("Change wind");
+}
+
+QString lightStepText()
+{
+    return Commands::tr("Change light");
+}
+
+QString backgroundStepText()
+{
+    return Commands::tr("Change background");
+}
+
 CommandPtr setWindCommand(Document& document, const sim::Wind& wind)
 {
-    if (document.committed().wind == wind)
+    if (!differs(document, &Project::wind, wind))
         return nullptr;
-    return environmentCommand(document, Commands::tr("Change wind"), [wind](Project& project) { project.wind = wind; });
+    return environmentCommand(document, windStepText(), [wind](Project& project) { project.wind = wind; });
 }
 
 CommandPtr setLightCommand(Document& document, const LightSettings& light)
 {
-    if (document.committed().light == light)
+    if (!differs(document, &Project::light, light))
         return nullptr;
-    return environmentCommand(document, Commands::tr("Change light"),
-                              [light](Project& project) { project.light = light; });
+    return environmentCommand(document, lightStepText(), [light](Project& project) { project.light = light; });
 }
 
 CommandPtr setBackgroundCommand(Document& document, QRgb background)
 {
-    if (document.committed().background == background)
+    if (!differs(document, &Project::background, background))
         return nullptr;
-    return environmentCommand(document, Commands::tr("Change background"),
+    return environmentCommand(document, backgroundStepText(),
                               [background](Project& project) { project.background = background; });
 }
 
@@ -82,13 +71,11 @@ CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, 
 {
     if (document.committed().head == head)
         return nullptr;
-    const Change change{.aspect = Change::Aspect::Head};
-    return std::make_unique<SliceCommand<HeadSlice>>(
-        document, change, Commands::tr("Change head"),
-        [head = std::move(head), ellipsoids = std::move(ellipsoids)](Project& project) {
-            project.head = head;
-            project.ellipsoids = ellipsoids;
-        });
+    return editCommand(document, {.aspect = Change::Aspect::Head}, Commands::tr("Change head"),
+                       [head = std::move(head), ellipsoids = std::move(ellipsoids)](Project& project) {
+                           project.head = head;
+                           project.ellipsoids = ellipsoids;
+                       });
 }
 
 } // namespace hairpaint::model

@@ -1,8 +1,9 @@
 // Checked reading and reproducible writing of ZIP archives.
 #include "model/files/archive.h"
 
+#include "model/files/atomic_file.h"
+
 #include <QFile>
-#include <QSaveFile>
 
 #include <zip.h>
 
@@ -226,24 +227,19 @@ namespace {
 /// The archive lies in a memory source; it is copied out in pieces.
 Checked<void> copyOut(zip_source_t* source, const QString& path)
 {
-    if (Checked<void> writable = checkWritable(path); !writable)
-        return writable;
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return refuse(file.errorString());
+    AtomicFile file(path);
+    if (Checked<void> opened = file.open(); !opened)
+        return opened;
     if (zip_source_open(source) != 0)
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
     QByteArray piece(1 << 20, Qt::Uninitialized);
     zip_int64_t got = 0;
-    bool written = true;
-    while (written && (got = zip_source_read(source, piece.data(), static_cast<zip_uint64_t>(piece.size()))) > 0)
-        written = file.write(piece.constData(), got) == got;
+    while (!file.failed() && (got = zip_source_read(source, piece.data(), static_cast<zip_uint64_t>(piece.size()))) > 0)
+        file.write(QByteArrayView(piece).first(static_cast<qsizetype>(got)));
     zip_source_close(source);
     if (got < 0)
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
-    if (!written || !file.commit())
-        return refuse(file.errorString());
-    return {};
+    return file.commit();
 }
 
 } // namespace

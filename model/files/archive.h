@@ -56,7 +56,7 @@ public:
     };
     /// `name`: ASCII.
     void add(const QByteArray& name, const QByteArray& bytes, Method method);
-    /// Atomic (QSaveFile): afterwards `path` holds the archive, or what it held before.
+    /// Atomic: afterwards `path` holds the archive, or what it held before.
     [[nodiscard]] Checked<void> writeTo(const QString& path) const;
 
 private:

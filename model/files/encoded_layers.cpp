@@ -9,17 +9,6 @@ namespace hairpaint::model {
 
 namespace {
 
-std::optional<sim::Texel> uniformValue(const sim::TiledRaster& raster)
-{
-    const sim::RasterTilePtr& first = raster.tile(0);
-    for (int index = 0; index < raster.tileCount(); ++index) {
-        const sim::RasterTilePtr& tile = raster.tile(index);
-        if (tile != first && !(tile->isUniform() && tile->uniform == first->uniform))
-            return std::nullopt;
-    }
-    return first->isUniform() ? std::optional(first->uniform) : std::nullopt;
-}
-
 bool sameTiles(const sim::TiledRaster& a, const sim::TiledRaster& b)
 {
     for (int index = 0; index < a.tileCount(); ++index)
@@ -41,7 +30,7 @@ EncodedLayers::Entry* EncodedLayers::entryOf(const sim::TiledRaster& raster, con
 
 std::optional<QByteArray> EncodedLayers::find(const sim::TiledRaster& raster)
 {
-    const std::optional<sim::Texel> uniform = uniformValue(raster);
+    const std::optional<sim::Texel> uniform = raster.uniformValue();
     const std::scoped_lock lock(m_mutex);
     Entry* entry = entryOf(raster, uniform);
     if (entry == nullptr) {
@@ -54,7 +43,7 @@ std::optional<QByteArray> EncodedLayers::find(const sim::TiledRaster& raster)
 
 void EncodedLayers::insert(const sim::TiledRaster& raster, const QByteArray& bytes)
 {
-    const std::optional<sim::Texel> uniform = uniformValue(raster);
+    const std::optional<sim::Texel> uniform = raster.uniformValue();
     const std::scoped_lock lock(m_mutex);
     if (entryOf(raster, uniform) == nullptr)
         m_entries.push_back({.raster = raster, .uniform = uniform, .bytes = bytes});

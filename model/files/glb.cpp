@@ -2,7 +2,7 @@
 #include "model/files/glb.h"
 
 #include "model/files/json_fields.h"
-#include "model/files/wire_format.h"
+#include "sim/skin/head_limits.h"
 
 #include <QJsonDocument>
 #include <QtEndian>
@@ -96,20 +96,6 @@ std::optional<std::vector<Element>> readAccessor(const Container& container, con
     std::vector<Element> elements(static_cast<std::size_t>(count));
     std::memcpy(elements.data(), container.bin.data() + offset, static_cast<std::size_t>(length));
     return elements;
-}
-
-bool acceptable(const sim::HeadMesh& mesh)
-{
-    const auto near = [](const glm::vec3& p) {
-        constexpr float kMost = wire::kFarthestPosition;
-        return std::abs(p.x) <= kMost && std::abs(p.y) <= kMost && std::abs(p.z) <= kMost; // false for NaN
-    };
-    const auto finite = [](const auto& v) { return std::isfinite(v.x) && std::isfinite(v.y); };
-    const std::size_t count = mesh.positionsHd.size();
-    return mesh.normalsHd.size() == count && mesh.uvs.size() == count && std::ranges::all_of(mesh.positionsHd, near) &&
-           std::ranges::all_of(mesh.uvs, finite) && std::ranges::all_of(mesh.triangles, [count](const glm::uvec3& t) {
-               return t.x < count && t.y < count && t.z < count;
-           });
 }
 
 /// Leaves unit normals bit for bit; a normal that is none points up.
@@ -215,14 +201,14 @@ Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb)
 
     const auto vectors = [&](const char* name) {
         return readAccessor<glm::vec3>(*container, attributes.value(QLatin1String(name)), QStringLiteral("VEC3"),
-                                       kFloat, wire::kMostVertices);
+                                       kFloat, sim::kMostVertices);
     };
     auto positions = vectors("POSITION");
     auto normals = vectors("NORMAL");
     auto uvs = readAccessor<glm::vec2>(*container, attributes.value(QLatin1String(hasOwnUvs ? "_UV" : "TEXCOORD_0")),
-                                       QStringLiteral("VEC2"), kFloat, wire::kMostVertices);
+                                       QStringLiteral("VEC2"), kFloat, sim::kMostVertices);
     auto indices = readAccessor<std::uint32_t>(*container, primitive.value(QLatin1String("indices")),
-                                               QStringLiteral("SCALAR"), kUnsignedInt, 3LL * wire::kMostTriangles);
+                                               QStringLiteral("SCALAR"), kUnsignedInt, 3LL * sim::kMostTriangles);
     if (!positions || !normals || !uvs || !indices || indices->size() % 3 != 0)
         return broken();
     if (!hasOwnUvs)
@@ -235,7 +221,7 @@ Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb)
                        .triangles = std::vector<glm::uvec3>(indices->size() / 3)};
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         mesh.triangles[i] = {(*indices)[3 * i], (*indices)[3 * i + 1], (*indices)[3 * i + 2]};
-    if (!acceptable(mesh))
+    if (!sim::withinLimits(mesh))
         return broken();
     mendNormals(mesh.normalsHd);
     return mesh;

@@ -2,6 +2,7 @@
 #include "model/files/group_json.h"
 
 #include "model/files/json_fields.h"
+#include "model/group_schema.h"
 #include "model/names.h"
 
 #include <QCoreApplication>
@@ -9,48 +10,69 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <type_traits>
 
 namespace hairpaint::model {
 
 namespace {
 
-constexpr std::array<Choice<sim::TurnsMode>, 2> kTurnsModes = {
-    {{"per_hair", sim::TurnsMode::PerHair}, {"per_length", sim::TurnsMode::PerLength}}};
-constexpr std::array<Choice<BlendMode>, 2> kBlendModes = {
-    {{"normal", BlendMode::Normal}, {"multiply", BlendMode::Multiply}}};
+std::array<Choice<BlendMode>, kBlendModeCount> blendChoices()
+{
+    std::array<Choice<BlendMode>, kBlendModeCount> choices{};
+    std::ranges::transform(blendRules(), choices.begin(), [](const BlendRule& rule) {
+        return Choice<BlendMode>{rule.id, rule.mode};
+    });
+    return choices;
+}
+
+/// One row of the schema. Constant settings are only written.
+template<typename Fields, typename Settings>
+void visitSetting(Fields& fields, const GroupSetting& row, const char* key, Settings& settings)
+{
+    double value = row.read(settings);
+    if (!row.choices.empty()) {
+        QString id = QLatin1String(row.choices[static_cast<std::size_t>(value)].id);
+        fields.text(key, id);
+        const auto found = std::ranges::find_if(
+            row.choices, [&](const SettingChoice& choice) { return id == QLatin1String(choice.id); });
+        if constexpr (!std::is_const_v<Settings>)
+            if (found == row.choices.end())
+                return fields.complain(key);
+        value = static_cast<double>(found - row.choices.begin());
+    } else if (row.isSwitch()) {
+        bool on = value != 0.0;
+        fields.boolean(key, on);
+        value = on ? 1.0 : 0.0;
+    } else if (row.isInteger()) {
+        int number = static_cast<int>(value);
+        fields.integer(key, number, static_cast<int>(row.least), static_cast<int>(row.greatest));
+        value = number;
+    } else {
+        auto number = static_cast<float>(value);
+        fields.number(key, number, static_cast<float>(row.least), static_cast<float>(row.greatest));
+        value = static_cast<double>(number);
+    }
+    if constexpr (!std::is_const_v<Settings>)
+        row.write(settings, value);
+}
+
+/// The rows whose keys begin with `prefix` and have no further dot.
+template<typename Fields, typename Settings>
+void visitPart(Fields& fields, QLatin1StringView prefix, Settings& settings)
+{
+    for (const GroupSetting& row : groupSchema()) {
+        const QLatin1StringView key(row.key);
+        if (key.startsWith(prefix) && !key.mid(prefix.size()).contains(QLatin1Char('.')))
+            visitSetting(fields, row, row.key + prefix.size(), settings);
+    }
+}
 
 template<typename Fields, typename Settings>
-void visitSettings(Fields& fields, Settings& s)
+void visitSettings(Fields& fields, Settings& settings)
 {
-    fields.number("greatest_density_per_m2", s.greatestDensityPerM2, 1e4F, 4e6F);
-    fields.number("greatest_length_m", s.greatestLengthM, 0.001F, 2.0F);
-    fields.number("shortest_length_m", s.shortestLengthM, 0.0F, 2.0F);
-    fields.number("hair_width_m", s.hairWidthM, 1e-5F, 1e-3F);
-    fields.integer("nodes_per_hair", s.nodesPerHair, 4, 32);
-    fields.integer("basis_hairs", s.basisHairs, 256, 1'000'000);
-    fields.choice("turns_mode", s.turnsMode, kTurnsModes);
-    fields.boolean("stepped_turns", s.steppedTurns);
-    fields.number("turns_per_length_m", s.turnsPerLengthM, 0.001F, 10.0F);
-    fields.number("greatest_curl_radius_m", s.greatestCurlRadiusM, 0.0F, 0.2F);
-    fields.number("braid_spacing_m", s.braidSpacingM, 0.005F, 2.0F);
-    fields.number("braid_radius_m", s.braidRadiusM, 0.0005F, 0.2F);
-    fields.object("physics", [&p = s.physics](Fields& inner) {
-        inner.number("damping_per_s", p.damping, 0.0F, 20.0F);
-        inner.number("gravity_scale", p.gravityScale, 0.0F, 2.0F);
-        inner.number("wind_scale", p.windScale, 0.0F, 4.0F);
-        inner.number("body", p.body, 0.0F, 1.0F);
-        inner.number("friction", p.friction, 0.0F, 1.0F);
-        inner.number("volume_m", p.volumeM, 0.0F, 0.05F);
-        inner.number("parting", p.parting, 0.0F, 1.0F);
-        inner.number("sweep_back", p.sweepBack, 0.0F, 1.0F);
-    });
-    fields.object("material", [&m = s.material](Fields& inner) {
-        inner.number("shine", m.shine, 0.0F, 1.0F);
-        inner.number("roughness", m.roughness, 0.05F, 1.0F);
-        inner.number("root_alpha", m.rootAlpha, 0.0F, 1.0F);
-        inner.number("tip_alpha", m.tipAlpha, 0.0F, 1.0F);
-        inner.number("colour_variation", m.colourVariation, 0.0F, 1.0F);
-    });
+    visitPart(fields, {}, settings);
+    fields.object("physics", [&](Fields& inner) { visitPart(inner, QLatin1StringView("physics."), settings); });
+    fields.object("material", [&](Fields& inner) { visitPart(inner, QLatin1StringView("material."), settings); });
 }
 
 template<typename Fields, typename AnyLayer>
@@ -60,7 +82,7 @@ void visitLayer(Fields& fields, AnyLayer& layer)
     fields.text("name", layer.name);
     fields.boolean("visible", layer.visible);
     fields.number("opacity", layer.opacity, 0.0F, 1.0F);
-    fields.choice("blend", layer.blend, kBlendModes);
+    fields.choice("blend", layer.blend, blendChoices());
     fields.boolean("locked", layer.locked);
 }
 
@@ -71,14 +93,6 @@ void visitGroup(Fields& fields, AnyGroup& group)
     fields.text("name", group.name);
     fields.boolean("visible", group.visible);
     fields.object("settings", [&group](Fields& inner) { visitSettings(inner, group.settings); });
-}
-
-/// A raster of one tile that holds a layer's place until its image is read.
-sim::TiledRaster emptyRaster(const MapSpec& spec, int size)
-{
-    sim::Texel empty = spec.defaultValue;
-    empty[static_cast<std::size_t>(spec.valueChannels)] = 0;
-    return {size, spec.layerChannels(), empty};
 }
 
 class GroupsParser
@@ -133,13 +147,22 @@ private:
             if (findMapSpec(id) == nullptr)
                 m_unknownMap = id.left(40);
         for (const MapSpec& spec : mapSpecs())
-            group.maps.push_back(parseStack(mapObjects.value(QLatin1String(spec.id)), spec));
+            group.maps.emplace_back(
+                parseStack(mapObjects.value(QLatin1String(spec.id)), spec, sizeOfAbsent(spec, group.maps)));
         return group;
     }
 
-    MapStack parseStack(const QJsonValue& value, const MapSpec& spec)
+    /// That of the map it follows, so that it shows the very same; else of the group's first.
+    static int sizeOfAbsent(const MapSpec& spec, const std::vector<SharedStack>& before)
     {
-        MapStack stack{.kind = spec.kind, .size = 1024, .layers = {}};
+        if (before.empty())
+            return MapStack().size;
+        return spec.follows ? before[sim::indexOf(*spec.follows)]->size : before.front()->size;
+    }
+
+    MapStack parseStack(const QJsonValue& value, const MapSpec& spec, int sizeIfAbsent)
+    {
+        MapStack stack{.kind = spec.kind, .size = sizeIfAbsent, .layers = {}};
         if (value.isUndefined()) {
             stack.layers.push_back(Layer{.name = layerName(1), .raster = emptyRaster(spec, stack.size)});
             return stack;
@@ -163,7 +186,8 @@ private:
 
     Layer parseLayer(const QJsonValue& value, const MapSpec& spec)
     {
-        Layer layer{.name = {}, .raster = emptyRaster(spec, sim::TiledRaster::kTileSize)};
+        Layer layer{.name = {},
+                    .raster = emptyRaster(spec, sim::TiledRaster::kTileSize)}; // Holds its place until it is read.
         if (!value.isObject())
             complain();
         FieldReader fields(value.toObject(), m_problem);
@@ -193,6 +217,34 @@ QJsonObject stackToJson(const MapStack& stack)
 }
 
 } // namespace
+
+Id nextIdOf(const std::vector<HairGroup>& groups)
+{
+    Id next = 1;
+    for (const HairGroup& group : groups) {
+        next = std::max(next, group.id + 1);
+        for (const MapStack& stack : group.maps)
+            for (const Layer& layer : stack.layers)
+                next = std::max(next, layer.id + 1);
+    }
+    return next;
+}
+
+bool idsFit(const std::vector<HairGroup>& groups, Id nextId)
+{
+    return std::max(nextId, nextIdOf(groups)) <= kGreatestNextId;
+}
+
+void renumber(std::vector<HairGroup>& groups, Id& nextId)
+{
+    nextId = 1;
+    for (HairGroup& group : groups) {
+        group.id = nextId++;
+        for (SharedStack& stack : group.maps)
+            for (Layer& layer : stack.write().layers)
+                layer.id = nextId++;
+    }
+}
 
 QJsonArray groupsToJson(const std::vector<HairGroup>& groups)
 {

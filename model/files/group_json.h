@@ -1,18 +1,22 @@
 // Hair groups as JSON, shared by projects and presets. Keys, ranges and defaults: hairpaint_format.md.
 #pragma once
 
+#include "model/content_budget.h"
 #include "model/files/sentences.h"
-#include "model/project.h"
 
 #include <QJsonArray>
 #include <QSet>
 
 namespace hairpaint::model {
 
-inline constexpr int kMostGroups = 256;
-inline constexpr int kMostLayersInMap = 256;
-inline constexpr int kMostLayers = 4096;
-inline constexpr Id kGreatestNextId = 2'000'000'000;
+inline constexpr Id kGreatestNextId = 2'000'000'000; ///< Ids of files lie below it.
+
+/// Above every id of groups and layers.
+[[nodiscard]] Id nextIdOf(const std::vector<HairGroup>& groups);
+/// Whether a file can hold these ids and the counter.
+[[nodiscard]] bool idsFit(const std::vector<HairGroup>& groups, Id nextId);
+/// Gives groups and layers the ids from 1 on: for a document whose counter has come to its end.
+void renumber(std::vector<HairGroup>& groups, Id& nextId);
 
 [[nodiscard]] QJsonArray groupsToJson(const std::vector<HairGroup>& groups);
 

@@ -2,11 +2,10 @@
 // another: segments, points, thickness, transparency, colours.
 #include "model/files/hair_file.h"
 
-#include "model/files/sentences.h"
+#include "model/files/atomic_file.h"
 #include "sim/base/parallel.h"
 #include "sim/groom/strand_curve.h"
 
-#include <QSaveFile>
 #include <QtEndian>
 
 #include <algorithm>
@@ -40,14 +39,9 @@ struct Strand
     [[nodiscard]] std::size_t endPoint() const { return firstPoint + static_cast<std::size_t>(segments) + 1; }
 };
 
-const sim::StrandChunk& chunkOf(const sim::Groom& groom, std::uint32_t slot)
-{
-    return *groom.chunks[slot / sim::kChunkSlots];
-}
-
 const sim::StrandStyle& styleOf(const sim::StrandFrame& frame, const Strand& strand)
 {
-    return chunkOf(*frame.groups[strand.group].groom, strand.slot).styles[strand.slot % sim::kChunkSlots];
+    return frame.groups[strand.group].groom->style(strand.slot);
 }
 
 std::vector<Strand> collectStrands(const sim::StrandFrame& frame)
@@ -59,9 +53,7 @@ std::vector<Strand> collectStrands(const sim::StrandFrame& frame)
         if (!groom.visible || groom.roots == nullptr)
             continue;
         for (const std::uint32_t slot : groom.roots->slotOfRank) {
-            const std::size_t chunk = slot / sim::kChunkSlots;
-            if (chunk >= groom.chunks.size() || groom.chunks[chunk] == nullptr || groom.chunkPlace[chunk] < 0 ||
-                !groom.chunks[chunk]->drawn[slot % sim::kChunkSlots])
+            if (!groom.isDrawn(slot))
                 continue;
             Strand strand{.group = group, .slot = slot, .firstPoint = points};
             strand.segments = std::max(1, sim::segmentsOf(styleOf(frame, strand), groom.nodes));
@@ -74,14 +66,8 @@ std::vector<Strand> collectStrands(const sim::StrandFrame& frame)
 
 void skeletonOf(const sim::GroupFrame& group, std::uint32_t slot, std::vector<glm::vec3>& nodesWo)
 {
-    const auto nodes = static_cast<std::size_t>(group.groom->nodes);
-    const auto place = static_cast<std::size_t>(group.groom->chunkPlace[slot / sim::kChunkSlots]);
-    const std::size_t block = place * sim::kBlocksPerChunk + slot % sim::kChunkSlots / sim::kLanes;
-    const float* lane = group.positions.data() + block * nodes * 3 * sim::kLanes + slot % sim::kLanes;
-    nodesWo.resize(nodes);
-    for (std::size_t node = 0; node < nodes; ++node)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            nodesWo[node][static_cast<int>(axis)] = lane[(node * 3 + axis) * sim::kLanes];
+    nodesWo.resize(static_cast<std::size_t>(group.groom->nodes));
+    group.groom->blocks().read(group.positions, group.groom->frameStrand(slot), nodesWo);
 }
 
 /// The curves of some strands, points one after another.
@@ -107,6 +93,17 @@ std::vector<glm::vec3> evaluate(const sim::StrandFrame& frame, std::span<const S
     return points;
 }
 
+const sim::StrandMaterial& materialOf(const sim::StrandFrame& frame, const Strand& strand)
+{
+    return frame.groups[strand.group].groom->settings.material;
+}
+
+/// As strand_shade.comp has it: a hair keeps its root's opacity for long, and thins out by it.
+float opacityAt(const sim::StrandMaterial& material, float fraction)
+{
+    return glm::mix(material.rootAlpha, material.tipAlpha, fraction * fraction);
+}
+
 /// sRGB as encoded, 0..1.
 glm::vec3 colourOf(std::uint32_t packed)
 {
@@ -127,27 +124,15 @@ std::array<char, kHeaderBytes> makeHeader(std::size_t strands, std::size_t point
     return header;
 }
 
-/// Writes in pieces and remembers the first failure.
-class Output
+template<typename T>
+void writeArray(AtomicFile& file, const std::vector<T>& values)
 {
-public:
-    explicit Output(QSaveFile& file) : m_file(file) {}
-    template<typename T>
-    void write(const std::vector<T>& values)
-    {
-        write(reinterpret_cast<const char*>(values.data()), static_cast<qint64>(values.size()) * qint64{sizeof(T)});
-    }
-    void write(const char* bytes, qint64 count) { m_ok = m_ok && m_file.write(bytes, count) == count; }
-    [[nodiscard]] bool ok() const { return m_ok; }
-
-private:
-    QSaveFile& m_file;
-    bool m_ok = true;
-};
+    file.write({reinterpret_cast<const char*>(values.data()), static_cast<qsizetype>(values.size() * sizeof(T))});
+}
 
 /// One value per point, computed from the strand and the share of the way to the tip.
 template<typename T, typename Function>
-void writePerPoint(Output& output, const std::vector<Strand>& strands, const Function& function)
+void writePerPoint(AtomicFile& file, const std::vector<Strand>& strands, const Function& function)
 {
     constexpr std::size_t kPiece = 1U << 16U;
     std::vector<T> values;
@@ -155,51 +140,58 @@ void writePerPoint(Output& output, const std::vector<Strand>& strands, const Fun
         for (int i = 0; i <= strand.segments; ++i)
             values.push_back(function(strand, static_cast<float>(i) / static_cast<float>(strand.segments)));
         if (values.size() >= kPiece) {
-            output.write(values);
+            writeArray(file, values);
             values.clear();
         }
     }
-    output.write(values);
+    writeArray(file, values);
 }
 
-} // namespace
-
-Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path)
+Result<void> write(const sim::StrandFrame& frame, const QString& path, const Progress& progress)
 {
     const std::vector<Strand> strands = collectStrands(frame);
     const std::size_t pointCount = strands.empty() ? 0 : strands.back().endPoint();
     if (pointCount > std::numeric_limits<quint32>::max())
         return cannotWrite(path,
                            {.text = say(QT_TRANSLATE_NOOP("Files", "the hair has too many points for this format"))});
-    if (const Checked<void> writable = checkWritable(path); !writable)
-        return cannotWrite(path, writable.error());
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return cannotWrite(path, {.text = file.errorString()});
-    Output output(file);
+    AtomicFile file(path);
+    if (const Checked<void> opened = file.open(); !opened)
+        return cannotWrite(path, opened.error());
     const std::array<char, kHeaderBytes> header = makeHeader(strands.size(), pointCount);
-    output.write(header.data(), static_cast<qint64>(header.size()));
+    file.write({header.data(), static_cast<qsizetype>(header.size())});
     std::vector<quint16> segments;
     segments.reserve(strands.size());
     for (const Strand& strand : strands)
         segments.push_back(static_cast<quint16>(strand.segments));
-    output.write(segments);
+    writeArray(file, segments);
     // All points of much curled hair would be gigabytes.
     constexpr std::size_t kAtOnce = 1U << 15U;
-    for (std::size_t first = 0; first < strands.size(); first += kAtOnce)
-        output.write(evaluate(frame, std::span(strands).subspan(first, std::min(kAtOnce, strands.size() - first))));
-    writePerPoint<float>(output, strands, [&](const Strand& s, float) { return styleOf(frame, s).widthM; });
-    writePerPoint<float>(output, strands, [&](const Strand& s, float share) {
-        const sim::StrandMaterial& material = frame.groups[s.group].groom->settings.material;
-        return 1.0F - (material.rootAlpha + (material.tipAlpha - material.rootAlpha) * share);
+    for (std::size_t first = 0; first < strands.size() && !file.failed(); first += kAtOnce) {
+        if (progress && !progress(static_cast<double>(first) / static_cast<double>(strands.size())))
+            return cancelled(path);
+        writeArray(file, evaluate(frame, std::span(strands).subspan(first, std::min(kAtOnce, strands.size() - first))));
+    }
+    writePerPoint<float>(file, strands, [&](const Strand& s, float share) {
+        return styleOf(frame, s).width * materialOf(frame, s).widthM * opacityAt(materialOf(frame, s), share);
     });
-    writePerPoint<glm::vec3>(output, strands, [&](const Strand& s, float share) {
+    writePerPoint<float>(file, strands,
+                         [&](const Strand& s, float share) { return 1.0F - opacityAt(materialOf(frame, s), share); });
+    writePerPoint<glm::vec3>(file, strands, [&](const Strand& s, float share) {
         const sim::StrandStyle& style = styleOf(frame, s);
         return glm::mix(colourOf(style.rootColour), colourOf(style.tipColour), share);
     });
-    if (!output.ok() || !file.commit())
-        return cannotWrite(path, {.text = file.errorString()});
+    if (progress && !progress(1.0))
+        return cancelled(path);
+    if (const Checked<void> written = file.commit(); !written)
+        return cannotWrite(path, written.error());
     return {};
+}
+
+} // namespace
+
+Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path, const Progress& progress)
+{
+    return withinMemory(path, cannotWrite, [&] { return write(frame, path, progress); });
 }
 
 } // namespace hairpaint::model

@@ -2,12 +2,15 @@
 #pragma once
 
 #include "model/error.h"
+#include "model/files/project_file.h"
 #include "sim/motion/strand_frame.h"
 
 namespace hairpaint::model {
 
 /// Every drawn hair as its curve: segments, points, thickness, transparency and colours per point, in metres, y up (the
-/// header's text says so), ordered by group and by the candidates' rank. Atomic.
-[[nodiscard]] Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path);
+/// header's text says so), ordered by group and by the candidates' rank. Thickness and transparency run to the tip as
+/// on the screen, where a hair thins out by its opacity. Atomic.
+[[nodiscard]] Result<void> writeHairFile(const sim::StrandFrame& frame, const QString& path,
+                                         const Progress& progress = {});
 
 } // namespace hairpaint::model

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 /// Resources of a static library are registered on request; the macro must stand outside every namespace.
 static void registerHeads() // NOLINT(misc-use-anonymous-namespace)
@@ -67,6 +68,56 @@ Extent extentOf(const sim::HeadMesh& mesh)
     return extent;
 }
 
+/// Why a head of this extent, in metres, can't be used; nothing where it can.
+std::optional<QString> problemOf(const Extent& extent)
+{
+    constexpr float kSmallestM = 0.001F;
+    constexpr float kLargestM = 100.0F;
+    constexpr float kFarthestM = 1000.0F;
+    const glm::vec3 size = extent.size();
+    const float largest = std::max({size.x, size.y, size.z});
+    if (!(largest >= kSmallestM && largest <= kLargestM))
+        return say(QT_TRANSLATE_NOOP("Files", "its head is %1 m large, and heads of 1 mm to 100 m can be used; choose "
+                                              "another unit"))
+            .arg(static_cast<double>(largest), 0, 'g', 3);
+    // Further out floats are too coarse to tell hairs apart.
+    const glm::vec3 reach = glm::max(glm::abs(extent.least), glm::abs(extent.greatest));
+    const float farthest = std::max({reach.x, reach.y, reach.z});
+    if (!(farthest <= kFarthestM))
+        return say(QT_TRANSLATE_NOOP("Files", "its head stands %1 m from the scene's origin, and 1 km is the most; "
+                                              "move it there in a 3D program"))
+            .arg(static_cast<double>(farthest), 0, 'g', 3);
+    return std::nullopt;
+}
+
+Result<std::shared_ptr<const Head>> headFrom(const QString& name, const QByteArray& sourceGlb, float unitScale,
+                                             UpAxis upAxis)
+{
+    Checked<sim::HeadMesh> source = meshFromGlb(sourceGlb);
+    if (!source)
+        return cannotOpen(name, source.error());
+    sim::HeadMesh mesh = std::move(*source);
+    for (glm::vec3& p : mesh.positionsHd)
+        p = turned(p, upAxis) * unitScale;
+    for (glm::vec3& n : mesh.normalsHd)
+        n = turned(n, upAxis);
+    if (const std::optional<QString> problem = problemOf(extentOf(mesh)))
+        return cannotOpen(name, Clause{.text = *problem, .cure = Clause::Cure::OtherFile});
+    auto head = std::make_shared<Head>();
+    head->name = name;
+    head->builtIn = false;
+    head->unitScale = unitScale;
+    head->upAxis = upAxis;
+    head->sourceGlb = sourceGlb;
+    head->skin = std::make_shared<const sim::Skin>(std::move(mesh));
+    if (!(head->skin->areaM2() > 0.0))
+        return cannotOpen(name,
+                          Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its mesh has no surface; choose another")),
+                                 .cure = Clause::Cure::OtherFile});
+    head->shownMesh = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
+    return head;
+}
+
 } // namespace
 
 std::shared_ptr<const Head> builtInHead()
@@ -83,14 +134,6 @@ std::vector<sim::Ellipsoid> builtInEllipsoids()
     return ellipsoids;
 }
 
-Result<sim::HeadMesh> readGlb(const QByteArray& glb, const QString& nameForErrors)
-{
-    Checked<sim::HeadMesh> mesh = meshFromGlb(glb);
-    if (!mesh)
-        return cannotOpen(nameForErrors, mesh.error());
-    return std::move(*mesh);
-}
-
 QByteArray writeGlb(const sim::HeadMesh& mesh)
 {
     return glbFromMesh(mesh);
@@ -99,37 +142,7 @@ QByteArray writeGlb(const sim::HeadMesh& mesh)
 Result<std::shared_ptr<const Head>> makeHead(const QString& name, const QByteArray& sourceGlb, float unitScale,
                                              UpAxis upAxis)
 {
-    Checked<sim::HeadMesh> source = meshFromGlb(sourceGlb);
-    if (!source)
-        return cannotOpen(name, source.error());
-    sim::HeadMesh mesh = std::move(*source);
-    for (glm::vec3& p : mesh.positionsHd)
-        p = turned(p, upAxis) * unitScale;
-    for (glm::vec3& n : mesh.normalsHd)
-        n = turned(n, upAxis);
-    const glm::vec3 size = extentOf(mesh).size();
-    constexpr float kSmallestM = 0.001F;
-    constexpr float kLargestM = 100.0F;
-    const float largest = std::max({size.x, size.y, size.z});
-    if (!(largest >= kSmallestM && largest <= kLargestM))
-        return cannotOpen(
-            name, Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its head is %1 m large, and heads of 1 mm to 100 m "
-                                                                "can be used; choose another unit"))
-                                     .arg(static_cast<double>(largest), 0, 'g', 3),
-                         .cure = Clause::Cure::OtherFile});
-    auto head = std::make_shared<Head>();
-    head->name = name;
-    head->builtIn = false;
-    head->unitScale = unitScale;
-    head->upAxis = upAxis;
-    head->sourceGlb = sourceGlb;
-    head->skin = std::make_shared<const sim::Skin>(std::move(mesh));
-    if (!(head->skin->areaM2() > 0.0))
-        return cannotOpen(name,
-                          Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its mesh has no surface; choose another")),
-                                 .cure = Clause::Cure::OtherFile});
-    head->shownMesh = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
-    return head;
+    return withinMemory(name, cannotOpen, [&] { return headFrom(name, sourceGlb, unitScale, upAxis); });
 }
 
 HeadGuess guessHead(const sim::HeadMesh& source)

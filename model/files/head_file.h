@@ -10,12 +10,11 @@ namespace hairpaint::model {
 [[nodiscard]] std::shared_ptr<const Head> builtInHead();
 [[nodiscard]] std::vector<sim::Ellipsoid> builtInEllipsoids();
 
-/// A mesh of at most 2,000,000 vertices and 4,000,000 triangles from our subset of glb; every index and size is
-/// checked.
-[[nodiscard]] Result<sim::HeadMesh> readGlb(const QByteArray& glb, const QString& nameForErrors);
+/// Our subset of glb.
 [[nodiscard]] QByteArray writeGlb(const sim::HeadMesh& mesh);
 
-/// Applies scale and axis to a source mesh, centres nothing, and builds the skin.
+/// Applies scale and axis to a source mesh (our subset of glb), centres nothing, and builds the skin. Fails for what is
+/// no mesh, and for a head smaller than 1 mm, larger than 100 m or further than 1 km from the origin.
 [[nodiscard]] Result<std::shared_ptr<const Head>> makeHead(const QString& name, const QByteArray& sourceGlb,
                                                            float unitScale, UpAxis upAxis);
 

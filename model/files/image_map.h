@@ -12,10 +12,14 @@ namespace hairpaint::model {
 [[nodiscard]] Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec& spec, bool grey,
                                                       int size);
 
+/// The same from a file of any format that the helper program reads.
+[[nodiscard]] Result<sim::TiledRaster> layerFromFile(const QString& path, const MapSpec& spec, bool grey, int size,
+                                                     const Progress& progress = {});
+
 /// A resolved map as an image in its scale, white to colour as in the paper.
 [[nodiscard]] ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec);
 
-/// For the paint area: texels of `rect` as ARGB32, night paper or white.
+/// For the paint area: texels of `rect` as ARGB32 in the scale that is shown, on night paper or white.
 void paintMapTexels(const sim::TiledRaster& resolved, const MapSpec& spec, bool nightPaper, const sim::TexelRect& rect,
                     QRgb* pixels, int stride);
 

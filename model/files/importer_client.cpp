@@ -1,14 +1,13 @@
 // Requests to hairpaint-import and what its answers mean.
 #include "model/files/importer_client.h"
 
+#include "model/files/atomic_file.h"
 #include "model/files/helper_process.h"
-#include "model/files/sentences.h"
 #include "model/files/wire_format.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QSaveFile>
 
 namespace hairpaint::model {
 
@@ -70,13 +69,15 @@ QString reasonText(wire::Reason reason)
                                               "program first"));
     case wire::Reason::CannotWriteEnding:
         return say(QT_TRANSLATE_NOOP("Files", "images with this ending can't be written; use .png, .tif or .exr"));
+    case wire::Reason::UnknownCompression:
+        return say(QT_TRANSLATE_NOOP("Files",
+                                     "the way it is compressed is not supported; save it as PNG or TIFF in the "
+                                     "program that made it, and try again"));
     case wire::Reason::OutOfMemory:
         return say(QT_TRANSLATE_NOOP("Files", "there was not enough memory for it; try a smaller one"));
     }
     return {};
 }
-
-using Phrase = tl::unexpected<Error> (*)(const QString& path, const Clause& clause);
 
 /// Runs the helper and returns the body of the wanted answer; everything else as a sentence.
 Result<wire::Bytes> ask(const QString& helper, int timeoutMs, const wire::Bytes& request, wire::Kind wanted,
@@ -117,6 +118,22 @@ ImporterClient::ImporterClient(QString helperPath, int timeoutMs)
 
 Result<ForeignImage> ImporterClient::readImage(const QString& path, const Progress& progress) const
 {
+    return withinMemory(path, cannotOpen, [&] { return decodeImage(path, progress); });
+}
+
+Result<sim::HeadMesh> ImporterClient::readMesh(const QString& path, const Progress& progress) const
+{
+    return withinMemory(path, cannotOpen, [&] { return decodeMesh(path, progress); });
+}
+
+Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString& path, int bits,
+                                        const Progress& progress) const
+{
+    return withinMemory(path, cannotWrite, [&] { return encodeImage(image, path, bits, progress); });
+}
+
+Result<ForeignImage> ImporterClient::decodeImage(const QString& path, const Progress& progress) const
+{
     if (Result<void> readable = checkReadable(path, kMostForeignBytes); !readable)
         return tl::unexpected(readable.error());
     Result<wire::Bytes> body = ask(m_helperPath, m_timeoutMs, readRequest(wire::Kind::ReadImage, path),
@@ -132,7 +149,7 @@ Result<ForeignImage> ImporterClient::readImage(const QString& path, const Progre
                         .pixels = std::move(image->samples)};
 }
 
-Result<sim::HeadMesh> ImporterClient::readMesh(const QString& path, const Progress& progress) const
+Result<sim::HeadMesh> ImporterClient::decodeMesh(const QString& path, const Progress& progress) const
 {
     if (Result<void> readable = checkReadable(path, kMostForeignBytes); !readable)
         return tl::unexpected(readable.error());
@@ -146,7 +163,8 @@ Result<sim::HeadMesh> ImporterClient::readMesh(const QString& path, const Progre
     return std::move(*mesh);
 }
 
-Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString& path, int bits) const
+Result<void> ImporterClient::encodeImage(const ForeignImage& image, const QString& path, int bits,
+                                         const Progress& progress) const
 {
     wire::EncodeRequest request{.bits = bits <= 8 ? 8U : 16U,
                                 .ending = QFileInfo(path).suffix().toLower().toStdString(),
@@ -162,14 +180,12 @@ Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString
     if (const Checked<void> writable = checkWritable(path); !writable)
         return cannotWrite(path, writable.error());
     Result<wire::Bytes> body =
-        ask(m_helperPath, m_timeoutMs, wire::encodeRequest(request), wire::Kind::Encoded, path, {}, cannotWrite);
+        ask(m_helperPath, m_timeoutMs, wire::encodeRequest(request), wire::Kind::Encoded, path, progress, cannotWrite);
     if (!body)
         return tl::unexpected(body.error());
-    QSaveFile file(path);
-    const auto size = static_cast<qint64>(body->size());
-    if (!file.open(QIODevice::WriteOnly) || file.write(reinterpret_cast<const char*>(body->data()), size) != size ||
-        !file.commit())
-        return cannotWrite(path, Clause{.text = file.errorString()});
+    const auto size = static_cast<qsizetype>(body->size());
+    if (const Checked<void> written = writeFile(path, {body->data(), size}); !written)
+        return cannotWrite(path, written.error());
     return {};
 }
 

@@ -24,10 +24,16 @@ public:
 
     [[nodiscard]] Result<ForeignImage> readImage(const QString& path, const Progress& progress = {}) const;
     /// PNG, TIFF, EXR, ... by the file's ending; 8 or 16 bits a channel.
-    [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16) const;
+    [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16,
+                                          const Progress& progress = {}) const;
     [[nodiscard]] Result<sim::HeadMesh> readMesh(const QString& path, const Progress& progress = {}) const;
 
 private:
+    [[nodiscard]] Result<ForeignImage> decodeImage(const QString& path, const Progress& progress) const;
+    [[nodiscard]] Result<sim::HeadMesh> decodeMesh(const QString& path, const Progress& progress) const;
+    [[nodiscard]] Result<void> encodeImage(const ForeignImage& image, const QString& path, int bits,
+                                           const Progress& progress) const;
+
     QString m_helperPath;
     int m_timeoutMs;
 };

@@ -18,11 +18,8 @@ namespace hairpaint::model {
 
 namespace {
 
-// Budgets of a whole file.
-constexpr qint64 kMostDistinctTexels = qint64{1} << 29;
-constexpr qint64 kMostTexels = qint64{1} << 32;
-constexpr std::size_t kMostHeldBytes = std::size_t{1} << 30U;
-constexpr quint64 kMostImageBytes = quint64{1} << 29U;
+/// Enough for content_budget.h's texels if they are noise.
+constexpr quint64 kMostImageBytes = 3 * (quint64{1} << 29U);
 
 /// A layer of the project together with where its image lies.
 struct Place
@@ -36,9 +33,11 @@ std::vector<Place> placesOf(std::vector<HairGroup>& groups)
 {
     std::vector<Place> places;
     for (HairGroup& group : groups)
-        for (MapStack& stack : group.maps)
+        for (SharedStack& map : group.maps) {
+            MapStack& stack = map.write();
             for (Layer& layer : stack.layers)
                 places.push_back({.stack = &stack, .layer = &layer, .entry = layerEntryName(group, stack, layer)});
+        }
     return places;
 }
 

@@ -2,6 +2,7 @@
 #include "model/files/png_codec.h"
 
 #include "model/files/png_reader.h"
+#include "model/texel_ops.h"
 
 #include <QBuffer>
 #include <QImage>
@@ -124,8 +125,7 @@ Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, in
         return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not %1 x %1 in 16-bit RGBA")).arg(size));
 
     const int channels = spec.layerChannels();
-    const auto greatest = static_cast<std::uint16_t>(
-        spec.texel == TexelKind::Index ? std::max<std::size_t>(spec.palette.size(), 1) - 1 : 65'535);
+    const std::uint16_t greatest = texelOps(spec).greatest(spec);
     DecodedLayer layer{.raster = sim::TiledRaster(size, channels), .ours = parts->onlyPixelsAndDpi};
     PngRows rows(parts->packedPixels, kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
     TileFolder folder(layer.raster);

@@ -45,6 +45,35 @@ Result<OpenedPreset> openPreset(const QString& path)
     return OpenedPreset{.archive = std::move(opened->archive), .preset = std::move(*preset)};
 }
 
+Result<Preset> read(const QString& path)
+{
+    Result<OpenedPreset> opened = openPreset(path);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    EncodedLayers cache;
+    const Checked<bool> layers = readLayers(opened->archive, opened->preset.groups, cache, {});
+    if (!layers)
+        return cannotOpen(path, layers.error());
+    return std::move(opened->preset);
+}
+
+Result<void> write(const Preset& preset, const QString& path)
+{
+    const Checked<QByteArray> json = presetToJson(preset);
+    if (!json)
+        return cannotWrite(path, json.error());
+    ArchiveWriter archive;
+    addMimetype(archive, kMimetype);
+    archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
+    EncodedLayers cache;
+    if (Checked<bool> added = addLayers(archive, preset.groups, cache, {}); !added)
+        return cannotWrite(path, added.error());
+    addThumbnail(archive, preset.picture);
+    if (Checked<void> written = archive.writeTo(path); !written)
+        return cannotWrite(path, written.error());
+    return {};
+}
+
 /// The lines of ":/presets/order.txt", then the others by name.
 QStringList builtInPaths()
 {
@@ -70,38 +99,26 @@ QStringList builtInPaths()
 Result<Preset> loadPreset(const QString& path)
 {
     initPresetResources();
-    Result<OpenedPreset> opened = openPreset(path);
-    if (!opened)
-        return tl::unexpected(opened.error());
-    EncodedLayers cache;
-    const Checked<bool> read = readLayers(opened->archive, opened->preset.groups, cache, {});
-    if (!read)
-        return cannotOpen(path, read.error());
-    return std::move(opened->preset);
+    return withinMemory(path, cannotOpen, [&path] { return read(path); });
 }
 
 Result<void> savePreset(const Preset& preset, const QString& path)
 {
-    const Checked<QByteArray> json = presetToJson(preset);
-    if (!json)
-        return cannotWrite(path, json.error());
-    ArchiveWriter archive;
-    addMimetype(archive, kMimetype);
-    archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
-    EncodedLayers cache;
-    if (Checked<bool> added = addLayers(archive, preset.groups, cache, {}); !added)
-        return cannotWrite(path, added.error());
-    addThumbnail(archive, preset.picture);
-    if (Checked<void> written = archive.writeTo(path); !written)
-        return cannotWrite(path, written.error());
-    return {};
+    return withinMemory(path, cannotWrite, [&] {
+        Id nextId = 1;
+        if (idsFit(preset.groups, nextId))
+            return write(preset, path);
+        Preset renumbered = preset;
+        renumber(renumbered.groups, nextId);
+        return write(renumbered, path);
+    });
 }
 
 std::vector<PresetEntry> listPresets(const QString& ownFolder, QStringList* problems)
 {
     std::vector<PresetEntry> entries;
     const auto add = [&](const QString& path, const QString& folder) {
-        Result<OpenedPreset> opened = openPreset(path);
+        Result<OpenedPreset> opened = withinMemory(path, cannotOpen, [&path] { return openPreset(path); });
         if (!opened) {
             if (problems != nullptr)
                 problems->append(opened.error().message);

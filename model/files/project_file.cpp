@@ -1,6 +1,7 @@
 // Projects to files and back.
 #include "model/files/project_file.h"
 
+#include "model/files/group_json.h"
 #include "model/files/head_file.h"
 #include "model/files/layer_files.h"
 #include "model/files/project_json.h"
@@ -34,9 +35,7 @@ Result<std::shared_ptr<const Head>> openHead(const ArchiveReader& archive, const
     return head;
 }
 
-} // namespace
-
-Result<Project> loadProject(const QString& path, EncodedLayers* cache, const Progress& progress)
+Result<Project> read(const QString& path, EncodedLayers& cache, const Progress& progress)
 {
     const Result<OpenedArchive> opened = openArchive(path, kMimetype);
     if (!opened)
@@ -44,12 +43,10 @@ Result<Project> loadProject(const QString& path, EncodedLayers* cache, const Pro
     Checked<ProjectManifest> manifest = projectFromJson(opened->json);
     if (!manifest)
         return cannotOpen(path, manifest.error());
-    EncodedLayers ownCache;
-    const Checked<bool> read =
-        readLayers(opened->archive, manifest->project.groups, cache != nullptr ? *cache : ownCache, progress);
-    if (!read)
-        return cannotOpen(path, read.error());
-    if (!*read)
+    const Checked<bool> layers = readLayers(opened->archive, manifest->project.groups, cache, progress);
+    if (!layers)
+        return cannotOpen(path, layers.error());
+    if (!*layers)
         return cancelled(path);
     Result<std::shared_ptr<const Head>> head = openHead(opened->archive, manifest->head, path);
     if (!head)
@@ -58,8 +55,8 @@ Result<Project> loadProject(const QString& path, EncodedLayers* cache, const Pro
     return std::move(manifest->project);
 }
 
-Result<void> saveProject(const Project& project, const QString& path, const QImage& thumbnail, EncodedLayers* cache,
-                         const Progress& progress)
+Result<void> write(const Project& project, const QString& path, const QImage& thumbnail, EncodedLayers& cache,
+                   const Progress& progress)
 {
     const Checked<QByteArray> json = projectToJson(project);
     if (!json)
@@ -69,8 +66,7 @@ Result<void> saveProject(const Project& project, const QString& path, const QIma
     archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
     if (project.head && !project.head->builtIn)
         archive.add("head.glb", project.head->sourceGlb, ArchiveWriter::Method::Deflated);
-    EncodedLayers ownCache;
-    const Checked<bool> added = addLayers(archive, project.groups, cache != nullptr ? *cache : ownCache, progress);
+    const Checked<bool> added = addLayers(archive, project.groups, cache, progress);
     if (!added)
         return cannotWrite(path, added.error());
     if (!*added)
@@ -79,6 +75,28 @@ Result<void> saveProject(const Project& project, const QString& path, const QIma
     if (Checked<void> written = archive.writeTo(path); !written)
         return cannotWrite(path, written.error());
     return {};
+}
+
+} // namespace
+
+Result<Project> loadProject(const QString& path, EncodedLayers* cache, const Progress& progress)
+{
+    EncodedLayers ownCache;
+    return withinMemory(path, cannotOpen, [&] { return read(path, cache != nullptr ? *cache : ownCache, progress); });
+}
+
+Result<void> saveProject(const Project& project, const QString& path, const QImage& thumbnail, EncodedLayers* cache,
+                         const Progress& progress)
+{
+    EncodedLayers ownCache;
+    EncodedLayers& encoded = cache != nullptr ? *cache : ownCache;
+    return withinMemory(path, cannotWrite, [&] {
+        if (idsFit(project.groups, project.nextId))
+            return write(project, path, thumbnail, encoded, progress);
+        Project renumbered = project;
+        renumber(renumbered.groups, renumbered.nextId);
+        return write(renumbered, path, thumbnail, encoded, progress);
+    });
 }
 
 QImage loadThumbnail(const QString& path)
@@ -92,6 +110,7 @@ QImage loadThumbnail(const QString& path)
 Project newProject()
 {
     Project project;
+    project.maxHairs = kMostHairs; // A file that does not say has a smaller limit.
     project.head = builtInHead();
     project.ellipsoids = builtInEllipsoids();
     project.groups.push_back(makeGroup(project, QStringLiteral("Scalp")));

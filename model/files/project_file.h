@@ -23,7 +23,7 @@ class EncodedLayers;
 /// error.
 [[nodiscard]] Result<Project> loadProject(const QString& path, EncodedLayers* cache = nullptr,
                                           const Progress& progress = {});
-/// Atomic (QSaveFile). Same project, same bytes, the thumbnail aside. Any thread, on a copy of the project.
+/// Atomic. Same project, same bytes, the thumbnail aside. Any thread, on a copy of the project.
 [[nodiscard]] Result<void> saveProject(const Project& project, const QString& path, const QImage& thumbnail,
                                        EncodedLayers* cache = nullptr, const Progress& progress = {});
 

@@ -121,8 +121,8 @@ Checked<Id> parseNextId(const QJsonObject& root)
 void fillIds(std::vector<HairGroup>& groups, Id& nextId)
 {
     for (HairGroup& group : groups)
-        for (MapStack& stack : group.maps)
-            for (Layer& layer : stack.layers)
+        for (SharedStack& map : group.maps)
+            for (Layer& layer : map.write().layers)
                 if (layer.id == 0)
                     layer.id = nextId++;
 }
@@ -202,18 +202,6 @@ QByteArray toBytes(QJsonObject root, const char* format)
     root.insert(QStringLiteral("format"), QLatin1String(format));
     root.insert(QStringLiteral("format_version"), kFormatVersion);
     return QJsonDocument(root).toJson(QJsonDocument::Indented);
-}
-
-Id nextIdOf(const std::vector<HairGroup>& groups)
-{
-    Id next = 1;
-    for (const HairGroup& group : groups) {
-        next = std::max(next, group.id + 1);
-        for (const MapStack& stack : group.maps)
-            for (const Layer& layer : stack.layers)
-                next = std::max(next, layer.id + 1);
-    }
-    return next;
 }
 
 } // namespace

@@ -55,6 +55,13 @@ tl::unexpected<Error> cancelled(const QString& path)
         say(QT_TRANSLATE_NOOP("Files", "Working on '%1' was cancelled; nothing has changed.")).arg(shownPath(path)));
 }
 
+Clause notEnoughMemory()
+{
+    return {.text = say(QT_TRANSLATE_NOOP("Files", "there is not enough memory for it; close other programs and try "
+                                                   "again")),
+            .cure = Clause::Cure::OtherFile};
+}
+
 Result<void> checkReadable(const QString& path, qint64 mostBytes)
 {
     const auto refused = [&path](const QString& text) {

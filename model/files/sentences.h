@@ -4,6 +4,9 @@
 #include "model/error.h"
 
 #include <cstdint>
+#include <new>
+#include <stdexcept>
+#include <type_traits>
 
 namespace hairpaint::model {
 
@@ -35,6 +38,26 @@ using Checked = tl::expected<T, Clause>;
 [[nodiscard]] tl::unexpected<Error> cannotOpen(const QString& path, const Clause& clause);
 [[nodiscard]] tl::unexpected<Error> cannotWrite(const QString& path, const Clause& clause);
 [[nodiscard]] tl::unexpected<Error> cancelled(const QString& path);
+
+/// A clause: want of memory.
+[[nodiscard]] Clause notEnoughMemory();
+
+/// cannotOpen or cannotWrite.
+using Phrase = tl::unexpected<Error> (*)(const QString& path, const Clause& clause);
+
+/// What `work` returns; where it runs out of memory, the phrase's sentence of `path`. Files say how large they are, so
+/// this may happen wherever one is read, and it must not get past the file's own functions.
+template<typename Work>
+[[nodiscard]] std::invoke_result_t<Work> withinMemory(const QString& path, Phrase phrase, const Work& work)
+{
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        return phrase(path, notEnoughMemory());
+    } catch (const std::length_error&) {
+        return phrase(path, notEnoughMemory());
+    }
+}
 
 /// Fails where no reading is needed to know: missing, a folder, unreadable, empty, larger than `mostBytes`.
 [[nodiscard]] Result<void> checkReadable(const QString& path, qint64 mostBytes);

@@ -1,6 +1,8 @@
 // Encoding and checked decoding of the helper's messages.
 #include "model/files/wire_format.h"
 
+#include "sim/skin/head_limits.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -87,7 +89,7 @@ std::uint64_t mostBodyBytes(Kind kind)
     case Kind::Image:
         return 64 + kMostPixels * 8;
     case Kind::Mesh:
-        return 8 + 32ULL * kMostVertices + 12ULL * kMostTriangles;
+        return 8 + 32ULL * sim::kMostVertices + 12ULL * sim::kMostTriangles;
     case Kind::Encoded:
         return kMostEncodedBytes;
     case Kind::Refusal:
@@ -230,22 +232,12 @@ std::optional<EncodeRequest> decodeRequest(std::span<const std::byte> body)
 
 bool meshFits(const sim::HeadMesh& mesh)
 {
-    const std::size_t vertices = mesh.positionsHd.size();
-    if (vertices == 0 || vertices > kMostVertices || mesh.normalsHd.size() != vertices || mesh.uvs.size() != vertices ||
-        mesh.triangles.empty() || mesh.triangles.size() > kMostTriangles)
-        return false;
-    const auto near = [](const glm::vec3& p) {
-        return finite(p) && std::abs(p.x) <= kFarthestPosition && std::abs(p.y) <= kFarthestPosition &&
-               std::abs(p.z) <= kFarthestPosition;
-    };
     const auto unit = [](const glm::vec3& n) { return finite(n) && std::abs(glm::dot(n, n) - 1.0F) < 0.01F; };
-    // NaN fails every comparison.
     const auto inUnitSquare = [](const glm::vec2& uv) {
         return uv.x >= 0.0F && uv.x <= 1.0F && uv.y >= 0.0F && uv.y <= 1.0F;
     };
-    const auto inRange = [vertices](const glm::uvec3& t) { return t.x < vertices && t.y < vertices && t.z < vertices; };
-    return std::ranges::all_of(mesh.positionsHd, near) && std::ranges::all_of(mesh.normalsHd, unit) &&
-           std::ranges::all_of(mesh.uvs, inUnitSquare) && std::ranges::all_of(mesh.triangles, inRange);
+    return sim::withinLimits(mesh) && std::ranges::all_of(mesh.normalsHd, unit) &&
+           std::ranges::all_of(mesh.uvs, inUnitSquare);
 }
 
 std::optional<sim::HeadMesh> decodeMesh(std::span<const std::byte> body)
@@ -254,10 +246,10 @@ std::optional<sim::HeadMesh> decodeMesh(std::span<const std::byte> body)
     std::uint32_t vertices = 0;
     std::uint32_t triangles = 0;
     sim::HeadMesh mesh;
-    if (!reader.value(vertices) || !reader.value(triangles) || vertices > kMostVertices || triangles > kMostTriangles ||
-        !reader.array(mesh.positionsHd, vertices) || !reader.array(mesh.normalsHd, vertices) ||
-        !reader.array(mesh.uvs, vertices) || !reader.array(mesh.triangles, triangles) || !reader.atEnd() ||
-        !meshFits(mesh))
+    if (!reader.value(vertices) || !reader.value(triangles) || vertices > sim::kMostVertices ||
+        triangles > sim::kMostTriangles || !reader.array(mesh.positionsHd, vertices) ||
+        !reader.array(mesh.normalsHd, vertices) || !reader.array(mesh.uvs, vertices) ||
+        !reader.array(mesh.triangles, triangles) || !reader.atEnd() || !meshFits(mesh))
         return std::nullopt;
     return mesh;
 }
@@ -266,7 +258,8 @@ std::optional<Reason> decodeRefusal(std::span<const std::byte> body)
 {
     Reader reader(body);
     std::uint32_t reason = 0;
-    if (!reader.value(reason) || !reader.atEnd() || reason < 1 || reason > 8)
+    if (!reader.value(reason) || !reader.atEnd() || reason < 1 ||
+        reason > static_cast<std::uint32_t>(Reason::UnknownCompression))
         return std::nullopt;
     return static_cast<Reason>(reason);
 }

@@ -36,7 +36,8 @@ enum class Reason : std::uint32_t
     NoTriangles = 5,
     NoUvs = 6,
     CannotWriteEnding = 7,
-    OutOfMemory = 8
+    OutOfMemory = 8,
+    UnknownCompression = 9
 };
 
 inline constexpr std::size_t kHeaderBytes = 20;
@@ -44,10 +45,7 @@ inline constexpr std::uint64_t kLongestPath = 32'768;
 inline constexpr std::uint32_t kLongestEnding = 16;
 inline constexpr std::uint32_t kLargestSide = 32'768;
 inline constexpr std::uint64_t kMostPixels = 1ULL << 26U;
-inline constexpr std::uint32_t kMostVertices = 2'000'000;
-inline constexpr std::uint32_t kMostTriangles = 4'000'000;
 inline constexpr std::uint64_t kMostEncodedBytes = 1ULL << 30U;
-inline constexpr float kFarthestPosition = 1e7F;
 
 /// 16-bit samples, row 0 on top, unassociated; 1 to 4 channels.
 struct Image
@@ -89,7 +87,7 @@ struct EncodeRequest
 
 [[nodiscard]] bool imageFits(std::uint64_t width, std::uint64_t height, std::uint64_t channels);
 
-/// Whether a mesh keeps to the limits: counts, finite numbers, uvs in 0..1, unit normals, indices in range.
+/// Whether a mesh keeps to the limits of a head's (sim/skin/head_limits.h), with uvs in 0..1 and unit normals.
 [[nodiscard]] bool meshFits(const sim::HeadMesh& mesh);
 
 } // namespace hairpaint::wire

@@ -21,7 +21,7 @@ class BrushTool : public Tool
 public:
     explicit BrushTool(bool erases) : m_erases(erases) {}
 
-    [[nodiscard]] const char* id() const override { return m_erases ? "eraser" : "brush"; }
+    [[nodiscard]] ToolId id() const override { return m_erases ? ToolId::Eraser : ToolId::Brush; }
     [[nodiscard]] QString title() const override { return m_erases ? tr("Eraser") : tr("Brush"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return m_erases ? Qt::Key_E : Qt::Key_B; }
     [[nodiscard]] QString hint() const override
@@ -49,7 +49,7 @@ public:
 private:
     void paintTo(const ToolEvent& event, ToolContext& context);
     void dab(const BrushPlace& place, const ToolContext& context);
-    void show(ToolContext& context);
+    void show();
 
     bool m_erases;
     LiveEdit m_edit;
@@ -61,7 +61,7 @@ private:
 
 void BrushTool::press(const ToolEvent& event, ToolContext& context)
 {
-    if (picksInstead(event, context) || active() || !m_edit.begin(context))
+    if (picksInstead(event, context) || active() || !m_edit.begin(context, title()))
         return;
     const Head* head = context.document.project().head.get();
     m_buffer.emplace(m_edit.size());
@@ -95,16 +95,16 @@ void BrushTool::release(const ToolEvent& event, ToolContext& context)
     commit(context);
 }
 
-void BrushTool::cancel(ToolContext& context)
+void BrushTool::cancel(ToolContext& /*context*/)
 {
-    m_edit.cancel(context.document);
+    m_edit.cancel();
     m_buffer.reset();
     m_path.reset();
 }
 
-void BrushTool::commit(ToolContext& context)
+void BrushTool::commit(ToolContext& /*context*/)
 {
-    m_edit.commit(context.document, title());
+    m_edit.commit();
     m_buffer.reset();
     m_path.reset();
 }
@@ -114,7 +114,7 @@ void BrushTool::paintTo(const ToolEvent& event, ToolContext& context)
     m_path->moveTo(event, [&](const BrushPlace& place) { dab(place, context); });
     if (event.area == Area::Paint || event.point)
         m_last = event;
-    show(context);
+    show();
 }
 
 void BrushTool::dab(const BrushPlace& place, const ToolContext& context)
@@ -127,7 +127,7 @@ void BrushTool::dab(const BrushPlace& place, const ToolContext& context)
     const int size = m_edit.size();
     Dab dab = dabAt(place.metric, place.uv, 0.5F * sizeM, size);
     dab.hardness = settings.hardness;
-    dab.strength = settings.pressureOpacity && m_edit.spec().texel != TexelKind::Index ? pressure : 1.0F;
+    dab.strength = settings.pressureOpacity && texelOps(m_edit.spec()).continuous ? pressure : 1.0F;
     const auto add = [this](const Dab& one) {
         for (const sim::TexelRect& clip : m_edit.clips())
             m_buffer->add(one, clip);
@@ -148,10 +148,12 @@ void BrushTool::dab(const BrushPlace& place, const ToolContext& context)
     }
 }
 
-void BrushTool::show(ToolContext& context)
+void BrushTool::show()
 {
-    m_edit.update(context.document, m_buffer->takeDirty(), [this](int index, const sim::RasterTilePtr& before) {
-        return paintTile(m_edit.spec(), before, *m_buffer->mask(index), m_paint);
+    m_edit.update(m_buffer->takeDirty(), [this](int index, const sim::RasterTilePtr& before) {
+        TilePaint paint = m_paint;
+        paint.values = m_buffer->values(index);
+        return paintTile(m_edit.spec(), before, *m_buffer->mask(index), paint);
     });
 }
 

@@ -1,7 +1,7 @@
 // Copying texels out of a layer and pasting them into one.
 #include "model/tools/clipboard.h"
 
-#include "model/compositor.h"
+#include "model/texel_ops.h"
 #include "model/tools/live_edit.h"
 
 #include <QCoreApplication>
@@ -18,39 +18,28 @@ class Clipboard
     Q_DECLARE_TR_FUNCTIONS(Clipboard)
 };
 
-const Layer* paintable(const Document& document, const LayerAddress& address)
+const Layer* paintable(Document& document, const LayerAddress& address)
 {
+    document.endEdit();
     const Layer* layer = document.committed().layer(address.group, address.map, address.layer);
     return layer != nullptr && layer->visible && !layer->locked ? layer : nullptr;
 }
 
-/// A value of one map as one of another; coverage stays. Scalars pass as they are, other pairs through their colours.
-sim::Texel converted(const sim::Texel& from, const MapSpec& source, const MapSpec& target)
+/// A layer's texels of one map as those of another. What both measure alike passes as it is, all else through the
+/// colours.
+std::vector<sim::Texel> converted(const std::vector<sim::Texel>& from, const MapSpec& source, const MapSpec& target)
 {
-    sim::Texel to{};
-    to[static_cast<std::size_t>(target.valueChannels)] = from[static_cast<std::size_t>(source.valueChannels)];
-    if (source.kind == target.kind || (source.texel == TexelKind::Scalar && target.texel == TexelKind::Scalar)) {
-        std::copy_n(from.begin(), target.valueChannels, to.begin());
-        return to;
-    }
-    std::array<float, 3> colour{};
-    if (source.texel == TexelKind::Colour) {
-        for (std::size_t i = 0; i < 3; ++i)
-            colour[i] = static_cast<float>(from[i]) / 65535.0F;
-    } else {
-        const QRgb shown = source.texel == TexelKind::Index
-                               ? source.palette[std::min<std::size_t>(from[0], source.palette.size() - 1)].colour
-                               : scaleToColour(source, static_cast<float>(from[0]) / 65535.0F, false);
-        colour = {static_cast<float>(qRed(shown)) / 255.0F, static_cast<float>(qGreen(shown)) / 255.0F,
-                  static_cast<float>(qBlue(shown)) / 255.0F};
-    }
-    if (target.texel == TexelKind::Colour)
-        for (std::size_t i = 0; i < 3; ++i)
-            to[i] = unit16(colour[i]);
-    else if (target.texel == TexelKind::Index)
-        to[0] = colourToIndex(target, colour[0], colour[1], colour[2]);
-    else
-        to[0] = unit16(colourToScale(target, colour[0], colour[1], colour[2]));
+    const auto coverageOf = [](const sim::Texel& texel, const MapSpec& spec) {
+        return texel[static_cast<std::size_t>(spec.valueChannels)];
+    };
+    if (source.kind == target.kind || (source.texel == target.texel && source.palette.empty()))
+        return from;
+    std::vector<std::uint16_t> colours(from.size() * 3);
+    texelOps(source).toColours(source, false, from.front().data(), sim::Texel().size(), from.size(), colours.data());
+    std::vector<sim::Texel> to(from.size());
+    for (std::size_t i = 0; i < to.size(); ++i)
+        to[i] = {colours[3 * i], colours[3 * i + 1], colours[3 * i + 2], coverageOf(from[i], source)};
+    texelOps(target).fromColours(target, to);
     return to;
 }
 
@@ -129,6 +118,7 @@ CommandPtr pasteCommand(Document& document, const LayerAddress& address, const C
         return nullptr;
     const MapSpec& source = mapSpec(clip.map);
     const MapSpec& target = mapSpec(address.map);
+    const std::vector<sim::Texel> texels = converted(clip.texels, source, target);
     sim::TiledRaster raster = layer->raster;
     const int size = raster.size();
     QPointF centre = clip.uvRect.center();
@@ -144,10 +134,8 @@ CommandPtr pasteCommand(Document& document, const LayerAddress& address, const C
         for (int x = std::max(0, left); x < std::min(size, left + width); ++x) {
             const int column = (x - left) * clip.width / width;
             const int row = (y - top) * clip.height / height;
-            const sim::Texel texel =
-                converted(clip.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(clip.width) +
-                                      static_cast<std::size_t>(column)],
-                          source, target);
+            const sim::Texel& texel = texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(clip.width) +
+                                             static_cast<std::size_t>(column)];
             if (texel[static_cast<std::size_t>(target.valueChannels)] != 0 && contains(selected, x, y))
                 raster.setTexel(x, y, texel);
         }

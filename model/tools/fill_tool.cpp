@@ -16,13 +16,13 @@ namespace {
 
 constexpr int kBleedTx = 4;
 
-/// Whole texels one after the other; floods through 4-connected neighbours.
+/// Floods through 4-connected neighbours, a run of a row at a time.
 class Flood
 {
 public:
-    Flood(const sim::TiledRaster& map, const MapSpec& spec, std::vector<std::uint8_t> allowed, float tolerance)
+    Flood(const sim::TiledRaster& map, const MapSpec& spec, TexelMask allowed, float tolerance)
         : m_map(map), m_spec(spec), m_allowed(std::move(allowed)), m_filled(m_allowed.size()),
-          m_tolerance(spec.texel == TexelKind::Index ? 0 : static_cast<int>(unit16(tolerance)))
+          m_tolerance(texelOps(spec).continuous ? static_cast<int>(unit16(tolerance)) : 0)
     {}
 
     void from(int seedX, int seedY)
@@ -31,24 +31,26 @@ public:
             return;
         m_seed = m_map.texel(seedX, seedY);
         m_pending = {{seedX, seedY}};
-        m_filled[at(seedX, seedY)] = 1;
         while (!m_pending.empty()) {
             const auto [x, y] = m_pending.back();
             m_pending.pop_back();
-            visit(x - 1, y);
-            visit(x + 1, y);
-            visit(x, y - 1);
-            visit(x, y + 1);
+            if (!floods(x, y))
+                continue; // Another run has been there.
+            int x0 = x;
+            int x1 = x + 1;
+            while (x0 > 0 && floods(x0 - 1, y))
+                --x0;
+            while (x1 < m_map.size() && floods(x1, y))
+                ++x1;
+            m_filled.set(y, x0, x1);
+            for (const int next : {y - 1, y + 1})
+                beginRuns(next, x0, x1);
         }
     }
-    [[nodiscard]] std::vector<std::uint8_t> takeFilled() { return std::move(m_filled); }
+    [[nodiscard]] const TexelMask& filled() const { return m_filled; }
 
 private:
-    [[nodiscard]] std::size_t at(int x, int y) const
-    {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_map.size()) + static_cast<std::size_t>(x);
-    }
-    [[nodiscard]] bool open(int x, int y) const { return m_allowed[at(x, y)] != 0 && m_filled[at(x, y)] == 0; }
+    [[nodiscard]] bool open(int x, int y) const { return m_allowed.at(x, y) && !m_filled.at(x, y); }
     [[nodiscard]] bool alike(int x, int y) const
     {
         const sim::Texel texel = m_map.texel(x, y);
@@ -57,17 +59,23 @@ private:
                 return false;
         return true;
     }
-    void visit(int x, int y)
+    [[nodiscard]] bool floods(int x, int y) const { return open(x, y) && alike(x, y); }
+    void beginRuns(int y, int x0, int x1)
     {
-        if (x < 0 || y < 0 || x >= m_map.size() || y >= m_map.size() || !open(x, y) || !alike(x, y))
+        if (y < 0 || y >= m_map.size())
             return;
-        m_filled[at(x, y)] = 1;
-        m_pending.emplace_back(x, y);
+        bool before = false;
+        for (int x = x0; x < x1; ++x) {
+            const bool here = floods(x, y);
+            if (here && !before)
+                m_pending.emplace_back(x, y);
+            before = here;
+        }
     }
 
     const sim::TiledRaster& m_map;
     const MapSpec& m_spec;
-    std::vector<std::uint8_t> m_allowed, m_filled;
+    TexelMask m_allowed, m_filled;
     int m_tolerance;
     sim::Texel m_seed{};
     std::vector<std::pair<int, int>> m_pending;
@@ -77,7 +85,7 @@ class FillTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] const char* id() const override { return "fill"; }
+    [[nodiscard]] ToolId id() const override { return ToolId::Fill; }
     [[nodiscard]] QString title() const override { return tr("Fill"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::SHIFT | Qt::Key_G; }
     [[nodiscard]] QString hint() const override
@@ -93,13 +101,13 @@ public:
     {
         if (picksInstead(event, context) || active() || (event.area == Area::Head && !event.point))
             return;
-        if (m_edit.begin(context))
+        if (m_edit.begin(context, title()))
             fill(event.uv, context);
     }
     void move(const ToolEvent& /*event*/, ToolContext& /*context*/) override {}
     void release(const ToolEvent& /*event*/, ToolContext& context) override { commit(context); }
-    void cancel(ToolContext& context) override { m_edit.cancel(context.document); }
-    void commit(ToolContext& context) override { m_edit.commit(context.document, title()); }
+    void cancel(ToolContext& /*context*/) override { m_edit.cancel(); }
+    void commit(ToolContext& /*context*/) override { m_edit.commit(); }
     [[nodiscard]] bool active() const override { return m_edit.active(); }
 
 private:
@@ -108,11 +116,10 @@ private:
         const int size = m_edit.size();
         const auto map = context.document.resolved(context.target.group, context.target.map);
         const Head* head = context.document.project().head.get();
-        std::vector<std::uint8_t> skin(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 1);
-        if (head != nullptr && head->skin != nullptr)
-            skin = uvCover(head->skin->mesh(), size);
-        std::vector<std::uint8_t> allowed = skin;
-        keepInside(allowed, size, m_edit.clips());
+        const bool hasSkin = head != nullptr && head->skin != nullptr;
+        const TexelMask skin = hasSkin ? m_cover.of(head->skin, size) : TexelMask(size, true);
+        TexelMask allowed = skin;
+        allowed.keepInside(m_edit.clips());
 
         Flood flood(*map, m_edit.spec(), std::move(allowed), context.settings.fillTolerance);
         const auto from = [&](glm::vec2 seed) {
@@ -123,51 +130,33 @@ private:
         if (context.mirror)
             if (const std::optional<glm::vec2> other = mirroredUv(head, uv))
                 from(*other);
-        std::vector<std::uint8_t> filled = flood.takeFilled();
-        bleedOffSkin(filled, skin);
-        keepInside(filled, size, m_edit.clips());
+        // Past the islands' borders only: on the skin the fill ends where the values differ.
+        TexelMask filled = flood.filled().grown(kBleedTx);
+        filled.remove(skin);
+        filled.add(flood.filled());
+        filled.keepInside(m_edit.clips());
         show(filled, context);
     }
 
-    /// Past the islands' borders only: on the skin the fill ends where the values differ.
-    void bleedOffSkin(std::vector<std::uint8_t>& filled, const std::vector<std::uint8_t>& skin) const
-    {
-        bleed(filled, m_edit.size(), kBleedTx);
-        for (std::size_t i = 0; i < filled.size(); ++i)
-            if (filled[i] == 2 && skin[i] != 0)
-                filled[i] = 0;
-    }
-
-    static void keepInside(std::vector<std::uint8_t>& texels, int size, const std::vector<sim::TexelRect>& clips)
-    {
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
-                if (!contains(clips, x, y))
-                    texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x)] =
-                        0;
-    }
-
-    void show(const std::vector<std::uint8_t>& filled, ToolContext& context)
+    void show(const TexelMask& filled, ToolContext& context)
     {
         const TilePaint paint{.value = context.settings.value(context.target.map).texel(m_edit.spec()),
                               .opacity = unit16(context.settings.opacity)};
-        const int size = m_edit.size();
-        m_edit.update(context.document, tilesIn(m_edit.before(), m_edit.clips()),
-                      [&](int index, const sim::RasterTilePtr& before) {
-                          StrokeBuffer::MaskTile mask{};
-                          const sim::TexelRect rect = m_edit.before().tileRect(index);
-                          std::size_t texel = 0;
-                          for (int y = rect.y0; y < rect.y1; ++y)
-                              for (int x = rect.x0; x < rect.x1; ++x, ++texel)
-                                  mask[texel] = filled[static_cast<std::size_t>(y) * static_cast<std::size_t>(size) +
-                                                       static_cast<std::size_t>(x)] != 0
-                                                    ? 65535
-                                                    : 0;
-                          return paintTile(m_edit.spec(), before, mask, paint);
-                      });
+        std::vector<int> tiles = tilesIn(m_edit.before(), m_edit.clips());
+        std::erase_if(tiles, [&](int index) { return !filled.any(m_edit.before().tileRect(index)); });
+        m_edit.update(tiles, [&](int index, const sim::RasterTilePtr& before) {
+            StrokeBuffer::MaskTile mask{};
+            const sim::TexelRect rect = m_edit.before().tileRect(index);
+            std::size_t texel = 0;
+            for (int y = rect.y0; y < rect.y1; ++y)
+                for (int x = rect.x0; x < rect.x1; ++x, ++texel)
+                    mask[texel] = filled.at(x, y) ? 65535 : 0;
+            return paintTile(m_edit.spec(), before, mask, paint);
+        });
     }
 
     LiveEdit m_edit;
+    UvCover m_cover;
 };
 
 } // namespace

@@ -49,7 +49,7 @@ class GradientTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] const char* id() const override { return "gradient"; }
+    [[nodiscard]] ToolId id() const override { return ToolId::Gradient; }
     [[nodiscard]] QString title() const override { return tr("Gradient"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_G; }
     [[nodiscard]] QString hint() const override
@@ -65,7 +65,7 @@ public:
     {
         if (picksInstead(event, context) || active() || (event.area == Area::Head && !event.point))
             return;
-        if (m_edit.begin(context))
+        if (m_edit.begin(context, title()))
             m_startUv = m_endUv = event.uv;
     }
     void move(const ToolEvent& event, ToolContext& context) override
@@ -82,8 +82,8 @@ public:
         move(event, context);
         commit(context);
     }
-    void cancel(ToolContext& context) override { m_edit.cancel(context.document); }
-    void commit(ToolContext& context) override { m_edit.commit(context.document, title()); }
+    void cancel(ToolContext& /*context*/) override { m_edit.cancel(); }
+    void commit(ToolContext& /*context*/) override { m_edit.commit(); }
     [[nodiscard]] bool active() const override { return m_edit.active(); }
     [[nodiscard]] std::vector<OverlayShape> overlay() const override
     {
@@ -135,7 +135,7 @@ private:
             for (std::size_t i = begin; i < end; ++i)
                 made[i] = makeTile(tiles[i], paint);
         });
-        m_edit.replace(context.document, tiles, [&](int index, const sim::RasterTilePtr& /*before*/) {
+        m_edit.replace(tiles, [&](int index, const sim::RasterTilePtr& /*before*/) {
             return made[static_cast<std::size_t>(std::ranges::lower_bound(tiles, index) - tiles.begin())];
         });
     }
@@ -146,6 +146,7 @@ private:
         const auto channels = static_cast<std::size_t>(spec.valueChannels);
         const bool fades = paint.first == paint.second;
         StrokeBuffer::MaskTile mask{};
+        StrokeBuffer::MaskTile shares{};
         std::vector<std::uint16_t> values(StrokeBuffer::kTileTexels * channels);
         const sim::TexelRect rect = m_edit.before().tileRect(index);
         const auto paintTexel = [&](int x, int y) {
@@ -154,12 +155,8 @@ private:
             float share = 1.0F;
             for (const Ramp& ramp : paint.ramps)
                 share = std::min(share, ramp.at(centre));
-            const std::uint16_t share16 = unit16Fast(share);
-            mask[texel] = fades ? static_cast<std::uint16_t>(65535 - share16) : std::uint16_t{65535};
-            for (std::size_t i = 0; i < channels; ++i)
-                values[texel * channels + i] = spec.texel == TexelKind::Index
-                                                   ? (share16 < kHalfCoverage ? paint.first : paint.second)[i]
-                                                   : lerp16(paint.first[i], paint.second[i], share16);
+            shares[texel] = unit16Fast(share);
+            mask[texel] = fades ? static_cast<std::uint16_t>(65535 - shares[texel]) : std::uint16_t{65535};
         };
         for (const sim::TexelRect& clip : m_edit.clips()) {
             const sim::TexelRect part = shared(rect, clip);
@@ -167,6 +164,7 @@ private:
                 for (int x = part.x0; x < part.x1; ++x)
                     paintTexel(x, y);
         }
+        texelOps(spec).mix(paint.first, paint.second, shares, values.data());
         return paintTile(spec, m_edit.before().tile(index), mask, {.values = values.data(), .opacity = paint.opacity});
     }
 

@@ -1,7 +1,6 @@
 // Previews and commits of a tool's tiles.
 #include "model/tools/live_edit.h"
 
-#include "model/commands/commands.h"
 #include "model/tools/selection.h"
 
 #include <algorithm>
@@ -56,12 +55,14 @@ QString actionText(const QString& title, MapKind map)
     return QCoreApplication::translate("Tool", "%1 on %2").arg(title, mapSpec(map).titleText());
 }
 
-bool LiveEdit::begin(const ToolContext& context)
+bool LiveEdit::begin(const ToolContext& context, const QString& title, std::function<bool()> stepBack)
 {
     const LayerAddress& at = context.target;
+    context.document.endEdit(); // It may be of this very layer.
     const Layer* layer = context.document.committed().layer(at.group, at.map, at.layer);
     if (layer == nullptr || !layer->visible || layer->locked)
         return false;
+    m_session = context.document.begin({.text = actionText(title, at.map), .stepBack = std::move(stepBack)});
     m_target = at;
     m_before = layer->raster;
     m_clips = selectedTexels(context.selection, m_before->size());
@@ -69,11 +70,11 @@ bool LiveEdit::begin(const ToolContext& context)
     return true;
 }
 
-void LiveEdit::update(Document& document, const std::vector<int>& tiles, const MakeTile& make)
+void LiveEdit::update(const std::vector<int>& tiles, const MakeTile& make)
 {
     if (!active())
         return;
-    std::vector<std::pair<int, sim::RasterTilePtr>> changed;
+    LayerTiles changed;
     for (const int index : tiles) {
         const sim::RasterTilePtr& before = m_before->tile(index);
         sim::RasterTilePtr tile = make(index, before);
@@ -84,41 +85,18 @@ void LiveEdit::update(Document& document, const std::vector<int>& tiles, const M
         m_shown.insert_or_assign(index, std::move(tile));
     }
     if (!changed.empty())
-        document.previewTiles(m_target, changed);
+        m_session.previewTiles(m_target, changed);
 }
 
-void LiveEdit::replace(Document& document, const std::vector<int>& tiles, const MakeTile& make)
+void LiveEdit::replace(const std::vector<int>& tiles, const MakeTile& make)
 {
     std::vector<int> all = tiles;
     for (const auto& [index, tile] : m_shown)
         if (!std::ranges::binary_search(tiles, index))
             all.push_back(index);
-    update(document, all, [&](int index, const sim::RasterTilePtr& before) {
+    update(all, [&](int index, const sim::RasterTilePtr& before) {
         return std::ranges::binary_search(tiles, index) ? make(index, before) : before;
     });
-}
-
-void LiveEdit::commit(Document& document, const QString& title)
-{
-    if (!active())
-        return;
-    m_before.reset();
-    const std::map<int, sim::RasterTilePtr> shown = std::exchange(m_shown, {});
-    CommandPtr command =
-        paintCommand(document, m_target, {shown.begin(), shown.end()}, actionText(title, m_target.map));
-    if (command != nullptr)
-        document.push(std::move(command));
-    else if (!shown.empty())
-        document.clearPreview();
-}
-
-void LiveEdit::cancel(Document& document)
-{
-    if (!active())
-        return;
-    m_before.reset();
-    if (!std::exchange(m_shown, {}).empty())
-        document.clearPreview();
 }
 
 } // namespace hairpaint::model

@@ -11,11 +11,13 @@
 namespace hairpaint::model {
 
 /// Begins where the layer is there, visible and unlocked; elsewhere it stays inactive and everything else does nothing.
+/// Somebody else's edit commits it, undo drops it (or takes back its last part, where `stepBack` can).
 class LiveEdit
 {
 public:
-    [[nodiscard]] bool begin(const ToolContext& context);
-    [[nodiscard]] bool active() const { return m_before.has_value(); }
+    /// The step will be called "TITLE on MAP".
+    [[nodiscard]] bool begin(const ToolContext& context, const QString& title, std::function<bool()> stepBack = {});
+    [[nodiscard]] bool active() const { return m_session.active(); }
     [[nodiscard]] const MapSpec& spec() const { return mapSpec(m_target.map); }
     [[nodiscard]] int size() const { return m_before->size(); }
     [[nodiscard]] const sim::TiledRaster& before() const { return *m_before; }
@@ -24,15 +26,16 @@ public:
 
     /// Shows these tiles as `make` gives them, from those before the edit; other tiles stay as last shown.
     using MakeTile = std::function<sim::RasterTilePtr(int tileIndex, const sim::RasterTilePtr& before)>;
-    void update(Document& document, const std::vector<int>& tiles, const MakeTile& make);
+    void update(const std::vector<int>& tiles, const MakeTile& make);
     /// The same, where all tiles not named go back to what they were before the edit.
-    void replace(Document& document, const std::vector<int>& tiles, const MakeTile& make);
+    void replace(const std::vector<int>& tiles, const MakeTile& make);
 
-    /// Pushes "TITLE on MAP" with the tiles as last shown; nothing where none differs.
-    void commit(Document& document, const QString& title);
-    void cancel(Document& document);
+    /// One step with the tiles as last shown; none where none differs.
+    void commit() { m_session.commit(); }
+    void cancel() { m_session.drop(); }
 
 private:
+    EditSession m_session;
     LayerAddress m_target;
     std::optional<sim::TiledRaster> m_before;
     std::vector<sim::TexelRect> m_clips;

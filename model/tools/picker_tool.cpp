@@ -1,4 +1,5 @@
 // The picker.
+#include "model/texel_ops.h"
 #include "model/tools/picker.h"
 #include "model/tools/tool_list.h"
 
@@ -10,11 +11,13 @@ class PickerTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] const char* id() const override { return "picker"; }
+    [[nodiscard]] ToolId id() const override { return ToolId::Picker; }
     [[nodiscard]] QString title() const override { return tr("Picker"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_I; }
     [[nodiscard]] QString hint() const override { return tr("Click to take the value under the pointer"); }
     [[nodiscard]] std::vector<ToolOption> options() const override { return {ToolOption::Value}; }
+
+    [[nodiscard]] bool paints() const override { return false; }
 
     void press(const ToolEvent& event, ToolContext& context) override
     {
@@ -47,14 +50,7 @@ void pickValue(const ToolEvent& event, ToolContext& context)
     if (map == nullptr || (event.area == Area::Head && !event.point))
         return;
     const MapSpec& spec = mapSpec(context.target.map);
-    const sim::Texel texel = map->sampleNearest(event.uv);
-    PaintValue& value = context.settings.value(spec.kind);
-    if (spec.texel == TexelKind::Index)
-        value.index = texel[0];
-    else if (spec.texel == TexelKind::Scalar)
-        value.scalar = static_cast<float>(texel[0]) / 65535.0F;
-    else
-        value.colour = QColor::fromRgba64(texel[0], texel[1], texel[2]);
+    context.settings.value(spec.kind) = texelOps(spec).paintValue(map->sampleNearest(event.uv));
 }
 
 bool picksInstead(const ToolEvent& event, ToolContext& context)

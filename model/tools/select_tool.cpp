@@ -16,7 +16,7 @@ class SelectTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] const char* id() const override { return "select"; }
+    [[nodiscard]] ToolId id() const override { return ToolId::Select; }
     [[nodiscard]] QString title() const override { return tr("Select"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_M; }
     [[nodiscard]] QString hint() const override
@@ -24,6 +24,8 @@ public:
         return tr("Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing");
     }
     [[nodiscard]] std::vector<ToolOption> options() const override { return {}; }
+
+    [[nodiscard]] bool paints() const override { return false; }
 
     void press(const ToolEvent& event, ToolContext& context) override
     {

@@ -28,13 +28,13 @@ class ShapeTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] const char* id() const override { return "shape"; }
+    [[nodiscard]] ToolId id() const override { return ToolId::Shape; }
     [[nodiscard]] QString title() const override { return tr("Shape"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_U; }
     [[nodiscard]] QString hint() const override
     {
         return m_kind == ShapeKind::Polygon && active()
-                   ? tr("Click corner by corner; click the first one to close")
+                   ? tr("Click corner by corner; click the first one to close; Backspace takes one back")
                    : tr("Drag a filled shape; Shift makes it a square or a circle; polygons: click corner by corner");
     }
     [[nodiscard]] std::vector<ToolOption> options() const override
@@ -45,24 +45,26 @@ public:
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override;
     void release(const ToolEvent& event, ToolContext& context) override;
-    void cancel(ToolContext& context) override { m_edit.cancel(context.document); }
-    void commit(ToolContext& context) override { m_edit.commit(context.document, title()); }
+    void hover(const ToolEvent& event, ToolContext& context) override;
+    bool key(Qt::Key key, Qt::KeyboardModifiers modifiers, ToolContext& context) override;
+    void cancel(ToolContext& /*context*/) override { m_edit.cancel(); }
+    void commit(ToolContext& /*context*/) override { m_edit.commit(); }
     [[nodiscard]] bool active() const override { return m_edit.active(); }
-    [[nodiscard]] std::vector<OverlayShape> overlay() const override
-    {
-        if (!active())
-            return {};
-        return {{.uvOutline = outlineUv(), .closed = m_kind != ShapeKind::Polygon || m_corners.size() > 2}};
-    }
+    [[nodiscard]] bool pending() const override { return active() && !m_pressed; }
+    [[nodiscard]] std::vector<OverlayShape> overlay() const override;
 
 private:
     [[nodiscard]] QPolygonF outlineUv() const;
-    void show(ToolContext& context);
+    void show(const ToolContext& context);
+    /// Takes back a polygon's last corner; false where it has no more than its first.
+    bool stepBack(const ToolContext& context);
 
     LiveEdit m_edit;
     ShapeKind m_kind = ShapeKind::Ellipse;
-    std::vector<glm::vec2> m_corners; ///< uv; of a rectangle or ellipse: start and end.
+    std::vector<glm::vec2> m_corners;   ///< uv; of a rectangle or ellipse: start and end.
+    std::optional<glm::vec2> m_hoverUv; ///< Where a pending polygon's next corner would be.
     bool m_freehand = false;
+    bool m_pressed = false;
 };
 
 void ShapeTool::press(const ToolEvent& event, ToolContext& context)
@@ -70,9 +72,12 @@ void ShapeTool::press(const ToolEvent& event, ToolContext& context)
     if (picksInstead(event, context) || (event.area == Area::Head && !event.point))
         return;
     m_freehand = false;
+    m_hoverUv.reset();
     if (!active()) {
-        if (!m_edit.begin(context))
+        // What the context refers to outlives the edit; the context itself does not.
+        if (!m_edit.begin(context, title(), [this, kept = ToolContext(context)] { return stepBack(kept); }))
             return;
+        m_pressed = true;
         m_kind = context.settings.shape;
         m_corners = {event.uv};
         if (m_kind != ShapeKind::Polygon)
@@ -85,6 +90,7 @@ void ShapeTool::press(const ToolEvent& event, ToolContext& context)
         commit(context);
         return;
     }
+    m_pressed = true;
     m_corners.push_back(event.uv);
     show(context);
 }
@@ -110,8 +116,47 @@ void ShapeTool::release(const ToolEvent& event, ToolContext& context)
     if (!active())
         return;
     move(event, context);
+    m_pressed = false;
     if (m_kind != ShapeKind::Polygon || (m_freehand && m_corners.size() > 2))
         commit(context);
+}
+
+void ShapeTool::hover(const ToolEvent& event, ToolContext& /*context*/)
+{
+    m_hoverUv.reset();
+    if (pending() && (event.area == Area::Paint || event.point))
+        m_hoverUv = event.uv;
+}
+
+bool ShapeTool::key(Qt::Key key, Qt::KeyboardModifiers /*modifiers*/, ToolContext& context)
+{
+    return key == Qt::Key_Backspace && pending() && stepBack(context);
+}
+
+bool ShapeTool::stepBack(const ToolContext& context)
+{
+    if (m_kind != ShapeKind::Polygon || m_pressed || m_corners.size() < 2)
+        return false;
+    m_corners.pop_back();
+    show(context);
+    return true;
+}
+
+std::vector<OverlayShape> ShapeTool::overlay() const
+{
+    if (!active())
+        return {};
+    OverlayShape shape{.uvOutline = outlineUv(), .closed = m_kind != ShapeKind::Polygon || m_corners.size() > 2};
+    if (!pending())
+        return {shape};
+    shape.uvHandles = shape.uvOutline;
+    std::vector<OverlayShape> shapes{std::move(shape)};
+    if (m_hoverUv) {
+        QPolygonF next;
+        next << QPointF(m_corners.back().x, m_corners.back().y) << QPointF(m_hoverUv->x, m_hoverUv->y);
+        shapes.push_back({.uvOutline = std::move(next), .closed = false});
+    }
+    return shapes;
 }
 
 QPolygonF ShapeTool::outlineUv() const
@@ -137,7 +182,7 @@ QPolygonF ShapeTool::outlineUv() const
     return outline;
 }
 
-void ShapeTool::show(ToolContext& context)
+void ShapeTool::show(const ToolContext& context)
 {
     const int size = m_edit.size();
     const auto inTexels = [size](const QPolygonF& uv) {
@@ -167,7 +212,7 @@ void ShapeTool::show(ToolContext& context)
     }
     const TilePaint paint{.value = context.settings.value(context.target.map).texel(m_edit.spec()),
                           .opacity = unit16(context.settings.opacity)};
-    m_edit.replace(context.document, buffer.takeDirty(), [&](int index, const sim::RasterTilePtr& before) {
+    m_edit.replace(buffer.takeDirty(), [&](int index, const sim::RasterTilePtr& before) {
         return paintTile(m_edit.spec(), before, *buffer.mask(index), paint);
     });
 }

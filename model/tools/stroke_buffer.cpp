@@ -75,10 +75,12 @@ struct StrokeBuffer::Kernel
     }
 };
 
-StrokeBuffer::StrokeBuffer(int size) : m_size(size), m_tilesAcross(size / kTile)
+StrokeBuffer::StrokeBuffer(int size, int valueChannels)
+    : m_size(size), m_tilesAcross(size / kTile), m_valueChannels(static_cast<std::size_t>(valueChannels))
 {
     const auto count = static_cast<std::size_t>(m_tilesAcross) * static_cast<std::size_t>(m_tilesAcross);
     m_tiles.resize(count);
+    m_values.resize(count);
     m_isDirty.resize(count);
 }
 
@@ -132,6 +134,31 @@ void StrokeBuffer::findSpans(const Kernel& kernel, const sim::TexelRect& rect)
 
 void StrokeBuffer::add(const Dab& dab, const sim::TexelRect& clip)
 {
+    add(dab, clip, nullptr);
+}
+
+void StrokeBuffer::add(const Dab& dab, const sim::TexelRect& clip, const sim::Texel& value)
+{
+    add(dab, clip, &value);
+}
+
+void StrokeBuffer::layValue(int tileIndex, std::size_t firstTexel, std::span<const std::uint16_t> masks,
+                            std::uint16_t* row, const sim::Texel& value)
+{
+    std::vector<std::uint16_t>& values = m_values[static_cast<std::size_t>(tileIndex)];
+    if (values.empty())
+        values.resize(kTileTexels * m_valueChannels);
+    for (std::size_t i = 0; i < masks.size(); ++i) {
+        if (masks[i] == 0 || masks[i] < row[i])
+            continue;
+        row[i] = masks[i];
+        std::copy_n(value.begin(), m_valueChannels,
+                    values.begin() + static_cast<std::ptrdiff_t>((firstTexel + i) * m_valueChannels));
+    }
+}
+
+void StrokeBuffer::add(const Dab& dab, const sim::TexelRect& clip, const sim::Texel* value)
+{
     const Kernel kernel(dab);
     const sim::TexelRect rect{std::max({clip.x0, 0, clampedInt(std::floor(dab.xTx - kernel.halfWidth), 0, m_size)}),
                               std::max({clip.y0, 0, clampedInt(std::floor(dab.yTx - kernel.halfHeight), 0, m_size)}),
@@ -151,10 +178,19 @@ void StrokeBuffer::add(const Dab& dab, const sim::TexelRect& clip)
             });
             if (!meets)
                 continue;
-            MaskTile& tile = writableMask(tileY * m_tilesAcross + tileX);
-            for (int y = top; y < bottom; ++y)
-                addRow(kernel, spans[static_cast<std::size_t>(y - top)], clip, y, left,
-                       tile.data() + static_cast<std::size_t>(y % kTile) * kTile);
+            const int index = tileY * m_tilesAcross + tileX;
+            MaskTile& tile = writableMask(index);
+            for (int y = top; y < bottom; ++y) {
+                const Span& span = spans[static_cast<std::size_t>(y - top)];
+                const std::size_t first = static_cast<std::size_t>(y % kTile) * kTile;
+                if (value == nullptr) {
+                    addRow(kernel, span, clip, y, left, tile.data() + first);
+                    continue;
+                }
+                std::array<std::uint16_t, kTile> own{};
+                addRow(kernel, span, clip, y, left, own.data());
+                layValue(index, first, own, tile.data() + first, *value);
+            }
         }
     }
 }

@@ -29,15 +29,24 @@ public:
         static_cast<std::size_t>(sim::TiledRaster::kTileSize) * sim::TiledRaster::kTileSize;
     using MaskTile = std::array<std::uint16_t, kTileTexels>;
 
-    explicit StrokeBuffer(int size);
+    /// `valueChannels`: of the values that dabs leave; 0 where all lay the same.
+    explicit StrokeBuffer(int size, int valueChannels = 0);
 
     /// Paints inside `clip` only. Allocates the tiles it meets first.
     void add(const Dab& dab, const sim::TexelRect& clip);
+    /// The same; where no earlier dab is stronger it leaves `value`.
+    void add(const Dab& dab, const sim::TexelRect& clip, const sim::Texel& value);
 
     /// Null where no dab has been.
     [[nodiscard]] const MaskTile* mask(int tileIndex) const
     {
         return m_tiles[static_cast<std::size_t>(tileIndex)].get();
+    }
+    /// [64][64][valueChannels], each of meaning where the mask is above 0; null where no dab left a value.
+    [[nodiscard]] const std::uint16_t* values(int tileIndex) const
+    {
+        const std::vector<std::uint16_t>& tile = m_values[static_cast<std::size_t>(tileIndex)];
+        return tile.empty() ? nullptr : tile.data();
     }
     /// For tools that write masks themselves; zeroed when it is new.
     [[nodiscard]] MaskTile& writableMask(int tileIndex);
@@ -51,13 +60,18 @@ private:
         int x0, x1, full0, full1;
     };
     struct Kernel;
+    void add(const Dab& dab, const sim::TexelRect& clip, const sim::Texel* value);
+    void layValue(int tileIndex, std::size_t firstTexel, std::span<const std::uint16_t> masks, std::uint16_t* row,
+                  const sim::Texel& value);
     void findSpans(const Kernel& kernel, const sim::TexelRect& rect);
     static void addRow(const Kernel& kernel, const Span& span, const sim::TexelRect& clip, int y, int left,
                        std::uint16_t* row);
 
     int m_size;
     int m_tilesAcross;
+    std::size_t m_valueChannels;
     std::vector<std::unique_ptr<MaskTile>> m_tiles;
+    std::vector<std::vector<std::uint16_t>> m_values;
     std::vector<bool> m_isDirty;
     std::vector<int> m_dirty;
     std::vector<Span> m_spans; ///< Kept from dab to dab, so that a dab does not allocate.

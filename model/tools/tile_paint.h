@@ -1,21 +1,11 @@
 // How a mask lays a value onto a layer's tile, or takes coverage away.
 #pragma once
 
-#include "model/map_spec.h"
+#include "model/texel_ops.h"
 #include "model/tools/stroke_buffer.h"
 #include "sim/base/tiled_raster.h"
 
 namespace hairpaint::model {
-
-/// What is laid on the texels of a tile. Where `values` is set it holds [64][64][valueChannels], else `value` is laid
-/// everywhere.
-struct TilePaint
-{
-    sim::Texel value{};
-    const std::uint16_t* values = nullptr;
-    std::uint16_t opacity = 65535;
-    bool erase = false;
-};
 
 /// `before` with `paint` through `mask`, where `share = mask * opacity`:
 /// laid: coverage' = coverage + (1 - coverage) share, value' = value moved by share / coverage' toward the paint;

@@ -1,4 +1,4 @@
-// What every tool is: plain events on the skin in, a live edit of one layer out. Tools never touch widgets.
+// What every tool is: plain events on the skin in, a live edit out. Tools never touch widgets.
 #pragma once
 
 #include "model/document.h"
@@ -41,8 +41,22 @@ struct OverlayShape
 {
     QPolygonF uvOutline;
     bool closed = true;
-    bool marching = false; ///< A selection: drawn as a moving dashed line.
+    bool marching = false;    ///< A selection: drawn as a moving dashed line.
+    QPolygonF uvHandles = {}; ///< Points that can be taken hold of, or taken back: drawn as small squares.
 };
+
+enum class ToolId : std::uint8_t
+{
+    Brush,
+    Eraser,
+    Gradient,
+    Fill,
+    Shape,
+    Select,
+    Picker
+};
+/// "brush": names the icon, and the key in the settings file.
+[[nodiscard]] const char* toolName(ToolId id);
 
 class Selection;
 
@@ -56,14 +70,16 @@ struct ToolContext
     bool mirror = false; ///< Paint the reflected place too.
 };
 
-/// A small state machine. One press..release is one undo command; cancel() leaves no trace.
+/// A small state machine. Painting tools work in an edit session (LiveEdit): one press..release, or one pending shape,
+/// is one undo command; cancel() leaves no trace. Somebody else's edit may end the session at any time: active() is
+/// false from then on.
 class Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
     virtual ~Tool() = default;
 
-    [[nodiscard]] virtual const char* id() const = 0; ///< "brush"; names the icon too.
+    [[nodiscard]] virtual ToolId id() const = 0;
     [[nodiscard]] virtual QString title() const = 0;
     [[nodiscard]] virtual QKeySequence defaultKey() const = 0;
     /// What the status bar says the tool does next.
@@ -71,14 +87,22 @@ public:
     /// The settings that the option bar shows for it.
     [[nodiscard]] virtual std::vector<ToolOption> options() const = 0;
     [[nodiscard]] virtual bool hasRing() const { return false; } ///< The cursor is a brush ring.
+    [[nodiscard]] virtual bool paints() const { return true; }   ///< Needs a layer that can be painted on.
 
     virtual void press(const ToolEvent& event, ToolContext& context) = 0;
     virtual void move(const ToolEvent& event, ToolContext& context) = 0;
     virtual void release(const ToolEvent& event, ToolContext& context) = 0;
+    /// The pointer moves with no button down.
+    virtual void hover(const ToolEvent& /*event*/, ToolContext& /*context*/) {}
+    /// A key pressed while the tool is in use; false leaves it to others.
+    virtual bool key(Qt::Key /*key*/, Qt::KeyboardModifiers /*modifiers*/, ToolContext& /*context*/) { return false; }
     virtual void cancel(ToolContext& context) = 0;
     /// Ends a running action early, keeping it.
     virtual void commit(ToolContext& context) = 0;
+    /// Something runs: while a button is down, or pending.
     [[nodiscard]] virtual bool active() const = 0;
+    /// Something runs that goes on after the button was released: a polygon waits for its next corner.
+    [[nodiscard]] virtual bool pending() const { return false; }
     [[nodiscard]] virtual std::vector<OverlayShape> overlay() const { return {}; }
 };
 

@@ -1,7 +1,15 @@
 // The tools, in tool-bar order.
 #include "model/tools/tool_list.h"
 
+#include <array>
+
 namespace hairpaint::model {
+
+const char* toolName(ToolId id)
+{
+    static constexpr std::array kNames{"brush", "eraser", "gradient", "fill", "shape", "select", "picker"};
+    return kNames.at(static_cast<std::size_t>(id));
+}
 
 std::vector<std::unique_ptr<Tool>> makeTools()
 {

@@ -3,8 +3,6 @@
 
 #include "model/map_spec.h"
 
-#include <QColor>
-
 #include <array>
 
 namespace hairpaint::model {
@@ -30,17 +28,6 @@ enum class GradientKind : std::uint8_t
 {
     Linear,
     Radial
-};
-
-/// The value painted on a map: a scalar in `scalar`, an index in `index`, a colour in `colour`.
-struct PaintValue
-{
-    float scalar = 1.0F; ///< 0..1
-    int index = 1;
-    QColor colour = QColor(0x5A, 0x38, 0x22);
-    friend bool operator==(const PaintValue&, const PaintValue&) = default;
-    /// As a raster's texel, without coverage.
-    [[nodiscard]] sim::Texel texel(const MapSpec& spec) const;
 };
 
 /// What D sets the values of all maps to: 15 of 30 cm, a plait, chestnut, ...; and the ones that X swaps in.

@@ -1,4 +1,5 @@
-// What every shader of the renderer shares: the frame's constants, the layout of strands and the packing of samples.
+// What every shader of the renderer shares: the frame's constants and the packing of samples; strands are laid out in
+// strand_layout.glsl.
 // Spaces: Wo world, m; Sp samples of the picture, x right, y up, samplesPerPixel in each direction.
 
 layout(std140, binding = 0) uniform Frame
@@ -18,17 +19,11 @@ layout(std140, binding = 0) uniform Frame
     vec4 ringWo[2];         // Centre; w: radius, 0 where there is no ring.
 };
 
-// sim::StrandStyle, with the root's tangent (octahedral, two snorm16) in its reserved place.
-struct Style
+// Where the x of a skeleton's node is; y and z follow kStrandLanes apart.
+uint nodeIndex(uint slot, int node, int nodes)
 {
-    float lengthM, turns, curlRadiusM, phase;
-    uint rootColour, tipColour;
-    float widthM, detail;
-    uint braid;
-    float braidRadiusM, braidStart, braidTurns;
-    float placeX, placeY, variation;
-    uint tangentHd;
-};
+    return ((slot / kStrandLanes) * uint(nodes) + uint(node)) * 3u * kStrandLanes + slot % kStrandLanes;
+}
 
 const float kPi = 3.14159265;
 

@@ -2,7 +2,7 @@
 // for the same strand), which over many strands is a smooth splat for the price of one. One invocation a strand.
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Strands { uvec2 strands[]; };
+layout(std430, binding = 0) readonly buffer Strands { DrawnStrand strands[]; };
 layout(std430, binding = 2) readonly buffer Skeletons { float skeletons[]; };
 layout(std430, binding = 3) buffer Voxels { uint voxels[]; };
 
@@ -14,8 +14,8 @@ uniform float weight; // Voxel units for a metre of hair.
 
 vec3 node(uint slot, int k)
 {
-    uint at = ((slot >> 4) * uint(nodes) + uint(k)) * 48u + (slot & 15u);
-    return vec3(skeletons[at], skeletons[at + 16u], skeletons[at + 32u]);
+    uint x = nodeIndex(slot, k, nodes);
+    return vec3(skeletons[x], skeletons[x + kStrandLanes], skeletons[x + 2u * kStrandLanes]);
 }
 
 void main()
@@ -23,7 +23,7 @@ void main()
     uint strand = gl_GlobalInvocationID.x * strandStep;
     if (strand >= strandCount)
         return;
-    uint slot = strands[strand].x;
+    uint slot = strands[strand].slot;
     vec3 a = node(slot, 0);
     for (int k = 1; k < nodes; ++k) {
         vec3 b = node(slot, k);

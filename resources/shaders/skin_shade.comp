@@ -11,6 +11,27 @@ uniform int shadeCell; // Pixels across a cell.
 
 const vec2 kPlaces[5] = vec2[](vec2(0.5), vec2(0.1, 0.1), vec2(0.9, 0.1), vec2(0.1, 0.9), vec2(0.9, 0.9));
 
+// Light that comes through the hair. What is blended between neighbours is the light, not the hair: a plait holds so much
+// of it that the least part of its voxel would be dark, as a stub of shade beside and below it.
+float lightThrough(sampler3D opacity, vec3 place, float strength)
+{
+    ivec3 size = textureSize(opacity, 0);
+    vec3 at = place * vec3(size) - 0.5;
+    ivec3 low = ivec3(floor(at));
+    vec3 part = at - vec3(low);
+    float light = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+        vec3 weights = mix(1.0 - part, part, vec3(corner));
+        ivec3 voxel = low + corner;
+        voxel.z = clamp(voxel.z, 0, size.z - 1); // Behind the grid the last layer's sum goes on.
+        bool beside = any(lessThan(voxel.xy, ivec2(0))) || any(greaterThanEqual(voxel.xy, size.xy));
+        float hair = beside ? 0.0 : texelFetch(opacity, voxel, 0).x;
+        light += weights.x * weights.y * weights.z * exp2(-strength * hair);
+    }
+    return light;
+}
+
 void main()
 {
     ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
@@ -25,11 +46,11 @@ void main()
         depth = here < 1.0 ? here : depth;
     }
     vec4 wo = vec4(unprojected(at, depth), 1.0);
-    float above = texture(opacityToLight, (gridFromWo[0] * wo).xyz).x;
-    float before = texture(opacityToEye, (gridFromWo[1] * wo).xyz).x;
+    float fromLight = lightThrough(opacityToLight, (gridFromWo[0] * wo).xyz, 0.6);
+    float toEye = lightThrough(opacityToEye, (gridFromWo[1] * wo).xyz, 2.0);
     // The light falls on the side of the head that is turned toward it; the other has no shadow to get.
     vec2 side = wo.xz - headWo.xz;
     float lit = smoothstep(-0.3, 0.2, dot(side, lightWo.xz) * inversesqrt(dot(side, side) + 1e-4));
-    float shade = (1.0 - 0.65 * lit * (1.0 - exp2(-0.6 * above))) * (0.2 + 0.8 * exp2(-2.0 * before));
+    float shade = (1.0 - 0.65 * lit * (1.0 - fromLight)) * (0.2 + 0.8 * toEye);
     imageStore(skinShade, cell, vec4(depth < 1.0 ? shade : 1.0));
 }

@@ -3,8 +3,8 @@
 // In: skeletons, Wo, m. Out: points, Wo, m; w holds the strand's number as bits. One invocation a strand.
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Strands { uvec2 strands[]; }; // Slot, first point; one more at the end.
-layout(std430, binding = 1) readonly buffer Styles { Style styles[]; };
+layout(std430, binding = 0) readonly buffer Strands { DrawnStrand strands[]; }; // One more at the end.
+layout(std430, binding = 1) readonly buffer Styles { PackedStyle styles[]; };
 layout(std430, binding = 2) readonly buffer Skeletons { float skeletons[]; }; // [slots / 16][nodes][3][16]
 layout(std430, binding = 3) writeonly buffer Points { vec4 pointsWo[]; };
 
@@ -27,8 +27,8 @@ uniform int nodes;
 
 vec3 node(uint slot, int k)
 {
-    uint at = ((slot >> 4) * uint(nodes) + uint(k)) * 48u + (slot & 15u);
-    return vec3(skeletons[at], skeletons[at + 16u], skeletons[at + 32u]);
+    uint x = nodeIndex(slot, k, nodes);
+    return vec3(skeletons[x], skeletons[x + kStrandLanes], skeletons[x + 2u * kStrandLanes]);
 }
 
 vec3 unpackDirection(uint bits)
@@ -64,7 +64,7 @@ vec2 braidedOffset(uint slot, uint braid, float q)
     axis *= kind == kLoc ? 0.0 : kind == kTwist ? kTwistShare : 1.0;
     float wispShare = kind == kLoc ? kLocWispShare : kind == kTwist ? kTwistWispShare : kWispRadiusShare;
     return axis * (r * mix(1.0, kTuftBraidShare, tuft))
-           + vec2(styles[slot].placeX, styles[slot].placeY) * (r * wispShare * mix(1.0, kTuftWispShare, tuft));
+           + vec2(styles[slot].wispOffsetX, styles[slot].wispOffsetY) * (r * wispShare * mix(1.0, kTuftWispShare, tuft));
 }
 
 void main()
@@ -73,10 +73,10 @@ void main()
     if (strand >= strandCount)
         return;
     strand += firstStrand;
-    uint slot = strands[strand].x;
-    uint base = strands[firstStrand].y;
-    uint first = strands[strand].y - base;
-    int segments = int(strands[strand + 1u].y - strands[strand].y) - 1;
+    uint slot = strands[strand].slot;
+    uint base = strands[firstStrand].firstPoint;
+    uint first = strands[strand].firstPoint - base;
+    int segments = int(strands[strand + 1u].firstPoint - strands[strand].firstPoint) - 1;
 
     float turns = styles[slot].turns;
     float radius = styles[slot].curlRadiusM;

@@ -4,8 +4,8 @@
 // strand's own number, so that thin hair neither flickers nor turns to dust. One invocation a point.
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Strands { uvec2 strands[]; };
-layout(std430, binding = 1) readonly buffer Styles { Style styles[]; };
+layout(std430, binding = 0) readonly buffer Strands { DrawnStrand strands[]; };
+layout(std430, binding = 1) readonly buffer Styles { PackedStyle styles[]; };
 layout(std430, binding = 2) readonly buffer Points { vec4 pointsWo[]; };
 // x, y in Sp; distance, negative at a strand's last point; colour in 20 bits, width in samples / 128 in 12.
 layout(std430, binding = 3) writeonly buffer Projected { uvec4 projected[]; };
@@ -19,6 +19,7 @@ uniform float widening;   // 1 / share of the hairs drawn.
 uniform float leastWidth; // Samples that the thinnest hair covers, and the widest.
 uniform float greatestWidth;
 uniform vec4 material;    // Shine, roughness, alpha at root and tip.
+uniform float groupWidthM; // Diameter of a hair whose width is 1.
 uniform float variationScale;
 
 // Coverings of hair in front, seen by the eye: from where on strands stay as thin as they are, and are not drawn at all.
@@ -38,11 +39,10 @@ void main()
         return;
     vec4 self = pointsWo[i];
     uint strand = floatBitsToUint(self.w);
-    uvec2 place = strands[strand];
-    uint base = strands[firstStrand].y;
-    uint first = place.y - base;
-    uint last = strands[strand + 1u].y - base - 1u;
-    uint slot = place.x;
+    uint base = strands[firstStrand].firstPoint;
+    uint first = strands[strand].firstPoint - base;
+    uint last = strands[strand + 1u].firstPoint - base - 1u;
+    uint slot = strands[strand].slot;
     float s = float(i - first) / float(last - first);
     vec3 position = self.xyz;
     vec3 along = pointsWo[min(i + 1u, last)].xyz - pointsWo[max(i, first + 1u) - 1u].xyz;
@@ -62,7 +62,7 @@ void main()
     float slant = length(steep) / max(max(steep.x, steep.y), 1e-12);
     uint random = hashOf(slot * 2654435761u + 12345u);
     float alpha = mix(material.z, material.w, s * s);
-    float ownWidth = styles[slot].widthM * gridSize.z / clip.w;
+    float ownWidth = styles[slot].width * groupWidthM * gridSize.z / clip.w;
     float drawnWidth = max(ownWidth, leastWidth);
 
     vec3 view = normalize(eyeWo.xyz - position);

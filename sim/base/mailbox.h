@@ -42,6 +42,12 @@ public:
         return std::exchange(m_value, std::nullopt);
     }
 
+    [[nodiscard]] bool waiting() const ///< Whether a value lies there; another thread may take it at once.
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_value.has_value();
+    }
+
     /// Waits until there is a value.
     [[nodiscard]] T waitAndTake()
     {
@@ -62,7 +68,7 @@ public:
     }
 
 private:
-    std::mutex m_mutex;
+    mutable std::mutex m_mutex;
     std::condition_variable m_arrived;
     std::optional<T> m_value;
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hairpaint::sim {
 
@@ -22,10 +23,17 @@ constexpr std::size_t kGrain = 2048;
 
 using Place = std::array<float, kDimensions>;
 
-/// The adaptor that nanoflann asks for.
+/// The distinct places of the basis hairs, and which stand on each. A tree of equal places has nothing to split: every
+/// search would visit all of them. On a sound head each place has one hair, and the order is theirs.
 struct BasisCloud
 {
+    explicit BasisCloud(const std::vector<Place>& placeOfBasis);
+
     std::vector<Place> places;
+    std::vector<std::uint32_t> first; ///< [places + 1], into `basis`.
+    std::vector<std::uint32_t> basis; ///< Indices of basis hairs, ascending within a place.
+
+    /// The adaptor that nanoflann asks for.
     // The names are nanoflann's.
     [[nodiscard]] std::size_t kdtree_get_point_count() const { return places.size(); }
     [[nodiscard]] float kdtree_get_pt(std::size_t index, std::size_t dimension) const
@@ -39,6 +47,34 @@ struct BasisCloud
     }
 };
 
+BasisCloud::BasisCloud(const std::vector<Place>& placeOfBasis)
+{
+    std::vector<std::uint32_t> order(placeOfBasis.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+        return placeOfBasis[a] != placeOfBasis[b] ? placeOfBasis[a] < placeOfBasis[b] : a < b;
+    });
+    // Each group of equal places is named by its lowest basis hair.
+    std::vector<std::uint32_t> leader(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        leader[order[i]] =
+            i > 0 && placeOfBasis[order[i]] == placeOfBasis[order[i - 1]] ? leader[order[i - 1]] : order[i];
+    std::vector<std::uint32_t> placeOfLeader(order.size());
+    for (std::uint32_t i = 0; i < leader.size(); ++i)
+        if (leader[i] == i) {
+            placeOfLeader[i] = static_cast<std::uint32_t>(places.size());
+            places.push_back(placeOfBasis[i]);
+        }
+    first.assign(places.size() + 1, 0);
+    for (const std::uint32_t lead : leader)
+        ++first[placeOfLeader[lead] + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    basis.resize(order.size());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t i = 0; i < leader.size(); ++i)
+        basis[next[placeOfLeader[leader[i]]]++] = i;
+}
+
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, BasisCloud>, BasisCloud,
                                                  static_cast<int>(kDimensions), std::uint32_t>;
 
@@ -47,6 +83,33 @@ Place placeOf(const RootSet& roots, std::uint32_t slot, float normalScaleM)
     const glm::vec3 position = roots.positionHd[slot];
     const glm::vec3 normal = roots.normalHd[slot] * normalScaleM;
     return {position.x, position.y, position.z, normal.x, normal.y, normal.z};
+}
+
+struct Nearest
+{
+    std::array<std::uint32_t, kFound> basis{};
+    std::array<float, kFound> distances{};
+};
+
+/// From the nearest on. With fewer basis hairs than neighbours the last is repeated, and weighs nothing.
+Nearest nearestBasis(const BasisCloud& cloud, const Tree& tree, const Place& place)
+{
+    std::array<std::uint32_t, kFound> foundPlaces{};
+    std::array<float, kFound> squares{};
+    const std::size_t placeCount = tree.knnSearch(place.data(), kFound, foundPlaces.data(), squares.data());
+    Nearest nearest;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < placeCount; ++k)
+        for (std::uint32_t i = cloud.first[foundPlaces[k]]; i < cloud.first[foundPlaces[k] + 1] && count < kFound;
+             ++i) {
+            nearest.basis[count] = cloud.basis[i];
+            nearest.distances[count++] = std::sqrt(squares[k]);
+        }
+    for (std::size_t k = count; k < kFound; ++k) {
+        nearest.basis[k] = nearest.basis[count - 1];
+        nearest.distances[k] = nearest.distances[count - 1];
+    }
+    return nearest;
 }
 
 /// Shepard's weights as Franke and Nielson 1980 bound them: ((R - d) / (R d))^2, with R the distance of the next one.
@@ -80,24 +143,18 @@ void findBasisNeighbours(RootSet& roots)
         return;
     const float spacingM = std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(basisCount));
     const float normalScaleM = kNormalSpacings * spacingM;
-    BasisCloud cloud;
-    cloud.places.reserve(basisCount);
+    std::vector<Place> placeOfBasis;
+    placeOfBasis.reserve(basisCount);
     for (const std::uint32_t slot : roots.basisSlot)
-        cloud.places.push_back(placeOf(roots, slot, normalScaleM));
+        placeOfBasis.push_back(placeOf(roots, slot, normalScaleM));
+    const BasisCloud cloud(placeOfBasis);
     const Tree tree(static_cast<int>(kDimensions), cloud, nanoflann::KDTreeSingleIndexAdaptorParams(8));
 
     parallelFor(roots.count(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto slot = static_cast<std::uint32_t>(i);
             const Place place = placeOf(roots, slot, normalScaleM);
-            std::array<std::uint32_t, kFound> found{};
-            std::array<float, kFound> distances{};
-            const std::size_t count = tree.knnSearch(place.data(), kFound, found.data(), distances.data());
-            for (std::size_t k = 0; k < kFound; ++k) {
-                // With fewer basis hairs than neighbours the last is repeated, and weighs nothing.
-                found[k] = found[std::min(k, count - 1)];
-                distances[k] = std::sqrt(distances[std::min(k, count - 1)]);
-            }
+            const auto [found, distances] = nearestBasis(cloud, tree, place);
             std::array<std::uint32_t, RootSet::kNeighbours> kept{};
             std::copy_n(found.begin(), kept.size(), kept.begin());
             if (roots.rankOfSlot[slot] >= basisCount) {

@@ -89,13 +89,13 @@ void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance&
     style.turns = 0.0F;
     style.curlRadiusM = 0.0F;
     style.phase = 0.0F;
-    style.braid = static_cast<std::uint32_t>(kind) | (chance.wisp % wispCount(kind) << 8U);
+    style.braid = kind;
+    style.wisp = static_cast<std::uint8_t>(chance.wisp % wispCount(kind));
     style.braidRadiusM = std::min(settings.braidRadiusM, centreLengthM * 0.25F);
     style.braidStart =
         static_cast<float>(gatheringNode(settings.nodesPerHair)) / static_cast<float>(settings.nodesPerHair - 1);
     style.braidTurns = centreLengthM / (kPitchRadii * std::max(settings.braidRadiusM, 1e-4F));
-    style.placeX = chance.place.x;
-    style.placeY = chance.place.y;
+    style.wispOffset = chance.wispOffset;
 }
 
 } // namespace hairpaint::sim

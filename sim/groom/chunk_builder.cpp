@@ -12,8 +12,6 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr std::size_t kMostNodes = 32;
-
 RootPlace placeOf(const RootSet& roots, std::uint32_t slot)
 {
     return {roots.positionHd[slot], roots.normalHd[slot]};
@@ -34,8 +32,7 @@ public:
         const RootSet& roots = m_inputs.roots;
         const glm::vec2 uv = roots.uv[slot];
         const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[slot]);
-        const RootValues values{m_inputs.maps.length.scalar(uv), m_inputs.maps.curl.scalar(uv),
-                                glm::vec3(m_inputs.maps.colour.channels(uv))};
+        const RootValues values = valuesAt(m_inputs.maps, uv);
         StrandStyle style = styleOf(settings, values, chance, roots.threshold(slot) / density);
         const bool isDrawn = style.lengthM >= kShortestDrawnM;
         if (!isDrawn)
@@ -53,7 +50,7 @@ public:
         } else {
             straightRest(placeOf(roots, slot), style.lengthM, nodes);
             const std::uint32_t basis = roots.basisSlot[roots.neighbours[slot][0]];
-            const float clump = basis == slot ? 0.0F : m_inputs.maps.clump.scalar(uv);
+            const float clump = basis == slot ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(uv);
             if (clump > 0.0F) {
                 clumpRest(placeOf(roots, basis), clump, style.lengthM / static_cast<float>(m_nodes - 1), nodes);
                 // Hairs that lie together curl together: a ringlet is one curl of many hairs.
@@ -62,6 +59,12 @@ public:
             }
         }
         store(slot, style, nodes, isDrawn, centre);
+    }
+
+    /// Of a hair that else stays as it is.
+    void colour(std::uint32_t slot)
+    {
+        setColours(coloursAt(m_inputs.maps, m_inputs.roots.uv[slot]), m_chunk.styles[slot - m_firstSlot]);
     }
 
     void clear(std::uint32_t slot)
@@ -81,13 +84,7 @@ private:
         m_chunk.styles[local] = style;
         m_chunk.braidCentre[local] = centre;
         m_chunk.segmentLengths[local] = style.lengthM / static_cast<float>(m_nodes - 1);
-        float* at = m_chunk.restPositions.data() + local / kLanes * m_nodes * 3 * kLanes + local % kLanes;
-        for (const glm::vec3& node : nodes) {
-            at[0] = node.x;
-            at[kLanes] = node.y;
-            at[2 * std::size_t{kLanes}] = node.z;
-            at += 3 * std::size_t{kLanes};
-        }
+        StrandBlocks(m_inputs.settings.nodesPerHair).write(m_chunk.restPositions, local, nodes);
     }
 
     const ChunkInputs& m_inputs;
@@ -101,7 +98,7 @@ std::shared_ptr<StrandChunk> emptyChunk(int nodes)
 {
     auto chunk = std::make_shared<StrandChunk>();
     chunk->styles.resize(kChunkSlots);
-    chunk->restPositions.resize(static_cast<std::size_t>(kChunkSlots) * static_cast<std::size_t>(nodes) * 3);
+    chunk->restPositions.resize(StrandBlocks(nodes).floatsFor(kBlocksPerChunk));
     chunk->segmentLengths.resize(kChunkSlots);
     chunk->braidCentre.assign(kChunkSlots, kNoCentre);
     return chunk;
@@ -111,16 +108,22 @@ std::shared_ptr<StrandChunk> emptyChunk(int nodes)
 
 std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
                                                 const std::shared_ptr<const StrandChunk>& before,
-                                                std::size_t chunkIndex, const SlotSet& dirty, SlotSet& rebuilt)
+                                                std::size_t chunkIndex, const ChangedSlots& dirty, SlotSet& rebuilt)
 {
     const RootSet& roots = inputs.roots;
     const std::size_t firstSlot = chunkIndex * kChunkSlots;
     std::bitset<kChunkSlots> hairs = before ? before->hairs : std::bitset<kChunkSlots>{};
     std::array<float, kChunkSlots> densities; // Written where read.
     bool differs = false;
-    dirty.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
+    dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
+        if (hairs[slot - firstSlot]) {
+            rebuilt.insert(slot);
+            differs = true;
+        }
+    });
+    dirty.hairs.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         const std::size_t local = slot - firstSlot;
-        densities[local] = inputs.maps.density.scalar(roots.uv[slot]);
+        densities[local] = inputs.maps[MapSlot::Density].scalar(roots.uv[slot]);
         const bool isHair = roots.threshold(slot) < densities[local];
         if (isHair || hairs[local]) {
             rebuilt.insert(slot);
@@ -136,7 +139,11 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     const std::shared_ptr<StrandChunk> chunk =
         before ? std::make_shared<StrandChunk>(*before) : emptyChunk(inputs.settings.nodesPerHair);
     ChunkWriter writer(inputs, chunkIndex, *chunk);
-    dirty.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
+    dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
+        if (chunk->hairs[slot - firstSlot] && !dirty.hairs.contains(slot))
+            writer.colour(slot);
+    });
+    dirty.hairs.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         const std::size_t local = slot - firstSlot;
         if (hairs[local])
             writer.write(slot, densities[local]);

@@ -3,6 +3,7 @@
 
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/groom.h"
+#include "sim/groom/map_changes.h"
 #include "sim/groom/map_sampler.h"
 #include "sim/groom/slot_set.h"
 
@@ -22,11 +23,11 @@ struct ChunkInputs
     std::span<const float> basisLengthM; ///< [basis hairs]
 };
 
-/// The chunk with `dirty` slots evaluated anew: `before` itself where none of them was a hair or is one, null where no
-/// hair is left. Adds to `rebuilt` the dirty slots that were or are hairs.
+/// The chunk with the hairs of `dirty` evaluated anew and those of its look coloured anew: `before` itself where none
+/// of them was a hair or is one, null where no hair is left. Adds to `rebuilt` those that were or are hairs.
 [[nodiscard]] std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
                                                               const std::shared_ptr<const StrandChunk>& before,
-                                                              std::size_t chunkIndex, const SlotSet& dirty,
+                                                              std::size_t chunkIndex, const ChangedSlots& dirty,
                                                               SlotSet& rebuilt);
 
 } // namespace hairpaint::sim

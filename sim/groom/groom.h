@@ -1,6 +1,7 @@
 // The groom: every hair's style and rest shape, in immutable chunks.
 #pragma once
 
+#include "sim/base/strand_blocks.h"
 #include "sim/groom/groom_input.h"
 #include "sim/groom/roots.h"
 
@@ -11,12 +12,11 @@
 
 namespace hairpaint::sim {
 
-inline constexpr int kLanes = 16; ///< Strands in a block; one SIMD lane each.
 inline constexpr int kBlocksPerChunk = 64;
 inline constexpr int kChunkSlots = kLanes * kBlocksPerChunk;
 inline constexpr float kShortestDrawnM = 1e-4F; ///< Shorter hairs count, but are neither drawn nor exported.
 
-enum class BraidKind : std::uint32_t
+enum class BraidKind : std::uint8_t
 {
     None = 0,
     Plait = 1,
@@ -24,29 +24,27 @@ enum class BraidKind : std::uint32_t
     Loc = 3
 };
 
-/// What a strand looks like, laid out as the shaders read it (std430, 16 floats).
+/// What a strand looks like. Rendering packs it for the GPU (view/rendering/packed_style.h).
 struct StrandStyle
 {
-    float lengthM = 0.0F; ///< The skeleton's; a braided hair's is that of its way and its braid.
+    float lengthM = 0.0F; ///< The skeleton's; a braided hair's is that of its path over the scalp and its braid.
     float turns = 0.0F;   ///< Of equation 1 over the whole hair.
     float curlRadiusM = 0.0F;
     float phase = 0.0F;           ///< t at the root, rad.
     std::uint32_t rootColour = 0; ///< 0xAABBGGRR, sRGB as encoded.
     std::uint32_t tipColour = 0;
-    float widthM = 0.0F;     ///< Diameter.
-    float detail = 2.0F;     ///< threshold/density, 0..1: drawn at level of detail f where detail < f; 2: never drawn.
-    std::uint32_t braid = 0; ///< BraidKind; bits 8..9 the wisp (0..2).
+    float width = 1.0F;  ///< Diameter as a multiple of the material's.
+    float detail = 2.0F; ///< threshold/density, 0..1: drawn at level of detail f where detail < f; 2: never drawn.
     float braidRadiusM = 0.0F; ///< r of equation 3.
-    /// Share of the skeleton, 0..1, where the braid begins: node braidStart * (nodes - 1) stands on the centre's root,
-    /// those before it lie on the scalp, those after it follow the centre's skeleton, evenly to its tip.
+    /// Fraction of the skeleton, 0..1, where the braid begins: node braidStart * (nodes - 1) stands on the centre's
+    /// root, those before it lie on the scalp, those after it follow the centre's skeleton, evenly to its tip.
     float braidStart = 0.0F;
-    float braidTurns = 0.0F; ///< Of equation 3, from there to the tip.
-    float placeX = 0.0F;     ///< Place inside the wisp, in units of the wisp's radius, -1..1.
-    float placeY = 0.0F;
-    float variation = 0.0F; ///< -1..1, this hair's own lightness.
-    float reserved = 0.0F;  ///< 0 in the groom; the renderer packs the frame's tangent here.
+    float braidTurns = 0.0F;    ///< Of equation 3, from there to the tip.
+    glm::vec2 wispOffset{0.0F}; ///< Position inside the wisp, in units of the wisp's radius.
+    float variation = 0.0F;     ///< -1..1, this hair's own lightness.
+    BraidKind braid = BraidKind::None;
+    std::uint8_t wisp = 0; ///< 0..2
 };
-static_assert(sizeof(StrandStyle) == 64);
 
 /// 1024 slots. Hd, m.
 struct StrandChunk
@@ -73,6 +71,16 @@ struct BasisStyles
     [[nodiscard]] std::size_t blockCount() const { return wanted.size(); }
 };
 
+/// Where a slot is: chunk and index in it.
+[[nodiscard]] constexpr std::size_t chunkOf(std::size_t slot)
+{
+    return slot / kChunkSlots;
+}
+[[nodiscard]] constexpr std::size_t inChunk(std::size_t slot)
+{
+    return slot % kChunkSlots;
+}
+
 /// What keeps a group from having all the candidates that its density asks for.
 enum class HairLimit : std::uint8_t
 {
@@ -98,6 +106,23 @@ struct Groom
     std::size_t drawnCount = 0; ///< Also the number exported.
     std::size_t basisCount = 0; ///< Basis hairs that are wanted.
     HairLimit limit = HairLimit::None;
+
+    [[nodiscard]] StrandBlocks blocks() const { return StrandBlocks(nodes); }
+    [[nodiscard]] bool isDrawn(std::size_t slot) const
+    {
+        const std::size_t chunk = chunkOf(slot);
+        return chunk < chunks.size() && chunks[chunk] && chunkPlace[chunk] >= 0 && chunks[chunk]->drawn[inChunk(slot)];
+    }
+    /// The style of a slot whose chunk is there.
+    [[nodiscard]] const StrandStyle& style(std::size_t slot) const
+    {
+        return chunks[chunkOf(slot)]->styles[inChunk(slot)];
+    }
+    /// Which strand of a StrandFrame's positions a slot of a placed chunk is.
+    [[nodiscard]] std::size_t frameStrand(std::size_t slot) const
+    {
+        return static_cast<std::size_t>(chunkPlace[chunkOf(slot)]) * kChunkSlots + inChunk(slot);
+    }
 };
 
 /// Builds grooms, and rebuilds what differs from the input before. One thread at a time; loops run through parallelFor.

@@ -1,8 +1,8 @@
 // Everything the hair depends on, as one immutable snapshot from the document.
 #pragma once
 
-#include "sim/base/tiled_raster.h"
 #include "sim/groom/group_settings.h"
+#include "sim/groom/map_slot.h"
 #include "sim/skin/ellipsoid.h"
 #include "sim/skin/skin.h"
 
@@ -11,13 +11,6 @@
 #include <vector>
 
 namespace hairpaint::sim {
-
-/// Resolved maps of one group. Scalars have 1 channel, braid 1 (0 none, 1 plait, 2 twist, 3 loc), colour 3 (sRGB as
-/// encoded). All are present.
-struct GroupMaps
-{
-    std::shared_ptr<const TiledRaster> density, length, curl, braid, colour, clump, gel;
-};
 
 struct GroupInput
 {

@@ -2,24 +2,12 @@
 #include "sim/groom/groom_lineage.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hairpaint::sim {
 
 namespace {
 
-constexpr float kSamePlaceM = 1e-5F;
-
-bool isWanted(const BasisStyles& basis, std::size_t index)
-{
-    return ((basis.wanted[index / kLanes] >> (index % kLanes)) & 1U) != 0;
-}
-
-std::size_t nodeAt(int nodes, std::size_t index, int node)
-{
-    return (index / kLanes * static_cast<std::size_t>(nodes) + static_cast<std::size_t>(node)) * 3 * kLanes +
-           index % kLanes;
-}
+constexpr float kSameRootM = 1e-5F;
 
 bool sameRange(const std::vector<float>& a, const std::vector<float>& b, std::size_t begin, std::size_t count)
 {
@@ -68,29 +56,27 @@ std::vector<std::int32_t> originsOf(const Groom& before, const Groom& after)
 StrandChange changeOf(const Groom& before, std::int32_t origin, const Groom& after, std::size_t index)
 {
     const BasisStyles& now = *after.basis;
-    if (!isWanted(now, index) || now.segmentLengths[index] <= 0.0F)
+    if (!hasLane(now.wanted, index) || now.segmentLengths[index] <= 0.0F)
         return StrandChange::Gone;
     const BasisStyles& old = *before.basis;
     const auto was = static_cast<std::size_t>(std::max(origin, 0));
-    if (origin == kNoOrigin || !isWanted(old, was) || old.segmentLengths[was] <= 0.0F)
+    if (origin == kNoOrigin || !hasLane(old.wanted, was) || old.segmentLengths[was] <= 0.0F)
         return StrandChange::Arrived;
     bool same = now.segmentLengths[index] == old.segmentLengths[was] && now.gel[index] == old.gel[was] &&
                 now.height[index] == old.height[was];
-    for (int node = 0; node < after.nodes; ++node) {
-        for (std::size_t axis = 0; axis < 3 * kLanes; axis += kLanes) {
-            const float a = old.restPositions[nodeAt(before.nodes, was, node) + axis];
-            const float b = now.restPositions[nodeAt(after.nodes, index, node) + axis];
-            if (node == 0 && std::abs(a - b) > kSamePlaceM)
-                return StrandChange::Arrived;
-            same = same && a == b;
-        }
+    for (std::size_t node = 0; node < static_cast<std::size_t>(after.nodes); ++node) {
+        const glm::vec3 a = before.blocks().node(old.restPositions, was, node);
+        const glm::vec3 b = after.blocks().node(now.restPositions, index, node);
+        if (node == 0 && glm::any(glm::greaterThan(glm::abs(a - b), glm::vec3(kSameRootM))))
+            return StrandChange::Arrived;
+        same = same && a == b;
     }
     return same ? StrandChange::None : StrandChange::Shape;
 }
 
 bool sameBlock(const BasisStyles& before, const BasisStyles& after, int nodes, std::size_t block)
 {
-    const std::size_t floats = static_cast<std::size_t>(nodes) * 3 * kLanes;
+    const std::size_t floats = StrandBlocks(nodes).blockFloats();
     return before.wanted[block] == after.wanted[block] &&
            sameRange(before.segmentLengths, after.segmentLengths, block * kLanes, kLanes) &&
            sameRange(before.gel, after.gel, block * kLanes, kLanes) &&

@@ -16,14 +16,7 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr float kShortestBasisM = 0.005F; ///< A shorter one's displacement in units of its length means nothing.
-constexpr std::size_t kMostNodes = 32;
 constexpr std::size_t kBasisGrain = 256;
-
-MapSamplers samplersOf(const GroupMaps& maps)
-{
-    return {MapSampler(maps.density), MapSampler(maps.length), MapSampler(maps.curl), MapSampler(maps.braid),
-            MapSampler(maps.colour),  MapSampler(maps.clump),  MapSampler(maps.gel)};
-}
 
 /// Whether every hair must be evaluated anew. Density and basis hairs are in the roots; physics and material are not in
 /// the hairs.
@@ -36,15 +29,9 @@ bool sameHairs(GroupSettings before, const GroupSettings& after)
     return before == after;
 }
 
-bool sameMaps(const GroupMaps& a, const GroupMaps& b)
-{
-    return a.density == b.density && a.length == b.length && a.curl == b.curl && a.braid == b.braid &&
-           a.colour == b.colour && a.clump == b.clump && a.gel == b.gel;
-}
-
 GroupSettings withinLimits(GroupSettings settings)
 {
-    settings.nodesPerHair = std::clamp(settings.nodesPerHair, 4, static_cast<int>(kMostNodes));
+    settings.nodesPerHair = std::clamp(settings.nodesPerHair, kLeastNodes, kMostNodes);
     return settings;
 }
 
@@ -60,8 +47,8 @@ float heightOf(const RootSet& roots, std::uint32_t slot, float crownY)
 std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
 {
     auto basis = std::make_shared<BasisStyles>();
-    const std::size_t blocks = (roots.basisSlot.size() + kLanes - 1) / kLanes;
-    basis->restPositions.resize(blocks * static_cast<std::size_t>(nodes) * 3 * kLanes);
+    const std::size_t blocks = blocksFor(roots.basisSlot.size());
+    basis->restPositions.resize(StrandBlocks(nodes).floatsFor(blocks));
     basis->segmentLengths.resize(blocks * kLanes);
     basis->gel.resize(blocks * kLanes);
     basis->height.resize(blocks * kLanes);
@@ -82,20 +69,21 @@ GroupBuilder::Result GroupBuilder::update(const GroupInput& input, const std::sh
     const GroupSettings settings = withinLimits(input.settings);
     const bool allDiffer = !m_groom || roots != m_roots || !sameHairs(m_groom->settings, settings);
     Result result{m_groom, SlotSet(roots->count())};
-    if (!allDiffer && settings == m_groom->settings && sameMaps(input.maps, m_input.maps) &&
+    if (!allDiffer && settings == m_groom->settings && input.maps == m_input.maps &&
         input.visible == m_groom->visible && limit == m_groom->limit)
         return result;
 
-    SlotSet dirty(roots->count());
+    ChangedSlots dirty(roots->count());
     std::shared_ptr<Groom> groom;
     if (allDiffer) {
         startOver(input, roots);
-        dirty.insertAll();
+        dirty.hairs.insertAll();
+        dirty.basis.insertAll();
         groom = std::make_shared<Groom>();
         groom->groupId = input.id;
         groom->roots = roots;
         groom->nodes = settings.nodesPerHair;
-        groom->chunks.resize(dirty.chunkCount());
+        groom->chunks.resize(dirty.hairs.chunkCount());
         m_newBasis = emptyBasis(*roots, groom->nodes);
     } else {
         m_changes->find(m_input.maps, input.maps, dirty);
@@ -106,10 +94,10 @@ GroupBuilder::Result GroupBuilder::update(const GroupInput& input, const std::sh
     groom->limit = limit;
 
     if (allDiffer || !dirty.empty()) {
-        const MapSamplers maps = samplersOf(input.maps);
-        readKinds(maps, dirty);
-        updateBasis(settings, maps, dirty);
-        updateBraids(settings, dirty);
+        const MapSamplers maps(input.maps);
+        readKinds(maps, dirty.hairs);
+        updateBasis(settings, maps, dirty.basis);
+        updateBraids(settings, dirty.hairs);
         rebuildChunks(settings, maps, dirty, *groom, result.rebuilt);
         updateWanted(*groom);
     }
@@ -141,7 +129,7 @@ void GroupBuilder::readKinds(const MapSamplers& maps, const SlotSet& dirty)
         for (std::size_t chunk = begin; chunk < end; ++chunk)
             dirty.forEachInChunk(chunk, [&](std::uint32_t slot) {
                 m_kinds[slot] = static_cast<std::uint8_t>(std::min<std::uint16_t>(
-                    maps.braid.index(m_roots->uv[slot]), static_cast<std::uint16_t>(BraidKind::Loc)));
+                    maps[MapSlot::Braid].index(m_roots->uv[slot]), static_cast<std::uint16_t>(BraidKind::Loc)));
             });
     });
 }
@@ -169,21 +157,16 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             const std::uint32_t slot = roots.basisSlot[i];
             if (!dirty.contains(slot))
                 continue;
-            const float lengthM = std::max(lengthOf(settings, maps.length.scalar(roots.uv[slot])), kShortestBasisM);
-            basis.gel[i] = maps.gel.scalar(roots.uv[slot]);
+            const float lengthM =
+                std::max(lengthOf(settings, maps[MapSlot::Length].scalar(roots.uv[slot])), kShortestBasisM);
+            basis.gel[i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
             if (lengthM == m_basisLengthM[i])
                 continue;
             m_basisLengthM[i] = lengthM;
             m_basisChanged[i] = 1;
             basis.segmentLengths[i] = lengthM / static_cast<float>(nodeCount - 1);
             straightRest({roots.positionHd[slot], roots.normalHd[slot]}, lengthM, std::span(nodes).first(nodeCount));
-            float* at = basis.restPositions.data() + i / kLanes * nodeCount * 3 * kLanes + i % kLanes;
-            for (const glm::vec3& node : std::span(nodes).first(nodeCount)) {
-                at[0] = node.x;
-                at[kLanes] = node.y;
-                at[2 * std::size_t{kLanes}] = node.z;
-                at += 3 * std::size_t{kLanes};
-            }
+            StrandBlocks(settings.nodesPerHair).write(basis.restPositions, i, std::span(nodes).first(nodeCount));
         }
     });
 }
@@ -217,12 +200,12 @@ void GroupBuilder::updateBraids(const GroupSettings& settings, SlotSet& dirty)
     m_kindOfBasis = std::move(kindOfBasis);
 }
 
-void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty,
+void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const ChangedSlots& dirty,
                                  Groom& groom, SlotSet& rebuilt)
 {
     std::vector<std::size_t> stale;
-    for (std::size_t chunk = 0; chunk < dirty.chunkCount(); ++chunk)
-        if (!dirty.chunkEmpty(chunk))
+    for (std::size_t chunk = 0; chunk < dirty.hairs.chunkCount(); ++chunk)
+        if (!dirty.hairs.chunkEmpty(chunk) || !dirty.look.chunkEmpty(chunk))
             stale.push_back(chunk);
     const ChunkInputs inputs{settings, *m_roots, maps, m_braids, m_kinds, m_basisLengthM};
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
@@ -254,7 +237,7 @@ void GroupBuilder::countDependents(const StrandChunk* chunk, std::size_t chunkIn
     if (chunk == nullptr)
         return;
     slots.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
-        const std::size_t local = slot % kChunkSlots;
+        const std::size_t local = inChunk(slot);
         if (!chunk->drawn[local])
             return;
         if (chunk->braidCentre[local] != kNoCentre) {
@@ -270,12 +253,12 @@ void GroupBuilder::countDependents(const StrandChunk* chunk, std::size_t chunkIn
 void GroupBuilder::updateWanted(Groom& groom)
 {
     const std::size_t basisCount = m_drawnDependents.size();
-    std::vector<std::uint32_t> wanted((basisCount + kLanes - 1) / kLanes, 0);
+    std::vector<std::uint32_t> wanted(blocksFor(basisCount), 0);
     groom.basisCount = 0;
     for (std::size_t i = 0; i < basisCount; ++i) {
         if (m_drawnDependents[i] == 0)
             continue;
-        wanted[i / kLanes] |= 1U << (i % kLanes);
+        insertLane(wanted, i);
         ++groom.basisCount;
     }
     const BasisStyles& now = m_newBasis ? *m_newBasis : *m_basis;

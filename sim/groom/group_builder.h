@@ -29,7 +29,7 @@ private:
     void readKinds(const MapSamplers& maps, const SlotSet& dirty);
     void updateBasis(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty);
     void updateBraids(const GroupSettings& settings, SlotSet& dirty);
-    void rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty, Groom& groom,
+    void rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const ChangedSlots& dirty, Groom& groom,
                        SlotSet& rebuilt);
     void countDependents(const StrandChunk* chunk, std::size_t chunkIndex, const SlotSet& slots, std::uint32_t one);
     void updateWanted(Groom& groom);

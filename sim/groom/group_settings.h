@@ -28,6 +28,7 @@ struct PhysicsSettings
 /// How the hairs of a group look.
 struct StrandMaterial
 {
+    float widthM = 80e-6F;         ///< Diameter of a hair, 10e-6..1e-3.
     float shine = 0.5F;            ///< 0..1: strength of the highlights.
     float roughness = 0.35F;       ///< 0.05..1: width of the highlights.
     float rootAlpha = 1.0F;        ///< 0..1.
@@ -36,19 +37,22 @@ struct StrandMaterial
     friend bool operator==(const StrandMaterial&, const StrandMaterial&) = default;
 };
 
+/// Nodes of a skeleton, root and tip included.
+inline constexpr int kLeastNodes = 4;
+inline constexpr int kMostNodes = 32;
+
 /// SI units. A map value of 1 means the `greatest...` of its kind.
 struct GroupSettings
 {
     float greatestDensityPerM2 = 1.5e6F; ///< 1e4..4e6.
     float greatestLengthM = 0.30F;       ///< 0.001..2.
     float shortestLengthM = 0.0F;        ///< The length where the map is 0.
-    float hairWidthM = 80e-6F;           ///< Diameter, 10e-6..1e-3.
-    int nodesPerHair = 8;                ///< 4..32, root and tip included.
+    int nodesPerHair = 8;                ///< kLeastNodes..kMostNodes.
     int basisHairs = 4096;               ///< Of the candidates, the solved ones; 256..1,000,000.
     TurnsMode turnsMode = TurnsMode::PerHair;
     bool steppedTurns = false;          ///< Table 1's levels only.
     float turnsPerLengthM = 0.10F;      ///< With PerLength: the length that table 1's turns are for.
-    float greatestCurlRadiusM = 0.012F; ///< A curl-size value of 1; the map's default is 1/2.
+    float greatestCurlRadiusM = 0.012F; ///< A curl-size value of 1.
     float braidSpacingM = 0.30F;        ///< Distance of braid centres within one painted region.
     float braidRadiusM = 0.014F;        ///< Radius r of equation 3.
     PhysicsSettings physics;

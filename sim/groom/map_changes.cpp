@@ -64,12 +64,12 @@ const TileIndex& MapChanges::indexFor(int rasterSize)
 
 void MapChanges::prepare(const GroupMaps& maps)
 {
-    for (const auto* map : {&maps.density, &maps.length, &maps.curl, &maps.braid, &maps.colour, &maps.clump, &maps.gel})
-        (void)indexFor((*map)->size());
+    for (const MapRule& rule : kMapRules)
+        (void)indexFor(maps[rule.slot]->size());
 }
 
-template<typename Differs>
-void MapChanges::compare(const TiledRaster& before, const TiledRaster& after, const Differs& differs, SlotSet& changed)
+template<typename Visit>
+void MapChanges::visitCandidates(const TiledRaster& before, const TiledRaster& after, const Visit& visit)
 {
     const bool sameShape = before.size() == after.size() && before.channels() == after.channels();
     std::vector<int> changedTiles;
@@ -81,59 +81,61 @@ void MapChanges::compare(const TiledRaster& before, const TiledRaster& after, co
             return;
     }
     if (!sameShape || changedTiles.size() * kManyTiles > static_cast<std::size_t>(after.tileCount())) {
-        parallelFor(changed.chunkCount(), 4, [&](std::size_t begin, std::size_t end) {
+        const std::size_t chunks = (m_roots->count() + kChunkSlots - 1) / kChunkSlots;
+        parallelFor(chunks, 4, [&](std::size_t begin, std::size_t end) {
             const std::size_t last = std::min(end * kChunkSlots, m_roots->count());
             for (std::size_t slot = begin * kChunkSlots; slot < last; ++slot)
-                if (differs(static_cast<std::uint32_t>(slot)))
-                    changed.insert(static_cast<std::uint32_t>(slot));
+                visit(static_cast<std::uint32_t>(slot));
         });
         return;
     }
     const TileIndex& index = indexFor(after.size());
     for (const int tile : tilesReading(changedTiles, after.tilesAcross()))
         for (const std::uint32_t slot : index.slotsOf(tile))
-            if (differs(slot))
-                changed.insert(slot);
+            visit(slot);
 }
 
-void MapChanges::find(const GroupMaps& before, const GroupMaps& after, SlotSet& changed)
+template<typename Read>
+void MapChanges::compare(const MapRule& rule, const Read& read, const TiledRaster& before, const TiledRaster& after,
+                         ChangedSlots& changed)
 {
-    const std::vector<glm::vec2>& uvs = m_roots->uv;
-    const auto compareScalars = [&](const auto& a, const auto& b) {
-        if (a != b)
-            compare(
-                *a, *b, [&](std::uint32_t slot) { return a->sampleScalar(uvs[slot]) != b->sampleScalar(uvs[slot]); },
-                changed);
-    };
-    compareScalars(before.density, after.density);
-    compareScalars(before.length, after.length);
-    compareScalars(before.curl, after.curl);
-    compareScalars(before.clump, after.clump);
-    if (before.colour != after.colour) {
-        compare(
-            *before.colour, *after.colour,
-            [&](std::uint32_t slot) {
-                return before.colour->sampleBilinear(uvs[slot]) != after.colour->sampleBilinear(uvs[slot]);
-            },
-            changed);
-    }
-    if (before.braid != after.braid) {
-        compare(
-            *before.braid, *after.braid,
-            [&](std::uint32_t slot) {
-                return before.braid->sampleNearest(uvs[slot])[0] != after.braid->sampleNearest(uvs[slot])[0];
-            },
-            changed);
-    }
-    if (before.gel != after.gel) {
-        const auto basisCount = static_cast<std::uint32_t>(m_roots->basisSlot.size());
-        compare(
-            *before.gel, *after.gel,
-            [&](std::uint32_t slot) {
-                return m_roots->rankOfSlot[slot] < basisCount &&
-                       before.gel->sampleScalar(uvs[slot]) != after.gel->sampleScalar(uvs[slot]);
-            },
-            changed);
+    const auto basisCount = static_cast<std::uint32_t>(m_roots->basisSlot.size());
+    const MapEffect effect = rule.effect;
+    const bool ofAll = effect.hairs || effect.look;
+    visitCandidates(before, after, [&](std::uint32_t slot) {
+        const bool isBasis = effect.basis && m_roots->rankOfSlot[slot] < basisCount;
+        if ((!ofAll && !isBasis) || read(before, m_roots->uv[slot]) == read(after, m_roots->uv[slot]))
+            return;
+        if (effect.hairs)
+            changed.hairs.insert(slot);
+        if (isBasis)
+            changed.basis.insert(slot);
+        if (effect.look)
+            changed.look.insert(slot);
+    });
+}
+
+void MapChanges::find(const GroupMaps& before, const GroupMaps& after, ChangedSlots& changed)
+{
+    const auto nearest = [](const TiledRaster& map, glm::vec2 uv) { return map.sampleNearest(uv); };
+    const auto scalar = [](const TiledRaster& map, glm::vec2 uv) { return map.sampleScalar(uv); };
+    const auto channels = [](const TiledRaster& map, glm::vec2 uv) { return map.sampleBilinear(uv); };
+    for (const MapRule& rule : kMapRules) {
+        const MapRaster& was = before[rule.slot];
+        const MapRaster& is = after[rule.slot];
+        // A map that shows another's own raster does not differ anywhere else.
+        const auto isCompared = [&](const MapRule& other) {
+            return other.slot < rule.slot && other.effect == rule.effect && before[other.slot] == was &&
+                   after[other.slot] == is;
+        };
+        if (was == is || std::ranges::any_of(kMapRules, isCompared))
+            continue;
+        if (rule.sampling == MapSampling::Nearest)
+            compare(rule, nearest, *was, *is, changed);
+        else if (rule.channels == 1)
+            compare(rule, scalar, *was, *is, changed);
+        else
+            compare(rule, channels, *was, *is, changed);
     }
 }
 

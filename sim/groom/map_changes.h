@@ -29,6 +29,17 @@ private:
     std::vector<std::uint32_t> m_slots;
 };
 
+/// The candidates whose values differ, by what is to be made anew.
+struct ChangedSlots
+{
+    SlotSet hairs;
+    SlotSet basis; ///< Basis hairs only.
+    SlotSet look;  ///< May also be in `hairs`.
+
+    explicit ChangedSlots(std::size_t slots) : hairs(slots), basis(slots), look(slots) {}
+    [[nodiscard]] bool empty() const { return hairs.empty() && basis.empty() && look.empty(); }
+};
+
 /// Compares maps at one root set. Keeps an index for every size of raster it has met.
 class MapChanges
 {
@@ -37,14 +48,19 @@ public:
 
     /// Makes the indices for these maps, which else are made at the first change.
     void prepare(const GroupMaps& maps);
-    /// Adds to `changed` every slot where a value of any map differs. Equal tile pointers are equal tiles; where
-    /// pointers differ the sampled values decide. Of gel only basis hairs have a use.
-    void find(const GroupMaps& before, const GroupMaps& after, SlotSet& changed);
+    /// Adds every slot where a value differs to what that map's rule says it has an effect on. Equal tile pointers are
+    /// equal tiles; where pointers differ the sampled values decide.
+    void find(const GroupMaps& before, const GroupMaps& after, ChangedSlots& changed);
 
 private:
     const TileIndex& indexFor(int rasterSize);
-    template<typename Differs>
-    void compare(const TiledRaster& before, const TiledRaster& after, const Differs& differs, SlotSet& changed);
+    /// Calls `visit` for the candidates that may read texels that differ; from several threads, each with chunks of its
+    /// own.
+    template<typename Visit>
+    void visitCandidates(const TiledRaster& before, const TiledRaster& after, const Visit& visit);
+    template<typename Read>
+    void compare(const MapRule& rule, const Read& read, const TiledRaster& before, const TiledRaster& after,
+                 ChangedSlots& changed);
 
     std::shared_ptr<const RootSet> m_roots;
     std::map<int, TileIndex> m_indices;

@@ -1,10 +1,10 @@
 // Reads one map at many roots.
 #pragma once
 
-#include "sim/base/tiled_raster.h"
+#include "sim/groom/map_slot.h"
 
-#include <memory>
 #include <optional>
+#include <utility>
 
 namespace hairpaint::sim {
 
@@ -12,13 +12,14 @@ namespace hairpaint::sim {
 class MapSampler
 {
 public:
-    explicit MapSampler(const std::shared_ptr<const TiledRaster>& raster)
-        : m_raster(raster.get()), m_uniform(raster->uniformValue())
+    explicit MapSampler(const MapRaster& raster) : m_raster(raster.get()), m_uniform(raster->uniformValue())
     {
         if (m_uniform)
             m_uniformValue = raster->sampleBilinear(glm::vec2(0.5F));
     }
 
+    /// Whether both read the very same raster.
+    [[nodiscard]] bool sameAs(const MapSampler& other) const { return m_raster == other.m_raster; }
     [[nodiscard]] bool isUniform() const { return m_uniform.has_value(); }
     [[nodiscard]] float scalar(glm::vec2 uv) const { return m_uniform ? m_uniformValue.x : m_raster->sampleScalar(uv); }
     [[nodiscard]] glm::vec4 channels(glm::vec2 uv) const
@@ -36,10 +37,20 @@ private:
     glm::vec4 m_uniformValue{0.0F};
 };
 
-/// All maps of a group.
-struct MapSamplers
+/// All maps of a group, which must outlive it.
+class MapSamplers
 {
-    MapSampler density, length, curl, braid, colour, clump, gel;
+public:
+    explicit MapSamplers(const GroupMaps& maps) : MapSamplers(maps, std::make_index_sequence<kMapSlotCount>()) {}
+    [[nodiscard]] const MapSampler& operator[](MapSlot slot) const { return m_samplers[indexOf(slot)]; }
+
+private:
+    template<std::size_t... index>
+    MapSamplers(const GroupMaps& maps, std::index_sequence<index...>)
+        : m_samplers{MapSampler(maps[kMapRules[index].slot])...}
+    {}
+
+    std::array<MapSampler, kMapSlotCount> m_samplers;
 };
 
 } // namespace hairpaint::sim

@@ -63,28 +63,27 @@ glm::vec3 carried(glm::vec3 reference, glm::vec3 lastPoint, glm::vec3 lastTangen
     return reflected - second * (2.0F * glm::dot(second, reflected) / secondSquared);
 }
 
-/// The wisp's and the hair's offset at a share q of the braid: x along the frame's first axis, y along the strand, z
+/// The wisp's and the hair's offset at a fraction q of the braid: x along the frame's first axis, y along the strand, z
 /// along the third.
 glm::vec3 braidedOffset(const StrandStyle& style, float q)
 {
-    const auto kind = static_cast<BraidKind>(style.braid & 0xFFU);
-    const auto wisp = static_cast<float>((style.braid >> 8U) & 3U);
+    const auto wisp = static_cast<float>(style.wisp);
     const float parted = std::min(q * style.braidTurns / kBraidEaseTurns, 1.0F);
     const float tuft = std::max(q - (1.0F - kTuftShare), 0.0F) / kTuftShare;
     const float r = style.braidRadiusM * parted;
     const float turned = kTwoPi * style.braidTurns * q;
-    const glm::vec3 place(style.placeX, 0.0F, style.placeY);
-    if (kind == BraidKind::Loc)
-        return place * (r * kLocWispShare);
+    const glm::vec3 inWisp(style.wispOffset.x, 0.0F, style.wispOffset.y);
+    if (style.braid == BraidKind::Loc)
+        return inWisp * (r * kLocWispShare);
     glm::vec3 axis = braidOffset(turned, wisp * (kTwoPi / 3.0F));
     float wispR = r * kWispRadiusShare;
-    if (kind == BraidKind::Twist) {
+    if (style.braid == BraidKind::Twist) {
         const float angle = turned + wisp * (0.5F * kTwoPi);
         axis = glm::vec3(cosDet(angle), 0.0F, sinDet(angle)) * kTwistShare;
         wispR = r * kTwistWispShare;
     }
     return axis * (r * (1.0F + (kTuftBraidShare - 1.0F) * tuft)) +
-           place * (wispR * (1.0F + (kTuftWispShare - 1.0F) * tuft));
+           inWisp * (wispR * (1.0F + (kTuftWispShare - 1.0F) * tuft));
 }
 
 } // namespace
@@ -101,23 +100,29 @@ glm::vec3 braidOffset(float t, float w)
     return {cosDet(t + w), 0.0F, sinDet(2.0F * (t + w))};
 }
 
-int segmentsOf(const StrandStyle& style, int nodes)
+int curveSegmentsOf(const StrandStyle& style)
 {
-    float segments = static_cast<float>(nodes - 1) * 2.0F;
+    float segments = 0.0F;
     if (style.curlRadiusM > 0.0F)
-        segments = std::max(segments, style.turns * kPointsPerTurn);
+        segments = style.turns * kPointsPerTurn;
     // A wisp swings twice across the braid while it swings once along its width.
-    if ((style.braid & 0xFFU) != 0)
+    if (style.braid != BraidKind::None)
         segments =
             std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F));
-    return static_cast<int>(std::ceil(std::clamp(segments, 1.0F, kMostSegments)));
+    return static_cast<int>(std::ceil(std::clamp(segments, 0.0F, kMostSegments)));
+}
+
+int segmentsOf(const StrandStyle& style, int nodes)
+{
+    constexpr int kMost = static_cast<int>(kMostSegments);
+    return std::clamp(std::max((nodes - 1) * 2, curveSegmentsOf(style)), 1, kMost);
 }
 
 glm::vec3 frameTangentHd(const Groom& groom, std::uint32_t slot)
 {
     const RootSet& roots = *groom.roots;
-    const auto& chunk = groom.chunks[slot / kChunkSlots];
-    const std::uint32_t centre = chunk ? chunk->braidCentre[slot % kChunkSlots] : kNoCentre;
+    const auto& chunk = groom.chunks[chunkOf(slot)];
+    const std::uint32_t centre = chunk ? chunk->braidCentre[inChunk(slot)] : kNoCentre;
     return roots.tangentHd[centre == kNoCentre ? slot : roots.basisSlot[centre]];
 }
 
@@ -128,7 +133,7 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
     if (skeletonHd.size() < 2 || segments < 1)
         return;
     const bool isCurled = style.turns > 0.0F && style.curlRadiusM > 0.0F;
-    const bool isBraided = (style.braid & 0xFFU) != 0 && style.braidStart < 1.0F;
+    const bool isBraided = style.braid != BraidKind::None && style.braidStart < 1.0F;
     glm::vec3 lastPoint = skeletonHd[0];
     glm::vec3 lastTangent = across(glm::vec3(0.0F), rootTangentHd); // Only where the skeleton has no direction at all.
     glm::vec3 reference(0.0F);

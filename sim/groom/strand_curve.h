@@ -30,7 +30,9 @@ inline constexpr float kTuftShare = 0.12F;
 inline constexpr float kTuftBraidShare = 0.35F;
 inline constexpr float kTuftWispShare = 1.5F;
 
-/// Segments that a style asks for: at least 8 points a turn, two a skeleton's segment for a straight hair; at most 256.
+/// Segments that a style's curl and braid ask for: at least 8 points a turn; 0..256, 0 for a straight hair.
+[[nodiscard]] int curveSegmentsOf(const StrandStyle& style);
+/// The same, and at least two a skeleton's segment.
 [[nodiscard]] int segmentsOf(const StrandStyle& style, int nodes);
 
 /// The tangent that a hair's frame starts from: its root's, or for a braided hair that of its braid's centre, so that

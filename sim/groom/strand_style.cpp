@@ -13,7 +13,6 @@ namespace {
 
 constexpr float kTwoPi = 6.28318530717958647692F;
 constexpr std::uint64_t kChanceKey = 0x6368616E6365U; ///< Apart from the keys of other uses of the seed.
-constexpr float kDefaultCurlSize = 0.5F;              ///< The curl-size map's default.
 
 std::uint32_t byteOf(float value)
 {
@@ -27,17 +26,17 @@ std::uint32_t packColour(glm::vec3 encoded)
 }
 
 /// Uniform over the unit disc, by rejection from the square.
-glm::vec2 placeInDisc(std::uint64_t hash)
+glm::vec2 pointInDisc(std::uint64_t hash)
 {
     constexpr int kTries = 8; // All fail once in 226,000.
-    glm::vec2 place(0.0F);
+    glm::vec2 point(0.0F);
     for (int i = 0; i < kTries; ++i) {
-        place = glm::vec2(unitFloat(hash), unitFloat(hash << 32U)) * 2.0F - 1.0F;
-        if (glm::dot(place, place) <= 1.0F)
-            return place;
+        point = glm::vec2(unitFloat(hash), unitFloat(hash << 32U)) * 2.0F - 1.0F;
+        if (glm::dot(point, point) <= 1.0F)
+            return point;
         hash = hash64(hash, 1);
     }
-    return place * 0.5F;
+    return point * 0.5F;
 }
 
 } // namespace
@@ -63,13 +62,45 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
     chance.variation = static_cast<float>(first & 0xFFFFU) * (2.0F * kPerSixteenBits) - 1.0F;
     chance.coatHeight = static_cast<float>((first >> 16U) & 0xFFFFU) * kPerSixteenBits;
     chance.wisp = static_cast<std::uint32_t>(second & 0xFFU) % 6;
-    chance.place = placeInDisc(second);
+    chance.wispOffset = pointInDisc(second);
     return chance;
+}
+
+RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv)
+{
+    const MapSampler& colour = maps[MapSlot::Colour];
+    const MapSampler& tip = maps[MapSlot::TipColour];
+    const glm::vec3 root(colour.channels(uv));
+    return {.root = root, .tip = tip.sameAs(colour) ? root : glm::vec3(tip.channels(uv))};
+}
+
+RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
+{
+    const float curl = maps[MapSlot::Curl].scalar(uv);
+    return {.length = maps[MapSlot::Length].scalar(uv),
+            .curl = curl,
+            .curlSize = curl > 0.0F ? maps[MapSlot::CurlSize].scalar(uv) : 0.0F,
+            .colours = coloursAt(maps, uv)};
+}
+
+void setColours(const RootColours& colours, StrandStyle& style)
+{
+    style.rootColour = packColour(colours.root);
+    style.tipColour = packColour(colours.tip);
 }
 
 float lengthOf(const GroupSettings& settings, float value)
 {
     return settings.shortestLengthM + (settings.greatestLengthM - settings.shortestLengthM) * value;
+}
+
+float curlRadiusOf(const GroupSettings& settings, float value)
+{
+    // The default is the texel next above one half. It means one half, not a little more.
+    constexpr float kHalfTexel = static_cast<float>(ruleOf(MapSlot::CurlSize).defaultValue[0]) / 65535.0F;
+    const float share =
+        value <= kHalfTexel ? 0.5F * (value / kHalfTexel) : 0.5F + 0.5F * ((value - kHalfTexel) / (1.0F - kHalfTexel));
+    return settings.greatestCurlRadiusM * share;
 }
 
 StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance, float detail)
@@ -81,12 +112,10 @@ StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, con
         style.turns *= style.lengthM / std::max(settings.turnsPerLengthM, 1e-3F);
     // A coil is no wider than its turns are apart, and where the first half turn is not complete it eases in.
     if (style.turns > 0.0F)
-        style.curlRadiusM = std::min(settings.greatestCurlRadiusM * kDefaultCurlSize, style.lengthM / style.turns) *
+        style.curlRadiusM = std::min(curlRadiusOf(settings, values.curlSize), style.lengthM / style.turns) *
                             std::min(style.turns * 2.0F, 1.0F);
     style.phase = chance.phase;
-    style.rootColour = packColour(values.colour);
-    style.tipColour = style.rootColour;
-    style.widthM = settings.hairWidthM;
+    setColours(values.colours, style);
     style.detail = detail;
     style.variation = chance.variation;
     return style;

@@ -2,31 +2,46 @@
 #pragma once
 
 #include "sim/groom/groom.h"
+#include "sim/groom/map_sampler.h"
 
 namespace hairpaint::sim {
 
-/// Values of the maps at one root.
+/// Colours of one hair, sRGB as encoded.
+struct RootColours
+{
+    glm::vec3 root{0.0F};
+    glm::vec3 tip{0.0F};
+};
+
+/// Values of the maps that a style is made from, at one root.
 struct RootValues
 {
     float length = 0.0F;
     float curl = 0.0F;
-    glm::vec3 colour{0.0F};
+    float curlSize = 0.0F; ///< Where there is curl.
+    RootColours colours;
 };
+[[nodiscard]] RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv);
+[[nodiscard]] RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv);
 
 /// What a hair has from chance, always the same for a rank.
 struct RootChance
 {
-    float phase = 0.0F;      ///< rad
-    float variation = 0.0F;  ///< -1..1
-    float coatHeight = 0.0F; ///< 0..1
-    std::uint32_t wisp = 0;  ///< 0..5: even over two wisps and over three
-    glm::vec2 place{0.0F};   ///< In the unit disc, uniform.
+    float phase = 0.0F;         ///< rad
+    float variation = 0.0F;     ///< -1..1
+    float coatHeight = 0.0F;    ///< 0..1
+    std::uint32_t wisp = 0;     ///< 0..5: even over two wisps and over three
+    glm::vec2 wispOffset{0.0F}; ///< In the unit disc, uniform.
 };
 [[nodiscard]] RootChance chanceOf(std::uint64_t seed, std::uint32_t rank);
+
+/// Of the curl-size map's value, m: exactly half of the greatest where nothing is painted.
+[[nodiscard]] float curlRadiusOf(const GroupSettings& settings, float value);
 
 /// Of the length map's value, m.
 [[nodiscard]] float lengthOf(const GroupSettings& settings, float value);
 
+void setColours(const RootColours& colours, StrandStyle& style);
 /// A hair that is not braided; `detail` = threshold / density.
 [[nodiscard]] StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance,
                                   float detail);

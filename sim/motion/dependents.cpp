@@ -58,9 +58,11 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
     for (std::size_t slot = 0; slot < kChunkSlots; ++slot) {
         if (!styles.drawn[slot] || firstSlot + slot >= groom.roots->neighbours.size())
             continue;
-        float* const rows = chunk.lanes.data() + slot / kLanes * kDependentStride + slot % kLanes;
+        const auto row = [&](int number) -> float& {
+            return chunk.lanes[rowIndex(slot, static_cast<std::size_t>(number), kDependentRows)];
+        };
         const float segment = styles.segmentLengths[slot];
-        rows[0] = segment;
+        row(kDependentSegment) = segment;
         if (!styles.braidCentre.empty() && styles.braidCentre[slot] != kNoCentre)
             chunk.braided.push_back(static_cast<std::uint16_t>(slot));
         float height = 0.0F;
@@ -68,12 +70,11 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
             height += groom.roots->weights[firstSlot + slot][k] *
                       groom.basis->height[groom.roots->neighbours[firstSlot + slot][k]];
         std::array<glm::vec3, 2> rest; // the root and the node after it, as for loose basis hairs
-        readStrand(styles.restPositions.data() + slot / kLanes * static_cast<std::size_t>(groom.nodes) * 3 * kLanes, 2,
-                   slot % kLanes, rest);
+        groom.blocks().read(styles.restPositions, slot, rest);
         for (int c = 0; c < colliders.count; ++c) {
             const float scale = strandScale(colliders.items[static_cast<std::size_t>(c)], rest,
                                             coatM(height, groom.settings.physics.volumeM, segment));
-            rows[static_cast<std::size_t>(1 + c) * kLanes] = scale * scale;
+            row(kDependentScale + c) = scale * scale;
         }
     }
 }
@@ -83,8 +84,8 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
     const auto nodes = static_cast<std::size_t>(groom.nodes);
     m_displacements.resize(state.blocks * kLanes * nodes * 4);
     const BasisStyles& basis = *groom.basis;
-    const AlignedFloats& before = state.positions[static_cast<std::size_t>(1 - state.present)];
-    const AlignedFloats& now = state.positions[static_cast<std::size_t>(state.present)];
+    const AlignedFloats& before = state.before();
+    const AlignedFloats& now = state.now();
     parallelFor(state.blocks, kBasisBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
         for (std::size_t block = begin; block < end; ++block) {
             const std::uint32_t wanted = basis.wanted[block];
@@ -93,10 +94,10 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
                 const bool solved = ((wanted >> lane) & 1U) != 0 && length > 0.0F;
                 const float perLength = solved ? 1.0F / length : 0.0F;
                 float* out = m_displacements.data() + (block * kLanes + lane) * nodes * 4;
-                std::size_t at = block * nodes * 3 * kLanes + lane;
-                for (std::size_t node = 0; node < nodes; ++node, at += 3 * kLanes, out += 4) {
+                std::size_t at = groom.blocks().index(block * kLanes + lane, 0);
+                for (std::size_t node = 0; node < nodes; ++node, at += StrandBlocks::kNodeStride, out += 4) {
                     for (std::size_t axis = 0; axis < 3; ++axis) {
-                        const std::size_t index = at + axis * kLanes;
+                        const std::size_t index = at + axis * StrandBlocks::kAxisStride;
                         const float moment = before[index] + (now[index] - before[index]) * share;
                         out[axis] = (moment - basis.restPositions[index]) * perLength;
                     }
@@ -111,23 +112,23 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
 {
     const auto nodes = static_cast<std::size_t>(groom.nodes);
     const BasisStyles& basis = *groom.basis;
-    std::array<glm::vec3, kMaxNodes> rest;
-    std::array<glm::vec3, kMaxNodes> centre;
+    std::array<glm::vec3, kMostNodes> rest;
+    std::array<glm::vec3, kMostNodes> centre;
     for (const std::uint16_t slot : chunk.braided) {
         const std::size_t basisIndex = chunk.styles->braidCentre[slot];
-        readStrand(chunk.styles->restPositions.data(), groom.nodes, slot, std::span(rest).first(nodes));
-        readStrand(basis.restPositions.data(), groom.nodes, basisIndex, std::span(centre).first(nodes));
+        groom.blocks().read(chunk.styles->restPositions, slot, std::span(rest).first(nodes));
+        groom.blocks().read(basis.restPositions, basisIndex, std::span(centre).first(nodes));
         const float length = basis.segmentLengths[basisIndex] * static_cast<float>(nodes - 1);
-        const float* way = m_displacements.data() + basisIndex * nodes * 4;
-        for (std::size_t i = 0; i < nodes; ++i, way += 4)
-            centre[i] += glm::vec3(way[0], way[1], way[2]) * length;
+        const float* displacement = m_displacements.data() + basisIndex * nodes * 4;
+        for (std::size_t i = 0; i < nodes; ++i, displacement += 4)
+            centre[i] += glm::vec3(displacement[0], displacement[1], displacement[2]) * length;
         // Along the scalp to the centre's root, then evenly along the centre to its tip.
         const auto last = static_cast<int>(nodes - 1);
         const int gathered = std::clamp(
             static_cast<int>(std::floor(chunk.styles->styles[slot].braidStart * static_cast<float>(last) + 0.5F)), 0,
             last);
-        float* at = out + slot / kLanes * nodes * 3 * kLanes + slot % kLanes;
-        for (int i = 0; i <= last; ++i, at += 3 * kLanes) {
+        float* at = out + groom.blocks().index(slot, 0);
+        for (int i = 0; i <= last; ++i, at += StrandBlocks::kNodeStride) {
             glm::vec3 p = rest[static_cast<std::size_t>(i)];
             if (i > gathered) {
                 const float along = static_cast<float>((i - gathered) * last) / static_cast<float>(last - gathered);
@@ -136,10 +137,7 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
                 const glm::vec3 b = centre[segment + 1];
                 p = a + (b - a) * (along - static_cast<float>(segment));
             }
-            p = world.identity ? p : inWorld(world, p);
-            at[0] = p.x;
-            at[kLanes] = p.y;
-            at[2 * kLanes] = p.z;
+            StrandBlocks::store(at, world.identity ? p : inWorld(world, p));
         }
     }
 }
@@ -147,9 +145,7 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
 void Dependents::write(const Groom& groom, const StrandState& state, const ColliderSet& colliders, float share,
                        const HeadPose& pose, GroupFrame& frame)
 {
-    const auto nodes = static_cast<std::size_t>(groom.nodes);
-    const std::size_t blockFloats = nodes * 3 * kLanes;
-    const std::size_t chunkFloats = kBlocksPerChunk * blockFloats;
+    const std::size_t chunkFloats = groom.blocks().floatsFor(kBlocksPerChunk);
     frame.positions.resize(static_cast<std::size_t>(groom.placedChunks) * chunkFloats);
     if (!groom.roots || m_placed.empty())
         return;

@@ -131,7 +131,7 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
     const auto nodes = static_cast<std::size_t>(m_groom->nodes);
     StrandState alone;
     alone.present = 0;
-    alone.resize(m_groom->nodes, (strands.size() + kLanes - 1) / kLanes);
+    alone.resize(m_groom->nodes, blocksFor(strands.size()));
     std::vector<float> rest(alone.positions[0].size(), 0.0F);
     const GroupGains gains = [this] {
         PhysicsSettings physics = m_groom->settings.physics;
@@ -143,16 +143,13 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
     const float pull = std::sqrt(glm::dot(gravity, gravity));
     const glm::vec3 down = pull > 0.0F ? gravity / pull : glm::vec3(0.0F, -1.0F, 0.0F);
     parallelFor(alone.blocks, 4, [&](std::size_t begin, std::size_t end) {
-        std::array<glm::vec3, kMaxNodes> shape;
-        std::array<glm::vec3, kMaxNodes> hanging;
+        std::array<glm::vec3, kMostNodes> shape;
+        std::array<glm::vec3, kMostNodes> hanging;
         std::array<float, kMaxColliders> scales{};
         for (std::size_t i = begin * kLanes; i < std::min(end * kLanes, strands.size()); ++i) {
             const std::size_t strand = strands[i];
-            readStrand(m_groom->basis->restPositions.data(), m_groom->nodes, strand, std::span(shape).first(nodes));
-            for (std::size_t node = 0; node < nodes; ++node) {
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    rest[alone.nodeAt(i, static_cast<int>(node)) + axis * kLanes] = shape[node][static_cast<int>(axis)];
-            }
+            m_groom->blocks().read(m_groom->basis->restPositions, strand, std::span(shape).first(nodes));
+            alone.shape().write(rest, i, std::span(shape).first(nodes));
             for (int row = 0; row < kLaneFields; ++row)
                 alone.field(i, row) = m_state.field(strand, row);
             for (std::size_t c = 0; c < kMaxColliders; ++c)
@@ -178,11 +175,11 @@ void GroupDynamics::reset()
         return;
     const auto nodes = static_cast<std::size_t>(m_groom->nodes);
     parallelFor(m_state.blocks, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
-        std::array<glm::vec3, kMaxNodes> rest;
+        std::array<glm::vec3, kMostNodes> rest;
         for (std::size_t strand = begin * kLanes; strand < end * kLanes; ++strand) {
             if (m_state.field(strand, kStill) >= kUnwanted)
                 continue;
-            readStrand(m_groom->basis->restPositions.data(), m_groom->nodes, strand, std::span(rest).first(nodes));
+            m_groom->blocks().read(m_groom->basis->restPositions, strand, std::span(rest).first(nodes));
             m_state.placeStrand(strand, std::span(rest).first(nodes));
         }
     });

@@ -1,6 +1,8 @@
 // Counting sort of the faces into cells, and the search in one cell.
 #include "sim/skin/uv_grid.h"
 
+#include "sim/skin/head_limits.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,7 +23,7 @@ bool UvGrid::usable(const HeadMesh& mesh, std::uint32_t face)
     const glm::uvec3 t = mesh.triangles[face];
     for (int corner = 0; corner < 3; ++corner) {
         const glm::vec2 uv = mesh.uvs[t[corner]];
-        if (!std::isfinite(uv.x) || !std::isfinite(uv.y))
+        if (!(std::abs(uv.x) <= kFarthestUv && std::abs(uv.y) <= kFarthestUv)) // also false for NaN
             return false;
     }
     return true;

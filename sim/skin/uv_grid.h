@@ -27,7 +27,7 @@ private:
     };
     [[nodiscard]] CellRange cellsOf(const HeadMesh& mesh, std::uint32_t face) const;
     [[nodiscard]] int cellOf(float offset, float scale) const;
-    /// False for uvs that are not finite.
+    /// False for uvs beyond kFarthestUv.
     [[nodiscard]] static bool usable(const HeadMesh& mesh, std::uint32_t face);
     void chooseResolution(const HeadMesh& mesh);
 

@@ -52,11 +52,11 @@ HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float* HWY_
     for (std::size_t i = 0; i < nodes; ++i) {
         for (std::size_t axis = 0; axis < 4; axis += step) {
             const std::size_t at = i * 4 + axis;
-            auto way = hn::Mul(w0, hn::Load(d4, first + at));
+            auto displacement = hn::Mul(w0, hn::Load(d4, first + at));
             if (!alone)
-                way = hn::Add(hn::Add(way, hn::Mul(w1, hn::Load(d4, second + at))),
-                              hn::Mul(w2, hn::Load(d4, third + at)));
-            hn::Store(way, d4, mean + i * kLanes * 4 + axis);
+                displacement = hn::Add(hn::Add(displacement, hn::Mul(w1, hn::Load(d4, second + at))),
+                                       hn::Mul(w2, hn::Load(d4, third + at)));
+            hn::Store(displacement, d4, mean + i * kLanes * 4 + axis);
         }
     }
 }
@@ -77,12 +77,12 @@ HWY_INLINE void placeStrands(D d, const DependentsTask& task, const float* HWY_R
     store3(d, choose(drawn, task.world.identity ? parent : moved(d, task.world, parent), nothing), out);
     for (int i = 1; i < task.nodes; ++i) {
         const auto node = static_cast<std::size_t>(i);
-        const std::size_t offset = node * 3 * kLanes;
-        Vec3<V> way;
+        const std::size_t offset = node * StrandBlocks::kNodeStride;
+        Vec3<V> displacement;
         V unused;
-        hn::LoadInterleaved4(d, mean + node * kLanes * 4, way.x, way.y, way.z, unused);
+        hn::LoadInterleaved4(d, mean + node * kLanes * 4, displacement.x, displacement.y, displacement.z, unused);
         const Vec3<V> styled = load3(d, rest + offset);
-        Vec3<V> p = atLength(d, parent, addScaled(styled, way, length), segment, sub(styled, parentRest));
+        Vec3<V> p = atLength(d, parent, addScaled(styled, displacement, length), segment, sub(styled, parentRest));
         Contact<D> contact = noContact(d);
         bool touched = false;
         for (int c = 0; c < task.colliders->count; ++c)
@@ -100,17 +100,17 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
 {
     const hn::CappedTag<float, kLanes> d;
     const auto nodes = static_cast<std::size_t>(task.nodes);
-    HWY_ALIGN float mean[std::size_t{kMaxNodes} * kLanes * 4];
+    HWY_ALIGN float mean[std::size_t{kMostNodes} * kLanes * 4];
     for (std::size_t i = 0; i < nodes * kLanes * 4; ++i)
         mean[i] = 0.0F;
     for (std::size_t block = begin; block < end; ++block) {
         const float* const lanes = task.lanes + block * kDependentStride;
-        const std::size_t first = block * nodes * 3 * kLanes;
+        const std::size_t first = StrandBlocks(task.nodes).floatsFor(block);
         bool any = false;
         for (std::size_t lane = 0; lane < kLanes; ++lane)
             any |= lanes[lane] > 0.0F;
         if (!any) {
-            for (std::size_t i = 0; i < nodes * 3 * kLanes; ++i)
+            for (std::size_t i = 0; i < nodes * StrandBlocks::kNodeStride; ++i)
                 task.out[first + i] = 0.0F;
             continue;
         }

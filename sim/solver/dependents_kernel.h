@@ -9,10 +9,14 @@
 
 namespace hairpaint::sim {
 
-/// Rows of kLanes floats of a block of dependents: segment length (0 where nothing is drawn), then the squared scale of
-/// each collider.
-inline constexpr std::size_t kDependentRows = 1 + kMaxColliders;
-inline constexpr std::size_t kDependentStride = kDependentRows * kLanes;
+/// Rows of kLanes floats of a block of dependents.
+enum DependentRow : std::uint8_t
+{
+    kDependentSegment, ///< Segment length, m; 0 where nothing is drawn.
+    kDependentScale,   ///< [kMaxColliders] rows: squared scale of each collider.
+    kDependentRows = kDependentScale + kMaxColliders
+};
+inline constexpr std::size_t kDependentStride = std::size_t{kDependentRows} * kLanes;
 
 /// One chunk's worth of dependents. Hd, m, but `out`, which is in the world.
 struct DependentsTask

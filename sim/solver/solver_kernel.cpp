@@ -97,7 +97,7 @@ HWY_INLINE void predict(D d, const GroupGains& gains, const StepForces& step, co
     store3(d, parent, p);
     for (int i = 1; i < gains.nodes; ++i) {
         const auto node = static_cast<std::size_t>(i);
-        const std::size_t offset = node * 3 * kLanes;
+        const std::size_t offset = node * StrandBlocks::kNodeStride;
         Vec3<V> x = load3(d, current + offset);
         Vec3<V> last = load3(d, previous + offset);
         if (!step.toNewHead.identity) {
@@ -141,8 +141,8 @@ HWY_INLINE void relaxLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RESTR
     const V half = hn::Set(d, 0.5F);
     for (int first = 1; first <= 2; ++first) {
         for (int i = first; i < nodes; i += 2) {
-            float* const childAt = p + static_cast<std::size_t>(i) * 3 * kLanes;
-            float* const parentAt = childAt - 3 * kLanes;
+            float* const childAt = p + static_cast<std::size_t>(i) * StrandBlocks::kNodeStride;
+            float* const parentAt = childAt - StrandBlocks::kNodeStride;
             const Vec3<V> parent = load3(d, parentAt);
             const Vec3<V> child = load3(d, childAt);
             const Vec3<V> edge = sub(child, parent);
@@ -242,7 +242,7 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
     Vec3<V> parentVelocity{zero, zero, zero};
     hn::Mask<D> parentFree = hn::MaskFromVec(zero);
     for (int i = 1; i <= gains.nodes; ++i) {
-        const std::size_t offset = static_cast<std::size_t>(i) * 3 * kLanes;
+        const std::size_t offset = static_cast<std::size_t>(i) * StrandBlocks::kNodeStride;
         const bool pastTip = i == gains.nodes;
         Vec3<V> placed = parent;
         Vec3<V> velocity = parentVelocity;
@@ -290,7 +290,7 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
         if (i > 1) {
             const Vec3<V> kept = limited(d, parentVelocity);
             const Vec3<V> last = sub(parentPosition, kept);
-            store3(d, choose(moving, last, parentPosition), previous + offset - 3 * kLanes);
+            store3(d, choose(moving, last, parentPosition), previous + offset - StrandBlocks::kNodeStride);
         }
         parent = placed;
         parentPosition = placed;
@@ -298,8 +298,10 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
         parentFree = free;
     }
     if (!hn::AllFalse(d, departed)) {
-        remember(d, departed, next + static_cast<std::size_t>(gains.nodes / 2) * 3 * kLanes, lanes + kMiddleX * kLanes);
-        remember(d, departed, next + static_cast<std::size_t>(gains.nodes - 1) * 3 * kLanes, lanes + kTipX * kLanes);
+        remember(d, departed, next + static_cast<std::size_t>(gains.nodes / 2) * StrandBlocks::kNodeStride,
+                 lanes + kMiddleX * kLanes);
+        remember(d, departed, next + static_cast<std::size_t>(gains.nodes - 1) * StrandBlocks::kNodeStride,
+                 lanes + kTipX * kLanes);
     }
     const V counted = hn::Add(stillBefore, one);
     const V still = step.windy ? zero : hn::IfThenZeroElse(departed, counted);
@@ -311,9 +313,9 @@ void StepBlocks(const SolverBlocks& blocks, const GroupGains& gains, const Colli
 {
     const hn::CappedTag<float, kLanes> d;
     const std::size_t lanesAtOnce = hn::Lanes(d);
-    HWY_ALIGN float scratch[std::size_t{kMaxNodes} * 3 * kLanes];
+    HWY_ALIGN float scratch[std::size_t{kMostNodes} * StrandBlocks::kNodeStride];
     for (std::size_t block = begin; block < end; ++block) {
-        const std::size_t first = block * static_cast<std::size_t>(gains.nodes) * 3 * kLanes;
+        const std::size_t first = block * static_cast<std::size_t>(gains.nodes) * StrandBlocks::kNodeStride;
         std::uint8_t awake = 0;
         for (std::size_t lane = 0; lane < kLanes; lane += lanesAtOnce) {
             float* const lanes = blocks.lanes + block * kLaneStride + lane;

@@ -10,7 +10,6 @@
 namespace hairpaint::sim {
 
 inline constexpr double kStepSeconds = 1.0 / 120.0; ///< The solver's fixed step.
-inline constexpr int kMaxNodes = 32;
 inline constexpr int kMaxPuffs = 4;
 
 /// Constants of a strand, one row of kLanes floats each; kMaxColliders rows of squared collider scales follow.
@@ -83,13 +82,13 @@ struct GroupGains
     float drag = 1.0F; ///< Factor of the velocity.
     float gravityScale = 1.0F;
     float windScale = 1.0F;
-    float windGain = 0.0F;                   ///< Share of the relative velocity of the air taken over in a step.
-    float frictionKeep = 1.0F;               ///< Share of the tangential motion kept in contact.
-    float stickSlope2 = 0.0F;                ///< Contact sticks while (tangential/normal motion)^2 is below.
-    float straighten = 0.0F;                 ///< Gain toward a straight continuation of the two segments before.
-    std::array<float, kMaxNodes> body{};     ///< Gain toward the direction in which the strand leaves the skin.
-    std::array<float, kMaxNodes> bodyKeep{}; ///< Share of the motion against the head that body leaves.
-    std::array<float, kMaxNodes> waveACos{}, waveASin{}, waveBCos{}, waveBSin{}; ///< Turbulence along the strand.
+    float windGain = 0.0F;                    ///< Share of the relative velocity of the air taken over in a step.
+    float frictionKeep = 1.0F;                ///< Share of the tangential motion kept in contact.
+    float stickSlope2 = 0.0F;                 ///< Contact sticks while (tangential/normal motion)^2 is below.
+    float straighten = 0.0F;                  ///< Gain toward a straight continuation of the two segments before.
+    std::array<float, kMostNodes> body{};     ///< Gain toward the direction in which the strand leaves the skin.
+    std::array<float, kMostNodes> bodyKeep{}; ///< Share of the motion against the head that body leaves.
+    std::array<float, kMostNodes> waveACos{}, waveASin{}, waveBCos{}, waveBSin{}; ///< Turbulence along the strand.
 };
 
 /// Blocks of kLanes strands. `rest`, `positions` and `previous`: [blocks][nodes][3][kLanes]; `lanes`:

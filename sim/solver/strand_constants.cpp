@@ -84,9 +84,9 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
 {
     const BasisStyles& basis = *groom.basis;
     const PhysicsSettings& physics = groom.settings.physics;
-    std::array<glm::vec3, kMaxNodes> rest;
+    std::array<glm::vec3, kMostNodes> rest;
     const auto nodes = static_cast<std::size_t>(groom.nodes);
-    readStrand(basis.restPositions.data(), groom.nodes, basisIndex, std::span(rest).first(nodes));
+    groom.blocks().read(basis.restPositions, basisIndex, std::span(rest).first(nodes));
 
     const float segment = basis.segmentLengths[basisIndex];
     const float hash = strandHash(groom, basisIndex);
@@ -112,7 +112,10 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     state.field(basisIndex, kLieX) = lie.x;
     state.field(basisIndex, kLieY) = lie.y;
     state.field(basisIndex, kLieZ) = lie.z;
-    setWindPhases(state.laneRows(basisIndex / kLanes), static_cast<int>(basisIndex % kLanes), rest[0], hash);
+    const WindPhases phases = windPhases(rest[0], hash);
+    state.field(basisIndex, kPhaseGust) = phases.gust;
+    state.field(basisIndex, kPhaseA) = phases.a;
+    state.field(basisIndex, kPhaseB) = phases.b;
     // A held shape keeps out every node; hair that falls anyway only what stands at the root.
     const std::span<const glm::vec3> clear =
         std::span(rest).first(hold > kHeldShape ? nodes : std::min<std::size_t>(nodes, 2));

@@ -25,9 +25,14 @@ struct StrandState
     /// Zeros, and no strand wanted.
     void resize(int nodeCount, std::size_t blockCount);
     [[nodiscard]] SolverBlocks view(const float* rest);
-    [[nodiscard]] std::size_t nodeAt(std::size_t strand, int node) const;
-    [[nodiscard]] float* laneRows(std::size_t block) { return lanes.data() + block * kLaneStride; }
-    [[nodiscard]] float& field(std::size_t strand, int row);
+    [[nodiscard]] StrandBlocks shape() const { return StrandBlocks(nodes); }
+    /// The nodes now, and a step ago.
+    [[nodiscard]] AlignedFloats& now() { return positions[static_cast<std::size_t>(present)]; }
+    [[nodiscard]] const AlignedFloats& now() const { return positions[static_cast<std::size_t>(present)]; }
+    [[nodiscard]] AlignedFloats& before() { return positions[static_cast<std::size_t>(1 - present)]; }
+    [[nodiscard]] const AlignedFloats& before() const { return positions[static_cast<std::size_t>(1 - present)]; }
+    [[nodiscard]] float& field(std::size_t strand, int row) { return lanes[laneIndex(strand, row)]; }
+    [[nodiscard]] float field(std::size_t strand, int row) const { return lanes[laneIndex(strand, row)]; }
 
     void copyStrand(const StrandState& from, std::size_t fromStrand, std::size_t toStrand);
     /// Both steps at `nodesHd`, without speed, awake.
@@ -37,9 +42,12 @@ struct StrandState
     /// Larger or smaller by `factor` about its root, speed as well.
     void rescaleStrand(std::size_t strand, float factor);
     void wakeStrand(std::size_t strand);
-};
 
-/// A strand's nodes from an array shaped [blocks][nodes][3][kLanes].
-void readStrand(const float* positions, int nodes, std::size_t strand, std::span<glm::vec3> nodesHd);
+private:
+    [[nodiscard]] static std::size_t laneIndex(std::size_t strand, int row)
+    {
+        return rowIndex(strand, static_cast<std::size_t>(row), kLaneFields);
+    }
+};
 
 } // namespace hairpaint::sim

@@ -26,12 +26,11 @@ float wrappedPhase(float phaseRad)
     return (turns - std::floor(turns)) * static_cast<float>(kTwoPi);
 }
 
-void setWindPhases(float* lanes, int lane, glm::vec3 rootHd, float hash01)
+WindPhases windPhases(glm::vec3 rootHd, float hash01)
 {
     const float jitter = hash01 * 1.2F;
-    lanes[kPhaseGust * kLanes + lane] = wrappedPhase(glm::dot(kGustWave, rootHd));
-    lanes[kPhaseA * kLanes + lane] = wrappedPhase(glm::dot(kWaveA, rootHd) + jitter);
-    lanes[kPhaseB * kLanes + lane] = wrappedPhase(glm::dot(kWaveB, rootHd) + 2.0F * jitter);
+    return {wrappedPhase(glm::dot(kGustWave, rootHd)), wrappedPhase(glm::dot(kWaveA, rootHd) + jitter),
+            wrappedPhase(glm::dot(kWaveB, rootHd) + 2.0F * jitter)};
 }
 
 void setWaveTables(GroupGains& gains)

@@ -10,8 +10,14 @@ namespace hairpaint::sim {
 /// A phase as the kernel takes it, 0..2 pi.
 [[nodiscard]] float wrappedPhase(float phaseRad);
 
-/// Fills the lane rows kPhaseGust, kPhaseA and kPhaseB of a strand. `lanes` is its block's, [kLaneFields][kLanes].
-void setWindPhases(float* lanes, int lane, glm::vec3 rootHd, float hash01);
+/// By how much gusts and the two waves of turbulence lag at a root, 0..2 pi.
+struct WindPhases
+{
+    float gust = 0.0F;
+    float a = 0.0F;
+    float b = 0.0F;
+};
+[[nodiscard]] WindPhases windPhases(glm::vec3 rootHd, float hash01);
 
 /// The phases by which the two waves of turbulence lag at a node, as tables.
 void setWaveTables(GroupGains& gains);

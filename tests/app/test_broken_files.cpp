@@ -56,7 +56,7 @@ private:
         for (const char* name : {"mimetype", "project.json", "head.glb"})
             entries.push_back(
                 {.name = name, .bytes = archive->read(QLatin1String(name), 1 << 24).value_or(QByteArray())});
-        for (int layer = 2; layer <= 8; ++layer) {
+        for (int layer = 2; layer < 2 + model::kMapKindCount; ++layer) {
             const QString name = QStringLiteral("groups/1/%1/%2.png")
                                      .arg(QLatin1String(model::mapSpecs()[static_cast<std::size_t>(layer) - 2].id))
                                      .arg(layer);
@@ -138,7 +138,7 @@ private Q_SLOTS:
         addFile("an image missing", project, spoilt([](Entries& e) { e.pop_back(); }), projects);
         addFile("an image twice", project, spoilt([](Entries& e) { e.push_back(e.back()); }), projects);
         addFile("NaN in the JSON", project, json("'seed': '1'", "'seed': NaN"), projects);
-        addFile("a number beyond all", project, json("'next_id': 9", "'next_id': 1e999"), projects);
+        addFile("a number beyond all", project, json("'id': 2,", "'id': 1e999,"), projects);
         addFile("a negative id", project, json("'id': 2,", "'id': -2,"), projects);
         addFile("an id twice", project, json("'id': 2,", "'id': 3,"), projects);
         addFile("maps said to be huge", project, json("'size': 256", "'size': 8192"), projects);

@@ -1,5 +1,6 @@
 // The command line: its verbs, its exit codes. Maps from images: test_drawn_images.cpp; files that are none:
 // test_broken_files.cpp.
+#include "model/files/project_file.h"
 #include "tests/app/program.h"
 #include "tests/support/test_program.h"
 
@@ -87,6 +88,10 @@ private Q_SLOTS:
         row("new -o p.hairpaint --map nonsense=x.png");
         row("new -o p.hairpaint --seed many");
         row("new -o p.hairpaint --max-hairs 0");
+        row("new -o p.hairpaint --max-candidates 0");
+        row("export p.hairpaint -o p.hair --hairs 0");
+        row("export p.hairpaint -o p.hair --wind 1,2,x");
+        row("render p.hairpaint -o p.png --hairs all");
         row("info");
         row("info a b");
         row("export p.hairpaint");
@@ -104,6 +109,46 @@ private Q_SLOTS:
         const Outcome outcome = runProgram(arguments);
         QCOMPARE(outcome.code, 2);
         QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
+    }
+
+    void aCommandsHelpTellsOfEachOption_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("new") << QStringList{QStringLiteral("--map"), QStringLiteral("--max-candidates")};
+        QTest::newRow("info") << QStringList{QStringLiteral("--json")};
+        QTest::newRow("presets") << QStringList{QStringLiteral("--json")};
+        QTest::newRow("export") << QStringList{QStringLiteral("--settle"), QStringLiteral("--hairs")};
+        QTest::newRow("render") << QStringList{QStringLiteral("--size"), QStringLiteral("--frames")};
+    }
+    void aCommandsHelpTellsOfEachOption()
+    {
+        QFETCH(QStringList, options);
+        const QString verb = QString::fromLatin1(QTest::currentDataTag());
+        for (const QStringList& arguments : {QStringList{verb, QStringLiteral("--help")},
+                                             QStringList{verb, path("none.hairpaint"), QStringLiteral("-h")}}) {
+            const Outcome outcome = runProgram(arguments);
+            QCOMPARE(outcome.code, 0);
+            QCOMPARE(outcome.error, QString());
+            QVERIFY(outcome.output.startsWith(QStringLiteral("hairpaint ") + verb));
+            for (const QString& option : options)
+                QCOMPARE(outcome.output.count(QStringLiteral("\n  ") + option), 1);
+        }
+    }
+
+    void aSeedHasNoSign()
+    {
+        const quint64 seed = 18'446'744'073'709'551'557ULL;
+        hairpaint::model::Project project = hairpaint::model::newProject();
+        project.seed = seed;
+        project.groups.front().name = QStringLiteral("\"seed\": -59");
+        QVERIFY(hairpaint::model::saveProject(project, path("seed.hairpaint"), {}));
+        const QString json =
+            runProgram({QStringLiteral("info"), path("seed.hairpaint"), QStringLiteral("--json")}).output;
+        QVERIFY2(json.contains(QStringLiteral("\"seed\": 18446744073709551557\n")), qPrintable(json));
+        QCOMPARE(QJsonDocument::fromJson(json.toUtf8())[QLatin1String("groups")][0][QLatin1String("name")].toString(),
+                 project.groups.front().name);
+        const QString text = runProgram({QStringLiteral("info"), path("seed.hairpaint")}).output;
+        QVERIFY2(text.contains(QStringLiteral("seed 18446744073709551557\n")), qPrintable(text));
     }
 
     void itSpeaksTheLanguageOfTheSystem_data()

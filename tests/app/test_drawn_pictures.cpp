@@ -35,10 +35,10 @@ private:
     [[nodiscard]] QImage backOf(const QString& project, const char* settleSeconds) const
     {
         const QString out = m_folder.path("back.png");
-        const Outcome outcome =
-            runProgram({QStringLiteral("render"), project, QStringLiteral("-o"), out, QStringLiteral("--size"),
-                        QStringLiteral("256x256"), QStringLiteral("--view"), QStringLiteral("back"),
-                        QStringLiteral("--settle"), QString::fromLatin1(settleSeconds)});
+        const Outcome outcome = runProgram(
+            {QStringLiteral("render"), project, QStringLiteral("-o"), out, QStringLiteral("--size"),
+             QStringLiteral("256x256"), QStringLiteral("--view"), QStringLiteral("back"), QStringLiteral("--fit"),
+             QStringLiteral("bust"), QStringLiteral("--settle"), QString::fromLatin1(settleSeconds)});
         return outcome.code == 0 ? QImage(out) : QImage();
     }
 

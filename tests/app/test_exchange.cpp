@@ -1,5 +1,6 @@
 // What comes in from other programs and goes out to them, by the window's menus and dialogs and dropped on it.
 #include "app/exchange.h"
+#include "model/commands/commands.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/preset.h"
@@ -17,6 +18,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 
 namespace hairpaint::app {
 
@@ -29,6 +31,7 @@ public:
     QString file;          ///< Typed into file dialogs; they are cancelled where it is empty.
     QString name;          ///< Typed where a name is asked for.
     bool takesHead = true; ///< Whether the head's dialog is accepted.
+    bool cancels = false;  ///< Whether Cancel is clicked in progress windows.
     QStringList said;      ///< What message boxes said.
 
     Answerer() { startTimer(20); }
@@ -49,6 +52,9 @@ protected:
             said += box->text();
             QAbstractButton* yes = box->button(QMessageBox::Yes);
             (yes != nullptr ? yes : box->buttons().constFirst())->click();
+        } else if (waiting != nullptr && cancels && waiting->objectName() == QLatin1String("progressWindow")) {
+            QTest::mouseClick(waiting->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel),
+                              Qt::LeftButton);
         }
     }
 
@@ -285,6 +291,33 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
     }
 
+    void cancelEndsASilentHelper_data()
+    {
+        QTest::addColumn<QByteArray>("action");
+        QTest::addColumn<QByteArray>("mode");
+        for (const char* action : {"file.importHead", "file.loadImage", "file.saveImage"})
+            for (const char* mode : {"hang", "long body never sent, then hang"})
+                QTest::addRow("%s, %s", action, mode) << QByteArray(action) << QByteArray(mode);
+    }
+    void cancelEndsASilentHelper()
+    {
+        QFETCH(QByteArray, action);
+        QFETCH(QByteArray, mode);
+        open(model::newProject());
+        const QByteArray before = savedBytes("silent-before.hairpaint");
+        qputenv("HAIRPAINT_IMPORT", HAIRPAINT_FAKE_HELPER_PROGRAM);
+        qputenv("HAIRPAINT_FAKE_HELPER", mode);
+        m_answers->cancels = true;
+        m_answers->file = action == "file.saveImage"    ? path("never.png")
+                          : action == "file.importHead" ? ballHead("silent.glb")
+                                                        : halfImage("silent.png", Qt::blue);
+        trigger(action.constData()); // Comes back once it is cancelled.
+        QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('|'))));
+        QVERIFY(m_done.isEmpty());
+        QVERIFY(!QFile::exists(path("never.png")));
+        QVERIFY(savedBytes("silent-after.hairpaint") == before);
+    }
+
     void aDroppedStyleOrProjectIsTaken()
     {
         open(model::newProject());
@@ -319,8 +352,9 @@ private Q_SLOTS:
             const model::Result<model::Preset> style = model::loadPreset(file);
             QVERIFY(style);
             QCOMPARE(style->name, QStringLiteral("Sunday, Best"));
-            QCOMPARE(style->picture.size(), QSize(192, 192));
-            QVERIFY(tile(file) != nullptr && tile(file)->own());
+            QTRY_VERIFY_WITH_TIMEOUT(tile(file) != nullptr && tile(file)->own(), kPatienceMs);
+            // Drawn in the background as those of all other styles are, whatever the camera looks at.
+            QTRY_VERIFY_WITH_TIMEOUT(tile(file)->hasPicture(), kPatienceMs);
             QCOMPARE(m_done.size(), again ? 2 : 1);
         }
         QCOMPARE(stack().count(), 0);
@@ -330,7 +364,18 @@ private Q_SLOTS:
         QTest::mouseClick(tile(file), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
         QVERIFY(layers().back().raster == wanted);
-        QFile::remove(file);
+
+        // It gets another name, and its file with it.
+        m_answers->name = QStringLiteral("Monday");
+        Q_EMIT strip->renameStyleRequested(file);
+        const QString renamed = ownPresetFolder() + QStringLiteral("/monday.hairpreset");
+        QTRY_VERIFY_WITH_TIMEOUT(tile(file) == nullptr && tile(renamed) != nullptr, kPatienceMs);
+        QVERIFY(!QFile::exists(file));
+        QCOMPARE(tile(renamed)->text(), QStringLiteral("Monday"));
+        m_answers->said.clear(); // The question before the trash names the style as the strip does.
+        Q_EMIT strip->deleteStyleRequested(renamed);
+        QVERIFY2(m_answers->said.value(0).contains(QStringLiteral("Monday")), qPrintable(m_answers->said.value(0)));
+        QFile::remove(renamed);
     }
 
     void hairGoesOutAsCurves()
@@ -347,6 +392,37 @@ private Q_SLOTS:
         const QByteArray bytes = contentOf(path("curls.hair"));
         QVERIFY(bytes.size() > 128 && bytes.startsWith("HAIR"));
         QCOMPARE(std::size_t{qFromLittleEndian<quint32>(bytes.constData() + 4)}, count);
+    }
+
+    void theHairThatGoesOutIsThatOfTheDocument()
+    {
+        open(model::newProject());
+        const auto written = [this](const char* name) {
+            m_answers->file = path(name);
+            trigger("file.exportHair");
+            return std::size_t{qFromLittleEndian<quint32>(contentOf(path(name)).mid(4, 4).constData())};
+        };
+        // The worker has not seen the stroke yet.
+        key(Qt::Key_1);
+        drag(m_window->paintView(), paintPoint(0.45F, 0.5F), paintPoint(0.55F, 0.5F));
+        const std::size_t painted = written("painted.hair");
+        QVERIFY(painted > 100);
+        awaitNewestHair();
+        QCOMPARE(painted, hairs());
+        // A style that is only pointed at is shown, and no part of it.
+        const model::Result<model::Preset> style = model::loadPreset(model::listPresets({}).at(1).path);
+        QVERIFY(style);
+        model::EditSession pointedAt;
+        session().document().show(pointedAt, {.policy = model::EditPolicy::Drop},
+                                  {.aspect = model::Change::Aspect::GroupList},
+                                  [&style](model::Project& project) { model::applyPreset(project, *style); });
+        QTRY_VERIFY_WITH_TIMEOUT(session().frame()->preview && hairs() > 2 * painted, kPatienceMs);
+        QCOMPARE(written("pointed at.hair"), painted);
+        // Nor are the colours of a map that is looked at.
+        session().lookAt(model::MapKind::Density);
+        QTRY_VERIFY_WITH_TIMEOUT(session().frame()->preview, kPatienceMs);
+        QCOMPARE(written("looked at.hair"), painted);
+        QVERIFY(!session().frame()->preview);
     }
 
     void thePictureIsSaved()

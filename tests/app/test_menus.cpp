@@ -16,7 +16,6 @@
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMimeData>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QToolButton>
 #include <QtTest>
@@ -38,7 +37,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         QStandardPaths::setTestModeEnabled(true);
-        QSettings().clear();
+        SettingsStore().clear();
         view::initResources();
         m_window = std::make_unique<MainWindow>(model::newProject(), QString());
         m_window->show();
@@ -64,6 +63,30 @@ private Q_SLOTS:
         QVERIFY2(undo->text().contains(QStringLiteral("Salt && pepper")), qPrintable(undo->text()));
         QCOMPARE(undo->text().count(QLatin1Char('&')), 3);
         document.undo();
+    }
+
+    void theMapMenuShowsAndChangesTheMapsSize()
+    {
+        model::Document& document = m_window->session().document();
+        const view::EditorState& editor = m_window->session().editor();
+        const auto size = [&] {
+            return document.committed().group(editor.activeGroup())->map(editor.activeMap()).size;
+        };
+        auto* menu = m_window->findChild<QMenu*>(QStringLiteral("mapSizeMenu"));
+        QVERIFY(menu != nullptr);
+        const int before = size();
+        Q_EMIT menu->aboutToShow();
+        QAction* half = nullptr;
+        for (QAction* action : menu->actions()) {
+            QCOMPARE(action->isChecked(), action->data().toInt() == before);
+            if (action->data().toInt() == before / 2)
+                half = action;
+        }
+        QVERIFY(half != nullptr);
+        half->trigger();
+        QCOMPARE(size(), before / 2);
+        document.undo();
+        QCOMPARE(size(), before);
     }
 
     void theAreasShownAreTicked()
@@ -137,6 +160,14 @@ private Q_SLOTS:
             m_window->actions().find(QLatin1StringView(kind))->trigger();
             QVERIFY(action->isChecked());
         }
+    }
+
+    void mapsPastTheNinthTakeNoKey()
+    {
+        for (int number = 1; number <= kDigits; ++number)
+            QCOMPARE(digitOf(digitKey(number)), number);
+        for (const int number : {0, 10, 11, 12})
+            QVERIFY(digitKey(number) == PhysicalKey::Other);
     }
 
     void nothingElseHidesThePanels()
@@ -234,7 +265,8 @@ private Q_SLOTS:
         const QList<QLabel*> labels = window.findChild<view::StatusReadout*>()->findChildren<QLabel*>();
         QTRY_VERIFY_WITH_TIMEOUT(std::ranges::any_of(labels,
                                                      [](const QLabel* label) {
-                                                         return label->text().endsWith(QStringLiteral(" (limit)")) &&
+                                                         return label->text().endsWith(
+                                                                    QStringLiteral(", limit reached")) &&
                                                                 !label->toolTip().isEmpty();
                                                      }),
                                  30'000);

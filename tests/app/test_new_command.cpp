@@ -59,18 +59,19 @@ private Q_SLOTS:
         QVERIFY(hairs[1] != hairs[2] && hairs[2] != hairs[4]);
     }
 
-    void theLimitOnHairsThinsThemEvenly()
+    void theLimitOnCandidatesThinsHairsEvenly()
     {
         const QString density = QStringLiteral("density=") + m_folder.filled("half.png", QColor(127, 255, 127));
-        const auto hairs = [&](const char* limit) {
+        const auto hairs = [&](const char* limit, const char* option = "--max-candidates") {
             const QString project = m_folder.path("limited.hairpaint");
-            QStringList options{QStringLiteral("--map"), density, QStringLiteral("--max-hairs"),
+            QStringList options{QStringLiteral("--map"), density, QString::fromLatin1(option),
                                 QString::fromLatin1(limit)};
             return make(project, options).isEmpty() ? hairsOf(infoOf(project)) : -1;
         };
         // Candidates lie on the whole head, and half of them are hairs.
         QCOMPARE(hairs("20000"), 10'039);
         QCOMPARE(hairs("1000"), 502);
+        QCOMPARE(hairs("1000", "--max-hairs"), 502); // Its name in 0.1.
         QCOMPARE(hairs("1"), 1);
         const qint64 all = hairs("1000000");
         QVERIFY2(all > 50'000 && all == hairs("4000000"), qPrintable(QString::number(all)));
@@ -83,7 +84,7 @@ private Q_SLOTS:
         QTest::addColumn<QJsonValue>("limitedBy");
         QTest::addColumn<QString>("words");
         QTest::newRow("none") << 1'000'000 << 8 << QJsonValue() << QString();
-        QTest::newRow("the project's") << 1'000 << 8 << QJsonValue(QLatin1String("max_hairs"))
+        QTest::newRow("the project's") << 1'000 << 8 << QJsonValue(QLatin1String("max_candidates"))
                                        << QStringLiteral("Fewer hairs than painted: the limit of 1,000 ");
         QTest::newRow("memory") << 4'000'000 << 32 << QJsonValue(QLatin1String("memory"))
                                 << QStringLiteral("Fewer hairs than painted: memory ");
@@ -103,6 +104,7 @@ private Q_SLOTS:
         QVERIFY(model::saveProject(project, m_folder.path("told.hairpaint"), {}));
 
         const QJsonObject info = infoOf(m_folder.path("told.hairpaint"));
+        QCOMPARE(info.value(QLatin1String("max_candidates")).toInt(), maxHairs);
         QCOMPARE(info.value(QLatin1String("max_hairs")).toInt(), maxHairs);
         const QJsonObject group = info.value(QLatin1String("groups")).toArray().first().toObject();
         QVERIFY(group.contains(QLatin1String("limited_by")));

@@ -129,11 +129,11 @@ private Q_SLOTS:
     /// +X is the head's own left, which the view from the front shows on the right.
     void theWindBlowsTheHairItsWay()
     {
-        QCOMPARE(render(m_baldProject, "bald.png", "--view front --settle 0"), QString());
+        QCOMPARE(render(m_baldProject, "bald.png", "--view front --fit bust --settle 0"), QString());
         const QImage bald(path("bald.png"));
         const auto middle = [&](const char* wind) {
-            const QString problem =
-                render(m_project, "wind.png", QByteArray("--view front --settle 0.5 ").append(wind).constData());
+            const QString problem = render(
+                m_project, "wind.png", QByteArray("--view front --fit bust --settle 0.5 ").append(wind).constData());
             return problem.isEmpty() ? middleOfHair(QImage(path("wind.png")), bald) : std::nullopt;
         };
         const auto still = middle("");
@@ -144,6 +144,61 @@ private Q_SLOTS:
         QCOMPARE(*calm, *still);
         QVERIFY2(*toTheLeft < *still - 3.0 && *still + 3.0 < *toTheRight,
                  qPrintable(QStringLiteral("%1, %2, %3").arg(*toTheLeft).arg(*still).arg(*toTheRight)));
+    }
+
+    void aShareOfTheHairsIsDrawnAndWritten()
+    {
+        QVERIFY(render(m_baldProject, "bald.png", "--settle 0").isEmpty());
+        const QImage bald(path("bald.png"));
+        std::vector<int> covered;
+        for (const char* hairs : {"", "--hairs 60", "--hairs 6"}) {
+            QCOMPARE(render(m_project, "share.png", QByteArray("--settle 0 ").append(hairs).constData()), QString());
+            const QImage picture(path("share.png"));
+            int pixels = 0;
+            for (int y = 0; y < bald.height(); ++y)
+                for (int x = 0; x < bald.width(); ++x)
+                    pixels += picture.pixel(x, y) != bald.pixel(x, y) ? 1 : 0;
+            covered.push_back(pixels);
+        }
+        QVERIFY(covered[0] > covered[1] && covered[1] > covered[2] && covered[2] > 0);
+
+        const QString file = path("share.hair");
+        QCOMPARE(runProgram({QStringLiteral("export"), m_project, QStringLiteral("-o"), file, QStringLiteral("--hairs"),
+                             QStringLiteral("4000")})
+                     .code,
+                 0);
+        const auto some = readHair(file);
+        QCOMPARE(some.size(), std::size_t{4000});
+        QCOMPARE(runProgram({QStringLiteral("export"), m_project, QStringLiteral("-o"), file}).code, 0);
+        const auto all = readHair(file);
+        QVERIFY(all.size() > 10'000);
+        // In their order, and each as it is among all.
+        auto next = all.begin();
+        for (const auto& strand : some) {
+            next = std::find(next, all.end(), strand);
+            QVERIFY(next != all.end());
+        }
+    }
+
+    void theWindBlowsThroughExportedHair()
+    {
+        std::vector<std::vector<std::vector<glm::vec3>>> hair;
+        for (const char* wind : {"-20,0,0", "20,0,0"}) {
+            const QString file = path("blown.hair");
+            QCOMPARE(
+                runProgram({QStringLiteral("export"), m_project, QStringLiteral("-o"), file, QStringLiteral("--settle"),
+                            QStringLiteral("0.5"), QStringLiteral("--wind"), QString::fromLatin1(wind)})
+                    .code,
+                0);
+            hair.push_back(readHair(file));
+        }
+        const auto middle = [](const std::vector<std::vector<glm::vec3>>& strands) {
+            double sum = 0.0;
+            for (const auto& strand : strands)
+                sum += static_cast<double>(strand.back().x);
+            return sum / static_cast<double>(strands.size());
+        };
+        QVERIFY(middle(hair[1]) > middle(hair[0]) + 0.01);
     }
 };
 

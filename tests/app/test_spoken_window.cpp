@@ -10,6 +10,7 @@
 #include "view/dialogs/head_import_dialog.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
+#include "view/panels/hair_kinds.h"
 #include "view/panels/sidebar.h"
 #include "view/resources.h"
 
@@ -21,7 +22,6 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QSysInfo>
 #include <QTemporaryDir>
@@ -182,7 +182,7 @@ private Q_SLOTS:
     }
     void init()
     {
-        QSettings().clear();
+        SettingsStore().clear();
         m_foreign.clear();
     }
     void cleanup()
@@ -222,7 +222,7 @@ private Q_SLOTS:
             editor().setActiveMap(spec.kind);
             QTest::mouseMove(&m_window->paintView(), paintPoint(0.5F, 0.5F));
             for (const auto& tool : editor().tools()) {
-                editor().setActiveTool(QLatin1StringView(tool->id()));
+                editor().setActiveTool(tool->id());
                 look(*m_window);
             }
         }
@@ -270,18 +270,19 @@ private Q_SLOTS:
         speakLanguage(std::make_unique<test::MarkedLetters>());
         openWindow();
         editor().setActiveMap(model::MapKind::Density);
-        const auto use = [this](const char* tool) {
-            editor().setActiveTool(QLatin1StringView(tool));
+        const auto use = [this](model::ToolId tool) {
+            editor().setActiveTool(tool);
             drag(paintPoint(0.45F, 0.5F), paintPoint(0.55F, 0.52F));
         };
-        for (const char* tool : {"brush", "eraser", "gradient", "fill", "shape", "select"})
+        using enum model::ToolId;
+        for (const model::ToolId tool : {Brush, Eraser, Gradient, Fill, Shape, Select})
             use(tool);
         auto* sidebar = m_window->findChild<view::Sidebar*>();
         sidebar->layers().addLayer();
         sidebar->layers().duplicateLayer();
         sidebar->layers().moveLayer(-1);
         sidebar->layers().removeLayer();
-        sidebar->hair().addGroup();
+        sidebar->hair().addGroup(view::hairKinds().back());
         look(*m_window);
         sidebar->showHair();
         look(*m_window);
@@ -317,7 +318,7 @@ private Q_SLOTS:
         model::Document& document = m_window->session().document();
         model::HairGroup group = document.project().groups.front();
         document.push(model::showGroupCommand(document, group.id, false));
-        editor().setActiveTool(QLatin1StringView("brush"));
+        editor().setActiveTool(model::ToolId::Brush);
         drag(paintPoint(0.45F, 0.5F), paintPoint(0.55F, 0.52F));
         look(*m_window);
         QVERIFY2(m_foreign.isEmpty(), qPrintable(m_foreign.join(QStringLiteral(" | "))));
@@ -346,7 +347,7 @@ private Q_SLOTS:
         // Files are the same in every language.
         const model::Project project = model::newProject();
         QCOMPARE(project.groups.front().name, QStringLiteral("Scalp"));
-        QCOMPARE(project.groups.front().maps.front().layers.front().name, QStringLiteral("Layer 1"));
+        QCOMPARE(project.groups.front().maps.front()->layers.front().name, QStringLiteral("Layer 1"));
     }
 };
 

@@ -22,12 +22,12 @@ using namespace hairpaint::test;
 namespace {
 
 #ifdef Q_OS_LINUX
-static void limitFiles()
+void limitFiles(qint64 bytes)
 {
     std::signal(SIGXFSZ, SIG_IGN);
     rlimit most{};
     getrlimit(RLIMIT_FSIZE, &most);
-    most.rlim_cur = 20'000;
+    most.rlim_cur = static_cast<rlim_t>(bytes);
     setrlimit(RLIMIT_FSIZE, &most);
 }
 
@@ -135,23 +135,63 @@ private Q_SLOTS:
     {
         QFETCH(QStringList, arguments);
         QFETCH(QString, output);
-        writeBytes(output, "old");
-        QCOMPARE(faultOf(m_folder.path(), arguments, QFileInfo(output).fileName(), limitFiles), QString());
-        QCOMPARE(contentOf(output), QByteArray("old"));
+        QCOMPARE(runProgram(arguments).code, 0);
+        const qint64 whole = QFileInfo(output).size();
+        for (const qint64 room : {qint64{20'000}, whole - 16'000, whole - 1}) {
+            writeBytes(output, "old");
+            QCOMPARE(faultOf(m_folder.path(), arguments, QFileInfo(output).fileName(), [room] { limitFiles(room); }),
+                     QString());
+            QCOMPARE(contentOf(output), QByteArray("old"));
+        }
+    }
+
+    /// On a disk of 64 kB, where the system lets anyone mount one.
+    void aFilmOnAFullDiskLeavesNoPictures()
+    {
+        const auto onSmallDisk = [this](const QString& command) {
+            QProcess process;
+            process.start(QStringLiteral("unshare"),
+                          {QStringLiteral("--mount"), QStringLiteral("--map-root-user"), QStringLiteral("sh"),
+                           QStringLiteral("-c"), QStringLiteral("mount -t tmpfs -o size=64k none \"$1\" && ") + command,
+                           QStringLiteral("sh"), path(QStringLiteral("disk")), QStringLiteral(HAIRPAINT_PROGRAM),
+                           m_good});
+            process.waitForFinished(-1);
+            return Outcome{.code = process.exitCode(),
+                           .output = QString::fromUtf8(process.readAllStandardOutput()),
+                           .error = QString::fromUtf8(process.readAllStandardError())};
+        };
+        QVERIFY(QDir().mkpath(path(QStringLiteral("disk"))));
+        if (onSmallDisk(QStringLiteral("true")).code != 0)
+            return; // The pictures themselves are written to a full disk by the test below, everywhere.
+        // The disk is filled up to a few bytes, so that pictures begin and do not end.
+        const Outcome film = onSmallDisk(
+            QStringLiteral("head -c 63000 /dev/zero > \"$1/full\"; \"$2\" render \"$3\" -o \"$1/film.png\" --size "
+                           "32x32 --settle 0 --frames 0-3; code=$?; ls -A \"$1\"; exit $code"));
+        QCOMPARE(film.code, 1);
+        QCOMPARE(film.output, QStringLiteral("full\n"));
+        QCOMPARE(film.error.count(QLatin1Char('\n')), 1);
+        QVERIFY2(film.error.contains(QStringLiteral("no space left")), qPrintable(film.error));
     }
 
     /// In this process: software OpenGL keeps files of its own, so the whole verb can't be limited.
+    void aPictureOnAFullDiskIsOneSentenceAndTheOldFile_data()
+    {
+        QTest::addColumn<int>("side");
+        QTest::newRow("large") << 256;
+        QTest::newRow("within one buffer") << 16;
+    }
     void aPictureOnAFullDiskIsOneSentenceAndTheOldFile()
     {
         const QString picture = path(QStringLiteral("full.png"));
         writeBytes(picture, "old");
-        QImage noise(256, 256, QImage::Format_RGB32);
+        QFETCH(int, side);
+        QImage noise(side, side, QImage::Format_RGB32);
         for (int y = 0; y < noise.height(); ++y)
             for (int x = 0; x < noise.width(); ++x)
                 noise.setPixel(x, y, static_cast<uint>(qHash(y * 256 + x)));
         rlimit before{};
         getrlimit(RLIMIT_FSIZE, &before);
-        limitFiles();
+        limitFiles(side == 16 ? 400 : 20'000);
         const model::Result<void> written = app::writePicture(noise, picture);
         setrlimit(RLIMIT_FSIZE, &before);
         QVERIFY(!written);

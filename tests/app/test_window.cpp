@@ -67,7 +67,7 @@ private Q_SLOTS:
         const auto paintAndWait = [this](float u) {
             const std::size_t before = hairs();
             key(Qt::Key_1);
-            editor().setActiveTool(QLatin1StringView("eraser"));
+            editor().setActiveTool(model::ToolId::Eraser);
             drag(m_window->paintView(), paintPoint(u, 0.5F), paintPoint(u, 0.6F));
             QTRY_VERIFY_WITH_TIMEOUT(hairs() < before, kPatienceMs);
         };
@@ -107,11 +107,12 @@ private Q_SLOTS:
         QHash<QKeySequence, QString> owners;
         for (const view::KeyBinding& binding : m_window->actions().bindings()) {
             QVERIFY(!binding.action->text().isEmpty());
-            if (binding.defaultKey.isEmpty())
-                continue;
-            QVERIFY2(!owners.contains(binding.defaultKey),
-                     qPrintable(binding.action->objectName() + QLatin1Char(' ') + owners.value(binding.defaultKey)));
-            owners.insert(binding.defaultKey, binding.action->objectName());
+            QVERIFY(!binding.name.isEmpty());
+            for (const QKeySequence& key : binding.defaultKeys) {
+                QVERIFY2(!owners.contains(key),
+                         qPrintable(binding.action->objectName() + QLatin1Char(' ') + owners.value(key)));
+                owners.insert(key, binding.action->objectName());
+            }
         }
         QVERIFY(owners.size() > 30);
     }

@@ -17,7 +17,6 @@
 
 #include <QDialog>
 #include <QMenuBar>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QTranslator>
 #include <QtTest>
@@ -53,7 +52,7 @@ private Q_SLOTS:
         view::initResources();
         view::applyTheme(*qApp, view::ThemeKind::Dark); // The fonts, too.
     }
-    void init() { QSettings().clear(); }
+    void init() { SettingsStore().clear(); }
     void cleanup()
     {
         m_window.reset();
@@ -121,7 +120,7 @@ private Q_SLOTS:
         };
         view::EditorState& editor = m_window->session().editor();
         for (const auto& tool : editor.tools()) {
-            editor.setActiveTool(QLatin1StringView(tool->id()));
+            editor.setActiveTool(tool->id());
             for (const model::MapSpec& spec : model::mapSpecs()) {
                 editor.setActiveMap(spec.kind);
                 measure(*m_window);

@@ -36,6 +36,33 @@ private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
     void cleanup() { m_window.reset(); }
 
+    void aKeysChangeIsKeptByWhateverComesNext_data()
+    {
+        QTest::addColumn<bool>("hovers");
+        QTest::newRow("painting in the paint area") << false;
+        QTest::newRow("pointing at a style") << true;
+    }
+    void aKeysChangeIsKeptByWhateverComesNext()
+    {
+        QFETCH(bool, hovers);
+        openWindow(breezyProject());
+        view::WeatherOverlay& overlay = openWeather();
+        QVERIFY(overlay.handleKey(Qt::Key_PageUp, {}));
+        QVERIFY(session().document().previewing());
+        if (hovers) {
+            model::EditSession look;
+            session().document().show(look, {.policy = model::EditPolicy::Drop},
+                                      {.aspect = model::Change::Aspect::GroupList},
+                                      [](model::Project& project) { project.groups.front().visible = false; });
+        } else {
+            drag(m_window->paintView(), paintPoint(0.45F, 0.5F), paintPoint(0.55F, 0.5F));
+        }
+        QVERIFY(std::abs(glm::length(kept().wind.velocity) - 2.5F) < 1e-4F);
+        QCOMPARE(stack().count(), hovers ? 1 : 2);
+        overlay.settle(); // The pause that was still running ends nothing and adds nothing.
+        QCOMPARE(stack().count(), hovers ? 1 : 2);
+    }
+
     void aKeysChangeIsOneStepAfterAPause_data()
     {
         QTest::addColumn<int>("pressed");

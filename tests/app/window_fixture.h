@@ -6,10 +6,10 @@
 #include "model/files/project_file.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
+#include "view/panels/style_strip.h"
 #include "view/resources.h"
 
 #include <QFile>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QUndoStack>
@@ -57,6 +57,8 @@ protected:
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         m_window->activateWindow();
         QTRY_VERIFY_WITH_TIMEOUT(session().frame() != nullptr, kPatienceMs);
+        auto* styles = m_window->findChild<view::StyleStrip*>();
+        QTRY_VERIFY_WITH_TIMEOUT(!styles->paths().empty(), kPatienceMs); // They are read in the background.
         editor().setMirror(false);
     }
 
@@ -122,7 +124,7 @@ protected:
     static void prepareApplication()
     {
         QStandardPaths::setTestModeEnabled(true);
-        QSettings().clear();
+        SettingsStore().clear();
         // A display can carry the QOpenGLWidget, also where OpenGL is software.
         if (QGuiApplication::platformName() == QLatin1String("xcb")) {
             view::Preferences preferences;

@@ -41,7 +41,6 @@ std::shared_ptr<const sim::StrandFrame> hangingHair()
             sim::StrandStyle& style = chunk->styles[slot];
             style.rootColour = 0xFF203A50U;
             style.tipColour = 0xFF406A90U;
-            style.widthM = 80e-6F;
             style.detail = 0.5F;
             chunk->hairs.set(slot);
             chunk->drawn.set(slot);
@@ -54,10 +53,7 @@ std::shared_ptr<const sim::StrandFrame> hangingHair()
                 const float s = static_cast<float>(n) / static_cast<float>(kNodes - 1);
                 const float out = lift * (1.0F + 0.3F * s);
                 const glm::vec3 place(root.x * out, root.y + 0.03F * s - 0.22F * s * s, root.z * out);
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    group.positions[((((c * sim::kBlocksPerChunk) + slot / sim::kLanes) * kNodes + n) * 3 + axis) *
-                                        sim::kLanes +
-                                    slot % sim::kLanes] = place[static_cast<int>(axis)];
+                sim::StrandBlocks(kNodes).setNode(group.positions, i, n, place);
             }
         }
         groom->chunks.push_back(chunk);
@@ -154,11 +150,8 @@ void drawBareLines(benchmark::State& state)
     std::vector<glm::vec3> points;
     for (std::size_t i = 0; i < kHairs; ++i)
         for (std::size_t n = 0; n + 1 < kNodes; ++n)
-            for (const std::size_t node : {n, n + 1}) {
-                const float* p = frame->groups[0].positions.data() +
-                                 ((i / sim::kLanes) * kNodes + node) * 3 * sim::kLanes + i % sim::kLanes;
-                points.emplace_back(p[0], p[sim::kLanes], p[2 * sim::kLanes]);
-            }
+            for (const std::size_t node : {n, n + 1})
+                points.push_back(sim::StrandBlocks(kNodes).node(frame->groups[0].positions, i, node));
     const unsigned program = glCreateProgram();
     compiled(program, GL_VERTEX_SHADER,
              "#version 430 core\nlayout(location = 0) in vec3 p; uniform mat4 m; void main() { gl_Position = m * "

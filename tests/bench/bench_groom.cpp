@@ -17,9 +17,9 @@ sim::GroomInput repainted(const sim::GroomInput& input, std::uint16_t length)
 {
     sim::GroomInput other = input;
     sim::GroupMaps& maps = other.groups.front().maps;
-    const int size = maps.length->size();
-    maps.density = std::make_shared<const sim::TiledRaster>(size, 1, sim::Texel{65535});
-    maps.length = std::make_shared<const sim::TiledRaster>(size, 1, sim::Texel{length});
+    const int size = maps[sim::MapSlot::Length]->size();
+    maps[sim::MapSlot::Density] = std::make_shared<const sim::TiledRaster>(size, 1, sim::Texel{65535});
+    maps[sim::MapSlot::Length] = std::make_shared<const sim::TiledRaster>(size, 1, sim::Texel{length});
     return other;
 }
 

@@ -34,13 +34,14 @@ sim::GroomInput sceneOf(int hairs, int nodes, bool allBasis)
     if (allBasis)
         group.settings.basisHairs = hairs;
     constexpr std::uint16_t kFull = 65535;
-    group.maps.density = uniform(1, {kFull});
-    group.maps.length = uniform(1, {52000});
-    group.maps.curl = uniform(1, {13000});
-    group.maps.braid = uniform(1, {0});
-    group.maps.colour = uniform(3, {20000, 12000, 8000});
-    group.maps.clump = uniform(1, {20000});
-    group.maps.gel = uniform(1, {9000});
+    for (const sim::MapRule& rule : sim::kMapRules)
+        group.maps[rule.slot] = uniform(rule.channels, rule.defaultValue);
+    group.maps[sim::MapSlot::Density] = uniform(1, {kFull});
+    group.maps[sim::MapSlot::Length] = uniform(1, {52000});
+    group.maps[sim::MapSlot::Curl] = uniform(1, {13000});
+    group.maps[sim::MapSlot::Colour] = uniform(3, {20000, 12000, 8000});
+    group.maps[sim::MapSlot::Clump] = uniform(1, {20000});
+    group.maps[sim::MapSlot::Gel] = uniform(1, {9000});
     input.groups.push_back(std::move(group));
     input.maxHairs = std::max(hairs, input.maxHairs);
     return input;
@@ -51,7 +52,7 @@ sim::GroomInput dabbed(const sim::GroomInput& before, int number)
     // On the ball, a square of u x v around the equator covers side^2 * pi/2 of the area: 0.08 is one per cent.
     constexpr int kSide = static_cast<int>(0.08 * kMapSize);
     sim::GroomInput after = before;
-    auto length = std::make_shared<sim::TiledRaster>(*before.groups.front().maps.length);
+    auto length = std::make_shared<sim::TiledRaster>(*before.groups.front().maps[sim::MapSlot::Length]);
     const int x0 = 100 + number * 37 % 700;
     const int y0 = (kMapSize - kSide) / 2;
     const auto value = static_cast<std::uint16_t>(30000 + number * 997 % 30000);
@@ -59,7 +60,7 @@ sim::GroomInput dabbed(const sim::GroomInput& before, int number)
         for (int x = x0; x < x0 + kSide; ++x)
             length->setTexel(x, y, {value});
     }
-    after.groups.front().maps.length = std::move(length);
+    after.groups.front().maps[sim::MapSlot::Length] = std::move(length);
     return after;
 }
 

@@ -103,6 +103,10 @@ int main()
         send(headerClaiming(wire::Kind::Image, ~0ULL));
     if (mode == "long body never sent")
         send(headerClaiming(wire::Kind::Image, 400'000'000));
+    if (mode == "long body never sent, then hang") {
+        send(headerClaiming(wire::Kind::Image, 400'000'000));
+        sleepForEver();
+    }
     if (mode == "endless body") {
         send(headerClaiming(wire::Kind::Refusal, 4));
         writeForEver();

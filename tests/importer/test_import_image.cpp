@@ -7,6 +7,7 @@
 
 #include <QBuffer>
 #include <QImage>
+#include <QImageReader>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -115,6 +116,45 @@ private Q_SLOTS:
             }
     }
 
+    void aPhotographIsReadUpright_data()
+    {
+        QTest::addColumn<int>("orientation");
+        for (int orientation = 0; orientation <= 9; ++orientation)
+            QTest::addRow("%d", orientation) << orientation;
+    }
+    void aPhotographIsReadUpright()
+    {
+        QFETCH(int, orientation);
+        QImage drawn(48, 32, QImage::Format_RGB888);
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 48; ++x)
+                drawn.setPixelColor(x, y, QColor(x * 5, y * 7, 100));
+        QByteArray jpeg;
+        QBuffer buffer(&jpeg);
+        buffer.open(QIODevice::WriteOnly);
+        QVERIFY(drawn.save(&buffer, "jpg", 100));
+        // One entry of EXIF: tag 0x0112, a short.
+        QByteArray exif("Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0", 25);
+        exif.append(static_cast<char>(orientation)).append(QByteArray(6, '\0'));
+        jpeg.insert(2, QByteArray("\xFF\xE1\0", 3) + static_cast<char>(exif.size() + 2) + exif);
+        const QString file = path(QStringLiteral("photograph.jpg"));
+        test::writeBytes(file, jpeg);
+
+        QImageReader judge(file);
+        judge.setAutoTransform(true);
+        const QImage expected = judge.read();
+        const auto image = m_client.readImage(file);
+        QVERIFY2(image, image ? "" : qPrintable(image.error().message));
+        QCOMPARE(QSize(image->width, image->height), expected.size());
+        QCOMPARE(image->width, orientation >= 5 && orientation <= 8 ? 32 : 48);
+        for (int y = 0; y < image->height; ++y)
+            for (int x = 0; x < image->width; ++x) {
+                const std::uint16_t* pixel = image->pixels.data() + (y * image->width + x) * 3;
+                QVERIFY(std::abs(pixel[0] / 257 - qRed(expected.pixel(x, y))) <= 4);
+                QVERIFY(std::abs(pixel[1] / 257 - qGreen(expected.pixel(x, y))) <= 4);
+            }
+    }
+
     void aScaleWrittenAndReadIsTheSameToAStepOfItsDepth_data()
     {
         QTest::addColumn<int>("map");
@@ -183,6 +223,19 @@ private Q_SLOTS:
         QString shown = file;
         shown.replace(QLatin1Char('\n'), QLatin1Char('?'));
         QVERIFY2(test::isOneSentenceNaming(image.error().message, shown), qPrintable(image.error().message));
+    }
+
+    void aPsdPackedByZipIsSaidToBeSo()
+    {
+        const QByteArray pixels = qCompress(QByteArray(3 * 4 * 4, '\x55')).sliced(4);
+        const QByteArray psd = QByteArray("8BPS\0\1\0\0\0\0\0\0\0\3\0\0\0\4\0\0\0\4\0\x08\0\3", 26) +
+                               QByteArray(12, '\0') + QByteArray("\0\2", 2) + pixels;
+        const QString file = path(QStringLiteral("zip.psd"));
+        test::writeBytes(file, psd);
+        const auto image = m_client.readImage(file);
+        QVERIFY(!image);
+        QVERIFY2(image.error().message.contains(QStringLiteral("compressed")), qPrintable(image.error().message));
+        QVERIFY2(test::isOneSentenceNaming(image.error().message, file), qPrintable(image.error().message));
     }
 
     void anEndingThatCannotBeWrittenIsRefused_data()

@@ -5,6 +5,9 @@
 #include "model/project.h"
 #include "tests/support/test_heads.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace hairpaint::test {
 
 /// A texel pattern with uniform tiles, gradients and steps, the same on every machine.
@@ -29,7 +32,8 @@ inline void paintPattern(sim::TiledRaster& raster, bool index, int seed)
     raster.setUniform(1, full);
 }
 
-inline model::Project makeSampleProject(int mapSize = 256)
+/// `lacking`: maps that the file it is compared with has not: empty, with the last ids.
+inline model::Project makeSampleProject(int mapSize = 256, const std::vector<model::MapKind>& lacking = {})
 {
     using namespace model;
     Project project;
@@ -51,6 +55,7 @@ inline model::Project makeSampleProject(int mapSize = 256)
                      .red = 0.9F,
                      .green = 0.8F,
                      .blue = 0.7F};
+    const auto isLacking = [&](MapKind kind) { return std::ranges::find(lacking, kind) != lacking.end(); };
     for (int number = 0; number < 2; ++number) {
         HairGroup group = makeGroup(project, number == 0 ? QStringLiteral("Scalp \"1\"\n") : QString(), mapSize);
         group.visible = number == 0;
@@ -58,7 +63,6 @@ inline model::Project makeSampleProject(int mapSize = 256)
         s.greatestDensityPerM2 = 1.23e6F;
         s.greatestLengthM = 0.1F + 0.2F * static_cast<float>(number);
         s.shortestLengthM = 0.003F;
-        s.hairWidthM = 71e-6F;
         s.nodesPerHair = 13;
         s.basisHairs = 777;
         s.turnsMode = sim::TurnsMode::PerLength;
@@ -75,8 +79,19 @@ inline model::Project makeSampleProject(int mapSize = 256)
                      .volumeM = 0.0099F,
                      .parting = 0.2F,
                      .sweepBack = 0.9F};
-        s.material = {.shine = 0.77F, .roughness = 0.22F, .rootAlpha = 0.9F, .tipAlpha = 0.1F, .colourVariation = 0.3F};
+        s.material = {.widthM = 71e-6F,
+                      .shine = 0.77F,
+                      .roughness = 0.22F,
+                      .rootAlpha = 0.9F,
+                      .tipAlpha = 0.1F,
+                      .colourVariation = 0.3F};
+        project.nextId = group.id + 1;
+        for (SharedStack& stack : group.maps)
+            if (!isLacking(stack->kind))
+                stack.write().layers.front().id = project.takeId();
         for (const MapSpec& spec : mapSpecs()) {
+            if (isLacking(spec.kind))
+                continue;
             std::vector<Layer>& layers = group.map(spec.kind).layers;
             paintPattern(layers.front().raster, spec.texel == TexelKind::Index, layers.front().id);
             if (number == 0 && spec.kind == MapKind::Length) {
@@ -91,6 +106,9 @@ inline model::Project makeSampleProject(int mapSize = 256)
         project.groups.push_back(std::move(group));
     }
     project.nextId += 5;
+    for (HairGroup& group : project.groups)
+        for (const MapKind kind : lacking)
+            group.map(kind).layers.front().id = project.takeId();
     return project;
 }
 
@@ -119,12 +137,12 @@ inline QString difference(const model::Project& a, const model::Project& b)
             return QStringLiteral("group %1").arg(g);
         for (std::size_t m = 0; m < one.maps.size(); ++m) {
             const QString where = QStringLiteral("group %1, map %2").arg(g).arg(m);
-            if (one.maps[m].kind != other.maps[m].kind || one.maps[m].size != other.maps[m].size ||
-                one.maps[m].layers.size() != other.maps[m].layers.size())
+            if (one.maps[m]->kind != other.maps[m]->kind || one.maps[m]->size != other.maps[m]->size ||
+                one.maps[m]->layers.size() != other.maps[m]->layers.size())
                 return where;
-            for (std::size_t l = 0; l < one.maps[m].layers.size(); ++l) {
-                const Layer& x = one.maps[m].layers[l];
-                const Layer& y = other.maps[m].layers[l];
+            for (std::size_t l = 0; l < one.maps[m]->layers.size(); ++l) {
+                const Layer& x = one.maps[m]->layers[l];
+                const Layer& y = other.maps[m]->layers[l];
                 if (x.id != y.id || x.name != y.name || x.visible != y.visible || x.opacity != y.opacity ||
                     x.blend != y.blend || x.locked != y.locked)
                     return where + QStringLiteral(", a layer's properties");

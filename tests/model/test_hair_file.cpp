@@ -68,13 +68,12 @@ sim::GroupInput group(int id, std::uint16_t density, std::uint16_t length, std::
     input.settings.greatestDensityPerM2 = 20'000.0F;
     input.settings.greatestLengthM = 0.2F;
     input.settings.basisHairs = 256;
-    input.maps = {.density = flat(1, {density}),
-                  .length = flat(1, {length}),
-                  .curl = flat(1, {curl}),
-                  .braid = flat(1, {0}),
-                  .colour = flat(3, {65535, 32896, 0}),
-                  .clump = flat(1, {0}),
-                  .gel = flat(1, {0})};
+    for (const sim::MapRule& rule : sim::kMapRules)
+        input.maps[rule.slot] = flat(rule.channels, rule.defaultValue);
+    input.maps[sim::MapSlot::Density] = flat(1, {density});
+    input.maps[sim::MapSlot::Length] = flat(1, {length});
+    input.maps[sim::MapSlot::Curl] = flat(1, {curl});
+    input.maps[sim::MapSlot::Colour] = flat(3, {65535, 32896, 0});
     return input;
 }
 
@@ -167,15 +166,21 @@ private Q_SLOTS:
     void thicknessTransparencyAndColourRunFromRootToTip()
     {
         sim::GroupInput input = group(1, 65535, 65535, 0);
-        input.settings.hairWidthM = 70e-6F;
+        input.settings.material.widthM = 70e-6F;
         input.settings.material.rootAlpha = 0.75F;
         input.settings.material.tipAlpha = 0.25F;
         const HairFile file = written(frameOf({input}));
         QVERIFY(file.whole && !file.segments.empty());
         const std::size_t tip = file.segments.front();
-        QCOMPARE(file.thickness[0], 70e-6F);
+        QCOMPARE(file.thickness[0], 0.75F * 70e-6F);
+        QCOMPARE(file.thickness[tip], 0.25F * 70e-6F);
         QCOMPARE(file.transparency[0], 0.25F);
         QCOMPARE(file.transparency[tip], 0.75F);
+        // By the square of the way to the tip, as the shader has it.
+        const float middle = 0.75F - 0.5F * 0.25F;
+        QCOMPARE(tip % 2, std::size_t{0});
+        QCOMPARE(file.transparency[tip / 2], 1.0F - middle);
+        QCOMPARE(file.thickness[tip / 2], middle * 70e-6F);
         QVERIFY(glm::distance(file.colours[0], glm::vec3(1.0F, 128.0F / 255.0F, 0.0F)) < 0.01F);
     }
 
@@ -200,6 +205,20 @@ private Q_SLOTS:
         const QByteArray once = test::readBytes(path());
         QVERIFY(writeHairFile(frameOf(groups), path()));
         QVERIFY(once == test::readBytes(path()) && once.size() > 128);
+    }
+
+    void writingStopsWhereverItIsAsked()
+    {
+        const sim::StrandFrame frame = frameOf({group(1, 65535, 65535, 0)});
+        int asked = 0;
+        QVERIFY(writeHairFile(frame, path(), [&asked](double) { return ++asked > 0; }));
+        QVERIFY(asked >= 2);
+        const QByteArray before = test::readBytes(path());
+        for (int stopAt = 1; stopAt <= asked; ++stopAt) {
+            int count = 0;
+            QVERIFY(!writeHairFile(frame, path(), [&](double) { return ++count < stopAt; }));
+            QVERIFY(test::readBytes(path()) == before);
+        }
     }
 
     void whereItCannotBeWrittenNothingIs()

@@ -1,4 +1,5 @@
 // Heads: the built-in one, our subset of binary glTF, and unit and axis of a foreign mesh.
+#include "model/files/glb.h"
 #include "model/files/head_file.h"
 #include "model/files/json_fields.h"
 #include "sim/skin/mesh_openings.h"
@@ -78,7 +79,7 @@ private Q_SLOTS:
     {
         for (const sim::HeadMesh& mesh : {test::makeBallHead(16), builtInHead()->skin->mesh()}) {
             const QByteArray glb = writeGlb(mesh);
-            const Result<sim::HeadMesh> back = readGlb(glb, QStringLiteral("x.glb"));
+            const Checked<sim::HeadMesh> back = meshFromGlb(glb);
             QVERIFY(back);
             QVERIFY(sameBytes(mesh, *back));
             QVERIFY(writeGlb(*back) == glb);
@@ -93,7 +94,7 @@ private Q_SLOTS:
             text.replace("\"_UV\"", "\"_OTHER\"");
             root = QJsonDocument::fromJson(text).object();
         });
-        const Result<sim::HeadMesh> back = readGlb(glb, QStringLiteral("x.glb"));
+        const Checked<sim::HeadMesh> back = meshFromGlb(glb);
         QVERIFY(back);
         for (std::size_t i = 0; i < mesh.uvs.size(); ++i)
             QVERIFY(glm::distance(mesh.uvs[i], back->uvs[i]) < 1e-6F);
@@ -137,13 +138,18 @@ private Q_SLOTS:
         mesh = test::makeBallHead(8);
         mesh.uvs[2].x = std::numeric_limits<float>::infinity();
         row("an endless uv", writeGlb(mesh));
+        mesh.uvs[2].x = 3e38F;
+        row("a uv light years away", writeGlb(mesh));
+        mesh.uvs[2].x = -1001.0F;
+        row("a uv a little beyond the limit", writeGlb(mesh));
     }
     void aBrokenGlbIsRefused()
     {
         QFETCH(QByteArray, glb);
-        const Result<sim::HeadMesh> mesh = readGlb(glb, QStringLiteral("head.glb"));
-        QVERIFY(!mesh);
-        QVERIFY(test::isOneSentenceNaming(mesh.error().message, QStringLiteral("head.glb")));
+        QVERIFY(!meshFromGlb(glb));
+        const auto head = makeHead(QStringLiteral("ball"), glb, 1.0F, UpAxis::Y);
+        QVERIFY(!head);
+        QVERIFY(test::isOneSentenceNaming(head.error().message, QStringLiteral("ball")));
     }
 
     void flippedBitsOfAGlbNeverCrash()
@@ -158,9 +164,8 @@ private Q_SLOTS:
                 const auto at = static_cast<qsizetype>(random() % range);
                 glb[at] = static_cast<char>(glb[at] ^ (1 << (random() % 8)));
             }
-            const auto mesh = readGlb(glb, QStringLiteral("head.glb"));
-            if (!mesh)
-                QVERIFY(test::isOneSentenceNaming(mesh.error().message, QStringLiteral("head.glb")));
+            const auto mesh = meshFromGlb(glb);
+            QVERIFY(mesh || !mesh.error().text.isEmpty());
         }
     }
 
@@ -210,6 +215,19 @@ private Q_SLOTS:
         }
         QVERIFY(!(*head)->builtIn);
         QCOMPARE((*head)->shownMesh.get(), &(*head)->skin->mesh());
+    }
+
+    void aHeadFarFromTheOriginIsRefused()
+    {
+        sim::HeadMesh mesh = test::makeBallHead(8);
+        for (glm::vec3& p : mesh.positionsHd)
+            p.x += 900.0F;
+        QVERIFY(makeHead(QStringLiteral("ball"), writeGlb(mesh), 1.0F, UpAxis::Y));
+        for (glm::vec3& p : mesh.positionsHd)
+            p.x += 200.0F;
+        const auto head = makeHead(QStringLiteral("ball"), writeGlb(mesh), 1.0F, UpAxis::Y);
+        QVERIFY(!head);
+        QVERIFY(test::isOneSentenceNaming(head.error().message, QStringLiteral("ball")));
     }
 
     void aHeadOfAnImpossibleSizeIsRefused_data()

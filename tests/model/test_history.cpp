@@ -36,7 +36,8 @@ private:
         project.head = builtInHead();
         project.groups.push_back(makeGroup(project, QStringLiteral("Fringe"), 256));
         for (HairGroup& group : project.groups)
-            for (MapStack& stack : group.maps) {
+            for (SharedStack& map : group.maps) {
+                MapStack& stack = map.write();
                 stack.layers.push_back(stack.layers.front());
                 stack.layers.back().id = project.takeId();
             }
@@ -46,7 +47,7 @@ private:
     static void stroke(Studio& studio, std::mt19937& random)
     {
         const auto share = [&random] { return 0.1F + 0.8F * static_cast<float>(random() % 1000) / 1000.0F; };
-        const QString tool = QLatin1String(studio.tools[random() % studio.tools.size()]->id());
+        const QString tool = QLatin1String(toolName(studio.tools[random() % studio.tools.size()]->id()));
         studio.map = static_cast<MapKind>(random() % kMapKindCount);
         studio.mirror = random() % 2 == 0;
         studio.settings.brushSizeM = 0.01F + 0.03F * share();

@@ -3,6 +3,7 @@
 #include "model/files/project_file.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 
 #include <QImage>
@@ -24,7 +25,7 @@ std::vector<test::ZipEntry> entriesOf(const QString& path)
     const Checked<ArchiveReader> archive = ArchiveReader::open(path);
     std::vector<test::ZipEntry> entries;
     QStringList names{QStringLiteral("mimetype"), QStringLiteral("project.json")};
-    for (int layer = 2; layer <= 8; ++layer)
+    for (int layer = 2; layer < 2 + kMapKindCount; ++layer)
         names.append(QStringLiteral("groups/1/%1/%2.png")
                          .arg(QLatin1String(mapSpecs()[static_cast<std::size_t>(layer) - 2].id))
                          .arg(layer));
@@ -256,6 +257,49 @@ private Q_SLOTS:
         entries.back().bytes = png;
         test::writeBytes(m_bad, test::makeZip(entries));
         QCOMPARE(complaint(), QString());
+    }
+
+    void aHostileHeadIsRefused_data()
+    {
+        QTest::addColumn<QByteArray>("glb");
+        QTest::addColumn<float>("unitScale");
+        sim::HeadMesh mesh = test::makeBallHead(8);
+        mesh.uvs[5] = {3e38F, -3e38F};
+        QTest::newRow("uvs without end") << writeGlb(mesh) << 1.0F;
+        // Floats are so coarse out there that a million hairs stand on a few places.
+        mesh = test::makeBallHead(8);
+        for (glm::vec3& p : mesh.positionsHd)
+            p += 1e6F;
+        QTest::newRow("vertices that coincide far away") << writeGlb(mesh) << 20.0F;
+    }
+    void aHostileHeadIsRefused()
+    {
+        QFETCH(QByteArray, glb);
+        QFETCH(float, unitScale);
+        Project project;
+        auto head = std::make_shared<Head>();
+        head->name = QStringLiteral("hostile");
+        head->builtIn = false;
+        head->unitScale = unitScale;
+        head->sourceGlb = glb;
+        project.head = head;
+        project.groups.push_back(makeGroup(project, QStringLiteral("Scalp"), 256));
+        QVERIFY(saveProject(project, m_bad, {}));
+        QCOMPARE(complaint(), QString());
+    }
+
+    /// Memory runs out wherever a file's claims are believed; here where progress is told.
+    void wantOfMemoryIsOneSentence()
+    {
+        const Progress outOfMemory = [](double) -> bool { throw std::bad_alloc(); };
+        const Result<Project> project = loadProject(m_good, nullptr, outOfMemory);
+        QVERIFY(!project);
+        QVERIFY2(test::isOneSentenceNaming(project.error().message, m_good), qPrintable(project.error().message));
+        const Result<void> saved = saveProject(*loadProject(m_good), m_bad, {}, nullptr, outOfMemory);
+        QVERIFY(!saved);
+        QVERIFY2(test::isOneSentenceNaming(saved.error().message, m_bad), qPrintable(saved.error().message));
+        const Progress tooLong = [](double) -> bool { throw std::length_error("vector"); };
+        QVERIFY(!loadProject(m_good, nullptr, tooLong));
     }
 
     void anImageSavedByAnotherProgramIsRead()

@@ -220,10 +220,10 @@ private Q_SLOTS:
         QTest::addColumn<QRgb>("colour");
         QTest::newRow("paper") << MapKind::Density << false << 0 << 0xFFFFFFFF;
         QTest::newRow("full green") << MapKind::Density << false << 65535 << 0xFF00FF00;
-        QTest::newRow("half on paper") << MapKind::Density << false << 32768 << 0xFF7FFF7F;
+        QTest::newRow("half on paper") << MapKind::Density << false << 32768 << 0xFF55FF55;
         QTest::newRow("night paper") << MapKind::Density << true << 0 << 0xFF000000;
         QTest::newRow("full green at night") << MapKind::Density << true << 65535 << 0xFF00FF00;
-        QTest::newRow("half at night") << MapKind::Density << true << 32768 << 0xFF008000;
+        QTest::newRow("half at night") << MapKind::Density << true << 32768 << 0xFF00AA00;
         QTest::newRow("no braid on paper") << MapKind::Braid << false << 0 << 0xFFFFFFFF;
         QTest::newRow("no braid at night") << MapKind::Braid << true << 0 << 0xFF000000;
         QTest::newRow("a plait at night") << MapKind::Braid << true << 1 << 0xFFFF00FF;

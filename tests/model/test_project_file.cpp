@@ -1,6 +1,8 @@
 // Projects survive being saved and opened; saving again writes the same bytes and costs what changed.
 #include "model/files/archive.h"
 #include "model/files/encoded_layers.h"
+#include "model/files/group_json.h"
+#include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
@@ -227,14 +229,53 @@ private Q_SLOTS:
     void theSampleOfEveryReleasedVersionOpens_data()
     {
         QTest::addColumn<QString>("file");
-        QTest::newRow("version 1") << QStringLiteral(HAIRPAINT_TEST_DATA "/format/v1.hairpaint");
+        QTest::addColumn<std::vector<MapKind>>("maps");
+        using enum MapKind;
+        QTest::newRow("version 1") << QStringLiteral(HAIRPAINT_TEST_DATA "/format/v1.hairpaint")
+                                   << std::vector{Density, Length, Curl, Braid, Colour, Clump, Gel};
     }
     void theSampleOfEveryReleasedVersionOpens()
     {
         QFETCH(QString, file);
+        QFETCH(std::vector<MapKind>, maps);
+        std::vector<MapKind> lacking;
+        for (const MapSpec& spec : mapSpecs())
+            if (std::ranges::find(maps, spec.kind) == maps.end())
+                lacking.push_back(spec.kind);
         const Result<Project> project = loadProject(file);
         QVERIFY2(project, project ? "" : qPrintable(project.error().message));
-        QCOMPARE(test::difference(test::makeSampleProject(), *project), QString());
+        QCOMPARE(test::difference(test::makeSampleProject(256, lacking), *project), QString());
+    }
+
+    /// The counter has come to its end: the next layer still can be saved, and the file opens.
+    void aDocumentThatHasUsedUpItsIdsIsSavedWithNewOnes()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("many.hairpaint"));
+        Project project = newProject();
+        project.nextId = kGreatestNextId;
+        QVERIFY(saveProject(project, path, {}));
+        Result<Project> opened = loadProject(path);
+        QVERIFY(opened);
+        QCOMPARE(opened->nextId, kGreatestNextId);
+
+        const HairGroup& group = opened->groups.front();
+        opened->groups.front()
+            .map(MapKind::Length)
+            .layers.push_back(
+                makeLayer(*opened, mapSpec(MapKind::Length), group.map(MapKind::Length).size, QStringLiteral("Last")));
+        QVERIFY(saveProject(*opened, path, {}));
+        const Result<Project> again = loadProject(path);
+        QVERIFY2(again, again ? "" : qPrintable(again.error().message));
+        QVERIFY(again->nextId < 100);
+        QCOMPARE(again->groups.front().map(MapKind::Length).layers.back().name, QStringLiteral("Last"));
+
+        const QString presetPath = folder.filePath(QStringLiteral("many.hairpreset"));
+        Preset preset = presetFrom(*again, QStringLiteral("Many"));
+        preset.groups.front().id = kGreatestNextId;
+        QVERIFY(savePreset(preset, presetPath));
+        const Result<Preset> style = loadPreset(presetPath);
+        QVERIFY2(style, style ? "" : qPrintable(style.error().message));
     }
 };
 

@@ -149,7 +149,7 @@ private Q_SLOTS:
         };
         const Read length = [](const Project& p) { return p.groups.front().settings.greatestLengthM; };
         const Read nodes = [](const Project& p) { return static_cast<float>(p.groups.front().settings.nodesPerHair); };
-        const Read opacity = [](const Project& p) { return p.groups.front().maps.back().layers.front().opacity; };
+        const Read opacity = [](const Project& p) { return p.groups.front().maps.back()->layers.front().opacity; };
         const Read hairs = [](const Project& p) { return static_cast<float>(p.maxHairs); };
         row("a length of 1e300", "groups/0/settings/greatest_length_m", 1e300, length, 2.0F);
         row("a negative length", "groups/0/settings/greatest_length_m", -1.0, length, 0.001F);

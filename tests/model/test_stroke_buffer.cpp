@@ -50,6 +50,7 @@ private Q_SLOTS:
     void aDabIsItsFormula();
     void dabsNeverAddUp();
     void theOrderOfDabsDoesNotShow();
+    void eachTexelKeepsTheValueOfItsStrongestDab();
     void aDabTouchesOnlyTilesUnderIt();
     void nothingIsPaintedOutsideTheClip();
     void aReflectedDabIsReflectedToTheBit();
@@ -117,6 +118,40 @@ void TestStrokeBuffer::theOrderOfDabsDoesNotShow()
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x)
             QCOMPARE(maskAt(forward, x, y), maskAt(backward, x, y));
+}
+
+void TestStrokeBuffer::eachTexelKeepsTheValueOfItsStrongestDab()
+{
+    StrokeBuffer buffer(kSize, 2);
+    StrokeBuffer plain(kSize);
+    std::mt19937 random(11);
+    std::vector<Dab> dabs;
+    for (int i = 0; i < 30; ++i) {
+        const auto at = [&] { return static_cast<float>(random() % 2560) / 10.0F; };
+        dabs.push_back(
+            disc(at(), at(), 5.0F + static_cast<float>(random() % 40), 0.5F, 0.3F + 0.02F * static_cast<float>(i)));
+        const auto number = static_cast<std::uint16_t>(i);
+        buffer.add(dabs.back(), kWhole, {number, static_cast<std::uint16_t>(1000 + i)});
+        plain.add(dabs.back(), kWhole);
+    }
+    for (int y = 0; y < kSize; y += 3)
+        for (int x = 0; x < kSize; x += 3) {
+            const int mask = maskAt(buffer, x, y);
+            QCOMPARE(mask, maskAt(plain, x, y));
+            const int tile = (y / 64) * (kSize / 64) + x / 64;
+            QVERIFY(plain.values(tile) == nullptr);
+            if (mask == 0)
+                continue;
+            const std::uint16_t* value =
+                buffer.values(tile) + (static_cast<std::size_t>(y % 64) * 64 + static_cast<std::size_t>(x % 64)) * 2;
+            QCOMPARE(static_cast<int>(value[1]), 1000 + value[0]);
+            QVERIFY(std::abs(formula(dabs[value[0]], x, y) - mask) < 12.0);
+        }
+    // Where two are as strong, the later one counts.
+    StrokeBuffer twice(kSize, 1);
+    twice.add(disc(100, 100, 20), kWhole, {1});
+    twice.add(disc(100, 100, 20), kWhole, {2});
+    QCOMPARE(static_cast<int>(twice.values(1 * 4 + 1)[(100 - 64) * 64 + 100 - 64]), 2);
 }
 
 void TestStrokeBuffer::aDabTouchesOnlyTilesUnderIt()

@@ -59,10 +59,10 @@ void TestToolResults::theEyedropperTakesTheValue()
     QVERIFY(std::abs(studio.settings.value(MapKind::Length).scalar - 0.75F) < 1e-4F);
     for (const auto& tool : studio.tools) { // Ctrl+click with any tool.
         studio.settings.value(MapKind::Length).scalar = 0.1F;
-        const QString id = QString::fromLatin1(tool->id());
+        const QString id = QString::fromLatin1(toolName(tool->id()));
         studio.press(id, 0.25F, 0.25F, 1.0F, Qt::ControlModifier);
         studio.release(id, 0.25F, 0.25F);
-        QVERIFY2(std::abs(studio.settings.value(MapKind::Length).scalar - 0.75F) < 1e-4F, tool->id());
+        QVERIFY2(std::abs(studio.settings.value(MapKind::Length).scalar - 0.75F) < 1e-4F, qPrintable(id));
     }
     QCOMPARE(studio.document.undoStack().count(), 1);
 }

@@ -225,7 +225,7 @@ void TestTools::anyOtherChangeCommitsTheStroke()
     QCOMPARE(studio.document.undoStack().text(0), QStringLiteral("Brush on Length"));
     QVERIFY(studio.layer().texel(128, 128)[1] == 65535);
     studio.press(kBrush, 0.2F, 0.5F);
-    studio.document.setPreview({.aspect = Change::Aspect::Environment}, [](Project& project) { project.light = {}; });
+    const EditSession other = studio.document.begin({});
     QCOMPARE(studio.document.undoStack().count(), 3);
 }
 
@@ -250,7 +250,7 @@ void TestTools::toolsHaveTheirOwnIdsKeysAndHints()
 {
     QStringList ids, keys;
     for (const auto& tool : makeTools()) {
-        ids << QString::fromLatin1(tool->id());
+        ids << QString::fromLatin1(toolName(tool->id()));
         keys << tool->defaultKey().toString();
         QVERIFY(!tool->title().isEmpty());
         QVERIFY(!tool->hint().isEmpty());

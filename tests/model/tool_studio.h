@@ -9,7 +9,7 @@ namespace hairpaint::test {
 
 using namespace hairpaint::model;
 
-/// A document, its tools, and what the window would do about strokes that must end.
+/// A document and its tools.
 struct Studio
 {
     Document document;
@@ -21,15 +21,6 @@ struct Studio
 
     explicit Studio(Project project = patchProject()) : document(std::move(project))
     {
-        QObject::connect(&document, &Document::strokeMustEnd, &document, [this](bool undoing) {
-            for (const auto& tool : tools) {
-                ToolContext now = context();
-                if (tool->active() && undoing)
-                    tool->cancel(now);
-                else if (tool->active())
-                    tool->commit(now);
-            }
-        });
         settings.secondValue(MapKind::Length).scalar = 0.25F;
     }
     ToolContext context()
@@ -42,7 +33,7 @@ struct Studio
     }
     Tool& tool(const QString& id)
     {
-        return **std::ranges::find_if(tools, [&](const auto& one) { return id == QLatin1String(one->id()); });
+        return **std::ranges::find_if(tools, [&](const auto& one) { return id == QLatin1String(toolName(one->id())); });
     }
     void press(const QString& id, float u, float v, float pressure = 1.0F, Qt::KeyboardModifiers modifiers = {})
     {

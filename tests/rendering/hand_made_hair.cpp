@@ -37,11 +37,7 @@ std::shared_ptr<sim::StrandFrame> makeFrame(const std::vector<HandMadeStrand>& s
             chunk->styles[slot] = style;
             chunk->hairs.set(slot);
             chunk->drawn.set(slot);
-            for (std::size_t n = 0; n < nodes; ++n)
-                for (std::size_t axis = 0; axis < 3; ++axis)
-                    group.positions[(((c * sim::kBlocksPerChunk + slot / sim::kLanes) * nodes + n) * 3 + axis) *
-                                        sim::kLanes +
-                                    slot % sim::kLanes] = strand.nodesWo[n][static_cast<int>(axis)];
+            groom->blocks().write(group.positions, i, strand.nodesWo);
         }
         groom->chunks.push_back(chunk);
         groom->chunkPlace.push_back(static_cast<std::int32_t>(c));
@@ -64,7 +60,6 @@ HandMadeStrand straightStrand(glm::vec3 fromWo, glm::vec3 toWo, std::uint32_t co
     HandMadeStrand strand;
     strand.style.rootColour = colour;
     strand.style.tipColour = colour;
-    strand.style.widthM = 80e-6F;
     for (int n = 0; n < nodes; ++n)
         strand.nodesWo.push_back(glm::mix(fromWo, toWo, static_cast<float>(n) / static_cast<float>(nodes - 1)));
     return strand;
@@ -111,7 +106,6 @@ std::vector<HandMadeStrand> hairOnBall(glm::vec3 semiAxesM, const BallHair& hair
         strand.tangentHd = glm::normalize(glm::cross(glm::vec3(0.1F, 1.0F, 0.03F), normal));
         strand.style.rootColour = hair.rootColour;
         strand.style.tipColour = hair.tipColour;
-        strand.style.widthM = 80e-6F;
         strand.style.turns = hair.turns;
         strand.style.curlRadiusM = hair.curlRadiusM;
         strand.style.phase = random(1) * 6.28F;
@@ -153,7 +147,7 @@ std::vector<HandMadeStrand> comb(std::uint32_t colour, int count, float halfWidt
     for (int i = 0; i < count; ++i) {
         const float x = halfWidthM * (2.0F * (static_cast<float>(i) + 0.5F) / static_cast<float>(count) - 1.0F);
         strands.push_back(straightStrand(glm::vec3(x, 0.1F, 0.0F), glm::vec3(x, -0.1F, 0.0F), colour));
-        strands.back().style.widthM = widthM;
+        strands.back().style.width = widthM / sim::StrandMaterial{}.widthM;
     }
     return strands;
 }

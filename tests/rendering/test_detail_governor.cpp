@@ -14,6 +14,15 @@ double frameMs(const Quality& quality, double baseMs, double allMs)
     return (baseMs + allMs * static_cast<double>(quality.detail)) * (quality.samples >= 4 ? 2.5 : 1.0);
 }
 
+constexpr std::size_t kAllHairs = 100'000;
+
+/// Draws `frames` frames on such a machine.
+void draw(DetailGovernor& governor, bool still, double baseMs, double allMs, int frames)
+{
+    for (int frame = 0; frame < frames; ++frame)
+        governor.observe({.milliseconds = frameMs(governor.begin(still), baseMs, allMs)}, kAllHairs);
+}
+
 } // namespace
 
 class TestDetailGovernor : public QObject
@@ -45,8 +54,7 @@ void TestDetailGovernor::movingPicturesSettleNearTheWantedTime()
     QFETCH(double, baseMs);
     QFETCH(double, allMs);
     DetailGovernor governor(33.0);
-    for (int frame = 0; frame < 200; ++frame)
-        governor.observe({.milliseconds = frameMs(governor.quality(), baseMs, allMs)}, 100000, false);
+    draw(governor, false, baseMs, allMs, 200);
     const Quality& quality = governor.quality();
     const double milliseconds = frameMs(quality, baseMs, allMs);
     QVERIFY2(milliseconds < 33.0 * 1.2 || quality.detail <= 0.2F, qPrintable(QString::number(milliseconds)));
@@ -57,76 +65,67 @@ void TestDetailGovernor::movingPicturesSettleNearTheWantedTime()
 void TestDetailGovernor::stillPicturesAreRefinedAndThenRest_data()
 {
     QTest::addColumn<double>("allMs");
-    QTest::addColumn<bool>("reachesAll");
-    QTest::newRow("GPU") << 2.0 << true;
-    QTest::newRow("software") << 60.0 << true;
-    QTest::newRow("slow software") << 1000.0 << false;
+    QTest::newRow("GPU") << 2.0;
+    QTest::newRow("software") << 60.0;
+    QTest::newRow("slow software") << 1000.0;
+    QTest::newRow("software on a busy machine") << 30'000.0;
 }
 
 void TestDetailGovernor::stillPicturesAreRefinedAndThenRest()
 {
     QFETCH(double, allMs);
-    QFETCH(bool, reachesAll);
     DetailGovernor governor(33.0);
-    for (int frame = 0; frame < 200; ++frame)
-        governor.observe({.milliseconds = frameMs(governor.quality(), 5.0, allMs)}, 100000, false);
+    draw(governor, false, 5.0, allMs, 200);
     const Quality moving = governor.quality();
+    QCOMPARE(governor.begin(true).detail, moving.detail); // The first still frame shows at once what there is.
     int frames = 0;
-    double longest = 0.0;
     float detail = moving.detail;
     do {
-        const double milliseconds = frameMs(governor.quality(), 5.0, allMs);
-        longest = std::max(longest, milliseconds);
-        governor.observe({.milliseconds = milliseconds}, 100000, true);
-        QVERIFY(governor.quality().detail >= detail); // Never coarser again.
+        draw(governor, true, 5.0, allMs, 1);
+        QVERIFY(governor.quality().detail >= detail);        // Never coarser again.
+        QVERIFY(governor.quality().detail <= detail * 2.0F); // Step by step.
         detail = governor.quality().detail;
         ++frames;
     } while (governor.wantsRefinement() && frames < 100);
-    QVERIFY(frames < 40);
-    QVERIFY2(longest < 750.0, qPrintable(QString::number(longest)));
-    QCOMPARE(governor.quality().samples, 4);
-    QCOMPARE(governor.quality().detail == 1.0F, reachesAll);
-    QVERIFY(governor.quality().detail > moving.detail || moving.detail == 1.0F);
+    QVERIFY(frames < 12);
+    const Quality& quality = governor.quality();
+    QCOMPARE(quality.detail, pictureQuality().detail);
+    QCOMPARE(quality.samples, pictureQuality().samples);
+    QCOMPARE(quality.smoothSegments, pictureQuality().smoothSegments);
+    QVERIFY(!quality.coarseHead);
 }
 
 void TestDetailGovernor::movingAgainGoesBackToTheDetailOfBefore()
 {
     DetailGovernor governor(33.0);
-    for (int frame = 0; frame < 200; ++frame)
-        governor.observe({.milliseconds = frameMs(governor.quality(), 5.0, 500.0)}, 100000, false);
+    draw(governor, false, 5.0, 500.0, 200);
     const Quality moving = governor.quality();
-    for (int frame = 0; frame < 20; ++frame)
-        governor.observe({.milliseconds = frameMs(governor.quality(), 5.0, 500.0)}, 100000, true);
-    governor.observe({.milliseconds = frameMs(governor.quality(), 5.0, 500.0)}, 100000, false);
-    QCOMPARE(governor.quality().detail, moving.detail);
-    QCOMPARE(governor.quality().samples, moving.samples);
+    draw(governor, true, 5.0, 500.0, 20);
+    // The very next frame already: a fine one would hold up the hand.
+    const Quality& next = governor.begin(false);
+    QCOMPARE(next.detail, moving.detail);
+    QCOMPARE(next.samples, moving.samples);
 }
 
 void TestDetailGovernor::headIsCoarseOnlyWhileItMoves()
 {
-    // So slow that nothing else is refined: the fine head is worth a frame of its own.
     DetailGovernor governor(33.0);
-    for (int frame = 0; frame < 50; ++frame)
-        governor.observe({.milliseconds = 2000.0}, 100000, false);
+    draw(governor, false, 2000.0, 0.0, 50);
     QVERIFY(governor.quality().coarseHead);
-    governor.observe({.milliseconds = 2000.0}, 100000, true);
+    draw(governor, true, 2000.0, 0.0, 1);
     QVERIFY(!governor.quality().coarseHead);
     QVERIFY(governor.wantsRefinement());
-    governor.observe({.milliseconds = 2000.0}, 100000, true);
-    QVERIFY(!governor.wantsRefinement());
-    governor.observe({.milliseconds = 2000.0}, 100000, false);
-    QVERIFY(governor.quality().coarseHead);
+    QVERIFY(governor.begin(false).coarseHead);
 }
 
 void TestDetailGovernor::detailRestsWhileTimesWaver()
 {
     DetailGovernor governor(33.0);
-    for (int frame = 0; frame < 200; ++frame)
-        governor.observe({.milliseconds = frameMs(governor.quality(), 5.0, 300.0)}, 100000, false);
+    draw(governor, false, 5.0, 300.0, 200);
     const float detail = governor.quality().detail;
     for (int frame = 0; frame < 100; ++frame) {
         const double waver = frame % 2 == 0 ? 1.1 : 0.9;
-        governor.observe({.milliseconds = frameMs(governor.quality(), 5.0, 300.0) * waver}, 100000, false);
+        governor.observe({.milliseconds = frameMs(governor.begin(false), 5.0, 300.0) * waver}, kAllHairs);
         QCOMPARE(governor.quality().detail, detail);
     }
 }

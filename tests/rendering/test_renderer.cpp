@@ -1,6 +1,7 @@
 // The renderer draws what the scene says, off-screen.
 #include "tests/rendering/renderer_fixture.h"
 #include "tests/support/test_program.h"
+#include "view/rendering/packed_style.h"
 
 #include <QtTest>
 
@@ -26,6 +27,8 @@ private Q_SLOTS:
     void hairThinsOutToTheTip();
     void hairBehindTheHeadIsHidden();
     void onlyChangedChunksAreSent();
+    void aHiddenGroupKeepsNoFrame();
+    void aFrameEndsWhereItIsInterrupted();
     void theSameSceneGivesTheSamePixels_data();
     void theSameSceneGivesTheSamePixels();
     void ringShowsOnTheSkinAndHairInsideFades();
@@ -174,18 +177,30 @@ void TestRenderer::onlyChangedChunksAreSent()
     scene.hair = frame;
     draw(scene);
     const std::size_t all = m_renderer->statistics().uploadedBytes;
-    QVERIFY(all > 5 * sim::kChunkSlots * sizeof(sim::StrandStyle));
+    QVERIFY(all > 5 * sim::kChunkSlots * sizeof(rendering::PackedStyle));
     draw(scene);
     QCOMPARE(m_renderer->statistics().uploadedBytes, std::size_t{0});
 
-    // The hair moved: positions only.
+    // Another frame of the same hair at rest: nothing.
+    scene.hair = std::make_shared<sim::StrandFrame>(*frame);
+    draw(scene);
+    QCOMPARE(m_renderer->statistics().uploadedBytes, std::size_t{0});
+    // One hair moved: its block of the skeletons only. All of it moved: all of them.
     auto moved = std::make_shared<sim::StrandFrame>(*frame);
+    moved->groups[0].positions[5] += 0.001F;
     scene.hair = moved;
     draw(scene);
-    const std::size_t positions = frame->groups[0].positions.size() * sizeof(float);
-    QCOMPARE(m_renderer->statistics().uploadedBytes, positions);
+    QCOMPARE(m_renderer->statistics().uploadedBytes, std::size_t{16384});
+    auto everything = std::make_shared<sim::StrandFrame>(*frame);
+    for (float& coordinate : everything->groups[0].positions)
+        coordinate += 0.001F;
+    scene.hair = everything;
+    draw(scene);
+    QCOMPARE(m_renderer->statistics().uploadedBytes, frame->groups[0].positions.size() * sizeof(float));
+    scene.hair = frame;
+    draw(scene);
 
-    // One chunk has another colour: its styles, the list and the positions.
+    // One chunk has another colour: its styles; neither the list nor the positions.
     auto groom = std::make_shared<sim::Groom>(*frame->groups[0].groom);
     auto chunk = std::make_shared<sim::StrandChunk>(*groom->chunks[1]);
     chunk->styles[3].rootColour = 0xFF0000FFU;
@@ -194,8 +209,42 @@ void TestRenderer::onlyChangedChunksAreSent()
     painted->groups[0].groom = groom;
     scene.hair = painted;
     draw(scene);
-    const std::size_t list = 5001 * 8;
-    QCOMPARE(m_renderer->statistics().uploadedBytes, positions + list + sim::kChunkSlots * sizeof(sim::StrandStyle));
+    QCOMPARE(m_renderer->statistics().uploadedBytes, sim::kChunkSlots * sizeof(rendering::PackedStyle));
+}
+
+void TestRenderer::aHiddenGroupKeepsNoFrame()
+{
+    Scene scene = emptyScene();
+    auto frame = makeFrame(comb(0xFF808080U, 100), plainSettings());
+    scene.hair = frame;
+    const Picture shown = draw(scene);
+    auto groom = std::make_shared<sim::Groom>(*frame->groups[0].groom);
+    groom->visible = false;
+    auto hidden = std::make_shared<sim::StrandFrame>();
+    hidden->groups.push_back({.groom = groom, .positions = {}});
+    const std::weak_ptr<sim::StrandFrame> kept = frame;
+    frame.reset();
+    scene.hair = hidden;
+    draw(scene);
+    QVERIFY(kept.expired());
+    scene.hair = makeFrame(comb(0xFF808080U, 100), plainSettings());
+    QCOMPARE(draw(scene).pixels == shown.pixels, true);
+}
+
+void TestRenderer::aFrameEndsWhereItIsInterrupted()
+{
+    Scene scene = emptyScene();
+    scene.hair = makeFrame(comb(0xFF808080U, 9000), plainSettings()); // Several pieces.
+    const Picture whole = draw(scene);
+    int asked = 0;
+    const auto atOnce = [&asked](double) { return ++asked < 1; };
+    QVERIFY(!m_renderer->drawPatiently(scene, {}, 200, 150, atOnce));
+    QCOMPARE(asked, 1);
+    const auto never = [&asked](double) { return ++asked > 0; };
+    QVERIFY(m_renderer->drawPatiently(scene, {}, 200, 150, never));
+    QVERIFY(asked >= 3);
+    QCOMPARE(m_renderer->statistics().drawnHairs, std::size_t{9000});
+    QCOMPARE(draw(scene).pixels == whole.pixels, true);
 }
 
 void TestRenderer::theSameSceneGivesTheSamePixels_data()

@@ -62,12 +62,12 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
     std::vector<HandMadeStrand> strands =
         hairOnBall(axes, {.hairs = 200, .lengthM = 0.25F, .turns = turns, .curlRadiusM = curlRadiusM, .nodes = nodes});
     for (HandMadeStrand& strand : strands) {
-        strand.style.braid = static_cast<std::uint32_t>(braid);
+        strand.style.braid = static_cast<sim::BraidKind>(braid & 0xFF);
+        strand.style.wisp = static_cast<std::uint8_t>(braid >> 8);
         strand.style.braidRadiusM = 0.014F;
         strand.style.braidStart = 0.27F;
         strand.style.braidTurns = 4.3F;
-        strand.style.placeX = 0.4F;
-        strand.style.placeY = -0.7F;
+        strand.style.wispOffset = {0.4F, -0.7F};
     }
     auto frame = makeFrame(strands);
     if (turned)

@@ -9,19 +9,14 @@ using namespace hairpaint::sim;
 
 inline const StrandStyle* styleAt(const Groom& groom, std::uint32_t slot)
 {
-    const auto& chunk = groom.chunks[slot / kChunkSlots];
-    return chunk && chunk->hairs[slot % kChunkSlots] ? &chunk->styles[slot % kChunkSlots] : nullptr;
+    const auto& chunk = groom.chunks[chunkOf(slot)];
+    return chunk && chunk->hairs[inChunk(slot)] ? &chunk->styles[inChunk(slot)] : nullptr;
 }
 
 inline glm::vec3 restNode(const Groom& groom, std::uint32_t slot, int node)
 {
-    const StrandChunk& chunk = *groom.chunks[slot / kChunkSlots];
-    const std::size_t local = slot % kChunkSlots;
-    const float* at =
-        chunk.restPositions.data() +
-        (local / kLanes * static_cast<std::size_t>(groom.nodes) + static_cast<std::size_t>(node)) * 3 * kLanes +
-        local % kLanes;
-    return {at[0], at[kLanes], at[2 * kLanes]};
+    return groom.blocks().node(groom.chunks[chunkOf(slot)]->restPositions, inChunk(slot),
+                               static_cast<std::size_t>(node));
 }
 
 template<typename Visit>

@@ -1,6 +1,7 @@
 // Braids grow in connected regions, and their hairs gather at the middle.
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/groom.h"
+#include "tests/sim/groom_reading.h"
 #include "tests/support/test_grooms.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
@@ -42,22 +43,6 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> hairsByCentre(const Groom& g
     return hairs;
 }
 
-glm::vec3 restNode(const Groom& groom, std::uint32_t slot, int node)
-{
-    const StrandChunk& chunk = *groom.chunks[slot / kChunkSlots];
-    const std::size_t local = slot % kChunkSlots;
-    const float* at =
-        chunk.restPositions.data() +
-        (local / kLanes * static_cast<std::size_t>(groom.nodes) + static_cast<std::size_t>(node)) * 3 * kLanes +
-        local % kLanes;
-    return {at[0], at[kLanes], at[2 * kLanes]};
-}
-
-const StrandStyle& styleOf(const Groom& groom, std::uint32_t slot)
-{
-    return groom.chunks[slot / kChunkSlots]->styles[slot % kChunkSlots];
-}
-
 } // namespace
 
 class TestBraids : public QObject
@@ -82,14 +67,14 @@ void TestBraids::withoutBraidsNoHairIsBraided()
     QVERIFY(hairsByCentre(*groom).empty());
     QVERIFY(groom->hairCount > 0);
     for (std::uint32_t slot = 0; slot < 1000; ++slot)
-        QCOMPARE(styleOf(*groom, slot).braid, 0U);
+        QCOMPARE(groom->style(slot).braid, BraidKind::None);
 }
 
 void TestBraids::aRegionSmallerThanTheSpacingIsOneBraidFromItsMiddle()
 {
     GroomInput input = braidInput(patch());
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, {0.4F, 0.6F}, 0.25F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.4F, 0.6F}, 0.25F, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
     const auto braids = hairsByCentre(*groom);
     QCOMPARE(braids.size(), std::size_t{1});
@@ -105,7 +90,7 @@ void TestBraids::separateRegionsAreSeparateBraids()
 {
     GroomInput input = braidInput(patch());
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(withDab(maps.braid, {0.25F, 0.5F}, 0.15F, {1}), {0.75F, 0.5F}, 0.15F, {1});
+    maps[MapSlot::Braid] = withDab(withDab(maps[MapSlot::Braid], {0.25F, 0.5F}, 0.15F, {1}), {0.75F, 0.5F}, 0.15F, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
     const auto braids = hairsByCentre(*groom);
     QCOMPARE(braids.size(), std::size_t{2});
@@ -119,7 +104,7 @@ void TestBraids::separateRegionsAreSeparateBraids()
 void TestBraids::aLargeRegionHasBraidsAsFarApartAsAsked()
 {
     GroomInput input = braidInput(patch());
-    input.groups[0].maps.braid = indexMap(1);
+    input.groups[0].maps[MapSlot::Braid] = indexMap(1);
     input.groups[0].settings.braidSpacingM = 0.05F;
     const auto groom = GroomBuilder().update(input).grooms[0];
     const auto braids = hairsByCentre(*groom);
@@ -148,7 +133,7 @@ void TestBraids::allHairsOfABraidShareItsSkeleton()
     GroomInput input = braidInput(std::make_shared<const Skin>(makeBallHead(48)));
     input.groups[0].settings.greatestDensityPerM2 = 1e5F;
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, {0.4F, 0.6F}, 0.2F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.4F, 0.6F}, 0.2F, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
     const auto braids = hairsByCentre(*groom);
     QVERIFY(!braids.empty());
@@ -156,7 +141,7 @@ void TestBraids::allHairsOfABraidShareItsSkeleton()
         const std::uint32_t centreSlot = groom->roots->basisSlot[centre];
         const float centreLengthM = groom->basis->segmentLengths[centre] * 7.0F;
         for (const std::uint32_t slot : slots) {
-            const StrandStyle& style = styleOf(*groom, slot);
+            const StrandStyle& style = groom->style(slot);
             const int gathered = static_cast<int>(std::lround(style.braidStart * 7.0F));
             QVERIFY(gathered >= 1 && gathered < 6);
             QVERIFY(restNode(*groom, slot, 0) == groom->roots->positionHd[slot]);
@@ -179,7 +164,7 @@ void TestBraids::hairsOnTheirWayStayOutsideTheHead()
     input.groups[0].settings.greatestDensityPerM2 = 1e5F;
     input.groups[0].settings.nodesPerHair = 16;
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, {0.5F, 0.55F}, 0.25F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.5F, 0.55F}, 0.25F, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
     const auto braids = hairsByCentre(*groom);
     QVERIFY(!braids.empty());
@@ -192,16 +177,16 @@ void TestBraids::hairsOnTheirWayStayOutsideTheHead()
 void TestBraids::wispsAndPlacesAreSpreadEvenly()
 {
     GroomInput input = braidInput(patch());
-    input.groups[0].maps.braid = indexMap(1);
+    input.groups[0].maps[MapSlot::Braid] = indexMap(1);
     const auto groom = GroomBuilder().update(input).grooms[0];
     std::array<int, 3> wisps{};
     glm::vec2 mean(0.0F);
     float meanSquare = 0.0F;
     for (std::uint32_t slot = 0; slot < groom->roots->count(); ++slot) {
-        const StrandStyle& style = styleOf(*groom, slot);
-        QCOMPARE(style.braid & 0xFFU, 1U);
-        ++wisps[(style.braid >> 8U) & 3U];
-        const glm::vec2 place(style.placeX, style.placeY);
+        const StrandStyle& style = groom->style(slot);
+        QCOMPARE(style.braid, BraidKind::Plait);
+        ++wisps[style.wisp];
+        const glm::vec2 place = style.wispOffset;
         QVERIFY(glm::length(place) <= 1.0F);
         mean += place / 20000.0F;
         meanSquare += glm::dot(place, place) / 20000.0F;
@@ -216,11 +201,11 @@ void TestBraids::paintingElsewhereLeavesABraidAlone()
 {
     GroomInput input = braidInput(patch());
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(withDab(maps.braid, {0.2F, 0.5F}, 0.12F, {1}), {0.8F, 0.5F}, 0.12F, {1});
+    maps[MapSlot::Braid] = withDab(withDab(maps[MapSlot::Braid], {0.2F, 0.5F}, 0.12F, {1}), {0.8F, 0.5F}, 0.12F, {1});
     GroomBuilder builder;
     builder.setCollectSlots(true);
     (void)builder.update(input);
-    maps.braid = withDab(maps.braid, {0.9F, 0.7F}, 0.15F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.9F, 0.7F}, 0.15F, {1});
     const auto report = builder.update(input);
     QVERIFY(report.rebuiltStrands > 500);
     for (const std::uint32_t slot : report.rebuiltSlots)
@@ -231,17 +216,17 @@ void TestBraids::theLengthAtTheCentreIsTheBraids()
 {
     GroomInput input = braidInput(patch());
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, {0.5F, 0.5F}, 0.3F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.5F, 0.5F}, 0.3F, {1});
     GroomBuilder builder;
     const auto before = builder.update(input);
     const auto braids = hairsByCentre(*before.grooms[0]);
     QCOMPARE(braids.size(), std::size_t{1});
     // A dab on the length around the centre lengthens every hair of the braid.
-    maps.length = withDab(maps.length, {0.5F, 0.5F}, 0.08F, {65535});
+    maps[MapSlot::Length] = withDab(maps[MapSlot::Length], {0.5F, 0.5F}, 0.08F, {65535});
     const auto after = builder.update(input);
     QVERIFY(after.rebuiltStrands >= braids.begin()->second.size());
     for (const std::uint32_t slot : braids.begin()->second) {
-        const float grown = styleOf(*after.grooms[0], slot).lengthM - styleOf(*before.grooms[0], slot).lengthM;
+        const float grown = after.grooms[0]->style(slot).lengthM - before.grooms[0]->style(slot).lengthM;
         QVERIFY(std::abs(grown - 0.15F) < 1e-5F);
     }
 }
@@ -261,7 +246,7 @@ void TestBraids::aTinyDabBetweenBasisHairsIsNoBraid()
         }
     }
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, roots->uv[furthest], distance - 2.0F / 512.0F, {1});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], roots->uv[furthest], distance - 2.0F / 512.0F, {1});
     const auto groom = GroomBuilder().update(input).grooms[0];
     QVERIFY(hairsByCentre(*groom).empty());
     QCOMPARE(groom->hairCount, std::size_t{20000});

@@ -41,14 +41,17 @@ void TestDependents::dependentsKeepTheirLengthAndStayOutside()
     const StrandFrame frame = frameOf(simulation);
     float worst = 0.0F;
     float deepest = 0.0F;
+    std::size_t hairs = 0;
     for (std::size_t slot = 0; slot < kHairs; ++slot) {
         const std::vector<glm::vec3> nodes = nodesOf(frame, slot);
+        hairs += nodes.size() > 1 ? 1 : 0;
         for (std::size_t i = 1; i < nodes.size(); ++i) {
             const float segment = 0.2F / static_cast<float>(nodes.size() - 1);
             worst = std::max(worst, std::abs(glm::distance(nodes[i - 1], nodes[i]) / segment - 1.0F));
             deepest = std::max(deepest, 0.1F - glm::length(nodes[i]));
         }
     }
+    QCOMPARE(hairs, std::size_t{kHairs});
     QVERIFY2(worst < 1e-4F, qPrintable(QString::number(worst)));
     QVERIFY2(deepest < 0.003F, qPrintable(QString::number(deepest)));
 }
@@ -56,7 +59,7 @@ void TestDependents::dependentsKeepTheirLengthAndStayOutside()
 void TestDependents::braidedHairFollowsItsCentre()
 {
     GroomInput input = paintedBall(kHairs, 600);
-    input.groups.front().maps.braid = uniformMap(1, {1});
+    input.groups.front().maps[MapSlot::Braid] = uniformMap(1, {1});
     Simulation simulation;
     simulation.setInput(input);
     blow(simulation);
@@ -67,20 +70,16 @@ void TestDependents::braidedHairFollowsItsCentre()
     glm::vec3 tips[2] = {glm::vec3(0.0F), glm::vec3(0.0F)};
     std::uint32_t centreOfFirst = kNoCentre;
     for (std::size_t slot = 0; slot < kHairs; ++slot) {
-        const StrandChunk& chunk = *groom.chunks[slot / kChunkSlots];
-        const std::size_t inChunk = slot % kChunkSlots;
-        const std::uint32_t centre = chunk.braidCentre[inChunk];
+        const StrandChunk& chunk = *groom.chunks[chunkOf(slot)];
+        const std::size_t local = inChunk(slot);
+        const std::uint32_t centre = chunk.braidCentre[local];
         const std::vector<glm::vec3> nodes = nodesOf(frame, slot);
         if (nodes.empty() || centre == kNoCentre)
             continue;
         // The gathering part lies where it was groomed.
-        const int gathered = static_cast<int>(std::lround(chunk.styles[inChunk].braidStart * static_cast<float>(last)));
-        const auto nodeCount = static_cast<std::size_t>(groom.nodes);
+        const int gathered = static_cast<int>(std::lround(chunk.styles[local].braidStart * static_cast<float>(last)));
         for (int node = 0; node <= gathered; ++node) {
-            const float* at = chunk.restPositions.data() +
-                              (inChunk / kLanes * nodeCount + static_cast<std::size_t>(node)) * 3 * kLanes +
-                              inChunk % kLanes;
-            const glm::vec3 rest(at[0], at[kLanes], at[2 * kLanes]);
+            const glm::vec3 rest = groom.blocks().node(chunk.restPositions, local, static_cast<std::size_t>(node));
             QVERIFY(glm::distance(nodes[static_cast<std::size_t>(node)], rest) < 1e-6F);
         }
         // All hairs of one braid end at the same tip.

@@ -10,7 +10,6 @@
 #include <QtTest>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -20,26 +19,22 @@ using namespace hairpaint::test;
 
 namespace {
 
-using MapPointer = std::shared_ptr<const TiledRaster> GroupMaps::*;
-constexpr std::array<MapPointer, 7> kMaps{&GroupMaps::density, &GroupMaps::length, &GroupMaps::curl, &GroupMaps::braid,
-                                          &GroupMaps::colour,  &GroupMaps::clump,  &GroupMaps::gel};
-constexpr std::array<const char*, 7> kMapNames{"density", "length", "curl", "braid", "colour", "clump", "gel"};
-
 GroomInput startInput()
 {
     GroupInput group = uniformGroup();
     group.settings.greatestDensityPerM2 = 1e5F;
     group.settings.basisHairs = 512;
-    group.maps.density = uniformMap(0.6F);
+    group.maps[MapSlot::Density] = uniformMap(0.6F);
+    group.maps[MapSlot::Curl] = uniformMap(0.3F);
     return inputOf(std::make_shared<const Skin>(makeBallHead(48, 0.1F)), group);
 }
 
 /// A texel for one of the maps.
-Texel randomTexel(std::size_t map, std::uint64_t hash)
+Texel randomTexel(const MapRule& rule, std::uint64_t hash)
 {
-    if (kMaps[map] == &GroupMaps::braid)
+    if (rule.sampling == MapSampling::Nearest)
         return {static_cast<std::uint16_t>(hash % 2)};
-    if (kMaps[map] == &GroupMaps::colour)
+    if (rule.channels == 3)
         return {static_cast<std::uint16_t>(hash), static_cast<std::uint16_t>(hash >> 16U),
                 static_cast<std::uint16_t>(hash >> 32U)};
     // Often one of the ends, where hairs come and go.
@@ -63,6 +58,8 @@ private Q_SLOTS:
     void aDabRebuildsTheStrandsUnderItAndNoOthers_data();
     void aDabRebuildsTheStrandsUnderItAndNoOthers();
     void aDabSharesAllOtherChunks();
+    void aColourMovesNoStrand();
+    void whatOnlyBasisHairsReadRebuildsNoStrand();
     void repaintingTheOldValueBringsTheOldBytesBack_data();
     void repaintingTheOldValueBringsTheOldBytesBack();
     void unchangedValuesInNewTilesRebuildNothing();
@@ -89,22 +86,23 @@ void TestGroomUpdates::nothingChangedIsTheSameGroom()
 
 void TestGroomUpdates::aDabRebuildsTheStrandsUnderItAndNoOthers_data()
 {
-    QTest::addColumn<int>("map");
+    QTest::addColumn<MapSlot>("map");
     QTest::addColumn<float>("u");
     QTest::addColumn<float>("v");
-    for (int map = 0; map < 7; ++map) {
-        if (kMaps[static_cast<std::size_t>(map)] == &GroupMaps::braid)
-            continue; // May change within its region.
-        const char* name = kMapNames[static_cast<std::size_t>(map)];
-        QTest::addRow("%s, inside a tile", name) << map << 0.56F << 0.56F;
-        QTest::addRow("%s, over tiles' corners", name) << map << 0.5F << 0.625F;
-        QTest::addRow("%s, at the border", name) << map << 0.0F << 0.5F;
+    for (const MapRule& rule : kMapRules) {
+        // A braid may change within its region; what only basis hairs read rebuilds no strand.
+        if (rule.slot == MapSlot::Braid || (!rule.effect.hairs && !rule.effect.look))
+            continue;
+        const std::size_t map = indexOf(rule.slot);
+        QTest::addRow("map %zu, inside a tile", map) << rule.slot << 0.56F << 0.56F;
+        QTest::addRow("map %zu, over tiles' corners", map) << rule.slot << 0.5F << 0.625F;
+        QTest::addRow("map %zu, at the border", map) << rule.slot << 0.0F << 0.5F;
     }
 }
 
 void TestGroomUpdates::aDabRebuildsTheStrandsUnderItAndNoOthers()
 {
-    QFETCH(int, map);
+    QFETCH(MapSlot, map);
     QFETCH(float, u);
     QFETCH(float, v);
     constexpr float kRadius = 0.05F;
@@ -113,14 +111,13 @@ void TestGroomUpdates::aDabRebuildsTheStrandsUnderItAndNoOthers()
     GroomBuilder builder;
     builder.setCollectSlots(true);
     const auto before = builder.update(input).grooms[0];
-    auto& raster = input.groups[0].maps.*kMaps[static_cast<std::size_t>(map)];
+    auto& raster = input.groups[0].maps[map];
     raster = withDab(raster, {u, v}, kRadius, {50000, 1000, 1000});
     const auto report = builder.update(input);
     const RootSet& roots = *before->roots;
 
     QCOMPARE(report.rebuiltSlots.size(), report.rebuiltStrands);
     const std::set<std::uint32_t> rebuilt(report.rebuiltSlots.begin(), report.rebuiltSlots.end());
-    const bool isGel = kMaps[static_cast<std::size_t>(map)] == &GroupMaps::gel;
     std::size_t inside = 0;
     for (std::uint32_t slot = 0; slot < roots.count(); ++slot) {
         const float distance = glm::length(roots.uv[slot] - glm::vec2(u, v));
@@ -131,13 +128,12 @@ void TestGroomUpdates::aDabRebuildsTheStrandsUnderItAndNoOthers()
             const auto& chunk = groom.chunks[slot / kChunkSlots];
             return chunk && chunk->hairs[slot % kChunkSlots];
         };
-        if (distance < kRadius - kTexel && (isHair(*before) || isHair(after)) &&
-            (!isGel || roots.rankOfSlot[slot] < roots.basisSlot.size())) {
+        if (distance < kRadius - kTexel && (isHair(*before) || isHair(after))) {
             QVERIFY(rebuilt.contains(slot));
             ++inside;
         }
     }
-    QVERIFY(inside > (isGel ? 0U : 10U));
+    QVERIFY(inside > 10U);
 }
 
 void TestGroomUpdates::aDabSharesAllOtherChunks()
@@ -146,7 +142,7 @@ void TestGroomUpdates::aDabSharesAllOtherChunks()
     GroomBuilder builder;
     builder.setCollectSlots(true);
     const auto before = builder.update(input).grooms[0];
-    auto& length = input.groups[0].maps.length;
+    auto& length = input.groups[0].maps[MapSlot::Length];
     length = withDab(length, {0.5F, 0.6F}, 0.04F, {50000});
     const auto report = builder.update(input);
     std::set<std::size_t> touched;
@@ -157,22 +153,53 @@ void TestGroomUpdates::aDabSharesAllOtherChunks()
         QCOMPARE(before->chunks[i] == report.grooms[0]->chunks[i], !touched.contains(i));
 }
 
+void TestGroomUpdates::aColourMovesNoStrand()
+{
+    GroomInput input = startInput();
+    input.groups[0].maps[MapSlot::Braid] = withDab(input.groups[0].maps[MapSlot::Braid], {0.4F, 0.7F}, 0.15F, {1});
+    GroomBuilder builder;
+    const auto before = builder.update(input).grooms[0];
+    MapRaster& colour = input.groups[0].maps[MapSlot::Colour];
+    colour = withDab(colour, {0.5F, 0.6F}, 0.2F, {50000, 1000, 1000});
+    const auto report = builder.update(input);
+    const Groom& after = *report.grooms[0];
+    QVERIFY(report.rebuiltStrands > 100);
+    QVERIFY(after.basis == before->basis);
+    for (std::size_t i = 0; i < after.chunks.size(); ++i)
+        QVERIFY(!after.chunks[i] || sameBytes(after.chunks[i]->restPositions, before->chunks[i]->restPositions));
+    verifySame(after, *GroomBuilder().update(input).grooms[0], QStringLiteral("colours"));
+}
+
+void TestGroomUpdates::whatOnlyBasisHairsReadRebuildsNoStrand()
+{
+    GroomInput input = startInput();
+    GroomBuilder builder;
+    const auto before = builder.update(input).grooms[0];
+    MapRaster& gel = input.groups[0].maps[MapSlot::Gel];
+    gel = withDab(gel, {0.5F, 0.6F}, 0.2F, {50000});
+    const auto report = builder.update(input);
+    QCOMPARE(report.rebuiltStrands, std::size_t{0});
+    QVERIFY(report.grooms[0]->chunks == before->chunks);
+    QVERIFY(report.grooms[0]->basis->gel != before->basis->gel);
+    verifySame(*report.grooms[0], *GroomBuilder().update(input).grooms[0], QStringLiteral("gel"));
+}
+
 void TestGroomUpdates::repaintingTheOldValueBringsTheOldBytesBack_data()
 {
-    QTest::addColumn<int>("map");
-    for (int map = 0; map < 7; ++map)
-        QTest::addRow("%s", kMapNames[static_cast<std::size_t>(map)]) << map;
+    QTest::addColumn<MapSlot>("map");
+    for (const MapRule& rule : kMapRules)
+        QTest::addRow("map %zu", indexOf(rule.slot)) << rule.slot;
 }
 
 void TestGroomUpdates::repaintingTheOldValueBringsTheOldBytesBack()
 {
-    QFETCH(int, map);
+    QFETCH(MapSlot, map);
     GroomInput input = startInput();
     GroomBuilder builder;
     const auto before = builder.update(input).grooms[0];
-    auto& raster = input.groups[0].maps.*kMaps[static_cast<std::size_t>(map)];
+    auto& raster = input.groups[0].maps[map];
     const Texel old = raster->texel(0, 0);
-    const Texel painted = kMaps[static_cast<std::size_t>(map)] == &GroupMaps::braid ? Texel{1} : Texel{};
+    const Texel painted = map == MapSlot::Braid ? Texel{1} : Texel{};
     raster = withDab(raster, {0.5F, 0.6F}, 0.1F, painted == old ? Texel{65535} : painted);
     const auto between = builder.update(input).grooms[0];
     QVERIFY(differenceOf(*before, *between) != nullptr);
@@ -186,11 +213,11 @@ void TestGroomUpdates::unchangedValuesInNewTilesRebuildNothing()
     GroomInput input = startInput();
     GroomBuilder builder;
     (void)builder.update(input);
-    for (const MapPointer map : kMaps) {
-        auto copy = std::make_shared<TiledRaster>(*(input.groups[0].maps.*map));
+    for (const MapRule& rule : kMapRules) {
+        auto copy = std::make_shared<TiledRaster>(*input.groups[0].maps[rule.slot]);
         for (int tile = 0; tile < copy->tileCount(); ++tile)
             (void)copy->writableTile(tile);
-        input.groups[0].maps.*map = std::move(copy);
+        input.groups[0].maps[rule.slot] = std::move(copy);
     }
     QCOMPARE(builder.update(input).rebuiltStrands, std::size_t{0});
 }
@@ -211,24 +238,23 @@ void TestGroomUpdates::randomEditsEqualAFreshBuild()
     for (std::uint64_t edit = 0; edit < 24; ++edit) {
         history.push_back(input.groups[0].maps);
         const auto random = [&](std::uint64_t what) { return hash64(seed, edit * 16 + what); };
-        const auto map = static_cast<std::size_t>(random(0) % kMaps.size());
-        auto& raster = input.groups[0].maps.*kMaps[map];
+        const MapRule& rule = kMapRules[random(0) % kMapRules.size()];
+        MapRaster& raster = input.groups[0].maps[rule.slot];
         if (random(1) % 8 == 0) {
-            raster = history[random(2) % history.size()].*kMaps[map]; // Undo.
+            raster = history[random(2) % history.size()][rule.slot]; // Undo.
         } else if (random(1) % 8 == 1) {
             auto filled = std::make_shared<TiledRaster>(*raster);
             for (int tile = 0; tile < filled->tileCount(); ++tile)
-                filled->setUniform(tile, randomTexel(map, random(3)));
+                filled->setUniform(tile, randomTexel(rule, random(3)));
             raster = std::move(filled);
         } else {
             const glm::vec2 centre(unitFloat(random(4)), unitFloat(random(5)));
-            raster = withDab(raster, centre, 0.02F + 0.15F * unitFloat(random(6)), randomTexel(map, random(3)));
+            raster = withDab(raster, centre, 0.02F + 0.15F * unitFloat(random(6)), randomTexel(rule, random(3)));
         }
         const auto incremental = builder.update(input).grooms[0];
         if (edit % 3 == 2) {
             const auto fresh = GroomBuilder().update(input).grooms[0];
-            verifySame(*incremental, *fresh,
-                       QStringLiteral("edit %1, %2").arg(edit).arg(QLatin1StringView(kMapNames[map])));
+            verifySame(*incremental, *fresh, QStringLiteral("edit %1, map %2").arg(edit).arg(indexOf(rule.slot)));
         }
     }
 }
@@ -240,6 +266,8 @@ void TestGroomUpdates::settingsThatLeaveTheHairsAloneShareThem()
     const auto before = builder.update(input).grooms[0];
     input.groups[0].settings.physics.damping = 5.0F;
     input.groups[0].settings.material.shine = 0.9F;
+    input.groups[0].settings.material.widthM = 1e-4F;
+    input.groups[0].settings.material.colourVariation = 0.5F;
     input.groups[0].visible = false;
     const auto report = builder.update(input);
     QCOMPARE(report.rebuiltStrands, std::size_t{0});
@@ -259,12 +287,11 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild_data()
     row("nodes", [](GroomInput& i) { i.groups[0].settings.nodesPerHair = 5; });
     row("basis hairs", [](GroomInput& i) { i.groups[0].settings.basisHairs = 300; });
     row("turns per length", [](GroomInput& i) { i.groups[0].settings.turnsMode = TurnsMode::PerLength; });
-    row("width", [](GroomInput& i) { i.groups[0].settings.hairWidthM = 1e-4F; });
     row("braid spacing", [](GroomInput& i) { i.groups[0].settings.braidSpacingM = 0.05F; });
     row("seed", [](GroomInput& i) { i.seed = 2; });
     row("limit", [](GroomInput& i) { i.maxHairs = 3000; });
     row("skin", [](GroomInput& i) { i.skin = std::make_shared<const Skin>(makeBallHead(30, 0.09F)); });
-    row("size of a map", [](GroomInput& i) { i.groups[0].maps.curl = uniformMap(0.4F, 1024); });
+    row("size of a map", [](GroomInput& i) { i.groups[0].maps[MapSlot::Curl] = uniformMap(0.4F, 1024); });
 }
 
 void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild()
@@ -272,8 +299,8 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild()
     QFETCH(std::function<void(GroomInput&)>, change);
     GroomInput input = startInput();
     auto& maps = input.groups[0].maps;
-    maps.braid = withDab(maps.braid, {0.4F, 0.7F}, 0.15F, {1});
-    maps.curl = withDab(maps.curl, {0.6F, 0.6F}, 0.2F, {40000});
+    maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.4F, 0.7F}, 0.15F, {1});
+    maps[MapSlot::Curl] = withDab(maps[MapSlot::Curl], {0.6F, 0.6F}, 0.2F, {40000});
     GroomBuilder builder;
     const auto before = builder.update(input).grooms[0];
     change(input);
@@ -322,10 +349,10 @@ void TestGroomUpdates::anyNumberOfThreadsGivesTheSameBytes()
         GroomBuilder builder;
         std::vector<std::shared_ptr<const Groom>> grooms{builder.update(input).grooms[0]};
         auto& maps = input.groups[0].maps;
-        maps.braid = withDab(maps.braid, {0.4F, 0.7F}, 0.15F, {1});
-        maps.clump = withDab(maps.clump, {0.5F, 0.5F}, 0.3F, {40000});
+        maps[MapSlot::Braid] = withDab(maps[MapSlot::Braid], {0.4F, 0.7F}, 0.15F, {1});
+        maps[MapSlot::Clump] = withDab(maps[MapSlot::Clump], {0.5F, 0.5F}, 0.3F, {40000});
         grooms.push_back(builder.update(input).grooms[0]);
-        maps.length = withDab(maps.length, {0.45F, 0.65F}, 0.1F, {60000});
+        maps[MapSlot::Length] = withDab(maps[MapSlot::Length], {0.45F, 0.65F}, 0.1F, {60000});
         grooms.push_back(builder.update(input).grooms[0]);
         return grooms;
     };

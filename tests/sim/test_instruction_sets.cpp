@@ -19,9 +19,9 @@ namespace {
 std::vector<float> hairAfterAWhile()
 {
     GroomInput input = paintedBall(2000, 600);
-    paintSquare(input.groups.front().maps.gel, {0.0F, 0.5F}, {0.3F, 1.0F}, 40000);
-    paintSquare(input.groups.front().maps.length, {0.5F, 0.5F}, {0.8F, 1.0F}, 8000);
-    paintSquare(input.groups.front().maps.clump, {0.4F, 0.5F}, {1.0F, 1.0F}, 50000);
+    paintSquare(input.groups.front().maps[MapSlot::Gel], {0.0F, 0.5F}, {0.3F, 1.0F}, 40000);
+    paintSquare(input.groups.front().maps[MapSlot::Length], {0.5F, 0.5F}, {0.8F, 1.0F}, 8000);
+    paintSquare(input.groups.front().maps[MapSlot::Clump], {0.4F, 0.5F}, {1.0F, 1.0F}, 50000);
     Simulation simulation;
     simulation.setInput(input);
     simulation.setWind({true, glm::vec3(4.0F, 0.5F, -2.0F), 0.6F, 0.5F});

@@ -79,6 +79,7 @@ private Q_SLOTS:
     void weightsSumToOneAndNeighboursAreTheNearest();
     void weightsChangeSmoothlyAlongTheSkin();
     void hairsFollowBasisHairsOfTheirOwnSide();
+    void rootsOnOneSpotFindTheirNeighboursInTime();
     void smallAndEmptySetsAreAllowed_data();
     void smallAndEmptySetsAreAllowed();
 };
@@ -286,6 +287,27 @@ void TestRoots::hairsFollowBasisHairsOfTheirOwnSide()
     for (std::uint32_t slot = 0; slot < roots->count(); ++slot)
         for (const std::uint32_t neighbour : roots->neighbours[slot])
             QVERIFY(glm::dot(roots->normalHd[roots->basisSlot[neighbour]], roots->normalHd[slot]) > 0.0F);
+}
+
+/// Where equal places are searched one by one this takes hours.
+void TestRoots::rootsOnOneSpotFindTheirNeighboursInTime()
+{
+    const float far = 1e6F; // Floats are 1/16 apart here.
+    HeadMesh mesh;
+    mesh.positionsHd = {{far, far, far}, {far + 0.0625F, far, far}, {far, far + 0.0625F, far}};
+    mesh.normalsHd.assign(3, {0.0F, 0.0F, 1.0F});
+    mesh.uvs = {{0.0F, 0.0F}, {1.0F, 0.0F}, {0.0F, 1.0F}};
+    mesh.triangles = {{0, 1, 2}};
+    const auto roots = buildRoots(std::make_shared<const Skin>(std::move(mesh)), 1'500'000, 1'000'000, kSeed);
+    QCOMPARE(roots->basisSlot.size(), std::size_t{1'000'000});
+    for (std::size_t slot = 0; slot < roots->count(); slot += 997) {
+        float sum = 0.0F;
+        for (std::size_t k = 0; k < RootSet::kNeighbours; ++k) {
+            QVERIFY(roots->neighbours[slot][k] < roots->basisSlot.size());
+            sum += roots->weights[slot][k];
+        }
+        QVERIFY(std::abs(sum - 1.0F) < 1e-5F);
+    }
 }
 
 void TestRoots::smallAndEmptySetsAreAllowed_data()

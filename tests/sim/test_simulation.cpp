@@ -136,8 +136,8 @@ void TestSimulation::aDabLeavesAllOtherStrandsUndisturbed()
     QFETCH(bool, density);
     const GroomInput input = paintedBall(kHairs, kBasis);
     GroomInput dabbed = input;
-    paintSquare(density ? dabbed.groups.front().maps.density : dabbed.groups.front().maps.length, {0.4F, 0.4F},
-                {0.6F, 0.6F}, density ? 0 : 30000);
+    paintSquare(density ? dabbed.groups.front().maps[MapSlot::Density] : dabbed.groups.front().maps[MapSlot::Length],
+                {0.4F, 0.4F}, {0.6F, 0.6F}, density ? 0 : 30000);
     Simulation touched;
     Simulation untouched;
     for (Simulation* simulation : {&touched, &untouched}) {
@@ -177,11 +177,11 @@ void TestSimulation::aDabLeavesAllOtherStrandsUndisturbed()
 void TestSimulation::paintedHairStartsHangingStill()
 {
     GroomInput input = paintedBall(kHairs, kBasis);
-    input.groups.front().maps.density = uniformMap(1, {0});
+    input.groups.front().maps[MapSlot::Density] = uniformMap(1, {0});
     Simulation simulation;
     simulation.setInput(input);
     QCOMPARE(frameOf(simulation).hairCount, std::size_t{0});
-    input.groups.front().maps.density = uniformMap(1, {65535});
+    input.groups.front().maps[MapSlot::Density] = uniformMap(1, {65535});
     simulation.setInput(input);
     const StrandFrame before = frameOf(simulation);
     simulation.advance(1.0 / 30.0);
@@ -202,11 +202,11 @@ void TestSimulation::paintedHairStartsHangingStill()
 void TestSimulation::hairThatGrowsIsStretchedAboutItsRoot()
 {
     GroomInput input = paintedBall(kHairs, kHairs);
-    input.groups.front().maps.length = uniformMap(1, {32768});
+    input.groups.front().maps[MapSlot::Length] = uniformMap(1, {32768});
     Simulation simulation;
     simulation.setInput(input);
     const StrandFrame before = frameOf(simulation);
-    input.groups.front().maps.length = uniformMap(1, {65535});
+    input.groups.front().maps[MapSlot::Length] = uniformMap(1, {65535});
     simulation.setInput(input);
     const StrandFrame after = frameOf(simulation);
     int stretched = 0;
@@ -254,7 +254,7 @@ void TestSimulation::stillHairFallsAsleepAndWakes()
         simulation.puff(glm::vec3(0.1F, 0.0F, 0.0F), glm::vec3(0.0F, 0.0F, 5.0F), 0.1F);
         break;
     case 3:
-        paintSquare(input.groups.front().maps.length, {0.4F, 0.4F}, {0.6F, 0.6F}, 30000);
+        paintSquare(input.groups.front().maps[MapSlot::Length], {0.4F, 0.4F}, {0.6F, 0.6F}, 30000);
         simulation.setInput(input);
         break;
     default:

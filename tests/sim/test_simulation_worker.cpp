@@ -78,7 +78,7 @@ void TestSimulationWorker::theLatestInputWins()
     SimulationWorker worker(nullptr);
     GroomInput input = paintedBall(400, 200);
     for (int i = 0; i < 20; ++i) {
-        input.groups.front().maps.length = uniformMap(1, {static_cast<std::uint16_t>(10000 + i * 2000)});
+        input.groups.front().maps[MapSlot::Length] = uniformMap(1, {static_cast<std::uint16_t>(10000 + i * 2000)});
         worker.setInput(input);
     }
     const auto shows = [&](const StrandFrame& frame) {
@@ -119,8 +119,8 @@ void TestSimulationWorker::inputWithoutEndHoldsUpNoFrames()
     std::thread flood([&worker, &enough] {
         // Longer to rebuild than until the next one comes.
         std::array inputs{paintedBall(kHairs, 2000), paintedBall(kHairs, 2000), paintedBall(kHairs, 2000)};
-        inputs[1].groups.front().maps.length = uniformMap(1, {30000});
-        inputs[2].groups.front().maps.length = uniformMap(1, {45000});
+        inputs[1].groups.front().maps[MapSlot::Length] = uniformMap(1, {30000});
+        inputs[2].groups.front().maps[MapSlot::Length] = uniformMap(1, {45000});
         for (std::size_t i = 0; !enough; ++i)
             worker.setInput(inputs.at(i % inputs.size()));
     });
@@ -156,7 +156,7 @@ void TestSimulationWorker::stillHairStopsTheFramesUntilSomethingHappens()
     std::atomic<int> calls{0};
     SimulationWorker worker([&calls] { ++calls; });
     GroomInput input = paintedBall(100, 100);
-    input.groups.front().maps.gel = uniformMap(1, {65535}); // nothing to settle
+    input.groups.front().maps[MapSlot::Gel] = uniformMap(1, {65535}); // nothing to settle
     worker.setInput(input);
     const auto last = awaitFrame(worker, [](const StrandFrame& frame) { return hasHair(frame) && frame.asleep; });
     QVERIFY(last);
@@ -228,7 +228,7 @@ void TestSimulationWorker::wantOfMemoryLeavesTheLastFrameAndIsToldOnce()
     std::atomic<int> calls{0};
     SimulationWorker worker([&calls] { ++calls; });
     GroomInput small = paintedBall(400, 200);
-    small.groups.front().maps.gel = uniformMap(1, {65535});
+    small.groups.front().maps[MapSlot::Gel] = uniformMap(1, {65535});
     worker.setInput(small);
     const auto kept = awaitFrame(worker, [](const StrandFrame& frame) { return hasHair(frame) && frame.asleep; });
     QVERIFY(kept);

@@ -277,7 +277,8 @@ void TestSkin::strangeUvsCostNoMemoryAndNoCrash()
     for (std::size_t i = 0; i < mesh.uvs.size(); ++i)
         mesh.uvs[i] = {random(i * 2), random(i * 2 + 1)}; // Every face spans much of the map.
     mesh.uvs[3] = {std::nanf(""), 0.0F};
-    mesh.uvs[4] = {1e38F, -1e38F};
+    mesh.uvs[4] = {3e38F, -3e38F};
+    mesh.uvs[5] = {-3e38F, 3e38F}; // Further apart than any float.
     const Skin skin(std::move(mesh));
     QVERIFY(skin.atUv({0.5F, 0.5F}));
     HeadMesh flat = makePatchHead(8);

@@ -30,9 +30,7 @@ ColliderSet ballCollider(float radiusM = 0.1F)
 glm::vec3 nodeOf(const GroupDynamics& hair, std::size_t strand, int node)
 {
     const StrandState& state = hair.state();
-    const AlignedFloats& now = state.positions[static_cast<std::size_t>(state.present)];
-    const std::size_t at = state.nodeAt(strand, node);
-    return {now[at], now[at + kLanes], now[at + 2 * kLanes]};
+    return state.shape().node(state.now(), strand, static_cast<std::size_t>(node));
 }
 
 /// Steps of a world in which only gravity acts.

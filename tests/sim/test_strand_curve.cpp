@@ -59,7 +59,8 @@ StrandStyle braidedStyle(std::uint32_t wisp, float start, BraidKind kind = Braid
 {
     StrandStyle style;
     style.lengthM = 0.3F;
-    style.braid = static_cast<std::uint32_t>(kind) | (wisp << 8U);
+    style.braid = kind;
+    style.wisp = static_cast<std::uint8_t>(wisp);
     style.braidRadiusM = 0.01F;
     style.braidStart = start;
     style.braidTurns = 4.0F;
@@ -259,8 +260,7 @@ void TestStrandCurve::placesSpreadAWispInItsRadius()
     std::vector<glm::vec3> middle;
     std::vector<glm::vec3> aside;
     evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 100, middle);
-    style.placeX = 0.6F;
-    style.placeY = -0.8F;
+    style.wispOffset = {0.6F, -0.8F};
     evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 100, aside);
     const glm::vec3 offset = aside[50] - middle[50];
     QVERIFY(std::abs(glm::length(offset) - kWispRadiusShare * style.braidRadiusM) < 1e-6F);
@@ -287,8 +287,7 @@ void TestStrandCurve::aLocIsOneWispToItsEnd()
 {
     const auto skeleton = straightSkeleton({0.0F, 1.0F, 0.0F}, 0.3F);
     StrandStyle style = braidedStyle(0, 0.0F, BraidKind::Loc);
-    style.placeX = 0.6F;
-    style.placeY = -0.8F;
+    style.wispOffset = {0.6F, -0.8F};
     std::vector<glm::vec3> points;
     evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 100, points);
     for (std::size_t i = 20; i < points.size(); ++i) {
@@ -336,7 +335,7 @@ void TestStrandCurve::aBraidEndsInATuft()
     std::vector<glm::vec3> middle;
     std::vector<glm::vec3> aside;
     evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 200, middle);
-    style.placeX = 1.0F;
+    style.wispOffset.x = 1.0F;
     evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 200, aside);
     // The wisps draw together at the tip while each spreads.
     QVERIFY(glm::length(middle.back() - skeleton.back()) < 0.5F * style.braidRadiusM);

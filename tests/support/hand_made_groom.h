@@ -26,10 +26,10 @@ struct HandStrand
 
 inline std::shared_ptr<sim::BasisStyles> basisOf(const std::vector<HandStrand>& strands, int nodes)
 {
-    const std::size_t blocks = (strands.size() + sim::kLanes - 1) / sim::kLanes;
+    const std::size_t blocks = sim::blocksFor(strands.size());
     const auto nodeCount = static_cast<std::size_t>(nodes);
     auto basis = std::make_shared<sim::BasisStyles>();
-    basis->restPositions.assign(blocks * nodeCount * 3 * sim::kLanes, 0.0F);
+    basis->restPositions.assign(sim::StrandBlocks(nodes).floatsFor(blocks), 0.0F);
     basis->segmentLengths.assign(blocks * sim::kLanes, 0.0F);
     basis->gel.assign(blocks * sim::kLanes, 0.0F);
     basis->height.assign(blocks * sim::kLanes, 0.0F);
@@ -41,13 +41,10 @@ inline std::shared_ptr<sim::BasisStyles> basisOf(const std::vector<HandStrand>& 
         basis->gel[i] = strand.gel;
         basis->height[i] = strand.height;
         if (strand.wanted)
-            basis->wanted[i / sim::kLanes] |= 1U << (i % sim::kLanes);
+            sim::insertLane(basis->wanted, i);
         for (std::size_t node = 0; node < nodeCount; ++node) {
             const glm::vec3 p = strand.rootHd + strand.directionHd * (segment * static_cast<float>(node));
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                basis
-                    ->restPositions[((i / sim::kLanes * nodeCount + node) * 3 + axis) * sim::kLanes + i % sim::kLanes] =
-                    p[static_cast<int>(axis)];
+            sim::StrandBlocks(nodes).setNode(basis->restPositions, i, node, p);
         }
     }
     return basis;
@@ -94,13 +91,12 @@ inline std::shared_ptr<sim::Groom> drawnGroomOf(const std::vector<HandStrand>& s
     }
     groom->roots = std::move(roots);
     const std::size_t chunks = (strands.size() + sim::kChunkSlots - 1) / sim::kChunkSlots;
-    const std::size_t blockFloats = static_cast<std::size_t>(nodes) * 3 * sim::kLanes;
     for (std::size_t c = 0; c < chunks; ++c) {
         auto chunk = std::make_shared<sim::StrandChunk>();
         chunk->styles.resize(sim::kChunkSlots);
         chunk->braidCentre.assign(sim::kChunkSlots, sim::kNoCentre);
         chunk->segmentLengths.assign(sim::kChunkSlots, 0.0F);
-        chunk->restPositions.assign(sim::kBlocksPerChunk * blockFloats, 0.0F);
+        chunk->restPositions.assign(groom->blocks().floatsFor(sim::kBlocksPerChunk), 0.0F);
         for (std::size_t slot = 0; slot < sim::kChunkSlots; ++slot) {
             const std::size_t strand = c * sim::kChunkSlots + slot;
             if (strand >= strands.size() || !strands[strand].wanted)
@@ -110,10 +106,9 @@ inline std::shared_ptr<sim::Groom> drawnGroomOf(const std::vector<HandStrand>& s
             chunk->styles[slot].lengthM = strands[strand].lengthM;
             chunk->styles[slot].detail = 0.0F;
             chunk->segmentLengths[slot] = groom->basis->segmentLengths[strand];
-            for (std::size_t i = 0; i < static_cast<std::size_t>(nodes) * 3; ++i)
-                chunk->restPositions[slot / sim::kLanes * blockFloats + i * sim::kLanes + slot % sim::kLanes] =
-                    groom->basis
-                        ->restPositions[strand / sim::kLanes * blockFloats + i * sim::kLanes + strand % sim::kLanes];
+            for (std::size_t node = 0; node < static_cast<std::size_t>(nodes); ++node)
+                groom->blocks().setNode(chunk->restPositions, slot, node,
+                                        groom->blocks().node(groom->basis->restPositions, strand, node));
         }
         groom->chunks.push_back(std::move(chunk));
         groom->chunkPlace.push_back(static_cast<std::int32_t>(c));

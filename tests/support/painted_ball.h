@@ -26,13 +26,11 @@ inline sim::GroomInput paintedBall(int hairs, int basisHairs)
     group.settings.greatestDensityPerM2 = static_cast<float>((hairs + 0.5) / skin->areaM2());
     group.settings.greatestLengthM = 0.2F;
     group.settings.basisHairs = basisHairs;
-    group.maps.density = uniformMap(1, {65535});
-    group.maps.length = uniformMap(1, {65535});
-    group.maps.curl = uniformMap(1, {0});
-    group.maps.braid = uniformMap(1, {0});
-    group.maps.colour = uniformMap(3, {20000, 12000, 8000});
-    group.maps.clump = uniformMap(1, {0});
-    group.maps.gel = uniformMap(1, {0});
+    for (const sim::MapRule& rule : sim::kMapRules)
+        group.maps[rule.slot] = uniformMap(rule.channels, rule.defaultValue);
+    group.maps[sim::MapSlot::Density] = uniformMap(1, {65535});
+    group.maps[sim::MapSlot::Length] = uniformMap(1, {65535});
+    group.maps[sim::MapSlot::Colour] = uniformMap(3, {20000, 12000, 8000});
     input.groups.push_back(group);
     return input;
 }

@@ -72,13 +72,16 @@ inline std::shared_ptr<const sim::TiledRaster> ramp()
     return map;
 }
 
-/// One group with uniform maps: full density, half length, straight, brown.
+/// One group with uniform maps: full density, brown, else what maps are where nothing is painted.
 inline sim::GroupInput uniformGroup(int id = 1)
 {
     sim::GroupInput group;
     group.id = id;
-    group.maps = {uniformMap(1.0F), uniformMap(0.5F), uniformMap(0.0F), indexMap(0), uniformColour({0.3F, 0.2F, 0.1F}),
-                  uniformMap(0.0F), uniformMap(0.0F)};
+    for (const sim::MapRule& rule : sim::kMapRules)
+        group.maps[rule.slot] = std::make_shared<const sim::TiledRaster>(512, rule.channels, rule.defaultValue);
+    group.maps[sim::MapSlot::Density] = uniformMap(1.0F);
+    group.maps[sim::MapSlot::Colour] = uniformColour({0.3F, 0.2F, 0.1F});
+    group.maps[sim::MapSlot::TipColour] = group.maps[sim::MapSlot::Colour];
     return group;
 }
 

@@ -19,6 +19,7 @@ namespace {
 struct Entry
 {
     Application application = Application::None;
+    void (*prepare)() = nullptr;
     MakeTest make = nullptr;
 };
 
@@ -59,6 +60,7 @@ int run(int argc, char** argv)
     argv[1] = argv[0];
     --argc;
     ++argv;
+    found->second.prepare();
     const std::unique_ptr<QCoreApplication> application = makeApplication(found->second.application, argc, argv);
     if (application)
         application->setAttribute(Qt::AA_Use96Dpi, true);
@@ -68,10 +70,10 @@ int run(int argc, char** argv)
 
 } // namespace
 
-bool registerTest(const char* file, Application application, MakeTest make)
+bool registerTest(const char* file, Application application, void (*prepare)(), MakeTest make)
 {
     const QString name = QFileInfo(QString::fromUtf8(file)).completeBaseName().mid(5); // Without "test_".
-    return entries().emplace(name, Entry{application, make}).second;
+    return entries().emplace(name, Entry{application, prepare, make}).second;
 }
 
 } // namespace hairpaint::test

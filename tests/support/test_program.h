@@ -18,14 +18,22 @@ enum class Application
 
 using MakeTest = std::unique_ptr<QObject> (*)();
 
+/// What a class wants done before there is an application, as with QTEST_MAIN: its static initMain(), if it has one.
+template<typename Test>
+void prepare()
+{
+    if constexpr (requires { Test::initMain(); })
+        Test::initMain();
+}
+
 /// Called before main() by HAIRPAINT_TEST. `file`: test_NAME.cpp, whose tests are run by `PROGRAM NAME [QtTest's
 /// options]`.
-bool registerTest(const char* file, Application application, MakeTest make);
+bool registerTest(const char* file, Application application, void (*prepare)(), MakeTest make);
 
 } // namespace hairpaint::test
 
 /// In place of QTEST_MAIN, with the application that the class needs.
 #define HAIRPAINT_TEST(Class, application)                                                                             \
-    [[maybe_unused]] static const bool isRegistered =                                                                  \
-        hairpaint::test::registerTest(__FILE__, hairpaint::test::Application::application,                             \
-                                      []() -> std::unique_ptr<QObject> { return std::make_unique<Class>(); });
+    [[maybe_unused]] static const bool isRegistered = hairpaint::test::registerTest(                                   \
+        __FILE__, hairpaint::test::Application::application, hairpaint::test::prepare<Class>,                          \
+        []() -> std::unique_ptr<QObject> { return std::make_unique<Class>(); });

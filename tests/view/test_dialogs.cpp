@@ -223,8 +223,8 @@ private Q_SLOTS:
         QAction eraser(QStringLiteral("&Eraser"));
         eraser.setShortcut(QKeySequence(Qt::Key_E));
         PreferencesDialog dialog({}, {},
-                                 {{&brush, QStringLiteral("Tools"), QKeySequence(Qt::Key_B)},
-                                  {&eraser, QStringLiteral("Tools"), QKeySequence(Qt::Key_E)}});
+                                 {{&brush, QStringLiteral("Tools"), QStringLiteral("Brush"), {Qt::Key_B}},
+                                  {&eraser, QStringLiteral("Tools"), QStringLiteral("Eraser"), {Qt::Key_E}}});
         dialog.show();
         QSignalSpy changed(&dialog, &PreferencesDialog::keyChanged);
         auto* tree = dialog.findChild<QTreeWidget*>();
@@ -237,6 +237,46 @@ private Q_SLOTS:
         buttonWith(dialog, QStringLiteral("Reset"))->click();
         QCOMPARE(brush.shortcut(), QKeySequence(Qt::Key_B));
         QCOMPARE(rowOf(*tree, QStringLiteral("Brush"))->text(1), QStringLiteral("B"));
+        QCOMPARE(eraser.shortcut(), QKeySequence(Qt::Key_E)); // It had lost its key to the brush.
+        QCOMPARE(rowOf(*tree, QStringLiteral("Eraser"))->text(1), QStringLiteral("E"));
+    }
+
+    void resetting_a_key_leaves_nobody_without_one()
+    {
+        QAction brush(QStringLiteral("&Brush"));
+        brush.setShortcut(QKeySequence(Qt::Key_E));
+        QAction eraser(QStringLiteral("&Eraser"));
+        eraser.setShortcut(QKeySequence(Qt::Key_B));
+        PreferencesDialog dialog({}, {},
+                                 {{&brush, QStringLiteral("Tools"), QStringLiteral("Brush"), {Qt::Key_B}},
+                                  {&eraser, QStringLiteral("Tools"), QStringLiteral("Eraser"), {Qt::Key_E}}});
+        dialog.show();
+        auto* tree = dialog.findChild<QTreeWidget*>();
+        tree->setCurrentItem(rowOf(*tree, QStringLiteral("Brush")));
+        buttonWith(dialog, QStringLiteral("Reset"))->click();
+        QCOMPARE(brush.shortcut(), QKeySequence(Qt::Key_B));
+        QCOMPARE(eraser.shortcut(), QKeySequence(Qt::Key_E));
+    }
+
+    void all_keys_are_reset_at_once()
+    {
+        QAction redo(QStringLiteral("&Redo Brush on Length"));
+        redo.setShortcut(QKeySequence(Qt::Key_R));
+        QAction eraser(QStringLiteral("&Eraser"));
+        const QList<QKeySequence> both{Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y};
+        PreferencesDialog dialog({}, {},
+                                 {{&redo, QStringLiteral("Edit"), QStringLiteral("Redo"), both},
+                                  {&eraser, QStringLiteral("Tools"), QStringLiteral("Eraser"), {Qt::Key_E}}});
+        dialog.show();
+        QSignalSpy reset(&dialog, &PreferencesDialog::keyReset);
+        // What an action would do just now is no part of its name.
+        QVERIFY(rowOf(*dialog.findChild<QTreeWidget*>(), QStringLiteral("Redo")) != nullptr);
+        QVERIFY(buttonWith(dialog, QStringLiteral("Reset all"))->isEnabled());
+        buttonWith(dialog, QStringLiteral("Reset all"))->click();
+        QCOMPARE(redo.shortcuts(), both);
+        QCOMPARE(eraser.shortcut(), QKeySequence(Qt::Key_E));
+        QCOMPARE(reset.count(), 2);
+        QVERIFY(!buttonWith(dialog, QStringLiteral("Reset all"))->isEnabled());
     }
 };
 

@@ -135,7 +135,7 @@ private Q_SLOTS:
         bar.resize(1100, 40);
         bar.show();
         for (const auto& tool : f.state.tools()) {
-            f.state.setActiveTool(QLatin1StringView(tool->id()));
+            f.state.setActiveTool(tool->id());
             QTest::qWait(1);
             const QStringList cut = test::clipped(bar);
             QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral("; "))));
@@ -164,7 +164,7 @@ private Q_SLOTS:
     void every_tool_and_map_has_an_icon()
     {
         for (const auto& tool : model::makeTools())
-            QVERIFY2(hasIcon(QLatin1String(tool->id())), tool->id());
+            QVERIFY2(hasIcon(QLatin1String(model::toolName(tool->id()))), model::toolName(tool->id()));
         for (const model::MapSpec& spec : model::mapSpecs())
             QVERIFY2(hasIcon(QLatin1String(spec.id)), spec.id);
         QVERIFY(!hasIcon(QStringLiteral("no such icon")));

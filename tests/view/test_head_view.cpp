@@ -1,7 +1,6 @@
 // The 3D area driven by mouse, wheel and keys; its pictures come from an off-screen context.
-#include "sim/motion/simulation.h"
+#include "head_fixture.h"
 #include "tests/support/test_program.h"
-#include "tests/support/view_fixture.h"
 #include "view/head/head_camera.h"
 #include "view/head/puff_gesture.h"
 #include "view/head_view.h"
@@ -14,84 +13,7 @@
 #include <random>
 
 using namespace hairpaint;
-
-namespace {
-
-constexpr float kBallM = 0.1F;
-
-struct Fixture
-{
-    Fixture()
-        : editor(test::makeProject(test::makeBallHead())),
-          area(editor.state, view::Theme::of(view::ThemeKind::Dark), view::PresenterChoice::Software)
-    {
-        area.resize(480, 400);
-        area.setCamera(camera());
-        area.show();
-    }
-
-    [[nodiscard]] static rendering::Camera camera()
-    {
-        rendering::Camera camera;
-        camera.targetWo = glm::vec3(0.0F);
-        camera.distanceM = 0.6F;
-        return camera;
-    }
-
-    void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton,
-              Qt::KeyboardModifiers modifiers = Qt::NoModifier)
-    {
-        QTest::mousePress(&area, button, modifiers, from);
-        for (int i = 1; i <= 5; ++i)
-            move(from + (to - from) * i / 5, button, modifiers);
-        QTest::mouseRelease(&area, button, modifiers, to);
-    }
-
-    /// QTest::mouseMove has neither buttons nor modifiers.
-    void move(QPointF at, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers)
-    {
-        QMouseEvent event(QEvent::MouseMove, at, area.mapToGlobal(at), Qt::NoButton, buttons, modifiers);
-        QApplication::sendEvent(&area, &event);
-    }
-
-    void wheel(QPointF at, int notches)
-    {
-        QWheelEvent event(at, area.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
-                          Qt::NoScrollPhase, false);
-        QApplication::sendEvent(&area, &event);
-    }
-
-    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> frame() const
-    {
-        sim::Simulation simulation;
-        simulation.setInput(editor.document.groomInput());
-        simulation.advance(1.0 / 60.0);
-        auto frame = std::make_shared<sim::StrandFrame>();
-        simulation.writeFrame(*frame);
-        return frame;
-    }
-
-    test::Editor editor;
-    view::HeadView area;
-};
-
-const QPoint kMiddle(240, 200);
-const QPoint kBackground(20, 20);
-
-int differingPixels(const QImage& a, const QImage& b, const QRect& rect)
-{
-    int count = 0;
-    for (int y = rect.top(); y <= rect.bottom(); ++y) {
-        for (int x = rect.left(); x <= rect.right(); ++x) {
-            const QColor p = a.pixelColor(x, y);
-            const QColor q = b.pixelColor(x, y);
-            count += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue()) > 24;
-        }
-    }
-    return count;
-}
-
-} // namespace
+using namespace hairpaint::test;
 
 class HeadViewTest : public QObject
 {
@@ -109,7 +31,7 @@ private Q_SLOTS:
     {
         QFETCH(float, azimuth);
         QFETCH(float, elevation);
-        rendering::Camera camera = Fixture::camera();
+        rendering::Camera camera = HeadFixture::camera();
         camera.azimuthRad = azimuth;
         camera.elevationRad = elevation;
         const QSizeF size(480.0, 400.0);
@@ -133,7 +55,7 @@ private Q_SLOTS:
     {
         QFETCH(QPoint, at);
         QFETCH(bool, turned);
-        Fixture f;
+        HeadFixture f;
         if (turned) {
             auto frame = std::make_shared<sim::StrandFrame>();
             frame->pose.rotation = glm::angleAxis(0.6F, glm::vec3(0.0F, 1.0F, 0.0F));
@@ -164,7 +86,7 @@ private Q_SLOTS:
         QFETCH(QPoint, from);
         QFETCH(int, button);
         QFETCH(int, modifiers);
-        Fixture f;
+        HeadFixture f;
         const rendering::Camera before = f.area.camera();
         f.drag(from, from + QPoint(50, 40), Qt::MouseButton(button), Qt::KeyboardModifiers(modifiers));
         const rendering::Camera after = f.area.camera();
@@ -176,7 +98,7 @@ private Q_SLOTS:
 
     void theMiddleButtonPans()
     {
-        Fixture f;
+        HeadFixture f;
         const glm::vec3 held(0.0F, 0.0F, 0.0F);
         f.drag(kMiddle, kMiddle + QPoint(30, -20), Qt::MiddleButton);
         QVERIFY(QLineF(f.area.positionOf(held).value_or(QPointF()), kMiddle + QPoint(30, -20)).length() < 1.0);
@@ -184,7 +106,7 @@ private Q_SLOTS:
 
     void theWheelZoomsAtThePointer()
     {
-        Fixture f;
+        HeadFixture f;
         const float before = f.area.camera().distanceM;
         const QPointF at(300.0, 150.0);
         // A place at the target's depth.
@@ -197,7 +119,7 @@ private Q_SLOTS:
 
     void aRightClickOpensTheMenuAndMovesNothing()
     {
-        Fixture f;
+        HeadFixture f;
         QSignalSpy menu(&f.area, &view::HeadView::contextMenuWanted);
         const rendering::Camera before = f.area.camera();
         QTest::mouseClick(&f.area, Qt::RightButton, Qt::NoModifier, kMiddle);
@@ -207,7 +129,7 @@ private Q_SLOTS:
 
     void shiftAndRightDragTurnsTheLight()
     {
-        Fixture f;
+        HeadFixture f;
         std::vector<std::pair<model::LightSettings, bool>> wanted;
         connect(&f.area, &view::HeadView::lightWanted, &f.area,
                 [&](const model::LightSettings& light, bool done) { wanted.emplace_back(light, done); });
@@ -221,7 +143,7 @@ private Q_SLOTS:
 
     void holdingHTurnsTheHead()
     {
-        Fixture f;
+        HeadFixture f;
         std::vector<sim::HeadPose> poses;
         connect(&f.area, &view::HeadView::poseWanted, &f.area,
                 [&](const sim::HeadPose& pose) { poses.push_back(pose); });
@@ -254,7 +176,7 @@ private Q_SLOTS:
 
     void thePointerSweepingThroughTheHairBlows()
     {
-        Fixture f;
+        HeadFixture f;
         QSignalSpy puffs(&f.area, &view::HeadView::puffWanted);
         ulong time = 1000;
         for (int i = 0; i <= 12; ++i) {
@@ -269,7 +191,7 @@ private Q_SLOTS:
 
     void hoveringSharesThePlace()
     {
-        Fixture f;
+        HeadFixture f;
         QTest::mouseMove(&f.area, kMiddle);
         QVERIFY(f.editor.state.hover().has_value());
         QCOMPARE(f.editor.state.hover()->area, model::Area::Head);
@@ -280,7 +202,7 @@ private Q_SLOTS:
 
     void escCancelsTheStroke()
     {
-        Fixture f;
+        HeadFixture f;
         QTest::mousePress(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
         const glm::vec2 uv = f.area.skinAt(kMiddle)->uv;
         QVERIFY(f.editor.density(uv) > 0.99F);
@@ -292,7 +214,7 @@ private Q_SLOTS:
 
     void fittingMakesRoomForHairThatStandsUp()
     {
-        Fixture f;
+        HeadFixture f;
         f.area.fit();
         const auto topOf = [&f] { return f.area.positionOf({0.0F, 0.1F, 0.0F})->y(); };
         QTRY_VERIFY(topOf() > 0.0);
@@ -302,8 +224,7 @@ private Q_SLOTS:
         std::vector<float>& positions = frame->groups.front().positions;
         QVERIFY(!positions.empty());
         const glm::vec3 tip = glm::vec3(0.0F, 0.5F, 0.0F) + 0.1F * glm::normalize(f.area.camera().eyeWo());
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            positions[axis * sim::kLanes] = tip[static_cast<int>(axis)];
+        sim::StrandBlocks::store(positions.data(), tip);
         f.area.setFrame(frame);
         QVERIFY(f.area.positionOf(tip)->y() < 0.0);
         f.area.fit();
@@ -322,30 +243,14 @@ private Q_SLOTS:
 
     void standardViewsTurnThere()
     {
-        Fixture f;
+        HeadFixture f;
         f.area.setView(rendering::StandardView::Left);
         QTRY_VERIFY(std::abs(f.area.camera().azimuthRad - 1.5708F) < 0.01F);
     }
 
-    void pausedHairIsDrawnWhole()
-    {
-        Fixture f;
-        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
-        const auto frame = std::make_shared<sim::StrandFrame>(*f.frame());
-        frame->asleep = false;
-        std::size_t drawn = 0;
-        connect(&f.area, &view::HeadView::frameDrawn, this,
-                [&drawn](const rendering::FrameStatistics& statistics) { drawn = statistics.drawnHairs; });
-        f.area.setFrame(frame);
-        QTRY_VERIFY(drawn > 0);
-        QVERIFY(drawn < frame->hairCount);
-        f.area.setHairPaused(true);
-        QTRY_COMPARE(drawn, frame->hairCount);
-    }
-
     void hairAppearsWhereADabWasPainted()
     {
-        Fixture f;
+        HeadFixture f;
         model::ToolSettings settings = f.editor.state.toolSettings();
         settings.brushSizeM = 0.04F;
         f.editor.state.setToolSettings(settings);
@@ -363,7 +268,7 @@ private Q_SLOTS:
 
     void theAreaShowsTheHead()
     {
-        Fixture f;
+        HeadFixture f;
         QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
         QTRY_VERIFY(drawn.count() >= 1);
         QTRY_VERIFY(!f.area.rendererDescription().isEmpty());
@@ -375,7 +280,7 @@ private Q_SLOTS:
     void itClosesWhileStillRefining()
     {
         for (int i = 0; i < 4; ++i) {
-            Fixture f;
+            HeadFixture f;
             QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
             QTRY_VERIFY(drawn.count() >= 1);
         }
@@ -383,7 +288,7 @@ private Q_SLOTS:
 
     void nothingChangedNothingIsDrawn()
     {
-        Fixture f;
+        HeadFixture f;
         QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
         QTRY_VERIFY(drawn.count() >= 1);
         // Refinement of a still picture comes to an end.

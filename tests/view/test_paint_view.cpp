@@ -186,11 +186,11 @@ private Q_SLOTS:
     {
         Fixture f;
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, {300, 300});
-        const QString tool = QString::fromLatin1(f.editor.state.activeTool().id());
+        const model::ToolId tool = f.editor.state.activeTool().id();
         f.pen(QEvent::TabletPress, {300, 300}, 1.0, Qt::LeftButton, QPointingDevice::PointerType::Eraser);
         f.pen(QEvent::TabletRelease, {300, 300}, 0.0, Qt::NoButton, QPointingDevice::PointerType::Eraser);
         QVERIFY(f.editor.density(f.area.uvAt({300, 300})) < 0.01F);
-        QCOMPARE(QString::fromLatin1(f.editor.state.activeTool().id()), tool);
+        QCOMPARE(f.editor.state.activeTool().id(), tool);
     }
 
     void theRingIsAsLargeAsTheBrush()

@@ -15,6 +15,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QToolButton>
 
@@ -153,6 +154,7 @@ private Q_SLOTS:
         auto* list = panel.findChild<LayerList*>();
         QCOMPARE(namesOf(*list), QStringList({QStringLiteral("Scalp"), QStringLiteral("Beard")}));
         buttonNamed(panel, QStringLiteral("Add hair group"))->click();
+        panel.findChild<QMenu*>(QStringLiteral("whatGrows"))->actions().constLast()->trigger();
         QCOMPARE(list->count(), 3);
         QCOMPARE(f.state.activeGroup(), f.document.project().groups.back().id);
         const QRect beard = list->visualItemRect(list->item(1));
@@ -277,6 +279,8 @@ private Q_SLOTS:
         panel.show();
         BarSlider* slider = sliderNamed(panel, QStringLiteral("Opacity"));
         const auto opacity = [&] { return f.scalp().map(MapKind::Length).layers.front().opacity; };
+        const int drawn = panel.drawnThumbnails();
+        QCOMPARE(drawn, 1);
         holdAt(*slider, 0.25);
         QVERIFY(f.document.previewing());
         const float shown = opacity();
@@ -286,6 +290,7 @@ private Q_SLOTS:
         QCOMPARE(opacity(), shown);
         f.document.undo();
         QCOMPARE(opacity(), 1.0F);
+        QCOMPARE(panel.drawnThumbnails(), drawn); // No texel of the layer has changed.
     }
 
     void an_index_map_offers_only_its_own_blend_modes()
@@ -293,7 +298,7 @@ private Q_SLOTS:
         PanelFixture f;
         LayersPanel panel(f.state);
         auto* blend = panel.findChild<QComboBox*>();
-        QCOMPARE(blend->count(), 2);
+        QCOMPARE(blend->count(), static_cast<int>(model::kBlendModeCount));
         f.state.setActiveMap(MapKind::Braid);
         QCOMPARE(blend->count(), 1);
         QVERIFY(!blend->isEnabled());
@@ -310,9 +315,9 @@ private Q_SLOTS:
         QVERIFY(rows[1]->isChecked());
         QTest::mouseClick(rows[2], Qt::LeftButton);
         QVERIFY(f.state.activeMap() == MapKind::Curl);
-        QTest::keyClick(&panel, Qt::Key_5);
+        QTest::keyClick(&panel, Qt::Key_6);
         QVERIFY(f.state.activeMap() == MapKind::Colour);
-        QVERIFY(rows[4]->isChecked() && !rows[2]->isChecked());
+        QVERIFY(rows[5]->isChecked() && !rows[2]->isChecked());
         QCOMPARE(f.steps(), 0);
     }
 

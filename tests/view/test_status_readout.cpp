@@ -6,6 +6,8 @@
 
 #include <QLabel>
 
+#include <algorithm>
+
 using namespace hairpaint;
 using namespace hairpaint::view;
 
@@ -37,6 +39,30 @@ private Q_SLOTS:
         QTRY_VERIFY(texts().contains(f.state.activeTool().hint()));
     }
 
+    void the_status_line_tells_what_is_saved_and_paused_and_what_erasing_reveals()
+    {
+        PanelFixture f;
+        StatusReadout status(f.state);
+        const auto says = [&](const QString& words) {
+            return std::ranges::any_of(status.findChildren<QLabel*>(),
+                                       [&](const QLabel* label) { return label->text().contains(words); });
+        };
+        QVERIFY(status.savedText().isEmpty());
+        status.setSaved(StatusReadout::Saved::No);
+        QVERIFY(says(QStringLiteral("Not saved")));
+        status.setSaved(StatusReadout::Saved::Yes);
+        QVERIFY(status.savedText().contains(QStringLiteral("Saved")));
+        status.setSimulationMs(2.0);
+        status.setPaused(true);
+        status.setSimulationMs(3.0);
+        QVERIFY(says(QStringLiteral("Paused")) && !says(QStringLiteral("3.0")));
+        status.setPaused(false);
+        status.setSimulationMs(3.0);
+        QVERIFY(says(QStringLiteral("3.0")));
+        f.state.setActiveTool(model::ToolId::Eraser);
+        QVERIFY(says(QStringLiteral("reveals 15")));
+    }
+
     void the_status_line_tells_that_a_limit_on_hairs_bites_and_why()
     {
         PanelFixture f;
@@ -52,9 +78,9 @@ private Q_SLOTS:
         const auto limited = shown(50, 50, sim::HairLimit::MaxHairs);
         const auto heavy = shown(40, 50, sim::HairLimit::Memory);
         QCOMPARE(free, std::pair(QStringLiteral("50 hairs"), QString()));
-        QCOMPARE(limited.first, QStringLiteral("50 hairs (limit)"));
+        QCOMPARE(limited.first, QStringLiteral("50 hairs, limit reached"));
         QVERIFY2(limited.second.contains(QStringLiteral("project's limit")), qPrintable(limited.second));
-        QCOMPARE(heavy.first, QStringLiteral("40 of 50 hairs (limit)"));
+        QCOMPARE(heavy.first, QStringLiteral("40 of 50 hairs, limit reached"));
         QVERIFY2(heavy.second.contains(QStringLiteral("memory")), qPrintable(heavy.second));
         QCOMPARE(shown(50, 50, sim::HairLimit::None), free);
     }

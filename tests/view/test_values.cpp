@@ -7,7 +7,11 @@
 #include "view/widgets/value_palette.h"
 #include "view/widgets/value_text.h"
 
+#include <QColorDialog>
 #include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QSignalSpy>
 
 #include <cmath>
 
@@ -48,6 +52,55 @@ private Q_SLOTS:
         QTest::keyClick(&palette, Qt::Key_X);
         QVERIFY(swatches.first()->isChecked());
         QVERIFY(f.steps() == 0);
+    }
+
+    void a_click_on_a_square_asks_for_its_picker_and_the_arrow_swaps()
+    {
+        PanelFixture f;
+        ValuePair pair(f.state);
+        pair.resize(pair.sizeHint());
+        pair.show();
+        QSignalSpy wanted(&pair, &ValuePair::pickWanted);
+        const model::ToolSettings before = f.state.toolSettings();
+        QTest::mouseClick(&pair, Qt::LeftButton, {}, QPoint(8, 8));
+        QTest::mouseClick(&pair, Qt::LeftButton, {}, QPoint(pair.width() - 5, pair.height() - 5));
+        QCOMPARE(wanted.size(), 2);
+        QVERIFY(!wanted[0][0].toBool() && wanted[1][0].toBool());
+        QVERIFY(f.state.toolSettings() == before);
+        QTest::mouseClick(&pair, Qt::LeftButton, {}, pair.arrowRect().center());
+        QCOMPARE(wanted.size(), 2);
+        const MapKind map = f.state.activeMap();
+        QVERIFY(f.state.toolSettings().value(map) == before.secondValue(map));
+        QVERIFY(f.state.toolSettings().secondValue(map) == before.value(map));
+    }
+
+    void the_second_value_has_the_same_picker()
+    {
+        PanelFixture f;
+        QWidget anchor;
+        anchor.show();
+        ValuePalette* palette = ValuePalette::openUnder(anchor, f.state, true);
+        const MapKind map = f.state.activeMap();
+        const model::PaintValue first = f.state.toolSettings().value(map);
+        QTest::mouseClick(palette->findChildren<Swatch*>().last(), Qt::LeftButton);
+        QVERIFY(f.state.toolSettings().value(map) == first);
+        QCOMPARE(f.state.toolSettings().secondValue(map).scalar, 1.0F);
+    }
+
+    void a_custom_colour_outlives_its_popup()
+    {
+        PanelFixture f;
+        f.state.setActiveMap(MapKind::Colour);
+        QWidget anchor;
+        anchor.show();
+        const QPointer<ValuePalette> palette = ValuePalette::openUnder(anchor, f.state);
+        QTest::mouseClick(palette->findChild<QPushButton*>(), Qt::LeftButton);
+        QTRY_VERIFY(palette.isNull());
+        auto* dialog = anchor.findChild<QColorDialog*>();
+        QVERIFY(dialog != nullptr);
+        dialog->setCurrentColor(QColor(1, 2, 3));
+        dialog->accept();
+        QCOMPARE(f.state.toolSettings().value(MapKind::Colour).colour, QColor(1, 2, 3));
     }
 
     void hex_colours_are_typed()

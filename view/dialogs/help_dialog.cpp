@@ -91,8 +91,7 @@ QString keyPage(const std::vector<KeyBinding>& bindings)
         if (binding.section != section)
             finish();
         section = binding.section;
-        table.row(binding.action->text().remove(QLatin1Char('&')).section(QLatin1Char('\t'), 0, 0),
-                  binding.action->shortcut().toString(QKeySequence::NativeText));
+        table.row(binding.name, binding.action->shortcut().toString(QKeySequence::NativeText));
     }
     finish();
     return html;

@@ -1,10 +1,10 @@
 // The key light, the ambient light and the background, shown live.
 #include "view/dialogs/light_dialog.h"
 
+#include "model/commands/commands.h"
 #include "view/theme.h"
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/direction_ball.h"
-#include "view/widgets/live_edit.h"
 #include "view/widgets/swatch.h"
 
 #include <QColorDialog>
@@ -172,23 +172,30 @@ void LightDialog::follow()
 
 void LightDialog::preview(const Edit& edit)
 {
+    if (!m_edit.active())
+        m_state.document().endEdit(); // It may be of the same.
     // Only what was touched changes: the numbers shown are rounded.
-    model::LightSettings light = m_state.document().committed().light;
-    edit(light);
-    previewEdit(m_state.document(), {.aspect = model::Change::Aspect::Environment},
-                [light](model::Project& project) { project.light = light; });
+    m_state.document().show(m_edit, {.text = model::lightStepText()}, {.aspect = model::Change::Aspect::Environment},
+                            [light = edited(edit)](model::Project& project) { project.light = light; });
 }
 
 void LightDialog::commit(const Edit& edit)
 {
+    preview(edit);
+    m_edit.commit();
+}
+
+model::LightSettings LightDialog::edited(const Edit& edit) const
+{
     model::LightSettings light = m_state.document().committed().light;
     edit(light);
-    commitEdit(m_state.document(), [&] { return setLightCommand(m_state.document(), light); });
+    return light;
 }
 
 void LightDialog::revert()
 {
-    m_state.document().clearPreview();
+    m_edit.drop();
+    m_backgroundEdit.drop();
     follow();
 }
 
@@ -220,13 +227,16 @@ void LightDialog::chooseBackground()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Background"));
     dialog->setOption(QColorDialog::DontUseNativeDialog);
-    connect(dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
-        previewEdit(m_state.document(), {.aspect = model::Change::Aspect::Environment},
-                    [background = colour.rgb()](model::Project& project) { project.background = background; });
-    });
+    const auto show = [this](const QColor& colour) {
+        m_state.document().show(
+            m_backgroundEdit, {.text = model::backgroundStepText()}, {.aspect = model::Change::Aspect::Environment},
+            [background = colour.rgb()](model::Project& project) { project.background = background; });
+    };
+    connect(dialog, &QColorDialog::currentColorChanged, this, show);
     connect(dialog, &QColorDialog::rejected, this, &LightDialog::revert);
-    connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
-        commitEdit(m_state.document(), [&] { return setBackgroundCommand(m_state.document(), colour.rgb()); });
+    connect(dialog, &QColorDialog::colorSelected, this, [this, show](const QColor& colour) {
+        show(colour);
+        m_backgroundEdit.commit();
     });
     dialog->open();
 }

@@ -32,11 +32,14 @@ private:
     void follow();
     void preview(const Edit& edit);
     void commit(const Edit& edit);
+    [[nodiscard]] model::LightSettings edited(const Edit& edit) const;
     void revert();
     void chooseColour();
     void chooseBackground();
 
     EditorState& m_state;
+    model::EditSession m_edit; ///< Of the light.
+    model::EditSession m_backgroundEdit;
     QVBoxLayout* m_column = nullptr;
     DirectionBall* m_ball = nullptr;
     BarSlider* m_azimuth = nullptr;

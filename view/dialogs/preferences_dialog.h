@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QDialog>
 #include <QKeySequence>
+#include <QList>
 
 #include <vector>
 
@@ -33,9 +34,11 @@ struct Preferences
 /// An action whose key can be changed.
 struct KeyBinding
 {
-    QAction* action = nullptr; ///< Not owned; its text and shortcut are shown.
-    QString section;           ///< "File"
-    QKeySequence defaultKey;
+    QAction* action = nullptr;       ///< Not owned; its shortcut is shown.
+    QString section;                 ///< "File"
+    QString name;                    ///< "Undo": the menu's words without marks, and without what changes in them.
+    QList<QKeySequence> defaultKeys; ///< The first one is listed; none: it has no key of its own.
+    [[nodiscard]] QKeySequence defaultKey() const { return defaultKeys.value(0); }
 };
 
 /// Not modal; changes take effect at once.
@@ -53,6 +56,8 @@ Q_SIGNALS:
     void preferencesChanged(const hairpaint::view::Preferences& preferences);
     /// The dialog set it on the action already; the application remembers it.
     void keyChanged(QAction* action, const QKeySequence& key);
+    /// It has its own keys again; the application forgets what it remembered.
+    void keyReset(QAction* action);
 
 private:
     [[nodiscard]] QWidget* buildGeneral(const std::vector<std::pair<QString, QString>>& languages);
@@ -62,6 +67,9 @@ private:
     void filterKeys(const QString& text);
     void followKey();
     void setKey(int binding, const QKeySequence& key);
+    void resetKey(int binding);
+    void resetAllKeys();
+    void put(int binding, const QList<QKeySequence>& keys);
     [[nodiscard]] int currentBinding() const; ///< -1: none.
     [[nodiscard]] int ownerOf(const QKeySequence& key, int except) const;
 
@@ -78,6 +86,7 @@ private:
     QPushButton* m_assign = nullptr;
     QPushButton* m_clear = nullptr;
     QPushButton* m_reset = nullptr;
+    QPushButton* m_resetAll = nullptr;
     QLabel* m_remark = nullptr;
     bool m_filling = false;
 };

@@ -21,9 +21,14 @@ namespace {
 constexpr int kNameColumn = 0;
 constexpr int kKeyColumn = 1;
 
-QString plainText(const QAction& action)
+bool hasOwnKeys(const KeyBinding& binding)
 {
-    return QString(action.text()).remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+    return binding.action->shortcuts() == binding.defaultKeys;
+}
+
+QString keyText(const QList<QKeySequence>& keys)
+{
+    return keys.value(0).toString(QKeySequence::NativeText);
 }
 
 } // namespace
@@ -58,7 +63,9 @@ QWidget* PreferencesDialog::buildKeys()
     m_assign = new QPushButton(tr("Assign"), page);
     m_clear = new QPushButton(tr("Clear"), page);
     m_reset = new QPushButton(tr("Reset"), page);
-    for (QPushButton* button : {m_assign, m_clear, m_reset})
+    m_resetAll = new QPushButton(tr("Reset all"), page);
+    m_resetAll->setToolTip(tr("Gives every action its own key again"));
+    for (QPushButton* button : {m_assign, m_clear, m_reset, m_resetAll})
         button->setAutoDefault(false);
     row->addWidget(label);
     row->addWidget(m_newKey, 1);
@@ -69,7 +76,7 @@ QWidget* PreferencesDialog::buildKeys()
     auto* foot = new QHBoxLayout;
     foot->setSpacing(metrics::kGap);
     foot->addWidget(m_remark, 1);
-    for (QPushButton* button : {m_assign, m_clear, m_reset})
+    for (QPushButton* button : {m_assign, m_clear, m_reset, m_resetAll})
         foot->addWidget(button);
     layout->addLayout(foot);
     fillKeys();
@@ -79,10 +86,8 @@ QWidget* PreferencesDialog::buildKeys()
     connect(m_newKey, &QKeySequenceEdit::keySequenceChanged, this, &PreferencesDialog::followKey);
     connect(m_assign, &QPushButton::clicked, this, [this] { setKey(currentBinding(), m_newKey->keySequence()); });
     connect(m_clear, &QPushButton::clicked, this, [this] { setKey(currentBinding(), {}); });
-    connect(m_reset, &QPushButton::clicked, this, [this] {
-        if (const int binding = currentBinding(); binding >= 0)
-            setKey(binding, m_bindings[static_cast<std::size_t>(binding)].defaultKey);
-    });
+    connect(m_reset, &QPushButton::clicked, this, [this] { resetKey(currentBinding()); });
+    connect(m_resetAll, &QPushButton::clicked, this, &PreferencesDialog::resetAllKeys);
     followKey();
     return page;
 }
@@ -99,8 +104,8 @@ void PreferencesDialog::fillKeys()
             section->setFlags(Qt::ItemIsEnabled);
             section->setExpanded(true);
         }
-        auto* item = new QTreeWidgetItem(section, {plainText(*binding.action)});
-        item->setText(kKeyColumn, binding.action->shortcut().toString(QKeySequence::NativeText));
+        auto* item = new QTreeWidgetItem(section, {binding.name});
+        item->setText(kKeyColumn, keyText(binding.action->shortcuts()));
         item->setData(kNameColumn, Qt::UserRole, static_cast<int>(i));
         m_items.push_back(item);
     }
@@ -144,32 +149,69 @@ void PreferencesDialog::followKey()
     m_newKey->setEnabled(chosen);
     m_assign->setEnabled(chosen && !wanted.isEmpty());
     m_clear->setEnabled(chosen && !m_bindings[static_cast<std::size_t>(binding)].action->shortcut().isEmpty());
-    m_reset->setEnabled(chosen && m_bindings[static_cast<std::size_t>(binding)].action->shortcut() !=
-                                      m_bindings[static_cast<std::size_t>(binding)].defaultKey);
+    m_reset->setEnabled(chosen && !hasOwnKeys(m_bindings[static_cast<std::size_t>(binding)]));
+    m_resetAll->setEnabled(!std::ranges::all_of(m_bindings, hasOwnKeys));
     const int owner = chosen ? ownerOf(wanted, binding) : -1;
     if (!chosen)
         m_remark->setText(tr("Choose an action, then press its new key."));
     else if (owner >= 0)
-        m_remark->setText(tr("“%1” has this key now and will lose it.")
-                              .arg(plainText(*m_bindings[static_cast<std::size_t>(owner)].action)));
+        m_remark->setText(
+            tr("“%1” has this key now and will lose it.").arg(m_bindings[static_cast<std::size_t>(owner)].name));
     else
         m_remark->setText(tr("Press the new key in the field, then Assign."));
+}
+
+void PreferencesDialog::put(int binding, const QList<QKeySequence>& keys)
+{
+    const auto index = static_cast<std::size_t>(binding);
+    m_bindings[index].action->setShortcuts(keys);
+    m_items[index]->setText(kKeyColumn, keyText(keys));
+    if (hasOwnKeys(m_bindings[index]))
+        Q_EMIT keyReset(m_bindings[index].action);
+    else
+        Q_EMIT keyChanged(m_bindings[index].action, keys.value(0));
 }
 
 void PreferencesDialog::setKey(int binding, const QKeySequence& key)
 {
     if (binding < 0)
         return;
-    const auto put = [this](int index, const QKeySequence& its) {
-        const auto place = static_cast<std::size_t>(index);
-        m_bindings[place].action->setShortcut(its);
-        m_items[place]->setText(kKeyColumn, its.toString(QKeySequence::NativeText));
-        Q_EMIT keyChanged(m_bindings[place].action, its);
-    };
     if (const int owner = ownerOf(key, binding); owner >= 0)
         put(owner, {});
-    put(binding, key);
+    put(binding, key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key});
     m_newKey->clear();
+    followKey();
+}
+
+/// Nobody is left without a key by it: whoever took one of its keys gets its own back, or where that is taken too the
+/// key that becomes free; and whoever has none and would have that key by itself gets it back.
+void PreferencesDialog::resetKey(int binding)
+{
+    if (binding < 0)
+        return;
+    const KeyBinding& wanted = m_bindings[static_cast<std::size_t>(binding)];
+    const QKeySequence freed = wanted.action->shortcut();
+    std::vector<int> losers;
+    for (const QKeySequence& key : wanted.defaultKeys)
+        if (const int owner = ownerOf(key, binding); owner >= 0)
+            losers.push_back(owner);
+    put(binding, wanted.defaultKeys);
+    for (const int loser : losers) {
+        const QKeySequence own = m_bindings[static_cast<std::size_t>(loser)].defaultKey();
+        const QKeySequence next = ownerOf(own, loser) < 0 ? own : freed;
+        put(loser, ownerOf(next, loser) < 0 && !next.isEmpty() ? QList<QKeySequence>{next} : QList<QKeySequence>());
+    }
+    for (std::size_t i = 0; i < m_bindings.size(); ++i)
+        if (m_bindings[i].action->shortcut().isEmpty() && !freed.isEmpty() && m_bindings[i].defaultKey() == freed &&
+            ownerOf(freed, static_cast<int>(i)) < 0)
+            put(static_cast<int>(i), m_bindings[i].defaultKeys);
+    followKey();
+}
+
+void PreferencesDialog::resetAllKeys()
+{
+    for (std::size_t i = 0; i < m_bindings.size(); ++i)
+        put(static_cast<int>(i), m_bindings[i].defaultKeys);
     followKey();
 }
 

@@ -1,10 +1,10 @@
 // The moving air, shown live.
 #include "view/dialogs/wind_dialog.h"
 
+#include "model/commands/commands.h"
 #include "view/theme.h"
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/direction_ball.h"
-#include "view/widgets/live_edit.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -131,23 +131,29 @@ void WindDialog::follow()
 
 void WindDialog::preview(const Edit& edit)
 {
+    if (!m_edit.active())
+        m_state.document().endEdit(); // It may be of the same.
     // Only what was touched changes: the numbers shown are rounded.
-    sim::Wind wind = m_state.document().committed().wind;
-    edit(wind);
-    previewEdit(m_state.document(), {.aspect = model::Change::Aspect::Environment},
-                [wind](model::Project& project) { project.wind = wind; });
+    m_state.document().show(m_edit, {.text = model::windStepText()}, {.aspect = model::Change::Aspect::Environment},
+                            [wind = edited(edit)](model::Project& project) { project.wind = wind; });
 }
 
 void WindDialog::commit(const Edit& edit)
 {
+    preview(edit);
+    m_edit.commit();
+}
+
+sim::Wind WindDialog::edited(const Edit& edit) const
+{
     sim::Wind wind = m_state.document().committed().wind;
     edit(wind);
-    commitEdit(m_state.document(), [&] { return setWindCommand(m_state.document(), wind); });
+    return wind;
 }
 
 void WindDialog::revert()
 {
-    m_state.document().clearPreview();
+    m_edit.drop();
     follow();
 }
 

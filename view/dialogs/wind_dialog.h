@@ -30,9 +30,11 @@ private:
     void follow();
     void preview(const Edit& edit);
     void commit(const Edit& edit);
+    [[nodiscard]] sim::Wind edited(const Edit& edit) const;
     void revert();
 
     EditorState& m_state;
+    model::EditSession m_edit;
     QCheckBox* m_enabled = nullptr;
     DirectionBall* m_ball = nullptr;
     BarSlider* m_azimuth = nullptr;

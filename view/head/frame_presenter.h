@@ -36,14 +36,10 @@ public:
 
 Q_SIGNALS:
     void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
+    /// Whether a still picture is being made finer; false once it is as fine as a saved one or something moves.
+    void refining(bool on);
     /// No picture can be drawn: one sentence.
     void failed(const QString& reason);
 };
-
-/// Of pictures that are kept.
-[[nodiscard]] inline rendering::Quality pictureQuality()
-{
-    return {.detail = 1.0F, .samples = 4, .smoothSegments = 16};
-}
 
 } // namespace hairpaint::view

@@ -12,6 +12,12 @@
 
 namespace hairpaint::view {
 
+namespace {
+
+constexpr double kMostRefinedMs = 250.0; ///< The next step may take four times as long.
+
+} // namespace
+
 class GlPresenter::Canvas : public QOpenGLWidget
 {
 public:
@@ -43,7 +49,7 @@ public:
         if (!m_renderer)
             return {};
         makeCurrent();
-        m_renderer->draw(scene, pictureQuality(), size.width(), size.height());
+        m_renderer->draw(scene, rendering::pictureQuality(), size.width(), size.height());
         m_renderer->read(m_pixels);
         doneCurrent();
         update(); // The renderer's target has another size now.
@@ -73,13 +79,16 @@ protected:
         if (!m_renderer || !m_shot)
             return;
         const QSize size = (QSizeF(this->size()) * devicePixelRatioF()).toSize();
-        m_renderer->draw(m_shot->scene, m_governor.quality(), size.width(), size.height());
+        m_renderer->draw(m_shot->scene, m_governor.begin(m_shot->still), size.width(), size.height());
         m_renderer->blitTo(defaultFramebufferObject(), size.width(), size.height());
-        m_governor.observe(m_renderer->statistics(), m_shot->allHairs, m_shot->still);
-        const bool refines = m_shot->still && m_governor.wantsRefinement();
+        m_governor.observe(m_renderer->statistics(), m_shot->allHairs);
+        // This is the GUI thread: a GPU that is slow already is not asked for more.
+        const bool refines =
+            m_shot->still && m_governor.wantsRefinement() && m_renderer->statistics().milliseconds < kMostRefinedMs;
         QMetaObject::invokeMethod(
             this,
             [this, refines, statistics = m_renderer->statistics()] {
+                Q_EMIT m_owner.refining(refines);
                 Q_EMIT m_owner.frameDrawn(statistics);
                 if (refines)
                     update();

@@ -117,6 +117,53 @@ rendering::Camera between(const rendering::Camera& from, const rendering::Camera
     return t >= 1.0F ? to : camera;
 }
 
+rendering::Camera lookingAt(const rendering::Camera& camera, glm::vec3 placeWo, glm::vec3 normalWo)
+{
+    constexpr float kSteepestRad = 1.3F;
+    rendering::Camera turned = camera;
+    const glm::vec3 normal = glm::normalize(normalWo);
+    turned.elevationRad = std::clamp(std::asin(std::clamp(normal.y, -1.0F, 1.0F)), -kSteepestRad, kSteepestRad);
+    if (std::hypot(normal.x, normal.z) > 0.05F) // Straight up or down every side is as good.
+        turned.azimuthRad = std::atan2(normal.x, normal.z);
+    const std::optional<QPointF> seen = project(turned, placeWo, QSizeF(1.0, 1.0));
+    if (!seen || !QRectF(0.1, 0.1, 0.8, 0.8).contains(*seen))
+        turned.targetWo = placeWo;
+    return turned;
+}
+
+bool hidden(const sim::SurfacePoint& point, const sim::Skin* skin, const rendering::Camera& camera,
+            const sim::HeadPose& pose)
+{
+    constexpr float kNearM = 0.004F; // The picked place lies on the same bit of skin.
+    const glm::vec3 placeWo = inWorld(point.positionHd, pose);
+    const glm::vec3 towardPlace = placeWo - camera.eyeWo();
+    if (glm::dot(pose.rotation * point.normalHd, towardPlace) >= 0.0F || skin == nullptr)
+        return true;
+    const std::optional<sim::SurfacePoint> first =
+        skin->pick(inHead({camera.eyeWo(), glm::normalize(towardPlace)}, pose));
+    return first && glm::distance(first->positionHd, point.positionHd) > kNearM;
+}
+
+QPolygonF ringSeen(const sim::SurfacePoint& point, float radiusM, const rendering::Camera& camera,
+                   const sim::HeadPose& pose, QSizeF size)
+{
+    constexpr int kCorners = 48;
+    const glm::vec3 normal = glm::normalize(point.normalHd);
+    const glm::vec3 aside = std::abs(normal.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
+    const glm::vec3 across = glm::normalize(glm::cross(aside, normal)) * radiusM;
+    const glm::vec3 along = glm::cross(normal, across);
+    QPolygonF ring;
+    for (int i = 0; i < kCorners; ++i) {
+        const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kCorners;
+        const glm::vec3 cornerHd = point.positionHd + across * std::cos(angle) + along * std::sin(angle);
+        const std::optional<QPointF> corner = project(camera, inWorld(cornerHd, pose), size);
+        if (!corner)
+            return {};
+        ring.push_back(*corner);
+    }
+    return ring;
+}
+
 sim::HeadPose turned(const sim::HeadPose& start, const rendering::Camera& camera, QPointF pixels)
 {
     const float yaw = static_cast<float>(pixels.x()) * kTurnRadPerPx;

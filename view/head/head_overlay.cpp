@@ -2,6 +2,7 @@
 #include "view/head/head_overlay.h"
 
 #include "view/head/head_camera.h"
+#include "view/painted_area.h"
 
 #include <QPainter>
 
@@ -53,6 +54,7 @@ void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, cons
                             const rendering::Camera& camera, const sim::HeadPose& pose)
 {
     m_lines.clear();
+    m_handles.clear();
     for (const model::OverlayShape& shape : shapes) {
         const qsizetype corners = shape.uvOutline.size();
         QPolygonF line;
@@ -73,13 +75,24 @@ void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, cons
         }
         if (!line.isEmpty())
             m_lines.push_back(line);
+        for (qsizetype i = 0; skin != nullptr && i < shape.uvHandles.size(); ++i)
+            if (const auto at = shownAt(shape.uvHandles[i], *skin, camera, pose, QSizeF(size())))
+                m_handles.push_back(*at);
     }
+    showIfNeeded();
+}
+
+void HeadOverlay::setGhost(const QPolygonF& ring)
+{
+    if (ring == m_ghost)
+        return;
+    m_ghost = ring;
     showIfNeeded();
 }
 
 void HeadOverlay::showIfNeeded()
 {
-    setVisible(!m_message.isEmpty() || !m_lines.empty());
+    setVisible(!m_message.isEmpty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty());
     update();
 }
 
@@ -93,6 +106,29 @@ void HeadOverlay::paintEvent(QPaintEvent*)
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         for (const QPolygonF& line : m_lines)
             painter.drawPolyline(line);
+    }
+    painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
+    painter.setBrush(QColor(255, 255, 255, 235));
+    for (const QPointF& handle : m_handles)
+        painter.drawRect(handleAt(handle));
+    if (!m_ghost.isEmpty()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(0, 0, 0, 120), 3.0));
+        painter.drawPolygon(m_ghost);
+        QPen dashes(QColor(255, 255, 255, 200), 1.5);
+        dashes.setDashPattern({3.0, 3.0});
+        painter.setPen(dashes);
+        painter.drawPolygon(m_ghost);
+        const QString words = tr("on the far side");
+        painter.setFont(themeFont(TextRole::Status));
+        const QRectF bounds = m_ghost.boundingRect();
+        const double width = painter.fontMetrics().horizontalAdvance(words) + 12.0;
+        const QRectF label(bounds.center().x() - width / 2.0, bounds.bottom() + 6.0, width, 18.0);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(0, 0, 0, 140));
+        painter.drawRoundedRect(label, 4.0, 4.0);
+        painter.setPen(QColor(255, 255, 255, 225));
+        painter.drawText(label, Qt::AlignCenter, words);
     }
     if (!m_message.isEmpty()) {
         painter.fillRect(rect(), m_theme.window);

@@ -25,6 +25,10 @@ public:
     void setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
                    const rendering::Camera& camera, const sim::HeadPose& pose);
 
+    /// The brush's ring where the head hides it, in this widget's coordinates; empty where it is seen.
+    void setGhost(const QPolygonF& ring);
+    [[nodiscard]] const QPolygonF& ghost() const { return m_ghost; }
+
 protected:
     void paintEvent(QPaintEvent* event) override;
 
@@ -33,7 +37,9 @@ private:
 
     Theme m_theme;
     QString m_message;
-    std::vector<QPolygonF> m_lines; ///< In this widget's coordinates.
+    std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next two.
+    QPolygonF m_handles;
+    QPolygonF m_ghost;
 };
 
 } // namespace hairpaint::view

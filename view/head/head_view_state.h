@@ -6,6 +6,8 @@
 #include "view/head/head_camera.h"
 #include "view/head/head_overlay.h"
 #include "view/head/puff_gesture.h"
+#include "view/head/stillness.h"
+#include "view/head/view_signs.h"
 #include "view/head_view.h"
 #include "view/held_keys.h"
 #include "view/pointer.h"
@@ -41,6 +43,7 @@ struct HeadView::State
     FramePresenter* presenter = nullptr; ///< A child; null where nothing can be drawn.
     HeadOverlay* overlay = nullptr;      ///< Children.
     WeatherOverlay* weather = nullptr;
+    ViewSigns* signs = nullptr;
 
     rendering::Scene scene; ///< Its camera is the view's.
     QVariantAnimation turning;
@@ -49,12 +52,17 @@ struct HeadView::State
 
     QBasicTimer drawSoon;
     QElapsedTimer sinceDraw;
-    QBasicTimer settle;  ///< Draws once more, finer, when the camera has come to rest.
-    bool paused = false; ///< No frame will come but for what is painted.
-    bool moving = false;
+    QBasicTimer settle; ///< When it fires the picture has been still for a moment: it is refined from then on.
+    bool still = false; ///< What is shown stays as it is, though hair may go on moving by less than a pixel.
+    bool paused = false;
+    bool refining = false;
+    Stillness stillness;
+
+    std::optional<sim::SurfacePoint> brush; ///< Where it was last.
 
     Drag drag = Drag::None;
     PointerSample pressed;
+    PointerSample strokeAt; ///< Where the stroke got to.
     rendering::Camera cameraBefore;
     sim::HeadPose poseBefore;
     model::LightSettings lightBefore;

@@ -4,6 +4,7 @@
 #include "view/gl_problem.h"
 #include "view/rendering/offscreen_context.h"
 
+#include <new>
 #include <utility>
 
 namespace hairpaint::view {
@@ -50,11 +51,21 @@ public:
         if (!m_last || !start().works)
             return;
         const Shot& shot = m_last->shot;
-        m_renderer->draw(shot.scene, m_governor.quality(), m_last->size.width(), m_last->size.height());
-        m_governor.observe(m_renderer->statistics(), shot.allHairs, shot.still);
-        m_frames.put({readImage(m_last->size), m_renderer->statistics()});
+        // A fine picture may take seconds: whatever comes meanwhile goes first.
+        rendering::Renderer::Progress goesOn;
+        if (shot.still)
+            goesOn = [this](double) { return !m_jobs.waiting(); };
+        try {
+            if (!m_renderer->drawPatiently(shot.scene, m_governor.begin(shot.still), m_last->size.width(),
+                                           m_last->size.height(), goesOn))
+                return;
+            m_governor.observe(m_renderer->statistics(), shot.allHairs);
+            m_refines = shot.still && m_governor.wantsRefinement();
+            m_frames.put({readImage(m_last->size), m_renderer->statistics(), m_refines});
+        } catch (const std::bad_alloc&) {
+            return; // The last picture stays until there is memory for another.
+        }
         Q_EMIT m_owner.frameReady();
-        m_refines = shot.still && m_governor.wantsRefinement();
         if (m_refines)
             QMetaObject::invokeMethod(
                 this, [this] { drawLatest(); }, Qt::QueuedConnection);
@@ -64,7 +75,7 @@ public:
     {
         if (!start().works)
             return {};
-        m_renderer->draw(scene, pictureQuality(), size.width(), size.height());
+        m_renderer->draw(scene, rendering::pictureQuality(), size.width(), size.height());
         return readImage(size);
     }
 

@@ -19,7 +19,8 @@ struct RenderStart
 };
 
 /// Methods are called on the GUI thread; the off-screen context, the renderer and the governor live on the other.
-/// Shots and finished frames wait in mailboxes: the latest wins on both sides.
+/// Shots and finished frames wait in mailboxes: the latest wins on both sides. A shot that comes while a still picture
+/// is refined ends that within a batch of strands.
 class RenderThread : public QObject
 {
     Q_OBJECT
@@ -36,6 +37,7 @@ public:
     {
         QImage image;
         rendering::FrameStatistics statistics;
+        bool refines = false; ///< A finer one follows unless something moves.
     };
     /// The newest frame since the last call.
     [[nodiscard]] std::optional<Frame> takeFrame();

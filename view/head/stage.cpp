@@ -1,8 +1,11 @@
 // The stage's camera.
 #include "view/head/stage.h"
 
+#include "model/heads/bust_landmarks.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace hairpaint::view {
 
@@ -22,10 +25,10 @@ float highestSeen(const rendering::Camera& camera, const sim::StrandFrame& hair)
     for (const sim::GroupFrame& group : hair.groups) {
         if (!group.groom->visible)
             continue;
-        for (std::size_t row = 0; row + 3 * sim::kLanes <= group.positions.size(); row += 3 * sim::kLanes)
+        constexpr std::size_t kRow = sim::StrandBlocks::kNodeStride;
+        for (std::size_t row = 0; row + kRow <= group.positions.size(); row += kRow)
             for (std::size_t lane = row; lane < row + sim::kLanes; ++lane) {
-                const glm::vec3 node(group.positions[lane], group.positions[lane + sim::kLanes],
-                                     group.positions[lane + 2 * sim::kLanes]);
+                const glm::vec3 node = sim::StrandBlocks::load(group.positions.data() + lane);
                 const glm::vec3 offset = node - camera.targetWo;
                 const float nearness = std::max(0.1F, 1.0F - glm::dot(offset, towardEye) / camera.distanceM);
                 highest = std::max(highest, glm::dot(offset, up) / nearness);
@@ -56,7 +59,41 @@ rendering::Camera stageOf(rendering::Camera camera, const model::Head& head, con
     return camera;
 }
 
+/// Of a bust the head alone, of other heads everything.
+void addHead(std::vector<glm::vec3>& pointsWo, const model::Head& head)
+{
+    constexpr float kBelowChinM = 0.01F;
+    const float lowest = head.builtIn ? heads::bustLandmarks().chin.y - kBelowChinM : -1e9F;
+    std::ranges::copy_if(head.skin->mesh().positionsHd, std::back_inserter(pointsWo),
+                         [lowest](const glm::vec3& position) { return position.y >= lowest; });
+}
+
+void addHair(std::vector<glm::vec3>& pointsWo, const sim::StrandFrame& hair)
+{
+    for (const sim::GroupFrame& group : hair.groups) {
+        if (!group.groom || !group.groom->visible)
+            continue;
+        // Slots that are no hair lie in the head's centre and change nothing.
+        for (std::size_t row = 0; row + 3 * sim::kLanes <= group.positions.size(); row += 3 * sim::kLanes)
+            for (std::size_t lane = row; lane < row + sim::kLanes; ++lane)
+                pointsWo.emplace_back(group.positions[lane], group.positions[lane + sim::kLanes],
+                                      group.positions[lane + 2 * sim::kLanes]);
+    }
+}
+
 } // namespace
+
+rendering::Camera pictureCamera(rendering::StandardView view, rendering::Fit fit, const model::Head& head,
+                                const sim::StrandFrame* hair, float aspect)
+{
+    std::vector<glm::vec3> pointsWo;
+    if (fit != rendering::Fit::Bust)
+        addHead(pointsWo, head);
+    if (fit == rendering::Fit::Hair && hair != nullptr)
+        addHair(pointsWo, *hair);
+    return pointsWo.empty() ? rendering::standardCamera(view, head.skin->mesh())
+                            : rendering::fittedCamera(view, pointsWo, aspect);
+}
 
 rendering::Camera stageCamera(rendering::StandardView view, const model::Head& head, const sim::HeadMesh& mesh,
                               const sim::StrandFrame* hair)

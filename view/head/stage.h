@@ -16,4 +16,8 @@ namespace hairpaint::view {
 [[nodiscard]] rendering::Camera stageCamera(const rendering::Camera& from, const model::Head& head,
                                             const sim::HeadMesh& mesh, const sim::StrandFrame* hair);
 
+/// The camera of a picture of `aspect` (width over height): see rendering::Fit. `hair` may be null.
+[[nodiscard]] rendering::Camera pictureCamera(rendering::StandardView view, rendering::Fit fit, const model::Head& head,
+                                              const sim::StrandFrame* hair, float aspect);
+
 } // namespace hairpaint::view

@@ -15,8 +15,8 @@ struct Landmark
     glm::vec2 uv{0.0F};
 };
 
-/// Places on the skin, so they follow the layout. Empty for imported heads, whose proportions nobody
-/// knows.
+/// Places on the skin, so they follow the layout: the built-in head's named points, where "left ear" tells the sides
+/// apart. Of imported heads, whose proportions nobody knows, the two sides where they are widest.
 [[nodiscard]] std::vector<Landmark> landmarksOf(const model::Head& head);
 
 } // namespace hairpaint::view

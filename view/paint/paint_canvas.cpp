@@ -126,21 +126,22 @@ void PaintCanvas::drawLandmarks(QPainter& painter, const Look& look) const
     font.setPixelSize(11);
     painter.setFont(font);
     const QFontMetricsF metrics(font);
-    const QColor text = look.nightPaper ? QColor(255, 255, 255, 150) : QColor(20, 24, 30, 160);
-    const QColor halo = look.nightPaper ? QColor(0, 0, 0, 120) : QColor(255, 255, 255, 140);
+    // On a ground of their own, so that they are read on every map's colours.
+    const QColor text = look.nightPaper ? QColor(255, 255, 255, 225) : QColor(20, 24, 30, 235);
+    const QColor ground = look.nightPaper ? QColor(0, 0, 0, 140) : QColor(255, 255, 255, 170);
     for (const Landmark& landmark : m_landmarks) {
         const QPointF at = look.transform.toWidget(landmark.uv);
         painter.setPen(Qt::NoPen);
-        painter.setBrush(halo);
-        painter.drawEllipse(at, 3.0, 3.0);
+        painter.setBrush(ground);
+        painter.drawEllipse(at, 3.5, 3.5);
         painter.setBrush(text);
         painter.drawEllipse(at, 1.75, 1.75);
-        painter.setBrush(Qt::NoBrush);
-        const QPointF base = at + QPointF(-metrics.horizontalAdvance(landmark.name) / 2.0, metrics.ascent() + 4.0);
-        painter.setPen(halo);
-        painter.drawText(base + QPointF(0.0, 1.0), landmark.name);
+        const double width = metrics.horizontalAdvance(landmark.name) + 8.0;
+        const QRectF label(at.x() - width / 2.0, at.y() + 6.0, width, metrics.height() + 1.0);
+        painter.setBrush(ground);
+        painter.drawRoundedRect(label, 4.0, 4.0);
         painter.setPen(text);
-        painter.drawText(base, landmark.name);
+        painter.drawText(label, Qt::AlignCenter, landmark.name);
     }
 }
 

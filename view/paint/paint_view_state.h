@@ -3,6 +3,7 @@
 
 #include "view/editor_state.h"
 #include "view/held_keys.h"
+#include "view/map_legend.h"
 #include "view/paint/paint_canvas.h"
 #include "view/paint_view.h"
 #include "view/pointer.h"
@@ -31,6 +32,7 @@ struct PaintView::State
     Theme theme;
     HeldKeys keys;
     PaintCanvas canvas;
+    MapLegend* legend = nullptr; ///< A child.
     UvTransform transform;
     bool fitted = true; ///< Nobody has moved the view: resizing fits it again.
 

@@ -1,19 +1,21 @@
 // The hair groups and the active group's settings.
 #include "view/panels/hair_panel.h"
 
+#include "model/commands/commands.h"
+#include "model/group_schema.h"
 #include "model/names.h"
-#include "view/panels/hair_settings.h"
+#include "view/panels/hair_kinds.h"
 #include "view/panels/layer_list.h"
 #include "view/theme.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
-#include "view/widgets/live_edit.h"
 #include "view/widgets/section.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -23,6 +25,9 @@
 namespace hairpaint::view {
 
 using model::Change;
+using model::GroupSetting;
+using model::schemaText;
+using model::SettingSection;
 using sim::GroupSettings;
 using sim::TurnsMode;
 
@@ -73,14 +78,14 @@ void HairPanel::buildGroups(QVBoxLayout& layout)
     section->body().addWidget(m_groups);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(metrics::kGrid);
-    QToolButton* add = makeActionButton(QStringLiteral("group-add"), tr("Add hair group"), section);
+    m_add = makeActionButton(QStringLiteral("group-add"), tr("Add hair group: choose what grows"), section);
     m_remove = makeActionButton(QStringLiteral("remove"), tr("Remove hair group (Delete)"), section);
-    buttons->addWidget(add);
+    buttons->addWidget(m_add);
     buttons->addStretch(1);
     buttons->addWidget(m_remove);
     section->body().addLayout(buttons);
     layout.addWidget(section);
-    connect(add, &QToolButton::clicked, this, &HairPanel::addGroup);
+    connect(m_add, &QToolButton::clicked, this, &HairPanel::askWhatGrows);
     connect(m_remove, &QToolButton::clicked, this, &HairPanel::removeGroup);
     connect(m_groups, &LayerList::removeWanted, this, &HairPanel::removeGroup);
     connect(m_groups, &LayerList::currentRowChanged, this, [this](int row) {
@@ -111,72 +116,76 @@ void HairPanel::buildSettings(QVBoxLayout& layout)
                                                          {SettingSection::Look, tr("Look")}};
     for (const auto& [kind, title] : titles) {
         auto* section = new Section(title, this);
-        for (const SettingRow& row : settingRows()) {
-            if (row.section == kind)
+        for (const GroupSetting& row : model::groupSchema()) {
+            if (row.section != kind)
+                continue;
+            if (!row.choices.empty())
+                section->body().addWidget(makeChoice(row, section));
+            else if (row.isSwitch())
+                section->body().addWidget(makeSwitch(row, section));
+            else
                 section->body().addWidget(makeSlider(row, section));
         }
-        if (kind == SettingSection::Shape)
-            buildTurns(*section);
         layout.addWidget(section);
         m_settings.push_back(section);
     }
 }
 
-BarSlider* HairPanel::makeSlider(const SettingRow& row, QWidget* parent)
+QWidget* HairPanel::makeChoice(const GroupSetting& row, QWidget* parent)
 {
-    auto* slider = new BarSlider(settingText(row.label), parent);
-    slider->setRange(row.minimum, row.maximum, row.decimals);
+    auto* box = new QComboBox(parent);
+    box->setAccessibleName(schemaText(row.hint));
+    box->setToolTip(box->accessibleName());
+    for (const model::SettingChoice& choice : row.choices)
+        box->addItem(schemaText(choice.title));
+    connect(box, &QComboBox::activated, this, [this, &row](int index) { change(row, index); });
+    m_followers.emplace_back(
+        [box, &row](const GroupSettings& settings) { box->setCurrentIndex(static_cast<int>(row.read(settings))); });
+    return box;
+}
+
+QWidget* HairPanel::makeSwitch(const GroupSetting& row, QWidget* parent)
+{
+    auto* box = new QCheckBox(schemaText(row.hint), parent);
+    connect(box, &QCheckBox::clicked, this, [this, &row](bool on) { change(row, on ? 1.0 : 0.0); });
+    m_followers.emplace_back(
+        [box, &row](const GroupSettings& settings) { box->setChecked(row.read(settings) != 0.0); });
+    return box;
+}
+
+QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
+{
+    auto* slider = new BarSlider(schemaText(row.label), parent);
+    slider->setRange(row.sliderLeast, row.sliderGreatest, row.decimals);
     slider->setExponent(row.exponent);
-    slider->setUnit(*row.unit != '\0' ? settingText(row.unit) : QString());
-    slider->setDefaultValue(row.read(GroupSettings{}));
-    slider->setHint(settingText(row.hint));
-    bind(*slider, row.write);
-    m_sliders.emplace_back(&row, slider);
+    slider->setUnit(schemaText(row.unit));
+    slider->setDefaultValue(row.shown(GroupSettings{}));
+    slider->setHint(schemaText(row.hint));
+    // A session a slider: moving one ends, and keeps, what another one left open.
+    auto session = std::make_shared<model::EditSession>();
+    const auto show = [this, &row, session](double value) {
+        const model::HairGroup* shown = group();
+        if (shown == nullptr)
+            return;
+        m_state.document().show(*session, {.text = settingText(row, *shown)},
+                                {.aspect = Change::Aspect::Settings, .group = shown->id},
+                                [id = shown->id, &row, value](model::Project& project) {
+                                    if (model::HairGroup* one = project.group(id))
+                                        row.writeShown(one->settings, value);
+                                });
+    };
+    connect(slider, &BarSlider::valueChanged, this, show);
+    connect(slider, &BarSlider::editingFinished, this, [show, session](double value) {
+        show(value);
+        session->commit();
+    });
+    connect(slider, &BarSlider::editingCancelled, this, [session] { session->drop(); });
+    const bool needsPerLength = row.member == model::SettingMember(&GroupSettings::turnsPerLengthM);
+    m_followers.emplace_back([slider, &row, needsPerLength](const GroupSettings& settings) {
+        slider->setValue(row.shown(settings));
+        slider->setVisible(!needsPerLength || settings.turnsMode == TurnsMode::PerLength);
+    });
     return slider;
-}
-
-void HairPanel::bind(BarSlider& slider, void (*write)(GroupSettings&, double))
-{
-    connect(&slider, &BarSlider::valueChanged, this, [this, write](double value) {
-        const model::Id id = m_state.activeGroup();
-        previewEdit(m_state.document(), {.aspect = Change::Aspect::Settings, .group = id},
-                    [id, write, value](model::Project& project) {
-                        if (model::HairGroup* one = project.group(id))
-                            write(one->settings, value);
-                    });
-    });
-    connect(&slider, &BarSlider::editingFinished, this, [this, &slider, write](double value) {
-        changeSettings(slider.label(), [=](GroupSettings& settings) { write(settings, value); });
-    });
-    connect(&slider, &BarSlider::editingCancelled, this, [this] { m_state.document().clearPreview(); });
-}
-
-void HairPanel::buildTurns(Section& section)
-{
-    m_turnsMode = new QComboBox(&section);
-    m_turnsMode->setAccessibleName(tr("What the turns of a curl are counted by"));
-    m_turnsMode->setToolTip(m_turnsMode->accessibleName());
-    m_turnsMode->addItem(tr("Turns per hair"));
-    m_turnsMode->addItem(tr("Turns per length"));
-    m_turnsPerLength = new BarSlider(tr("Turns are for"), &section);
-    m_turnsPerLength->setRange(1.0, 100.0, 1);
-    m_turnsPerLength->setExponent(2.0);
-    m_turnsPerLength->setUnit(tr("cm"));
-    m_turnsPerLength->setDefaultValue(10.0);
-    bind(*m_turnsPerLength,
-         [](GroupSettings& settings, double cm) { settings.turnsPerLengthM = static_cast<float>(cm / 100.0); });
-    m_stepped = new QCheckBox(tr("Whole curl levels only"), &section);
-    section.body().addWidget(m_turnsMode);
-    section.body().addWidget(m_turnsPerLength);
-    section.body().addWidget(m_stepped);
-    connect(m_turnsMode, &QComboBox::activated, this, [this](int index) {
-        changeSettings(tr("Turns mode"), [index](GroupSettings& settings) {
-            settings.turnsMode = index == 0 ? TurnsMode::PerHair : TurnsMode::PerLength;
-        });
-    });
-    connect(m_stepped, &QCheckBox::clicked, this, [this](bool on) {
-        changeSettings(tr("Curl levels"), [on](GroupSettings& settings) { settings.steppedTurns = on; });
-    });
 }
 
 const model::HairGroup* HairPanel::group() const
@@ -184,18 +193,21 @@ const model::HairGroup* HairPanel::group() const
     return m_state.document().project().group(m_state.activeGroup());
 }
 
-void HairPanel::changeSettings(const QString& what, const std::function<void(GroupSettings&)>& edit)
+QString HairPanel::settingText(const GroupSetting& row, const model::HairGroup& group)
+{
+    return tr("%1 of \"%2\"").arg(schemaText(row.label), model::shownName(group.name));
+}
+
+void HairPanel::change(const GroupSetting& row, double value)
 {
     const model::Id id = m_state.activeGroup();
-    commitEdit(m_state.document(), [&]() -> model::CommandPtr {
-        const model::HairGroup* found = m_state.document().committed().group(id);
-        if (found == nullptr)
-            return nullptr;
-        GroupSettings settings = found->settings;
-        edit(settings);
-        return setSettingsCommand(m_state.document(), id, settings,
-                                  tr("%1 of \"%2\"").arg(what, model::shownName(found->name)));
-    });
+    m_state.document().endEdit();
+    const model::HairGroup* found = m_state.document().committed().group(id);
+    if (found == nullptr)
+        return;
+    GroupSettings settings = found->settings;
+    row.write(settings, value);
+    m_state.document().push(setSettingsCommand(m_state.document(), id, settings, settingText(row, *found)));
 }
 
 void HairPanel::rebuildGroups()
@@ -233,20 +245,33 @@ void HairPanel::follow()
         section->setEnabled(shown != nullptr);
     if (shown == nullptr)
         return;
-    const GroupSettings& settings = shown->settings;
-    for (const auto& [row, slider] : m_sliders)
-        slider->setValue(row->read(settings));
-    m_turnsMode->setCurrentIndex(settings.turnsMode == TurnsMode::PerHair ? 0 : 1);
-    m_turnsPerLength->setVisible(settings.turnsMode == TurnsMode::PerLength);
-    m_turnsPerLength->setValue(static_cast<double>(settings.turnsPerLengthM) * 100.0);
-    m_stepped->setChecked(settings.steppedTurns);
+    for (const auto& follower : m_followers)
+        follower(shown->settings);
 }
 
-void HairPanel::addGroup()
+void HairPanel::askWhatGrows()
 {
-    const auto count = m_state.document().committed().groups.size();
-    m_state.document().push(addGroupCommand(m_state.document(), model::groupName(static_cast<qsizetype>(count) + 1)));
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("whatGrows"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addSection(tr("What grows?"));
+    for (const HairKind& kind : hairKinds())
+        menu->addAction(titleOf(kind), this, [this, &kind] { addGroup(kind); });
+    menu->popup(m_add->mapToGlobal(QPoint(0, m_add->height())));
+}
+
+void HairPanel::addGroup(const HairKind& kind)
+{
+    const auto& groups = m_state.document().committed().groups;
+    QString name = QLatin1StringView(kind.name);
+    if (name.isEmpty() || std::ranges::find(groups, name, &model::HairGroup::name) != groups.end())
+        name = model::groupName(static_cast<qsizetype>(groups.size()) + 1);
+    GroupSettings settings;
+    kind.apply(settings);
+    m_state.document().push(addGroupCommand(m_state.document(), name, settings));
     m_state.setActiveGroup(m_state.document().project().groups.back().id);
+    m_state.setActiveMap(model::MapKind::Density);
+    m_state.setActiveTool(model::ToolId::Brush);
 }
 
 void HairPanel::removeGroup()

@@ -7,17 +7,18 @@
 
 #include <functional>
 
-class QCheckBox;
-class QComboBox;
 class QToolButton;
 class QVBoxLayout;
 
+namespace hairpaint::model {
+struct GroupSetting;
+} // namespace hairpaint::model
+
 namespace hairpaint::view {
 
-class BarSlider;
 class LayerList;
 class Section;
-struct SettingRow;
+struct HairKind;
 
 class HairPanel : public QWidget
 {
@@ -25,29 +26,32 @@ class HairPanel : public QWidget
 public:
     explicit HairPanel(EditorState& state, QWidget* parent = nullptr);
 
-    void addGroup();
+    /// Shows a list of what can grow; the one chosen is added.
+    void askWhatGrows();
+    /// Adds a group of that kind, ready to be painted: its Density is the map that is painted then.
+    void addGroup(const HairKind& kind);
     void removeGroup();
 
 private:
     void buildGroups(QVBoxLayout& layout);
     void buildSettings(QVBoxLayout& layout);
-    void buildTurns(Section& section);
-    [[nodiscard]] BarSlider* makeSlider(const SettingRow& row, QWidget* parent);
-    /// Previews while the slider moves, one command when it is let go.
-    void bind(BarSlider& slider, void (*write)(sim::GroupSettings&, double));
+    [[nodiscard]] QWidget* makeChoice(const model::GroupSetting& row, QWidget* parent);
+    [[nodiscard]] QWidget* makeSwitch(const model::GroupSetting& row, QWidget* parent);
+    [[nodiscard]] QWidget* makeSlider(const model::GroupSetting& row, QWidget* parent);
+    /// One command; `value` in SI units.
+    void change(const model::GroupSetting& row, double value);
     void rebuildGroups();
     void follow();
     [[nodiscard]] const model::HairGroup* group() const;
-    void changeSettings(const QString& what, const std::function<void(sim::GroupSettings&)>& edit);
+    [[nodiscard]] static QString settingText(const model::GroupSetting& row, const model::HairGroup& group);
 
     EditorState& m_state;
     LayerList* m_groups = nullptr;
+    QToolButton* m_add = nullptr;
     QToolButton* m_remove = nullptr;
     std::vector<QWidget*> m_settings; ///< Sections that need a group.
-    std::vector<std::pair<const SettingRow*, BarSlider*>> m_sliders;
-    QComboBox* m_turnsMode = nullptr;
-    QCheckBox* m_stepped = nullptr;
-    BarSlider* m_turnsPerLength = nullptr;
+    /// Each shows the group's settings in its control.
+    std::vector<std::function<void(const sim::GroupSettings&)>> m_followers;
     bool m_filling = false;
 };
 

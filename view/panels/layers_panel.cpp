@@ -1,19 +1,22 @@
 // The layers of the active map.
 #include "view/panels/layers_panel.h"
 
+#include "model/commands/commands.h"
 #include "model/names.h"
 #include "view/panels/layer_list.h"
 #include "view/panels/map_thumbnail.h"
 #include "view/theme.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
-#include "view/widgets/live_edit.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -24,11 +27,6 @@ using model::LayerProperties;
 namespace {
 
 constexpr int kThumbnailMs = 120;
-
-QString blendTitle(model::BlendMode mode)
-{
-    return mode == model::BlendMode::Multiply ? LayersPanel::tr("Multiply") : LayersPanel::tr("Normal");
-}
 
 } // namespace
 
@@ -120,25 +118,54 @@ void LayersPanel::connectList()
         },
         Qt::QueuedConnection);
     connect(m_list, &LayerList::removeWanted, this, &LayersPanel::removeLayer);
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_list, &QWidget::customContextMenuRequested, this, &LayersPanel::showMenu);
+}
+
+void LayersPanel::showMenu(QPoint position)
+{
+    if (QListWidgetItem* under = m_list->itemAt(position))
+        m_list->setCurrentItem(under);
+    const Layer* layer = activeLayer();
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("layerMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Add layer"), this, &LayersPanel::addLayer);
+    if (layer != nullptr) {
+        const model::Id id = layer->id;
+        menu->addAction(tr("Duplicate layer"), this, &LayersPanel::duplicateLayer);
+        menu->addAction(tr("Rename layer"), this, [this] { m_list->editItem(m_list->currentItem()); });
+        menu->addSeparator();
+        menu->addAction(layer->visible ? tr("Hide layer") : tr("Show layer"), this,
+                        [this, id, visible = !layer->visible] { Q_EMIT m_list->visibleWanted(id, visible); });
+        menu->addAction(layer->locked ? tr("Unlock layer") : tr("Lock layer"), this,
+                        [this, id, locked = !layer->locked] { Q_EMIT m_list->lockWanted(id, locked); });
+        menu->addSeparator();
+        menu->addAction(tr("Move layer up"), this, [this] { moveLayer(1); })->setEnabled(m_up->isEnabled());
+        menu->addAction(tr("Move layer down"), this, [this] { moveLayer(-1); })->setEnabled(m_down->isEnabled());
+        menu->addSeparator();
+        menu->addAction(tr("Remove layer"), this, &LayersPanel::removeLayer);
+    }
+    menu->popup(m_list->viewport()->mapToGlobal(position));
 }
 
 void LayersPanel::connectProperties()
 {
-    connect(m_opacity, &BarSlider::valueChanged, this, [this](double percent) {
+    const auto show = [this](double percent) {
         const model::LayerAddress target = m_state.target();
-        previewEdit(
-            m_state.document(),
-            {.aspect = Change::Aspect::LayerList, .group = target.group, .map = target.map, .layer = target.layer},
-            [target, percent](model::Project& project) {
-                if (Layer* layer = project.layer(target.group, target.map, target.layer))
-                    layer->opacity = static_cast<float>(percent / 100.0);
-            });
+        m_state.document().show(m_opacityEdit, {.text = tr("Layer opacity")},
+                                {.aspect = Change::Aspect::LayerList, .group = target.group, .map = target.map},
+                                [target, percent](model::Project& project) {
+                                    if (Layer* layer = project.layer(target.group, target.map, target.layer))
+                                        layer->opacity = static_cast<float>(percent / 100.0);
+                                });
+    };
+    connect(m_opacity, &BarSlider::valueChanged, this, show);
+    connect(m_opacity, &BarSlider::editingFinished, this, [this, show](double percent) {
+        show(percent);
+        m_opacityEdit.commit();
     });
-    connect(m_opacity, &BarSlider::editingFinished, this, [this](double percent) {
-        change(m_state.activeLayer(), tr("Layer opacity"),
-               [percent](LayerProperties& properties) { properties.opacity = static_cast<float>(percent / 100.0); });
-    });
-    connect(m_opacity, &BarSlider::editingCancelled, this, [this] { m_state.document().clearPreview(); });
+    connect(m_opacity, &BarSlider::editingCancelled, this, [this] { m_opacityEdit.drop(); });
     connect(m_blend, &QComboBox::activated, this, [this](int index) {
         const auto mode = static_cast<model::BlendMode>(m_blend->itemData(index).toInt());
         change(m_state.activeLayer(), tr("Layer blend mode"),
@@ -214,7 +241,7 @@ void LayersPanel::followActive()
         widget->setEnabled(layer != nullptr);
     m_blend->clear();
     for (const model::BlendMode mode : model::mapSpec(m_state.activeMap()).blendModes)
-        m_blend->addItem(blendTitle(mode), static_cast<int>(mode));
+        m_blend->addItem(model::blendRule(mode).titleText(), static_cast<int>(mode));
     if (layer == nullptr)
         return;
     m_blend->setCurrentIndex(std::max(m_blend->findData(static_cast<int>(layer->blend)), 0));
@@ -229,25 +256,38 @@ void LayersPanel::refreshThumbnails()
     m_thumbnails.stop();
     const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
     const int side = qRound(LayerList::kThumbnailSide * devicePixelRatioF());
+    const bool night = m_state.nightPaper();
+    std::map<model::Id, Thumbnail> before = std::exchange(m_thumbnailOf, {});
     for (int row = 0; row < m_list->count(); ++row) {
-        const Layer* layer = m_state.document().project().layer(m_state.activeGroup(), spec.kind, m_list->idAt(row));
-        if (layer != nullptr)
-            m_list->item(row)->setData(LayerList::ThumbnailRole,
-                                       layerThumbnail(*layer, spec, m_state.nightPaper(), side));
+        const model::Id id = m_list->idAt(row);
+        const Layer* layer = m_state.document().project().layer(m_state.activeGroup(), spec.kind, id);
+        if (layer == nullptr)
+            continue;
+        const auto known = before.find(id);
+        const bool holds = known != before.end() && known->second.map == spec.kind &&
+                           known->second.nightPaper == night && known->second.side == side &&
+                           known->second.raster == layer->raster;
+        QImage image = holds ? known->second.image : layerThumbnail(*layer, spec, night, side);
+        m_drawnThumbnails += holds ? 0 : 1;
+        m_list->item(row)->setData(LayerList::ThumbnailRole, image);
+        m_thumbnailOf.insert_or_assign(id, Thumbnail{.raster = layer->raster,
+                                                     .map = spec.kind,
+                                                     .nightPaper = night,
+                                                     .side = side,
+                                                     .image = std::move(image)});
     }
 }
 
 void LayersPanel::change(model::Id layer, const QString& text, const std::function<void(LayerProperties&)>& edit)
 {
     const model::LayerAddress address{.group = m_state.activeGroup(), .map = m_state.activeMap(), .layer = layer};
-    commitEdit(m_state.document(), [&]() -> model::CommandPtr {
-        const Layer* found = m_state.document().committed().layer(address.group, address.map, address.layer);
-        if (found == nullptr)
-            return nullptr;
-        LayerProperties properties = model::propertiesOf(*found);
-        edit(properties);
-        return setLayerPropertiesCommand(m_state.document(), address, properties, text);
-    });
+    m_state.document().endEdit();
+    const Layer* found = m_state.document().committed().layer(address.group, address.map, address.layer);
+    if (found == nullptr)
+        return;
+    LayerProperties properties = model::propertiesOf(*found);
+    edit(properties);
+    m_state.document().push(setLayerPropertiesCommand(m_state.document(), address, properties, text));
 }
 
 void LayersPanel::addLayer()
@@ -279,7 +319,8 @@ void LayersPanel::duplicateLayer()
     m_state.document().push(insertLayerCommand(m_state.document(), m_state.activeGroup(), m_state.activeMap(),
                                                std::move(copy), position,
                                                tr("Duplicate layer \"%1\"").arg(model::shownName(layer->name))));
-    if (const model::MapStack* after = stack(); after != nullptr)
+    // A document that is full takes no more.
+    if (const model::MapStack* after = stack(); after != nullptr && position < std::ssize(after->layers))
         m_state.setActiveLayer(after->layers[static_cast<std::size_t>(position)].id);
 }
 

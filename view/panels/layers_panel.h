@@ -4,10 +4,12 @@
 #include "model/commands/commands.h"
 #include "view/editor_state.h"
 
+#include <QImage>
 #include <QTimer>
 #include <QWidget>
 
 #include <functional>
+#include <map>
 
 class QComboBox;
 class QToolButton;
@@ -29,10 +31,24 @@ public:
     void duplicateLayer();
     void moveLayer(int steps); ///< Upward when positive.
 
+    /// Small pictures drawn so far: only those of layers whose texels changed.
+    [[nodiscard]] int drawnThumbnails() const { return m_drawnThumbnails; }
+
 private:
+    /// A layer's small picture and what it was drawn from.
+    struct Thumbnail
+    {
+        sim::TiledRaster raster;
+        model::MapKind map;
+        bool nightPaper;
+        int side;
+        QImage image;
+    };
+
     void connectList();
     void connectProperties();
     void onChanged(const model::Change& change);
+    void showMenu(QPoint position);
     void moveTo(model::Id layer, int position);
     void rebuild();
     void refreshThumbnails();
@@ -42,6 +58,7 @@ private:
     void change(model::Id layer, const QString& text, const std::function<void(model::LayerProperties&)>& edit);
 
     EditorState& m_state;
+    model::EditSession m_opacityEdit;
     LayerList* m_list = nullptr;
     BarSlider* m_opacity = nullptr;
     QComboBox* m_blend = nullptr;
@@ -50,6 +67,8 @@ private:
     QToolButton* m_up = nullptr;
     QToolButton* m_down = nullptr;
     QTimer m_thumbnails;
+    std::map<model::Id, Thumbnail> m_thumbnailOf; ///< Of the layers listed.
+    int m_drawnThumbnails = 0;
     bool m_filling = false;
 };
 

@@ -14,7 +14,6 @@ MapRow::MapRow(model::MapKind map, QWidget* parent) : QAbstractButton(parent), m
     const model::MapSpec& spec = model::mapSpec(map);
     setText(spec.titleText());
     setAccessibleName(spec.titleText());
-    setToolTip(tr("%1 (%2)").arg(spec.titleText()).arg(static_cast<int>(map) + 1));
     setCheckable(true);
     setAutoExclusive(true);
     setFocusPolicy(Qt::TabFocus);
@@ -22,10 +21,15 @@ MapRow::MapRow(model::MapKind map, QWidget* parent) : QAbstractButton(parent), m
     setAttribute(Qt::WA_Hover);
 }
 
-void MapRow::setRange(const QString& range)
+void MapRow::setRange(const QString& range, int size)
 {
+    const QString texels = size > 0 ? tr("%1 px").arg(size) : QString();
     m_range = range;
-    setAccessibleDescription(range);
+    m_rangeAndSize = range.isEmpty() || texels.isEmpty() ? range + texels : range + QStringLiteral("  ·  ") + texels;
+    setAccessibleDescription(m_rangeAndSize);
+    const int number = static_cast<int>(m_map) + 1;
+    const QString name = number <= kDigits ? tr("%1 (%2)").arg(text()).arg(number) : text();
+    setToolTip(size > 0 ? tr("%1: %2 x %2 texels").arg(name).arg(size) : name);
     update();
 }
 
@@ -66,13 +70,17 @@ void MapRow::paintEvent(QPaintEvent* /*event*/)
         painter.drawPath(frame);
     }
     QRectF text(60.0, 0.0, picture.left() - 68.0, height());
-    painter.setFont(themeFont(TextRole::Status));
-    painter.setPen(theme.dimText);
-    painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, m_range);
-    text.setWidth(text.width() - painter.fontMetrics().horizontalAdvance(m_range) - 8.0);
     QFont font = themeFont(TextRole::Body);
     if (isChecked())
         font.setWeight(QFont::DemiBold);
+    painter.setFont(themeFont(TextRole::Status));
+    painter.setPen(theme.dimText);
+    // The name goes before the size, which the tooltip has too.
+    const double room = text.width() - QFontMetricsF(font).horizontalAdvance(this->text()) - 8.0;
+    const bool fits = painter.fontMetrics().horizontalAdvance(m_rangeAndSize) <= room;
+    const QString& shown = fits ? m_rangeAndSize : m_range;
+    painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, shown);
+    text.setWidth(text.width() - painter.fontMetrics().horizontalAdvance(shown) - 8.0);
     painter.setFont(font);
     painter.setPen(theme.text);
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,

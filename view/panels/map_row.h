@@ -13,11 +13,13 @@ class MapRow : public QAbstractButton
     Q_OBJECT
 public:
     explicit MapRow(model::MapKind map, QWidget* parent = nullptr);
-    void setRange(const QString& range);
+    /// `size`: texels a side, 0 where there is no map.
+    void setRange(const QString& range, int size);
     void setThumbnail(const QImage& thumbnail);
     [[nodiscard]] QSize sizeHint() const override { return {220, 28}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
     static constexpr int kThumbnailSide = 24;
+    static constexpr int kDigits = 9; ///< Keys that choose a map.
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -25,6 +27,7 @@ protected:
 private:
     model::MapKind m_map;
     QString m_range;
+    QString m_rangeAndSize;
     QImage m_thumbnail;
 };
 

@@ -1,7 +1,7 @@
 // Small pictures: each pixel is the middle of a few texels of its share of the raster.
 #include "view/panels/map_thumbnail.h"
 
-#include "view/widgets/value_text.h"
+#include "model/texel_ops.h"
 
 #include <algorithm>
 #include <array>
@@ -53,7 +53,7 @@ QImage pictureOf(const sim::TiledRaster& raster, int side, const Read& read)
 QImage mapThumbnail(const sim::TiledRaster& resolved, const model::MapSpec& spec, bool nightPaper, int side)
 {
     return pictureOf(resolved, std::max(side, 1), [&](const sim::Texel& texel) {
-        return Tap{valueColour(spec, valueOfTexel(spec, texel), nightPaper).rgb(), 1.0};
+        return Tap{model::colourOfTexel(spec, texel, nightPaper), 1.0};
     });
 }
 
@@ -63,7 +63,7 @@ QImage layerThumbnail(const model::Layer& layer, const model::MapSpec& spec, boo
     return pictureOf(layer.raster, std::max(side, 1), [&](const sim::Texel& texel) {
         if (texel[coverage] == 0)
             return Tap{};
-        return Tap{valueColour(spec, valueOfTexel(spec, texel), nightPaper).rgb(), texel[coverage] / 65535.0};
+        return Tap{model::colourOfTexel(spec, texel, nightPaper), texel[coverage] / 65535.0};
     });
 }
 

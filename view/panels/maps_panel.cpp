@@ -21,11 +21,6 @@ namespace {
 
 constexpr int kRedrawMs = 50;
 
-std::size_t indexOf(MapKind map)
-{
-    return static_cast<std::size_t>(map);
-}
-
 } // namespace
 
 MapsPanel::MapsPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
@@ -34,14 +29,14 @@ MapsPanel::MapsPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     setAttribute(Qt::WA_StyledBackground);
     setAccessibleName(tr("Maps"));
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(metrics::kPadding - metrics::kGrid, metrics::kGap, metrics::kPadding - metrics::kGrid,
+    layout->setContentsMargins(metrics::kPadding - metrics::kGrid, metrics::kGrid, metrics::kPadding - metrics::kGrid,
                                metrics::kGap);
     layout->setSpacing(0);
     for (const MapSpec& spec : model::mapSpecs()) {
         auto* row = new MapRow(spec.kind, this);
         connect(row, &MapRow::clicked, this, [this, kind = spec.kind] { m_state.setActiveMap(kind); });
         layout->addWidget(row);
-        m_rows[indexOf(spec.kind)] = row;
+        m_rows[sim::indexOf(spec.kind)] = row;
     }
     m_redraw.setSingleShot(true);
     m_redraw.setInterval(kRedrawMs);
@@ -59,7 +54,8 @@ void MapsPanel::onChanged(const Change& change)
     if (oneMap) {
         if (change.group != m_shownGroup)
             return;
-        m_stale[indexOf(change.map)] = true;
+        if (change.aspect == Change::Aspect::LayerList)
+            follow(); // It may have another size.
         if (!m_redraw.isActive())
             m_redraw.start();
     } else if (change.aspect != Change::Aspect::Environment && change.aspect != Change::Aspect::Head) {
@@ -71,7 +67,7 @@ void MapsPanel::onChanged(const Change& change)
 
 void MapsPanel::markAll()
 {
-    m_stale.fill(true);
+    m_drawn.fill(nullptr);
     if (!m_redraw.isActive())
         m_redraw.start();
 }
@@ -81,9 +77,10 @@ void MapsPanel::follow()
     const model::HairGroup* group = m_state.document().project().group(m_state.activeGroup());
     setEnabled(group != nullptr);
     for (const MapSpec& spec : model::mapSpecs()) {
-        MapRow* row = m_rows[indexOf(spec.kind)];
+        MapRow* row = m_rows[sim::indexOf(spec.kind)];
         row->setChecked(spec.kind == m_state.activeMap());
-        row->setRange(group != nullptr ? rangeText(group->settings, spec) : QString());
+        row->setRange(group != nullptr ? rangeText(group->settings, spec) : QString(),
+                      group != nullptr ? group->map(spec.kind).size : 0);
     }
     if (m_shownGroup != m_state.activeGroup()) {
         m_shownGroup = m_state.activeGroup();
@@ -95,10 +92,12 @@ void MapsPanel::redraw()
 {
     const int side = qRound(MapRow::kThumbnailSide * devicePixelRatioF());
     for (const MapSpec& spec : model::mapSpecs()) {
-        if (!std::exchange(m_stale[indexOf(spec.kind)], false))
-            continue;
         const auto resolved = m_state.document().resolved(m_shownGroup, spec.kind);
-        m_rows[indexOf(spec.kind)]->setThumbnail(
+        auto& drawn = m_drawn[sim::indexOf(spec.kind)];
+        if (resolved != nullptr && resolved == drawn)
+            continue;
+        drawn = resolved;
+        m_rows[sim::indexOf(spec.kind)]->setThumbnail(
             resolved == nullptr ? QImage() : mapThumbnail(*resolved, spec, m_state.nightPaper(), side));
     }
 }
@@ -107,7 +106,7 @@ void MapsPanel::keyPressEvent(QKeyEvent* event)
 {
     int wanted = -1;
     const int current = static_cast<int>(m_state.activeMap());
-    if (event->key() >= Qt::Key_1 && event->key() < Qt::Key_1 + model::kMapKindCount)
+    if (event->key() >= Qt::Key_1 && event->key() < Qt::Key_1 + std::min(model::kMapKindCount, MapRow::kDigits))
         wanted = event->key() - Qt::Key_1;
     else if (event->key() == Qt::Key_Up)
         wanted = std::max(current - 1, 0);

@@ -30,7 +30,7 @@ private:
 
     EditorState& m_state;
     std::array<MapRow*, model::kMapKindCount> m_rows{};
-    std::array<bool, model::kMapKindCount> m_stale{};
+    std::array<std::shared_ptr<const sim::TiledRaster>, model::kMapKindCount> m_drawn; ///< What thumbnails show.
     model::Id m_shownGroup = 0;
     QTimer m_redraw;
 };

@@ -6,6 +6,7 @@
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/icons.h"
 #include "view/widgets/map_badge.h"
+#include "view/widgets/revealed_text.h"
 #include "view/widgets/value_pair.h"
 #include "view/widgets/value_palette.h"
 #include "view/widgets/value_text.h"
@@ -85,7 +86,10 @@ OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     line->setObjectName(QStringLiteral("separator"));
     line->setFixedSize(1, metrics::kIcon);
     m_row->addWidget(line);
+    m_revealed = new QLabel(this);
+    m_revealed->setObjectName(QStringLiteral("revealed"));
     buildValue();
+    m_row->addWidget(m_revealed);
     buildKinds();
     buildBrush();
     m_selectionBox = box(this);
@@ -97,7 +101,9 @@ OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     connect(&state, &EditorState::targetChanged, this, &OptionBar::follow);
     connect(&state, &EditorState::viewOptionsChanged, this, &OptionBar::follow);
     connect(&state.document(), &model::Document::changed, this, [this](const model::Change& change) {
-        if (change.aspect == model::Change::Aspect::Settings || change.aspect == model::Change::Aspect::Everything)
+        using Aspect = model::Change::Aspect;
+        if (change.aspect == Aspect::Settings || change.aspect == Aspect::LayerList ||
+            change.aspect == Aspect::Everything)
             follow();
     });
     showOptions();
@@ -127,7 +133,10 @@ void OptionBar::buildValue()
     connect(m_valueButton, &QToolButton::clicked, this, &OptionBar::showPalette);
     m_valueBox->layout()->addWidget(m_badge);
     m_valueBox->layout()->addWidget(m_scalar);
-    m_valueBox->layout()->addWidget(new ValuePair(m_state, m_valueBox));
+    auto* pair = new ValuePair(m_state, m_valueBox);
+    connect(pair, &ValuePair::pickWanted, this,
+            [this, pair](bool second) { ValuePalette::openUnder(*pair, m_state, second); });
+    m_valueBox->layout()->addWidget(pair);
     m_valueBox->layout()->addWidget(m_valueButton);
     m_row->addWidget(m_valueBox);
 }
@@ -228,8 +237,8 @@ void OptionBar::showOptions()
     const model::Tool& tool = m_state.activeTool();
     const std::vector<ToolOption> options = tool.options();
     const auto has = [&options](ToolOption option) { return std::ranges::find(options, option) != options.end(); };
-    m_toolIcon->setPixmap(
-        iconPixmap(QLatin1String(tool.id()), metrics::kIcon, Theme::current().text, devicePixelRatioF()));
+    m_toolIcon->setPixmap(iconPixmap(QLatin1String(model::toolName(tool.id())), metrics::kIcon, Theme::current().text,
+                                     devicePixelRatioF()));
     m_toolName->setText(tool.title());
     m_valueBox->setVisible(has(ToolOption::Value));
     m_size->setVisible(has(ToolOption::Size));
@@ -239,7 +248,8 @@ void OptionBar::showOptions()
     m_shapeBox->setVisible(has(ToolOption::ShapeKind));
     m_gradientBox->setVisible(has(ToolOption::GradientKind));
     m_tolerance->setVisible(has(ToolOption::FillTolerance));
-    m_selectionBox->setVisible(QLatin1StringView(tool.id()) == QLatin1StringView("select"));
+    m_revealed->setVisible(erases(m_state));
+    m_selectionBox->setVisible(tool.id() == model::ToolId::Select);
     follow();
 }
 
@@ -250,12 +260,12 @@ void OptionBar::follow()
     const sim::GroupSettings& group = settingsOf(m_state);
     const model::PaintValue& value = settings.value(spec.kind);
     m_badge->setMap(spec.kind);
-    const bool scalar = spec.texel == model::TexelKind::Scalar;
+    const bool scalar = spec.scale != nullptr;
     m_scalar->setVisible(scalar);
     if (scalar) {
         const ValueUnit unit = valueUnit(group, spec.kind);
         m_scalar->setLabel(spec.titleText());
-        m_scalar->setExponent(spec.kind == model::MapKind::Curl ? 2.0 : 1.0);
+        m_scalar->setExponent(spec.scale->sliderExponent);
         m_scalar->setRange(unit.minimum, unit.maximum, unit.decimals);
         m_scalar->setUnit(unit.unit);
         m_scalar->setGradient(scaleGradient(spec, m_state.nightPaper()));
@@ -264,6 +274,7 @@ void OptionBar::follow()
     m_valueButton->setToolButtonStyle(scalar ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
     m_valueButton->setText(scalar ? QString() : valueText(group, spec, value));
     m_valueButton->setAccessibleName(tr("Palette, %1").arg(valueText(group, spec, value)));
+    m_revealed->setText(revealedText(m_state));
     m_size->setValue(static_cast<double>(settings.brushSizeM) * kCm);
     m_hardness->setValue(static_cast<double>(settings.hardness) * kPercent);
     m_opacity->setValue(static_cast<double>(settings.opacity) * kPercent);
@@ -285,18 +296,7 @@ void OptionBar::changeEvent(QEvent* event)
 
 void OptionBar::showPalette()
 {
-    auto* popup = new QFrame(this, Qt::Popup);
-    popup->setObjectName(QStringLiteral("popup"));
-    popup->setAttribute(Qt::WA_DeleteOnClose);
-    auto* column = new QVBoxLayout(popup);
-    column->setContentsMargins(metrics::kPadding, metrics::kPadding, metrics::kPadding, metrics::kPadding);
-    auto* palette = new ValuePalette(m_state, popup);
-    column->addWidget(palette);
-    connect(palette, &ValuePalette::picked, popup, &QWidget::close);
-    popup->adjustSize();
-    popup->move(m_valueButton->mapToGlobal(QPoint(0, m_valueButton->height() + metrics::kGrid)));
-    popup->show();
-    palette->setFocus();
+    ValuePalette::openUnder(*m_valueButton, m_state);
 }
 
 } // namespace hairpaint::view

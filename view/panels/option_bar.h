@@ -43,6 +43,7 @@ private:
     QLabel* m_toolIcon = nullptr;
     QLabel* m_toolName = nullptr;
     QWidget* m_valueBox = nullptr;
+    QLabel* m_revealed = nullptr; ///< What the eraser leaves.
     MapBadge* m_badge = nullptr;
     BarSlider* m_scalar = nullptr;
     QToolButton* m_valueButton = nullptr;

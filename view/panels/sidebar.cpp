@@ -32,9 +32,10 @@ Sidebar::Sidebar(EditorState& state, QWidget* parent)
     layout->addWidget(m_tabs, 1);
 }
 
-void Sidebar::showLayers()
+void Sidebar::askWhatGrows()
 {
-    m_tabs->setCurrentWidget(m_layers);
+    showHair();
+    m_hair->askWhatGrows();
 }
 
 void Sidebar::showHair()

@@ -3,6 +3,7 @@
 
 #include "view/theme.h"
 #include "view/widgets/icons.h"
+#include "view/widgets/revealed_text.h"
 #include "view/widgets/value_text.h"
 
 #include <QHBoxLayout>
@@ -74,7 +75,12 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
     m_frames = makeNumber(this, tr("%1 fps").arg(QStringLiteral("000")));
     m_frames->setToolTip(tr("Pictures per second"));
     layout->addWidget(m_errorIcon);
+    m_saved = new QLabel(this);
+    m_saved->setObjectName(QStringLiteral("saved"));
+    m_saved->setProperty("role", QStringLiteral("status"));
+    m_saved->setFont(themeFont(TextRole::Status));
     layout->addWidget(m_hint, 1);
+    layout->addWidget(m_saved);
     for (QLabel* label : {m_value, m_hairs, m_simulation, m_frames})
         layout->addWidget(label);
     m_message.setSingleShot(true);
@@ -82,7 +88,12 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
     connect(&state, &EditorState::activeToolChanged, this, &StatusReadout::follow);
     connect(&state, &EditorState::hoverChanged, this, &StatusReadout::followHover);
     connect(&state, &EditorState::targetChanged, this, &StatusReadout::followHover);
+    connect(&state, &EditorState::targetChanged, this, [this] {
+        if (!m_message.isActive())
+            follow();
+    });
     connect(&state, &EditorState::refused, this, [this](const QString& reason) { showMessage(reason, true); });
+    connect(&state, &EditorState::told, this, [this](const QString& text) { showMessage(text, false); });
     follow();
 }
 
@@ -91,13 +102,32 @@ void StatusReadout::setHairs(qint64 drawn, qint64 all, sim::HairLimit limit)
     const int total = static_cast<int>(all);
     const QString hairs = drawn == all ? tr("%Ln hairs", nullptr, total)
                                        : tr("%1 of %Ln hairs", nullptr, total).arg(QLocale().toString(drawn));
-    m_hairs->setText(limit == sim::HairLimit::None ? hairs : tr("%1 (limit)").arg(hairs));
+    m_hairs->setText(limit == sim::HairLimit::None ? hairs : tr("%1, limit reached").arg(hairs));
     m_hairs->setToolTip(whyFewer(limit));
 }
 
 void StatusReadout::setSimulationMs(double milliseconds)
 {
+    if (m_paused)
+        return;
     m_simulation->setText(tr("%1 ms").arg(padded(QLocale().toString(milliseconds, 'f', 1), 5)));
+}
+
+void StatusReadout::setPaused(bool paused)
+{
+    m_paused = paused;
+    m_simulation->setText(paused ? tr("Paused") : QString());
+}
+
+void StatusReadout::setSaved(Saved saved)
+{
+    m_saved->setText(saved == Saved::No ? tr("● Not saved") : saved == Saved::Yes ? tr("✓ Saved") : QString());
+    m_saved->setToolTip(saved == Saved::No ? tr("Changes that no file holds yet; Ctrl+S saves them") : QString());
+}
+
+QString StatusReadout::savedText() const
+{
+    return m_saved->text();
 }
 
 void StatusReadout::setFramesPerSecond(double frames)
@@ -119,7 +149,9 @@ void StatusReadout::follow()
 {
     m_message.stop();
     m_errorIcon->hide();
-    m_hint->setText(m_state.activeTool().hint());
+    const QString revealed = revealedText(m_state);
+    const QString hint = m_state.activeTool().hint();
+    m_hint->setText(revealed.isEmpty() ? hint : tr("%1. Erasing %2").arg(hint, revealed));
     m_hint->setToolTip(m_hint->text());
 }
 

@@ -21,6 +21,15 @@ public:
     /// `limit`: what keeps hairs from growing that are painted; it is noted, and explained where the pointer rests.
     void setHairs(qint64 drawn, qint64 all, sim::HairLimit limit = sim::HairLimit::None);
     void setSimulationMs(double milliseconds);
+    void setPaused(bool paused); ///< Stands in the place of the simulation's time.
+    enum class Saved
+    {
+        NothingToSave, ///< A new project that nobody touched.
+        Yes,
+        No
+    };
+    void setSaved(Saved saved);
+    [[nodiscard]] QString savedText() const;
     void setFramesPerSecond(double frames);
     /// Instead of the tool's hint, for `milliseconds`; errors are marked as such.
     void showMessage(const QString& text, bool error = false, int milliseconds = 6000);
@@ -32,11 +41,13 @@ private:
     EditorState& m_state;
     QLabel* m_hint = nullptr;
     QLabel* m_errorIcon = nullptr;
+    QLabel* m_saved = nullptr;
     QLabel* m_value = nullptr;
     QLabel* m_hairs = nullptr;
     QLabel* m_simulation = nullptr;
     QLabel* m_frames = nullptr;
     QTimer m_message;
+    bool m_paused = false;
 };
 
 } // namespace hairpaint::view

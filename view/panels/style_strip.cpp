@@ -2,11 +2,13 @@
 #include "view/panels/style_strip.h"
 
 #include "model/commands/commands.h"
+#include "model/guarded.h"
 #include "model/names.h"
+#include "sim/base/parallel.h"
 #include "view/panels/style_tile.h"
 #include "view/theme.h"
-#include "view/widgets/live_edit.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
@@ -56,11 +58,6 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, QWidget* parent)
     m_pause.setSingleShot(true);
     m_pause.setInterval(kHoverMs);
     connect(&m_pause, &QTimer::timeout, this, [this] { wish(m_hovered, false); });
-    // Anybody else's change ends what is shown; the strip must not take that away again.
-    connect(&state.document(), &model::Document::changed, this, [this] {
-        if (m_previewing && !m_state.document().previewing())
-            m_previewing = false;
-    });
     setEntries({});
 }
 
@@ -111,6 +108,7 @@ void StyleStrip::addTile(StyleTile* tile, const QImage& picture)
         connect(tile, &QWidget::customContextMenuRequested, this, [this, tile, path](QPoint position) {
             auto* menu = new QMenu(this);
             menu->setAttribute(Qt::WA_DeleteOnClose);
+            menu->addAction(tr("Rename style…"), this, [this, path] { Q_EMIT renameStyleRequested(path); });
             menu->addAction(tr("Delete style"), this, [this, path] { Q_EMIT deleteStyleRequested(path); });
             menu->popup(tile->mapToGlobal(position));
         });
@@ -159,7 +157,9 @@ void StyleStrip::wish(const QString& path, bool commit)
         return;
     m_loading.push_back(path);
     m_threads.start([this, path, load = m_loader] {
-        model::Result<Preset> read = load(path);
+        const sim::ArenaScope arena(sim::Arena::Background);
+        model::Result<Preset> read =
+            model::guarded(tr("Reading %1").arg(QFileInfo(path).fileName()), [&] { return load(path); });
         model::Result<PresetPtr> result =
             read ? model::Result<PresetPtr>(std::make_shared<const Preset>(std::move(*read)))
                  : model::Result<PresetPtr>(tl::unexpected<model::Error>(read.error()));
@@ -189,37 +189,47 @@ void StyleStrip::loaded(const QString& path, const model::Result<PresetPtr>& pre
 void StyleStrip::arrived(const QString& path, const PresetPtr& preset)
 {
     if (m_toCommit == path)
-        apply(*preset);
+        apply(preset);
     else if (m_hovered == path)
         preview(preset);
 }
 
 void StyleStrip::preview(const PresetPtr& preset)
 {
-    if (!m_previewing) {
+    if (!m_edit.active()) {
         m_groupBefore = m_state.activeGroup();
         m_layerBefore = m_state.activeLayer();
     }
-    previewEdit(m_state.document(), {.aspect = Change::Aspect::GroupList},
-                [preset](model::Project& project) { applyPreset(project, *preset); });
-    m_previewing = true;
+    showStyle(preset);
 }
 
-void StyleStrip::apply(const Preset& preset)
+void StyleStrip::showStyle(const PresetPtr& preset)
+{
+    // Only looked at: whoever changes something else goes on from the hair that was there.
+    m_state.document().show(m_edit, {.policy = model::EditPolicy::Drop}, {.aspect = Change::Aspect::GroupList},
+                            [preset](model::Project& project) { applyPreset(project, *preset); });
+}
+
+void StyleStrip::apply(const PresetPtr& preset)
 {
     m_toCommit.clear();
     m_hovered.clear();
-    m_previewing = false;
-    m_state.document().push(applyPresetCommand(m_state.document(), preset));
+    showStyle(preset);
+    m_edit.setText(applyPresetText(*preset));
+    m_edit.commit();
+    // On a bald head only Density makes hair.
+    const auto density = m_state.document().resolved(m_state.activeGroup(), model::MapKind::Density);
+    if (density != nullptr && density->uniformValue() == sim::Texel{})
+        m_state.setActiveMap(model::MapKind::Density);
 }
 
 void StyleStrip::endPreview()
 {
     m_pause.stop();
     m_hovered.clear();
-    if (!std::exchange(m_previewing, false))
+    if (!m_edit.active())
         return;
-    m_state.document().clearPreview();
+    m_edit.drop();
     m_state.setActiveGroup(m_groupBefore);
     m_state.setActiveLayer(m_layerBefore);
 }

@@ -39,9 +39,10 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void saveStyleRequested();
-    void deleteStyleRequested(const QString& path); ///< Of the user's own ones, from the context menu.
-    void pictureWanted(const QString& path);        ///< For each entry that has none.
-    void failed(const QString& message);            ///< A style could not be read.
+    void renameStyleRequested(const QString& path); ///< Of the user's own ones, from the context menu.
+    void deleteStyleRequested(const QString& path);
+    void pictureWanted(const QString& path); ///< For each entry that has none.
+    void failed(const QString& message);     ///< A style could not be read.
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -55,7 +56,8 @@ private:
     void loaded(const QString& path, const model::Result<PresetPtr>& preset);
     void arrived(const QString& path, const PresetPtr& preset);
     void preview(const PresetPtr& preset);
-    void apply(const model::Preset& preset);
+    void showStyle(const PresetPtr& preset);
+    void apply(const PresetPtr& preset);
     void endPreview();
 
     EditorState& m_state;
@@ -66,7 +68,7 @@ private:
     QTimer m_pause; ///< Between pointing at a style and showing it.
     QString m_hovered;
     QString m_toCommit;
-    bool m_previewing = false;
+    model::EditSession m_edit;   ///< Of the style that is shown.
     model::Id m_groupBefore = 0; ///< What was active before a style was shown.
     model::Id m_layerBefore = 0;
     std::vector<std::pair<QString, PresetPtr>> m_recent;

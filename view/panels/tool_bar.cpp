@@ -4,6 +4,7 @@
 #include "view/theme.h"
 #include "view/widgets/icons.h"
 #include "view/widgets/value_pair.h"
+#include "view/widgets/value_palette.h"
 
 #include <QAction>
 #include <QButtonGroup>
@@ -46,16 +47,18 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
     for (const auto& tool : state.tools()) {
         QToolButton* button = makeTarget(this);
         button->setCheckable(true);
-        button->setIcon(icon(QLatin1String(tool->id())));
+        button->setIcon(icon(QLatin1String(model::toolName(tool->id()))));
         describe(*button, tool->title(), tool->defaultKey());
-        connect(button, &QToolButton::clicked, this,
-                [this, id = tool->id()] { m_state.setActiveTool(QLatin1StringView(id)); });
+        connect(button, &QToolButton::clicked, this, [this, id = tool->id()] { m_state.setActiveTool(id); });
         group->addButton(button);
         layout->addWidget(button);
         m_buttons.push_back(button);
     }
     layout->addSpacing(metrics::kGap);
-    layout->addWidget(new ValuePair(state, this), 0, Qt::AlignHCenter);
+    auto* values = new ValuePair(state, this);
+    connect(values, &ValuePair::pickWanted, this,
+            [this, values](bool second) { ValuePalette::openUnder(*values, m_state, second); });
+    layout->addWidget(values, 0, Qt::AlignHCenter);
     layout->addStretch(1);
     m_foot = new QVBoxLayout;
     m_foot->setSpacing(2);
@@ -64,10 +67,10 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
     follow();
 }
 
-void ToolBar::setKey(QLatin1StringView toolId, const QKeySequence& key)
+void ToolBar::setKey(model::ToolId tool, const QKeySequence& key)
 {
     for (std::size_t i = 0; i < m_buttons.size(); ++i)
-        if (toolId == QLatin1StringView(m_state.tools()[i]->id()))
+        if (tool == m_state.tools()[i]->id())
             describe(*m_buttons[i], m_state.tools()[i]->title(), key);
 }
 

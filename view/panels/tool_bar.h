@@ -18,7 +18,7 @@ class ToolBar : public QWidget
 public:
     explicit ToolBar(EditorState& state, QWidget* parent = nullptr);
     /// What the tooltip says after a key was rebound.
-    void setKey(QLatin1StringView toolId, const QKeySequence& key);
+    void setKey(model::ToolId tool, const QKeySequence& key);
     /// A button for one of the main window's actions (mirror, wireframe, ...) at the foot. Not owned.
     void addFootAction(QAction* action);
 

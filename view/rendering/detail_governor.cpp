@@ -12,8 +12,6 @@ namespace {
 /// whatever is drawn.
 constexpr double kLeastHairs = 16'000.0;
 constexpr double kLeastDetail = 1.0 / 64.0;
-constexpr int kStillSegments = 16;
-constexpr double kRefinementMs = 500.0; ///< A still picture is refined in steps that take no longer.
 
 /// Details come in steps, so that lists of strands are not rebuilt for a difference that nobody sees.
 float stepped(double detail)
@@ -26,44 +24,37 @@ float stepped(double detail)
 
 DetailGovernor::DetailGovernor(double wantedMs) : m_wantedMs(wantedMs) {}
 
-void DetailGovernor::observe(const FrameStatistics& statistics, std::size_t allHairs, bool still)
+const Quality& DetailGovernor::begin(bool still)
 {
-    // What was right when it last moved; a still picture starts from there.
-    const bool begins = still != m_wasStill;
-    m_wasStill = still;
-    if (!still && begins) {
+    if (std::exchange(m_still, still) != still) {
+        // What was right when it last moved; a still picture starts from there.
         m_quality = m_moving;
         m_wantsRefinement = true;
-        return; // These statistics are those of the fine picture.
     }
-    const double milliseconds = std::max(statistics.milliseconds, 0.1);
-    if (still)
-        refine(milliseconds, allHairs);
-    else
-        follow(milliseconds, allHairs);
+    return m_quality;
 }
 
-/// Only ever finer: smooth curves and samples first, then more hairs, as long as a frame stays within the limit.
-void DetailGovernor::refine(double milliseconds, std::size_t allHairs)
+void DetailGovernor::observe(const FrameStatistics& statistics, std::size_t allHairs)
 {
-    m_wantsRefinement = true;
-    const bool wasCoarse = std::exchange(m_quality.coarseHead, false);
-    if (m_quality.samples < 4 || m_quality.smoothSegments < kStillSegments) {
-        // Four samples cost up to three times as much as one.
-        if (milliseconds * 2.0 < kRefinementMs) {
-            m_quality.samples = 4;
-            m_quality.smoothSegments = kStillSegments;
-            return;
-        }
-    } else if (m_quality.detail < 1.0F && allHairs > 0) {
-        const double finer = std::clamp(kRefinementMs / milliseconds, 1.0, 2.0);
-        const float next = stepped(static_cast<double>(m_quality.detail) * finer);
-        if (next > m_quality.detail) {
-            m_quality.detail = next;
-            return;
-        }
+    if (m_still)
+        refine();
+    else
+        follow(std::max(statistics.milliseconds, 0.1), allHairs);
+}
+
+/// Only ever finer: smooth curves and samples first, then twice as many hairs at a time.
+void DetailGovernor::refine()
+{
+    const Quality finest = pictureQuality();
+    const bool smooth = m_quality.samples >= finest.samples && m_quality.smoothSegments >= finest.smoothSegments;
+    m_wantsRefinement = m_quality.coarseHead || !smooth || m_quality.detail < finest.detail;
+    m_quality.coarseHead = false;
+    if (!smooth) {
+        m_quality.samples = finest.samples;
+        m_quality.smoothSegments = finest.smoothSegments;
+    } else {
+        m_quality.detail = std::min(m_quality.detail * 2.0F, finest.detail);
     }
-    m_wantsRefinement = wasCoarse;
 }
 
 /// Damped, since a part of each frame does not depend on the hairs and single frames may be slow for other reasons.

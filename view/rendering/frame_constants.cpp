@@ -30,14 +30,13 @@ std::array<Box, 2> hairBounds(const sim::StrandFrame& frame, const std::array<gl
         if (!group.groom || !group.groom->visible)
             continue;
         const auto nodes = static_cast<std::size_t>(group.groom->nodes);
-        const std::size_t blockFloats = nodes * 3 * sim::kLanes;
-        const std::size_t blocks = group.positions.size() / blockFloats;
+        const sim::StrandBlocks layout = group.groom->blocks();
+        const std::size_t blocks = group.positions.size() / layout.blockFloats();
         const std::size_t step = std::max<std::size_t>(1, blocks / 512);
         for (std::size_t block = 0; block < blocks; block += step)
             for (std::size_t node = 0; node < nodes; ++node)
                 for (std::size_t lane = 0; lane < sim::kLanes; ++lane) {
-                    const float* p = group.positions.data() + block * blockFloats + node * 3 * sim::kLanes + lane;
-                    const glm::vec3 wo(p[0], p[sim::kLanes], p[2 * sim::kLanes]);
+                    const glm::vec3 wo = layout.node(group.positions, block * sim::kLanes + lane, node);
                     if (wo != glm::vec3(0.0F))
                         for (std::size_t grid = 0; grid < boxes.size(); ++grid)
                             boxes[grid].add(gridAxesFromWo[grid] * wo);

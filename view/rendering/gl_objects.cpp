@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace hairpaint::rendering {
 
@@ -28,6 +29,11 @@ void deleteProgram(unsigned id)
 void deleteFramebuffer(unsigned id)
 {
     glDeleteFramebuffers(1, &id);
+}
+
+void deleteQuery(unsigned id)
+{
+    glDeleteQueries(1, &id);
 }
 
 void deleteVertexArray(unsigned id)
@@ -77,6 +83,29 @@ void Buffer::write(std::size_t offset, const void* data, std::size_t bytes)
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_name.id());
     glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+std::size_t Buffer::writeChanged(const void* data, std::size_t bytes, const void* before, std::size_t bytesBefore)
+{
+    constexpr std::size_t kBlock = 16U << 10U;
+    if (bytes > m_capacity || bytesBefore != bytes || before == nullptr) {
+        assign(data, bytes);
+        return bytes;
+    }
+    const auto* now = static_cast<const std::byte*>(data);
+    const auto* was = static_cast<const std::byte*>(before);
+    std::size_t written = 0;
+    std::size_t from = 0; // Of the run of blocks that differ.
+    for (std::size_t at = 0; at < bytes; at += kBlock) {
+        const std::size_t length = std::min(kBlock, bytes - at);
+        if (std::memcmp(now + at, was + at, length) != 0)
+            continue;
+        write(from, now + from, at - from);
+        written += at - from;
+        from = at + length;
+    }
+    write(from, now + from, bytes - from);
+    return written + (bytes - from);
 }
 
 void Buffer::read(void* data, std::size_t bytes) const
@@ -168,13 +197,15 @@ tl::expected<Program, std::string> Program::link(std::initializer_list<Stage> st
     std::array<char, 1024> log{};
     for (const Stage& stage : stages) {
         const unsigned shader = glCreateShader(stage.kind);
-        const std::string_view common = shaderSource("common.glsl");
-        const std::string_view text = shaderSource(stage.file);
-        const std::array<const char*, 4> parts{"#version 430 core\n", defines.empty() ? "" : defines.data(),
-                                               common.data(), text.data()};
-        const std::array<int, 4> lengths{-1, static_cast<int>(defines.size()), static_cast<int>(common.size()),
-                                         static_cast<int>(text.size())};
-        glShaderSource(shader, 4, parts.data(), lengths.data());
+        const std::array<std::string_view, 5> parts{"#version 430 core\n", defines, shaderSource("strand_layout.glsl"),
+                                                    shaderSource("common.glsl"), shaderSource(stage.file)};
+        std::array<const char*, parts.size()> texts{};
+        std::array<int, parts.size()> lengths{};
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            texts[i] = parts[i].empty() ? "" : parts[i].data();
+            lengths[i] = static_cast<int>(parts[i].size());
+        }
+        glShaderSource(shader, static_cast<int>(parts.size()), texts.data(), lengths.data());
         glCompileShader(shader);
         int done = 0;
         glGetShaderiv(shader, GL_COMPILE_STATUS, &done);

@@ -43,6 +43,7 @@ void deleteTexture(unsigned id);
 void deleteProgram(unsigned id);
 void deleteFramebuffer(unsigned id);
 void deleteVertexArray(unsigned id);
+void deleteQuery(unsigned id);
 
 using Framebuffer = GlName<deleteFramebuffer>;
 using VertexArray = GlName<deleteVertexArray>;
@@ -58,6 +59,9 @@ public:
     /// Room for at least `bytes`, and those written.
     void assign(const void* data, std::size_t bytes);
     void write(std::size_t offset, const void* data, std::size_t bytes);
+    /// Writes the blocks of `data` that differ from `before`, which the buffer holds; all of it where that has another
+    /// length. Returns the bytes written.
+    std::size_t writeChanged(const void* data, std::size_t bytes, const void* before, std::size_t bytesBefore);
     /// Waits for the GPU.
     void read(void* data, std::size_t bytes) const;
     /// Copies the first `bytes` on the GPU; both have room for them.

@@ -1,24 +1,12 @@
 // Sends one group's hair to the GPU.
 #include "view/rendering/hair_group.h"
 
-#include <bit>
-#include <cmath>
+#include "sim/groom/strand_curve.h"
 
 namespace hairpaint::rendering {
 namespace {
 
-/// A unit vector in an octahedron's two coordinates of 16 bits, as unpackSnorm2x16 reads them.
-std::uint32_t packDirection(glm::vec3 v)
-{
-    v /= std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-    glm::vec2 e(v);
-    if (v.z < 0.0F)
-        e = (1.0F - glm::abs(glm::vec2(v.y, v.x))) * glm::vec2(v.x >= 0.0F ? 1.0F : -1.0F, v.y >= 0.0F ? 1.0F : -1.0F);
-    const auto bits = [](float f) {
-        return static_cast<std::uint32_t>(static_cast<std::uint16_t>(std::lround(f * 32767.0F)));
-    };
-    return bits(e.x) | (bits(e.y) << 16U);
-}
+constexpr glm::vec3 kNoTangent{1.0F, 0.0F, 0.0F};
 
 } // namespace
 
@@ -28,23 +16,26 @@ std::size_t HairGroup::upload(const std::shared_ptr<const sim::StrandFrame>& fra
     std::size_t bytes = 0;
     if (m_list.update(group.groom, detail, smoothSegments)) {
         const std::vector<DrawnStrand>& strands = m_list.strands();
-        m_strands.assign(strands.data(), strands.size() * sizeof(DrawnStrand));
-        bytes += strands.size() * sizeof(DrawnStrand);
+        bytes += m_strands.writeChanged(strands.data(), strands.size() * sizeof(DrawnStrand), m_sent.data(),
+                                        m_sent.size() * sizeof(DrawnStrand));
+        m_sent = strands;
     }
     if (group.groom != m_groom) {
         m_groom = group.groom;
         bytes += uploadStyles();
     }
-    if (frame != m_frame) {
-        m_frame = frame;
-        bytes += uploadPositions(group);
-    }
-    return bytes;
+    return bytes + uploadPositions(frame, group);
+}
+
+void HairGroup::release()
+{
+    if (m_groom)
+        *this = HairGroup();
 }
 
 std::size_t HairGroup::uploadStyles()
 {
-    constexpr std::size_t chunkBytes = sim::kChunkSlots * sizeof(sim::StrandStyle);
+    constexpr std::size_t chunkBytes = sim::kChunkSlots * sizeof(PackedStyle);
     const auto places = static_cast<std::size_t>(m_groom->placedChunks);
     if (places * chunkBytes > m_styles.capacity() || m_roots != m_groom->roots)
         m_uploaded.clear();
@@ -52,7 +43,7 @@ std::size_t HairGroup::uploadStyles()
     m_styles.reserve(places * chunkBytes);
     m_uploaded.resize(std::max(places, m_uploaded.size()));
     std::size_t bytes = 0;
-    std::vector<sim::StrandStyle> styles;
+    std::vector<PackedStyle> styles(sim::kChunkSlots);
     for (std::size_t c = 0; c < m_groom->chunks.size(); ++c) {
         const auto& chunk = m_groom->chunks[c];
         if (!chunk || m_groom->chunkPlace[c] < 0)
@@ -61,14 +52,13 @@ std::size_t HairGroup::uploadStyles()
         if (m_uploaded[place] == chunk)
             continue;
         m_uploaded[place] = chunk;
-        styles = chunk->styles;
-        for (std::size_t slot = 0; slot < styles.size(); ++slot) {
-            // All hairs of a braid are turned as its centre is.
-            const std::uint32_t centre = chunk->braidCentre[slot];
-            const std::size_t root =
-                centre == sim::kNoCentre ? c * sim::kChunkSlots + slot : m_roots->basisSlot[centre];
-            if (root < m_roots->tangentHd.size())
-                styles[slot].reserved = std::bit_cast<float>(packDirection(m_roots->tangentHd[root]));
+        for (std::size_t local = 0; local < styles.size(); ++local) {
+            // Past the last root there is no hair.
+            const std::size_t slot = c * sim::kChunkSlots + local;
+            const bool isRoot = slot < m_roots->tangentHd.size();
+            styles[local] =
+                packed(chunk->styles[local],
+                       isRoot ? sim::frameTangentHd(*m_groom, static_cast<std::uint32_t>(slot)) : kNoTangent);
         }
         m_styles.write(place * chunkBytes, styles.data(), chunkBytes);
         bytes += chunkBytes;
@@ -76,10 +66,16 @@ std::size_t HairGroup::uploadStyles()
     return bytes;
 }
 
-std::size_t HairGroup::uploadPositions(const sim::GroupFrame& group)
+std::size_t HairGroup::uploadPositions(const std::shared_ptr<const sim::StrandFrame>& frame,
+                                       const sim::GroupFrame& group)
 {
-    const std::size_t bytes = group.positions.size() * sizeof(float);
-    m_positions.assign(group.positions.data(), bytes);
+    if (m_shown.get() == &group.positions)
+        return 0;
+    const std::vector<float>* before = m_shown.get();
+    const std::size_t bytes = m_positions.writeChanged(group.positions.data(), group.positions.size() * sizeof(float),
+                                                       before != nullptr ? before->data() : nullptr,
+                                                       before != nullptr ? before->size() * sizeof(float) : 0);
+    m_shown = std::shared_ptr<const std::vector<float>>(frame, &group.positions);
     return bytes;
 }
 

@@ -10,13 +10,16 @@
 
 namespace hairpaint::rendering {
 
-/// The frame is the canonical side; only what differs from the upload before is sent.
+/// The frame is the canonical side; only what differs from the upload before is sent: styles by chunk, skeletons and
+/// the list of strands by blocks. A list shifts where hairs appear or go, and is sent anew from there on.
 class HairGroup
 {
 public:
     /// Brings the GPU's copy up to date; returns the bytes sent. `group` lives inside `frame`.
     std::size_t upload(const std::shared_ptr<const sim::StrandFrame>& frame, const sim::GroupFrame& group, float detail,
                        int smoothSegments);
+    /// Lets go of the frame and the groom, which a group that is not shown has no use for; the next upload sends all.
+    void release();
     /// Binds strands, styles and skeletons to storage 0, 1 and 2.
     void bind() const;
     [[nodiscard]] const HairList& list() const { return m_list; }
@@ -24,10 +27,11 @@ public:
 
 private:
     std::size_t uploadStyles();
-    [[nodiscard]] std::size_t uploadPositions(const sim::GroupFrame& group);
+    std::size_t uploadPositions(const std::shared_ptr<const sim::StrandFrame>& frame, const sim::GroupFrame& group);
 
     std::shared_ptr<const sim::Groom> m_groom;
-    std::shared_ptr<const sim::StrandFrame> m_frame;                 ///< Of the positions uploaded.
+    std::shared_ptr<const std::vector<float>> m_shown;               ///< The positions uploaded; keeps their frame.
+    std::vector<DrawnStrand> m_sent;                                 ///< The list uploaded.
     std::vector<std::shared_ptr<const sim::StrandChunk>> m_uploaded; ///< By place.
     std::shared_ptr<const sim::RootSet> m_roots;
     HairList m_list;

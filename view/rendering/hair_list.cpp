@@ -1,28 +1,12 @@
 // Sorts the drawn strands by the detail at which they appear.
 #include "view/rendering/hair_list.h"
 
+#include "sim/groom/strand_curve.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace hairpaint::rendering {
-namespace {
-
-constexpr int kMostSegments = 256;
-constexpr float kPointsPerTurn = 8.0F;
-
-/// At least 8 segments a turn; a braid's wisp swings twice as fast sideways as it turns.
-int curveSegments(const sim::StrandStyle& style)
-{
-    float segments = 0.0F;
-    if (style.curlRadiusM > 0.0F)
-        segments = style.turns * kPointsPerTurn;
-    if ((style.braid & 0xFFU) != 0)
-        segments =
-            std::max(segments, style.braidTurns * 2.0F * kPointsPerTurn / std::max(1.0F - style.braidStart, 0.1F));
-    return std::clamp(static_cast<int>(std::ceil(segments)), 0, kMostSegments);
-}
-
-} // namespace
 
 void HairList::index(ChunkPart& part)
 {
@@ -46,7 +30,8 @@ void HairList::index(ChunkPart& part)
             continue;
         const sim::StrandStyle& style = chunk.styles[slot];
         part.entries[next[stepOf(style.detail)]++] = {.slot = static_cast<std::uint16_t>(slot),
-                                                      .curveSegments = static_cast<std::uint16_t>(curveSegments(style)),
+                                                      .curveSegments =
+                                                          static_cast<std::uint16_t>(sim::curveSegmentsOf(style)),
                                                       .detail = style.detail};
     }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/groom/groom.h"
+#include "view/rendering/packed_style.h"
 
 #include <array>
 #include <cstdint>
@@ -9,13 +10,6 @@
 #include <vector>
 
 namespace hairpaint::rendering {
-
-/// One strand as the shaders read it.
-struct DrawnStrand
-{
-    std::uint32_t slot;       ///< Place of the chunk * kChunkSlots + slot in it.
-    std::uint32_t firstPoint; ///< Of segments + 1.
-};
 
 /// A run of strands whose points fit into the renderer's buffers together.
 struct StrandBatch

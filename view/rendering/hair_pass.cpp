@@ -13,6 +13,8 @@ constexpr unsigned kWorkgroup = 64;
 constexpr float kVoxelUnitM2 = 1e-9F;            ///< Hair's area that one unit of a voxel stands for.
 constexpr std::uint32_t kSplattedStrands = 8192; ///< About as many are enough for a smooth grid.
 
+constexpr std::uint32_t kPatientPoints = 1U << 15U; ///< A piece that software draws in a fraction of a second.
+
 constexpr float kLeastWidth = 0.35F;    ///< Samples: what the thinnest hair covers.
 constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
 
@@ -60,8 +62,11 @@ HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>&
         });
     });
     for (const sim::GroupFrame& group : frame->groups) {
-        if (!group.groom || !group.groom->visible || group.groom->placedChunks == 0)
+        if (!group.groom || !group.groom->visible || group.groom->placedChunks == 0) {
+            if (group.groom)
+                m_groups[group.groom->groupId].release();
             continue;
+        }
         HairGroup& held = m_groups[group.groom->groupId];
         report.uploadedBytes += held.upload(frame, group, detail, smoothSegments);
         if (held.list().strandCount() == 0)
@@ -73,14 +78,30 @@ HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>&
     return report;
 }
 
-void HairPass::draw(const FrameConstants& constants, float detail, const Buffer& samples)
+bool HairPass::draw(const FrameConstants& constants, float detail, const Buffer& samples,
+                    const std::function<bool(double)>& progress)
 {
     if (m_visible.empty())
-        return;
+        return true;
     fillGrid(constants, detail);
+    double allPoints = 0.0;
     for (const int id : m_visible)
-        drawGroup(m_groups.at(id), constants, detail, samples);
+        for (const StrandBatch& batch : m_groups.at(id).list().batches())
+            allPoints += batch.pointCount;
+    double drawnPoints = 0.0;
+    const auto pieceDone = [&](std::uint32_t points) {
+        if (!progress)
+            return true;
+        glFinish();
+        drawnPoints += points;
+        return progress(drawnPoints / allPoints);
+    };
+    const std::uint32_t piecePoints = progress ? kPatientPoints : HairList::kBatchPoints;
+    for (const int id : m_visible)
+        if (!drawGroup(m_groups.at(id), constants, detail, samples, piecePoints, pieceDone))
+            return false;
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    return true;
 }
 
 void HairPass::bindOpacity(unsigned lightUnit, unsigned eyeUnit) const
@@ -102,7 +123,8 @@ void HairPass::fillGrid(const FrameConstants& constants, float detail)
         m_splat.set("strandCount", strands);
         m_splat.set("strandStep", step);
         m_splat.set("nodes", group.groom().nodes);
-        m_splat.set("weight", group.groom().settings.hairWidthM * static_cast<float>(step) / (detail * kVoxelUnitM2));
+        m_splat.set("weight",
+                    group.groom().settings.material.widthM * static_cast<float>(step) / (detail * kVoxelUnitM2));
         dispatch((strands + step - 1) / step);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -117,7 +139,8 @@ void HairPass::fillGrid(const FrameConstants& constants, float detail)
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples)
+bool HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples,
+                         std::uint32_t piecePoints, const std::function<bool(std::uint32_t)>& pieceDone)
 {
     const sim::GroupSettings& settings = group.groom().settings;
     std::uint32_t mostPoints = 0;
@@ -127,41 +150,66 @@ void HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants
     m_projected.reserve(mostPoints * sizeof(glm::uvec4));
     bindOpacity(0, 1);
 
-    const float thickest = std::max(settings.hairWidthM * constants.gridSize.z / constants.depthRange.x, kLeastWidth) /
-                           detail * std::max(settings.material.rootAlpha, settings.material.tipAlpha);
+    const float thickest =
+        std::max(settings.material.widthM * constants.gridSize.z / constants.depthRange.x, kLeastWidth) / detail *
+        std::max(settings.material.rootAlpha, settings.material.tipAlpha);
     const auto rows = static_cast<unsigned>(std::min(thickest, kGreatestWidth) * 1.42F) + 1U;
 
+    const std::vector<DrawnStrand>& strands = group.list().strands();
     for (const StrandBatch& batch : group.list().batches()) {
-        group.bind();
-        m_points.bindStorage(3);
-        m_expand.use();
-        m_expand.set("firstStrand", batch.firstStrand);
-        m_expand.set("strandCount", batch.strandCount);
-        m_expand.set("nodes", group.groom().nodes);
-        dispatch(batch.strandCount);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-
-        m_points.bindStorage(2);
-        m_projected.bindStorage(3);
-        m_shade.use();
-        m_shade.set("firstStrand", batch.firstStrand);
-        m_shade.set("pointCount", batch.pointCount);
-        m_shade.set("widening", 1.0F / detail);
-        m_shade.set("leastWidth", kLeastWidth);
-        m_shade.set("greatestWidth", kGreatestWidth);
-        m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness,
-                                          settings.material.rootAlpha, settings.material.tipAlpha));
-        m_shade.set("variationScale", settings.material.colourVariation);
-        dispatch(batch.pointCount);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-
-        m_projected.bindStorage(0);
-        samples.bindStorage(1);
-        m_raster.use();
-        m_raster.set("pointCount", batch.pointCount);
-        dispatch(batch.pointCount, rows);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        const std::uint32_t end = batch.firstStrand + batch.strandCount;
+        StrandBatch piece{.firstStrand = batch.firstStrand, .strandCount = 0, .pointCount = 0};
+        while (piece.firstStrand < end) {
+            const std::uint32_t first = strands[piece.firstStrand].firstPoint;
+            std::uint32_t next = end;
+            if (strands[end].firstPoint - first > piecePoints)
+                for (next = piece.firstStrand + 1; strands[next + 1].firstPoint - first <= piecePoints;)
+                    ++next;
+            piece.strandCount = next - piece.firstStrand;
+            piece.pointCount = strands[next].firstPoint - first;
+            drawPiece(piece, group, detail, samples, rows);
+            if (!pieceDone(piece.pointCount))
+                return false;
+            piece.firstStrand = next;
+        }
     }
+    return true;
+}
+
+void HairPass::drawPiece(const StrandBatch& piece, const HairGroup& group, float detail, const Buffer& samples,
+                         unsigned rows)
+{
+    const sim::GroupSettings& settings = group.groom().settings;
+    group.bind();
+    m_points.bindStorage(3);
+    m_expand.use();
+    m_expand.set("firstStrand", piece.firstStrand);
+    m_expand.set("strandCount", piece.strandCount);
+    m_expand.set("nodes", group.groom().nodes);
+    dispatch(piece.strandCount);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+
+    m_points.bindStorage(2);
+    m_projected.bindStorage(3);
+    m_shade.use();
+    m_shade.set("firstStrand", piece.firstStrand);
+    m_shade.set("pointCount", piece.pointCount);
+    m_shade.set("widening", 1.0F / detail);
+    m_shade.set("leastWidth", kLeastWidth);
+    m_shade.set("greatestWidth", kGreatestWidth);
+    m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness, settings.material.rootAlpha,
+                                      settings.material.tipAlpha));
+    m_shade.set("groupWidthM", settings.material.widthM);
+    m_shade.set("variationScale", settings.material.colourVariation);
+    dispatch(piece.pointCount);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+
+    m_projected.bindStorage(0);
+    samples.bindStorage(1);
+    m_raster.use();
+    m_raster.set("pointCount", piece.pointCount);
+    dispatch(piece.pointCount, rows);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 } // namespace hairpaint::rendering

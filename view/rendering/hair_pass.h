@@ -6,6 +6,7 @@
 #include "view/rendering/hair_group.h"
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -26,8 +27,10 @@ public:
     /// Sends what differs from the frame before; null shows no hair.
     Report upload(const std::shared_ptr<const sim::StrandFrame>& frame, float detail, int smoothSegments);
     /// With the frame's constants bound to uniform buffer 0: fills the opacity grid, then draws into `samples`, which
-    /// already hold the head's depth.
-    void draw(const FrameConstants& constants, float detail, const Buffer& samples);
+    /// already hold the head's depth. With `progress` (0..1; false stops) it waits for each of many small pieces;
+    /// false where it was stopped.
+    bool draw(const FrameConstants& constants, float detail, const Buffer& samples,
+              const std::function<bool(double)>& progress = {});
 
     /// Binds the opacity grids of the last draw to two texture units.
     void bindOpacity(unsigned lightUnit, unsigned eyeUnit) const;
@@ -39,7 +42,11 @@ public:
 private:
     HairPass() = default;
     void fillGrid(const FrameConstants& constants, float detail);
-    void drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples);
+    /// `piecePoints`: batches are cut into pieces of no more; `pieceDone` (of so many points) says whether to go on.
+    bool drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples,
+                   std::uint32_t piecePoints, const std::function<bool(std::uint32_t)>& pieceDone);
+    void drawPiece(const StrandBatch& piece, const HairGroup& group, float detail, const Buffer& samples,
+                   unsigned rows);
 
     Program m_splat;
     Program m_sum;

@@ -1,6 +1,7 @@
 // Head, hair and background, put together into one picture.
 #include "view/rendering/renderer.h"
 
+#include "view/rendering/frame_timer.h"
 #include "view/rendering/gl_objects.h"
 #include "view/rendering/hair_pass.h"
 #include "view/rendering/head_layer.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstring>
 
 namespace hairpaint::rendering {
@@ -53,6 +53,7 @@ struct Renderer::State
     Texture picture;
     int width = 0;
     int height = 0;
+    FrameTimer timer;
 };
 
 Renderer::Renderer() : m_state(std::make_unique<State>()) {}
@@ -107,8 +108,19 @@ tl::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
 
 void Renderer::draw(const Scene& scene, const Quality& quality, int width, int height)
 {
-    const auto begin = std::chrono::steady_clock::now();
+    drawIn(scene, quality, width, height, {});
+}
+
+bool Renderer::drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
+                             const Progress& progress)
+{
+    return drawIn(scene, quality, width, height, progress);
+}
+
+bool Renderer::drawIn(const Scene& scene, const Quality& quality, int width, int height, const Progress& progress)
+{
     State& state = *m_state;
+    state.timer.begin();
     takeErrors(); // Somebody else's.
     const StateGuard guard;
     state.width = std::clamp(width, 1, 8192);
@@ -139,7 +151,11 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     }
     state.samples.copyFrom(state.prepared, sampleCount * sizeof(std::uint32_t));
 
-    state.hair->draw(constants, detail, state.samples);
+    if (!state.hair->draw(constants, detail, state.samples, progress)) {
+        state.timer.end();
+        state.statistics = {.complete = false};
+        return false;
+    }
 
     if (report.hairs > 0) {
         state.head->bind(0, 1);
@@ -171,14 +187,13 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
         state.head->bind(0, 1);
     }
     state.rings.draw(constants);
-    glFinish();
-
+    state.timer.end();
     state.statistics = {.drawnHairs = report.hairs,
                         .drawnSegments = report.segments,
                         .uploadedBytes = report.uploadedBytes,
-                        .milliseconds =
-                            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count(),
+                        .milliseconds = state.timer.milliseconds(),
                         .complete = !takeErrors()};
+    return true;
 }
 
 void Renderer::blitTo(unsigned framebuffer, int width, int height)
@@ -203,6 +218,7 @@ void Renderer::read(std::vector<std::uint8_t>& pixels)
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_state->framebuffer.id());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, m_state->width, m_state->height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    m_state->statistics.milliseconds = m_state->timer.sinceBegin();
     // OpenGL's first row is at the bottom.
     std::vector<std::uint8_t> swap(row);
     for (int top = 0, bottom = m_state->height - 1; top < bottom; ++top, --bottom) {

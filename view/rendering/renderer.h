@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,12 +27,12 @@ struct FrameStatistics
     std::size_t drawnHairs = 0;
     std::size_t drawnSegments = 0;
     std::size_t uploadedBytes = 0;
-    double milliseconds = 0.0; ///< Wall clock of the last draw, finished.
+    double milliseconds = 0.0; ///< What a frame takes: see Renderer::statistics().
     bool complete = true;      ///< False where OpenGL gave up on a part, as when memory is short.
 };
 
 /// Every call needs the same OpenGL context current. Made anew when the context is lost. Uploads are lazy and cover
-/// only the chunks that differ from the frame before.
+/// only what differs from the frame before: styles by chunk, skeletons and the list of strands by blocks.
 class Renderer
 {
 public:
@@ -41,37 +42,55 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Draws into the renderer's own target of width x height pixels.
+    /// Draws into the renderer's own target of width x height pixels; waits for nothing.
     void draw(const Scene& scene, const Quality& quality, int width, int height);
+    /// Called with 0..1 while a picture is drawn; false stops it.
+    using Progress = std::function<bool(double)>;
+    /// The same picture in pieces that are waited for one by one, for pictures that take seconds. False, with nothing
+    /// to be read, where it was stopped.
+    [[nodiscard]] bool drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
+                                     const Progress& progress);
     /// Copies the last picture to the framebuffer object bound by the caller.
     void blitTo(unsigned framebuffer, int width, int height);
-    /// Reads the last picture: RGBA8, row 0 on top, sRGB as encoded. Reuses `pixels`.
+    /// Reads the last picture: RGBA8, row 0 on top, sRGB as encoded. Reuses `pixels`. Waits for the picture.
     void read(std::vector<std::uint8_t>& pixels);
+    /// Of the last draw. Its milliseconds run to the end of read() where the picture was read; else they are the GPU's
+    /// own, of the newest frame it has told of, or the time that handing over took where that is longer.
     [[nodiscard]] const FrameStatistics& statistics() const;
     [[nodiscard]] bool software() const;                  ///< llvmpipe, softpipe or the like.
     [[nodiscard]] const std::string& description() const; ///< GL_RENDERER.
 
 private:
     Renderer();
+    bool drawIn(const Scene& scene, const Quality& quality, int width, int height, const Progress& progress);
     struct State;
     std::unique_ptr<State> m_state;
 };
 
-/// Picks `detail` from the measured time of frames, so that drawing stays near the wanted time; finer when nothing
-/// moves.
+/// The quality of pictures that are kept, and what a still picture is refined to.
+[[nodiscard]] inline Quality pictureQuality()
+{
+    return {.detail = 1.0F, .samples = 4, .smoothSegments = 16};
+}
+
+/// While something moves it picks `detail` from the measured time of frames, so that drawing stays near the wanted
+/// time. A still picture is refined step by step to pictureQuality(), however long that takes: whoever draws stops when
+/// something moves.
 class DetailGovernor
 {
 public:
     /// `wantedMs`: time a frame may take while something moves.
     explicit DetailGovernor(double wantedMs = 33.0);
-    /// After each frame: its statistics and whether the picture is still (no motion, no input).
-    void observe(const FrameStatistics& statistics, std::size_t allHairs, bool still);
+    /// Before each frame: whether the picture is still (no motion, no input). Returns the quality to draw with.
+    const Quality& begin(bool still);
+    /// After each frame that was finished.
+    void observe(const FrameStatistics& statistics, std::size_t allHairs);
     [[nodiscard]] const Quality& quality() const { return m_quality; }
     /// Whether a still picture would gain from another frame.
     [[nodiscard]] bool wantsRefinement() const { return m_wantsRefinement; }
 
 private:
-    void refine(double milliseconds, std::size_t allHairs);
+    void refine();
     void follow(double milliseconds, std::size_t allHairs);
 
     double m_wantedMs;
@@ -79,7 +98,7 @@ private:
     Quality m_moving = m_quality;
     int m_slow = 0; ///< Frames in a row that took too long, and that left time.
     int m_fast = 0;
-    bool m_wasStill = false;
+    bool m_still = false;
     bool m_wantsRefinement = true;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace hairpaint::rendering {
 
@@ -35,6 +36,54 @@ std::optional<StandardView> standardViewNamed(std::string_view name)
         if (entry.name == name)
             return entry.view;
     return std::nullopt;
+}
+
+std::optional<Fit> fitNamed(std::string_view name)
+{
+    constexpr std::array<std::pair<std::string_view, Fit>, 3> names = {
+        {{"hair", Fit::Hair}, {"head", Fit::Head}, {"bust", Fit::Bust}}};
+    for (const auto& [known, fit] : names)
+        if (known == name)
+            return fit;
+    return std::nullopt;
+}
+
+/// Each point asks that the eye be far enough away: along an axis of the picture, with k the tangent of half the view,
+/// eye - point along the view >= |point - eye across| / k. The two sides of each axis give the least distance and the
+/// middle; the longer distance of the two axes holds for both.
+Camera fittedCamera(StandardView view, std::span<const glm::vec3> pointsWo, float aspect)
+{
+    constexpr float kMargin = 1.08F;
+    const NamedView& entry = kViews[static_cast<std::size_t>(view)];
+    Camera camera;
+    camera.azimuthRad = entry.azimuthRad;
+    camera.elevationRad = entry.elevationRad;
+    const glm::mat4 matrix = camera.view();
+    const std::array<glm::vec3, 2> across = {glm::vec3(matrix[0][0], matrix[1][0], matrix[2][0]),
+                                             glm::vec3(matrix[0][1], matrix[1][1], matrix[2][1])};
+    const glm::vec3 toward(matrix[0][2], matrix[1][2], matrix[2][2]);
+    const float halfHeight = std::tan(camera.fieldOfViewRad * 0.5F) / kMargin;
+    const std::array<float, 2> half = {halfHeight * aspect, halfHeight};
+    std::array<float, 2> middle{};
+    float eye = -1e9F;
+    float depth = 0.0F;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        float above = -1e9F;
+        float below = -1e9F;
+        for (const glm::vec3& point : pointsWo) {
+            const float aside = glm::dot(point, across.at(axis));
+            const float nearer = glm::dot(point, toward) * half.at(axis);
+            above = std::max(above, nearer + aside);
+            below = std::max(below, nearer - aside);
+        }
+        middle.at(axis) = (above - below) * 0.5F;
+        eye = std::max(eye, (above + below) * 0.5F / half.at(axis));
+    }
+    for (const glm::vec3& point : pointsWo)
+        depth += glm::dot(point, toward) / static_cast<float>(pointsWo.size());
+    camera.targetWo = across[0] * middle[0] + across[1] * middle[1] + toward * depth;
+    camera.distanceM = std::max(0.05F, eye - depth);
+    return camera;
 }
 
 Camera standardCamera(StandardView view, const sim::HeadMesh& head)

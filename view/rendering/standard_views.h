@@ -4,6 +4,7 @@
 #include "view/rendering/scene.h"
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace hairpaint::rendering {
@@ -21,6 +22,21 @@ enum class StandardView
 /// "front", "back", "left", "right", "top", "three-quarter"; none for anything else. Left shows the head's own left
 /// side.
 [[nodiscard]] std::optional<StandardView> standardViewNamed(std::string_view name);
+
+/// What a picture frames.
+enum class Fit
+{
+    Hair, ///< Head and hair, without a bust's pedestal.
+    Head,
+    Bust ///< The whole mesh.
+};
+
+/// "hair", "head", "bust"; none for anything else.
+[[nodiscard]] std::optional<Fit> fitNamed(std::string_view name);
+
+/// The camera of that view that sees all points as large as they fit, with a margin, in a picture of `aspect` (width
+/// over height). `pointsWo` is not empty.
+[[nodiscard]] Camera fittedCamera(StandardView view, std::span<const glm::vec3> pointsWo, float aspect);
 
 /// Frames the whole mesh with room for hair around it.
 [[nodiscard]] Camera standardCamera(StandardView view, const sim::HeadMesh& head);

@@ -2,6 +2,7 @@
 #include "view/widgets/value_pair.h"
 
 #include "view/theme.h"
+#include "view/widgets/icons.h"
 #include "view/widgets/value_text.h"
 
 #include <QHelpEvent>
@@ -14,7 +15,8 @@ namespace hairpaint::view {
 
 namespace {
 
-constexpr int kSide = 20;
+constexpr int kSide = 18;
+constexpr int kArrow = 12;
 
 const sim::GroupSettings& settingsOf(const EditorState& state)
 {
@@ -30,6 +32,7 @@ ValuePair::ValuePair(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     setFocusPolicy(Qt::TabFocus);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAccessibleName(tr("Value and second value"));
+    setAttribute(Qt::WA_Hover);
     const auto redraw = [this] { update(); };
     connect(&state, &EditorState::toolSettingsChanged, this, redraw);
     connect(&state, &EditorState::targetChanged, this, redraw);
@@ -43,16 +46,19 @@ void ValuePair::paintEvent(QPaintEvent* /*event*/)
     model::ToolSettings settings = m_state.toolSettings();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const auto square = [&](QPoint corner, const model::PaintValue& value) {
-        const QRectF field = QRectF(corner, QSizeF(kSide, kSide)).adjusted(0.5, 0.5, -0.5, -0.5);
+    const auto square = [&](bool second, const model::PaintValue& value) {
+        const QRectF field = QRectF(squareRect(second)).adjusted(0.5, 0.5, -0.5, -0.5);
         painter.setPen(QPen(theme.panel, 3.0));
         painter.setBrush(valueColour(spec, value, m_state.nightPaper()));
         painter.drawRoundedRect(field, 3.0, 3.0);
         painter.setPen(QPen(theme.dimText, 1.0));
         painter.drawRoundedRect(field, 3.0, 3.0);
     };
-    square(QPoint(width() - kSide - 1, height() - kSide - 1), settings.secondValue(spec.kind));
-    square(QPoint(1, 1), settings.value(spec.kind));
+    square(true, settings.secondValue(spec.kind));
+    square(false, settings.value(spec.kind));
+    const QColor ink = underMouse() ? theme.text : theme.dimText;
+    const QPointF corner = QRectF(arrowRect()).center() - QPointF(kArrow, kArrow) / 2.0;
+    painter.drawPixmap(corner, iconPixmap(QStringLiteral("swap"), kArrow, ink, devicePixelRatioF()));
     if (hasFocus()) {
         painter.setPen(QPen(theme.accent, 1.5));
         painter.setBrush(Qt::NoBrush);
@@ -60,16 +66,35 @@ void ValuePair::paintEvent(QPaintEvent* /*event*/)
     }
 }
 
+QRect ValuePair::squareRect(bool second) const
+{
+    const QPoint corner = second ? QPoint(width() - kSide - 1, height() - kSide - 1) : QPoint(1, 1);
+    return {corner, QSize(kSide, kSide)};
+}
+
+QRect ValuePair::arrowRect() const
+{
+    const QRect front = squareRect(false);
+    return {QPoint(front.right() + 2, 0), QPoint(width() - 1, squareRect(true).top() - 1)};
+}
+
 void ValuePair::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton && rect().contains(event->position().toPoint()))
+    const QPoint at = event->position().toPoint();
+    if (event->button() != Qt::LeftButton)
+        return;
+    if (squareRect(false).contains(at))
+        Q_EMIT pickWanted(false);
+    else if (squareRect(true).contains(at))
+        Q_EMIT pickWanted(true);
+    else if (arrowRect().contains(at))
         swapValues(m_state);
 }
 
 void ValuePair::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Return)
-        swapValues(m_state);
+        Q_EMIT pickWanted(false);
     else
         QWidget::keyPressEvent(event);
 }
@@ -80,7 +105,7 @@ bool ValuePair::event(QEvent* event)
         const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
         model::ToolSettings settings = m_state.toolSettings();
         QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
-                           tr("Paints %1; the second value is %2. Click to swap (X)")
+                           tr("Paints %1; the second value is %2. Click a square to choose, the arrow to swap (X)")
                                .arg(valueText(settingsOf(m_state), spec, settings.value(spec.kind)),
                                     valueText(settingsOf(m_state), spec, settings.secondValue(spec.kind))),
                            this);

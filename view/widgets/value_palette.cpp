@@ -1,6 +1,7 @@
 // The palettes of scalar, index and colour maps.
 #include "view/widgets/value_palette.h"
 
+#include "model/texel_ops.h"
 #include "view/theme.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
@@ -11,6 +12,7 @@
 #include "view/widgets/value_text.h"
 
 #include <QColorDialog>
+#include <QFrame>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -18,9 +20,12 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QRegularExpressionValidator>
+#include <QScreen>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace hairpaint::view {
 
@@ -36,8 +41,8 @@ constexpr int kScalarSwatches = 7;
 /// Round numbers of the map's own unit from nothing to the greatest value.
 std::vector<double> roundSteps(const sim::GroupSettings& settings, MapKind map)
 {
-    if (map == MapKind::Curl)
-        return {0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+    if (const std::span<const double> steps = model::mapSpec(map).scale->steps; !steps.empty())
+        return {steps.begin(), steps.end()};
     const ValueUnit unit = valueUnit(settings, map);
     const double range = unit.maximum - unit.minimum;
     std::vector<double> steps{unit.minimum};
@@ -56,6 +61,18 @@ std::vector<double> roundSteps(const sim::GroupSettings& settings, MapKind map)
         steps.push_back((first + i) * step);
     steps.push_back(unit.maximum);
     return steps;
+}
+
+/// Nobody could tell them apart.
+bool alike(const MapSpec& spec, const PaintValue& a, const PaintValue& b)
+{
+    constexpr int kStep = 131; ///< Half a step of eight bits.
+    const int tolerance = model::texelOps(spec).continuous ? kStep : 0;
+    const sim::Texel one = a.texel(spec);
+    const sim::Texel other = b.texel(spec);
+    return std::ranges::equal(one, other, [tolerance](std::uint16_t x, std::uint16_t y) {
+        return std::abs(static_cast<int>(x) - static_cast<int>(y)) <= tolerance;
+    });
 }
 
 } // namespace
@@ -101,11 +118,13 @@ void ValuePalette::rebuild()
     auto* head = new QHBoxLayout;
     head->setSpacing(metrics::kGap);
     head->addWidget(new MapBadge(spec.kind, m_body));
-    auto* title = new QLabel(spec.titleText(), m_body);
-    head->addWidget(title, 1);
+    m_title = new QLabel(m_body);
+    head->addWidget(m_title, 1);
     auto* swap = makeActionButton(QStringLiteral("swap"), tr("Swap the two values (X)"), m_body);
     auto* reset = makeActionButton(QStringLiteral("reset"), tr("Reset the two values (D)"), m_body);
-    head->addWidget(new ValuePair(m_state, m_body));
+    auto* pair = new ValuePair(m_state, m_body);
+    connect(pair, &ValuePair::pickWanted, this, &ValuePalette::setSecond);
+    head->addWidget(pair);
     head->addWidget(swap);
     head->addWidget(reset);
     column->addLayout(head);
@@ -134,13 +153,11 @@ void ValuePalette::refresh()
         m_builtFor = wanted;
         rebuild();
     }
-    model::ToolSettings tools = m_state.toolSettings();
-    const PaintValue& value = tools.value(spec.kind);
+    m_title->setText(m_second ? tr("%1, second value").arg(spec.titleText()) : spec.titleText());
+    const PaintValue value = edited(spec.kind);
     bool marked = false;
     for (const auto& [swatch, its] : m_swatches) {
-        const bool same = spec.texel == model::TexelKind::Scalar  ? std::abs(its.scalar - value.scalar) < 0.002F
-                          : spec.texel == model::TexelKind::Index ? its.index == value.index
-                                                                  : its.colour.rgb() == value.colour.rgb();
+        const bool same = alike(spec, its, value);
         swatch->setChecked(same && !marked);
         marked = marked || same;
     }
@@ -150,12 +167,47 @@ void ValuePalette::refresh()
         m_hex->setText(value.colour.name());
 }
 
+void ValuePalette::setSecond(bool second)
+{
+    m_second = second;
+    refresh();
+}
+
+PaintValue ValuePalette::edited(MapKind map) const
+{
+    const model::ToolSettings& tools = m_state.toolSettings();
+    return m_second ? tools.secondValue(map) : tools.value(map);
+}
+
 void ValuePalette::setValue(const PaintValue& value)
 {
     model::ToolSettings tools = m_state.toolSettings();
-    tools.value(m_state.activeMap()) = value;
+    (m_second ? tools.secondValue(m_state.activeMap()) : tools.value(m_state.activeMap())) = value;
     m_state.setToolSettings(tools);
     refresh();
+}
+
+ValuePalette* ValuePalette::openUnder(QWidget& anchor, EditorState& state, bool second)
+{
+    auto* popup = new QFrame(&anchor, Qt::Popup);
+    popup->setObjectName(QStringLiteral("popup"));
+    popup->setAttribute(Qt::WA_DeleteOnClose);
+    auto* column = new QVBoxLayout(popup);
+    column->setContentsMargins(metrics::kPadding, metrics::kPadding, metrics::kPadding, metrics::kPadding);
+    auto* palette = new ValuePalette(state, popup);
+    palette->setSecond(second);
+    column->addWidget(palette);
+    connect(palette, &ValuePalette::picked, popup, &QWidget::close);
+    popup->adjustSize();
+    const QRect screen = anchor.screen()->availableGeometry();
+    QPoint corner = anchor.mapToGlobal(QPoint(0, anchor.height() + metrics::kGrid));
+    if (corner.y() + popup->height() > screen.bottom())
+        corner = anchor.mapToGlobal(QPoint(anchor.width() + metrics::kGap, anchor.height() - popup->height()));
+    corner.setX(std::clamp(corner.x(), screen.left(), std::max(screen.left(), screen.right() - popup->width())));
+    popup->move(corner);
+    popup->show();
+    palette->setFocus();
+    return palette;
 }
 
 Swatch* ValuePalette::addSwatch(const PaintValue& value, const QString& name)
@@ -177,12 +229,11 @@ void ValuePalette::buildScalar(QVBoxLayout& layout)
     m_slider = new BarSlider(tr("Value"), m_body);
     m_slider->setRange(unit.minimum, unit.maximum, unit.decimals);
     m_slider->setUnit(unit.unit);
-    m_slider->setExponent(spec.kind == MapKind::Curl ? 2.0 : 1.0);
+    m_slider->setExponent(spec.scale->sliderExponent);
     m_slider->setGradient(scaleGradient(spec, m_state.nightPaper()));
     m_slider->setMinimumWidth(260);
     connect(m_slider, &BarSlider::valueChanged, this, [this, kind = spec.kind](double shown) {
-        model::ToolSettings tools = m_state.toolSettings();
-        PaintValue value = tools.value(kind);
+        PaintValue value = edited(kind);
         value.scalar = static_cast<float>(mapValue(settings(), kind, shown));
         setValue(value);
     });
@@ -208,7 +259,7 @@ void ValuePalette::buildIndex(QVBoxLayout& layout)
     for (std::size_t i = 0; i < spec.palette.size(); ++i) {
         PaintValue value;
         value.index = static_cast<int>(i);
-        const QString name = paletteTitle(spec.palette[i]);
+        const QString name = spec.palette[i].titleText();
         Swatch* swatch = addSwatch(value, name);
         swatch->setCaption(name);
         row->addWidget(swatch);
@@ -262,18 +313,19 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
 
 void ValuePalette::chooseColour()
 {
-    model::ToolSettings tools = m_state.toolSettings();
-    auto* dialog = new QColorDialog(tools.value(MapKind::Colour).colour, window());
+    // The popup, and this palette with it, is gone by the time that a colour is chosen.
+    QWidget* host = window()->parentWidget() != nullptr ? window()->parentWidget()->window() : window();
+    const MapKind map = m_state.activeMap();
+    auto* dialog = new QColorDialog(edited(map).colour, host);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Hair colour"));
     dialog->setOption(QColorDialog::DontUseNativeDialog);
-    connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
-        PaintValue value;
-        value.colour = colour;
-        model::ToolSettings chosen = m_state.toolSettings();
-        chosen.value(MapKind::Colour) = value;
-        m_state.setToolSettings(chosen);
-    });
+    connect(dialog, &QColorDialog::colorSelected, &m_state,
+            [&state = m_state, second = m_second, map](const QColor& colour) {
+                model::ToolSettings chosen = state.toolSettings();
+                (second ? chosen.secondValue(map) : chosen.value(map)).colour = colour;
+                state.setToolSettings(chosen);
+            });
     dialog->open();
     Q_EMIT picked();
 }

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QLabel;
 class QLineEdit;
 class QVBoxLayout;
 
@@ -13,12 +14,17 @@ namespace hairpaint::view {
 class BarSlider;
 class Swatch;
 
-/// Follows the active map and group. Also keys: X swaps with the second value, D resets both.
+/// Follows the active map and group and edits the value that is painted, or the second one. Also keys: X swaps the two,
+/// D resets both.
 class ValuePalette : public QWidget
 {
     Q_OBJECT
 public:
     explicit ValuePalette(EditorState& state, QWidget* parent = nullptr);
+    void setSecond(bool second);
+    [[nodiscard]] bool second() const { return m_second; }
+    /// Opens one as a popup under `anchor`, or beside it where it would leave the screen.
+    static ValuePalette* openUnder(QWidget& anchor, EditorState& state, bool second = false);
 
 Q_SIGNALS:
     void picked(); ///< A swatch was clicked: popups close.
@@ -29,6 +35,7 @@ protected:
 private:
     void rebuild();
     void refresh();
+    [[nodiscard]] model::PaintValue edited(model::MapKind map) const;
     void setValue(const model::PaintValue& value);
     void buildScalar(QVBoxLayout& layout);
     void buildIndex(QVBoxLayout& layout);
@@ -38,8 +45,10 @@ private:
     [[nodiscard]] const sim::GroupSettings& settings() const;
 
     EditorState& m_state;
+    bool m_second = false;
     QWidget* m_body = nullptr;
     BarSlider* m_slider = nullptr;
+    QLabel* m_title = nullptr;
     QLineEdit* m_hex = nullptr;
     std::vector<std::pair<Swatch*, model::PaintValue>> m_swatches;
     QString m_builtFor; ///< Map and units that the swatches stand for.

@@ -31,9 +31,7 @@ struct ValueUnit
 [[nodiscard]] QColor valueColour(const model::MapSpec& spec, const model::PaintValue& value, bool nightPaper);
 /// The value of one resolved texel.
 [[nodiscard]] model::PaintValue valueOfTexel(const model::MapSpec& spec, const sim::Texel& texel);
-/// The scale from 0 to 1 in `steps` colours.
-[[nodiscard]] QList<QColor> scaleGradient(const model::MapSpec& spec, bool nightPaper, int steps = 9);
-/// "Plait" of an index map, translated.
-[[nodiscard]] QString paletteTitle(const model::PaletteEntry& entry);
+/// The scale that is shown, from 0 to 1 in `steps` colours at even values.
+[[nodiscard]] QList<QColor> scaleGradient(const model::MapSpec& spec, bool nightPaper, int steps = 65);
 
 } // namespace hairpaint::view

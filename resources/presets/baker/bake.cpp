@@ -37,8 +37,9 @@ sim::Texel valueAt(const Style& style, const model::MapSpec& spec, const Place& 
         const QColor colour = style.colour(place);
         return {texelValue(colour.redF()), texelValue(colour.greenF()), texelValue(colour.blueF()), 65535};
     }
+    default:
+        return spec.defaultValue; // Not painted.
     }
-    return {};
 }
 
 } // namespace

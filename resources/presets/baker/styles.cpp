@@ -242,7 +242,7 @@ Style buzzCut()
     // Faded toward the hairline, as clippers leave it.
     style.length = [](const Place& place) { return (0.003F + 0.006F * smooth(0.0F, 0.045F, place.scalpM)) / 0.03F; };
     style.settings.nodesPerHair = 4;
-    style.settings.hairWidthM = 100e-6F; // Stubble is thick against its length.
+    style.settings.material.widthM = 100e-6F; // Stubble is thick against its length.
     style.settings.material.tipAlpha = 0.6F;
     style.settings.material.shine = 0.3F;
     return style;

@@ -1,0 +1,223 @@
+// Threads, the progress window, and input while it waits.
+#include "app/jobs.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QEventLoop>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSemaphore>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <QWindow>
+
+namespace hairpaint::app {
+
+namespace {
+
+constexpr int kMsUntilShown = 500;
+constexpr int kMsBetweenLooks = 30;
+
+/// What is done, how far it is, and Cancel.
+class ProgressWindow : public QDialog
+{
+public:
+    ProgressWindow(const QString& doing, QWidget& parent) : QDialog(&parent)
+    {
+        setWindowTitle(Jobs::tr("Hair Paint"));
+        setModal(true);
+        setObjectName(QStringLiteral("progressWindow"));
+        auto* layout = new QVBoxLayout(this);
+        m_label = new QLabel(Jobs::tr("%1…").arg(doing), this);
+        m_label->setMinimumWidth(320);
+        m_bar = new QProgressBar(this);
+        m_bar->setAccessibleName(doing);
+        m_bar->setRange(0, 0); // Moves to and fro until it is known how far the work is.
+        m_bar->setTextVisible(false);
+        m_buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+        connect(m_buttons, &QDialogButtonBox::rejected, this, &ProgressWindow::reject);
+        layout->addWidget(m_label);
+        layout->addWidget(m_bar);
+        layout->addWidget(m_buttons);
+    }
+
+    [[nodiscard]] bool cancelled() const { return m_cancelled; }
+
+    void showFraction(double fraction)
+    {
+        if (fraction <= 0.0)
+            return;
+        m_bar->setRange(0, 100);
+        m_bar->setValue(static_cast<int>(fraction * 100.0));
+    }
+
+    /// Cancel, Esc and the frame's close button: the window stays until the work has ended.
+    void reject() override
+    {
+        m_cancelled = true;
+        m_label->setText(Jobs::tr("Cancelling…"));
+        m_buttons->setEnabled(false);
+    }
+
+private:
+    QLabel* m_label;
+    QProgressBar* m_bar;
+    QDialogButtonBox* m_buttons;
+    bool m_cancelled = false;
+};
+
+/// Takes all input from everything but one window. Events go on being taken from the system, so that none of them is
+/// left over for when the work is done.
+class InputStop : public QObject
+{
+public:
+    explicit InputStop(const QWidget& spared) : m_spared(spared), m_held(QGuiApplication::mouseButtons())
+    {
+        qApp->installEventFilter(this);
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        if (!stops(*event) || isSpared(watched))
+            return QObject::eventFilter(watched, event);
+        event->ignore();
+        return true;
+    }
+
+private:
+    [[nodiscard]] bool stops(const QEvent& event) const
+    {
+        switch (event.type()) {
+        case QEvent::MouseButtonRelease: // What was pressed before may be let go.
+            return !m_held.testFlag(static_cast<const QMouseEvent&>(event).button());
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseButtonDblClick:
+        case QEvent::MouseMove:
+        case QEvent::Enter:
+        case QEvent::HoverEnter:
+        case QEvent::HoverMove:
+        case QEvent::Wheel:
+        case QEvent::KeyPress:
+        case QEvent::ShortcutOverride:
+        case QEvent::Shortcut:
+        case QEvent::InputMethod:
+        case QEvent::ContextMenu:
+        case QEvent::TabletPress:
+        case QEvent::TabletMove:
+        case QEvent::TabletRelease:
+        case QEvent::TouchBegin:
+        case QEvent::TouchUpdate:
+        case QEvent::TouchEnd:
+        case QEvent::NativeGesture:
+        case QEvent::DragEnter:
+        case QEvent::DragMove:
+        case QEvent::Drop:
+        case QEvent::Close:
+            return true;
+        default:
+            return false;
+        }
+    }
+
+    [[nodiscard]] bool isSpared(const QObject* watched) const
+    {
+        if (watched == m_spared.windowHandle())
+            return true;
+        while (watched != nullptr && watched != &m_spared)
+            watched = watched->parent();
+        return watched != nullptr;
+    }
+
+    const QWidget& m_spared;
+    Qt::MouseButtons m_held;
+};
+
+/// Waits for `ended` with the window after a while; whether Cancel was pressed. `look` is called now and then.
+template<typename Look>
+bool watch(const QString& doing, QWidget& window, QEventLoop& loop, const Look& look)
+{
+    while (QWidget* popup = QApplication::activePopupWidget())
+        popup->close();
+    ProgressWindow progress(doing, window);
+    const InputStop stop(progress);
+    QTimer::singleShot(kMsUntilShown, &progress, &QWidget::show);
+    QTimer looks;
+    QObject::connect(&looks, &QTimer::timeout, &progress, [&] { look(progress); });
+    looks.start(kMsBetweenLooks);
+    loop.exec();
+    const bool wasActive = progress.isActiveWindow();
+    progress.hide();
+    if (wasActive)
+        window.activateWindow(); // Not every platform gives it back by itself, and shortcuts need it.
+    // What was clicked in the last moment is lost, too.
+    QCoreApplication::processEvents();
+    return progress.cancelled();
+}
+
+} // namespace
+
+Jobs::Jobs(QWidget& window) : QObject(&window), m_window(window)
+{
+    m_watched.setMaxThreadCount(1);
+    m_unwatched.setMaxThreadCount(2);
+}
+
+Jobs::~Jobs()
+{
+    m_stop = true;
+    m_unwatched.clear();
+    m_unwatched.waitForDone();
+}
+
+bool Jobs::runWatched(const QString& doing, const std::function<void(const model::Progress&)>& work)
+{
+    std::atomic<double> fraction = 0.0;
+    std::atomic<bool> stop = false;
+    QSemaphore ended;
+    QEventLoop loop;
+    m_watched.start([&] {
+        const sim::ArenaScope arena(sim::Arena::Background);
+        work([&](double done) {
+            fraction = done;
+            return !stop;
+        });
+        QMetaObject::invokeMethod(&loop, &QEventLoop::quit, Qt::QueuedConnection);
+        ended.release();
+    });
+    const bool cancelled = watch(doing, m_window, loop, [&](ProgressWindow& progress) {
+        progress.showFraction(fraction);
+        if (progress.cancelled())
+            stop = true;
+    });
+    if (!ended.tryAcquire()) { // The program ends.
+        stop = true;
+        ended.acquire();
+    }
+    return cancelled;
+}
+
+bool Jobs::awaitUntil(const QString& doing, const std::function<bool()>& ready)
+{
+    if (ready())
+        return true;
+    QEventLoop loop;
+    watch(doing, m_window, loop, [&](ProgressWindow& progress) {
+        if (ready() || progress.cancelled())
+            loop.quit();
+    });
+    return ready();
+}
+
+void Jobs::runUnwatched(std::function<void()> work)
+{
+    m_unwatched.start([work = std::move(work)] {
+        const sim::ArenaScope arena(sim::Arena::Background);
+        work();
+    });
+}
+
+} // namespace hairpaint::app

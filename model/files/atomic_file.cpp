@@ -1,0 +1,106 @@
+// Checked writing through QSaveFile.
+#include "model/files/atomic_file.h"
+
+#include <QFileInfo>
+#include <QStorageInfo>
+
+#ifdef Q_OS_UNIX
+#include <cerrno>
+#include <unistd.h>
+#endif
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr qsizetype kBufferBytes = 1 << 18;
+
+QString noSpace()
+{
+    return say(QT_TRANSLATE_NOOP("Files", "there is no space left on its disk; make room there and try again"));
+}
+
+/// Some file systems find out only now that a byte has no place. Empty where all is well.
+QString syncProblem([[maybe_unused]] const QFileDevice& file)
+{
+#ifdef Q_OS_UNIX
+    if (::fsync(file.handle()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
+        return errno == ENOSPC ? noSpace() : qt_error_string(errno);
+#endif
+    return {};
+}
+
+} // namespace
+
+QString writeProblem(const QFileDevice& file)
+{
+    // Not every system has an error of its own for a full disk.
+    constexpr qint64 kHardlyAnything = 4096;
+    const QStorageInfo disk(QFileInfo(file.fileName()).absolutePath());
+    const bool isFull = file.error() == QFileDevice::ResourceError ||
+                        (disk.isValid() && disk.isReady() && disk.bytesAvailable() < kHardlyAnything);
+    if (isFull)
+        return noSpace();
+    // A file that takes a part of what it was given has no error to tell of.
+    return file.error() == QFileDevice::NoError
+               ? say(QT_TRANSLATE_NOOP("Files", "only a part of it could be written; check that its disk has room"))
+               : file.errorString();
+}
+
+AtomicFile::AtomicFile(const QString& path) : m_file(path) {}
+
+Checked<void> AtomicFile::open()
+{
+    if (Checked<void> writable = checkWritable(m_file.fileName()); !writable)
+        return writable;
+    // QSaveFile commits also where flushing its own buffer failed, so it gets none.
+    if (!m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
+        return refuse(m_file.errorString());
+    return {};
+}
+
+void AtomicFile::write(QByteArrayView bytes)
+{
+    if (m_buffer.size() + bytes.size() < kBufferBytes) {
+        m_buffer.append(bytes.data(), bytes.size());
+        return;
+    }
+    writeThrough(m_buffer);
+    m_buffer.clear();
+    writeThrough(bytes);
+}
+
+void AtomicFile::writeThrough(QByteArrayView bytes)
+{
+    while (!bytes.isEmpty() && !failed()) {
+        // A disk that is filling up takes a part, and says why only when asked again.
+        const qint64 written = m_file.write(bytes.data(), bytes.size());
+        if (written <= 0)
+            m_problem = writeProblem(m_file);
+        else
+            bytes = bytes.sliced(static_cast<qsizetype>(written));
+    }
+}
+
+Checked<void> AtomicFile::commit()
+{
+    writeThrough(m_buffer);
+    if (!failed())
+        m_problem = syncProblem(m_file);
+    if (failed())
+        return refuse(m_problem);
+    if (!m_file.commit())
+        return refuse(writeProblem(m_file));
+    return {};
+}
+
+Checked<void> writeFile(const QString& path, QByteArrayView bytes)
+{
+    AtomicFile file(path);
+    if (Checked<void> opened = file.open(); !opened)
+        return opened;
+    file.write(bytes);
+    return file.commit();
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,38 @@
+// The one way in which files are written: whole, or not at all.
+#pragma once
+
+#include "model/files/sentences.h"
+
+#include <QByteArrayView>
+#include <QSaveFile>
+
+namespace hairpaint::model {
+
+/// A file beside `path` that takes its place once every byte is known to lie on the disk; until then, and where
+/// anything fails, `path` keeps what it held. One thread. Errors: clauses for cannotWrite.
+class AtomicFile
+{
+public:
+    explicit AtomicFile(const QString& path);
+
+    [[nodiscard]] Checked<void> open();
+    /// Remembers the first failure, for commit, and does nothing after it.
+    void write(QByteArrayView bytes);
+    [[nodiscard]] bool failed() const { return !m_problem.isEmpty(); }
+    [[nodiscard]] Checked<void> commit();
+
+private:
+    void writeThrough(QByteArrayView bytes);
+
+    QSaveFile m_file;
+    QByteArray m_buffer;
+    QString m_problem;
+};
+
+/// All of a file at once.
+[[nodiscard]] Checked<void> writeFile(const QString& path, QByteArrayView bytes);
+
+/// Why the last write to `file` failed, as a clause.
+[[nodiscard]] QString writeProblem(const QFileDevice& file);
+
+} // namespace hairpaint::model

@@ -1,0 +1,74 @@
+// The one table of a hair group's settings: files, panel, limits and the format's documentation read it.
+#pragma once
+
+#include "sim/groom/group_settings.h"
+
+#include <QString>
+
+#include <span>
+#include <variant>
+
+namespace hairpaint::model {
+
+/// What changing a setting makes anew.
+enum class Affects : std::uint8_t
+{
+    Hairs,   ///< The strands themselves are evaluated again.
+    Physics, ///< How they move.
+    Look     ///< How they are drawn; no strand is touched.
+};
+
+/// Where the panel shows it.
+enum class SettingSection : std::uint8_t
+{
+    Shape,
+    Braid,
+    Physics,
+    Look
+};
+
+using SettingMember =
+    std::variant<float sim::GroupSettings::*, int sim::GroupSettings::*, bool sim::GroupSettings::*,
+                 sim::TurnsMode sim::GroupSettings::*, float sim::PhysicsSettings::*, float sim::StrandMaterial::*>;
+
+/// A value of a setting that is one of a few.
+struct SettingChoice
+{
+    const char* id;    ///< In files.
+    const char* title; ///< To be translated in context "GroupSchema".
+};
+
+/// A row of the table. Numbers, switches (0 or 1) and choices (an index) are all read and written as a double, in SI
+/// units.
+struct GroupSetting
+{
+    const char* key; ///< In files; "physics.body" is the key body of the object physics.
+    SettingMember member;
+    Affects affects;
+    SettingSection section;
+    const char* label;                  ///< To be translated in context "GroupSchema", as are the following.
+    const char* hint;                   ///< What the smallest and the greatest value mean.
+    const char* unit;                   ///< Of the number shown; "" for none.
+    double shownPerSi;                  ///< The number shown is the SI value times this.
+    double least, greatest;             ///< In files, SI.
+    double sliderLeast, sliderGreatest; ///< In the panel, in the unit shown; within what files may hold.
+    int decimals = 0;
+    float exponent = 1.0F;                       ///< Of the slider's scale: above 1 small values have more room.
+    std::span<const SettingChoice> choices = {}; ///< Of a choice.
+
+    [[nodiscard]] double read(const sim::GroupSettings& settings) const;
+    /// Rounded where the member is a whole number; the caller keeps it between `least` and `greatest`.
+    void write(sim::GroupSettings& settings, double value) const;
+    [[nodiscard]] double shown(const sim::GroupSettings& settings) const { return read(settings) * shownPerSi; }
+    void writeShown(sim::GroupSettings& settings, double value) const { write(settings, value / shownPerSi); }
+    [[nodiscard]] bool isSwitch() const { return std::holds_alternative<bool sim::GroupSettings::*>(member); }
+    [[nodiscard]] bool isInteger() const { return std::holds_alternative<int sim::GroupSettings::*>(member); }
+};
+
+/// In the panel's order within each section.
+[[nodiscard]] std::span<const GroupSetting> groupSchema();
+/// The row of that key; there must be one.
+[[nodiscard]] const GroupSetting& groupSetting(QLatin1StringView key);
+[[nodiscard]] QString schemaText(const char* text); ///< Translated; empty stays empty.
+
+} // namespace hairpaint::model

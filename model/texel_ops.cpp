@@ -1,0 +1,337 @@
+// Scalars, indices and colours.
+#include "model/texel_ops.h"
+
+#include "model/texel_math.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr float kGreatest = 65535.0F;
+constexpr float kRounding = 0.5F; ///< lround would not become vector code; what it is added to is never negative.
+constexpr sim::Texel kBlack{0, 0, 0, 0};
+constexpr sim::Texel kWhite{65535, 65535, 65535, 0};
+
+// Scalars and colours
+
+template<int channels>
+void layValues(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint& paint)
+{
+    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
+        std::uint16_t* target = layer + texel * (channels + 1);
+        const std::uint32_t share = mul16(mask[texel], paint.opacity);
+        const std::uint32_t coverage = target[channels];
+        const std::uint32_t after = coverage + mul16(65535U - coverage, share);
+        const float part = static_cast<float>(share) / static_cast<float>(std::max(after, 1U));
+        for (int i = 0; i < channels; ++i) {
+            const std::uint16_t value = paint.values != nullptr
+                                            ? paint.values[texel * channels + static_cast<std::size_t>(i)]
+                                            : paint.value[static_cast<std::size_t>(i)];
+            const auto old = static_cast<float>(target[i]);
+            const int moved = static_cast<int>(old + (static_cast<float>(value) - old) * part + kRounding);
+            target[i] = static_cast<std::uint16_t>(moved);
+        }
+        target[channels] = static_cast<std::uint16_t>(after);
+    }
+}
+
+template<int channels>
+void eraseValues(const MapSpec& spec, std::uint16_t* layer, const std::uint16_t* mask, std::uint16_t opacity)
+{
+    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
+        std::uint16_t* target = layer + texel * (channels + 1);
+        const std::uint16_t share = mul16(mask[texel], opacity);
+        if (share == 0)
+            continue;
+        target[channels] = mul16(target[channels], 65535U - share);
+        if (target[channels] == 0)
+            std::copy_n(spec.defaultValue.begin(), channels, target);
+    }
+}
+
+template<int channels>
+void mixValues(const sim::Texel& first, const sim::Texel& second, std::span<const std::uint16_t> shares,
+               std::uint16_t* values)
+{
+    for (const std::uint16_t share : shares)
+        for (std::size_t i = 0; i < channels; ++i)
+            *values++ = lerp16(first[i], second[i], share);
+}
+
+std::uint16_t anyNumber(const MapSpec& /*spec*/)
+{
+    return 65535;
+}
+
+std::uint16_t greyOf(const sim::Texel& rgba)
+{
+    return static_cast<std::uint16_t>((rgba[0] + rgba[1] + rgba[2] + 1) / 3);
+}
+
+// Scalars
+
+void blendScalars(BlendMode mode, const std::uint16_t* layer, std::size_t layerStep, std::uint16_t opacity,
+                  std::uint16_t* map, std::size_t count)
+{
+    blendRule(mode).ofOne(layer, layerStep, opacity, map, count);
+}
+
+void scalarsToColours(const MapSpec& spec, bool nightPaper, const std::uint16_t* values, std::size_t step,
+                      std::size_t count, std::uint16_t* colours)
+{
+    const std::int64_t paper = nightPaper ? 0 : 65535;
+    const std::array<std::int64_t, 3> full{widened(qRed(spec.scaleColour)), widened(qGreen(spec.scaleColour)),
+                                           widened(qBlue(spec.scaleColour))};
+    for (std::size_t texel = 0; texel < count; ++texel)
+        for (const std::int64_t channel : full) {
+            const std::int64_t way = (channel - paper) * values[texel * step];
+            *colours++ = static_cast<std::uint16_t>(paper + (way + (way < 0 ? -32767 : 32767)) / 65535);
+        }
+}
+
+void scalarsFromColours(const MapSpec& spec, std::span<sim::Texel> texels)
+{
+    for (sim::Texel& texel : texels) {
+        const float value =
+            colourToScale(spec, static_cast<float>(texel[0]) / kGreatest, static_cast<float>(texel[1]) / kGreatest,
+                          static_cast<float>(texel[2]) / kGreatest);
+        texel = {static_cast<std::uint16_t>(std::lround(value * kGreatest)), texel[3], 0, 0};
+    }
+}
+
+void scalarsFromGreys(const MapSpec& /*spec*/, std::span<sim::Texel> texels)
+{
+    for (sim::Texel& texel : texels)
+        texel = {greyOf(texel), texel[3], 0, 0};
+}
+
+PaintValue scalarOf(const sim::Texel& texel)
+{
+    return {.scalar = static_cast<float>(texel[0]) / kGreatest};
+}
+
+sim::Texel texelOfScalar(const PaintValue& value)
+{
+    return {unit16(value.scalar), 0, 0, 0};
+}
+
+QString scalarText(const sim::GroupSettings& settings, const MapSpec& spec, const PaintValue& value)
+{
+    const int decimals = spec.scale->decimals(settings);
+    QString number = QLocale().toString(spec.scale->shown(settings, static_cast<double>(value.scalar)), 'f', decimals);
+    const QString zeros = QLocale().decimalPoint() + QLocale().zeroDigit();
+    if (decimals == 1 && number.endsWith(zeros))
+        number.chop(zeros.size());
+    return number + QChar(0x2009) + spec.scale->unit(settings);
+}
+
+// Indices
+
+void layIndices(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint& paint)
+{
+    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
+        if (mask[texel] < kHalfCoverage)
+            continue;
+        layer[texel * 2] = paint.values != nullptr ? paint.values[texel] : paint.value[0];
+        layer[texel * 2 + 1] = 65535;
+    }
+}
+
+void eraseIndices(const MapSpec& spec, std::uint16_t* layer, const std::uint16_t* mask, std::uint16_t /*opacity*/)
+{
+    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
+        if (mask[texel] < kHalfCoverage)
+            continue;
+        layer[texel * 2] = spec.defaultValue[0];
+        layer[texel * 2 + 1] = 0;
+    }
+}
+
+void blendIndices(BlendMode /*mode*/, const std::uint16_t* layer, std::size_t layerStep, std::uint16_t opacity,
+                  std::uint16_t* map, std::size_t count)
+{
+    for (std::size_t texel = 0; texel < count; ++texel) {
+        const std::uint16_t* source = layer + texel * layerStep;
+        map[texel] = mul16(source[1], opacity) >= kHalfCoverage ? source[0] : map[texel];
+    }
+}
+
+void chooseIndices(const sim::Texel& first, const sim::Texel& second, std::span<const std::uint16_t> shares,
+                   std::uint16_t* values)
+{
+    for (const std::uint16_t share : shares)
+        *values++ = (share < kHalfCoverage ? first : second)[0];
+}
+
+/// An index of 0, or of no entry, is the paper.
+void indicesToColours(const MapSpec& spec, bool nightPaper, const std::uint16_t* values, std::size_t step,
+                      std::size_t count, std::uint16_t* colours)
+{
+    for (std::size_t texel = 0; texel < count; ++texel) {
+        const std::size_t index = values[texel * step];
+        sim::Texel rgb = nightPaper ? kBlack : kWhite;
+        if (index > 0 && index < spec.palette.size()) {
+            const QRgb colour = spec.palette[index].colour;
+            rgb = {widened(qRed(colour)), widened(qGreen(colour)), widened(qBlue(colour)), 0};
+        }
+        colours = std::copy_n(rgb.begin(), 3, colours);
+    }
+}
+
+void indicesFromColours(const MapSpec& spec, std::span<sim::Texel> texels)
+{
+    for (sim::Texel& texel : texels)
+        texel = {colourToIndex(spec, static_cast<float>(texel[0]) / kGreatest, static_cast<float>(texel[1]) / kGreatest,
+                               static_cast<float>(texel[2]) / kGreatest),
+                 texel[3], 0, 0};
+}
+
+/// A grey of 0..1 spread over the palette's entries.
+void indicesFromGreys(const MapSpec& spec, std::span<sim::Texel> texels)
+{
+    const auto last = static_cast<float>(spec.palette.size() - 1);
+    for (sim::Texel& texel : texels)
+        texel = {static_cast<std::uint16_t>(std::lround(static_cast<float>(greyOf(texel)) / kGreatest * last)),
+                 texel[3], 0, 0};
+}
+
+PaintValue indexOfTexel(const sim::Texel& texel)
+{
+    return {.index = texel[0]};
+}
+
+sim::Texel texelOfIndex(const PaintValue& value)
+{
+    return {static_cast<std::uint16_t>(value.index), 0, 0, 0};
+}
+
+QString indexText(const sim::GroupSettings& /*settings*/, const MapSpec& spec, const PaintValue& value)
+{
+    const auto index = static_cast<std::size_t>(std::max(value.index, 0));
+    return index < spec.palette.size() ? spec.palette[index].titleText() : QString::number(value.index);
+}
+
+std::uint16_t lastOfPalette(const MapSpec& spec)
+{
+    return static_cast<std::uint16_t>(spec.palette.size() - 1);
+}
+
+// Colours
+
+void blendColours(BlendMode mode, const std::uint16_t* layer, std::size_t layerStep, std::uint16_t opacity,
+                  std::uint16_t* map, std::size_t count)
+{
+    blendRule(mode).ofThree(layer, layerStep, opacity, map, count);
+}
+
+void coloursAsTheyAre(const MapSpec& /*spec*/, bool /*nightPaper*/, const std::uint16_t* values, std::size_t step,
+                      std::size_t count, std::uint16_t* colours)
+{
+    for (std::size_t texel = 0; texel < count; ++texel)
+        colours = std::copy_n(values + texel * step, 3, colours);
+}
+
+void coloursFromColours(const MapSpec& /*spec*/, std::span<sim::Texel> /*texels*/) {}
+
+void coloursFromGreys(const MapSpec& /*spec*/, std::span<sim::Texel> texels)
+{
+    for (sim::Texel& texel : texels) {
+        const std::uint16_t grey = greyOf(texel);
+        texel = {grey, grey, grey, texel[3]};
+    }
+}
+
+PaintValue colourOf(const sim::Texel& texel)
+{
+    return {.colour = QColor::fromRgba64(texel[0], texel[1], texel[2])};
+}
+
+sim::Texel texelOfColour(const PaintValue& value)
+{
+    const QRgba64 exact = value.colour.rgba64();
+    return {exact.red(), exact.green(), exact.blue(), 0};
+}
+
+QString colourText(const sim::GroupSettings& /*settings*/, const MapSpec& /*spec*/, const PaintValue& value)
+{
+    return value.colour.name();
+}
+
+constexpr std::array kOps{
+    TexelOps{.kind = TexelKind::Scalar,
+             .continuous = true,
+             .lay = layValues<1>,
+             .erase = eraseValues<1>,
+             .blend = blendScalars,
+             .mix = mixValues<1>,
+             .toColours = scalarsToColours,
+             .fromColours = scalarsFromColours,
+             .fromGreys = scalarsFromGreys,
+             .paintValue = scalarOf,
+             .texel = texelOfScalar,
+             .text = scalarText,
+             .greatest = anyNumber},
+    TexelOps{.kind = TexelKind::Index,
+             .continuous = false,
+             .lay = layIndices,
+             .erase = eraseIndices,
+             .blend = blendIndices,
+             .mix = chooseIndices,
+             .toColours = indicesToColours,
+             .fromColours = indicesFromColours,
+             .fromGreys = indicesFromGreys,
+             .paintValue = indexOfTexel,
+             .texel = texelOfIndex,
+             .text = indexText,
+             .greatest = lastOfPalette},
+    TexelOps{.kind = TexelKind::Colour,
+             .continuous = true,
+             .lay = layValues<3>,
+             .erase = eraseValues<3>,
+             .blend = blendColours,
+             .mix = mixValues<3>,
+             .toColours = coloursAsTheyAre,
+             .fromColours = coloursFromColours,
+             .fromGreys = coloursFromGreys,
+             .paintValue = colourOf,
+             .texel = texelOfColour,
+             .text = colourText,
+             .greatest = anyNumber},
+};
+
+static_assert(
+    [] {
+        for (std::size_t i = 0; i < kOps.size(); ++i)
+            if (static_cast<std::size_t>(kOps[i].kind) != i)
+                return false;
+        return true;
+    }(),
+    "rows stand in the order of TexelKind");
+
+} // namespace
+
+const TexelOps& texelOps(TexelKind kind)
+{
+    return kOps[static_cast<std::size_t>(kind)];
+}
+
+sim::Texel PaintValue::texel(const MapSpec& spec) const
+{
+    return texelOps(spec).texel(*this);
+}
+
+QRgb colourOfTexel(const MapSpec& spec, const sim::Texel& texel, bool nightPaper)
+{
+    std::array<std::uint16_t, 3> colour{};
+    texelOps(spec).toColours(spec, nightPaper, texel.data(), 0, 1, colour.data());
+    return qRgb(narrowed(colour[0]), narrowed(colour[1]), narrowed(colour[2]));
+}
+
+} // namespace hairpaint::model

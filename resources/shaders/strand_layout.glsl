@@ -1,0 +1,32 @@
+// How strands lie in the GPU's buffers (std430). Read as GLSL by every shader, and as C++ by packed_style.h.
+
+// Skeletons: [slots / kStrandLanes][nodes][3][kStrandLanes] floats.
+const uint kStrandLanes = 16u;
+
+// A strand that is drawn, and where its points begin.
+struct DrawnStrand
+{
+    uint slot;       // In the order of the frame's positions.
+    uint firstPoint; // Of segments + 1.
+};
+
+// What a strand looks like: sim::StrandStyle, with its root's tangent.
+struct PackedStyle
+{
+    float lengthM;
+    float turns;
+    float curlRadiusM;
+    float phase;
+    uint rootColour;
+    uint tipColour;
+    float width;
+    float detail;
+    uint braid; // sim::BraidKind; bits 8 and 9 the wisp.
+    float braidRadiusM;
+    float braidStart;
+    float braidTurns;
+    float wispOffsetX;
+    float wispOffsetY;
+    float variation;
+    uint tangentHd; // A unit vector in an octahedron's two coordinates, as unpackSnorm2x16 reads them.
+};

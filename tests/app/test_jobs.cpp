@@ -1,0 +1,328 @@
+// Work in the background: what it throws becomes a sentence, Cancel ends it, and input meanwhile is lost.
+#include "app/cli/command.h"
+#include "app/heads.h"
+#include "app/jobs.h"
+#include "app/library.h"
+#include "app/picture.h"
+#include "app/session.h"
+#include "sim/motion/simulation.h"
+#include "tests/app/window_fixture.h"
+#include "tests/support/allocation_limit.h"
+#include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
+
+#include <QAction>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryFile>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <atomic>
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+#ifdef Q_OS_UNIX
+#include <unistd.h>
+#endif
+
+namespace hairpaint::app {
+
+namespace {
+
+QDialog* shownProgress(const QWidget& window)
+{
+    auto* progress = window.findChild<QDialog*>(QStringLiteral("progressWindow"));
+    return progress != nullptr && progress->isVisible() ? progress : nullptr;
+}
+
+/// Work that ends when it is told to, and only then.
+model::Result<int> untilStopped(const model::Progress& progress)
+{
+    while (progress(0.25))
+        std::this_thread::yield();
+    return model::failure(QStringLiteral("stopped"));
+}
+
+/// Does something once, as soon as it may.
+class When : public QTimer
+{
+public:
+    When(std::function<bool()> ready, std::function<void()> act)
+    {
+        connect(this, &QTimer::timeout, this, [this, ready = std::move(ready), act = std::move(act)] {
+            if (!ready())
+                return;
+            stop();
+            act();
+        });
+        start(5);
+    }
+};
+
+} // namespace
+
+class TestJobs : public QObject
+{
+    Q_OBJECT
+private:
+    struct Window : QWidget
+    {
+        QPushButton button{QStringLiteral("Press"), this};
+        QLineEdit field{this};
+        QAction action;
+        int pressed = 0;
+        int shortcuts = 0;
+
+        Window()
+        {
+            auto* layout = new QVBoxLayout(this);
+            layout->addWidget(&button);
+            layout->addWidget(&field);
+            action.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
+            addAction(&action);
+            connect(&button, &QPushButton::clicked, this, [this] { ++pressed; });
+            connect(&action, &QAction::triggered, this, [this] { ++shortcuts; });
+            show();
+            field.setFocus();
+        }
+
+        /// As from the system's queue, and straight to the widgets.
+        void disturb()
+        {
+            const QPoint place = button.mapTo(this, button.rect().center());
+            QTest::mouseClick(windowHandle(), Qt::LeftButton, {}, place);
+            QTest::keyClick(windowHandle(), Qt::Key_A);
+            QTest::mouseClick(&button, Qt::LeftButton);
+            QTest::keyClick(&field, Qt::Key_B);
+            QTest::keyClick(&field, Qt::Key_K, Qt::ControlModifier);
+        }
+    };
+
+private Q_SLOTS:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+    void theResultOfWorkComesBack()
+    {
+        Window window;
+        Jobs jobs(window);
+        const auto result = jobs.await<int>(QStringLiteral("Counting"), [&](const model::Progress& progress) {
+            return std::this_thread::get_id() != std::thread::id() && progress(0.5) ? model::Result<int>(42)
+                                                                                    : model::Result<int>(0);
+        });
+        QVERIFY(result && *result);
+        QCOMPARE(**result, 42);
+    }
+
+    void whatWorkThrowsBecomesASentenceOfWhatWasDone_data()
+    {
+        QTest::addColumn<bool>("memory");
+        QTest::addColumn<bool>("watched");
+        QTest::newRow("memory, watched") << true << true;
+        QTest::newRow("memory, unwatched") << true << false;
+        QTest::newRow("something else, watched") << false << true;
+        QTest::newRow("something else, unwatched") << false << false;
+    }
+    void whatWorkThrowsBecomesASentenceOfWhatWasDone()
+    {
+        QFETCH(bool, memory);
+        QFETCH(bool, watched);
+        Window window;
+        Jobs jobs(window);
+        const Work<int> work = [memory](const model::Progress&) -> model::Result<int> {
+            // On a pool's thread, where nobody else would catch it.
+            sim::parallelFor(64, 1, [memory](std::size_t, std::size_t) {
+                if (memory)
+                    throw std::bad_alloc();
+                throw std::runtime_error("no such thing");
+            });
+            return 1;
+        };
+        std::optional<model::Result<int>> result;
+        if (watched)
+            result = jobs.await<int>(QStringLiteral("Reading head.glb"), work);
+        else
+            jobs.start<int>(QStringLiteral("Reading head.glb"), work, &window,
+                            [&result](const model::Result<int>& got) { result = got; });
+        QTRY_VERIFY_WITH_TIMEOUT(result.has_value(), kPatienceMs);
+        QVERIFY(!*result);
+        const QString& said = result->error().message;
+        QVERIFY2(said.startsWith(QStringLiteral("Reading head.glb")), qPrintable(said));
+        QVERIFY(said.contains(memory ? QStringLiteral("memory") : QStringLiteral("no such thing")));
+        QVERIFY(said.endsWith(QLatin1Char('.')) && !said.contains(QLatin1Char('\n')));
+    }
+
+    void cancelEndsTheWork_data()
+    {
+        QTest::addColumn<bool>("byKey");
+        QTest::newRow("by mouse") << false;
+        QTest::newRow("by Esc") << true;
+    }
+    void cancelEndsTheWork()
+    {
+        QFETCH(bool, byKey);
+        Window window;
+        Jobs jobs(window);
+        When cancel([&] { return shownProgress(window) != nullptr; },
+                    [&] {
+                        QDialog* progress = shownProgress(window);
+                        if (byKey)
+                            QTest::keyClick(progress, Qt::Key_Escape);
+                        else
+                            QTest::mouseClick(
+                                progress->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel),
+                                Qt::LeftButton);
+                    });
+        QVERIFY(!jobs.await<int>(QStringLiteral("Waiting"), untilStopped));
+        QVERIFY(shownProgress(window) == nullptr);
+        // So does waiting for something that never comes.
+        cancel.start();
+        QVERIFY(!jobs.awaitUntil(QStringLiteral("Waiting"), [] { return false; }));
+        QVERIFY(jobs.awaitUntil(QStringLiteral("Waiting"), [] { return true; }));
+    }
+
+    void whatIsClickedAndTypedMeanwhileIsLost()
+    {
+        Window window;
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        Jobs jobs(window);
+        std::atomic<bool> disturbed = false;
+        When early([] { return true; }, [&] { window.disturb(); });
+        When late([&] { return shownProgress(window) != nullptr; },
+                  [&] {
+                      window.disturb();
+                      QVERIFY(!window.close());
+                      disturbed = true;
+                  });
+        const auto result = jobs.await<int>(QStringLiteral("Waiting"), [&](const model::Progress&) {
+            while (!disturbed)
+                std::this_thread::yield();
+            return model::Result<int>(1);
+        });
+        QVERIFY(result);
+        QCoreApplication::processEvents();
+        QCOMPARE(window.pressed, 0);
+        QCOMPARE(window.shortcuts, 0);
+        QCOMPARE(window.field.text(), QString());
+        QVERIFY(window.isVisible());
+        // Afterwards all is as before.
+        window.activateWindow();
+        window.disturb();
+        QTRY_COMPARE_WITH_TIMEOUT(window.pressed, 2, kPatienceMs);
+        QVERIFY(window.field.text().contains(QLatin1Char('b')));
+    }
+
+    void unwatchedWorkTellsWhoIsStillThere()
+    {
+        Window window;
+        auto jobs = std::make_unique<Jobs>(window);
+        int told = 0;
+        auto gone = std::make_unique<QObject>();
+        std::atomic<bool> go = false;
+        const Work<int> work = [&go](const model::Progress&) -> model::Result<int> {
+            while (!go)
+                std::this_thread::yield();
+            return 7;
+        };
+        jobs->start<int>(QStringLiteral("One"), work, gone.get(), [&](const model::Result<int>&) { told += 100; });
+        jobs->start<int>(QStringLiteral("Two"), work, &window, [&](const model::Result<int>& got) {
+            QCOMPARE(QThread::currentThread(), window.thread());
+            told += *got;
+        });
+        gone.reset();
+        go = true;
+        QTRY_COMPARE_WITH_TIMEOUT(told, 7, kPatienceMs);
+        // Its end stops what goes on.
+        jobs->start<int>(QStringLiteral("Three"), untilStopped, &window, [&](const model::Result<int>&) { told = -1; });
+        jobs.reset();
+        QCoreApplication::processEvents();
+        QCOMPARE(told, 7);
+    }
+
+    void preparingAHeadStopsWhereverItIsAsked()
+    {
+        const QByteArray source = model::writeGlb(test::makeBallHead(24, 0.11F));
+        int asked = 0;
+        QVERIFY(remakeHead(QStringLiteral("ball"), source, {}, [&asked](double) { return ++asked > 0; }));
+        QVERIFY(asked > 3);
+        for (int stopAt = 1; stopAt <= asked; stopAt += 1 + asked / 8) {
+            int count = 0;
+            const auto head = remakeHead(QStringLiteral("ball"), source, {}, [&](double) { return ++count < stopAt; });
+            QVERIFY(!head);
+            QVERIFY(count <= stopAt + 2); // Nothing goes on for long.
+        }
+    }
+
+    void drawingAPictureStopsWhereverItIsAsked()
+    {
+        const auto maker = PictureMaker::create();
+        QVERIFY(maker);
+        const auto frame = [] {
+            sim::Simulation simulation;
+            simulation.setInput(model::Document(starterProject()).groomInput());
+            auto made = std::make_shared<sim::StrandFrame>();
+            simulation.writeFrame(*made);
+            return made;
+        }();
+        const model::Project project = starterProject();
+        const rendering::Camera camera =
+            rendering::standardCamera(rendering::StandardView::Front, project.head->skin->mesh());
+        const auto take = [&](const model::Progress& progress) {
+            return (*maker)->take(project, frame, camera, QSize(64, 64), progress);
+        };
+        std::vector<double> told;
+        const auto whole = take([&told](double drawn) {
+            told.push_back(drawn);
+            return true;
+        });
+        QVERIFY(whole);
+        QVERIFY(told.size() > 3);
+        QVERIFY(std::ranges::is_sorted(told));
+        QCOMPARE(told.back(), 1.0);
+        std::size_t count = 0;
+        QVERIFY(!take([&](double) { return ++count < 2; }));
+        QCOMPARE(count, std::size_t{2});
+        // In pieces or at once, stopped before or not: the same picture.
+        const auto again = take({});
+        QVERIFY(again);
+        QVERIFY(*again == *whole);
+    }
+
+    void hairThatFindsNoMemoryCostsOneSentence()
+    {
+        const test::AllocationLimit limit(std::size_t{1} << 20U);
+        Session session(starterProject());
+        QSignalSpy failures(&session, &Session::hairFailed);
+        QTRY_COMPARE_WITH_TIMEOUT(failures.size(), 1, kPatienceMs);
+        QVERIFY(failures.front().front().toString().contains(QStringLiteral("memory")));
+    }
+
+#ifdef Q_OS_UNIX
+    void aVerbThatFindsNoMemoryNamesItsProject()
+    {
+        QTemporaryFile said;
+        QVERIFY(said.open());
+        const int before = dup(STDERR_FILENO);
+        dup2(said.handle(), STDERR_FILENO);
+        const ExitCode code = run({.name = "render",
+                                   .usage = "",
+                                   .purpose = "",
+                                   .run = [](const QStringList&) -> ExitCode { throw std::bad_alloc(); }},
+                                  {QStringLiteral("-o"), QStringLiteral("a.png"), QStringLiteral("curls.hairpaint")});
+        dup2(before, STDERR_FILENO);
+        close(before);
+        QCOMPARE(code, ExitCode::Failed);
+        said.seek(0);
+        const QByteArray line = said.readAll();
+        QVERIFY2(line.contains("curls.hairpaint") && line.count('\n') == 1, line.constData());
+    }
+#endif
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestJobs, Widgets)
+#include "test_jobs.moc"

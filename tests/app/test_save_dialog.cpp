@@ -1,0 +1,107 @@
+// No file is replaced without a question, also where the dialog was given its name without the ending.
+#include "tests/app/window_fixture.h"
+#include "tests/model/archive_maker.h"
+#include "tests/support/test_program.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace hairpaint::app {
+
+namespace {
+
+/// Types names into file dialogs, one after another, and answers what is asked then.
+class Saver : public QObject
+{
+public:
+    QStringList names; ///< The dialog is cancelled once there is none left.
+    bool replaces = false;
+    QStringList asked;
+
+    Saver() { startTimer(20); }
+
+protected:
+    void timerEvent(QTimerEvent* /*event*/) override
+    {
+        QWidget* waiting = QApplication::activeModalWidget();
+        if (auto* files = qobject_cast<QFileDialog*>(waiting)) {
+            if (names.isEmpty())
+                return files->reject();
+            files->findChild<QLineEdit*>()->setText(names.takeFirst());
+            for (QAbstractButton* button : files->findChild<QDialogButtonBox*>()->buttons())
+                if (files->findChild<QDialogButtonBox*>()->buttonRole(button) == QDialogButtonBox::AcceptRole)
+                    return button->click();
+        } else if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
+            asked += box->text();
+            box->button(replaces ? QMessageBox::Yes : QMessageBox::No)->click();
+        }
+    }
+};
+
+} // namespace
+
+class TestSaveDialog : public QObject, private WindowFixture
+{
+    Q_OBJECT
+private:
+    static void actions()
+    {
+        QTest::addColumn<QByteArray>("action");
+        QTest::addColumn<QString>("suffix");
+        QTest::newRow("project") << QByteArray("file.saveAs") << QStringLiteral(".hairpaint");
+        QTest::newRow("hair") << QByteArray("file.exportHair") << QStringLiteral(".hair");
+        QTest::newRow("picture") << QByteArray("file.picture") << QStringLiteral(".png");
+        QTest::newRow("map") << QByteArray("file.saveImage") << QStringLiteral(".png");
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        qputenv("HAIRPAINT_IMPORT", HAIRPAINT_IMPORT_PROGRAM);
+        prepareApplication();
+    }
+    void cleanup() { m_window.reset(); }
+
+    void whatIsThereIsReplacedOnlyAfterAsking_data() { actions(); }
+    void whatIsThereIsReplacedOnlyAfterAsking()
+    {
+        QFETCH(QByteArray, action);
+        QFETCH(QString, suffix);
+        openWindow(model::newProject());
+        const QString bare = m_folder.filePath(QStringLiteral("taken"));
+        const QString other = m_folder.filePath(QStringLiteral("other")) + suffix;
+        test::writeBytes(bare + suffix, "old");
+        QFile::remove(other);
+        Saver saver;
+
+        // Without the ending, with it, and then given up.
+        saver.names = {bare, bare + suffix};
+        m_window->actions().find(QLatin1StringView(action))->trigger();
+        QCOMPARE(saver.asked.size(), 2);
+        for (const QString& question : saver.asked)
+            QVERIFY2(question.contains(QStringLiteral("taken") + suffix), qPrintable(question));
+        QCOMPARE(test::readBytes(bare + suffix), QByteArray("old"));
+
+        // Another name needs no question.
+        saver.names = {bare, other};
+        m_window->actions().find(QLatin1StringView(action))->trigger();
+        QCOMPARE(saver.asked.size(), 3);
+        QVERIFY(QFileInfo::exists(other));
+        QCOMPARE(test::readBytes(bare + suffix), QByteArray("old"));
+
+        saver.replaces = true;
+        saver.names = {bare};
+        m_window->actions().find(QLatin1StringView(action))->trigger();
+        QCOMPARE(saver.asked.size(), 4);
+        QVERIFY(test::readBytes(bare + suffix).size() > 100);
+    }
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestSaveDialog, Widgets)
+#include "test_save_dialog.moc"

@@ -1,0 +1,108 @@
+// Settings survive the program, other windows and a full disk.
+#include "app/settings_store.h"
+#include "tests/model/archive_maker.h"
+#include "tests/support/test_program.h"
+
+#include <QScopeGuard>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#ifdef Q_OS_UNIX
+#include <csignal>
+#include <sys/resource.h>
+#endif
+
+using namespace hairpaint;
+using hairpaint::app::SettingsStore;
+
+class TestSettingsStore : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+
+    [[nodiscard]] QString path() const { return m_folder.filePath(QStringLiteral("a/b/settings.json")); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QSettings().clear();
+    }
+    void init() { SettingsStore(path()).clear(); }
+
+    void everyKindOfValueComesBack()
+    {
+        const QByteArray bytes("\0\xFF geometry", 11);
+        const QStringList list{QStringLiteral("/ä/b.hairpaint"), QStringLiteral("c")};
+        {
+            SettingsStore store(path());
+            store.setValue(QStringLiteral("text"), QStringLiteral("base"));
+            store.setValue(QStringLiteral("number"), 7);
+            store.setValue(QStringLiteral("truth"), true);
+            store.setValue(QStringLiteral("bytes"), bytes);
+            store.setValue(QStringLiteral("keys/list"), list);
+            store.setValue(QStringLiteral("gone"), 1);
+            store.remove(QStringLiteral("gone"));
+        }
+        const SettingsStore store(path());
+        QCOMPARE(store.value(QStringLiteral("text")).toString(), QStringLiteral("base"));
+        QCOMPARE(store.value(QStringLiteral("number")).toInt(), 7);
+        QCOMPARE(store.value(QStringLiteral("truth")).toBool(), true);
+        QCOMPARE(store.value(QStringLiteral("bytes")).toByteArray(), bytes);
+        QCOMPARE(store.value(QStringLiteral("keys/list")).toStringList(), list);
+        QCOMPARE(store.value(QStringLiteral("gone"), 5).toInt(), 5);
+    }
+
+    void twoWindowsKeepEachOthersSettings()
+    {
+        SettingsStore one(path());
+        SettingsStore other(path());
+        one.setValue(QStringLiteral("one"), 1);
+        other.setValue(QStringLiteral("other"), 2);
+        const SettingsStore both(path());
+        QCOMPARE(both.value(QStringLiteral("one")).toInt(), 1);
+        QCOMPARE(both.value(QStringLiteral("other")).toInt(), 2);
+    }
+
+    void whatAnOlderProgramLeftIsTakenOver()
+    {
+        QSettings().setValue(QStringLiteral("keys/tool.brush"), QStringLiteral("Q"));
+        QSettings().setValue(QStringLiteral("geometry"), QByteArray("\1\2", 2));
+        const SettingsStore store(m_folder.filePath(QStringLiteral("none/settings.json")));
+        QCOMPARE(store.value(QStringLiteral("keys/tool.brush")).toString(), QStringLiteral("Q"));
+        QCOMPARE(store.value(QStringLiteral("geometry")).toByteArray(), QByteArray("\1\2", 2));
+        QSettings().clear();
+    }
+
+    void aSpoiltFileIsNoSettings()
+    {
+        test::writeBytes(path(), "{ \"text\": ");
+        QVERIFY(!SettingsStore(path()).value(QStringLiteral("text")).isValid());
+    }
+
+#ifdef Q_OS_UNIX
+    /// A limit on a file's size fails writes as a full disk does.
+    void onAFullDiskTheOldSettingsStay()
+    {
+        SettingsStore store(path());
+        store.setValue(QStringLiteral("text"), QStringLiteral("old"));
+        rlimit before{};
+        getrlimit(RLIMIT_FSIZE, &before);
+        {
+            const auto restore = qScopeGuard([before] { setrlimit(RLIMIT_FSIZE, &before); });
+            std::signal(SIGXFSZ, SIG_IGN);
+            const rlimit most{.rlim_cur = 10, .rlim_max = before.rlim_max};
+            setrlimit(RLIMIT_FSIZE, &most);
+            store.setValue(QStringLiteral("text"), QStringLiteral("new"));
+        }
+        QCOMPARE(store.value(QStringLiteral("text")).toString(), QStringLiteral("new"));
+        QCOMPARE(SettingsStore(path()).value(QStringLiteral("text")).toString(), QStringLiteral("old"));
+    }
+#endif
+};
+
+HAIRPAINT_TEST(TestSettingsStore, Core)
+#include "test_settings_store.moc"

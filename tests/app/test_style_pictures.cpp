@@ -1,0 +1,132 @@
+// Pictures of styles without one: the styles' own files stay as their owner leaves them.
+#include "app/library.h"
+#include "app/style_pictures.h"
+#include "model/files/preset_file.h"
+#include "model/files/project_file.h"
+#include "tests/app/window_fixture.h"
+#include "tests/support/test_program.h"
+
+#include <QDir>
+#include <QSignalSpy>
+
+namespace hairpaint::app {
+
+namespace {
+
+QByteArray bytesOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QImage plain(QColor colour)
+{
+    QImage image(192, 192, QImage::Format_RGB32);
+    image.fill(colour);
+    return image;
+}
+
+} // namespace
+
+class TestStylePictures : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+    QWidget m_window;
+
+    /// A style without a picture; `name` tells one from the other.
+    [[nodiscard]] QString style(const char* file, const QString& name)
+    {
+        const QString path = m_folder.filePath(QString::fromLatin1(file));
+        return model::savePreset(model::presetFrom(model::newProject(), name), path) ? path : QString();
+    }
+
+private Q_SLOTS:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+    void init() { QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).removeRecursively(); }
+
+    void aPictureComesAndTheFileStaysAsItIs()
+    {
+        const QString path = style("calm.hairpreset", QStringLiteral("Calm"));
+        const QByteArray before = bytesOf(path);
+        Jobs jobs(m_window);
+        StylePictures pictures(jobs);
+        QSignalSpy made(&pictures, &StylePictures::made);
+        pictures.make(path);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 1, kPatienceMs);
+        QCOMPARE(made.front().at(0).toString(), path);
+        QCOMPARE(made.front().at(1).value<QImage>().size(), QSize(192, 192));
+        QVERIFY(bytesOf(path) == before);
+    }
+
+    void aPictureIsDrawnOnceForWhatAFileHolds()
+    {
+        const QString path = style("once.hairpreset", QStringLiteral("Once"));
+        Jobs jobs(m_window);
+        std::atomic<int> drawn = 0;
+        StylePictures pictures(jobs, [&drawn](const model::Preset&, const model::Progress&) {
+            ++drawn;
+            return plain(Qt::red);
+        });
+        QSignalSpy made(&pictures, &StylePictures::made);
+        pictures.make(path);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 1, kPatienceMs);
+        pictures.make(path);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 2, kPatienceMs);
+        QCOMPARE(drawn.load(), 1);
+        QCOMPARE(made.back().at(1).value<QImage>().pixelColor(9, 9), QColor(Qt::red));
+        QVERIFY(!style("once.hairpreset", QStringLiteral("Another")).isEmpty());
+        pictures.make(path);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 3, kPatienceMs);
+        QCOMPARE(drawn.load(), 2);
+    }
+
+    void aStyleDeletedOrReplacedMeanwhileStaysSo_data()
+    {
+        QTest::addColumn<bool>("replaced");
+        QTest::newRow("deleted") << false;
+        QTest::newRow("replaced") << true;
+    }
+    void aStyleDeletedOrReplacedMeanwhileStaysSo()
+    {
+        QFETCH(bool, replaced);
+        const QString path = style("gone.hairpreset", QStringLiteral("Gone"));
+        const QString other = style("other.hairpreset", QStringLiteral("Other"));
+        const QByteArray wanted = replaced ? bytesOf(other) : QByteArray();
+        Jobs jobs(m_window);
+        StylePictures pictures(jobs, [&](const model::Preset&, const model::Progress&) {
+            QFile::remove(path);
+            if (replaced)
+                QFile::copy(other, path);
+            return plain(Qt::blue);
+        });
+        QSignalSpy made(&pictures, &StylePictures::made);
+        pictures.make(path);
+        QTRY_VERIFY_WITH_TIMEOUT(pictures.idle(), kPatienceMs);
+        QCOMPARE(made.size(), 0); // It shows what is there no more.
+        QCOMPARE(QFile::exists(path), replaced);
+        QVERIFY(bytesOf(path) == wanted);
+    }
+
+    void whatIsForgottenNeverComes()
+    {
+        const QString first = style("first.hairpreset", QStringLiteral("First"));
+        const QString second = style("second.hairpreset", QStringLiteral("Second"));
+        Jobs jobs(m_window);
+        StylePictures pictures(jobs, [](const model::Preset&, const model::Progress&) { return plain(Qt::green); });
+        QSignalSpy made(&pictures, &StylePictures::made);
+        pictures.make(first);
+        pictures.make(second);
+        pictures.forget();
+        pictures.make(second);
+        QTRY_VERIFY_WITH_TIMEOUT(pictures.idle(), kPatienceMs);
+        QCOMPARE(made.size(), 1);
+        QCOMPARE(made.front().front().toString(), second);
+    }
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestStylePictures, Widgets)
+#include "test_style_pictures.moc"

@@ -1,0 +1,156 @@
+// gui_latency/groom: how long an event of the window waits while 100,000 hairs are groomed again and again;
+// gui_latency/head_import: while a head of 130,000 triangles is prepared. Counters: the median, the 99th percentile and
+// the longest wait, in ms. Nobody draws: the window's views are not shown.
+#include "app/heads.h"
+#include "app/jobs.h"
+#include "app/library.h"
+#include "app/session.h"
+#include "model/commands/commands.h"
+#include "tests/support/test_heads.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QWidget>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace hairpaint {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+QApplication& application()
+{
+    static int argc = 1;
+    static char name[] = "hairpaint_bench";
+    static char* argv[] = {name, nullptr};
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    static QApplication made(argc, argv);
+    return made;
+}
+
+struct Sent : QEvent
+{
+    Sent() : QEvent(QEvent::User) {}
+    Clock::time_point at = Clock::now();
+};
+
+/// Takes what another thread sends every few milliseconds, as a mouse does.
+class Receiver : public QObject
+{
+public:
+    Receiver()
+        : m_sender([this] {
+              while (!m_stop) {
+                  QCoreApplication::postEvent(this, new Sent);
+                  std::this_thread::sleep_for(std::chrono::milliseconds(3));
+              }
+          })
+    {}
+    ~Receiver() override { stop(); }
+
+    void report(benchmark::State& state)
+    {
+        stop();
+        if (m_waits.empty())
+            return state.SkipWithError("no event came");
+        std::ranges::sort(m_waits);
+        const auto at = [this](double fraction) {
+            return m_waits[static_cast<std::size_t>(fraction * static_cast<double>(m_waits.size() - 1))];
+        };
+        state.counters["median_ms"] = at(0.5);
+        state.counters["p99_ms"] = at(0.99);
+        state.counters["longest_ms"] = at(1.0);
+    }
+
+protected:
+    bool event(QEvent* event) override
+    {
+        if (event->type() != QEvent::User)
+            return QObject::event(event);
+        const Clock::duration waited = Clock::now() - static_cast<const Sent*>(event)->at;
+        m_waits.push_back(std::chrono::duration<double, std::milli>(waited).count());
+        return true;
+    }
+
+private:
+    void stop()
+    {
+        m_stop = true;
+        if (m_sender.joinable())
+            m_sender.join();
+    }
+
+    std::vector<double> m_waits;
+    std::atomic<bool> m_stop = false;
+    std::thread m_sender;
+};
+
+void duringGrooms(benchmark::State& state)
+{
+    application();
+    model::Project project = app::starterProject();
+    project.wind.enabled = true;
+    sim::GroupSettings& settings = project.groups.front().settings;
+    const double painted = settings.greatestDensityPerM2;
+    constexpr double kHairs = 100'000.0;
+    const auto await = [](app::Session& session) {
+        while (session.hair() != app::Session::Hair::Current)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    };
+    {
+        app::Session session(project);
+        await(session);
+        settings.greatestDensityPerM2 =
+            static_cast<float>(painted * kHairs / static_cast<double>(session.frame()->hairCount));
+    }
+    app::Session session(project);
+    await(session);
+    Receiver receiver;
+    model::Document& document = session.document();
+    for ([[maybe_unused]] auto step : state) {
+        sim::GroupSettings next = document.project().groups.front().settings;
+        next.greatestLengthM *= 0.99F;
+        document.push(
+            model::setSettingsCommand(document, document.project().groups.front().id, next, QStringLiteral("Length")));
+        await(session);
+    }
+    receiver.report(state);
+    state.counters["hairs"] = static_cast<double>(session.frame()->hairCount);
+}
+
+void duringHeadImports(benchmark::State& state)
+{
+    application();
+    QWidget window;
+    app::Jobs jobs(window);
+    const sim::HeadMesh mesh = test::makeBallHead(360, 0.11F);
+    Receiver receiver;
+    for ([[maybe_unused]] auto step : state) {
+        const auto head =
+            jobs.await<app::ImportedHead>(QStringLiteral("Preparing"), [&](const model::Progress& progress) {
+                return app::remakeHead(QStringLiteral("ball"), model::writeGlb(mesh), {}, progress);
+            });
+        if (!head || !*head)
+            state.SkipWithError("the head could not be made");
+    }
+    receiver.report(state);
+}
+
+BENCHMARK(duringGrooms)->Name("gui_latency/groom")->Iterations(20)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(duringHeadImports)
+    ->Name("gui_latency/head_import")
+    ->Iterations(10)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace hairpaint

@@ -1,0 +1,112 @@
+// A file is written whole or not at all, also where only its last bytes found no place.
+#include "model/files/archive.h"
+#include "model/files/atomic_file.h"
+#include "tests/model/archive_maker.h"
+#include "tests/support/test_program.h"
+
+#include <QDir>
+#include <QScopeGuard>
+#include <QTemporaryDir>
+#include <QTest>
+
+#ifdef Q_OS_UNIX
+#include <csignal>
+#include <sys/resource.h>
+#endif
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+
+class TestAtomicFile : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+
+    [[nodiscard]] QString path() const { return m_folder.filePath(QStringLiteral("file")); }
+    [[nodiscard]] QStringList names() const { return QDir(m_folder.path()).entryList(QDir::Files | QDir::Hidden); }
+
+private Q_SLOTS:
+    void init() { test::writeBytes(path(), "old"); }
+
+    void piecesOfAnySizeArriveInOrder()
+    {
+        QByteArray expected;
+        AtomicFile file(path());
+        QVERIFY(file.open());
+        for (const int size : {1, 100'000, 5, 300'000, 262'143, 1, 0, 1'000'000, 7}) {
+            const QByteArray piece(size, static_cast<char>('a' + size % 26));
+            expected += piece;
+            file.write(piece);
+        }
+        QCOMPARE(test::readBytes(path()), QByteArray("old"));
+        QVERIFY(file.commit());
+        QVERIFY(test::readBytes(path()) == expected);
+        QCOMPARE(names().size(), 1);
+    }
+
+    void whatIsNotCommittedLeavesTheOldFile()
+    {
+        {
+            AtomicFile file(path());
+            QVERIFY(file.open());
+            file.write("new");
+        }
+        QCOMPARE(test::readBytes(path()), QByteArray("old"));
+        QCOMPARE(names().size(), 1);
+    }
+
+    void whatCantBeReplacedIsRefused()
+    {
+        QVERIFY(!writeFile(m_folder.path(), "new"));
+        QVERIFY(!writeFile(m_folder.filePath(QStringLiteral("nowhere/file")), "new"));
+    }
+
+#ifdef Q_OS_UNIX
+    /// A limit on a file's size fails its last bytes as a full disk does.
+    void aFileWhoseLastBytesFindNoPlaceLeavesTheOldOne_data()
+    {
+        QTest::addColumn<int>("size");
+        QTest::addColumn<int>("room");
+        QTest::newRow("none of it") << 100 << 0;
+        QTest::newRow("all but the last byte") << 100 << 99;
+        QTest::newRow("all but the last of a buffer") << 16'384 << 16'383;
+        QTest::newRow("a piece of many") << 3'000'000 << 2'999'999;
+    }
+    void aFileWhoseLastBytesFindNoPlaceLeavesTheOldOne()
+    {
+        QFETCH(int, size);
+        QFETCH(int, room);
+        ArchiveWriter archive; // Its own bytes come on top.
+        archive.add("a", QByteArray(size, 'x'), ArchiveWriter::Method::Stored);
+
+        rlimit before{};
+        getrlimit(RLIMIT_FSIZE, &before);
+        const auto restore = qScopeGuard([before] { setrlimit(RLIMIT_FSIZE, &before); });
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit most{.rlim_cur = static_cast<rlim_t>(room), .rlim_max = before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &most);
+
+        const Checked<void> written = writeFile(path(), QByteArray(size, 'x'));
+        QVERIFY(!written);
+        QVERIFY(!written.error().text.isEmpty());
+        QVERIFY(!written.error().text.contains(QStringLiteral("Unknown")));
+        QVERIFY(!archive.writeTo(path()));
+        QCOMPARE(test::readBytes(path()), QByteArray("old"));
+        QCOMPARE(names().size(), 1);
+    }
+#endif
+
+#ifdef Q_OS_LINUX
+    void aFullDiskIsNamedAsSuch()
+    {
+        QFile full(QStringLiteral("/dev/full"));
+        QVERIFY(full.open(QIODevice::WriteOnly | QIODevice::Unbuffered));
+        QVERIFY(full.write("x", 1) < 0);
+        QVERIFY2(writeProblem(full).contains(QStringLiteral("no space left")), qPrintable(writeProblem(full)));
+    }
+#endif
+};
+
+HAIRPAINT_TEST(TestAtomicFile, Core)
+#include "test_atomic_file.moc"

@@ -1,0 +1,112 @@
+// The table of a group's settings: what it says is what files, documentation and the groom do.
+#include "model/group_schema.h"
+#include "sim/groom/groom.h"
+#include "tests/support/painted_ball.h"
+#include "tests/support/test_program.h"
+
+#include <QRegularExpression>
+#include <QtTest>
+
+#include <set>
+
+using namespace hairpaint;
+using model::Affects;
+using model::GroupSetting;
+
+class TestGroupSchema : public QObject
+{
+    Q_OBJECT
+private:
+    /// Another value of the setting, well within its range.
+    static double otherValue(const GroupSetting& row)
+    {
+        const double now = row.read({});
+        if (row.isSwitch() || !row.choices.empty())
+            return now == 0.0 ? 1.0 : 0.0;
+        const double lower = row.least + (now - row.least) * 0.5;
+        return row.isInteger() ? std::floor(lower) : lower == now ? (now + row.greatest) * 0.5 : lower;
+    }
+
+    static void addRows()
+    {
+        QTest::addColumn<int>("index");
+        for (int i = 0; i < static_cast<int>(model::groupSchema().size()); ++i)
+            QTest::newRow(model::groupSchema()[static_cast<std::size_t>(i)].key) << i;
+    }
+
+private Q_SLOTS:
+    void aSettingIsReadAsItIsWritten_data() { addRows(); }
+    void aSettingIsReadAsItIsWritten()
+    {
+        QFETCH(int, index);
+        const GroupSetting& row = model::groupSchema()[static_cast<std::size_t>(index)];
+        sim::GroupSettings settings;
+        row.write(settings, otherValue(row));
+        QVERIFY(qFuzzyCompare(static_cast<float>(row.read(settings)), static_cast<float>(otherValue(row))));
+        // And nothing else is.
+        row.write(settings, row.read({}));
+        QVERIFY(settings == sim::GroupSettings{});
+        QVERIFY(row.read({}) >= row.least && row.read({}) <= row.greatest);
+        QVERIFY(row.sliderLeast / row.shownPerSi >= row.least * 0.999);
+        QVERIFY(row.sliderGreatest / row.shownPerSi <= row.greatest * 1.001);
+    }
+
+    void keysAreUniqueAndEveryMemberIsThere()
+    {
+        std::set<QByteArray> keys;
+        for (const GroupSetting& row : model::groupSchema())
+            keys.insert(row.key);
+        QCOMPARE(keys.size(), model::groupSchema().size());
+        // Changing every row changes every float and int; the struct has no other members.
+        QCOMPARE(keys.size(), std::size_t{25});
+    }
+
+    void strandsAreRebuiltJustWhereTheTableSaysSo_data() { addRows(); }
+    void strandsAreRebuiltJustWhereTheTableSaysSo()
+    {
+        QFETCH(int, index);
+        const GroupSetting& row = model::groupSchema()[static_cast<std::size_t>(index)];
+        sim::GroomInput input = test::paintedBall(3000, 300);
+        sim::GroomBuilder builder;
+        QVERIFY(builder.update(input).rebuiltStrands > 0);
+        row.write(input.groups.front().settings, otherValue(row));
+        const sim::GroomBuilder::Report report = builder.update(input);
+        QCOMPARE(report.rebuiltStrands > 0, row.affects == Affects::Hairs);
+        QVERIFY(report.grooms.front()->settings == input.groups.front().settings);
+    }
+
+    void theFormatsDocumentationSaysTheSame()
+    {
+        QFile file(QStringLiteral(HAIRPAINT_SOURCE_DIR "/model/files/hairpaint_format.md"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(file.readAll());
+        for (const GroupSetting& row : model::groupSchema()) {
+            const QRegularExpression pattern(QStringLiteral("^\\| `%1` \\| ([^|]*) \\| ([^|]*) \\|")
+                                                 .arg(QRegularExpression::escape(QLatin1String(row.key))),
+                                             QRegularExpression::MultilineOption);
+            const QRegularExpressionMatch match = pattern.match(text);
+            QVERIFY2(match.hasMatch(), row.key);
+            const QString range = match.captured(1);
+            const QString standard = match.captured(2);
+            if (!row.choices.empty()) {
+                for (const model::SettingChoice& choice : row.choices)
+                    QVERIFY2(range.contains(QLatin1Char('`') + QLatin1String(choice.id) + QLatin1Char('`')), row.key);
+                QCOMPARE(standard, QStringLiteral("`%1`").arg(
+                                       QLatin1String(row.choices[static_cast<std::size_t>(row.read({}))].id)));
+            } else if (row.isSwitch()) {
+                QCOMPARE(standard, row.read({}) != 0.0 ? QStringLiteral("`true`") : QStringLiteral("`false`"));
+            } else {
+                QStringList ends = range.split(QStringLiteral(" .. "));
+                QCOMPARE(ends.size(), 2);
+                QCOMPARE(ends[0].startsWith(QStringLiteral("integer, ")), row.isInteger());
+                ends[0].remove(QStringLiteral("integer, "));
+                QCOMPARE(ends[0].toDouble(), row.least);
+                QCOMPARE(ends[1].remove(QLatin1Char(',')).toDouble(), row.greatest);
+                QCOMPARE(static_cast<float>(standard.toDouble()), static_cast<float>(row.read({})));
+            }
+        }
+    }
+};
+
+HAIRPAINT_TEST(TestGroupSchema, Core)
+#include "test_group_schema.moc"

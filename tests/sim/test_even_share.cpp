@@ -1,0 +1,103 @@
+// Of the hairs that are there, an even share can be kept: exact in number, alike everywhere, smaller shares in larger.
+#include "sim/groom/even_share.h"
+#include "tests/support/test_grooms.h"
+#include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace hairpaint::sim;
+using namespace hairpaint::test;
+
+namespace {
+
+using Grooms = std::vector<std::shared_ptr<const Groom>>;
+
+/// Twice as dense on the left as on the right, and a hidden group.
+Grooms twoGroups()
+{
+    GroomInput input;
+    input.skin = std::make_shared<const Skin>(makePatchHead(16, 0.2F));
+    for (int id = 1; id <= 3; ++id) {
+        GroupInput group = uniformGroup();
+        group.id = id;
+        group.settings.greatestDensityPerM2 = 5e5F;
+        group.settings.basisHairs = 256;
+        group.maps[MapSlot::Density] = halves(1.0F, 0.5F);
+        group.visible = id != 2;
+        input.groups.push_back(group);
+    }
+    return GroomBuilder().update(input).grooms;
+}
+
+/// Group and slot of every drawn hair of the visible groups.
+std::set<std::pair<int, std::size_t>> drawn(const Grooms& grooms)
+{
+    std::set<std::pair<int, std::size_t>> hairs;
+    for (const auto& groom : grooms) {
+        std::size_t count = 0;
+        for (std::size_t slot = 0; slot < groom->roots->count(); ++slot)
+            if (const auto& chunk = groom->chunks[slot / kChunkSlots]; chunk && chunk->drawn[slot % kChunkSlots]) {
+                ++count;
+                if (groom->visible)
+                    hairs.emplace(groom->groupId, slot);
+            }
+        if (count != groom->drawnCount)
+            return {};
+    }
+    return hairs;
+}
+
+} // namespace
+
+class TestEvenShare : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void theNumberIsExactAndSmallerSharesArePartsOfLarger()
+    {
+        const Grooms all = twoGroups();
+        auto larger = drawn(all);
+        QVERIFY(larger.size() > 20'000);
+        for (const std::size_t count : {std::size_t{20'000}, std::size_t{9'999}, std::size_t{1'000}, std::size_t{1}}) {
+            const auto kept = drawn(evenShare(all, count));
+            QCOMPARE(kept.size(), count);
+            QVERIFY(std::ranges::includes(larger, kept));
+            larger = kept;
+        }
+    }
+
+    void everywhereTheSameShareIsKept()
+    {
+        const Grooms all = twoGroups();
+        const Grooms kept = evenShare(all, drawn(all).size() / 4);
+        const auto inHalf = [](const Groom& groom, bool left) {
+            std::size_t count = 0;
+            for (std::size_t slot = 0; slot < groom.roots->count(); ++slot)
+                if (const auto& chunk = groom.chunks[slot / kChunkSlots];
+                    chunk && chunk->drawn[slot % kChunkSlots] && (groom.roots->uv[slot].x < 0.5F) == left)
+                    ++count;
+            return static_cast<double>(count);
+        };
+        for (const std::size_t group : {std::size_t{0}, std::size_t{2}})
+            for (const bool left : {true, false}) {
+                const double share = inHalf(*kept[group], left) / inHalf(*all[group], left);
+                QVERIFY2(std::abs(share - 0.25) < 0.01, qPrintable(QString::number(share)));
+            }
+        QCOMPARE(inHalf(*kept[1], true), inHalf(*all[1], true)); // Hidden hair is nobody's share.
+    }
+
+    void allAreKeptWhereThereAreNoMore()
+    {
+        const Grooms all = twoGroups();
+        QVERIFY(evenShare(all, drawn(all).size()) == all);
+        QVERIFY(evenShare({}, 5).empty());
+    }
+};
+
+HAIRPAINT_TEST(TestEvenShare, None)
+#include "test_even_share.moc"

@@ -1,0 +1,105 @@
+// What the user works with, whichever view changes it.
+#include "model/commands/commands.h"
+#include "tests/support/test_program.h"
+#include "tests/view/panel_fixture.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace hairpaint;
+using model::MapKind;
+
+namespace {
+
+struct Fixture : view::PanelFixture
+{
+    Fixture()
+    {
+        state.setActiveMap(MapKind::Length);
+        setGreatestLength(0.3F);
+        setLength(0.5F);
+    }
+    void setGreatestLength(float metres)
+    {
+        sim::GroupSettings settings = scalp().settings;
+        settings.greatestLengthM = metres;
+        document.push(setSettingsCommand(document, scalp().id, settings, QStringLiteral("Length")));
+    }
+    void setLength(float fraction)
+    {
+        model::ToolSettings settings = state.toolSettings();
+        settings.value(MapKind::Length).scalar = fraction;
+        state.setToolSettings(settings);
+    }
+    [[nodiscard]] float lengthM() const
+    {
+        const model::HairGroup* group = document.project().group(state.activeGroup());
+        return state.toolSettings().value(MapKind::Length).scalar * group->settings.greatestLengthM;
+    }
+};
+
+} // namespace
+
+class TestEditorState : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void aRangeThatChangesLeavesTheAmount_data()
+    {
+        QTest::addColumn<float>("greatestM");
+        QTest::addColumn<float>("lengthM");
+        QTest::newRow("half the range") << 0.15F << 0.15F;
+        QTest::newRow("twice the range") << 0.6F << 0.15F;
+        QTest::newRow("less than the amount") << 0.075F << 0.075F;
+    }
+    void aRangeThatChangesLeavesTheAmount()
+    {
+        QFETCH(float, greatestM);
+        QFETCH(float, lengthM);
+        Fixture f;
+        QSignalSpy told(&f.state, &view::EditorState::told);
+        f.setGreatestLength(greatestM);
+        QVERIFY(std::abs(f.lengthM() - lengthM) < 1e-5F);
+        QCOMPARE(told.count(), lengthM < 0.15F ? 1 : 0);
+        f.document.undo();
+        QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
+    }
+
+    void aStyleThatIsOnlyLookedAtLeavesTheAmountToo()
+    {
+        Fixture f;
+        QSignalSpy told(&f.state, &view::EditorState::told);
+        model::EditSession look;
+        f.document.show(look, {.policy = model::EditPolicy::Drop}, {.aspect = model::Change::Aspect::GroupList},
+                        [](model::Project& project) { project.groups.front().settings.greatestLengthM = 0.075F; });
+        QVERIFY(std::abs(f.lengthM() - 0.075F) < 1e-5F);
+        look.drop();
+        QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
+        QCOMPARE(told.count(), 0);
+    }
+
+    void swappingKeepsAmountsThatLieBeyondTheRange()
+    {
+        Fixture f;
+        f.setGreatestLength(0.075F);
+        for (int i = 0; i < 2; ++i) {
+            model::ToolSettings settings = f.state.toolSettings();
+            std::swap(settings.value(MapKind::Length), settings.secondValue(MapKind::Length));
+            f.state.setToolSettings(settings);
+        }
+        f.setGreatestLength(0.6F);
+        QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
+    }
+
+    void anotherGroupsRangeLeavesTheAmount()
+    {
+        Fixture f;
+        f.state.setActiveGroup(f.document.project().groups[1].id);
+        QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
+        f.state.setActiveGroup(f.scalp().id);
+        QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
+    }
+};
+
+HAIRPAINT_TEST(TestEditorState, Widgets)
+#include "test_editor_state.moc"

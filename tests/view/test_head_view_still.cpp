@@ -1,0 +1,116 @@
+// The 3D area tells still hair from moving hair, and shows what state its picture is in.
+#include "head_fixture.h"
+#include "tests/support/test_program.h"
+#include "view/head/head_overlay.h"
+#include "view/head/view_signs.h"
+
+#include <QSignalSpy>
+
+using namespace hairpaint;
+using namespace hairpaint::test;
+
+class HeadViewStillTest : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void hairThatHangsStillIsRefinedThoughItIsAwake()
+    {
+        HeadFixture f;
+        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
+        f.editor.state.setHover(std::nullopt);
+        const auto frame = std::make_shared<sim::StrandFrame>(*f.frame());
+        frame->asleep = false;
+        std::size_t drawn = 0;
+        int frames = 0;
+        connect(&f.area, &view::HeadView::frameDrawn, this, [&](const rendering::FrameStatistics& statistics) {
+            drawn = statistics.drawnHairs;
+            ++frames;
+        });
+        f.area.setFrame(frame);
+        QTRY_VERIFY(drawn > 0);
+        QVERIFY(drawn < frame->hairCount);
+        QTRY_VERIFY(drawn == frame->hairCount && !f.area.refining());
+
+        // A drift that nobody sees leaves the fine picture alone.
+        f.area.setFrame(movedBy(*frame, 1e-5F));
+        QTest::qWait(100);
+        const int before = frames;
+        f.area.setFrame(movedBy(*frame, 2e-5F));
+        QTest::qWait(100);
+        QCOMPARE(frames, before);
+        // What adds up to more than a pixel is shown at once, with fewer hairs.
+        f.area.setFrame(movedBy(*frame, 0.01F));
+        QTRY_VERIFY(frames > before);
+        QVERIFY(drawn < frame->hairCount);
+        QTRY_COMPARE(drawn, frame->hairCount);
+    }
+
+    void inputEndsTheRefining()
+    {
+        HeadFixture f;
+        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
+        const std::shared_ptr<const sim::StrandFrame> frame = f.frame();
+        QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
+        f.area.setFrame(frame);
+        QTRY_VERIFY(f.area.refining());
+        QVERIFY(f.area.findChild<view::ViewSigns*>()->text().contains(QStringLiteral("Refining")));
+        f.wheel(kMiddle, 1);
+        QVERIFY(f.area.findChild<view::ViewSigns*>()->text().isEmpty());
+        drawn.clear();
+        QTRY_VERIFY(!drawn.isEmpty());
+        QVERIFY(drawn.constFirst()[0].value<rendering::FrameStatistics>().drawnHairs < frame->hairCount);
+    }
+
+    void aBrushOnTheFarSideShowsAsAGhostAndTheViewTurnsToIt()
+    {
+        HeadFixture f;
+        const sim::Skin& skin = *f.editor.document.project().head->skin;
+        const auto brushAt = [&](glm::vec3 placeHd, model::Area area) {
+            const sim::SurfacePoint point = skin.nearest(placeHd);
+            f.editor.state.setHover(view::Hover{.area = area, .uv = point.uv, .point = point});
+            return point;
+        };
+        auto* overlay = f.area.findChild<view::HeadOverlay*>();
+        brushAt({0.0F, 0.0F, kBallM}, model::Area::Paint);
+        QVERIFY(overlay->ghost().isEmpty());
+        const sim::SurfacePoint behind = brushAt({0.03F, 0.02F, -kBallM}, model::Area::Paint);
+        QVERIFY(!overlay->ghost().isEmpty() && overlay->isVisible());
+        QVERIFY(overlay->ghost().boundingRect().contains(f.area.positionOf(behind.positionHd).value()));
+        f.area.turnToBrush();
+        QTRY_VERIFY(overlay->ghost().isEmpty());
+        QTRY_VERIFY(std::abs(std::remainder(f.area.camera().azimuthRad - 2.85F, 6.2832F)) < 0.1F);
+        const std::optional<sim::SurfacePoint> seen = f.area.skinAt(f.area.positionOf(behind.positionHd).value());
+        QVERIFY(seen && glm::distance(seen->positionHd, behind.positionHd) < 0.003F);
+    }
+
+    void hairOfTheHeadBeforeIsNotShown()
+    {
+        HeadFixture f;
+        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
+        const std::shared_ptr<const sim::StrandFrame> old = f.frame();
+        f.area.setFrame(old);
+        const QImage hairy = f.area.grabPicture({480, 400});
+        auto head = std::make_shared<model::Head>(*f.editor.document.project().head);
+        head->skin = std::make_shared<sim::Skin>(test::makeBallHead());
+        f.editor.document.push(model::setHeadCommand(f.editor.document, head, {}));
+        f.area.setCamera(HeadFixture::camera());
+        f.area.setFrame(old); // The simulation was still at it.
+        const QImage bald = f.area.grabPicture({480, 400});
+        QVERIFY(differingPixels(hairy, bald, QRect(0, 0, 480, 400)) > 200);
+        f.area.setFrame(f.frame());
+        QVERIFY(differingPixels(f.area.grabPicture({480, 400}), bald, QRect(0, 0, 480, 400)) > 200);
+    }
+
+    void aSignTellsThatTheHairIsPaused()
+    {
+        HeadFixture f;
+        f.area.setHairPaused(true);
+        auto* signs = f.area.findChild<view::ViewSigns*>();
+        QVERIFY(signs->isVisible() && signs->text().contains(QStringLiteral("Paused")));
+        f.area.setHairPaused(false);
+        QVERIFY(!signs->text().contains(QStringLiteral("Paused")));
+    }
+};
+
+HAIRPAINT_TEST(HeadViewStillTest, Widgets)
+#include "test_head_view_still.moc"

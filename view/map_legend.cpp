@@ -1,0 +1,150 @@
+// The legend of a map's colours.
+#include "view/map_legend.h"
+
+#include "model/map_colours.h"
+#include "view/theme.h"
+#include "view/widgets/value_text.h"
+
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr int kWidth = 184;
+constexpr int kBar = 12;
+constexpr int kLine = 18;
+constexpr double kLeastTickGap = 0.15; ///< Of the bar's width.
+
+/// Round numbers that keep their distance on the bar, with both ends.
+QList<MapLegend::Tick> ticksOf(const sim::GroupSettings& settings, const model::MapSpec& spec)
+{
+    const ValueUnit unit = valueUnit(settings, spec.kind);
+    const auto tickAt = [&](double shown) {
+        const double value = mapValue(settings, spec.kind, shown);
+        return MapLegend::Tick{static_cast<double>(model::shownFraction(spec, static_cast<float>(value))),
+                               QLocale().toString(shown, 'g', 4)};
+    };
+    QList<MapLegend::Tick> ticks{tickAt(unit.minimum), tickAt(unit.maximum)};
+    for (double power = std::pow(10.0, std::ceil(std::log10(std::max(unit.maximum, 1e-3))));
+         power >= 1e-3 * unit.maximum; power /= 10.0) {
+        for (const double step : {5.0, 2.0, 1.0}) {
+            const double shown = step * power;
+            if (shown <= unit.minimum || shown >= unit.maximum)
+                continue;
+            const MapLegend::Tick tick = tickAt(shown);
+            const auto near = [&tick](const MapLegend::Tick& other) {
+                return std::abs(other.fraction - tick.fraction) < kLeastTickGap;
+            };
+            if (std::ranges::none_of(ticks, near))
+                ticks.append(tick);
+        }
+    }
+    std::ranges::sort(ticks, {}, &MapLegend::Tick::fraction);
+    return ticks;
+}
+
+} // namespace
+
+MapLegend::MapLegend(QWidget* parent) : QWidget(parent)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAccessibleName(tr("What the colours mean"));
+    hide();
+}
+
+void MapLegend::showMap(const model::MapSpec& spec, const sim::GroupSettings& settings, bool nightPaper)
+{
+    if (!isHidden() && m_spec == &spec && m_settings == settings && m_nightPaper == nightPaper)
+        return;
+    m_spec = &spec;
+    m_settings = settings;
+    m_nightPaper = nightPaper;
+    m_title = spec.titleText();
+    m_labels.clear();
+    m_colours.clear();
+    m_ticks.clear();
+    m_isScale = spec.scale != nullptr;
+    if (m_isScale) {
+        m_labels.append(rangeText(settings, spec));
+        m_colours = {QColor(model::shownColour(spec, 0, nightPaper)),
+                     QColor(model::shownColour(spec, 65535, nightPaper))};
+        m_ticks = ticksOf(settings, spec);
+        m_title = tr("%1, %2").arg(spec.titleText(), valueUnit(settings, spec.kind).unit);
+    }
+    for (std::size_t i = 0; i < spec.palette.size(); ++i) {
+        model::PaintValue value;
+        value.index = static_cast<int>(i);
+        m_labels.append(spec.palette[i].titleText());
+        m_colours.append(valueColour(spec, value, nightPaper));
+    }
+    const int lines = static_cast<int>(m_labels.size()) + 1;
+    resize(kWidth, 2 * metrics::kGap + lines * kLine + (m_isScale ? kBar + metrics::kGrid : 0));
+    place();
+    show();
+    raise();
+    update();
+}
+
+void MapLegend::place()
+{
+    if (const QWidget* area = parentWidget())
+        move(metrics::kPadding, area->height() - height() - metrics::kPadding);
+}
+
+void MapLegend::paintScale(QPainter& painter, const QRect& line) const
+{
+    const Theme theme = Theme::current();
+    const QRectF bar(line.left(), line.top() + 2, line.width(), kBar);
+    // Mixing the two ends evenly gives the colours between, since the bar is even in what is shown.
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    gradient.setColorAt(0.0, m_colours.constFirst());
+    gradient.setColorAt(1.0, m_colours.constLast());
+    painter.setPen(theme.line);
+    painter.setBrush(gradient);
+    painter.drawRoundedRect(bar, 2, 2);
+    for (const Tick& tick : m_ticks) {
+        const double x = bar.left() + tick.fraction * bar.width();
+        const double width = painter.fontMetrics().horizontalAdvance(tick.text);
+        painter.setPen(theme.dimText);
+        painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + 3.0));
+        const double left = std::clamp(x - width / 2.0, bar.left(), bar.right() - width);
+        painter.drawText(QRectF(left, bar.bottom() + 3.0, width + 1.0, kLine), Qt::AlignLeft | Qt::AlignTop, tick.text);
+    }
+}
+
+void MapLegend::paintEvent(QPaintEvent* /*event*/)
+{
+    const Theme theme = Theme::current();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(theme.line);
+    painter.setBrush(theme.panel);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), metrics::kRadius, metrics::kRadius);
+    QRect line = rect().adjusted(metrics::kPadding, metrics::kGap, -metrics::kPadding, -metrics::kGap);
+    line.setHeight(kLine);
+    painter.setFont(themeFont(TextRole::Label));
+    painter.setPen(theme.text);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, m_title);
+    line.translate(0, kLine);
+    painter.setFont(themeFont(TextRole::Status));
+    if (m_isScale) {
+        paintScale(painter, line);
+        return;
+    }
+    for (qsizetype i = 0; i < m_labels.size(); ++i, line.translate(0, kLine)) {
+        QRect text = line;
+        painter.setPen(theme.line);
+        painter.setBrush(m_colours[i]);
+        painter.drawRoundedRect(QRectF(line.left(), line.top() + 3, kBar, kBar), 2, 2);
+        text.setLeft(line.left() + kBar + metrics::kGap);
+        painter.setPen(theme.dimText);
+        painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, m_labels[i]);
+    }
+}
+
+} // namespace hairpaint::view

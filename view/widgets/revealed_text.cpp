@@ -1,0 +1,33 @@
+// The eraser's words.
+#include "view/widgets/revealed_text.h"
+
+#include "view/widgets/value_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace hairpaint::view {
+
+bool erases(const EditorState& state)
+{
+    return state.activeTool().id() == model::ToolId::Eraser;
+}
+
+QString revealedText(const EditorState& state)
+{
+    const model::HairGroup* group = state.document().project().group(state.activeGroup());
+    if (group == nullptr || !erases(state))
+        return {};
+    const model::MapSpec& spec = model::mapSpec(state.activeMap());
+    const std::vector<model::Layer>& layers = group->map(spec.kind).layers;
+    const auto active = std::ranges::find(layers, state.activeLayer(), &model::Layer::id);
+    const bool covers = std::any_of(layers.begin(), active,
+                                    [](const model::Layer& layer) { return layer.visible && layer.opacity > 0; });
+    if (covers)
+        return QCoreApplication::translate("RevealedText", "reveals the layers below");
+    return QCoreApplication::translate("RevealedText", "reveals %1, the default")
+        .arg(valueText(group->settings, spec, valueOfTexel(spec, spec.defaultValue)));
+}
+
+} // namespace hairpaint::view

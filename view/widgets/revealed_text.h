@@ -1,0 +1,15 @@
+// What erasing leaves where it erases.
+#pragma once
+
+#include "view/editor_state.h"
+
+namespace hairpaint::view {
+
+/// Whether the active tool takes paint away.
+[[nodiscard]] bool erases(const EditorState& state);
+
+/// "reveals 15 cm, the default" on a map's lowest layer, else that the layers below show; empty while the active tool
+/// erases nothing.
+[[nodiscard]] QString revealedText(const EditorState& state);
+
+} // namespace hairpaint::view
