@@ -27,9 +27,8 @@ private Q_SLOTS:
             ++frames;
         });
         f.area.setFrame(frame);
-        QTRY_VERIFY(drawn > 0);
-        QVERIFY(drawn < frame->hairCount);
-        QTRY_VERIFY(drawn == frame->hairCount && !f.area.refining());
+        // Step by step: how many hairs the first picture has is the machine's affair (see test_detail_governor).
+        QTRY_VERIFY(frames > 1 && drawn == frame->hairCount && !f.area.refining());
 
         // A drift that nobody sees leaves the fine picture alone.
         f.area.setFrame(movedBy(*frame, 1e-5F));
@@ -38,10 +37,9 @@ private Q_SLOTS:
         f.area.setFrame(movedBy(*frame, 2e-5F));
         QTest::qWait(100);
         QCOMPARE(frames, before);
-        // What adds up to more than a pixel is shown at once, with fewer hairs.
+        // What adds up to more than a pixel is shown at once, and refined anew.
         f.area.setFrame(movedBy(*frame, 0.01F));
-        QTRY_VERIFY(frames > before);
-        QVERIFY(drawn < frame->hairCount);
+        QTRY_VERIFY(frames > before + 1);
         QTRY_COMPARE(drawn, frame->hairCount);
     }
 
@@ -58,7 +56,6 @@ private Q_SLOTS:
         QVERIFY(f.area.findChild<view::ViewSigns*>()->text().isEmpty());
         drawn.clear();
         QTRY_VERIFY(!drawn.isEmpty());
-        QVERIFY(drawn.constFirst()[0].value<rendering::FrameStatistics>().drawnHairs < frame->hairCount);
     }
 
     void aBrushOnTheFarSideShowsAsAGhostAndTheViewTurnsToIt()

@@ -1,6 +1,7 @@
 // The layers of the active map.
 #include "view/panels/layers_panel.h"
 
+#include "model/blend_modes.h"
 #include "model/commands/commands.h"
 #include "model/names.h"
 #include "view/panels/layer_list.h"
@@ -42,6 +43,7 @@ LayersPanel::LayersPanel(EditorState& state, QWidget* parent) : QWidget(parent),
     auto* top = new QHBoxLayout;
     top->setSpacing(metrics::kGap);
     m_blend = new QComboBox(this);
+    m_blend->setMaxVisibleItems(static_cast<int>(model::kBlendModeCount)); // All modes at a glance.
     m_blend->setAccessibleName(tr("Blend mode"));
     m_blend->setToolTip(tr("How the layer mixes with those below it"));
     m_opacity = new BarSlider(tr("Opacity"), this);
