@@ -72,6 +72,35 @@ void* operator new[](std::size_t bytes, std::align_val_t alignment)
     return allocate(bytes, static_cast<std::size_t>(alignment));
 }
 
+// These too, or what they gave would be released by those below.
+void* operator new(std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept
+{
+    try {
+        return allocate(bytes, alignof(std::max_align_t));
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
+
+void* operator new[](std::size_t bytes, const std::nothrow_t& tag) noexcept
+{
+    return operator new(bytes, tag);
+}
+
+void* operator new(std::size_t bytes, std::align_val_t alignment, const std::nothrow_t& /*tag*/) noexcept
+{
+    try {
+        return allocate(bytes, static_cast<std::size_t>(alignment));
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
+
+void* operator new[](std::size_t bytes, std::align_val_t alignment, const std::nothrow_t& tag) noexcept
+{
+    return operator new(bytes, alignment, tag);
+}
+
 void operator delete(void* memory) noexcept
 {
     release(memory);
