@@ -115,7 +115,8 @@ private Q_SLOTS:
             // What the panels draw by themselves they shorten where it does not fit.
             for (const QString& text : test::paintedTexts(widget))
                 if (text.endsWith(QChar(0x2026)) &&
-                    text != QCoreApplication::translate("hairpaint::view::ValuePalette", "Custom…"))
+                    text != QCoreApplication::translate("hairpaint::view::ValuePalette", "Custom…") &&
+                    text != QCoreApplication::translate("hairpaint::view::ViewSigns", "Refining…"))
                     cut.append(text);
         };
         view::EditorState& editor = m_window->session().editor();

@@ -18,7 +18,7 @@ using namespace hairpaint::test;
 
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(60); // only ever waited for where a test fails
+constexpr auto kPatience = std::chrono::seconds(300); // only ever waited for where a test fails
 
 /// Waits for a frame that fulfils the condition; null after kPatience.
 template<typename Condition>
@@ -126,7 +126,7 @@ void TestSimulationWorker::inputWithoutEndHoldsUpNoFrames()
     });
     const auto first = awaitFrame(worker, hasHair);
     const auto later =
-        first ? awaitFrame(worker, [&](const StrandFrame& frame) { return frame.number > first->number + 20; })
+        first ? awaitFrame(worker, [&](const StrandFrame& frame) { return frame.number > first->number + 5; })
               : nullptr;
     enough = true;
     flood.join();
