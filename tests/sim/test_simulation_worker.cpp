@@ -126,7 +126,7 @@ void TestSimulationWorker::inputWithoutEndHoldsUpNoFrames()
     });
     const auto first = awaitFrame(worker, hasHair);
     const auto later =
-        first ? awaitFrame(worker, [&](const StrandFrame& frame) { return frame.number > first->number + 5; })
+        first ? awaitFrame(worker, [&](const StrandFrame& frame) { return frame.number > first->number + 20; })
               : nullptr;
     enough = true;
     flood.join();
