@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kFittedEllipsoids = 5;
 /// Of the whole preparation, for its progress.
-constexpr double kShareOfReading = 0.1;
-constexpr double kShareOfSkin = 0.5;
+constexpr double kReadingFraction = 0.1;
+constexpr double kSkinFraction = 0.5;
 
 } // namespace
 
@@ -28,7 +28,7 @@ model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& so
                                        const model::Progress& progress)
 {
     const auto goesOn = [&progress](double done) { return !progress || progress(done); };
-    if (!goesOn(kShareOfReading))
+    if (!goesOn(kReadingFraction))
         return model::cancelled(name);
     model::Result<std::shared_ptr<const model::Head>> head =
         model::makeHead(name, sourceGlb, guess.unitScale, guess.upAxis);
@@ -36,7 +36,7 @@ model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& so
         return tl::unexpected(head.error());
     ImportedHead result;
     result.head = std::move(*head);
-    const auto keepGoing = [&](double fitted) { return goesOn(kShareOfSkin + (1.0 - kShareOfSkin) * fitted); };
+    const auto keepGoing = [&](double fitted) { return goesOn(kSkinFraction + (1.0 - kSkinFraction) * fitted); };
     result.ellipsoids = sim::fitEllipsoids(result.head->skin->mesh(), kFittedEllipsoids, keepGoing);
     if (!goesOn(1.0))
         return model::cancelled(name);

@@ -12,7 +12,7 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr double kShareOfThumbnail = 0.3; ///< Of saving, for its progress.
+constexpr double kThumbnailFraction = 0.3; ///< Of saving, for its progress.
 
 } // namespace
 
@@ -138,9 +138,9 @@ bool ProjectFiles::saveTo(const QString& path)
     const std::optional<model::Result<void>> saved =
         m_jobs.await<void>(saving, [&](const model::Progress& progress) -> model::Result<void> {
             const QImage thumbnail =
-                picture ? picture([&](double drawn) { return progress(drawn * kShareOfThumbnail); }) : QImage();
+                picture ? picture([&](double drawn) { return progress(drawn * kThumbnailFraction); }) : QImage();
             return model::saveProject(project, path, thumbnail, m_encoded.get(), [&](double written) {
-                return progress(kShareOfThumbnail + written * (1.0 - kShareOfThumbnail));
+                return progress(kThumbnailFraction + written * (1.0 - kThumbnailFraction));
             });
         });
     if (!saved)

@@ -145,7 +145,7 @@ void Session::sendInput()
     m_sentRevision = input.revision;
     m_failedRevision.reset();
     if (m_looked)
-        for (sim::GroupInput& group : input.groups)
+        for (sim::GroomInput::Group& group : input.groups)
             if (const auto resolved = m_document.resolved(group.id, *m_looked)) {
                 const sim::MapRaster coloured = m_colours[group.id].of(resolved, model::mapSpec(*m_looked));
                 for (const sim::MapRule& rule : sim::kMapRules)

@@ -88,9 +88,9 @@ void blendRun(const std::uint16_t* layer, std::size_t layerStep, std::uint16_t o
     for (std::size_t texel = 0; texel < count; ++texel) {
         const std::uint16_t* source = layer + texel * layerStep;
         std::uint16_t* target = map + texel * channels;
-        const std::uint16_t share = mul16(source[channels], opacity);
+        const std::uint16_t fraction = mul16(source[channels], opacity);
         for (int i = 0; i < channels; ++i)
-            target[i] = lerp16(target[i], formula(target[i], source[i]), share);
+            target[i] = lerp16(target[i], formula(target[i], source[i]), fraction);
     }
 }
 

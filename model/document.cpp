@@ -170,7 +170,7 @@ sim::GroomInput Document::groomInput() const
     input.revision = m_state->revision;
     input.preview = previewing();
     for (const HairGroup& group : shown.groups) {
-        sim::GroupInput& one = input.groups.emplace_back();
+        sim::GroomInput::Group& one = input.groups.emplace_back();
         one.id = group.id;
         one.visible = group.visible;
         one.settings = group.settings;

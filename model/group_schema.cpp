@@ -20,6 +20,9 @@ constexpr auto kBraid = SettingSection::Braid;
 constexpr auto kMotion = SettingSection::Physics;
 constexpr auto kLook = SettingSection::Look;
 
+constexpr double kBasisHairs = 4096.0;  ///< On the scalp, of a new group.
+constexpr double kMostBasisHairs = 1e6; ///< On the scalp.
+
 constexpr SettingChoice kTurnsModes[] = {{"per_hair", QT_TRANSLATE_NOOP("GroupSchema", "Turns per hair")},
                                          {"per_length", QT_TRANSLATE_NOOP("GroupSchema", "Turns per length")}};
 
@@ -64,9 +67,20 @@ constexpr GroupSetting kSettings[] = {
      100.0, 0.0, 2.0, 0.0, 50.0, 1, 2.0F},
     {"nodes_per_hair", &GroupSettings::nodesPerHair, Hairs, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Nodes per hair"),
      QT_TRANSLATE_NOOP("GroupSchema", "More bend more finely and cost more"), "", 1.0, 4.0, 32.0, 4.0, 32.0},
-    {"basis_hairs", &GroupSettings::basisHairs, Hairs, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Basis hairs"),
-     QT_TRANSLATE_NOOP("GroupSchema", "Hairs that are simulated; the others follow them"), "", 1.0, 256.0, 1e6, 256.0,
-     20000.0, 0, 2.0F},
+    {.key = "basis_hairs",
+     .member = &GroupSettings::basisHairs,
+     .affects = Hairs,
+     .section = kShape,
+     .label = QT_TRANSLATE_NOOP("GroupSchema", "Basis hairs"),
+     .hint = QT_TRANSLATE_NOOP("GroupSchema", "Hairs on the whole scalp that are simulated; the others follow them"),
+     .unit = "",
+     .shownPerSi = 1.0,
+     .least = 256.0,
+     .greatest = 1e7,
+     .sliderLeast = 256.0,
+     .sliderGreatest = kMostBasisHairs,
+     .exponent = 4.0F,
+     .countsOnScalp = true},
     {"braid_spacing_m", &GroupSettings::braidSpacingM, Hairs, kBraid, QT_TRANSLATE_NOOP("GroupSchema", "Spacing"),
      QT_TRANSLATE_NOOP("GroupSchema", "Distance between braids in one painted patch"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.005, 2.0, 0.5, 60.0, 1, 2.0F},
@@ -148,6 +162,23 @@ void GroupSetting::write(GroupSettings& settings, double value) const
                 field = static_cast<Field>(std::lround(value));
         },
         member);
+}
+
+double GroupSetting::shown(const GroupSettings& settings, double scalpFraction) const
+{
+    return countsOnScalp ? std::floor(read(settings) * scalpFraction) : read(settings) * shownPerSi;
+}
+
+void GroupSetting::writeShown(GroupSettings& settings, double value, double scalpFraction) const
+{
+    write(settings, std::clamp(countsOnScalp ? std::ceil(value / scalpFraction) : value / shownPerSi, least, greatest));
+}
+
+GroupSettings newGroupSettings(double scalpFraction)
+{
+    GroupSettings settings;
+    groupSetting(QLatin1StringView("basis_hairs")).writeShown(settings, kBasisHairs, scalpFraction);
+    return settings;
 }
 
 std::span<const GroupSetting> groupSchema()

@@ -55,12 +55,15 @@ struct GroupSetting
     int decimals = 0;
     float exponent = 1.0F;                       ///< Of the slider's scale: above 1 small values have more room.
     std::span<const SettingChoice> choices = {}; ///< Of a choice.
+    /// A number of hairs over the whole skin, shown as how many of them stand on the scalp (see Head::scalpFraction).
+    bool countsOnScalp = false;
 
     [[nodiscard]] double read(const sim::GroupSettings& settings) const;
     /// Rounded where the member is a whole number; the caller keeps it between `least` and `greatest`.
     void write(sim::GroupSettings& settings, double value) const;
-    [[nodiscard]] double shown(const sim::GroupSettings& settings) const { return read(settings) * shownPerSi; }
-    void writeShown(sim::GroupSettings& settings, double value) const { write(settings, value / shownPerSi); }
+    /// In the unit shown. What is written and then shown is the same number.
+    [[nodiscard]] double shown(const sim::GroupSettings& settings, double scalpFraction) const;
+    void writeShown(sim::GroupSettings& settings, double value, double scalpFraction) const;
     [[nodiscard]] bool isSwitch() const { return std::holds_alternative<bool sim::GroupSettings::*>(member); }
     [[nodiscard]] bool isInteger() const { return std::holds_alternative<int sim::GroupSettings::*>(member); }
 };
@@ -69,6 +72,8 @@ struct GroupSetting
 [[nodiscard]] std::span<const GroupSetting> groupSchema();
 /// The row of that key; there must be one.
 [[nodiscard]] const GroupSetting& groupSetting(QLatin1StringView key);
+/// What a new group starts with: 4,096 basis hairs on the scalp.
+[[nodiscard]] sim::GroupSettings newGroupSettings(double scalpFraction);
 [[nodiscard]] QString schemaText(const char* text); ///< Translated; empty stays empty.
 
 } // namespace hairpaint::model

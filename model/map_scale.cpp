@@ -126,9 +126,9 @@ const MapScale kRadiusScale{
             return greatest > 0.0 ? shown / greatest : 0.0;
         }};
 
-const MapScale kShareScale{.unit = [](const GroupSettings&) { return QStringLiteral("%"); },
-                           .decimals = always<0>,
-                           .shown = [](const GroupSettings&, double value) { return value * 100.0; },
-                           .value = [](const GroupSettings&, double shown) { return shown / 100.0; }};
+const MapScale kPercentScale{.unit = [](const GroupSettings&) { return QStringLiteral("%"); },
+                             .decimals = always<0>,
+                             .shown = [](const GroupSettings&, double value) { return value * 100.0; },
+                             .value = [](const GroupSettings&, double shown) { return shown / 100.0; }};
 
 } // namespace hairpaint::model

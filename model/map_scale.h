@@ -31,6 +31,6 @@ extern const MapScale kDensityScale; ///< Hairs a square centimetre.
 extern const MapScale kLengthScale;  ///< Centimetres; of short hair millimetres.
 extern const MapScale kTurnsScale;   ///< The paper's table 1.
 extern const MapScale kRadiusScale;  ///< Of curls, millimetres.
-extern const MapScale kShareScale;   ///< Per cent.
+extern const MapScale kPercentScale; ///< Per cent.
 
 } // namespace hairpaint::model

@@ -91,7 +91,7 @@ std::array<MapSpec, kMapKindCount> makeTable()
                 .id = "clump",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Clump"),
                 .letter = QT_TRANSLATE_NOOP("MapLetter", "U"),
-                .scale = &kShareScale,
+                .scale = &kPercentScale,
                 .scaleColour = 0xFFFFFF00,
                 .blendModes = kBlendable,
                 .firstPaint = {.scalar = 0.6F}},
@@ -99,7 +99,7 @@ std::array<MapSpec, kMapKindCount> makeTable()
                 .id = "gel",
                 .title = QT_TRANSLATE_NOOP("MapSpec", "Gel"),
                 .letter = QT_TRANSLATE_NOOP("MapLetter", "G"),
-                .scale = &kShareScale,
+                .scale = &kPercentScale,
                 .scaleColour = 0xFF00FFFF,
                 .blendModes = kBlendable},
     };
@@ -161,12 +161,12 @@ const MapSpec* findMapSpec(QStringView id)
 
 QRgb scaleToColour(const MapSpec& spec, float value, bool nightPaper)
 {
-    const float share = std::clamp(value, 0.0F, 1.0F);
+    const float fraction = std::clamp(value, 0.0F, 1.0F);
     const std::array<float, 3> full = channelsOf(spec.scaleColour);
     const float paper = nightPaper ? 0.0F : 1.0F;
     std::array<int, 3> mixed{};
     for (std::size_t i = 0; i < 3; ++i)
-        mixed[i] = static_cast<int>(std::lround((paper + (full[i] - paper) * share) * 255.0F));
+        mixed[i] = static_cast<int>(std::lround((paper + (full[i] - paper) * fraction) * 255.0F));
     return qRgb(mixed[0], mixed[1], mixed[2]);
 }
 

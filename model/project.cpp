@@ -1,6 +1,7 @@
 // Look-ups in a project, and the making of groups and layers.
 #include "model/project.h"
 
+#include "model/group_schema.h"
 #include "model/names.h"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ HairGroup makeGroup(Project& project, const QString& name, int mapSize)
     HairGroup group;
     group.id = project.takeId();
     group.name = name;
+    group.settings = newGroupSettings(project.head ? project.head->scalpFraction : 1.0);
     for (const MapSpec& spec : mapSpecs()) {
         MapStack stack{.kind = spec.kind, .size = mapSize, .layers = {}};
         stack.layers.push_back(makeLayer(project, spec, mapSize, layerName(1)));

@@ -85,6 +85,7 @@ struct Head
     UpAxis upAxis = UpAxis::Y;
     QByteArray sourceGlb;                  ///< Source positions, before scale and axis; empty for a built-in head.
     std::shared_ptr<const sim::Skin> skin; ///< Scale and axis applied.
+    double scalpFraction = 1.0;            ///< 0..1 of the skin's area; all of it where the scalp is not known.
     std::shared_ptr<const sim::HeadMesh> shownMesh; ///< What is drawn; finer than the skin's for a built-in head.
 };
 

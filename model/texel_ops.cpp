@@ -26,10 +26,10 @@ void layValues(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint&
 {
     for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
         std::uint16_t* target = layer + texel * (channels + 1);
-        const std::uint32_t share = mul16(mask[texel], paint.opacity);
+        const std::uint32_t fraction = mul16(mask[texel], paint.opacity);
         const std::uint32_t coverage = target[channels];
-        const std::uint32_t after = coverage + mul16(65535U - coverage, share);
-        const float part = static_cast<float>(share) / static_cast<float>(std::max(after, 1U));
+        const std::uint32_t after = coverage + mul16(65535U - coverage, fraction);
+        const float part = static_cast<float>(fraction) / static_cast<float>(std::max(after, 1U));
         for (int i = 0; i < channels; ++i) {
             const std::uint16_t value = paint.values != nullptr
                                             ? paint.values[texel * channels + static_cast<std::size_t>(i)]
@@ -47,22 +47,22 @@ void eraseValues(const MapSpec& spec, std::uint16_t* layer, const std::uint16_t*
 {
     for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
         std::uint16_t* target = layer + texel * (channels + 1);
-        const std::uint16_t share = mul16(mask[texel], opacity);
-        if (share == 0)
+        const std::uint16_t fraction = mul16(mask[texel], opacity);
+        if (fraction == 0)
             continue;
-        target[channels] = mul16(target[channels], 65535U - share);
+        target[channels] = mul16(target[channels], 65535U - fraction);
         if (target[channels] == 0)
             std::copy_n(spec.defaultValue.begin(), channels, target);
     }
 }
 
 template<int channels>
-void mixValues(const sim::Texel& first, const sim::Texel& second, std::span<const std::uint16_t> shares,
+void mixValues(const sim::Texel& first, const sim::Texel& second, std::span<const std::uint16_t> fractions,
                std::uint16_t* values)
 {
-    for (const std::uint16_t share : shares)
+    for (const std::uint16_t fraction : fractions)
         for (std::size_t i = 0; i < channels; ++i)
-            *values++ = lerp16(first[i], second[i], share);
+            *values++ = lerp16(first[i], second[i], fraction);
 }
 
 std::uint16_t anyNumber(const MapSpec& /*spec*/)
@@ -163,11 +163,11 @@ void blendIndices(BlendMode /*mode*/, const std::uint16_t* layer, std::size_t la
     }
 }
 
-void chooseIndices(const sim::Texel& first, const sim::Texel& second, std::span<const std::uint16_t> shares,
+void chooseIndices(const sim::Texel& first, const sim::Texel& second, std::span<const std::uint16_t> fractions,
                    std::uint16_t* values)
 {
-    for (const std::uint16_t share : shares)
-        *values++ = (share < kHalfCoverage ? first : second)[0];
+    for (const std::uint16_t fraction : fractions)
+        *values++ = (fraction < kHalfCoverage ? first : second)[0];
 }
 
 /// An index of 0, or of no entry, is the paper.

@@ -33,8 +33,8 @@ struct TexelOps
     /// Lays a layer's texels over a map's (see resolveTexel). The first is used for all where `layerStep` is 0.
     void (*blend)(BlendMode mode, const std::uint16_t* layer, std::size_t layerStep, std::uint16_t opacity,
                   std::uint16_t* map, std::size_t count);
-    /// Values from `first` (a share of 0) to `second` (65535).
-    void (*mix)(const sim::Texel& first, const sim::Texel& second, std::span<const std::uint16_t> shares,
+    /// Values from `first` (a fraction of 0) to `second` (65535).
+    void (*mix)(const sim::Texel& first, const sim::Texel& second, std::span<const std::uint16_t> fractions,
                 std::uint16_t* values);
 
     /// Values that lie `step` channels apart as [count][3] encoded colours, on white or night paper.

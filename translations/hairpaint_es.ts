@@ -685,10 +685,6 @@
         <translation>Pelos guía</translation>
     </message>
     <message>
-        <source>Hairs that are simulated; the others follow them</source>
-        <translation>Pelos que se simulan; los demás los siguen</translation>
-    </message>
-    <message>
         <source>Turns mode</source>
         <translation>Modo de vueltas</translation>
     </message>
@@ -835,6 +831,10 @@
     <message>
         <source>Difference between neighbouring hairs</source>
         <translation>Diferencia entre pelos vecinos</translation>
+    </message>
+    <message>
+        <source>Hairs on the whole scalp that are simulated; the others follow them</source>
+        <translation>Cabellos de todo el cuero cabelludo que se simulan; los demás los siguen</translation>
     </message>
 </context>
 <context>

@@ -271,8 +271,8 @@ void HeadView::turnToBrush()
     if (!m_state->brush)
         return;
     const sim::HeadPose pose = m_state->shownPose();
-    const glm::vec3 placeWo = inWorld(m_state->brush->positionHd, pose);
-    animateTo(lookingAt(m_state->scene.camera, placeWo, pose.rotation * m_state->brush->normalHd));
+    const glm::vec3 positionWo = inWorld(m_state->brush->positionHd, pose);
+    animateTo(lookingAt(m_state->scene.camera, positionWo, pose.rotation * m_state->brush->normalHd));
 }
 
 void HeadView::setHairPaused(bool paused)

@@ -208,12 +208,12 @@ void HeadView::blowAt(const PointerSample& sample)
     const sim::HeadPose pose = m_state->shownPose();
     const RayWo ray = rayThrough(m_state->scene.camera, sample.position, QSizeF(size()));
     const std::optional<Hover>& hover = m_state->editor.hover();
-    const std::optional<glm::vec3> place = placeNearHair(ray, pose, hover ? hover->point : std::nullopt);
-    if (!place) {
+    const std::optional<glm::vec3> positionWo = placeNearHair(ray, pose, hover ? hover->point : std::nullopt);
+    if (!positionWo) {
         m_state->puffs.interrupt();
         return;
     }
-    if (const std::optional<Puff> puff = m_state->puffs.moved(*place, sample.seconds))
+    if (const std::optional<Puff> puff = m_state->puffs.moved(*positionWo, sample.seconds))
         Q_EMIT puffWanted(puff->centreWo, puff->velocity, puff->radiusM);
 }
 

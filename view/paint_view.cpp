@@ -40,17 +40,17 @@ QPolygonF onWidget(const QPolygonF& uvPolygon, const QTransform& paperToWidget)
 }
 
 /// Around all tiles that a change touched, in uv; empty where it names none.
-QPolygonF placeOf(const model::Change& change, const model::Document& document)
+QPolygonF outlineOf(const model::Change& change, const model::Document& document)
 {
-    QRectF place;
+    QRectF bounds;
     if (change.aspect == model::Change::Aspect::Texels) {
         const std::shared_ptr<const sim::TiledRaster> raster = document.resolved(change.group, change.map);
         for (const int tile : change.tiles)
-            place |= paperRect(raster->tileRect(tile), raster->size());
+            bounds |= paperRect(raster->tileRect(tile), raster->size());
     }
-    if (place.isEmpty())
+    if (bounds.isEmpty())
         return {};
-    QPolygonF outline(place);
+    QPolygonF outline(bounds);
     for (QPointF& corner : outline)
         corner.setY(1.0 - corner.y());
     return outline;
@@ -66,8 +66,8 @@ PaintView::PaintView(EditorState& state, const Theme& theme, QWidget* parent)
     setMinimumSize(160, 160);
     m_state->legend = new MapLegend(this);
     connect(&state.document(), &model::Document::changed, this, &PaintView::onDocumentChanged);
-    connect(&state.document(), &model::Document::undone, this, &PaintView::outlineChangedPlace);
-    connect(&state.document(), &model::Document::redone, this, &PaintView::outlineChangedPlace);
+    connect(&state.document(), &model::Document::undone, this, &PaintView::showChangedOutline);
+    connect(&state.document(), &model::Document::redone, this, &PaintView::showChangedOutline);
     connect(&state, &EditorState::targetChanged, this, &PaintView::refreshMap);
     connect(&state, &EditorState::viewOptionsChanged, this, [this] {
         lookChanged();
@@ -130,16 +130,16 @@ void PaintView::onDocumentChanged(const model::Change& change)
 {
     using Aspect = model::Change::Aspect;
     if (!change.preview)
-        m_state->changedPlace = placeOf(change, m_state->editor.document());
+        m_state->changedOutline = outlineOf(change, m_state->editor.document());
     if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything)
         refreshHead();
     if (change.aspect != Aspect::Environment)
         refreshMap();
 }
 
-void PaintView::outlineChangedPlace()
+void PaintView::showChangedOutline()
 {
-    m_state->outlinedPlace = m_state->changedPlace;
+    m_state->shownOutline = m_state->changedOutline;
     m_state->outlined.start(kOutlineMs, this);
     refreshOverlay();
 }
@@ -204,8 +204,8 @@ void PaintView::refreshOverlay()
     state.overlay = state.editor.activeTool().overlay();
     for (QPolygonF& outline : state.editor.selection().outlines())
         state.overlay.push_back({.uvOutline = std::move(outline), .closed = true, .marching = true});
-    if (!state.outlinedPlace.isEmpty())
-        state.overlay.push_back({.uvOutline = state.outlinedPlace, .closed = true});
+    if (!state.shownOutline.isEmpty())
+        state.overlay.push_back({.uvOutline = state.shownOutline, .closed = true});
     std::vector<QPolygonF> outlines;
     const QTransform toWidget = state.transform.paperToWidget();
     for (const model::OverlayShape& shape : state.overlay)
@@ -224,7 +224,7 @@ void PaintView::timerEvent(QTimerEvent* event)
 {
     if (event->timerId() == m_state->outlined.timerId()) {
         m_state->outlined.stop();
-        m_state->outlinedPlace.clear();
+        m_state->shownOutline.clear();
         refreshOverlay();
         return;
     }

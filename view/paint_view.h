@@ -68,8 +68,8 @@ private:
     void updateCursor();
 
     void onDocumentChanged(const model::Change& change);
-    void outlineChangedPlace(); ///< For a moment, as undo and redo do.
-    void refreshMap();          ///< Takes the active map's resolved raster and repaints what differs.
+    void showChangedOutline(); ///< For a moment, as undo and redo do.
+    void refreshMap();         ///< Takes the active map's resolved raster and repaints what differs.
     void refreshHead();
     void refreshHover();
     void refreshOverlay();

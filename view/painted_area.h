@@ -8,10 +8,10 @@
 namespace hairpaint::view {
 
 /// How large a tool's handle is drawn around its place.
-[[nodiscard]] inline QRectF handleAt(QPointF place)
+[[nodiscard]] inline QRectF handleAt(QPointF centre)
 {
     constexpr double kHalfPx = 2.5;
-    return {place.x() - kHalfPx, place.y() - kHalfPx, 2.0 * kHalfPx, 2.0 * kHalfPx};
+    return {centre.x() - kHalfPx, centre.y() - kHalfPx, 2.0 * kHalfPx, 2.0 * kHalfPx};
 }
 
 class EditorState;

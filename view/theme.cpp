@@ -16,7 +16,7 @@ namespace {
 struct ColourRow
 {
     const char* name;
-    QColor Theme::*place;
+    QColor Theme::*colour;
     QRgb dark, light;
 };
 
@@ -34,7 +34,7 @@ Theme Theme::of(ThemeKind kind)
     Theme theme;
     theme.kind = kind;
     for (const ColourRow& row : kColours)
-        theme.*row.place = QColor(kind == ThemeKind::Light ? row.light : row.dark);
+        theme.*row.colour = QColor(kind == ThemeKind::Light ? row.light : row.dark);
     return theme;
 }
 
@@ -77,7 +77,7 @@ QString Theme::styleSheet() const
     const QString folder = kind == ThemeKind::Light ? QStringLiteral("light") : QStringLiteral("dark");
     sheet.replace(QStringLiteral("@theme;"), folder);
     for (const ColourRow& row : kColours)
-        sheet.replace(QLatin1String(row.name) + QLatin1Char(';'), (this->*row.place).name() + QLatin1Char(';'));
+        sheet.replace(QLatin1String(row.name) + QLatin1Char(';'), (this->*row.colour).name() + QLatin1Char(';'));
     return sheet;
 }
 

@@ -261,15 +261,15 @@ void WeatherOverlay::paintEvent(QPaintEvent*)
     painter.drawRoundedRect(QRectF(dial.left(), dial.bottom() + 14.0, kDial, 16.0), 4.0, 4.0);
 }
 
-void WeatherOverlay::paintDial(QPainter& painter, const QRectF& place) const
+void WeatherOverlay::paintDial(QPainter& painter, const QRectF& bounds) const
 {
     // From above, the face downward; the needle points where the wind blows to.
     painter.setPen(QPen(m_theme.line, 1.5));
     painter.setBrush(m_theme.raised);
-    painter.drawEllipse(place);
+    painter.drawEllipse(bounds);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(m_theme.dimText, 1.5));
-    const QPointF middle = place.center();
+    const QPointF middle = bounds.center();
     painter.drawEllipse(middle, 6.0, 7.0);
     painter.drawLine(middle + QPointF(-2.0, 6.5), middle + QPointF(0.0, 9.5));
     painter.drawLine(middle + QPointF(2.0, 6.5), middle + QPointF(0.0, 9.5));
@@ -278,7 +278,7 @@ void WeatherOverlay::paintDial(QPainter& painter, const QRectF& place) const
     const double flat = std::cos(static_cast<double>(m_windElevationRad));
     const QPointF toward(std::sin(static_cast<double>(m_windAzimuthRad)) * flat,
                          std::cos(static_cast<double>(m_windAzimuthRad)) * flat);
-    const double radius = place.width() / 2.0 - 4.0;
+    const double radius = bounds.width() / 2.0 - 4.0;
     const QPointF tip = middle + toward * radius;
     const QPointF side(-toward.y(), toward.x());
     painter.drawLine(middle - toward * radius, tip);

@@ -48,7 +48,7 @@ private:
     void tintLight(int key, bool lower);
     [[nodiscard]] QFont bodyFont() const;
     [[nodiscard]] QList<std::pair<QString, QString>> rows() const; ///< Keys and what they do.
-    void paintDial(QPainter& painter, const QRectF& place) const;
+    void paintDial(QPainter& painter, const QRectF& bounds) const;
 
     Theme m_theme;
     sim::Wind m_wind;

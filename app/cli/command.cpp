@@ -220,9 +220,9 @@ model::Result<void> checkOutput(const QString& output, const QStringList& inputs
 {
     if (const model::Checked<void> writable = model::checkWritable(output); !writable)
         return model::cannotWrite(output, writable.error());
-    const QString place = QFileInfo(output).canonicalFilePath();
+    const QString canonical = QFileInfo(output).canonicalFilePath();
     for (const QString& input : inputs)
-        if (!place.isEmpty() && place == QFileInfo(input).canonicalFilePath())
+        if (!canonical.isEmpty() && canonical == QFileInfo(input).canonicalFilePath())
             return model::failure(QCoreApplication::translate("CommandLine",
                                                               "'%1' would be overwritten, and it is read from; give "
                                                               "another name after -o.")

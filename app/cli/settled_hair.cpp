@@ -2,7 +2,7 @@
 #include "app/cli/settled_hair.h"
 
 #include "model/document.h"
-#include "sim/groom/even_share.h"
+#include "sim/groom/even_subset.h"
 
 namespace hairpaint::app {
 
@@ -33,7 +33,7 @@ std::shared_ptr<const sim::StrandFrame> SettledHair::frame() const
         std::vector<std::shared_ptr<const sim::Groom>> grooms;
         for (const sim::GroupFrame& group : frame->groups)
             grooms.push_back(group.groom);
-        grooms = sim::evenShare(grooms, *m_hairs);
+        grooms = sim::evenSubset(grooms, *m_hairs);
         for (std::size_t i = 0; i < grooms.size(); ++i)
             frame->groups[i].groom = grooms[i];
     }

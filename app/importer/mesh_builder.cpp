@@ -65,13 +65,13 @@ std::size_t MeshBuilder::CornerHash::operator()(const Corner& corner) const
 std::uint32_t MeshBuilder::indexOf(const Corner& corner)
 {
     const auto next = static_cast<std::uint32_t>(m_mesh.positionsHd.size());
-    const auto [place, isNew] = m_indices.try_emplace(corner, next);
+    const auto [mapped, isNew] = m_indices.try_emplace(corner, next);
     if (isNew) {
         m_mesh.positionsHd.push_back(corner.position);
         m_mesh.normalsHd.push_back(corner.normal);
         m_mesh.uvs.push_back(corner.uv);
     }
-    return place->second;
+    return mapped->second;
 }
 
 void MeshBuilder::add(std::array<Corner, 3> triangle)

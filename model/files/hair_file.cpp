@@ -130,7 +130,7 @@ void writeArray(AtomicFile& file, const std::vector<T>& values)
     file.write({reinterpret_cast<const char*>(values.data()), static_cast<qsizetype>(values.size() * sizeof(T))});
 }
 
-/// One value per point, computed from the strand and the share of the way to the tip.
+/// One value per point, computed from the strand and the fraction of the way to the tip.
 template<typename T, typename Function>
 void writePerPoint(AtomicFile& file, const std::vector<Strand>& strands, const Function& function)
 {
@@ -171,14 +171,15 @@ Result<void> write(const sim::StrandFrame& frame, const QString& path, const Pro
             return cancelled(path);
         writeArray(file, evaluate(frame, std::span(strands).subspan(first, std::min(kAtOnce, strands.size() - first))));
     }
-    writePerPoint<float>(file, strands, [&](const Strand& s, float share) {
-        return styleOf(frame, s).width * materialOf(frame, s).widthM * opacityAt(materialOf(frame, s), share);
+    writePerPoint<float>(file, strands, [&](const Strand& s, float fraction) {
+        return styleOf(frame, s).width * materialOf(frame, s).widthM * opacityAt(materialOf(frame, s), fraction);
     });
-    writePerPoint<float>(file, strands,
-                         [&](const Strand& s, float share) { return 1.0F - opacityAt(materialOf(frame, s), share); });
-    writePerPoint<glm::vec3>(file, strands, [&](const Strand& s, float share) {
+    writePerPoint<float>(file, strands, [&](const Strand& s, float fraction) {
+        return 1.0F - opacityAt(materialOf(frame, s), fraction);
+    });
+    writePerPoint<glm::vec3>(file, strands, [&](const Strand& s, float fraction) {
         const sim::StrandStyle& style = styleOf(frame, s);
-        return glm::mix(colourOf(style.rootColour), colourOf(style.tipColour), share);
+        return glm::mix(colourOf(style.rootColour), colourOf(style.tipColour), fraction);
     });
     if (progress && !progress(1.0))
         return cancelled(path);

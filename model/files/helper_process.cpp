@@ -102,7 +102,7 @@ public:
         return true;
     }
     [[nodiscard]] bool complete() const { return m_header && m_body.size() == m_header->bodyBytes; }
-    [[nodiscard]] double share() const
+    [[nodiscard]] double fraction() const
     {
         return m_header ? static_cast<double>(m_body.size()) / static_cast<double>(m_header->bodyBytes) : 0.0;
     }
@@ -126,7 +126,7 @@ std::optional<HelperFailure> converse(QProcess& process, AnswerReader& reader, i
             return HelperFailure::Nonsense;
         if (reader.complete() && process.state() != QProcess::Running)
             break;
-        if (progress && !progress(reader.share()))
+        if (progress && !progress(reader.fraction()))
             return HelperFailure::Cancelled;
         if (clock.elapsed() > timeoutMs)
             return HelperFailure::TimedOut;

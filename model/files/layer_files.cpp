@@ -22,23 +22,24 @@ namespace {
 constexpr quint64 kMostImageBytes = 3 * (quint64{1} << 29U);
 
 /// A layer of the project together with where its image lies.
-struct Place
+struct StoredLayer
 {
     MapStack* stack = nullptr;
     Layer* layer = nullptr;
     QString entry;
 };
 
-std::vector<Place> placesOf(std::vector<HairGroup>& groups)
+std::vector<StoredLayer> placesOf(std::vector<HairGroup>& groups)
 {
-    std::vector<Place> places;
+    std::vector<StoredLayer> storedLayers;
     for (HairGroup& group : groups)
         for (SharedStack& map : group.maps) {
             MapStack& stack = map.write();
             for (Layer& layer : stack.layers)
-                places.push_back({.stack = &stack, .layer = &layer, .entry = layerEntryName(group, stack, layer)});
+                storedLayers.push_back(
+                    {.stack = &stack, .layer = &layer, .entry = layerEntryName(group, stack, layer)});
         }
-    return places;
+    return storedLayers;
 }
 
 tl::unexpected<Clause> tooMuch()
@@ -56,11 +57,11 @@ struct Budget
     [[nodiscard]] bool exceeded() const { return texels > kMostDistinctTexels || bytes > kMostImageBytes; }
 };
 
-bool tooManyTexels(const std::vector<Place>& places)
+bool tooManyTexels(const std::vector<StoredLayer>& storedLayers)
 {
     qint64 texels = 0;
-    for (const Place& place : places)
-        texels += qint64{place.stack->size} * place.stack->size;
+    for (const StoredLayer& stored : storedLayers)
+        texels += qint64{stored.stack->size} * stored.stack->size;
     return texels > kMostTexels;
 }
 
@@ -107,29 +108,29 @@ struct Decoding
 };
 
 /// Every image once, with the layers it is for.
-Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const std::vector<Place>& places)
+Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const std::vector<StoredLayer>& storedLayers)
 {
-    if (tooManyTexels(places))
+    if (tooManyTexels(storedLayers))
         return tooMuch();
     std::vector<Decoding> images;
     Budget budget;
     std::multimap<quint32, std::size_t> byChecksum;
-    for (const Place& place : places) {
-        const int size = place.stack->size;
-        if (place.layer->raster.size() == size)
+    for (const StoredLayer& stored : storedLayers) {
+        const int size = stored.stack->size;
+        if (stored.layer->raster.size() == size)
             continue; // stands for a map that the file lacks
-        Checked<QByteArray> png = archive.read(place.entry, mostLayerBytes(size));
+        Checked<QByteArray> png = archive.read(stored.entry, mostLayerBytes(size));
         if (!png)
             return tl::unexpected(png.error());
-        const MapSpec& spec = mapSpec(place.stack->kind);
-        const quint32 checksum = archive.checksum(place.entry);
+        const MapSpec& spec = mapSpec(stored.stack->kind);
+        const quint32 checksum = archive.checksum(stored.entry);
         const auto [first, last] = byChecksum.equal_range(checksum);
         const auto known = std::find_if(first, last, [&](const auto& candidate) {
             const Decoding& image = images[candidate.second];
             return image.size == size && image.spec->texel == spec.texel && image.png == *png;
         });
         if (known != last) {
-            images[known->second].layers.push_back(place.layer);
+            images[known->second].layers.push_back(stored.layer);
             continue;
         }
         budget.texels += qint64{size} * size;
@@ -137,7 +138,7 @@ Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const
         if (budget.exceeded())
             return tooMuch();
         byChecksum.emplace(checksum, images.size());
-        images.push_back({.png = std::move(*png), .spec = &spec, .size = size, .layers = {place.layer}});
+        images.push_back({.png = std::move(*png), .spec = &spec, .size = size, .layers = {stored.layer}});
     }
     return images;
 }
@@ -181,19 +182,19 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
                         const Progress& progress)
 {
     std::vector<HairGroup> copies = groups; // shares every tile
-    const std::vector<Place> places = placesOf(copies);
+    const std::vector<StoredLayer> storedLayers = placesOf(copies);
     std::vector<Encoding> missing;
     EncodedLayers seen;
     std::size_t heldBytes = 0;
-    for (const Place& place : places) {
-        const sim::TiledRaster& raster = place.layer->raster;
+    for (const StoredLayer& stored : storedLayers) {
+        const sim::TiledRaster& raster = stored.layer->raster;
         heldBytes += raster.byteCount();
         if (cache.find(raster) || seen.find(raster))
             continue;
         seen.insert(raster, {});
         missing.push_back({.raster = raster, .size = raster.size(), .png = {}});
     }
-    if (tooManyTexels(places) || heldBytes > kMostHeldBytes)
+    if (tooManyTexels(storedLayers) || heldBytes > kMostHeldBytes)
         return tooMuch();
     if (!inBatches<Encoding>(missing, progress, [](Encoding& one) { one.png = encodeLayer(one.raster); }))
         return false;
@@ -204,13 +205,13 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
     }
     std::set<const char*> counted; // equal layers share their bytes
     Budget budget;
-    for (const Place& place : places) {
-        const QByteArray png = cache.find(place.layer->raster).value_or(QByteArray());
+    for (const StoredLayer& stored : storedLayers) {
+        const QByteArray png = cache.find(stored.layer->raster).value_or(QByteArray());
         if (counted.insert(png.constData()).second) {
             budget.bytes += static_cast<quint64>(png.size());
-            budget.texels += qint64{place.stack->size} * place.stack->size;
+            budget.texels += qint64{stored.stack->size} * stored.stack->size;
         }
-        archive.add(place.entry.toLatin1(), png, ArchiveWriter::Method::Stored);
+        archive.add(stored.entry.toLatin1(), png, ArchiveWriter::Method::Stored);
     }
     cache.dropUnused();
     if (budget.exceeded())
@@ -221,8 +222,8 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
 Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& groups, EncodedLayers& cache,
                          const Progress& progress)
 {
-    const std::vector<Place> places = placesOf(groups);
-    Checked<std::vector<Decoding>> images = collectImages(archive, places);
+    const std::vector<StoredLayer> storedLayers = placesOf(groups);
+    Checked<std::vector<Decoding>> images = collectImages(archive, storedLayers);
     if (!images)
         return tl::unexpected(images.error());
     std::atomic<std::size_t> heldBytes = 0;

@@ -59,12 +59,13 @@ public:
     // For a curve that starts and ends in the middle: the side on which the axis lies is positive.
     float signedDistance(const glm::vec3& p) const
     {
-        const glm::vec2 place = flat(glm::normalize(folded(p) - m_centre));
+        const glm::vec2 flattened = flat(glm::normalize(folded(p) - m_centre));
         bool isInside = false;
         for (std::size_t i = 0; i + 1 < m_places.size(); ++i) {
             const glm::vec2& a = m_places[i];
             const glm::vec2& b = m_places[i + 1];
-            if ((a.y > place.y) != (b.y > place.y) && place.x < a.x + (b.x - a.x) * (place.y - a.y) / (b.y - a.y))
+            if ((a.y > flattened.y) != (b.y > flattened.y) &&
+                flattened.x < a.x + (b.x - a.x) * (flattened.y - a.y) / (b.y - a.y))
                 isInside = !isInside;
         }
         return isInside ? distance(p) : -distance(p);

@@ -25,8 +25,8 @@ BrushPath::Cursor BrushPath::cursorOf(const ToolEvent& event)
 void BrushPath::start(const ToolEvent& event)
 {
     m_cursor = cursorOf(event);
-    m_last = event.area == Area::Head && event.point ? placeAt(*event.point, event.pressure)
-                                                     : placeAtUv(event.uv, event.pressure);
+    m_last = event.area == Area::Head && event.point ? sampleAt(*event.point, event.pressure)
+                                                     : sampleAtUv(event.uv, event.pressure);
     m_carriedM = 0.0F;
 }
 
@@ -44,7 +44,7 @@ bool BrushPath::leaps(const ToolEvent& event) const
     return jumpsInUv(event) && glm::length(event.point->positionHd - m_cursor->positionHd) > kLeapM;
 }
 
-BrushPlace BrushPath::placeAtUv(glm::vec2 uv, float pressure) const
+BrushSample BrushPath::sampleAtUv(glm::vec2 uv, float pressure) const
 {
     if (m_skin != nullptr)
         if (const std::optional<sim::SurfacePoint> point = m_skin->atUv(uv))
@@ -53,7 +53,7 @@ BrushPlace BrushPath::placeAtUv(glm::vec2 uv, float pressure) const
     return {uv, std::nullopt, m_last.metric, pressure};
 }
 
-BrushPlace BrushPath::placeAt(const sim::SurfacePoint& point, float pressure) const
+BrushSample BrushPath::sampleAt(const sim::SurfacePoint& point, float pressure) const
 {
     return {point.uv, point, SkinMetric::at(point), pressure};
 }

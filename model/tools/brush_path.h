@@ -11,7 +11,7 @@
 namespace hairpaint::model {
 
 /// Where a dab goes.
-struct BrushPlace
+struct BrushSample
 {
     glm::vec2 uv{0.0F};
     std::optional<sim::SurfacePoint> point; ///< None off every island.
@@ -19,7 +19,7 @@ struct BrushPlace
     float pressure = 1.0F;
 };
 
-/// Steps along the straight lines between events in uv, measured on the skin with the metric of the last place; so
+/// Steps along the straight lines between events in uv, measured on the skin with the metric of the last sample; so
 /// however a line is cut into events, the places are the same. On the 3D head a line that jumps in uv (across a seam)
 /// is walked on the skin instead, and one that jumps on the skin too starts anew.
 class BrushPath
@@ -29,13 +29,13 @@ public:
     /// the layout is.
     BrushPath(const sim::Skin* skin, float spacingM, float leastStepUv);
 
-    /// The spacing after the next place; brushes that shrink with pressure step more finely.
+    /// The spacing after the next sample; brushes that shrink with pressure step more finely.
     void setSpacing(float spacingM) { m_spacingM = spacingM; }
 
     /// Appends the places reached by the event; the first event gives one at once.
-    /// `onPlace` sees each place as it is made and may set the spacing.
-    template<typename OnPlace>
-    void moveTo(const ToolEvent& event, const OnPlace& onPlace)
+    /// `onSample` sees each sample as it is made and may set the spacing.
+    template<typename OnSample>
+    void moveTo(const ToolEvent& event, const OnSample& onSample)
     {
         if (event.area == Area::Head && !event.point) {
             lift();
@@ -43,16 +43,16 @@ public:
         }
         if (!m_cursor || leaps(event)) {
             start(event);
-            onPlace(m_last);
+            onSample(m_last);
         } else if (jumpsInUv(event)) {
-            walkOnSkin(event, onPlace);
+            walkOnSkin(event, onSample);
         } else {
-            walkInUv(event, onPlace);
+            walkInUv(event, onSample);
         }
     }
     /// The next event starts anew.
     void lift() { m_cursor.reset(); }
-    /// Stands at the event without giving a place.
+    /// Stands at the event without giving a sample.
     void standAt(const ToolEvent& event) { start(event); }
 
 private:
@@ -69,12 +69,12 @@ private:
     void start(const ToolEvent& event);
     [[nodiscard]] bool leaps(const ToolEvent& event) const;
     [[nodiscard]] bool jumpsInUv(const ToolEvent& event) const;
-    [[nodiscard]] BrushPlace placeAtUv(glm::vec2 uv, float pressure) const;
-    [[nodiscard]] BrushPlace placeAt(const sim::SurfacePoint& point, float pressure) const;
+    [[nodiscard]] BrushSample sampleAtUv(glm::vec2 uv, float pressure) const;
+    [[nodiscard]] BrushSample sampleAt(const sim::SurfacePoint& point, float pressure) const;
     [[nodiscard]] static Cursor cursorOf(const ToolEvent& event);
 
-    template<typename OnPlace>
-    void walkInUv(const ToolEvent& event, const OnPlace& onPlace)
+    template<typename OnSample>
+    void walkInUv(const ToolEvent& event, const OnSample& onSample)
     {
         const Cursor end = cursorOf(event);
         for (;;) {
@@ -85,33 +85,33 @@ private:
             const float spacingM = std::max(m_spacingM, m_leastStepUv * ahead / aheadUv);
             if (m_carriedM + ahead < spacingM)
                 break;
-            const float share = std::max(0.0F, spacingM - m_carriedM) / ahead;
-            m_cursor->uv += (end.uv - m_cursor->uv) * share;
-            m_cursor->pressure += (end.pressure - m_cursor->pressure) * share;
-            m_last = placeAtUv(m_cursor->uv, m_cursor->pressure);
+            const float fraction = std::max(0.0F, spacingM - m_carriedM) / ahead;
+            m_cursor->uv += (end.uv - m_cursor->uv) * fraction;
+            m_cursor->pressure += (end.pressure - m_cursor->pressure) * fraction;
+            m_last = sampleAtUv(m_cursor->uv, m_cursor->pressure);
             m_carriedM = 0.0F;
-            onPlace(m_last);
+            onSample(m_last);
         }
         m_carriedM += m_last.metric.lengthM(end.uv - m_cursor->uv);
         m_cursor = end;
     }
 
-    template<typename OnPlace>
-    void walkOnSkin(const ToolEvent& event, const OnPlace& onPlace)
+    template<typename OnSample>
+    void walkOnSkin(const ToolEvent& event, const OnSample& onSample)
     {
         const Cursor end = cursorOf(event);
         const Cursor begin = *m_cursor;
         const float lengthM = glm::length(end.positionHd - begin.positionHd);
         float along = m_spacingM - m_carriedM;
         while (along < lengthM) {
-            const float share = along / lengthM;
-            const glm::vec3 positionHd = begin.positionHd + (end.positionHd - begin.positionHd) * share;
-            m_last = placeAt(m_skin->nearest(positionHd), begin.pressure + (end.pressure - begin.pressure) * share);
-            onPlace(m_last); // May set the spacing.
+            const float fraction = along / lengthM;
+            const glm::vec3 positionHd = begin.positionHd + (end.positionHd - begin.positionHd) * fraction;
+            m_last = sampleAt(m_skin->nearest(positionHd), begin.pressure + (end.pressure - begin.pressure) * fraction);
+            onSample(m_last); // May set the spacing.
             along += std::max(m_spacingM, kLeastWalkM);
         }
-        m_last = placeAt(*event.point, end.pressure);
-        onPlace(m_last);
+        m_last = sampleAt(*event.point, end.pressure);
+        onSample(m_last);
         m_carriedM = 0.0F;
         m_cursor = end;
     }
@@ -120,8 +120,8 @@ private:
     float m_spacingM;
     float m_leastStepUv;
     std::optional<Cursor> m_cursor; ///< Where the path ends.
-    BrushPlace m_last;              ///< The last dab's place; its metric is the average at first.
-    float m_carriedM = 0.0F;        ///< Way made since the last place.
+    BrushSample m_last;             ///< The last dab's sample; its metric is the average at first.
+    float m_carriedM = 0.0F;        ///< Way made since the last sample.
 };
 
 } // namespace hairpaint::model

@@ -48,7 +48,7 @@ public:
 
 private:
     void paintTo(const ToolEvent& event, ToolContext& context);
-    void dab(const BrushPlace& place, const ToolContext& context);
+    void dab(const BrushSample& sample, const ToolContext& context);
     void show();
 
     bool m_erases;
@@ -111,21 +111,21 @@ void BrushTool::commit(ToolContext& /*context*/)
 
 void BrushTool::paintTo(const ToolEvent& event, ToolContext& context)
 {
-    m_path->moveTo(event, [&](const BrushPlace& place) { dab(place, context); });
+    m_path->moveTo(event, [&](const BrushSample& sample) { dab(sample, context); });
     if (event.area == Area::Paint || event.point)
         m_last = event;
     show();
 }
 
-void BrushTool::dab(const BrushPlace& place, const ToolContext& context)
+void BrushTool::dab(const BrushSample& sample, const ToolContext& context)
 {
     const ToolSettings& settings = context.settings;
-    const float pressure = std::clamp(place.pressure, kLeastPressure, 1.0F);
+    const float pressure = std::clamp(sample.pressure, kLeastPressure, 1.0F);
     const float sizeM = settings.brushSizeM * (settings.pressureSize ? pressure : 1.0F);
     m_path->setSpacing(sizeM * kSpacing);
 
     const int size = m_edit.size();
-    Dab dab = dabAt(place.metric, place.uv, 0.5F * sizeM, size);
+    Dab dab = dabAt(sample.metric, sample.uv, 0.5F * sizeM, size);
     dab.hardness = settings.hardness;
     dab.strength = settings.pressureOpacity && texelOps(m_edit.spec()).continuous ? pressure : 1.0F;
     const auto add = [this](const Dab& one) {
@@ -138,8 +138,8 @@ void BrushTool::dab(const BrushPlace& place, const ToolContext& context)
     const Head* head = context.document.project().head.get();
     if (head == nullptr || head->builtIn) {
         add(mirroredInU(dab, size));
-    } else if (place.point) {
-        if (const auto other = head->skin->mirrored(*place.point)) {
+    } else if (sample.point) {
+        if (const auto other = head->skin->mirrored(*sample.point)) {
             Dab twin = dabAt(SkinMetric::at(*other), other->uv, 0.5F * sizeM, size);
             twin.hardness = dab.hardness;
             twin.strength = dab.strength;

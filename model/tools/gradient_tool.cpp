@@ -25,15 +25,15 @@ struct Ramp
 
     Ramp(GradientKind gradient, glm::vec2 start, glm::vec2 end) : startTx(start), kind(gradient)
     {
-        const glm::vec2 way = end - start;
-        alongTx = way / std::max(glm::dot(way, way), 1e-6F);
-        perTx = 1.0F / std::max(glm::length(way), 1e-3F);
+        const glm::vec2 displacement = end - start;
+        alongTx = displacement / std::max(glm::dot(displacement, displacement), 1e-6F);
+        perTx = 1.0F / std::max(glm::length(displacement), 1e-3F);
     }
     [[nodiscard]] float at(glm::vec2 tx) const
     {
         const glm::vec2 offset = tx - startTx;
-        const float share = kind == GradientKind::Linear ? glm::dot(offset, alongTx) : glm::length(offset) * perTx;
-        return std::clamp(share, 0.0F, 1.0F);
+        const float fraction = kind == GradientKind::Linear ? glm::dot(offset, alongTx) : glm::length(offset) * perTx;
+        return std::clamp(fraction, 0.0F, 1.0F);
     }
 };
 
@@ -95,12 +95,12 @@ public:
     }
 
 private:
-    static glm::vec2 constrained(glm::vec2 way)
+    static glm::vec2 constrained(glm::vec2 displacement)
     {
         constexpr float kStep = 0.785398163F;
-        const float angle = std::round(std::atan2(way.y, way.x) / kStep) * kStep;
+        const float angle = std::round(std::atan2(displacement.y, displacement.x) / kStep) * kStep;
         const glm::vec2 direction(std::cos(angle), std::sin(angle));
-        return direction * glm::dot(way, direction);
+        return direction * glm::dot(displacement, direction);
     }
 
     [[nodiscard]] GradientPaint paintOf(const ToolContext& context) const
@@ -146,17 +146,17 @@ private:
         const auto channels = static_cast<std::size_t>(spec.valueChannels);
         const bool fades = paint.first == paint.second;
         StrokeBuffer::MaskTile mask{};
-        StrokeBuffer::MaskTile shares{};
+        StrokeBuffer::MaskTile fractions{};
         std::vector<std::uint16_t> values(StrokeBuffer::kTileTexels * channels);
         const sim::TexelRect rect = m_edit.before().tileRect(index);
         const auto paintTexel = [&](int x, int y) {
             const auto texel = static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0);
             const glm::vec2 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-            float share = 1.0F;
+            float fraction = 1.0F;
             for (const Ramp& ramp : paint.ramps)
-                share = std::min(share, ramp.at(centre));
-            shares[texel] = unit16Fast(share);
-            mask[texel] = fades ? static_cast<std::uint16_t>(65535 - shares[texel]) : std::uint16_t{65535};
+                fraction = std::min(fraction, ramp.at(centre));
+            fractions[texel] = unit16Fast(fraction);
+            mask[texel] = fades ? static_cast<std::uint16_t>(65535 - fractions[texel]) : std::uint16_t{65535};
         };
         for (const sim::TexelRect& clip : m_edit.clips()) {
             const sim::TexelRect part = shared(rect, clip);
@@ -164,12 +164,12 @@ private:
                 for (int x = part.x0; x < part.x1; ++x)
                     paintTexel(x, y);
         }
-        texelOps(spec).mix(paint.first, paint.second, shares, values.data());
+        texelOps(spec).mix(paint.first, paint.second, fractions, values.data());
         return paintTile(spec, m_edit.before().tile(index), mask, {.values = values.data(), .opacity = paint.opacity});
     }
 
     /// Of a share that is in 0..1 already. NOLINTNEXTLINE(bugprone-incorrect-roundings)
-    static std::uint16_t unit16Fast(float share) { return static_cast<std::uint16_t>(share * 65535.0F + 0.5F); }
+    static std::uint16_t unit16Fast(float fraction) { return static_cast<std::uint16_t>(fraction * 65535.0F + 0.5F); }
 
     LiveEdit m_edit;
     glm::vec2 m_startUv{0.0F}, m_endUv{0.0F};

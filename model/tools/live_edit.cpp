@@ -12,8 +12,8 @@ std::vector<sim::TexelRect> selectedTexels(const Selection& selection, int size)
 {
     if (selection.rectangles().empty())
         return {{0, 0, size, size}};
-    const auto texel = [size](double share) {
-        return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * size));
+    const auto texel = [size](double fraction) {
+        return static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * size));
     };
     std::vector<sim::TexelRect> rects;
     for (const QRectF& uv : selection.rectangles()) {

@@ -65,13 +65,13 @@ public:
 private:
     [[nodiscard]] std::optional<QRectF> rectangleTo(const ToolEvent& event) const
     {
-        glm::vec2 way = event.uv - m_startUv;
+        glm::vec2 extent = event.uv - m_startUv;
         if (!m_adds && event.modifiers.testFlag(Qt::ShiftModifier)) {
-            const float side = std::max(std::abs(way.x), std::abs(way.y));
-            way = {std::copysign(side, way.x), std::copysign(side, way.y)};
+            const float side = std::max(std::abs(extent.x), std::abs(extent.y));
+            extent = {std::copysign(side, extent.x), std::copysign(side, extent.y)};
         }
         const QRectF whole(0.0, 0.0, 1.0, 1.0);
-        const QRectF rectangle = QRectF(m_startUv.x, m_startUv.y, way.x, way.y).normalized().intersected(whole);
+        const QRectF rectangle = QRectF(m_startUv.x, m_startUv.y, extent.x, extent.y).normalized().intersected(whole);
         if (rectangle.width() < kSmallestUv || rectangle.height() < kSmallestUv)
             return std::nullopt;
         return rectangle;

@@ -16,10 +16,10 @@ constexpr int kEllipseCorners = 128;
 constexpr float kFreehandStepUv = 0.004F;
 constexpr float kCloseUv = 0.012F; ///< A click this near the first corner closes a polygon.
 
-glm::vec2 squared(glm::vec2 way)
+glm::vec2 squared(glm::vec2 extent)
 {
-    const float side = std::max(std::abs(way.x), std::abs(way.y));
-    return {std::copysign(side, way.x), std::copysign(side, way.y)};
+    const float side = std::max(std::abs(extent.x), std::abs(extent.y));
+    return {std::copysign(side, extent.x), std::copysign(side, extent.y)};
 }
 
 /// Rectangles and ellipses are dragged from corner to corner. Polygons are clicked corner by corner, or drawn by
@@ -105,8 +105,8 @@ void ShapeTool::move(const ToolEvent& event, ToolContext& context)
         m_freehand = true;
         m_corners.push_back(event.uv);
     } else {
-        const glm::vec2 way = event.uv - m_corners.front();
-        m_corners.back() = m_corners.front() + (event.modifiers.testFlag(Qt::ShiftModifier) ? squared(way) : way);
+        const glm::vec2 extent = event.uv - m_corners.front();
+        m_corners.back() = m_corners.front() + (event.modifiers.testFlag(Qt::ShiftModifier) ? squared(extent) : extent);
     }
     show(context);
 }

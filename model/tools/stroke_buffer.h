@@ -16,7 +16,7 @@ struct Dab
 {
     float xTx = 0.0F, yTx = 0.0F; ///< Texel (0, 0)'s centre is (1/2, 1/2).
     float a = 1.0F, b = 0.0F, c = 1.0F;
-    float hardness = 1.0F; ///< 0..1: share of the radius that is fully covered.
+    float hardness = 1.0F; ///< 0..1: fraction of the radius that is fully covered.
     float strength = 1.0F; ///< 0..1: coverage at the centre.
 };
 

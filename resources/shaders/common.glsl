@@ -9,7 +9,7 @@ layout(std140, binding = 0) uniform Frame
     mat4 woFromHd;
     mat4 gridFromWo[2];     // Wo -> 0..1 in the opacity grids; z runs away from the light, from the eye.
     vec4 eyeWo;
-    vec4 lightWo;           // Toward the light, unit; w: ambient share.
+    vec4 lightWo;           // Toward the light, unit; w: ambient fraction.
     vec4 lightColour;       // Linear.
     vec4 headWo;            // Centre; w: radius, m.
     vec4 depthRange;        // Distance along the view of key 0, keys a metre; then c0, c1 of linearDepth.

@@ -11,15 +11,15 @@ layout(std430, binding = 3) writeonly buffer Points { vec4 pointsWo[]; };
 // As in sim/groom/groom.h and sim/groom/strand_curve.h.
 const uint kTwist = 2u;
 const uint kLoc = 3u;
-const float kCurlEaseShare = 0.25;
+const float kCurlEaseFraction = 0.25;
 const float kBraidEaseTurns = 0.5;
-const float kWispRadiusShare = 0.8;
-const float kTwistShare = 0.6;
-const float kTwistWispShare = 0.65;
-const float kLocWispShare = 0.9;
-const float kTuftShare = 0.12;
-const float kTuftBraidShare = 0.35;
-const float kTuftWispShare = 1.5;
+const float kWispRadiusFraction = 0.8;
+const float kTwistFraction = 0.6;
+const float kTwistWispFraction = 0.65;
+const float kLocWispFraction = 0.9;
+const float kTuftFraction = 0.12;
+const float kTuftBraidFraction = 0.35;
+const float kTuftWispFraction = 1.5;
 
 uniform uint firstStrand;
 uniform uint strandCount;
@@ -50,21 +50,21 @@ vec3 perpendicular(vec3 reference, vec3 tangent)
     return normalize(v - tangent * dot(v, tangent));
 }
 
-// Across the braid at share q of it: equation 3 for the wisp of a plait, a circle for that of a twist, and the hair's
+// Across the braid at fraction q of it: equation 3 for the wisp of a plait, a circle for that of a twist, and the hair's
 // place in the wisp, of which a loc has one; in the end the wisps close up and open into a tuft.
 vec2 braidedOffset(uint slot, uint braid, float q)
 {
     uint kind = braid & 0xFFu;
     float wisp = float((braid >> 8) & 3u);
     float turns = styles[slot].braidTurns;
-    float tuft = kind == kLoc ? 0.0 : max(q - (1.0 - kTuftShare), 0.0) / kTuftShare;
+    float tuft = kind == kLoc ? 0.0 : max(q - (1.0 - kTuftFraction), 0.0) / kTuftFraction;
     float r = styles[slot].braidRadiusM * min(q * turns / kBraidEaseTurns, 1.0);
     float angle = 2.0 * kPi * (turns * q + wisp / (kind == kTwist ? 2.0 : 3.0));
     vec2 axis = vec2(cos(angle), sin(kind == kTwist ? angle : 2.0 * angle));
-    axis *= kind == kLoc ? 0.0 : kind == kTwist ? kTwistShare : 1.0;
-    float wispShare = kind == kLoc ? kLocWispShare : kind == kTwist ? kTwistWispShare : kWispRadiusShare;
-    return axis * (r * mix(1.0, kTuftBraidShare, tuft))
-           + vec2(styles[slot].wispOffsetX, styles[slot].wispOffsetY) * (r * wispShare * mix(1.0, kTuftWispShare, tuft));
+    axis *= kind == kLoc ? 0.0 : kind == kTwist ? kTwistFraction : 1.0;
+    float wispFraction = kind == kLoc ? kLocWispFraction : kind == kTwist ? kTwistWispFraction : kWispRadiusFraction;
+    return axis * (r * mix(1.0, kTuftBraidFraction, tuft))
+           + vec2(styles[slot].wispOffsetX, styles[slot].wispOffsetY) * (r * wispFraction * mix(1.0, kTuftWispFraction, tuft));
 }
 
 void main()
@@ -136,7 +136,7 @@ void main()
             float angle = phase + 2.0 * kPi * turns * s;
             float c = cos(angle);
             float n = sin(angle);
-            float r = radius * min(1.0, s / kCurlEaseShare);
+            float r = radius * min(1.0, s / kCurlEaseFraction);
             point += r * (c * reference + n * cross(tangent, reference) + c * n * tangent);
         }
         pointsWo[first + uint(j)] = vec4(point, uintBitsToFloat(strand));

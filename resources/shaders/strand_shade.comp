@@ -15,7 +15,7 @@ layout(binding = 1) uniform sampler3D opacityToEye;
 
 uniform uint firstStrand;
 uniform uint pointCount;
-uniform float widening;   // 1 / share of the hairs drawn.
+uniform float widening;   // 1 / fraction of the hairs drawn.
 uniform float leastWidth; // Samples that the thinnest hair covers, and the widest.
 uniform float greatestWidth;
 uniform vec4 material;    // Shine, roughness, alpha at root and tip.

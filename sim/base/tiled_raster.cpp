@@ -34,8 +34,8 @@ struct Footprint
         const float y = (1.0F - unitClamp(uv.y)) * static_cast<float>(size) - 0.5F;
         const int left = x < 0.0F ? -1 : static_cast<int>(x);
         const int top = y < 0.0F ? -1 : static_cast<int>(y);
-        shareX = x - static_cast<float>(left);
-        shareY = y - static_cast<float>(top);
+        fractionX = x - static_cast<float>(left);
+        fractionY = y - static_cast<float>(top);
         x0 = std::max(left, 0);
         y0 = std::max(top, 0);
         x1 = std::min(left + 1, size - 1);
@@ -45,14 +45,14 @@ struct Footprint
     /// In this form equal texels give exactly their value, however they are stored.
     [[nodiscard]] float blend(std::uint16_t a, std::uint16_t b, std::uint16_t c, std::uint16_t d) const
     {
-        const auto mix = [](float from, float to, float share) { return from + (to - from) * share; };
-        const float upper = mix(static_cast<float>(a), static_cast<float>(b), shareX);
-        const float lower = mix(static_cast<float>(c), static_cast<float>(d), shareX);
-        return mix(upper, lower, shareY) / 65535.0F;
+        const auto mix = [](float from, float to, float fraction) { return from + (to - from) * fraction; };
+        const float upper = mix(static_cast<float>(a), static_cast<float>(b), fractionX);
+        const float lower = mix(static_cast<float>(c), static_cast<float>(d), fractionX);
+        return mix(upper, lower, fractionY) / 65535.0F;
     }
 
     int x0, y0, x1, y1;
-    float shareX, shareY;
+    float fractionX, fractionY;
 };
 
 } // namespace

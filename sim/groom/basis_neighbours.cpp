@@ -21,24 +21,24 @@ constexpr std::size_t kFound = RootSet::kNeighbours + 1;
 constexpr float kNormalSpacings = 3.0F;
 constexpr std::size_t kGrain = 2048;
 
-using Place = std::array<float, kDimensions>;
+using SearchPoint = std::array<float, kDimensions>;
 
-/// The distinct places of the basis hairs, and which stand on each. A tree of equal places has nothing to split: every
-/// search would visit all of them. On a sound head each place has one hair, and the order is theirs.
+/// The distinct points of the basis hairs, and which stand on each. A tree of equal points has nothing to split: every
+/// search would visit all of them. On a sound head each point has one hair, and the order is theirs.
 struct BasisCloud
 {
-    explicit BasisCloud(const std::vector<Place>& placeOfBasis);
+    explicit BasisCloud(const std::vector<SearchPoint>& pointOfBasis);
 
-    std::vector<Place> places;
-    std::vector<std::uint32_t> first; ///< [places + 1], into `basis`.
-    std::vector<std::uint32_t> basis; ///< Indices of basis hairs, ascending within a place.
+    std::vector<SearchPoint> points;
+    std::vector<std::uint32_t> first; ///< [points + 1], into `basis`.
+    std::vector<std::uint32_t> basis; ///< Indices of basis hairs, ascending within a point.
 
     /// The adaptor that nanoflann asks for.
     // The names are nanoflann's.
-    [[nodiscard]] std::size_t kdtree_get_point_count() const { return places.size(); }
+    [[nodiscard]] std::size_t kdtree_get_point_count() const { return points.size(); }
     [[nodiscard]] float kdtree_get_pt(std::size_t index, std::size_t dimension) const
     {
-        return places[index][dimension];
+        return points[index][dimension];
     }
     template<class Box>
     bool kdtree_get_bbox(Box& /*box*/) const
@@ -47,38 +47,38 @@ struct BasisCloud
     }
 };
 
-BasisCloud::BasisCloud(const std::vector<Place>& placeOfBasis)
+BasisCloud::BasisCloud(const std::vector<SearchPoint>& pointOfBasis)
 {
-    std::vector<std::uint32_t> order(placeOfBasis.size());
+    std::vector<std::uint32_t> order(pointOfBasis.size());
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
-        return placeOfBasis[a] != placeOfBasis[b] ? placeOfBasis[a] < placeOfBasis[b] : a < b;
+        return pointOfBasis[a] != pointOfBasis[b] ? pointOfBasis[a] < pointOfBasis[b] : a < b;
     });
-    // Each group of equal places is named by its lowest basis hair.
+    // Each group of equal points is named by its lowest basis hair.
     std::vector<std::uint32_t> leader(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         leader[order[i]] =
-            i > 0 && placeOfBasis[order[i]] == placeOfBasis[order[i - 1]] ? leader[order[i - 1]] : order[i];
-    std::vector<std::uint32_t> placeOfLeader(order.size());
+            i > 0 && pointOfBasis[order[i]] == pointOfBasis[order[i - 1]] ? leader[order[i - 1]] : order[i];
+    std::vector<std::uint32_t> pointOfLeader(order.size());
     for (std::uint32_t i = 0; i < leader.size(); ++i)
         if (leader[i] == i) {
-            placeOfLeader[i] = static_cast<std::uint32_t>(places.size());
-            places.push_back(placeOfBasis[i]);
+            pointOfLeader[i] = static_cast<std::uint32_t>(points.size());
+            points.push_back(pointOfBasis[i]);
         }
-    first.assign(places.size() + 1, 0);
+    first.assign(points.size() + 1, 0);
     for (const std::uint32_t lead : leader)
-        ++first[placeOfLeader[lead] + 1];
+        ++first[pointOfLeader[lead] + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
     basis.resize(order.size());
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (std::uint32_t i = 0; i < leader.size(); ++i)
-        basis[next[placeOfLeader[leader[i]]]++] = i;
+        basis[next[pointOfLeader[leader[i]]]++] = i;
 }
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, BasisCloud>, BasisCloud,
                                                  static_cast<int>(kDimensions), std::uint32_t>;
 
-Place placeOf(const RootSet& roots, std::uint32_t slot, float normalScaleM)
+SearchPoint searchPointOf(const RootSet& roots, std::uint32_t slot, float normalScaleM)
 {
     const glm::vec3 position = roots.positionHd[slot];
     const glm::vec3 normal = roots.normalHd[slot] * normalScaleM;
@@ -92,15 +92,15 @@ struct Nearest
 };
 
 /// From the nearest on. With fewer basis hairs than neighbours the last is repeated, and weighs nothing.
-Nearest nearestBasis(const BasisCloud& cloud, const Tree& tree, const Place& place)
+Nearest nearestBasis(const BasisCloud& cloud, const Tree& tree, const SearchPoint& point)
 {
-    std::array<std::uint32_t, kFound> foundPlaces{};
+    std::array<std::uint32_t, kFound> foundPoints{};
     std::array<float, kFound> squares{};
-    const std::size_t placeCount = tree.knnSearch(place.data(), kFound, foundPlaces.data(), squares.data());
+    const std::size_t pointCount = tree.knnSearch(point.data(), kFound, foundPoints.data(), squares.data());
     Nearest nearest;
     std::size_t count = 0;
-    for (std::size_t k = 0; k < placeCount; ++k)
-        for (std::uint32_t i = cloud.first[foundPlaces[k]]; i < cloud.first[foundPlaces[k] + 1] && count < kFound;
+    for (std::size_t k = 0; k < pointCount; ++k)
+        for (std::uint32_t i = cloud.first[foundPoints[k]]; i < cloud.first[foundPoints[k] + 1] && count < kFound;
              ++i) {
             nearest.basis[count] = cloud.basis[i];
             nearest.distances[count++] = std::sqrt(squares[k]);
@@ -119,8 +119,8 @@ std::array<float, RootSet::kNeighbours> weightsOf(const std::array<float, kFound
     const float reach = distances[kFound - 1];
     float sum = 0.0F;
     for (std::size_t k = 0; k < weights.size(); ++k) {
-        const float share = (reach - distances[k]) / std::max(distances[k], 1e-4F * reach + 1e-12F);
-        weights[k] = share * share;
+        const float fraction = (reach - distances[k]) / std::max(distances[k], 1e-4F * reach + 1e-12F);
+        weights[k] = fraction * fraction;
         sum += weights[k];
     }
     if (!(sum > 1e-6F)) {
@@ -143,18 +143,18 @@ void findBasisNeighbours(RootSet& roots)
         return;
     const float spacingM = std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(basisCount));
     const float normalScaleM = kNormalSpacings * spacingM;
-    std::vector<Place> placeOfBasis;
-    placeOfBasis.reserve(basisCount);
+    std::vector<SearchPoint> pointOfBasis;
+    pointOfBasis.reserve(basisCount);
     for (const std::uint32_t slot : roots.basisSlot)
-        placeOfBasis.push_back(placeOf(roots, slot, normalScaleM));
-    const BasisCloud cloud(placeOfBasis);
+        pointOfBasis.push_back(searchPointOf(roots, slot, normalScaleM));
+    const BasisCloud cloud(pointOfBasis);
     const Tree tree(static_cast<int>(kDimensions), cloud, nanoflann::KDTreeSingleIndexAdaptorParams(8));
 
     parallelFor(roots.count(), kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto slot = static_cast<std::uint32_t>(i);
-            const Place place = placeOf(roots, slot, normalScaleM);
-            const auto [found, distances] = nearestBasis(cloud, tree, place);
+            const SearchPoint point = searchPointOf(roots, slot, normalScaleM);
+            const auto [found, distances] = nearestBasis(cloud, tree, point);
             std::array<std::uint32_t, RootSet::kNeighbours> kept{};
             std::copy_n(found.begin(), kept.size(), kept.begin());
             if (roots.rankOfSlot[slot] >= basisCount) {

@@ -160,7 +160,7 @@ void BraidLayout::chooseCentres(const RootSet& roots, float spacingM)
 void BraidLayout::moveCentresToTheMiddle(const RootSet& roots)
 {
     constexpr float kFar = std::numeric_limits<float>::max();
-    const auto placeOf = [&](std::uint32_t basis) { return roots.positionHd[roots.basisSlot[basis]]; };
+    const auto positionOf = [&](std::uint32_t basis) { return roots.positionHd[roots.basisSlot[basis]]; };
     const auto count = static_cast<std::uint32_t>(m_kindOfBasis.size());
     std::vector<std::uint32_t> cellOf(count, 0);
     for (int step = 0; step < kLloydSteps; ++step) {
@@ -172,13 +172,13 @@ void BraidLayout::moveCentresToTheMiddle(const RootSet& roots)
                 continue;
             float nearest = kFar;
             for (std::uint32_t i = m_regionStart[region]; i < m_regionStart[region + 1]; ++i) {
-                const float squared = squaredDistance(placeOf(m_centres[i]), placeOf(basis));
+                const float squared = squaredDistance(positionOf(m_centres[i]), positionOf(basis));
                 if (squared < nearest) {
                     nearest = squared;
                     cellOf[basis] = i;
                 }
             }
-            sums[cellOf[basis]] += placeOf(basis);
+            sums[cellOf[basis]] += positionOf(basis);
             members[cellOf[basis]] += 1.0F;
         }
         std::vector<float> nearest(m_centres.size(), kFar);
@@ -187,7 +187,7 @@ void BraidLayout::moveCentresToTheMiddle(const RootSet& roots)
             if (m_regionOfBasis[basis] == kNoCentre)
                 continue;
             const std::uint32_t cell = cellOf[basis];
-            const float squared = squaredDistance(sums[cell] / members[cell], placeOf(basis));
+            const float squared = squaredDistance(sums[cell] / members[cell], positionOf(basis));
             if (squared < nearest[cell]) {
                 nearest[cell] = squared;
                 moved[cell] = basis;

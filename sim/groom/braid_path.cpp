@@ -9,27 +9,27 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr std::size_t kSamples = 17; ///< Of the part on the scalp.
-constexpr float kLiftM = 0.002F;     ///< Hairs on their way lie on those below them,
-constexpr float kLiftShare = 0.05F;  ///< and are lifted by this share of it: a few nodes must clear a round head.
-constexpr float kPitchRadii = 9.0F;  ///< Length of one turn of equation 3, in its radius r.
+constexpr std::size_t kSamples = 17;   ///< Of the part on the scalp.
+constexpr float kLiftM = 0.002F;       ///< Hairs on their way lie on those below them,
+constexpr float kLiftFraction = 0.05F; ///< and are lifted by this fraction of it: a few nodes must clear a round head.
+constexpr float kPitchRadii = 9.0F;    ///< Length of one turn of equation 3, in its radius r.
 
 float lengthOf(glm::vec3 v)
 {
     return std::sqrt(glm::dot(v, v));
 }
 
-/// The direction of `way` in the plane of the normal, unit; 0 where there is none.
-glm::vec3 alongSkin(glm::vec3 way, glm::vec3 normal)
+/// The direction of `direction` in the plane of the normal, unit; 0 where there is none.
+glm::vec3 alongSkin(glm::vec3 direction, glm::vec3 normal)
 {
-    const glm::vec3 flat = way - normal * glm::dot(way, normal);
+    const glm::vec3 flat = direction - normal * glm::dot(direction, normal);
     const float length = lengthOf(flat);
     return length > 1e-9F ? flat / length : glm::vec3(0.0F);
 }
 
 /// Bezier's cubic that leaves and arrives along the skin. For two places on a circle its handles, 2/3 of the chord over
 /// 1 + cos of half the angle, are those of the circle's arc.
-std::array<glm::vec3, kSamples> scalpPath(const RootPlace& from, const RootPlace& to)
+std::array<glm::vec3, kSamples> scalpPath(const RootFrame& from, const RootFrame& to)
 {
     const glm::vec3 chord = to.positionHd - from.positionHd;
     const float cosAngle = glm::dot(from.normalHd, to.normalHd);
@@ -37,7 +37,7 @@ std::array<glm::vec3, kSamples> scalpPath(const RootPlace& from, const RootPlace
     const float handle = lengthOf(chord) * (2.0F / 3.0F) / (1.0F + cosHalf);
     const glm::vec3 b1 = from.positionHd + alongSkin(chord, from.normalHd) * handle;
     const glm::vec3 b2 = to.positionHd - alongSkin(chord, to.normalHd) * handle;
-    const float liftM = std::min(kLiftM + lengthOf(chord) * kLiftShare, lengthOf(chord) * 0.25F);
+    const float liftM = std::min(kLiftM + lengthOf(chord) * kLiftFraction, lengthOf(chord) * 0.25F);
     std::array<glm::vec3, kSamples> path;
     for (std::size_t i = 0; i < kSamples; ++i) {
         const float t = static_cast<float>(i) / static_cast<float>(kSamples - 1);
@@ -55,7 +55,7 @@ int gatheringNode(int nodes)
     return std::max((nodes + 1) / 4, 1);
 }
 
-float braidRest(const RootPlace& root, const RootPlace& centre, float centreLengthM, std::span<glm::vec3> nodesHd)
+float braidRest(const RootFrame& root, const RootFrame& centre, float centreLengthM, std::span<glm::vec3> nodesHd)
 {
     const std::array<glm::vec3, kSamples> path = scalpPath(root, centre);
     std::array<float, kSamples> lengthUpTo{};
@@ -68,8 +68,8 @@ float braidRest(const RootPlace& root, const RootPlace& centre, float centreLeng
         const float s = scalpM * static_cast<float>(node) / static_cast<float>(gathered);
         while (at + 2 < kSamples && lengthUpTo[at + 1] <= s)
             ++at;
-        const float share = (s - lengthUpTo[at]) / std::max(lengthUpTo[at + 1] - lengthUpTo[at], 1e-12F);
-        nodesHd[node] = path[at] + (path[at + 1] - path[at]) * share;
+        const float fraction = (s - lengthUpTo[at]) / std::max(lengthUpTo[at + 1] - lengthUpTo[at], 1e-12F);
+        nodesHd[node] = path[at] + (path[at + 1] - path[at]) * fraction;
     }
     const float segmentM = centreLengthM / static_cast<float>(nodesHd.size() - 1 - gathered);
     for (std::size_t node = gathered; node < nodesHd.size(); ++node)

@@ -14,7 +14,7 @@ namespace hairpaint::sim {
 
 /// Fills the nodes: evenly over the scalp from the root to the centre's root, from there evenly along `centreLengthM`
 /// of its normal. Returns the length of the part on the scalp, m.
-[[nodiscard]] float braidRest(const RootPlace& root, const RootPlace& centre, float centreLengthM,
+[[nodiscard]] float braidRest(const RootFrame& root, const RootFrame& centre, float centreLengthM,
                               std::span<glm::vec3> nodesHd);
 
 /// A plait has three wisps, a twist two, a loc one.

@@ -12,7 +12,7 @@ namespace hairpaint::sim {
 
 namespace {
 
-RootPlace placeOf(const RootSet& roots, std::uint32_t slot)
+RootFrame rootFrame(const RootSet& roots, std::uint32_t slot)
 {
     return {roots.positionHd[slot], roots.normalHd[slot]};
 }
@@ -45,14 +45,14 @@ public:
         if (centre != kNoCentre) {
             const float centreLengthM = m_inputs.basisLengthM[centre];
             const float scalpM =
-                braidRest(placeOf(roots, slot), placeOf(roots, roots.basisSlot[centre]), centreLengthM, nodes);
+                braidRest(rootFrame(roots, slot), rootFrame(roots, roots.basisSlot[centre]), centreLengthM, nodes);
             applyBraid(settings, static_cast<BraidKind>(m_inputs.kinds[slot]), chance, scalpM, centreLengthM, style);
         } else {
-            straightRest(placeOf(roots, slot), style.lengthM, nodes);
+            straightRest(rootFrame(roots, slot), style.lengthM, nodes);
             const std::uint32_t basis = roots.basisSlot[roots.neighbours[slot][0]];
             const float clump = basis == slot ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(uv);
             if (clump > 0.0F) {
-                clumpRest(placeOf(roots, basis), clump, style.lengthM / static_cast<float>(m_nodes - 1), nodes);
+                clumpRest(rootFrame(roots, basis), clump, style.lengthM / static_cast<float>(m_nodes - 1), nodes);
                 // Hairs that lie together curl together: a ringlet is one curl of many hairs.
                 const float basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
                 style.phase = basisPhase + (style.phase - basisPhase) * (1.0F - clump);

@@ -22,7 +22,7 @@ std::size_t weightOf(const GroupSettings& settings)
 }
 
 /// Candidates that the density asks for, before any limit.
-std::size_t wantedCandidates(const GroupInput& group, const Skin& skin)
+std::size_t wantedCandidates(const GroomInput::Group& group, const Skin& skin)
 {
     constexpr double kMost = 4e9;
     const double count = static_cast<double>(group.settings.greatestDensityPerM2) * skin.areaM2() + 0.5;
@@ -71,7 +71,7 @@ GroomBuilder::Report GroomBuilder::update(const GroomInput& input)
     std::vector<std::unique_ptr<State::Group>> kept;
     auto candidatesLeft = static_cast<std::size_t>(std::max(input.maxHairs, 0));
     std::size_t weightLeft = kMostWeight;
-    for (const GroupInput& groupInput : input.groups) {
+    for (const GroomInput::Group& groupInput : input.groups) {
         auto& known = m_state->groups;
         const auto found = std::find_if(known.begin(), known.end(), [&](const std::unique_ptr<State::Group>& group) {
             return group && group->id == groupInput.id;

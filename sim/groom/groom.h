@@ -99,8 +99,8 @@ struct Groom
     int nodes = 8;
     std::vector<std::shared_ptr<const StrandChunk>> chunks; ///< ceil(candidates / kChunkSlots)
     /// Index of each chunk's first position in StrandFrame's array, in units of chunks; -1 where null.
-    std::vector<std::int32_t> chunkPlace;
-    std::int32_t placedChunks = 0;
+    std::vector<std::int32_t> packedChunk;
+    std::int32_t packedChunks = 0;
     std::shared_ptr<const BasisStyles> basis;
     std::size_t hairCount = 0;
     std::size_t drawnCount = 0; ///< Also the number exported.
@@ -111,7 +111,7 @@ struct Groom
     [[nodiscard]] bool isDrawn(std::size_t slot) const
     {
         const std::size_t chunk = chunkOf(slot);
-        return chunk < chunks.size() && chunks[chunk] && chunkPlace[chunk] >= 0 && chunks[chunk]->drawn[inChunk(slot)];
+        return chunk < chunks.size() && chunks[chunk] && packedChunk[chunk] >= 0 && chunks[chunk]->drawn[inChunk(slot)];
     }
     /// The style of a slot whose chunk is there.
     [[nodiscard]] const StrandStyle& style(std::size_t slot) const
@@ -121,7 +121,7 @@ struct Groom
     /// Which strand of a StrandFrame's positions a slot of a placed chunk is.
     [[nodiscard]] std::size_t frameStrand(std::size_t slot) const
     {
-        return static_cast<std::size_t>(chunkPlace[chunkOf(slot)]) * kChunkSlots + inChunk(slot);
+        return static_cast<std::size_t>(packedChunk[chunkOf(slot)]) * kChunkSlots + inChunk(slot);
     }
 };
 

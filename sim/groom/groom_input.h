@@ -12,20 +12,20 @@
 
 namespace hairpaint::sim {
 
-struct GroupInput
-{
-    int id = 0;
-    bool visible = true;
-    GroupSettings settings;
-    GroupMaps maps;
-};
-
 /// Compared with the one before by pointer and value, so that work is proportional to what differs.
 struct GroomInput
 {
+    struct Group
+    {
+        int id = 0;
+        bool visible = true;
+        GroupSettings settings;
+        GroupMaps maps;
+    };
+
     std::shared_ptr<const Skin> skin;
     std::vector<Ellipsoid> colliders;
-    std::vector<GroupInput> groups;
+    std::vector<Group> groups;
     std::uint64_t seed = 1;
     int maxHairs = 1'000'000;   ///< Limit on candidates over all groups; divided in the groups' order.
     std::uint64_t revision = 0; ///< Of the document; frames repeat it. It alone rebuilds nothing.

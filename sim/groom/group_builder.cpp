@@ -39,9 +39,10 @@ GroupSettings withinLimits(GroupSettings settings)
 float heightOf(const RootSet& roots, std::uint32_t slot, float crownY)
 {
     constexpr float kScalpM = 0.20F;
-    constexpr float kChanceShare = 0.3F;
+    constexpr float kChanceFraction = 0.3F;
     const float crownward = std::clamp(1.0F - (crownY - roots.positionHd[slot].y) / kScalpM, 0.0F, 1.0F);
-    return crownward * (1.0F - kChanceShare) + chanceOf(roots.seed, roots.rankOfSlot[slot]).coatHeight * kChanceShare;
+    return crownward * (1.0F - kChanceFraction) +
+           chanceOf(roots.seed, roots.rankOfSlot[slot]).coatHeight * kChanceFraction;
 }
 
 std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
@@ -63,7 +64,7 @@ std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
 
 } // namespace
 
-GroupBuilder::Result GroupBuilder::update(const GroupInput& input, const std::shared_ptr<const RootSet>& roots,
+GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots,
                                           HairLimit limit)
 {
     const GroupSettings settings = withinLimits(input.settings);
@@ -107,7 +108,7 @@ GroupBuilder::Result GroupBuilder::update(const GroupInput& input, const std::sh
     return result;
 }
 
-void GroupBuilder::startOver(const GroupInput& input, const std::shared_ptr<const RootSet>& roots)
+void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots)
 {
     if (roots != m_roots) {
         m_roots = roots;
@@ -225,10 +226,10 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
         groom.hairCount += (is != nullptr ? is->hairs.count() : 0) - (was != nullptr ? was->hairs.count() : 0);
         groom.drawnCount += (is != nullptr ? is->drawn.count() : 0) - (was != nullptr ? was->drawn.count() : 0);
     }
-    groom.chunkPlace.resize(groom.chunks.size());
-    groom.placedChunks = 0;
+    groom.packedChunk.resize(groom.chunks.size());
+    groom.packedChunks = 0;
     for (std::size_t i = 0; i < groom.chunks.size(); ++i)
-        groom.chunkPlace[i] = groom.chunks[i] ? groom.placedChunks++ : -1;
+        groom.packedChunk[i] = groom.chunks[i] ? groom.packedChunks++ : -1;
 }
 
 void GroupBuilder::countDependents(const StrandChunk* chunk, std::size_t chunkIndex, const SlotSet& slots,

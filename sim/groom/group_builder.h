@@ -22,10 +22,11 @@ public:
         std::shared_ptr<const Groom> groom; ///< The one before where nothing differs.
         SlotSet rebuilt;                    ///< Hairs, and slots that were hairs, that were evaluated.
     };
-    [[nodiscard]] Result update(const GroupInput& input, const std::shared_ptr<const RootSet>& roots, HairLimit limit);
+    [[nodiscard]] Result update(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots,
+                                HairLimit limit);
 
 private:
-    void startOver(const GroupInput& input, const std::shared_ptr<const RootSet>& roots);
+    void startOver(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots);
     void readKinds(const MapSamplers& maps, const SlotSet& dirty);
     void updateBasis(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty);
     void updateBraids(const GroupSettings& settings, SlotSet& dirty);
@@ -37,7 +38,7 @@ private:
     [[nodiscard]] BasisStyles& writableBasis();
 
     std::shared_ptr<const RootSet> m_roots;
-    GroupInput m_input;
+    GroomInput::Group m_input;
     std::shared_ptr<const Groom> m_groom;
     std::optional<MapChanges> m_changes;
     std::shared_ptr<const BasisStyles> m_basis;

@@ -18,7 +18,7 @@ struct PhysicsSettings
     float gravityScale = 1.0F; ///< 0..2, of 9.81 m/s2.
     float windScale = 1.0F;    ///< 0..4.
     float body = 0.15F;        ///< 0..1: how strongly the hair keeps its rest shape at the root; fades to the tip.
-    float friction = 0.4F;     ///< 0..1 on the head: share of the tangential motion lost in a step of contact.
+    float friction = 0.4F;     ///< 0..1 on the head: fraction of the tangential motion lost in a step of contact.
     float volumeM = 0.008F;    ///< m, 0..0.05: thickness of the whole coat; each hair lies at its own height in it.
     float parting = 0.6F;      ///< 0..1: how far long loose hair is combed to its own side of the middle.
     float sweepBack = 0.3F;    ///< 0..1: how far it is combed away from the face.
@@ -48,7 +48,7 @@ struct GroupSettings
     float greatestLengthM = 0.30F;       ///< 0.001..2.
     float shortestLengthM = 0.0F;        ///< The length where the map is 0.
     int nodesPerHair = 8;                ///< kLeastNodes..kMostNodes.
-    int basisHairs = 4096;               ///< Of the candidates, the solved ones; 256..1,000,000.
+    int basisHairs = 4096; ///< Of the candidates all over the skin, the solved ones; 256..10,000,000.
     TurnsMode turnsMode = TurnsMode::PerHair;
     bool steppedTurns = false;          ///< Table 1's levels only.
     float turnsPerLengthM = 0.10F;      ///< With PerLength: the length that table 1's turns are for.

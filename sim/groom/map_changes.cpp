@@ -9,7 +9,7 @@ namespace hairpaint::sim {
 
 namespace {
 
-/// Past this share of changed tiles every candidate is looked at, on all threads.
+/// Past this fraction of changed tiles every candidate is looked at, on all threads.
 constexpr std::size_t kManyTiles = 4;
 
 /// The tiles in which samples begin that may read one of the changed tiles: those tiles, and left of and above them.

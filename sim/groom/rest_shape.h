@@ -8,18 +8,18 @@
 namespace hairpaint::sim {
 
 /// Where a hair stands.
-struct RootPlace
+struct RootFrame
 {
     glm::vec3 positionHd;
     glm::vec3 normalHd; ///< Unit.
 };
 
 /// Straight along the normal, nodes evenly spaced.
-void straightRest(const RootPlace& root, float lengthM, std::span<glm::vec3> nodesHd);
+void straightRest(const RootFrame& root, float lengthM, std::span<glm::vec3> nodesHd);
 
 /// Draws the nodes toward the hair of `basis`, as far from its root along its normal, by `clump` times a share that
 /// grows to the tip, and restores the distance of neighbouring nodes. Depends on the basis hair's root only, not on its
 /// maps. (Hernandez and Rudomin 2004, clumpiness.)
-void clumpRest(const RootPlace& basis, float clump, float segmentM, std::span<glm::vec3> nodesHd);
+void clumpRest(const RootFrame& basis, float clump, float segmentM, std::span<glm::vec3> nodesHd);
 
 } // namespace hairpaint::sim

@@ -110,8 +110,8 @@ void orderAlongCurve(RootSet& roots, const CurveSequence& sequence, std::size_t 
     std::vector<std::uint32_t> rankOfCell(std::size_t{1} << bits, kEmpty);
     parallelFor(count, kGrain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t rank = begin; rank < end; ++rank) {
-            const std::uint64_t place = sequence(static_cast<std::uint32_t>(rank));
-            rankOfCell[place >> (32U - bits)] = static_cast<std::uint32_t>(rank);
+            const std::uint64_t curvePosition = sequence(static_cast<std::uint32_t>(rank));
+            rankOfCell[curvePosition >> (32U - bits)] = static_cast<std::uint32_t>(rank);
         }
     });
     roots.rankOfSlot.reserve(count);
@@ -126,10 +126,10 @@ void orderAlongCurve(RootSet& roots, const CurveSequence& sequence, std::size_t 
 
 /// Spreads 0..1 over a triangle, uniform by area: each pair of bits chooses one of four similar triangles
 /// (Basu and Owen 2015), so that the curve goes on inside the face.
-glm::vec3 barycentricAt(double share)
+glm::vec3 barycentricAt(double fraction)
 {
     constexpr int kLevels = 16;
-    auto digits = static_cast<std::uint32_t>(std::clamp(share, 0.0, 1.0) * 4294967295.0);
+    auto digits = static_cast<std::uint32_t>(std::clamp(fraction, 0.0, 1.0) * 4294967295.0);
     glm::vec2 corner(0.0F);
     float size = 1.0F; // Negative where the triangle is upside down.
     for (int level = 0; level < kLevels; ++level) {
@@ -169,8 +169,8 @@ void placeOnSkin(RootSet& roots, const CurveSequence& sequence, const AreaCurve&
             const std::uint32_t rank = roots.rankOfSlot[slot];
             // Below the sequence's 32 bits the place is random, so that it is not tied to a lattice.
             const std::uint64_t low = hash64(seed, rank) >> 43U;
-            const std::uint64_t place = (static_cast<std::uint64_t>(sequence(rank)) << 21U) | low;
-            const double area = static_cast<double>(place) * (totalArea / 9007199254740992.0);
+            const std::uint64_t curvePosition = (static_cast<std::uint64_t>(sequence(rank)) << 21U) | low;
+            const double area = static_cast<double>(curvePosition) * (totalArea / 9007199254740992.0);
             if (slot == begin)
                 at = static_cast<std::size_t>(
                     std::upper_bound(curve.areaBefore.begin(), curve.areaBefore.end() - 1, area) -
@@ -178,8 +178,8 @@ void placeOnSkin(RootSet& roots, const CurveSequence& sequence, const AreaCurve&
             while (at + 1 < curve.faces.size() && curve.areaBefore[at + 1] <= area)
                 ++at;
             const double width = curve.areaBefore[at + 1] - curve.areaBefore[at];
-            const double share = width > 0.0 ? (area - curve.areaBefore[at]) / width : 0.0;
-            const SurfacePoint point = roots.skin->at(curve.faces[at], barycentricAt(share));
+            const double fraction = width > 0.0 ? (area - curve.areaBefore[at]) / width : 0.0;
+            const SurfacePoint point = roots.skin->at(curve.faces[at], barycentricAt(fraction));
             roots.face[slot] = point.face;
             roots.uv[slot] = point.uv;
             roots.positionHd[slot] = point.positionHd;

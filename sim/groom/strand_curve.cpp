@@ -69,21 +69,21 @@ glm::vec3 braidedOffset(const StrandStyle& style, float q)
 {
     const auto wisp = static_cast<float>(style.wisp);
     const float parted = std::min(q * style.braidTurns / kBraidEaseTurns, 1.0F);
-    const float tuft = std::max(q - (1.0F - kTuftShare), 0.0F) / kTuftShare;
+    const float tuft = std::max(q - (1.0F - kTuftFraction), 0.0F) / kTuftFraction;
     const float r = style.braidRadiusM * parted;
     const float turned = kTwoPi * style.braidTurns * q;
     const glm::vec3 inWisp(style.wispOffset.x, 0.0F, style.wispOffset.y);
     if (style.braid == BraidKind::Loc)
-        return inWisp * (r * kLocWispShare);
+        return inWisp * (r * kLocWispFraction);
     glm::vec3 axis = braidOffset(turned, wisp * (kTwoPi / 3.0F));
-    float wispR = r * kWispRadiusShare;
+    float wispR = r * kWispRadiusFraction;
     if (style.braid == BraidKind::Twist) {
         const float angle = turned + wisp * (0.5F * kTwoPi);
-        axis = glm::vec3(cosDet(angle), 0.0F, sinDet(angle)) * kTwistShare;
-        wispR = r * kTwistWispShare;
+        axis = glm::vec3(cosDet(angle), 0.0F, sinDet(angle)) * kTwistFraction;
+        wispR = r * kTwistWispFraction;
     }
-    return axis * (r * (1.0F + (kTuftBraidShare - 1.0F) * tuft)) +
-           inWisp * (wispR * (1.0F + (kTuftWispShare - 1.0F) * tuft));
+    return axis * (r * (1.0F + (kTuftBraidFraction - 1.0F) * tuft)) +
+           inWisp * (wispR * (1.0F + (kTuftWispFraction - 1.0F) * tuft));
 }
 
 } // namespace
@@ -156,7 +156,7 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
             point += first * offset.x + tangent * offset.y + glm::cross(first, tangent) * offset.z;
         } else if (isCurled) {
             const glm::vec3 offset = curlOffset(style.phase + kTwoPi * style.turns * s) *
-                                     (style.curlRadiusM * std::min(1.0F, s / kCurlEaseShare));
+                                     (style.curlRadiusM * std::min(1.0F, s / kCurlEaseFraction));
             point += reference * offset.x + glm::cross(tangent, reference) * offset.y + tangent * offset.z;
         }
         pointsHd.push_back(point);

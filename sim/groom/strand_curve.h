@@ -15,20 +15,20 @@ namespace hairpaint::sim {
 /// Equation 3 without its linear part, for wisp offset w: (cos(t + w), 0, sin(2(t + w))), in units of r.
 [[nodiscard]] glm::vec3 braidOffset(float t, float w);
 
-/// Share of the strand, from the root, over which the curl's radius grows from 0.
-inline constexpr float kCurlEaseShare = 0.25F;
+/// Fraction of the strand, from the root, over which the curl's radius grows from 0.
+inline constexpr float kCurlEaseFraction = 0.25F;
 /// Part of a turn of the braid over which its wisps part where it begins.
 inline constexpr float kBraidEaseTurns = 0.5F;
-inline constexpr float kWispRadiusShare = 0.8F; ///< A wisp's radius in units of r.
+inline constexpr float kWispRadiusFraction = 0.8F; ///< A wisp's radius in units of r.
 /// The wisps of a twist run round its middle at this distance and have this radius, in units of r; a loc is one wisp.
-inline constexpr float kTwistShare = 0.6F;
-inline constexpr float kTwistWispShare = 0.65F;
-inline constexpr float kLocWispShare = 0.9F;
-/// Last share of the braid, a tuft: there the wisps close up to kTuftBraidShare of r while each opens by
+inline constexpr float kTwistFraction = 0.6F;
+inline constexpr float kTwistWispFraction = 0.65F;
+inline constexpr float kLocWispFraction = 0.9F;
+/// Last fraction of the braid, a tuft: there the wisps close up to kTuftBraidShare of r while each opens by
 /// kTuftWispShare.
-inline constexpr float kTuftShare = 0.12F;
-inline constexpr float kTuftBraidShare = 0.35F;
-inline constexpr float kTuftWispShare = 1.5F;
+inline constexpr float kTuftFraction = 0.12F;
+inline constexpr float kTuftBraidFraction = 0.35F;
+inline constexpr float kTuftWispFraction = 1.5F;
 
 /// Segments that a style's curl and braid ask for: at least 8 points a turn; 0..256, 0 for a straight hair.
 [[nodiscard]] int curveSegmentsOf(const StrandStyle& style);

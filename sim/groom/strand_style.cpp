@@ -16,7 +16,7 @@ constexpr std::uint64_t kChanceKey = 0x6368616E6365U; ///< Apart from the keys o
 
 std::uint32_t byteOf(float value)
 {
-    return static_cast<std::uint32_t>(std::floor(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F));
+    return static_cast<std::uint32_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
 }
 
 /// 0xAABBGGRR.
@@ -86,7 +86,7 @@ RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
 void setColours(const RootColours& colours, StrandStyle& style)
 {
     style.rootColour = packColour(colours.root);
-    style.tipColour = packColour(colours.tip);
+    style.tipColour = colours.tip == colours.root ? style.rootColour : packColour(colours.tip);
 }
 
 float lengthOf(const GroupSettings& settings, float value)
@@ -98,9 +98,9 @@ float curlRadiusOf(const GroupSettings& settings, float value)
 {
     // The default is the texel next above one half. It means one half, not a little more.
     constexpr float kHalfTexel = static_cast<float>(ruleOf(MapSlot::CurlSize).defaultValue[0]) / 65535.0F;
-    const float share =
+    const float fraction =
         value <= kHalfTexel ? 0.5F * (value / kHalfTexel) : 0.5F + 0.5F * ((value - kHalfTexel) / (1.0F - kHalfTexel));
-    return settings.greatestCurlRadiusM * share;
+    return settings.greatestCurlRadiusM * fraction;
 }
 
 StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance, float detail)

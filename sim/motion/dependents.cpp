@@ -34,7 +34,7 @@ void Dependents::prepare(const Groom& groom, const ColliderSet& colliders, bool 
     m_placed.clear();
     std::vector<std::uint32_t> stale;
     for (std::size_t i = 0; i < groom.chunks.size(); ++i) {
-        if (groom.chunks[i] && groom.chunkPlace[i] >= 0)
+        if (groom.chunks[i] && groom.packedChunk[i] >= 0)
             m_placed.push_back(static_cast<std::uint32_t>(i));
         if (everything || m_chunks[i].styles != groom.chunks[i])
             stale.push_back(static_cast<std::uint32_t>(i));
@@ -79,7 +79,7 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
     }
 }
 
-void Dependents::findDisplacements(const Groom& groom, const StrandState& state, float share)
+void Dependents::findDisplacements(const Groom& groom, const StrandState& state, float fraction)
 {
     const auto nodes = static_cast<std::size_t>(groom.nodes);
     m_displacements.resize(state.blocks * kLanes * nodes * 4);
@@ -98,7 +98,7 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
                 for (std::size_t node = 0; node < nodes; ++node, at += StrandBlocks::kNodeStride, out += 4) {
                     for (std::size_t axis = 0; axis < 3; ++axis) {
                         const std::size_t index = at + axis * StrandBlocks::kAxisStride;
-                        const float moment = before[index] + (now[index] - before[index]) * share;
+                        const float moment = before[index] + (now[index] - before[index]) * fraction;
                         out[axis] = (moment - basis.restPositions[index]) * perLength;
                     }
                     out[3] = 0.0F;
@@ -142,14 +142,14 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
     }
 }
 
-void Dependents::write(const Groom& groom, const StrandState& state, const ColliderSet& colliders, float share,
+void Dependents::write(const Groom& groom, const StrandState& state, const ColliderSet& colliders, float fraction,
                        const HeadPose& pose, GroupFrame& frame)
 {
     const std::size_t chunkFloats = groom.blocks().floatsFor(kBlocksPerChunk);
-    frame.positions.resize(static_cast<std::size_t>(groom.placedChunks) * chunkFloats);
+    frame.positions.resize(static_cast<std::size_t>(groom.packedChunks) * chunkFloats);
     if (!groom.roots || m_placed.empty())
         return;
-    findDisplacements(groom, state, share);
+    findDisplacements(groom, state, fraction);
     DependentsTask common;
     common.nodes = groom.nodes;
     common.displacements = m_displacements.data();
@@ -166,7 +166,7 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
             task.weights = groom.roots->weights.data() + index * kChunkSlots;
             task.rest = chunk.styles->restPositions.data();
             task.lanes = chunk.lanes.data();
-            task.out = frame.positions.data() + static_cast<std::size_t>(groom.chunkPlace[index]) * chunkFloats;
+            task.out = frame.positions.data() + static_cast<std::size_t>(groom.packedChunk[index]) * chunkFloats;
             placeDependents(task, at - chunkBegin, until - chunkBegin);
             at = until;
         }
@@ -174,9 +174,9 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
     parallelFor(m_placed.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Chunk& chunk = m_chunks[m_placed[i]];
-            const auto place = static_cast<std::size_t>(groom.chunkPlace[m_placed[i]]);
+            const auto packed = static_cast<std::size_t>(groom.packedChunk[m_placed[i]]);
             if (!chunk.braided.empty())
-                writeBraided(groom, chunk, common.world, frame.positions.data() + place * chunkFloats);
+                writeBraided(groom, chunk, common.world, frame.positions.data() + packed * chunkFloats);
         }
     });
 }

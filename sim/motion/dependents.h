@@ -19,8 +19,8 @@ public:
     /// `everything`: the ellipsoids or the coat's thickness differ, so every chunk is prepared anew.
     void prepare(const Groom& groom, const ColliderSet& colliders, bool everything);
 
-    /// Fills frame.positions for this moment: `share` of the way from the step before to the present one.
-    void write(const Groom& groom, const StrandState& state, const ColliderSet& colliders, float share,
+    /// Fills frame.positions for this moment: `fraction` of the way from the step before to the present one.
+    void write(const Groom& groom, const StrandState& state, const ColliderSet& colliders, float fraction,
                const HeadPose& pose, GroupFrame& frame);
 
 private:
@@ -31,7 +31,7 @@ private:
         std::vector<std::uint16_t> braided; ///< Slots within the chunk that are drawn.
     };
     void prepareChunk(const Groom& groom, const ColliderSet& colliders, std::size_t index);
-    void findDisplacements(const Groom& groom, const StrandState& state, float share);
+    void findDisplacements(const Groom& groom, const StrandState& state, float fraction);
     void writeBraided(const Groom& groom, const Chunk& chunk, const RigidMotion& world, float* out) const;
 
     std::vector<Chunk> m_chunks;

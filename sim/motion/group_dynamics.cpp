@@ -219,10 +219,10 @@ void GroupDynamics::step(std::span<const StepForces> steps)
     m_awake = windy || std::any_of(m_state.awake.begin(), m_state.awake.end(), [](std::uint8_t a) { return a != 0; });
 }
 
-void GroupDynamics::write(GroupFrame& frame, float share, const HeadPose& pose) const
+void GroupDynamics::write(GroupFrame& frame, float fraction, const HeadPose& pose) const
 {
     frame.groom = m_groom;
-    m_dependents.write(*m_groom, m_state, m_colliders, share, pose, frame);
+    m_dependents.write(*m_groom, m_state, m_colliders, fraction, pose, frame);
 }
 
 } // namespace hairpaint::sim

@@ -26,8 +26,8 @@ public:
     [[nodiscard]] bool asleep() const;
 
     void step(std::span<const StepForces> steps);
-    /// `share`: 0 at the step before, 1 at the present one. The pose is that of the same moment.
-    void write(GroupFrame& frame, float share, const HeadPose& pose) const;
+    /// `fraction`: 0 at the step before, 1 at the present one. The pose is that of the same moment.
+    void write(GroupFrame& frame, float fraction, const HeadPose& pose) const;
 
     [[nodiscard]] const std::shared_ptr<const Groom>& groom() const { return m_groom; }
     [[nodiscard]] const StrandState& state() const { return m_state; }

@@ -30,16 +30,16 @@ RigidMotion rigid(const glm::mat3& rotation, glm::vec3 offset)
 
 } // namespace
 
-HeadPose mixPoses(const HeadPose& from, const HeadPose& to, float share)
+HeadPose mixPoses(const HeadPose& from, const HeadPose& to, float fraction)
 {
-    if (share <= 0.0F || from == to)
+    if (fraction <= 0.0F || from == to)
         return from;
-    if (share >= 1.0F)
+    if (fraction >= 1.0F)
         return to;
     const glm::quat near = glm::dot(from.rotation, to.rotation) < 0.0F ? -to.rotation : to.rotation;
     HeadPose pose;
-    pose.rotation = normalised(from.rotation * (1.0F - share) + near * share);
-    pose.positionWo = from.positionWo + (to.positionWo - from.positionWo) * share;
+    pose.rotation = normalised(from.rotation * (1.0F - fraction) + near * fraction);
+    pose.positionWo = from.positionWo + (to.positionWo - from.positionWo) * fraction;
     return pose;
 }
 

@@ -6,8 +6,8 @@
 
 namespace hairpaint::sim {
 
-/// Between two poses, `share` 0..1 of the way. Normalised linear: no transcendental function.
-[[nodiscard]] HeadPose mixPoses(const HeadPose& from, const HeadPose& to, float share);
+/// Between two poses, `fraction` 0..1 of the way. Normalised linear: no transcendental function.
+[[nodiscard]] HeadPose mixPoses(const HeadPose& from, const HeadPose& to, float fraction);
 
 /// Where a point at rest in the world goes in the head's own frame, when the head moves. A head that is carried off
 /// faster than hair can follow (18 m/s or 30 rad/s) takes its hair along: no motion.

@@ -152,9 +152,9 @@ void Simulation::writeFrame(StrandFrame& frame) const
 {
     const State& s = *m_state;
     // Without time left over the present step is now; otherwise now lies between the two.
-    const auto share = static_cast<float>(std::clamp(s.leftover / kStepSeconds, 0.0, 1.0));
+    const auto fraction = static_cast<float>(std::clamp(s.leftover / kStepSeconds, 0.0, 1.0));
     const bool atPresent = s.asleep();
-    const float moment = atPresent ? 1.0F : share;
+    const float moment = atPresent ? 1.0F : fraction;
     frame.pose = atPresent ? s.pose : mixPoses(s.poseBefore, s.pose, moment);
     frame.groups.resize(s.groups.size());
     frame.hairCount = 0;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kCells = 36;
 constexpr float kOutsideCosts = 3.0F; ///< A cell outside the mesh, in cells gained inside.
-constexpr double kLeastGain = 0.004;  ///< Share of the inside that one more ellipsoid must take.
+constexpr double kLeastGain = 0.004;  ///< Fraction of the inside that one more ellipsoid must take.
 constexpr float kFirstStep = 0.3F;
 constexpr int kStepSizes = 7;  ///< Each 0.6 of the one before, down to a hundredth.
 constexpr int kMostRounds = 8; ///< With steps of one size.

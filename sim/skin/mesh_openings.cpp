@@ -17,14 +17,14 @@ std::vector<unsigned> weldedVertices(const HeadMesh& mesh)
 {
     std::vector<unsigned> order(mesh.positionsHd.size());
     std::iota(order.begin(), order.end(), 0U);
-    const auto place = [&](unsigned i) {
+    const auto position = [&](unsigned i) {
         const glm::vec3& p = mesh.positionsHd[i];
         return std::tuple(p.x, p.y, p.z);
     };
-    std::sort(order.begin(), order.end(), [&](unsigned a, unsigned b) { return place(a) < place(b); });
+    std::sort(order.begin(), order.end(), [&](unsigned a, unsigned b) { return position(a) < position(b); });
     std::vector<unsigned> welded(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
-        welded[order[i]] = i > 0 && place(order[i]) == place(order[i - 1]) ? welded[order[i - 1]] : order[i];
+        welded[order[i]] = i > 0 && position(order[i]) == position(order[i - 1]) ? welded[order[i - 1]] : order[i];
     return welded;
 }
 

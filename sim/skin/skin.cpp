@@ -73,9 +73,9 @@ Skin::Skin(HeadMesh mesh) : m_mesh(std::move(mesh))
         areas[face] = 0.5F * std::sqrt(glm::dot(cross, cross));
         m_areaM2 += static_cast<double>(areas[face]);
         if (const auto derivatives = derivativesOf(m_mesh, face)) {
-            const glm::vec3 share = unitOr(derivatives->dPdu, glm::vec3(0.0F)) * areas[face];
+            const glm::vec3 fraction = unitOr(derivatives->dPdu, glm::vec3(0.0F)) * areas[face];
             for (int corner = 0; corner < 3; ++corner)
-                m_tangentsHd[m_mesh.triangles[face][corner]] += share;
+                m_tangentsHd[m_mesh.triangles[face][corner]] += fraction;
         }
     }
     for (std::size_t vertex = 0; vertex < m_tangentsHd.size(); ++vertex) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostCellsAcross = 1024;
 constexpr std::size_t kEntriesPerFace = 16;
-/// Share of a triangle by which it may be missed: a uv on an edge must find one of its two faces.
+/// Fraction of a triangle by which it may be missed: a uv on an edge must find one of its two faces.
 constexpr float kEdgeTolerance = 2e-5F;
 
 } // namespace

@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-/// Tips that lie further apart than this share of the length, squared, belong to different sides of a parting.
+/// Tips that lie further apart than this fraction of the length, squared, belong to different sides of a parting.
 constexpr float kApart2 = 0.45F;
 constexpr float kAnywhereM = 1.0F;
 

@@ -22,7 +22,8 @@ inline constexpr std::size_t kDependentStride = std::size_t{kDependentRows} * kL
 struct DependentsTask
 {
     int nodes = 0;
-    /// [basis hairs][nodes][4]: the node's way from its rest place, by the basis hair's length; the 4th is not used.
+    /// [basis hairs][nodes][4]: the node's displacement from its rest position, by the basis hair's length; the 4th is
+    /// not used.
     const float* displacements = nullptr;
     const std::array<std::uint32_t, 3>* neighbours = nullptr; ///< [kChunkSlots], indices of basis hairs.
     const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], sums of 1.

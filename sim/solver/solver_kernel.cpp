@@ -11,7 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-/// Share of a child's correction that its parent's velocity answers with (Mueller et al. 2012, section 3.3).
+/// Fraction of a child's correction that its parent's velocity answers with (Mueller et al. 2012, section 3.3).
 constexpr float kChildAnswer = 0.9F;
 /// A node leaves an ellipsoid by at most this much in a step, m.
 constexpr float kFastestLeaveM = 0.02F;
@@ -146,8 +146,8 @@ HWY_INLINE void relaxLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RESTR
             const Vec3<V> parent = load3(d, parentAt);
             const Vec3<V> child = load3(d, childAt);
             const Vec3<V> edge = sub(child, parent);
-            const V share = hn::Sub(hn::Div(square, hn::Add(dot(edge, edge), square)), half);
-            const Vec3<V> correction = scale(edge, share);
+            const V fraction = hn::Sub(hn::Div(square, hn::Add(dot(edge, edge), square)), half);
+            const Vec3<V> correction = scale(edge, fraction);
             if (i == 1) {
                 store3(d, add(add(child, correction), correction), childAt);
             } else {
@@ -176,9 +176,9 @@ template<class D>
 HWY_INLINE Vec3<hn::Vec<D>> rubbed(D d, const GroupGains& gains, const Contact<D>& contact,
                                    const Vec3<hn::Vec<D>>& start, const Vec3<hn::Vec<D>>& p)
 {
-    const auto way = sub(p, start);
-    const auto across = scale(contact.normal, hn::Div(dot(way, contact.normal), contact.normal2));
-    const auto along = sub(way, across);
+    const auto displacement = sub(p, start);
+    const auto across = scale(contact.normal, hn::Div(dot(displacement, contact.normal), contact.normal2));
+    const auto along = sub(displacement, across);
     const auto sticks = hn::Le(dot(along, along), hn::Mul(contact.depth2, hn::Set(d, gains.stickSlope2)));
     const auto keep = hn::IfThenElse(sticks, hn::Zero(d), hn::Set(d, gains.frictionKeep));
     return choose(contact.touched, add(add(start, across), scale(along, keep)), p);
@@ -202,14 +202,14 @@ HWY_INLINE Vec3<hn::Vec<D>> limited(D d, const Vec3<hn::Vec<D>>& v)
 template<class D>
 HWY_INLINE hn::Mask<D> departedFrom(D d, const float* HWY_RESTRICT from, const Vec3<hn::Vec<D>>& p)
 {
-    const auto way = sub(p, load3(d, from));
-    return hn::Not(hn::Le(dot(way, way), hn::Set(d, kStillM * kStillM)));
+    const auto displacement = sub(p, load3(d, from));
+    return hn::Not(hn::Le(dot(displacement, displacement), hn::Set(d, kStillM * kStillM)));
 }
 
 template<class D>
-HWY_INLINE void remember(D d, hn::Mask<D> which, const float* HWY_RESTRICT place, float* HWY_RESTRICT memory)
+HWY_INLINE void remember(D d, hn::Mask<D> which, const float* HWY_RESTRICT position, float* HWY_RESTRICT memory)
 {
-    store3(d, choose(which, load3(d, place), load3(d, memory)), memory);
+    store3(d, choose(which, load3(d, position), load3(d, memory)), memory);
 }
 
 /// One step of the strands in lanes lane..lane + Lanes(d). Every pointer is already at this block and lane.

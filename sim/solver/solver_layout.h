@@ -18,7 +18,7 @@ enum LaneField : std::uint8_t
     kSegmentLength, ///< m
     kInverseSquare, ///< 1/length^2
     kLoose,         ///< 1 - the gain of gel, 0..1: 0 holds the rest shape fully.
-    kLooseDrag,     ///< Share of the motion against the head that the held shape leaves, 0..1.
+    kLooseDrag,     ///< Fraction of the motion against the head that the held shape leaves, 0..1.
     kLieX,          ///< Unit vector in which the strand leaves the skin.
     kLieY,
     kLieZ,
@@ -65,7 +65,7 @@ struct StepForces
     std::array<float, 3> gravity{};
     bool windy = false; ///< Any wind or puff: nothing sleeps.
     std::array<float, 3> wind{};
-    float gust = 0.0F;             ///< Share that comes and goes from place to place, 0..1.
+    float gust = 0.0F;             ///< Fraction that comes and goes from place to place, 0..1.
     std::array<float, 3> swirlA{}; ///< Amplitudes of the two waves of turbulence.
     std::array<float, 3> swirlB{};
     float phaseGust = 0.0F; ///< Of the waves in time, rad, 0..2 pi.
@@ -82,12 +82,12 @@ struct GroupGains
     float drag = 1.0F; ///< Factor of the velocity.
     float gravityScale = 1.0F;
     float windScale = 1.0F;
-    float windGain = 0.0F;                    ///< Share of the relative velocity of the air taken over in a step.
-    float frictionKeep = 1.0F;                ///< Share of the tangential motion kept in contact.
+    float windGain = 0.0F;                    ///< Fraction of the relative velocity of the air taken over in a step.
+    float frictionKeep = 1.0F;                ///< Fraction of the tangential motion kept in contact.
     float stickSlope2 = 0.0F;                 ///< Contact sticks while (tangential/normal motion)^2 is below.
     float straighten = 0.0F;                  ///< Gain toward a straight continuation of the two segments before.
     std::array<float, kMostNodes> body{};     ///< Gain toward the direction in which the strand leaves the skin.
-    std::array<float, kMostNodes> bodyKeep{}; ///< Share of the motion against the head that body leaves.
+    std::array<float, kMostNodes> bodyKeep{}; ///< Fraction of the motion against the head that body leaves.
     std::array<float, kMostNodes> waveACos{}, waveASin{}, waveBCos{}, waveBSin{}; ///< Turbulence along the strand.
 };
 

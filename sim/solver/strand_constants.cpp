@@ -15,7 +15,7 @@ namespace {
 constexpr auto kStep = static_cast<float>(kStepSeconds);
 constexpr float kWindRate = 2.4F; ///< 1/s: how fast hair takes over the air's motion across it.
 constexpr float kShortStiffness = 0.6F;
-constexpr float kStraightenShare = 0.02F; ///< Of body.
+constexpr float kStraightenFraction = 0.02F; ///< Of body.
 /// Below this gain a held shape is only a leaning, and its other nodes may lie on the ellipsoids.
 constexpr float kHeldShape = 0.2F;
 
@@ -26,7 +26,7 @@ float rescaled(float gain)
     return 1.0F - std::sqrt(1.0F - std::clamp(gain, 0.0F, 1.0F));
 }
 
-/// Share of motion that is left where a gain of `k` a step pulls: about critical damping of that spring.
+/// Fraction of motion that is left where a gain of `k` a step pulls: about critical damping of that spring.
 float damped(float k)
 {
     return 1.0F - std::min(1.0F, 1.2F * std::sqrt(k));
@@ -45,11 +45,11 @@ GroupGains gainsOf(const PhysicsSettings& physics, int nodes)
     gains.frictionKeep = 1.0F - rescaled(physics.friction);
     const float slope = physics.friction / std::max(1.0F - physics.friction, 1e-3F); // 0.5 holds on 45 degrees
     gains.stickSlope2 = slope * slope;
-    gains.straighten = kStraightenShare * rescaled(physics.body);
+    gains.straighten = kStraightenFraction * rescaled(physics.body);
     for (int i = 1; i < nodes; ++i) {
         const auto node = static_cast<std::size_t>(i);
-        const float share = static_cast<float>(i) / static_cast<float>(nodes - 1);
-        const float left = 1.0F - share;
+        const float fraction = static_cast<float>(i) / static_cast<float>(nodes - 1);
+        const float left = 1.0F - fraction;
         const float left5 = left * left * left * left * left;
         const float fading = left5 * left5 + (left - left5 * left5) * physics.body; // full body reaches far
         gains.body[node] = rescaled(physics.body * fading);

@@ -142,14 +142,14 @@ HWY_INLINE bool pushOut(D d, const Collider& collider, hn::Vec<D> scale2, hn::Ve
     g = addScaled(g, set3(d, collider.rows[1]), q.y);
     g = addScaled(g, set3(d, collider.rows[2]), q.z);
     const auto g2 = hn::Max(dot(g, g), hn::Set(d, 1e-8F));
-    auto way = hn::Div(hn::Mul(hn::Sub(hn::Sqrt(scale2), r), r), g2);
-    auto depth2 = hn::Mul(hn::Mul(way, way), g2);
+    auto stride = hn::Div(hn::Mul(hn::Sub(hn::Sqrt(scale2), r), r), g2);
+    auto depth2 = hn::Mul(hn::Mul(stride, stride), g2);
     const auto far = hn::And(inside, hn::Gt(depth2, hn::Mul(furthest, furthest)));
     if (HWY_UNLIKELY(!hn::AllFalse(d, far))) {
-        way = hn::IfThenElse(far, hn::Div(furthest, hn::Sqrt(g2)), way);
+        stride = hn::IfThenElse(far, hn::Div(furthest, hn::Sqrt(g2)), stride);
         depth2 = hn::IfThenElse(far, hn::Mul(furthest, furthest), depth2);
     }
-    p = choose(inside, addScaled(p, g, way), p);
+    p = choose(inside, addScaled(p, g, stride), p);
     contact.normal = choose(inside, g, contact.normal);
     contact.normal2 = hn::IfThenElse(inside, g2, contact.normal2);
     contact.depth2 = hn::IfThenElse(inside, depth2, contact.depth2);

@@ -37,12 +37,12 @@ void setWaveTables(GroupGains& gains)
 {
     for (int i = 0; i < gains.nodes; ++i) {
         const auto node = static_cast<std::size_t>(i);
-        const float share = static_cast<float>(i) / static_cast<float>(gains.nodes - 1);
+        const float fraction = static_cast<float>(i) / static_cast<float>(gains.nodes - 1);
         // A lag: the wave at the root reaches the tip later.
-        gains.waveACos[node] = cosDet(kAlongA * share);
-        gains.waveASin[node] = sinDet(kAlongA * share);
-        gains.waveBCos[node] = cosDet(kAlongB * share);
-        gains.waveBSin[node] = sinDet(kAlongB * share);
+        gains.waveACos[node] = cosDet(kAlongA * fraction);
+        gains.waveASin[node] = sinDet(kAlongA * fraction);
+        gains.waveBCos[node] = cosDet(kAlongB * fraction);
+        gains.waveBSin[node] = sinDet(kAlongB * fraction);
     }
 }
 

@@ -55,11 +55,11 @@ public:
     /// Between the four nearest texel centres; row 0 is v = 1.
     [[nodiscard]] double at(glm::vec2 uv) const
     {
-        const glm::dvec2 place = placeOf(uv) - 0.5;
-        const int x = static_cast<int>(std::floor(place.x));
-        const int y = static_cast<int>(std::floor(place.y));
-        const double fx = place.x - x;
-        const double fy = place.y - y;
+        const glm::dvec2 position = texelOf(uv) - 0.5;
+        const int x = static_cast<int>(std::floor(position.x));
+        const int y = static_cast<int>(std::floor(position.y));
+        const double fx = position.x - x;
+        const double fy = position.y - y;
         return std::lerp(std::lerp(texel(x, y), texel(x + 1, y), fx),
                          std::lerp(texel(x, y + 1), texel(x + 1, y + 1), fx), fy);
     }
@@ -67,18 +67,18 @@ public:
     /// Least and greatest of the texel under a place and its eight neighbours.
     [[nodiscard]] std::pair<double, double> range(glm::vec2 uv) const
     {
-        const glm::dvec2 place = placeOf(uv);
+        const glm::dvec2 position = texelOf(uv);
         std::pair<double, double> range{1.0, 0.0};
         for (int dy = -1; dy <= 1; ++dy)
             for (int dx = -1; dx <= 1; ++dx) {
-                const double value = texel(static_cast<int>(place.x) + dx, static_cast<int>(place.y) + dy);
+                const double value = texel(static_cast<int>(position.x) + dx, static_cast<int>(position.y) + dy);
                 range = {std::min(range.first, value), std::max(range.second, value)};
             }
         return range;
     }
 
 private:
-    [[nodiscard]] glm::dvec2 placeOf(glm::vec2 uv) const { return glm::dvec2(uv.x, 1.0F - uv.y) * double(size()); }
+    [[nodiscard]] glm::dvec2 texelOf(glm::vec2 uv) const { return glm::dvec2(uv.x, 1.0F - uv.y) * double(size()); }
 
     QImage m_image;
     Scale m_scale;
@@ -90,8 +90,8 @@ bool isStraight(const std::vector<glm::vec3>& strand)
     const glm::dvec3 root(strand.front());
     const glm::dvec3 axis = glm::normalize(glm::dvec3(strand.back()) - root);
     return std::ranges::all_of(strand, [&](const glm::vec3& point) {
-        const glm::dvec3 way = glm::dvec3(point) - root;
-        return glm::length(way - axis * glm::dot(way, axis)) < 1e-6;
+        const glm::dvec3 displacement = glm::dvec3(point) - root;
+        return glm::length(displacement - axis * glm::dot(displacement, axis)) < 1e-6;
     });
 }
 
@@ -111,8 +111,8 @@ double turnsOf(const std::vector<glm::vec3>& strand, const std::vector<glm::vec3
     double angle = 0.0;
     glm::dvec3 last(0.0);
     for (std::size_t i = 1; i < strand.size(); ++i) {
-        const glm::dvec3 way = glm::dvec3(strand[i]) - root;
-        const glm::dvec3 offset = way - axis * glm::dot(way, axis);
+        const glm::dvec3 displacement = glm::dvec3(strand[i]) - root;
+        const glm::dvec3 offset = displacement - axis * glm::dot(displacement, axis);
         if (glm::length(offset) < 1e-6)
             return 0.0;
         if (i > 1)
@@ -197,8 +197,8 @@ private Q_SLOTS:
                 ++byLevel[static_cast<int>(std::lround(least * 255.0))].second;
         }
         QCOMPARE(inside, 0);
-        const double share = static_cast<double>(m_strands.size()) / expected;
-        QVERIFY2(std::abs(share - 1.0) <= 0.02, qPrintable(QString::number(share)));
+        const double fraction = static_cast<double>(m_strands.size()) / expected;
+        QVERIFY2(std::abs(fraction - 1.0) <= 0.02, qPrintable(QString::number(fraction)));
         QCOMPARE(byLevel.size(), std::size_t{5});
         for (const auto& [level, counts] : byLevel) {
             const double found = counts.second / static_cast<double>(counts.first) * 255.0;

@@ -93,8 +93,8 @@ private:
         /// As from the system's queue, and straight to the widgets.
         void disturb()
         {
-            const QPoint place = button.mapTo(this, button.rect().center());
-            QTest::mouseClick(windowHandle(), Qt::LeftButton, {}, place);
+            const QPoint position = button.mapTo(this, button.rect().center());
+            QTest::mouseClick(windowHandle(), Qt::LeftButton, {}, position);
             QTest::keyClick(windowHandle(), Qt::Key_A);
             QTest::mouseClick(&button, Qt::LeftButton);
             QTest::keyClick(&field, Qt::Key_B);

@@ -55,17 +55,17 @@ private Q_SLOTS:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("named");
-        const auto rows = [this](const char* name, const QString& place) {
+        const auto rows = [this](const char* name, const QString& path) {
             const QByteArray row(name);
             QTest::newRow((row + ", new").constData())
-                << QStringList{QStringLiteral("new"), QStringLiteral("-o"), place + QStringLiteral(".hairpaint")}
-                << place + QStringLiteral(".hairpaint");
+                << QStringList{QStringLiteral("new"), QStringLiteral("-o"), path + QStringLiteral(".hairpaint")}
+                << path + QStringLiteral(".hairpaint");
             QTest::newRow((row + ", export").constData())
-                << QStringList{QStringLiteral("export"), m_good, QStringLiteral("-o"), place + QStringLiteral(".hair")}
-                << place + QStringLiteral(".hair");
+                << QStringList{QStringLiteral("export"), m_good, QStringLiteral("-o"), path + QStringLiteral(".hair")}
+                << path + QStringLiteral(".hair");
             QTest::newRow((row + ", render").constData())
-                << QStringList{QStringLiteral("render"), m_good, QStringLiteral("-o"), place + QStringLiteral(".png")}
-                << place + QStringLiteral(".png");
+                << QStringList{QStringLiteral("render"), m_good, QStringLiteral("-o"), path + QStringLiteral(".png")}
+                << path + QStringLiteral(".png");
         };
         rows("no such folder", path(QStringLiteral("nowhere/out")));
         for (const char* ending : {"hairpaint", "hair", "png"})

@@ -9,8 +9,8 @@ class TestWindowPainting : public QObject, private WindowFixture
 {
     Q_OBJECT
 private:
-    static constexpr double kSeen = 0.003;  ///< Share of the picture that hair must have changed.
-    static constexpr double kSame = 0.0005; ///< Share that two pictures of the same may differ by.
+    static constexpr double kSeen = 0.003;  ///< Fraction of the picture that hair must have changed.
+    static constexpr double kSame = 0.0005; ///< Fraction that two pictures of the same may differ by.
 
     [[nodiscard]] QWidget& paper() { return m_window->paintView(); }
 

@@ -21,11 +21,11 @@ class TestWindowTools : public QObject, private WindowFixture
 private:
     [[nodiscard]] QWidget& paper() { return m_window->paintView(); }
 
-    void click(QWidget& area, QPoint place, Qt::KeyboardModifiers modifiers = {})
+    void click(QWidget& area, QPoint position, Qt::KeyboardModifiers modifiers = {})
     {
-        QTest::mouseMove(&area, place);
-        QTest::mousePress(&area, Qt::LeftButton, modifiers, place);
-        QTest::mouseRelease(&area, Qt::LeftButton, modifiers, place);
+        QTest::mouseMove(&area, position);
+        QTest::mousePress(&area, Qt::LeftButton, modifiers, position);
+        QTest::mouseRelease(&area, Qt::LeftButton, modifiers, position);
     }
 
     /// Does `act` while closing the message box that it opens, and returns what that said.
@@ -81,9 +81,9 @@ private Q_SLOTS:
             settings = editor().toolSettings();
             settings.value(model::MapKind::Gel).scalar = 0.1F;
             editor().setToolSettings(settings);
-            const auto [area, place] =
+            const auto [area, position] =
                 head ? onHead(seen.x, seen.y) : std::pair<QWidget*, QPoint>{&paper(), paintPoint(seen.x, seen.y)};
-            click(*area, place, Qt::ControlModifier);
+            click(*area, position, Qt::ControlModifier);
             const float picked = editor().toolSettings().value(model::MapKind::Gel).scalar;
             QVERIFY2(std::abs(picked - 0.75F) < 0.01F,
                      qPrintable(QStringLiteral("%1, %2").arg(picked).arg(QLatin1String(head ? "head" : "paper"))));
@@ -102,19 +102,19 @@ private Q_SLOTS:
         QVERIFY(std::abs(editor().toolSettings().brushSizeM - size) < 1e-5F);
         const int steps = stack().count();
         for (const bool head : {false, true}) {
-            const auto [area, place] =
+            const auto [area, position] =
                 head ? onHead(0.5F, 0.5F) : std::pair<QWidget*, QPoint>{&paper(), paintPoint(0.5F, 0.5F)};
             const model::ToolSettings before = editor().toolSettings();
-            QTest::mousePress(area, Qt::RightButton, Qt::ControlModifier, place);
-            QTest::mouseMove(area, place + QPoint(40, 0));
-            QTest::mouseRelease(area, Qt::RightButton, Qt::ControlModifier, place + QPoint(40, 0));
+            QTest::mousePress(area, Qt::RightButton, Qt::ControlModifier, position);
+            QTest::mouseMove(area, position + QPoint(40, 0));
+            QTest::mouseRelease(area, Qt::RightButton, Qt::ControlModifier, position + QPoint(40, 0));
             QVERIFY(editor().toolSettings().brushSizeM > before.brushSizeM);
             QCOMPARE(editor().toolSettings().hardness, before.hardness);
             m_window->paintView().setFocus();
             QTest::keyPress(&paper(), Qt::Key_O);
-            QTest::mousePress(area, Qt::LeftButton, {}, place);
-            QTest::mouseMove(area, place - QPoint(60, 0));
-            QTest::mouseRelease(area, Qt::LeftButton, {}, place - QPoint(60, 0));
+            QTest::mousePress(area, Qt::LeftButton, {}, position);
+            QTest::mouseMove(area, position - QPoint(60, 0));
+            QTest::mouseRelease(area, Qt::LeftButton, {}, position - QPoint(60, 0));
             QTest::keyRelease(&paper(), Qt::Key_O);
             QVERIFY(editor().toolSettings().opacity < before.opacity);
         }

@@ -21,7 +21,7 @@ namespace hairpaint::app {
 
 inline constexpr int kPatienceMs = 60'000;
 
-/// Share of pixels that differ clearly between two pictures of one size.
+/// Fraction of pixels that differ clearly between two pictures of one size.
 inline double difference(const QImage& a, const QImage& b)
 {
     if (a.size() != b.size() || a.isNull())
@@ -95,9 +95,9 @@ protected:
     {
         view::HeadView& head = m_window->headView();
         const sim::SurfacePoint point = *session().document().project().head->skin->atUv({u, v});
-        const QPoint place = head.positionOf(point.positionHd).value().toPoint();
-        QWidget* target = head.childAt(place) != nullptr ? head.childAt(place) : &head;
-        return {target, target->mapFrom(&head, place)};
+        const QPoint position = head.positionOf(point.positionHd).value().toPoint();
+        QWidget* target = head.childAt(position) != nullptr ? head.childAt(position) : &head;
+        return {target, target->mapFrom(&head, position)};
     }
 
     /// The active layer's value and coverage there, as committed.

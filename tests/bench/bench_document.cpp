@@ -1,6 +1,11 @@
-// What edits of a document cost: ticks of a layer's opacity, and steps on top of a long history.
+// What a document costs: ticks of a layer's opacity, steps on top of a long history, and opening a large project.
 #include "model/commands/commands.h"
 #include "model/document.h"
+#include "model/files/project_file.h"
+#include "sim/base/deterministic.h"
+
+#include <QFileInfo>
+#include <QTemporaryDir>
 
 #include <benchmark/benchmark.h>
 
@@ -78,8 +83,45 @@ void copyProject(benchmark::State& state)
     }
 }
 
-BENCHMARK(opacityTick)->Name("opacity_tick")->ArgName("layers")->Arg(2)->Arg(8)->Unit(benchmark::kMillisecond);
+/// Three colour layers of noise, which nothing can fold or pack: about 90 MB.
+void openLargeProject(benchmark::State& state)
+{
+    constexpr int kLayers = 3;
+    Project project = newProject();
+    MapStack& colour = project.groups.front().map(MapKind::Colour);
+    const MapSpec& spec = mapSpec(MapKind::Colour);
+    colour.size = kMapSize;
+    colour.layers.clear();
+    std::uint64_t draw = 0;
+    for (int i = 0; i < kLayers; ++i) {
+        Layer layer = makeLayer(project, spec, kMapSize, QStringLiteral("L"));
+        for (int index = 0; index < layer.raster.tileCount(); ++index)
+            for (std::uint16_t& channel : layer.raster.writableTile(index))
+                channel = static_cast<std::uint16_t>(sim::hash64(1, ++draw));
+        colour.layers.push_back(std::move(layer));
+    }
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("large.hairpaint"));
+    if (!saveProject(project, path, {}))
+        return state.SkipWithError("not saved");
+    for ([[maybe_unused]] auto step : state) {
+        Result<Project> opened = loadProject(path);
+        if (!opened)
+            return state.SkipWithError("not read");
+        const Document document(std::move(*opened));
+    }
+    state.counters["MB"] = static_cast<double>(QFileInfo(path).size()) * 1e-6;
+}
+
+BENCHMARK(opacityTick)
+    ->Name("opacity_tick")
+    ->ArgName("layers")
+    ->Arg(2)
+    ->Arg(8)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(stepOnALongHistory)->Name("step_after_steps")->ArgName("steps")->Arg(0)->Arg(2000);
+BENCHMARK(openLargeProject)->Name("open_large_project")->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(copyProject)->Name("copy_project");
 
 } // namespace

@@ -52,14 +52,14 @@ std::shared_ptr<const sim::StrandFrame> hangingHair()
             for (std::size_t n = 0; n < kNodes; ++n) {
                 const float s = static_cast<float>(n) / static_cast<float>(kNodes - 1);
                 const float out = lift * (1.0F + 0.3F * s);
-                const glm::vec3 place(root.x * out, root.y + 0.03F * s - 0.22F * s * s, root.z * out);
-                sim::StrandBlocks(kNodes).setNode(group.positions, i, n, place);
+                const glm::vec3 packed(root.x * out, root.y + 0.03F * s - 0.22F * s * s, root.z * out);
+                sim::StrandBlocks(kNodes).setNode(group.positions, i, n, packed);
             }
         }
         groom->chunks.push_back(chunk);
-        groom->chunkPlace.push_back(static_cast<std::int32_t>(c));
+        groom->packedChunk.push_back(static_cast<std::int32_t>(c));
     }
-    groom->placedChunks = static_cast<std::int32_t>(chunks);
+    groom->packedChunks = static_cast<std::int32_t>(chunks);
     groom->roots = std::move(roots);
     groom->hairCount = kHairs;
     groom->drawnCount = kHairs;

@@ -21,10 +21,10 @@ void mypaintDab(benchmark::State& state)
     for ([[maybe_unused]] auto step : state) {
         if (i % kDabsAStep == 0)
             mypaint_surface_begin_atomic(surface);
-        const auto place = static_cast<float>(i % 2000);
-        mypaint_surface_draw_dab(surface, 1024.0F + 700.0F * std::cos(place * 0.01F),
-                                 1024.0F + 700.0F * std::sin(place * 0.013F), radius, 0.2F, 0.8F, 0.1F, 1.0F, 0.8F,
-                                 0.0F, 1.0F, 1.0F, 0.0F, 0.0F);
+        const auto t = static_cast<float>(i % 2000);
+        mypaint_surface_draw_dab(surface, 1024.0F + 700.0F * std::cos(t * 0.01F),
+                                 1024.0F + 700.0F * std::sin(t * 0.013F), radius, 0.2F, 0.8F, 0.1F, 1.0F, 0.8F, 0.0F,
+                                 1.0F, 1.0F, 0.0F, 0.0F);
         if (++i % kDabsAStep == 0)
             mypaint_surface_end_atomic(surface, nullptr);
     }

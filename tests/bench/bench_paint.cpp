@@ -25,9 +25,9 @@ void paintDab(benchmark::State& state)
     const hairpaint::sim::TexelRect clip{0, 0, kMapSize, kMapSize};
     int i = 0;
     for ([[maybe_unused]] auto step : state) {
-        const auto place = static_cast<float>(i++ % 2000);
-        const Dab dab{.xTx = 1024.0F + 700.0F * std::cos(place * 0.01F),
-                      .yTx = 1024.0F + 700.0F * std::sin(place * 0.013F),
+        const auto t = static_cast<float>(i++ % 2000);
+        const Dab dab{.xTx = 1024.0F + 700.0F * std::cos(t * 0.01F),
+                      .yTx = 1024.0F + 700.0F * std::sin(t * 0.013F),
                       .a = form,
                       .b = 0.0F,
                       .c = form,

@@ -27,7 +27,7 @@ sim::GroomInput sceneOf(int hairs, int nodes, bool allBasis)
     input.skin = skin;
     for (const float y : {0.0F, -0.08F, -0.2F})
         input.colliders.push_back({glm::vec3(0.0F, y, 0.0F), glm::vec3(0.095F, 0.1F, 0.095F), glm::quat(1, 0, 0, 0)});
-    sim::GroupInput group;
+    sim::GroomInput::Group group;
     group.id = 1;
     group.settings.nodesPerHair = nodes;
     group.settings.greatestDensityPerM2 = static_cast<float>((hairs + 0.5) / skin->areaM2());

@@ -14,7 +14,7 @@ namespace {
 constexpr int kWidth = 612;
 constexpr int kHeight = 680;
 
-/// The share of the hairs in per mille, samples a pixel, and how far the eye goes round in a frame, mrad.
+/// The fraction of the hairs in per mille, samples a pixel, and how far the eye goes round in a frame, mrad.
 void drawStyle(benchmark::State& state)
 {
     auto context = rendering::OffscreenContext::create();

@@ -71,7 +71,7 @@ void TestBlendModes::everyModeFollowsItsFormula()
     QFETCH(double, below);
     QFETCH(double, value);
     QFETCH(double, expected);
-    const auto texel = [](double share) { return unit16(static_cast<float>(share)); };
+    const auto texel = [](double fraction) { return unit16(static_cast<float>(fraction)); };
     const double got = blendRule(mode).formula(texel(below), texel(value)) / 65535.0;
     QVERIFY2(std::abs(got - expected) < 3e-5, qPrintable(QString::number(got)));
     // Through a layer, for one channel and for three.

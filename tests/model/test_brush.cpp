@@ -161,15 +161,15 @@ void TestBrush::howALineIsCutIntoEventsDoesNotShow()
     for (const bool slanted : {false, true}) {
         std::vector<sim::TiledRaster> results;
         for (const int pieces : {1, 2, 16, 256}) {
-            std::vector<glm::vec2> way;
+            std::vector<glm::vec2> path;
             for (std::size_t leg = 0; leg + 1 < corners.size(); ++leg)
                 for (int i = 0; i < pieces; ++i)
-                    way.push_back(
+                    path.push_back(
                         glm::mix(corners[leg], corners[leg + 1], static_cast<float>(i) / static_cast<float>(pieces)));
-            way.push_back(corners.back());
+            path.push_back(corners.back());
             Painter painter(projectOn(slanted ? slantedPatch() : makePatchHead()));
             painter.settings.hardness = 0.5F;
-            painter.uvStroke(way);
+            painter.uvStroke(path);
             results.push_back(painter.layer());
         }
         for (const sim::TiledRaster& result : results)
@@ -247,10 +247,10 @@ void TestBrush::aStrokeAcrossASeamDoesNotSmear()
 {
     Painter painter(projectOn(makeBallHead(), 512)); // The seam is at the back, u = 0 and 1.
     painter.settings.brushSizeM = 0.02F;
-    std::vector<ToolEvent> way;
+    std::vector<ToolEvent> path;
     for (int i = -3; i <= 3; ++i)
-        way.push_back(headEvent(painter.document, glm::vec3(0.01F * static_cast<float>(i), 0.0F, -0.1F)));
-    painter.stroke(way);
+        path.push_back(headEvent(painter.document, glm::vec3(0.01F * static_cast<float>(i), 0.0F, -0.1F)));
+    painter.stroke(path);
     QVERIFY(painter.coverage(2, 256) > 0.9);
     QVERIFY(painter.coverage(509, 256) > 0.9);
     for (int x = 60; x < 450; ++x) // The face and the sides were not touched.

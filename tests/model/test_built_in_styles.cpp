@@ -12,10 +12,10 @@ class TestBuiltInStyles : public QObject
 {
     Q_OBJECT
 private:
-    presets::Places m_places;
+    presets::SkinPoints m_points;
 
 private Q_SLOTS:
-    void initTestCase() { m_places = presets::placesOn(*model::builtInHead()->skin); }
+    void initTestCase() { m_points = presets::pointsOn(*model::builtInHead()->skin); }
 
     void theStripShowsEveryStyleInOrder()
     {
@@ -41,7 +41,7 @@ private Q_SLOTS:
     {
         QFETCH(int, index);
         const presets::Style style = presets::builtInStyles().at(static_cast<std::size_t>(index));
-        const model::Preset baked = presets::bake(style, m_places);
+        const model::Preset baked = presets::bake(style, m_points);
         const model::Result<model::Preset> committed =
             model::loadPreset(QStringLiteral(":/presets/%1.hairpreset").arg(QLatin1StringView(style.id)));
         QVERIFY(committed.has_value());

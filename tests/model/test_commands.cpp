@@ -205,7 +205,7 @@ void TestCommands::groupsChangePlaces()
             names += group.name.front();
         return names;
     };
-    const auto idOf = [&document](std::size_t place) { return document.project().groups[place].id; };
+    const auto idOf = [&document](std::size_t index) { return document.project().groups[index].id; };
     QCOMPARE(order(), QStringLiteral("SBCD"));
     document.push(moveGroupCommand(document, idOf(0), 2));
     QCOMPARE(order(), QStringLiteral("BCSD"));

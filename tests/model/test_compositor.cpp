@@ -86,12 +86,12 @@ void TestCompositor::productsAndMixesAreRoundedToTheNearest()
     for (int i = 0; i < 200000; ++i) {
         const std::uint64_t a = random() % 65536;
         const std::uint64_t b = random() % 65536;
-        const std::uint64_t share = i % 3 == 0 ? 65535 * (random() % 2) : random() % 65536;
+        const std::uint64_t fraction = i % 3 == 0 ? 65535 * (random() % 2) : random() % 65536;
         QCOMPARE(static_cast<std::uint64_t>(mul16(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b))),
                  (2 * a * b + 65535) / (2 * 65535));
         QCOMPARE(static_cast<std::uint64_t>(lerp16(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
-                                                   static_cast<std::uint32_t>(share))),
-                 (2 * (a * (65535 - share) + b * share) + 65535) / (2 * 65535));
+                                                   static_cast<std::uint32_t>(fraction))),
+                 (2 * (a * (65535 - fraction) + b * fraction) + 65535) / (2 * 65535));
     }
     QCOMPARE(static_cast<int>(mul16(65535, 65535)), 65535);
     QCOMPARE(static_cast<int>(lerp16(65535, 65535, 32768)), 65535);

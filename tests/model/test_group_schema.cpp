@@ -1,12 +1,16 @@
 // The table of a group's settings: what it says is what files, documentation and the groom do.
+#include "model/files/project_file.h"
 #include "model/group_schema.h"
+#include "model/heads/bust_landmarks.h"
 #include "sim/groom/groom.h"
+#include "sim/groom/roots.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/test_program.h"
 
 #include <QRegularExpression>
 #include <QtTest>
 
+#include <algorithm>
 #include <set>
 
 using namespace hairpaint;
@@ -73,6 +77,37 @@ private Q_SLOTS:
         const sim::GroomBuilder::Report report = builder.update(input);
         QCOMPARE(report.rebuiltStrands > 0, row.affects == Affects::Hairs);
         QVERIFY(report.grooms.front()->settings == input.groups.front().settings);
+    }
+
+    void basisHairsAreShownForTheScalp_data()
+    {
+        QTest::addColumn<double>("scalpFraction");
+        QTest::newRow("the whole head") << 1.0;
+        QTest::newRow("a bust") << 0.22831;
+        QTest::newRow("a statue") << 0.101;
+    }
+    void basisHairsAreShownForTheScalp()
+    {
+        QFETCH(double, scalpFraction);
+        const GroupSetting& row = model::groupSetting(QLatin1StringView("basis_hairs"));
+        sim::GroupSettings settings = model::newGroupSettings(scalpFraction);
+        QCOMPARE(row.shown(settings, scalpFraction), 4096.0);
+        for (const double shown : {256.0, 257.0, 1000.0, 12'345.0, 1e6}) {
+            row.writeShown(settings, shown, scalpFraction);
+            QCOMPARE(row.shown(settings, scalpFraction), shown);
+            QVERIFY(row.read(settings) >= shown);
+        }
+    }
+
+    void aNewGroupSolves4096HairsOnTheScalp()
+    {
+        const model::Project project = model::newProject();
+        const sim::GroupSettings& settings = project.groups.front().settings;
+        const auto roots =
+            sim::buildRoots(project.head->skin, 300'000, static_cast<std::size_t>(settings.basisHairs), 1);
+        const auto onScalp = std::ranges::count_if(
+            roots->basisSlot, [&](std::uint32_t slot) { return heads::scalpDistance(roots->positionHd[slot]) > 0.0F; });
+        QVERIFY2(std::abs(static_cast<double>(onScalp) - 4096.0) < 41.0, qPrintable(QString::number(onScalp)));
     }
 
     void theFormatsDocumentationSaysTheSame()

@@ -61,9 +61,9 @@ std::shared_ptr<const sim::TiledRaster> flat(int channels, sim::Texel value)
     return std::make_shared<const sim::TiledRaster>(256, channels, value);
 }
 
-sim::GroupInput group(int id, std::uint16_t density, std::uint16_t length, std::uint16_t curl)
+sim::GroomInput::Group group(int id, std::uint16_t density, std::uint16_t length, std::uint16_t curl)
 {
-    sim::GroupInput input;
+    sim::GroomInput::Group input;
     input.id = id;
     input.settings.greatestDensityPerM2 = 20'000.0F;
     input.settings.greatestLengthM = 0.2F;
@@ -78,7 +78,7 @@ sim::GroupInput group(int id, std::uint16_t density, std::uint16_t length, std::
 }
 
 /// The rest shape.
-sim::StrandFrame frameOf(std::vector<sim::GroupInput> groups)
+sim::StrandFrame frameOf(std::vector<sim::GroomInput::Group> groups)
 {
     sim::GroomInput input;
     input.skin = std::make_shared<const sim::Skin>(test::makeBallHead());
@@ -165,7 +165,7 @@ private Q_SLOTS:
 
     void thicknessTransparencyAndColourRunFromRootToTip()
     {
-        sim::GroupInput input = group(1, 65535, 65535, 0);
+        sim::GroomInput::Group input = group(1, 65535, 65535, 0);
         input.settings.material.widthM = 70e-6F;
         input.settings.material.rootAlpha = 0.75F;
         input.settings.material.tipAlpha = 0.25F;
@@ -186,7 +186,7 @@ private Q_SLOTS:
 
     void groupsFollowEachOtherAndHiddenOnesAreLeftOut()
     {
-        sim::GroupInput hidden = group(2, 65535, 65535, 0);
+        sim::GroomInput::Group hidden = group(2, 65535, 65535, 0);
         hidden.visible = false;
         const HairFile both = written(frameOf({group(1, 65535, 65535, 0), group(3, 65535, 32768, 0)}));
         const HairFile shown = written(frameOf({group(1, 65535, 65535, 0), hidden, group(3, 65535, 32768, 0)}));
@@ -200,7 +200,7 @@ private Q_SLOTS:
 
     void theSameFrameGivesTheSameBytes()
     {
-        const std::vector<sim::GroupInput> groups = {group(1, 40'000, 50'000, 30'000)};
+        const std::vector<sim::GroomInput::Group> groups = {group(1, 40'000, 50'000, 30'000)};
         QVERIFY(writeHairFile(frameOf(groups), path()));
         const QByteArray once = test::readBytes(path());
         QVERIFY(writeHairFile(frameOf(groups), path()));

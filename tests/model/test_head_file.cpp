@@ -45,13 +45,13 @@ QByteArray withJson(const QByteArray& glb, const std::function<void(QJsonObject&
 }
 
 /// Changes one number of an accessor or buffer view.
-std::function<void(QJsonObject&)> setting(const char* list, int place, const char* key, const QJsonValue& value)
+std::function<void(QJsonObject&)> setting(const char* list, int index, const char* key, const QJsonValue& value)
 {
     return [=](QJsonObject& root) {
         QJsonArray array = root.value(QLatin1String(list)).toArray();
-        QJsonObject object = array.at(place).toObject();
+        QJsonObject object = array.at(index).toObject();
         object.insert(QLatin1String(key), value);
-        array.replace(place, object);
+        array.replace(index, object);
         root.insert(QLatin1String(list), array);
     };
 }

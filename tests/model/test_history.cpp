@@ -46,17 +46,17 @@ private:
 
     static void stroke(Studio& studio, std::mt19937& random)
     {
-        const auto share = [&random] { return 0.1F + 0.8F * static_cast<float>(random() % 1000) / 1000.0F; };
+        const auto fraction = [&random] { return 0.1F + 0.8F * static_cast<float>(random() % 1000) / 1000.0F; };
         const QString tool = QLatin1String(toolName(studio.tools[random() % studio.tools.size()]->id()));
         studio.map = static_cast<MapKind>(random() % kMapKindCount);
         studio.mirror = random() % 2 == 0;
-        studio.settings.brushSizeM = 0.01F + 0.03F * share();
-        studio.settings.opacity = share();
-        studio.settings.value(studio.map).scalar = share();
-        studio.press(tool, share(), share());
+        studio.settings.brushSizeM = 0.01F + 0.03F * fraction();
+        studio.settings.opacity = fraction();
+        studio.settings.value(studio.map).scalar = fraction();
+        studio.press(tool, fraction(), fraction());
         for (int i = 0; i < 3; ++i)
-            studio.move(tool, share(), share());
-        studio.release(tool, share(), share());
+            studio.move(tool, fraction(), fraction());
+        studio.release(tool, fraction(), fraction());
         ToolContext context = studio.context();
         studio.tool(tool).commit(context);
     }
@@ -128,8 +128,8 @@ private:
         case 1: {
             Layer copy = layer;
             copy.name += QStringLiteral(" copy");
-            const int place = static_cast<int>(random() % (layers.size() + 1));
-            return document.push(insertLayerCommand(document, group.id, map, copy, place, QStringLiteral("Duplicate")));
+            const int index = static_cast<int>(random() % (layers.size() + 1));
+            return document.push(insertLayerCommand(document, group.id, map, copy, index, QStringLiteral("Duplicate")));
         }
         case 2:
             if (layers.size() > 1)

@@ -216,14 +216,14 @@ private Q_SLOTS:
 
     void progressRunsFromZeroTowardOne()
     {
-        std::vector<double> shares;
-        const Progress collect = [&shares](double share) {
-            shares.push_back(share);
+        std::vector<double> fractions;
+        const Progress collect = [&fractions](double fraction) {
+            fractions.push_back(fraction);
             return true;
         };
         QVERIFY(saveProject(test::makeSampleProject(), path("a.hairpaint"), {}, nullptr, collect));
-        QVERIFY(shares.size() > 1);
-        QVERIFY(std::ranges::is_sorted(shares) && shares.front() == 0.0 && shares.back() < 1.0);
+        QVERIFY(fractions.size() > 1);
+        QVERIFY(std::ranges::is_sorted(fractions) && fractions.front() == 0.0 && fractions.back() < 1.0);
     }
 
     void theSampleOfEveryReleasedVersionOpens_data()

@@ -89,12 +89,13 @@ private Q_SLOTS:
     void anySelectionAndItsInverseCoverEachTexelOnce()
     {
         std::mt19937 random(8);
-        const auto share = [&random] { return static_cast<double>(random() % 1000) / 1000.0; };
+        const auto fraction = [&random] { return static_cast<double>(random() % 1000) / 1000.0; };
         for (int round = 0; round < 30; ++round) {
             Selection selection;
             std::vector<QRectF> rectangles;
             for (int i = 0; i < 4; ++i) {
-                const QRectF one = QRectF(QPointF(share(), share()), QPointF(share(), share())).normalized();
+                const QRectF one =
+                    QRectF(QPointF(fraction(), fraction()), QPointF(fraction(), fraction())).normalized();
                 rectangles = without(rectangles, one);
                 rectangles.push_back(one);
             }

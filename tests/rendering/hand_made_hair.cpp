@@ -40,11 +40,11 @@ std::shared_ptr<sim::StrandFrame> makeFrame(const std::vector<HandMadeStrand>& s
             groom->blocks().write(group.positions, i, strand.nodesWo);
         }
         groom->chunks.push_back(chunk);
-        groom->chunkPlace.push_back(static_cast<std::int32_t>(c));
+        groom->packedChunk.push_back(static_cast<std::int32_t>(c));
     }
     for (const HandMadeStrand& strand : strands)
         roots->tangentHd.push_back(strand.tangentHd);
-    groom->placedChunks = static_cast<std::int32_t>(chunks);
+    groom->packedChunks = static_cast<std::int32_t>(chunks);
     groom->roots = std::move(roots);
     groom->hairCount = strands.size();
     groom->drawnCount = strands.size();

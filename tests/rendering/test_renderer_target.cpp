@@ -131,8 +131,8 @@ void TestRendererTarget::oneSampleMakesNoStairs()
             light += more;
             moment += more * (across + 0.5);
         }
-        const double place = -(along + 0.5) * static_cast<double>(level ? 1.0F / slant : slant);
-        squares += std::pow(moment / light - place, 2.0);
+        const double expected = -(along + 0.5) * static_cast<double>(level ? 1.0F / slant : slant);
+        squares += std::pow(moment / light - expected, 2.0);
         ++rows;
     }
     QVERIFY(std::sqrt(squares / rows) < 0.2);

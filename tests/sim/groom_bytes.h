@@ -24,7 +24,7 @@ inline const char* differenceOf(const sim::Groom& a, const sim::Groom& b)
         return "settings";
     if (!sameBytes(a.roots->rankOfSlot, b.roots->rankOfSlot) || !sameBytes(a.roots->positionHd, b.roots->positionHd))
         return "roots";
-    if (!sameBytes(a.chunkPlace, b.chunkPlace) || a.placedChunks != b.placedChunks)
+    if (!sameBytes(a.packedChunk, b.packedChunk) || a.packedChunks != b.packedChunks)
         return "places of chunks";
     if (!sameBytes(a.basis->wanted, b.basis->wanted))
         return "wanted basis hairs";

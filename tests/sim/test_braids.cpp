@@ -1,9 +1,7 @@
 // Braids grow in connected regions, and their hairs gather at the middle.
 #include "sim/groom/braid_layout.h"
-#include "sim/groom/groom.h"
 #include "tests/sim/groom_reading.h"
-#include "tests/support/test_grooms.h"
-#include "tests/support/test_heads.h"
+#include "tests/sim/small_groom.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -20,15 +18,9 @@ namespace {
 
 GroomInput braidInput(std::shared_ptr<const Skin> skin)
 {
-    GroupInput group = uniformGroup();
-    group.settings.greatestDensityPerM2 = 5e5F;
+    GroomInput::Group group = smallGroup();
     group.settings.basisHairs = 1024;
     return inputOf(std::move(skin), group);
-}
-
-std::shared_ptr<const Skin> patch()
-{
-    return std::make_shared<const Skin>(makePatchHead(16, 0.2F));
 }
 
 /// Hairs by the basis hair at their braid's centre.
@@ -82,7 +74,7 @@ void TestBraids::aRegionSmallerThanTheSpacingIsOneBraidFromItsMiddle()
     QVERIFY(glm::length(groom->roots->uv[centre] - glm::vec2(0.4F, 0.6F)) < 0.06F);
     for (const std::uint32_t slot : braids.begin()->second)
         QVERIFY(glm::length(groom->roots->uv[slot] - glm::vec2(0.4F, 0.6F)) < 0.255F);
-    // A circle's share of the patch.
+    // A circle's fraction of the patch.
     QVERIFY(std::abs(static_cast<double>(braids.begin()->second.size()) - 20000.0 * 3.14159 * 0.0625) < 100.0);
 }
 
@@ -146,9 +138,9 @@ void TestBraids::allHairsOfABraidShareItsSkeleton()
             QVERIFY(gathered >= 1 && gathered < 6);
             QVERIFY(restNode(*groom, slot, 0) == groom->roots->positionHd[slot]);
             for (int node = gathered; node < 8; ++node) {
-                const float share = static_cast<float>(node - gathered) / static_cast<float>(7 - gathered);
-                const glm::vec3 expected =
-                    groom->roots->positionHd[centreSlot] + groom->roots->normalHd[centreSlot] * (centreLengthM * share);
+                const float fraction = static_cast<float>(node - gathered) / static_cast<float>(7 - gathered);
+                const glm::vec3 expected = groom->roots->positionHd[centreSlot] +
+                                           groom->roots->normalHd[centreSlot] * (centreLengthM * fraction);
                 QVERIFY(glm::length(restNode(*groom, slot, node) - expected) < 1e-6F);
             }
             QVERIFY(style.lengthM >= centreLengthM);
@@ -186,10 +178,10 @@ void TestBraids::wispsAndPlacesAreSpreadEvenly()
         const StrandStyle& style = groom->style(slot);
         QCOMPARE(style.braid, BraidKind::Plait);
         ++wisps[style.wisp];
-        const glm::vec2 place = style.wispOffset;
-        QVERIFY(glm::length(place) <= 1.0F);
-        mean += place / 20000.0F;
-        meanSquare += glm::dot(place, place) / 20000.0F;
+        const glm::vec2 offset = style.wispOffset;
+        QVERIFY(glm::length(offset) <= 1.0F);
+        mean += offset / 20000.0F;
+        meanSquare += glm::dot(offset, offset) / 20000.0F;
     }
     for (const int count : wisps)
         QVERIFY(std::abs(count - 6667) < 300);

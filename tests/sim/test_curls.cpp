@@ -1,8 +1,7 @@
 // Turns and radius of curls, from the maps at a hair's root.
 #include "sim/groom/groom.h"
 #include "tests/sim/groom_reading.h"
-#include "tests/support/test_grooms.h"
-#include "tests/support/test_heads.h"
+#include "tests/sim/small_groom.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -12,29 +11,6 @@
 
 using namespace hairpaint::sim;
 using namespace hairpaint::test;
-
-namespace {
-
-/// A flat square of 0.04 m2 with about 20,000 candidates.
-std::shared_ptr<const Skin> patch()
-{
-    return std::make_shared<const Skin>(makePatchHead(16, 0.2F));
-}
-
-GroupInput smallGroup()
-{
-    GroupInput group = uniformGroup();
-    group.settings.greatestDensityPerM2 = 5e5F;
-    group.settings.basisHairs = 256;
-    return group;
-}
-
-std::shared_ptr<const Groom> groomOf(const GroomInput& input)
-{
-    return GroomBuilder().update(input).grooms.front();
-}
-
-} // namespace
 
 class TestCurls : public QObject
 {
@@ -60,7 +36,7 @@ void TestCurls::theCurlSizeMapScalesTheRadius()
 {
     QFETCH(int, texel);
     QFETCH(float, radiusM);
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.settings.greatestCurlRadiusM = 0.016F;
     group.maps[MapSlot::Curl] = uniformMap(0.6F);
     group.maps[MapSlot::CurlSize] =
@@ -93,7 +69,7 @@ void TestCurls::turnsAndRadiusFollowTheCurlMap()
     QFETCH(bool, perLength);
     QFETCH(float, turns);
     QFETCH(float, radiusM);
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.settings.greatestLengthM = 0.4F;
     group.settings.turnsMode = perLength ? TurnsMode::PerLength : TurnsMode::PerHair;
     group.settings.turnsPerLengthM = 0.1F;

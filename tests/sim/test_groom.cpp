@@ -2,8 +2,7 @@
 #include "sim/base/parallel.h"
 #include "sim/groom/groom.h"
 #include "tests/sim/groom_reading.h"
-#include "tests/support/test_grooms.h"
-#include "tests/support/test_heads.h"
+#include "tests/sim/small_groom.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -14,29 +13,6 @@
 
 using namespace hairpaint::sim;
 using namespace hairpaint::test;
-
-namespace {
-
-/// A flat square of 0.04 m2 with about 20,000 candidates.
-std::shared_ptr<const Skin> patch()
-{
-    return std::make_shared<const Skin>(makePatchHead(16, 0.2F));
-}
-
-GroupInput smallGroup()
-{
-    GroupInput group = uniformGroup();
-    group.settings.greatestDensityPerM2 = 5e5F;
-    group.settings.basisHairs = 256;
-    return group;
-}
-
-std::shared_ptr<const Groom> groomOf(const GroomInput& input)
-{
-    return GroomBuilder().update(input).grooms.front();
-}
-
-} // namespace
 
 class TestGroom : public QObject
 {
@@ -74,7 +50,7 @@ void TestGroom::hairsAreProportionalToTheDensity_data()
 void TestGroom::hairsAreProportionalToTheDensity()
 {
     QFETCH(float, density);
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Density] = uniformMap(density);
     const auto groom = groomOf(inputOf(patch(), group));
     QCOMPARE(groom->roots->count(), std::size_t{20000});
@@ -85,7 +61,7 @@ void TestGroom::hairsAreProportionalToTheDensity()
 
 void TestGroom::hairsFollowADensityThatVaries()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Density] = ramp();
     const auto groom = groomOf(inputOf(patch(), group));
     std::array<int, 10> counts{};
@@ -100,7 +76,7 @@ void TestGroom::hairsFollowADensityThatVaries()
 
 void TestGroom::noHairGrowsWhereDensityIsZero()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Density] = withDab(uniformMap(0.0F), {0.3F, 0.6F}, 0.1F, {65535});
     const auto groom = groomOf(inputOf(patch(), group));
     QVERIFY(groom->hairCount > 500);
@@ -111,7 +87,7 @@ void TestGroom::noHairGrowsWhereDensityIsZero()
 
 void TestGroom::aCandidateIsAHairBelowItsThreshold()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Density] = ramp();
     const auto groom = groomOf(inputOf(patch(), group));
     for (std::uint32_t slot = 0; slot < groom->roots->count(); ++slot) {
@@ -126,7 +102,7 @@ void TestGroom::aCandidateIsAHairBelowItsThreshold()
 
 void TestGroom::detailThinsEvenly()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Density] = halves(0.2F, 0.8F);
     const auto groom = groomOf(inputOf(patch(), group));
     for (const float detail : {0.1F, 0.5F}) {
@@ -159,7 +135,7 @@ void TestGroom::lengthIsBetweenShortestAndGreatest()
     QFETCH(float, value);
     QFETCH(float, shortestM);
     QFETCH(float, lengthM);
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.settings.greatestLengthM = 0.4F;
     group.settings.shortestLengthM = shortestM;
     group.maps[MapSlot::Length] = uniformMap(value);
@@ -174,7 +150,7 @@ void TestGroom::lengthIsBetweenShortestAndGreatest()
 
 void TestGroom::tooShortHairsCountButAreNotDrawn()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Length] = halves(0.0F, 1.0F);
     const auto groom = groomOf(inputOf(patch(), group));
     QCOMPARE(groom->hairCount, std::size_t{20000});
@@ -191,7 +167,7 @@ void TestGroom::tooShortHairsCountButAreNotDrawn()
 
 void TestGroom::coloursAreTheMapsOwn()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Colour] = uniformColour({1.0F, 128.0F / 255.0F, 3.0F / 255.0F});
     group.maps[MapSlot::TipColour] = uniformColour({1.0F, 1.0F, 0.0F});
     const auto groom = groomOf(inputOf(patch(), group));
@@ -223,7 +199,7 @@ void TestGroom::restShapesStandOnTheSkinAlongTheNormal()
 
 void TestGroom::clumpDrawsTipsToTheBasisHairAndKeepsLengths()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Clump] = uniformMap(1.0F);
     const auto groom = groomOf(inputOf(patch(), group));
     const RootSet& roots = *groom->roots;
@@ -242,7 +218,7 @@ void TestGroom::clumpDrawsTipsToTheBasisHairAndKeepsLengths()
 
 void TestGroom::basisHairsHaveStylesOfTheirOwn()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Density] = halves(0.0F, 1.0F);
     group.maps[MapSlot::Length] = halves(0.0F, 1.0F);
     group.maps[MapSlot::Gel] = halves(0.25F, 0.75F);
@@ -265,7 +241,7 @@ void TestGroom::basisHairsHaveStylesOfTheirOwn()
 
 void TestGroom::basisHairsAreWantedWhileADependentIsDrawn()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Density] = withDab(uniformMap(0.0F), {0.3F, 0.6F}, 0.1F, {40000});
     const auto groom = groomOf(inputOf(patch(), group));
     std::set<std::uint32_t> followed;
@@ -300,7 +276,7 @@ void TestGroom::theCandidatesAreCappedInTheGroupsOrder()
 
 void TestGroom::theMemoryOfAllNodesCapsTheCandidates()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.settings.greatestDensityPerM2 = 4e6F;
     group.settings.nodesPerHair = 32;
     GroomInput input = inputOf(patch(), group);
@@ -326,15 +302,15 @@ void TestGroom::groupsStandOnDifferentRoots()
 
 void TestGroom::chunksWithoutHairAreNull()
 {
-    GroupInput group = smallGroup();
+    GroomInput::Group group = smallGroup();
     group.maps[MapSlot::Density] = halves(0.0F, 1.0F);
     const auto groom = groomOf(inputOf(patch(), group));
     QCOMPARE(groom->chunks.size(), std::size_t{20});
-    std::int32_t place = 0;
+    std::int32_t packed = 0;
     for (std::size_t i = 0; i < groom->chunks.size(); ++i)
-        QCOMPARE(groom->chunkPlace[i], groom->chunks[i] ? place++ : -1);
-    QCOMPARE(groom->placedChunks, place);
-    QVERIFY(place >= 10 && place < 20);
+        QCOMPARE(groom->packedChunk[i], groom->chunks[i] ? packed++ : -1);
+    QCOMPARE(groom->packedChunks, packed);
+    QVERIFY(packed >= 10 && packed < 20);
 }
 
 void TestGroom::aSkinWithoutFacesGrowsNothing()

@@ -21,7 +21,7 @@ namespace {
 
 GroomInput startInput()
 {
-    GroupInput group = uniformGroup();
+    GroomInput::Group group = uniformGroup();
     group.settings.greatestDensityPerM2 = 1e5F;
     group.settings.basisHairs = 512;
     group.maps[MapSlot::Density] = uniformMap(0.6F);
@@ -312,7 +312,7 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild()
 void TestGroomUpdates::groupsComeGoAndChangePlaces()
 {
     GroomInput input = startInput();
-    GroupInput brow = input.groups[0];
+    GroomInput::Group brow = input.groups[0];
     brow.id = 7;
     brow.settings.greatestLengthM = 0.01F;
     GroomBuilder builder;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 5;
 
-/// Greatest difference, over boxes with a corner at the origin, between the share of points in a box and its area.
+/// Greatest difference, over boxes with a corner at the origin, between the fraction of points in a box and its area.
 double starDiscrepancy(const std::vector<glm::vec2>& points)
 {
     constexpr int kSteps = 64;
@@ -87,21 +87,21 @@ private Q_SLOTS:
 void TestRoots::everyPrefixIsMoreEvenThanRandom_data()
 {
     QTest::addColumn<int>("segments");
-    QTest::addColumn<double>("share");
+    QTest::addColumn<double>("fraction");
     for (const int segments : {1, 40, 160}) {
-        for (const double share : {0.01, 0.1, 0.37, 1.0})
-            QTest::addRow("%d faces, %g %%", 2 * segments * segments, share * 100.0) << segments << share;
+        for (const double fraction : {0.01, 0.1, 0.37, 1.0})
+            QTest::addRow("%d faces, %g %%", 2 * segments * segments, fraction * 100.0) << segments << fraction;
     }
 }
 
 void TestRoots::everyPrefixIsMoreEvenThanRandom()
 {
     QFETCH(int, segments);
-    QFETCH(double, share);
+    QFETCH(double, fraction);
     constexpr std::size_t kCount = 20000;
     const auto skin = std::make_shared<const Skin>(makePatchHead(segments));
     const auto roots = buildRoots(skin, kCount, 256, kSeed);
-    const auto prefix = static_cast<std::size_t>(share * static_cast<double>(kCount));
+    const auto prefix = static_cast<std::size_t>(fraction * static_cast<double>(kCount));
     std::vector<glm::vec2> ours;
     std::vector<glm::vec2> random;
     for (std::uint32_t rank = 0; rank < prefix; ++rank) {

@@ -66,8 +66,8 @@ double bruteForceDistance(const HeadMesh& mesh, glm::dvec3 p)
             const glm::dvec3 edge = c[(i + 1) % 3] - c[i];
             inside = inside && glm::dot(normal, glm::cross(edge, p - c[i])) >= 0.0;
             const double squared = glm::dot(edge, edge);
-            const double share = squared > 0.0 ? std::clamp(glm::dot(p - c[i], edge) / squared, 0.0, 1.0) : 0.0;
-            best = std::min(best, glm::length(p - c[i] - edge * share));
+            const double fraction = squared > 0.0 ? std::clamp(glm::dot(p - c[i], edge) / squared, 0.0, 1.0) : 0.0;
+            best = std::min(best, glm::length(p - c[i] - edge * fraction));
         }
         if (inside)
             best = std::min(best, std::abs(glm::dot(normal, p - c[0])) / glm::length(normal));
@@ -141,11 +141,11 @@ void TestSkin::raysThroughEdgesAndCornersHit()
     const Skin skin(makePatchHead(8, 0.25F));
     for (int y = 1; y < 32; ++y) {
         for (int x = 1; x < 32; ++x) {
-            const glm::vec3 place(static_cast<float>(x) / 128.0F - 0.125F, static_cast<float>(y) / 128.0F - 0.125F,
-                                  0.0F);
-            const auto hit = skin.pick({place + glm::vec3(0.0F, 0.0F, 1.0F), {0.0F, 0.0F, -1.0F}});
+            const glm::vec3 position(static_cast<float>(x) / 128.0F - 0.125F, static_cast<float>(y) / 128.0F - 0.125F,
+                                     0.0F);
+            const auto hit = skin.pick({position + glm::vec3(0.0F, 0.0F, 1.0F), {0.0F, 0.0F, -1.0F}});
             QVERIFY2(hit, qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
-            QVERIFY(glm::length(hit->positionHd - place) < 1e-6F);
+            QVERIFY(glm::length(hit->positionHd - position) < 1e-6F);
         }
     }
     QVERIFY(!skin.pick({{0.2F, 0.0F, 1.0F}, {0.0F, 0.0F, -1.0F}}));
@@ -155,9 +155,9 @@ void TestSkin::findsTheNearestPoint()
 {
     const Skin skin(makeBallHead(24));
     for (std::uint64_t i = 0; i < 400; ++i) {
-        const glm::vec3 place = randomVector(i) * 0.25F;
-        const double found = glm::length(glm::dvec3(place - skin.nearest(place).positionHd));
-        QVERIFY(std::abs(found - bruteForceDistance(skin.mesh(), place)) < 1e-6);
+        const glm::vec3 position = randomVector(i) * 0.25F;
+        const double found = glm::length(glm::dvec3(position - skin.nearest(position).positionHd));
+        QVERIFY(std::abs(found - bruteForceDistance(skin.mesh(), position)) < 1e-6);
     }
 }
 

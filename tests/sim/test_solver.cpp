@@ -243,9 +243,9 @@ void TestSolver::frictionHoldsHairOnASlope()
     const glm::vec3 root(0.0F, 0.1F * std::cos(0.5236F), 0.1F * std::sin(0.5236F));
     const glm::vec3 sideways = root + glm::vec3(0.03F, 0.0F, 0.0F);
     const glm::vec3 end = sideways * (0.1F / glm::length(sideways));
-    const glm::vec3 way = end - root;
+    const glm::vec3 extent = end - root;
     GroupDynamics hair;
-    hair.setGroom(groomOf({{root, way / glm::length(way), glm::length(way)}}, 2, physics), ballCollider(),
+    hair.setGroom(groomOf({{root, extent / glm::length(extent), glm::length(extent)}}, 2, physics), ballCollider(),
                   WindField::calm({}));
     hair.reset();
     const glm::vec3 before = nodeOf(hair, 0, 1);

@@ -153,7 +153,7 @@ void TestStrandCurve::aCurlAlongZIsEquation1Literally()
     QCOMPARE(points.size(), std::size_t{201});
     for (std::size_t i = 0; i < points.size(); ++i) {
         const float s = static_cast<float>(i) / 200.0F;
-        const float radius = kRadius * std::min(1.0F, s / kCurlEaseShare);
+        const float radius = kRadius * std::min(1.0F, s / kCurlEaseFraction);
         const float t = phase + 2.0F * kPi * turns * s;
         const glm::vec3 expected(radius * std::cos(t), radius * std::sin(t),
                                  0.3F * s + radius * std::cos(t) * std::sin(t));
@@ -170,7 +170,7 @@ void TestStrandCurve::aBraidAlongYIsEquation3Literally()
         const float w = static_cast<float>(wisp) * 2.0F * kPi / 3.0F;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const float s = static_cast<float>(i) / 200.0F;
-            if (s * style.braidTurns < kBraidEaseTurns || s > 1.0F - kTuftShare)
+            if (s * style.braidTurns < kBraidEaseTurns || s > 1.0F - kTuftFraction)
                 continue;
             const float t = 2.0F * kPi * style.braidTurns * s;
             const glm::vec3 expected(0.01F * std::cos(t + w), 0.3F * s, 0.01F * std::sin(2.0F * (t + w)));
@@ -263,7 +263,7 @@ void TestStrandCurve::placesSpreadAWispInItsRadius()
     style.wispOffset = {0.6F, -0.8F};
     evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 100, aside);
     const glm::vec3 offset = aside[50] - middle[50];
-    QVERIFY(std::abs(glm::length(offset) - kWispRadiusShare * style.braidRadiusM) < 1e-6F);
+    QVERIFY(std::abs(glm::length(offset) - kWispRadiusFraction * style.braidRadiusM) < 1e-6F);
     QVERIFY(std::abs(offset.y) < 1e-6F);
 }
 
@@ -276,7 +276,7 @@ void TestStrandCurve::aTwistHasTwoWispsOnOppositeSides()
     for (std::size_t i = 40; i < 180; ++i) {
         const glm::vec3 axis(0.0F, 0.3F * static_cast<float>(i) / 240.0F, 0.0F);
         QVERIFY(glm::length(0.5F * (wisps[0][i] + wisps[1][i]) - axis) < 1e-5F);
-        QVERIFY(std::abs(glm::length(wisps[0][i] - axis) - kTwistShare * 0.01F) < 1e-5F);
+        QVERIFY(std::abs(glm::length(wisps[0][i] - axis) - kTwistFraction * 0.01F) < 1e-5F);
         // 4 turns in 240 segments: after half a turn each wisp is where the other was.
         const glm::vec3 later = wisps[0][i + 30] - wisps[1][i];
         QVERIFY(std::abs(later.x) < 1e-5F && std::abs(later.z) < 1e-5F);
@@ -292,7 +292,7 @@ void TestStrandCurve::aLocIsOneWispToItsEnd()
     evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 100, points);
     for (std::size_t i = 20; i < points.size(); ++i) {
         const glm::vec2 offset(points[i].x, points[i].z);
-        QVERIFY(std::abs(glm::length(offset) - kLocWispShare * style.braidRadiusM) < 1e-6F);
+        QVERIFY(std::abs(glm::length(offset) - kLocWispFraction * style.braidRadiusM) < 1e-6F);
     }
 }
 

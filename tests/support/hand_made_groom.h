@@ -111,9 +111,9 @@ inline std::shared_ptr<sim::Groom> drawnGroomOf(const std::vector<HandStrand>& s
                                         groom->blocks().node(groom->basis->restPositions, strand, node));
         }
         groom->chunks.push_back(std::move(chunk));
-        groom->chunkPlace.push_back(static_cast<std::int32_t>(c));
+        groom->packedChunk.push_back(static_cast<std::int32_t>(c));
     }
-    groom->placedChunks = static_cast<std::int32_t>(chunks);
+    groom->packedChunks = static_cast<std::int32_t>(chunks);
     groom->hairCount = groom->drawnCount = groom->basisCount = strands.size();
     return groom;
 }

@@ -21,7 +21,7 @@ inline sim::GroomInput paintedBall(int hairs, int basisHairs)
     const auto skin = std::make_shared<const sim::Skin>(makeBallHead());
     input.skin = skin;
     input.colliders.push_back({glm::vec3(0.0F), glm::vec3(0.1F), glm::quat(1.0F, 0.0F, 0.0F, 0.0F)});
-    sim::GroupInput group;
+    sim::GroomInput::Group group;
     group.id = 1;
     group.settings.greatestDensityPerM2 = static_cast<float>((hairs + 0.5) / skin->areaM2());
     group.settings.greatestLengthM = 0.2F;
@@ -40,8 +40,8 @@ inline void paintSquare(std::shared_ptr<const sim::TiledRaster>& map, glm::vec2 
                         std::uint16_t value)
 {
     auto painted = std::make_shared<sim::TiledRaster>(*map);
-    const auto texel = [&](float share) {
-        return std::clamp(static_cast<int>(share * static_cast<float>(painted->size())), 0, painted->size());
+    const auto texel = [&](float fraction) {
+        return std::clamp(static_cast<int>(fraction * static_cast<float>(painted->size())), 0, painted->size());
     };
     for (int y = texel(1.0F - highUv.y); y < texel(1.0F - lowUv.y); ++y) {
         for (int x = texel(lowUv.x); x < texel(highUv.x); ++x)

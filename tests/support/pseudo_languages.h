@@ -35,16 +35,16 @@ public:
         static const QRegularExpression kept(QStringLiteral("%L?[0-9n]|\\(\\*[^)]*\\)"));
         const QString text = QString::fromUtf8(source);
         QString marked;
-        qsizetype place = 0;
+        qsizetype index = 0;
         const auto mark = [&](qsizetype end) {
-            for (; place < end; ++place)
-                marked += markedLetter(text[place]);
+            for (; index < end; ++index)
+                marked += markedLetter(text[index]);
         };
         for (auto match = kept.globalMatch(text); match.hasNext();) {
             const QRegularExpressionMatch found = match.next();
             mark(found.capturedStart());
             marked += found.captured();
-            place = found.capturedEnd();
+            index = found.capturedEnd();
         }
         mark(text.size());
         return marked;

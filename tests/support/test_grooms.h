@@ -73,9 +73,9 @@ inline std::shared_ptr<const sim::TiledRaster> ramp()
 }
 
 /// One group with uniform maps: full density, brown, else what maps are where nothing is painted.
-inline sim::GroupInput uniformGroup(int id = 1)
+inline sim::GroomInput::Group uniformGroup(int id = 1)
 {
-    sim::GroupInput group;
+    sim::GroomInput::Group group;
     group.id = id;
     for (const sim::MapRule& rule : sim::kMapRules)
         group.maps[rule.slot] = std::make_shared<const sim::TiledRaster>(512, rule.channels, rule.defaultValue);
@@ -85,7 +85,7 @@ inline sim::GroupInput uniformGroup(int id = 1)
     return group;
 }
 
-inline sim::GroomInput inputOf(std::shared_ptr<const sim::Skin> skin, sim::GroupInput group = uniformGroup())
+inline sim::GroomInput inputOf(std::shared_ptr<const sim::Skin> skin, sim::GroomInput::Group group = uniformGroup())
 {
     sim::GroomInput input;
     input.skin = std::move(skin);

@@ -36,12 +36,12 @@ inline void dragTo(QWidget& widget, QPoint position)
     QApplication::sendEvent(&widget, &move);
 }
 
-/// Drags a slider to this share of its width, without letting go.
-inline void holdAt(BarSlider& slider, double share)
+/// Drags a slider to this fraction of its width, without letting go.
+inline void holdAt(BarSlider& slider, double fraction)
 {
     const int middle = slider.height() / 2;
     QTest::mousePress(&slider, Qt::LeftButton, Qt::NoModifier, QPoint(slider.width() / 2, middle));
-    dragTo(slider, QPoint(qRound(slider.width() * share), middle));
+    dragTo(slider, QPoint(qRound(slider.width() * fraction), middle));
 }
 
 inline void letGo(QWidget& widget, QPoint position = {})

@@ -20,7 +20,7 @@ class TestBarSlider : public QObject
     std::unique_ptr<QSignalSpy> m_finished;
     std::unique_ptr<QSignalSpy> m_cancelled;
 
-    [[nodiscard]] QPoint at(double share) const { return {qRound(m_slider->width() * share), 12}; }
+    [[nodiscard]] QPoint at(double fraction) const { return {qRound(m_slider->width() * fraction), 12}; }
 
 private Q_SLOTS:
     void init()

@@ -154,9 +154,9 @@ private Q_SLOTS:
         box->showPopup();
         const QRect seen = box->view()->viewport()->rect();
         for (int row = 0; row < box->count(); ++row) {
-            const QRect place = box->view()->visualRect(box->model()->index(row, 0));
-            QVERIFY(place.height() > 20);
-            QVERIFY2(seen.contains(place), qPrintable(box->itemText(row)));
+            const QRect bounds = box->view()->visualRect(box->model()->index(row, 0));
+            QVERIFY(bounds.height() > 20);
+            QVERIFY2(seen.contains(bounds), qPrintable(box->itemText(row)));
         }
         box->hidePopup();
     }

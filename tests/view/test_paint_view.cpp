@@ -205,11 +205,11 @@ private Q_SLOTS:
         const double perUv = f.area.positionOf({1.0F, 0.5F}).x() - f.area.positionOf({0.0F, 0.5F}).x();
         const int radiusPx = static_cast<int>(std::lround(0.03 / static_cast<double>(kPatchSideM) * perUv));
         // The line itself, and nothing halfway to it or well outside.
-        for (const QPoint way : {QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)}) {
-            const QPoint line = QPoint(300, 300) + way * radiusPx;
+        for (const QPoint direction : {QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)}) {
+            const QPoint line = QPoint(300, 300) + direction * radiusPx;
             QVERIFY(differs(without, with, QRect(line - QPoint(1, 1), QSize(3, 3))));
-            QVERIFY(!differs(without, with, QRect(QPoint(300, 300) + way * radiusPx / 2, QSize(1, 1))));
-            QVERIFY(!differs(without, with, QRect(QPoint(300, 300) + way * (radiusPx + 5), QSize(1, 1))));
+            QVERIFY(!differs(without, with, QRect(QPoint(300, 300) + direction * radiusPx / 2, QSize(1, 1))));
+            QVERIFY(!differs(without, with, QRect(QPoint(300, 300) + direction * (radiusPx + 5), QSize(1, 1))));
         }
     }
 

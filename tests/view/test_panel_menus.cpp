@@ -44,8 +44,8 @@ class TestPanelMenus : public QObject
     static void choose(LayersPanel& panel, const QString& text)
     {
         auto* list = panel.findChild<LayerList*>();
-        const QPoint place = list->visualItemRect(list->item(0)).center();
-        QContextMenuEvent asked(QContextMenuEvent::Mouse, place, list->viewport()->mapToGlobal(place));
+        const QPoint position = list->visualItemRect(list->item(0)).center();
+        QContextMenuEvent asked(QContextMenuEvent::Mouse, position, list->viewport()->mapToGlobal(position));
         QApplication::sendEvent(list->viewport(), &asked);
         auto* menu = panel.findChild<QMenu*>(QStringLiteral("layerMenu"));
         QVERIFY(menu != nullptr && menu->isVisible());

@@ -177,9 +177,9 @@ private Q_SLOTS:
         mended.setSource(std::make_shared<sim::TiledRaster>(raster), spec, true);
         static_cast<void>(drawn(mended));
         for (int step = 0; step < 12; ++step) {
-            std::uniform_int_distribution<int> place(0, size - 40);
-            const int x0 = place(random);
-            const int y0 = place(random);
+            std::uniform_int_distribution<int> start(0, size - 40);
+            const int x0 = start(random);
+            const int y0 = start(random);
             const auto value = static_cast<std::uint16_t>(random());
             for (int y = y0; y < y0 + 40; ++y) {
                 for (int x = x0; x < x0 + 40; ++x)

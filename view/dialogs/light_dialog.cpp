@@ -87,29 +87,29 @@ void LightDialog::buildSliders()
     const model::LightSettings standard;
     const QString degree = QStringLiteral("°");
     const QString percent = QStringLiteral("%");
-    const auto share = [](float value) { return static_cast<double>(value) * kPercent; };
+    const auto percentOf = [](float value) { return static_cast<double>(value) * kPercent; };
     m_azimuth =
         addSlider(tr("Comes from, around"), -180.0, 180.0, degree, static_cast<double>(standard.azimuthRad) * kDegrees);
     m_elevation =
         addSlider(tr("Comes from, above"), -90.0, 90.0, degree, static_cast<double>(standard.elevationRad) * kDegrees);
-    m_intensity = addSlider(tr("Intensity"), 0.0, 400.0, percent, share(standard.intensity));
+    m_intensity = addSlider(tr("Intensity"), 0.0, 400.0, percent, percentOf(standard.intensity));
     m_intensity->setExponent(2.0);
-    m_ambient = addSlider(tr("Ambient"), 0.0, kPercent, percent, share(standard.ambient));
-    m_red = addSlider(tr("Red"), 0.0, kPercent, percent, share(standard.red));
-    m_green = addSlider(tr("Green"), 0.0, kPercent, percent, share(standard.green));
-    m_blue = addSlider(tr("Blue"), 0.0, kPercent, percent, share(standard.blue));
+    m_ambient = addSlider(tr("Ambient"), 0.0, kPercent, percent, percentOf(standard.ambient));
+    m_red = addSlider(tr("Red"), 0.0, kPercent, percent, percentOf(standard.red));
+    m_green = addSlider(tr("Green"), 0.0, kPercent, percent, percentOf(standard.green));
+    m_blue = addSlider(tr("Blue"), 0.0, kPercent, percent, percentOf(standard.blue));
 
-    const auto shownShare = [](const BarSlider* slider) { return static_cast<float>(slider->value() / kPercent); };
+    const auto shownFraction = [](const BarSlider* slider) { return static_cast<float>(slider->value() / kPercent); };
     bind(*m_azimuth,
          [this](model::LightSettings& light) { light.azimuthRad = static_cast<float>(m_azimuth->value() / kDegrees); });
     bind(*m_elevation, [this](model::LightSettings& light) {
         light.elevationRad = static_cast<float>(m_elevation->value() / kDegrees);
     });
-    bind(*m_intensity, [=, this](model::LightSettings& light) { light.intensity = shownShare(m_intensity); });
-    bind(*m_ambient, [=, this](model::LightSettings& light) { light.ambient = shownShare(m_ambient); });
-    bind(*m_red, [=, this](model::LightSettings& light) { light.red = shownShare(m_red); });
-    bind(*m_green, [=, this](model::LightSettings& light) { light.green = shownShare(m_green); });
-    bind(*m_blue, [=, this](model::LightSettings& light) { light.blue = shownShare(m_blue); });
+    bind(*m_intensity, [=, this](model::LightSettings& light) { light.intensity = shownFraction(m_intensity); });
+    bind(*m_ambient, [=, this](model::LightSettings& light) { light.ambient = shownFraction(m_ambient); });
+    bind(*m_red, [=, this](model::LightSettings& light) { light.red = shownFraction(m_red); });
+    bind(*m_green, [=, this](model::LightSettings& light) { light.green = shownFraction(m_green); });
+    bind(*m_blue, [=, this](model::LightSettings& light) { light.blue = shownFraction(m_blue); });
 }
 
 BarSlider* LightDialog::addSlider(const QString& label, double minimum, double maximum, const QString& unit,

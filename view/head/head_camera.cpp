@@ -117,7 +117,7 @@ rendering::Camera between(const rendering::Camera& from, const rendering::Camera
     return t >= 1.0F ? to : camera;
 }
 
-rendering::Camera lookingAt(const rendering::Camera& camera, glm::vec3 placeWo, glm::vec3 normalWo)
+rendering::Camera lookingAt(const rendering::Camera& camera, glm::vec3 positionWo, glm::vec3 normalWo)
 {
     constexpr float kSteepestRad = 1.3F;
     rendering::Camera turned = camera;
@@ -125,9 +125,9 @@ rendering::Camera lookingAt(const rendering::Camera& camera, glm::vec3 placeWo, 
     turned.elevationRad = std::clamp(std::asin(std::clamp(normal.y, -1.0F, 1.0F)), -kSteepestRad, kSteepestRad);
     if (std::hypot(normal.x, normal.z) > 0.05F) // Straight up or down every side is as good.
         turned.azimuthRad = std::atan2(normal.x, normal.z);
-    const std::optional<QPointF> seen = project(turned, placeWo, QSizeF(1.0, 1.0));
+    const std::optional<QPointF> seen = project(turned, positionWo, QSizeF(1.0, 1.0));
     if (!seen || !QRectF(0.1, 0.1, 0.8, 0.8).contains(*seen))
-        turned.targetWo = placeWo;
+        turned.targetWo = positionWo;
     return turned;
 }
 
@@ -135,12 +135,12 @@ bool hidden(const sim::SurfacePoint& point, const sim::Skin* skin, const renderi
             const sim::HeadPose& pose)
 {
     constexpr float kNearM = 0.004F; // The picked place lies on the same bit of skin.
-    const glm::vec3 placeWo = inWorld(point.positionHd, pose);
-    const glm::vec3 towardPlace = placeWo - camera.eyeWo();
-    if (glm::dot(pose.rotation * point.normalHd, towardPlace) >= 0.0F || skin == nullptr)
+    const glm::vec3 positionWo = inWorld(point.positionHd, pose);
+    const glm::vec3 towardPoint = positionWo - camera.eyeWo();
+    if (glm::dot(pose.rotation * point.normalHd, towardPoint) >= 0.0F || skin == nullptr)
         return true;
     const std::optional<sim::SurfacePoint> first =
-        skin->pick(inHead({camera.eyeWo(), glm::normalize(towardPlace)}, pose));
+        skin->pick(inHead({camera.eyeWo(), glm::normalize(towardPoint)}, pose));
     return first && glm::distance(first->positionHd, point.positionHd) > kNearM;
 }
 

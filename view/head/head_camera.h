@@ -32,7 +32,7 @@ struct RayWo
 /// Factor above 1 comes nearer; what lies under `position` at the target's depth stays there.
 [[nodiscard]] rendering::Camera zoomed(const rendering::Camera& camera, double factor, QPointF position, QSizeF size);
 /// Turned so that skin with that normal faces the eye; moved there too where the place would not be seen.
-[[nodiscard]] rendering::Camera lookingAt(const rendering::Camera& camera, glm::vec3 placeWo, glm::vec3 normalWo);
+[[nodiscard]] rendering::Camera lookingAt(const rendering::Camera& camera, glm::vec3 positionWo, glm::vec3 normalWo);
 /// Whether the head hides a place of its skin from the camera.
 [[nodiscard]] bool hidden(const sim::SurfacePoint& point, const sim::Skin* skin, const rendering::Camera& camera,
                           const sim::HeadPose& pose);

@@ -23,10 +23,10 @@ std::optional<QPointF> shownAt(QPointF uv, const sim::Skin& skin, const renderin
     const std::optional<sim::SurfacePoint> point = skin.atUv({static_cast<float>(uv.x()), static_cast<float>(uv.y())});
     if (!point)
         return std::nullopt;
-    const glm::vec3 placeWo = inWorld(point->positionHd, pose);
-    if (glm::dot(pose.rotation * point->normalHd, camera.eyeWo() - placeWo) <= 0.0F)
+    const glm::vec3 positionWo = inWorld(point->positionHd, pose);
+    if (glm::dot(pose.rotation * point->normalHd, camera.eyeWo() - positionWo) <= 0.0F)
         return std::nullopt;
-    return project(camera, placeWo, size);
+    return project(camera, positionWo, size);
 }
 
 } // namespace
@@ -68,10 +68,11 @@ void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, cons
         for (qsizetype i = 0; skin != nullptr && i < (shape.closed ? corners : corners - 1); ++i) {
             const QPointF from = shape.uvOutline[i];
             const QPointF to = shape.uvOutline[(i + 1) % corners];
-            const QPointF way = to - from;
-            const int steps = std::clamp(static_cast<int>(std::hypot(way.x(), way.y()) / kStepUv), 1, kMostSteps);
+            const QPointF displacement = to - from;
+            const int steps =
+                std::clamp(static_cast<int>(std::hypot(displacement.x(), displacement.y()) / kStepUv), 1, kMostSteps);
             for (int k = i == 0 ? 0 : 1; k <= steps; ++k)
-                add(from + way * k / steps);
+                add(from + displacement * k / steps);
         }
         if (!line.isEmpty())
             m_lines.push_back(line);

@@ -16,18 +16,18 @@ constexpr float kReachM = 0.28F; ///< From the head's centre; long hair hangs th
 
 } // namespace
 
-std::optional<Puff> PuffGesture::moved(glm::vec3 placeWo, double seconds)
+std::optional<Puff> PuffGesture::moved(glm::vec3 positionWo, double seconds)
 {
-    const std::optional<Sample> last = std::exchange(m_last, Sample{placeWo, seconds});
+    const std::optional<Sample> last = std::exchange(m_last, Sample{positionWo, seconds});
     if (!last || seconds <= last->seconds || seconds - last->seconds > kForgetSeconds ||
         seconds - m_lastPuff < kPauseSeconds)
         return std::nullopt;
-    const glm::vec3 velocity = (placeWo - last->placeWo) / static_cast<float>(seconds - last->seconds);
+    const glm::vec3 velocity = (positionWo - last->positionWo) / static_cast<float>(seconds - last->seconds);
     const float speed = glm::length(velocity);
     if (speed < kLeastSpeed)
         return std::nullopt;
     m_lastPuff = seconds;
-    return Puff{.centreWo = placeWo,
+    return Puff{.centreWo = positionWo,
                 .velocity = velocity * (std::min(kMostSpeed, speed * kAirPerSpeed) / speed),
                 .radiusM = 0.05F};
 }

@@ -18,14 +18,14 @@ struct Puff
 class PuffGesture
 {
 public:
-    /// `placeWo`: where the pointer is in the world, at the hair's depth.
-    [[nodiscard]] std::optional<Puff> moved(glm::vec3 placeWo, double seconds);
+    /// `positionWo`: where the pointer is in the world, at the hair's depth.
+    [[nodiscard]] std::optional<Puff> moved(glm::vec3 positionWo, double seconds);
     void interrupt() { m_last.reset(); }
 
 private:
     struct Sample
     {
-        glm::vec3 placeWo;
+        glm::vec3 positionWo;
         double seconds;
     };
     std::optional<Sample> m_last;

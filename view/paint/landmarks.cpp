@@ -33,7 +33,7 @@ std::vector<Landmark> landmarksOf(const model::Head& head)
     if (!head.builtIn)
         return sidesOf(*head.skin);
     const heads::BustLandmarks bust = heads::bustLandmarks();
-    const std::pair<const char*, glm::vec3> places[] = {
+    const std::pair<const char*, glm::vec3> named[] = {
         {QT_TRANSLATE_NOOP("Landmarks", "crown"), bust.crown},
         {QT_TRANSLATE_NOOP("Landmarks", "hairline"), bust.forehead},
         {QT_TRANSLATE_NOOP("Landmarks", "nape"), bust.nape},
@@ -43,7 +43,7 @@ std::vector<Landmark> landmarksOf(const model::Head& head)
         {QT_TRANSLATE_NOOP("Landmarks", "chin"), bust.chin},
     };
     std::vector<Landmark> landmarks;
-    for (const auto& [name, positionHd] : places)
+    for (const auto& [name, positionHd] : named)
         landmarks.push_back({QCoreApplication::translate("Landmarks", name), head.skin->nearest(positionHd).uv});
     return landmarks;
 }

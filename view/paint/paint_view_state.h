@@ -45,8 +45,8 @@ struct PaintView::State
     QRect ringsBounds;
     std::vector<model::OverlayShape> overlay;
     QRect overlayBounds;
-    QPolygonF changedPlace; ///< In uv: what the last change of texels touched; empty after other changes.
-    QPolygonF outlinedPlace;
+    QPolygonF changedOutline; ///< In uv: what the last change of texels touched; empty after other changes.
+    QPolygonF shownOutline;
     QBasicTimer outlined;
     QBasicTimer march;
     int marchStep = 0;

@@ -57,6 +57,7 @@ HairPanel::HairPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     connect(&state.document(), &model::Document::changed, this, [this](const Change& change) {
         switch (change.aspect) {
         case Change::Aspect::Settings:
+        case Change::Aspect::Head: // Counts are shown for its scalp.
             follow();
             break;
         case Change::Aspect::GroupList:
@@ -159,7 +160,6 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
     slider->setRange(row.sliderLeast, row.sliderGreatest, row.decimals);
     slider->setExponent(row.exponent);
     slider->setUnit(schemaText(row.unit));
-    slider->setDefaultValue(row.shown(GroupSettings{}));
     slider->setHint(schemaText(row.hint));
     // A session a slider: moving one ends, and keeps, what another one left open.
     auto session = std::make_shared<model::EditSession>();
@@ -169,9 +169,9 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
             return;
         m_state.document().show(*session, {.text = settingText(row, *shown)},
                                 {.aspect = Change::Aspect::Settings, .group = shown->id},
-                                [id = shown->id, &row, value](model::Project& project) {
+                                [id = shown->id, &row, value, fraction = scalpFraction()](model::Project& project) {
                                     if (model::HairGroup* one = project.group(id))
-                                        row.writeShown(one->settings, value);
+                                        row.writeShown(one->settings, value, fraction);
                                 });
     };
     connect(slider, &BarSlider::valueChanged, this, show);
@@ -181,8 +181,9 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
     });
     connect(slider, &BarSlider::editingCancelled, this, [session] { session->drop(); });
     const bool needsPerLength = row.member == model::SettingMember(&GroupSettings::turnsPerLengthM);
-    m_followers.emplace_back([slider, &row, needsPerLength](const GroupSettings& settings) {
-        slider->setValue(row.shown(settings));
+    m_followers.emplace_back([this, slider, &row, needsPerLength](const GroupSettings& settings) {
+        slider->setDefaultValue(row.shown(model::newGroupSettings(scalpFraction()), scalpFraction()));
+        slider->setValue(row.shown(settings, scalpFraction()));
         slider->setVisible(!needsPerLength || settings.turnsMode == TurnsMode::PerLength);
     });
     return slider;
@@ -191,6 +192,12 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
 const model::HairGroup* HairPanel::group() const
 {
     return m_state.document().project().group(m_state.activeGroup());
+}
+
+double HairPanel::scalpFraction() const
+{
+    const auto& head = m_state.document().project().head;
+    return head ? head->scalpFraction : 1.0;
 }
 
 QString HairPanel::settingText(const GroupSetting& row, const model::HairGroup& group)
@@ -266,7 +273,7 @@ void HairPanel::addGroup(const HairKind& kind)
     QString name = QLatin1StringView(kind.name);
     if (name.isEmpty() || std::ranges::find(groups, name, &model::HairGroup::name) != groups.end())
         name = model::groupName(static_cast<qsizetype>(groups.size()) + 1);
-    GroupSettings settings;
+    GroupSettings settings = model::newGroupSettings(scalpFraction());
     kind.apply(settings);
     m_state.document().push(addGroupCommand(m_state.document(), name, settings));
     m_state.setActiveGroup(m_state.document().project().groups.back().id);

@@ -43,6 +43,7 @@ private:
     void rebuildGroups();
     void follow();
     [[nodiscard]] const model::HairGroup* group() const;
+    [[nodiscard]] double scalpFraction() const;
     [[nodiscard]] static QString settingText(const model::GroupSetting& row, const model::HairGroup& group);
 
     EditorState& m_state;

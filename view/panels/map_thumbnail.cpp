@@ -1,4 +1,4 @@
-// Small pictures: each pixel is the middle of a few texels of its share of the raster.
+// Small pictures: each pixel is the middle of a few texels of its fraction of the raster.
 #include "view/panels/map_thumbnail.h"
 
 #include "model/texel_ops.h"
@@ -23,7 +23,7 @@ template<typename Read>
 QImage pictureOf(const sim::TiledRaster& raster, int side, const Read& read)
 {
     QImage image(side, side, QImage::Format_ARGB32_Premultiplied);
-    const double share = static_cast<double>(raster.size()) / side;
+    const double fraction = static_cast<double>(raster.size()) / side;
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
             std::array<double, 3> sum{};
@@ -31,8 +31,8 @@ QImage pictureOf(const sim::TiledRaster& raster, int side, const Read& read)
             for (int tap = 0; tap < kTaps * kTaps; ++tap) {
                 const int column = tap % kTaps;
                 const int row = tap / kTaps;
-                const int tx = static_cast<int>((x + (column + 0.5) / kTaps) * share);
-                const int ty = static_cast<int>((y + (row + 0.5) / kTaps) * share);
+                const int tx = static_cast<int>((x + (column + 0.5) / kTaps) * fraction);
+                const int ty = static_cast<int>((y + (row + 0.5) / kTaps) * fraction);
                 const Tap one = read(raster.texel(tx, ty));
                 sum[0] += qRed(one.colour) * one.weight;
                 sum[1] += qGreen(one.colour) * one.weight;

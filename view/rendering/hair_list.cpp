@@ -61,7 +61,7 @@ bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float deta
     for (std::size_t step = 0; step < steps; ++step)
         for (std::size_t c = 0; c < m_parts.size(); ++c) {
             const ChunkPart& part = m_parts[c];
-            const auto chunkBase = static_cast<std::uint32_t>(std::max(groom->chunkPlace[c], 0)) * sim::kChunkSlots;
+            const auto chunkBase = static_cast<std::uint32_t>(std::max(groom->packedChunk[c], 0)) * sim::kChunkSlots;
             for (std::size_t e = part.begin[step]; e < part.begin[step + 1]; ++e) {
                 const Entry& entry = part.entries[e];
                 if (!(entry.detail < detail))

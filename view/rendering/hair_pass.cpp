@@ -62,12 +62,12 @@ HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>&
         });
     });
     for (const sim::GroupFrame& group : frame->groups) {
-        if (!group.groom || !group.groom->visible || group.groom->placedChunks == 0) {
+        if (!group.groom || !group.groom->visible || group.groom->packedChunks == 0) {
             if (group.groom)
                 m_groups[group.groom->groupId].release();
             continue;
         }
-        HairGroup& held = m_groups[group.groom->groupId];
+        HairBuffers& held = m_groups[group.groom->groupId];
         report.uploadedBytes += held.upload(frame, group, detail, smoothSegments);
         if (held.list().strandCount() == 0)
             continue;
@@ -116,7 +116,7 @@ void HairPass::fillGrid(const FrameConstants& constants, float detail)
     m_splat.use();
     m_splat.set("gridSide", kGridSide);
     for (const int id : m_visible) {
-        const HairGroup& group = m_groups.at(id);
+        const HairBuffers& group = m_groups.at(id);
         group.bind();
         const auto strands = static_cast<std::uint32_t>(group.list().strandCount());
         const std::uint32_t step = std::max(1U, strands / kSplattedStrands);
@@ -139,7 +139,7 @@ void HairPass::fillGrid(const FrameConstants& constants, float detail)
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-bool HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples,
+bool HairPass::drawGroup(const HairBuffers& group, const FrameConstants& constants, float detail, const Buffer& samples,
                          std::uint32_t piecePoints, const std::function<bool(std::uint32_t)>& pieceDone)
 {
     const sim::GroupSettings& settings = group.groom().settings;
@@ -176,7 +176,7 @@ bool HairPass::drawGroup(const HairGroup& group, const FrameConstants& constants
     return true;
 }
 
-void HairPass::drawPiece(const StrandBatch& piece, const HairGroup& group, float detail, const Buffer& samples,
+void HairPass::drawPiece(const StrandBatch& piece, const HairBuffers& group, float detail, const Buffer& samples,
                          unsigned rows)
 {
     const sim::GroupSettings& settings = group.groom().settings;

@@ -3,7 +3,7 @@
 
 #include "view/rendering/frame_constants.h"
 #include "view/rendering/gl_objects.h"
-#include "view/rendering/hair_group.h"
+#include "view/rendering/hair_buffers.h"
 
 #include <array>
 #include <functional>
@@ -37,15 +37,15 @@ public:
 
     /// The points of the last batch drawn, Wo, xyz and the strand's number. For tests.
     [[nodiscard]] const Buffer& points() const { return m_points; }
-    [[nodiscard]] const HairGroup& group(int id) const { return m_groups.at(id); }
+    [[nodiscard]] const HairBuffers& group(int id) const { return m_groups.at(id); }
 
 private:
     HairPass() = default;
     void fillGrid(const FrameConstants& constants, float detail);
     /// `piecePoints`: batches are cut into pieces of no more; `pieceDone` (of so many points) says whether to go on.
-    bool drawGroup(const HairGroup& group, const FrameConstants& constants, float detail, const Buffer& samples,
+    bool drawGroup(const HairBuffers& group, const FrameConstants& constants, float detail, const Buffer& samples,
                    std::uint32_t piecePoints, const std::function<bool(std::uint32_t)>& pieceDone);
-    void drawPiece(const StrandBatch& piece, const HairGroup& group, float detail, const Buffer& samples,
+    void drawPiece(const StrandBatch& piece, const HairBuffers& group, float detail, const Buffer& samples,
                    unsigned rows);
 
     Program m_splat;
@@ -56,9 +56,9 @@ private:
     Buffer m_points;
     Buffer m_projected;
     Buffer m_voxels;
-    std::array<Texture, 2> m_opacity;  ///< Toward the light, the eye.
-    std::map<int, HairGroup> m_groups; ///< By the group's id.
-    std::vector<int> m_visible;        ///< Ids, in the frame's order.
+    std::array<Texture, 2> m_opacity;    ///< Toward the light, the eye.
+    std::map<int, HairBuffers> m_groups; ///< By the group's id.
+    std::vector<int> m_visible;          ///< Ids, in the frame's order.
 };
 
 } // namespace hairpaint::rendering

@@ -16,7 +16,7 @@ namespace hairpaint::rendering {
 /// How much is drawn.
 struct Quality
 {
-    float detail = 1.0F;     ///< 0..1: share of the hairs; those drawn are widened so that coverage stays the same.
+    float detail = 1.0F;     ///< 0..1: fraction of the hairs; those drawn are widened so that coverage stays the same.
     int samples = 4;         ///< 1, 2, 4: multisampling of the renderer's own targets.
     int smoothSegments = 16; ///< Segments of a straight hair.
     bool coarseHead = false; ///< Whether a frame whose view differs from the one before may show Scene::headInMotion.

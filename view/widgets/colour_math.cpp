@@ -18,10 +18,10 @@ double luminance(const QColor& colour)
 
 } // namespace
 
-QColor mixed(const QColor& a, const QColor& b, double share)
+QColor mixed(const QColor& a, const QColor& b, double fraction)
 {
-    const auto mix = [share](float from, float to) {
-        return static_cast<float>(std::clamp(from + (to - from) * share, 0.0, 1.0));
+    const auto mix = [fraction](float from, float to) {
+        return static_cast<float>(std::clamp(from + (to - from) * fraction, 0.0, 1.0));
     };
     return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()));
 }

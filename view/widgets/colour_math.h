@@ -5,8 +5,8 @@
 
 namespace hairpaint::view {
 
-/// `share` 0 gives `a`, 1 gives `b`.
-[[nodiscard]] QColor mixed(const QColor& a, const QColor& b, double share);
+/// `fraction` 0 gives `a`, 1 gives `b`.
+[[nodiscard]] QColor mixed(const QColor& a, const QColor& b, double fraction);
 /// Contrast ratio of WCAG 2, 1..21.
 [[nodiscard]] double contrast(const QColor& a, const QColor& b);
 /// Black or white, whichever is read better on `ground`.

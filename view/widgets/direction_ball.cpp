@@ -237,9 +237,9 @@ void DirectionBall::paintEvent(QPaintEvent* /*event*/)
     painter.drawEllipse(ball);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(mixed(theme.raised, theme.dimText, 0.45), 1.0));
-    for (const double share : {0.0, 0.5}) {
-        painter.drawEllipse(middle, radius * share, radius);
-        painter.drawEllipse(middle, radius, radius * share);
+    for (const double fraction : {0.0, 0.5}) {
+        painter.drawEllipse(middle, radius * fraction, radius);
+        painter.drawEllipse(middle, radius, radius * fraction);
     }
     // A head's outline tells which way is front.
     painter.setPen(QPen(mixed(theme.raised, ink, 0.7), 1.5));

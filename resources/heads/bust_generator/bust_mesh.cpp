@@ -59,8 +59,8 @@ bool isUvFlipped(const HalfMesh& half, const Triangle& t)
 std::vector<std::uint32_t> verticesByPlace(const HalfMesh& half, const PolarGrid& grid)
 {
     std::vector<std::uint32_t> ids(grid.index(grid.rings(), grid.columns()) + 1, 0);
-    for (std::size_t v = 0; v < half.places.size(); ++v)
-        ids[grid.index(half.places[v].ring, half.places[v].column)] = static_cast<std::uint32_t>(v);
+    for (std::size_t v = 0; v < half.indices.size(); ++v)
+        ids[grid.index(half.indices[v].ring, half.indices[v].column)] = static_cast<std::uint32_t>(v);
     return ids;
 }
 
@@ -85,15 +85,15 @@ HalfMesh halfVertices(const PolarGrid& grid)
     const int columns = grid.columns();
     HalfMesh half;
 
-    half.places.push_back({0, 0});
+    half.indices.push_back({0, 0});
     for (int i = 1; i <= grid.rings(); ++i)
         for (int j = 0; j <= columns; j += columnStep(i, columns))
-            half.places.push_back({i, j});
-    half.positions.resize(half.places.size());
-    half.normals.resize(half.places.size());
-    parallelFor(static_cast<int>(half.places.size()), [&](int v) {
+            half.indices.push_back({i, j});
+    half.positions.resize(half.indices.size());
+    half.normals.resize(half.indices.size());
+    parallelFor(static_cast<int>(half.indices.size()), [&](int v) {
         const auto k = static_cast<std::size_t>(v);
-        half.positions[k] = grid.at(half.places[k].ring, half.places[k].column);
+        half.positions[k] = grid.at(half.indices[k].ring, half.indices[k].column);
         glm::vec3 gradient = bustGradient(half.positions[k], {}, 0.0006F);
         if (half.isMiddle(k))
             gradient.x = 0.0F;
@@ -159,11 +159,11 @@ std::vector<glm::dvec2> interpolatedUvs(const HalfMesh& fine, const HalfMesh& co
 {
     std::vector<glm::dvec2> uvs(coarseGrid.index(coarseGrid.rings(), coarseGrid.columns()) + 1, glm::dvec2(0.0));
     // Columns that thinning left out lie between those it kept.
-    for (std::size_t v = 1; v < coarse.places.size(); ++v) {
-        const auto [ring, column] = coarse.places[v];
+    for (std::size_t v = 1; v < coarse.indices.size(); ++v) {
+        const auto [ring, column] = coarse.indices[v];
         const std::size_t at = coarseGrid.index(ring, column);
         uvs[at] = coarse.uvs[v];
-        const int step = column == 0 ? 1 : column - coarse.places[v - 1].column;
+        const int step = column == 0 ? 1 : column - coarse.indices[v - 1].column;
         for (int k = 1; k < step; ++k)
             uvs[at - static_cast<std::size_t>(k)] =
                 glm::mix(coarse.uvs[v], coarse.uvs[v - 1], static_cast<double>(k) / static_cast<double>(step));
@@ -175,7 +175,7 @@ std::vector<glm::dvec2> interpolatedUvs(const HalfMesh& fine, const HalfMesh& co
             edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
 
     std::vector<glm::dvec2> fineUvs;
-    for (const auto& [ring, column] : fine.places) {
+    for (const auto& [ring, column] : fine.indices) {
         const std::size_t a = coarseGrid.index(ring / 2, column / 2);
         const std::size_t b = coarseGrid.index((ring + 1) / 2, column / 2);
         const std::size_t c = coarseGrid.index((ring + 1) / 2, (column + 1) / 2);

@@ -17,13 +17,13 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 struct HalfMesh
 {
-    struct Place
+    struct GridIndex
     {
         int ring;
         int column;
     };
 
-    std::vector<Place> places;
+    std::vector<GridIndex> indices;
     std::vector<glm::vec3> positions; // m
     std::vector<glm::vec3> normals;   // unit, the distance's gradient
     std::vector<glm::dvec2> uvs;      // relative to the pole, u > 0

@@ -15,8 +15,8 @@ namespace {
 
 struct Bead
 {
-    glm::vec2 place; // x backwards, y up
-    float height;    // m, negative for a furrow
+    glm::vec2 position; // x backwards, y up
+    float height;       // m, negative for a furrow
 };
 
 // From inside the bowl up the front, over the top and down the back to the lobe.
@@ -52,10 +52,10 @@ std::vector<Bead> smoothed(std::span<const Bead> beads)
     constexpr int steps = 4;
     std::vector<Bead> fine;
     for (std::size_t i = 0; i + 1 < beads.size(); ++i) {
-        const glm::vec2 p1 = beads[i].place;
-        const glm::vec2 p2 = beads[i + 1].place;
-        const glm::vec2 p0 = i > 0 ? beads[i - 1].place : p1;
-        const glm::vec2 p3 = i + 2 < beads.size() ? beads[i + 2].place : p2;
+        const glm::vec2 p1 = beads[i].position;
+        const glm::vec2 p2 = beads[i + 1].position;
+        const glm::vec2 p0 = i > 0 ? beads[i - 1].position : p1;
+        const glm::vec2 p3 = i + 2 < beads.size() ? beads[i + 2].position : p2;
         for (int k = 0; k < steps; ++k) {
             const float t = static_cast<float>(k) / static_cast<float>(steps);
             const glm::vec2 bend = t * (2.0F * p0 - 5.0F * p1 + 4.0F * p2 - p3 + t * (3.0F * (p1 - p2) + p3 - p0));
@@ -67,12 +67,12 @@ std::vector<Bead> smoothed(std::span<const Bead> beads)
 }
 
 // The height (or depth) of the ridge at the given place.
-float ridge(const glm::vec2& place, std::span<const Bead> beads, float width)
+float ridge(const glm::vec2& position, std::span<const Bead> beads, float width)
 {
     float strongest = 0.0F;
     for (std::size_t i = 0; i + 1 < beads.size(); ++i) {
-        const glm::vec2 along = beads[i + 1].place - beads[i].place;
-        const glm::vec2 from = place - beads[i].place;
+        const glm::vec2 along = beads[i + 1].position - beads[i].position;
+        const glm::vec2 from = position - beads[i].position;
         const float t = std::clamp(glm::dot(from, along) / glm::dot(along, along), 0.0F, 1.0F);
         const float height =
             glm::mix(beads[i].height, beads[i + 1].height, t) * bell(glm::length(from - along * t), width);
@@ -100,9 +100,9 @@ float ear(const glm::vec3& e)
     static const std::vector<Bead> rim = smoothed(helix);
     static const std::vector<Bead> groove = smoothed(furrow);
     static const std::vector<Bead> fold = smoothed(antihelix);
-    const glm::vec2 place(e);
-    d -= outside * (ridge(place, rim, 0.0034F) + ridge(place, groove, 0.0024F));
-    d -= outside * std::max(ridge(place, fold, 0.0030F), ridge(place, lowerLeg, 0.0025F));
+    const glm::vec2 position(e);
+    d -= outside * (ridge(position, rim, 0.0034F) + ridge(position, groove, 0.0024F));
+    d -= outside * std::max(ridge(position, fold, 0.0030F), ridge(position, lowerLeg, 0.0025F));
     d = smoothMin(d, ellipsoid(e, {-0.0132F, -0.0070F, 0.0026F}, {0.0040F, 0.0062F, 0.0042F}), 0.005F);
     // The root that ties the shell to the skull.
     return smoothMin(d, ellipsoid(e, {-0.0035F, -0.0035F, -0.0095F}, {0.0130F, 0.0265F, 0.0105F}), 0.010F);

@@ -139,19 +139,19 @@ Picture shaded(const Mesh& mesh, const View& view, const std::function<glm::vec3
     const glm::vec3 up = glm::cross(toward, right);
     Picture picture(width, height);
     const float scale = static_cast<float>(height) / view.height;
-    std::vector<glm::vec3> places;
+    std::vector<glm::vec3> projected;
     std::vector<glm::vec3> normals;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         const glm::vec3 q = mesh.positions[v] - view.target;
         const float depth = glm::dot(q, toward);
         const float zoom = scale * distance / (distance - depth);
-        places.emplace_back(0.5F * static_cast<float>(width) + glm::dot(q, right) * zoom,
-                            0.5F * static_cast<float>(height) - glm::dot(q, up) * zoom, depth);
+        projected.emplace_back(0.5F * static_cast<float>(width) + glm::dot(q, right) * zoom,
+                               0.5F * static_cast<float>(height) - glm::dot(q, up) * zoom, depth);
         const glm::vec3& n = mesh.normals[v];
         normals.emplace_back(glm::dot(n, right), glm::dot(n, up), glm::dot(n, toward));
     }
     for (const Triangle& t : mesh.triangles) {
-        picture.fill({places[t[0]], places[t[1]], places[t[2]]}, [&](const glm::vec3& w) {
+        picture.fill({projected[t[0]], projected[t[1]], projected[t[2]]}, [&](const glm::vec3& w) {
             const glm::vec3 normal = glm::normalize(w.x * normals[t[0]] + w.y * normals[t[1]] + w.z * normals[t[2]]);
             glm::vec3 colour = w.x * albedo(t[0]) + w.y * albedo(t[1]) + w.z * albedo(t[2]);
             const glm::vec2 uv = w.x * mesh.uvs[t[0]] + w.y * mesh.uvs[t[1]] + w.z * mesh.uvs[t[2]];
@@ -168,11 +168,11 @@ Picture layout(const Mesh& mesh, const std::function<glm::vec3(std::size_t)>& al
 {
     constexpr int size = 1600;
     Picture picture(size, size);
-    const auto place = [&](std::uint32_t v) {
+    const auto project = [&](std::uint32_t v) {
         return glm::vec3(mesh.uvs[v].x, 1.0F - mesh.uvs[v].y, 0.0F) * static_cast<float>(size);
     };
     for (const Triangle& t : mesh.triangles) {
-        picture.fill({place(t[0]), place(t[1]), place(t[2])}, [&](const glm::vec3& w) {
+        picture.fill({project(t[0]), project(t[1]), project(t[2])}, [&](const glm::vec3& w) {
             const glm::vec3 normal =
                 glm::normalize(w.x * mesh.normals[t[0]] + w.y * mesh.normals[t[1]] + w.z * mesh.normals[t[2]]);
             return (w.x * albedo(t[0]) + w.y * albedo(t[1]) + w.z * albedo(t[2])) *

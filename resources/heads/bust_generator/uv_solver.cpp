@@ -235,7 +235,7 @@ std::vector<glm::dvec2> polarUvs(const PolarGrid& grid, const HalfMesh& half)
         radius[static_cast<std::size_t>(i)] = radius[static_cast<std::size_t>(i - 1)] + sum / (grid.columns() + 1);
     }
     std::vector<glm::dvec2> uvs;
-    for (const auto& [ring, column] : half.places) {
+    for (const auto& [ring, column] : half.indices) {
         const double azimuth = std::numbers::pi * column / grid.columns();
         const bool isMiddle = column == 0 || column == grid.columns();
         uvs.push_back(radius[static_cast<std::size_t>(ring)] *

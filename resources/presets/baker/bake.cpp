@@ -17,9 +17,9 @@ std::uint16_t texelValue(float value)
     return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 65535.0F));
 }
 
-sim::Texel valueAt(const Style& style, const model::MapSpec& spec, const Place& place)
+sim::Texel valueAt(const Style& style, const model::MapSpec& spec, const SkinPoint& point)
 {
-    const auto scalar = [&place](const ScalarField& field) { return sim::Texel{texelValue(field(place)), 65535}; };
+    const auto scalar = [&point](const ScalarField& field) { return sim::Texel{texelValue(field(point)), 65535}; };
     switch (spec.kind) {
     case model::MapKind::Density:
         return scalar(style.density);
@@ -32,9 +32,9 @@ sim::Texel valueAt(const Style& style, const model::MapSpec& spec, const Place& 
     case model::MapKind::Gel:
         return scalar(style.gel);
     case model::MapKind::Braid:
-        return {static_cast<std::uint16_t>(style.braid ? style.braid(place) : 0.0F), 65535};
+        return {static_cast<std::uint16_t>(style.braid ? style.braid(point) : 0.0F), 65535};
     case model::MapKind::Colour: {
-        const QColor colour = style.colour(place);
+        const QColor colour = style.colour(point);
         return {texelValue(colour.redF()), texelValue(colour.greenF()), texelValue(colour.blueF()), 65535};
     }
     default:
@@ -44,23 +44,23 @@ sim::Texel valueAt(const Style& style, const model::MapSpec& spec, const Place& 
 
 } // namespace
 
-Places placesOn(const sim::Skin& skin)
+SkinPoints pointsOn(const sim::Skin& skin)
 {
-    Places places(static_cast<std::size_t>(kMapSize) * kMapSize);
+    SkinPoints points(static_cast<std::size_t>(kMapSize) * kMapSize);
     for (int y = 0; y < kMapSize; ++y)
         for (int x = 0; x < kMapSize; ++x) {
             const glm::vec2 uv((static_cast<float>(x) + 0.5F) / kMapSize,
                                1.0F - (static_cast<float>(y) + 0.5F) / kMapSize);
             if (const std::optional<sim::SurfacePoint> point = skin.atUv(uv))
-                places[static_cast<std::size_t>(y) * kMapSize + static_cast<std::size_t>(x)] =
-                    Place{.positionHd = point->positionHd,
-                          .normalHd = point->normalHd,
-                          .scalpM = heads::scalpDistance(point->positionHd)};
+                points[static_cast<std::size_t>(y) * kMapSize + static_cast<std::size_t>(x)] =
+                    SkinPoint{.positionHd = point->positionHd,
+                              .normalHd = point->normalHd,
+                              .scalpM = heads::scalpDistance(point->positionHd)};
         }
-    return places;
+    return points;
 }
 
-model::Preset bake(const Style& style, const Places& places)
+model::Preset bake(const Style& style, const SkinPoints& points)
 {
     model::Project project = model::newProject();
     model::HairGroup& group = project.groups.front();
@@ -72,8 +72,8 @@ model::Preset bake(const Style& style, const Places& places)
         sim::TiledRaster& raster = stack.layers.front().raster;
         for (int y = 0; y < kMapSize; ++y)
             for (int x = 0; x < kMapSize; ++x)
-                if (const auto& place = places[static_cast<std::size_t>(y) * kMapSize + static_cast<std::size_t>(x)])
-                    raster.setTexel(x, y, valueAt(style, spec, *place));
+                if (const auto& point = points[static_cast<std::size_t>(y) * kMapSize + static_cast<std::size_t>(x)])
+                    raster.setTexel(x, y, valueAt(style, spec, *point));
         for (int tile = 0; tile < raster.tileCount(); ++tile)
             raster.compact(tile);
     }

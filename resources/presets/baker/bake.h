@@ -11,9 +11,9 @@
 namespace hairpaint::presets {
 
 /// Every place that a texel of a map shows, so that it is looked up once for all maps; none beside the skin.
-using Places = std::vector<std::optional<Place>>;
-[[nodiscard]] Places placesOn(const sim::Skin& skin);
+using SkinPoints = std::vector<std::optional<SkinPoint>>;
+[[nodiscard]] SkinPoints pointsOn(const sim::Skin& skin);
 
-[[nodiscard]] model::Preset bake(const Style& style, const Places& places); ///< Without its picture.
+[[nodiscard]] model::Preset bake(const Style& style, const SkinPoints& points); ///< Without its picture.
 
 } // namespace hairpaint::presets

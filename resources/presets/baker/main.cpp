@@ -24,10 +24,10 @@ int run(const QString& folder)
         std::fprintf(stderr, "%s\n", qPrintable(maker.error().message));
         return 1;
     }
-    const Places places = placesOn(*model::builtInHead()->skin);
+    const SkinPoints points = pointsOn(*model::builtInHead()->skin);
     QByteArray order;
     for (const Style& style : builtInStyles()) {
-        model::Preset preset = bake(style, places);
+        model::Preset preset = bake(style, points);
         preset.picture = app::stylePicture(preset, **maker);
         const QString path = folder + QLatin1Char('/') + QLatin1StringView(style.id) + QStringLiteral(".hairpreset");
         if (const model::Result<void> saved = model::savePreset(preset, path); !saved) {

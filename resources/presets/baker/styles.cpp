@@ -17,26 +17,26 @@ float smooth(float from, float to, float x)
 /// Thin at the hairline, as hair grows, and full within `rampM`.
 ScalarField scalp(float value, float rampM = 0.006F)
 {
-    return [=](const Place& place) { return value * smooth(-0.001F, rampM, place.scalpM); };
+    return [=](const SkinPoint& point) { return value * smooth(-0.001F, rampM, point.scalpM); };
 }
 
 ScalarField constant(float value)
 {
-    return [=](const Place&) { return value; };
+    return [=](const SkinPoint&) { return value; };
 }
 
 ColourField plain(const QColor& colour)
 {
-    return [=](const Place&) { return colour; };
+    return [=](const SkinPoint&) { return colour; };
 }
 
 /// Lengths (of a greatest `greatestM`) under which hair that falls over the head ends at height `endY`: the way down
 /// from the root, and the way over the crown for hair that grows on top.
 ScalarField endingAt(float endY, float greatestM, float shortestM)
 {
-    return [=](const Place& place) {
-        const float down = place.positionHd.y - endY;
-        const float over = 0.045F * smooth(0.3F, 1.0F, place.normalHd.y);
+    return [=](const SkinPoint& point) {
+        const float down = point.positionHd.y - endY;
+        const float over = 0.045F * smooth(0.3F, 1.0F, point.normalHd.y);
         return std::clamp((std::max(down, shortestM) + over) / greatestM, 0.0F, 1.0F);
     };
 }
@@ -86,8 +86,8 @@ Style bob()
                 .braid = {},
                 .colour = plain(QColor(0x1E, 0x19, 0x1B))};
     // Shaved below, as in an undercut: hair from lower roots that ended at the line would be short enough to stand off.
-    style.density = [](const Place& place) {
-        return 0.9F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.008F, 0.014F, place.positionHd.y);
+    style.density = [](const SkinPoint& point) {
+        return 0.9F * smooth(-0.001F, 0.006F, point.scalpM) * smooth(0.008F, 0.014F, point.positionHd.y);
     };
     style.settings.nodesPerHair = 10;
     style.settings.material.shine = 0.75F;
@@ -129,13 +129,13 @@ Style afro()
                 .braid = {},
                 .colour = plain(QColor(0x24, 0x17, 0x12))};
     // Cut to a ball around the head's middle, which lets the face free.
-    style.length = [](const Place& place) {
-        const glm::vec3 fromMiddle = place.positionHd - glm::vec3(0.0F, 0.045F, -0.030F);
-        const float along = glm::dot(fromMiddle, place.normalHd);
+    style.length = [](const SkinPoint& point) {
+        const glm::vec3 fromMiddle = point.positionHd - glm::vec3(0.0F, 0.045F, -0.030F);
+        const float along = glm::dot(fromMiddle, point.normalHd);
         const float radiusM = 0.166F;
         const float inside = radiusM * radiusM - glm::dot(fromMiddle, fromMiddle) + along * along;
         const float lengthM = std::clamp(std::sqrt(std::max(inside, 0.0F)) - along, 0.012F, 0.1F);
-        const float edge = 0.25F + 0.75F * smooth(0.0F, 0.045F, place.scalpM);
+        const float edge = 0.25F + 0.75F * smooth(0.0F, 0.045F, point.scalpM);
         return lengthM * edge / 0.12F;
     };
     style.settings.greatestCurlRadiusM = 0.012F;
@@ -158,11 +158,11 @@ Style twoPlaits()
                 .braid = {},
                 .colour = plain(QColor(0x6A, 0x4C, 0x2E))};
     // The parting stays free, so that each side is a region of its own.
-    style.braid = [](const Place& place) {
-        return std::abs(place.positionHd.x) > 0.005F && place.scalpM > -0.005F ? 1.0F : 0.0F;
+    style.braid = [](const SkinPoint& point) {
+        return std::abs(point.positionHd.x) > 0.005F && point.scalpM > -0.005F ? 1.0F : 0.0F;
     };
-    style.density = [](const Place& place) {
-        return 0.7F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.0058F, 0.0068F, std::abs(place.positionHd.x));
+    style.density = [](const SkinPoint& point) {
+        return 0.7F * smooth(-0.001F, 0.006F, point.scalpM) * smooth(0.0058F, 0.0068F, std::abs(point.positionHd.x));
     };
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.011F;
@@ -183,18 +183,20 @@ Style mohawk()
                 .gel = constant(1.0F),
                 .braid = {},
                 .colour = {}};
-    const auto crest = [](const Place& place) { return 1.0F - smooth(0.015F, 0.020F, std::abs(place.positionHd.x)); };
-    style.length = [crest](const Place& place) {
-        const float high = 0.115F * (0.55F + 0.45F * smooth(-0.06F, 0.06F, place.positionHd.y));
+    const auto crest = [](const SkinPoint& point) {
+        return 1.0F - smooth(0.015F, 0.020F, std::abs(point.positionHd.x));
+    };
+    style.length = [crest](const SkinPoint& point) {
+        const float high = 0.115F * (0.55F + 0.45F * smooth(-0.06F, 0.06F, point.positionHd.y));
         const float shaved = 0.003F;
-        return (shaved + (high - shaved) * crest(place)) / 0.15F;
+        return (shaved + (high - shaved) * crest(point)) / 0.15F;
     };
-    style.density = [crest](const Place& place) {
-        return smooth(-0.001F, 0.005F, place.scalpM) * (0.55F + 0.4F * crest(place));
+    style.density = [crest](const SkinPoint& point) {
+        return smooth(-0.001F, 0.005F, point.scalpM) * (0.55F + 0.4F * crest(point));
     };
-    style.clump = [crest](const Place& place) { return 0.85F * crest(place); };
-    style.colour = [crest](const Place& place) {
-        return crest(place) > 0.5F ? QColor(0x18, 0x6E, 0x66) : QColor(0x2A, 0x22, 0x1E);
+    style.clump = [crest](const SkinPoint& point) { return 0.85F * crest(point); };
+    style.colour = [crest](const SkinPoint& point) {
+        return crest(point) > 0.5F ? QColor(0x18, 0x6E, 0x66) : QColor(0x2A, 0x22, 0x1E);
     };
     style.settings.material.tipAlpha = 0.8F;
     return style;
@@ -214,11 +216,11 @@ Style splitDye()
                 .braid = {},
                 .colour = {}};
     // A clean parting, so that neither colour strays into the other.
-    style.density = [](const Place& place) {
-        return 0.85F * smooth(-0.001F, 0.006F, place.scalpM) * smooth(0.0018F, 0.0035F, std::abs(place.positionHd.x));
+    style.density = [](const SkinPoint& point) {
+        return 0.85F * smooth(-0.001F, 0.006F, point.scalpM) * smooth(0.0018F, 0.0035F, std::abs(point.positionHd.x));
     };
-    style.colour = [](const Place& place) {
-        return place.positionHd.x > 0.0F ? QColor(0xA0, 0x24, 0x5C) : QColor(0x22, 0x1C, 0x22);
+    style.colour = [](const SkinPoint& point) {
+        return point.positionHd.x > 0.0F ? QColor(0xA0, 0x24, 0x5C) : QColor(0x22, 0x1C, 0x22);
     };
     style.settings.greatestCurlRadiusM = 0.018F;
     style.settings.nodesPerHair = 10;
@@ -240,7 +242,9 @@ Style buzzCut()
                 .braid = {},
                 .colour = plain(QColor(0x3A, 0x2B, 0x22))};
     // Faded toward the hairline, as clippers leave it.
-    style.length = [](const Place& place) { return (0.003F + 0.006F * smooth(0.0F, 0.045F, place.scalpM)) / 0.03F; };
+    style.length = [](const SkinPoint& point) {
+        return (0.003F + 0.006F * smooth(0.0F, 0.045F, point.scalpM)) / 0.03F;
+    };
     style.settings.nodesPerHair = 4;
     style.settings.material.widthM = 100e-6F; // Stubble is thick against its length.
     style.settings.material.tipAlpha = 0.6F;

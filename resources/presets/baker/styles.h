@@ -15,15 +15,15 @@
 namespace hairpaint::presets {
 
 /// A place on the skin as styles see it. Hd, m.
-struct Place
+struct SkinPoint
 {
     glm::vec3 positionHd;
     glm::vec3 normalHd;
     float scalpM; ///< Distance inside the natural hairline; negative outside.
 };
 
-using ScalarField = std::function<float(const Place&)>; ///< 0..1
-using ColourField = std::function<QColor(const Place&)>;
+using ScalarField = std::function<float(const SkinPoint&)>; ///< 0..1
+using ColourField = std::function<QColor(const SkinPoint&)>;
 
 struct Style
 {

@@ -1,5 +1,5 @@
 // Sends one group's hair to the GPU.
-#include "view/rendering/hair_group.h"
+#include "view/rendering/hair_buffers.h"
 
 #include "sim/groom/strand_curve.h"
 
@@ -10,8 +10,8 @@ constexpr glm::vec3 kNoTangent{1.0F, 0.0F, 0.0F};
 
 } // namespace
 
-std::size_t HairGroup::upload(const std::shared_ptr<const sim::StrandFrame>& frame, const sim::GroupFrame& group,
-                              float detail, int smoothSegments)
+std::size_t HairBuffers::upload(const std::shared_ptr<const sim::StrandFrame>& frame, const sim::GroupFrame& group,
+                                float detail, int smoothSegments)
 {
     std::size_t bytes = 0;
     if (m_list.update(group.groom, detail, smoothSegments)) {
@@ -27,31 +27,31 @@ std::size_t HairGroup::upload(const std::shared_ptr<const sim::StrandFrame>& fra
     return bytes + uploadPositions(frame, group);
 }
 
-void HairGroup::release()
+void HairBuffers::release()
 {
     if (m_groom)
-        *this = HairGroup();
+        *this = HairBuffers();
 }
 
-std::size_t HairGroup::uploadStyles()
+std::size_t HairBuffers::uploadStyles()
 {
     constexpr std::size_t chunkBytes = sim::kChunkSlots * sizeof(PackedStyle);
-    const auto places = static_cast<std::size_t>(m_groom->placedChunks);
-    if (places * chunkBytes > m_styles.capacity() || m_roots != m_groom->roots)
+    const auto packedChunks = static_cast<std::size_t>(m_groom->packedChunks);
+    if (packedChunks * chunkBytes > m_styles.capacity() || m_roots != m_groom->roots)
         m_uploaded.clear();
     m_roots = m_groom->roots;
-    m_styles.reserve(places * chunkBytes);
-    m_uploaded.resize(std::max(places, m_uploaded.size()));
+    m_styles.reserve(packedChunks * chunkBytes);
+    m_uploaded.resize(std::max(packedChunks, m_uploaded.size()));
     std::size_t bytes = 0;
     std::vector<PackedStyle> styles(sim::kChunkSlots);
     for (std::size_t c = 0; c < m_groom->chunks.size(); ++c) {
         const auto& chunk = m_groom->chunks[c];
-        if (!chunk || m_groom->chunkPlace[c] < 0)
+        if (!chunk || m_groom->packedChunk[c] < 0)
             continue;
-        const auto place = static_cast<std::size_t>(m_groom->chunkPlace[c]);
-        if (m_uploaded[place] == chunk)
+        const auto index = static_cast<std::size_t>(m_groom->packedChunk[c]);
+        if (m_uploaded[index] == chunk)
             continue;
-        m_uploaded[place] = chunk;
+        m_uploaded[index] = chunk;
         for (std::size_t local = 0; local < styles.size(); ++local) {
             // Past the last root there is no hair.
             const std::size_t slot = c * sim::kChunkSlots + local;
@@ -60,14 +60,14 @@ std::size_t HairGroup::uploadStyles()
                 packed(chunk->styles[local],
                        isRoot ? sim::frameTangentHd(*m_groom, static_cast<std::uint32_t>(slot)) : kNoTangent);
         }
-        m_styles.write(place * chunkBytes, styles.data(), chunkBytes);
+        m_styles.write(index * chunkBytes, styles.data(), chunkBytes);
         bytes += chunkBytes;
     }
     return bytes;
 }
 
-std::size_t HairGroup::uploadPositions(const std::shared_ptr<const sim::StrandFrame>& frame,
-                                       const sim::GroupFrame& group)
+std::size_t HairBuffers::uploadPositions(const std::shared_ptr<const sim::StrandFrame>& frame,
+                                         const sim::GroupFrame& group)
 {
     if (m_shown.get() == &group.positions)
         return 0;
@@ -79,7 +79,7 @@ std::size_t HairGroup::uploadPositions(const std::shared_ptr<const sim::StrandFr
     return bytes;
 }
 
-void HairGroup::bind() const
+void HairBuffers::bind() const
 {
     m_strands.bindStorage(0);
     m_styles.bindStorage(1);

@@ -1,5 +1,5 @@
 // Of the hairs that are there, an even share can be kept: exact in number, alike everywhere, smaller shares in larger.
-#include "sim/groom/even_share.h"
+#include "sim/groom/even_subset.h"
 #include "tests/support/test_grooms.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
@@ -23,7 +23,7 @@ Grooms twoGroups()
     GroomInput input;
     input.skin = std::make_shared<const Skin>(makePatchHead(16, 0.2F));
     for (int id = 1; id <= 3; ++id) {
-        GroupInput group = uniformGroup();
+        GroomInput::Group group = uniformGroup();
         group.id = id;
         group.settings.greatestDensityPerM2 = 5e5F;
         group.settings.basisHairs = 256;
@@ -54,7 +54,7 @@ std::set<std::pair<int, std::size_t>> drawn(const Grooms& grooms)
 
 } // namespace
 
-class TestEvenShare : public QObject
+class TestEvenSubset : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
@@ -64,7 +64,7 @@ private Q_SLOTS:
         auto larger = drawn(all);
         QVERIFY(larger.size() > 20'000);
         for (const std::size_t count : {std::size_t{20'000}, std::size_t{9'999}, std::size_t{1'000}, std::size_t{1}}) {
-            const auto kept = drawn(evenShare(all, count));
+            const auto kept = drawn(evenSubset(all, count));
             QCOMPARE(kept.size(), count);
             QVERIFY(std::ranges::includes(larger, kept));
             larger = kept;
@@ -74,7 +74,7 @@ private Q_SLOTS:
     void everywhereTheSameShareIsKept()
     {
         const Grooms all = twoGroups();
-        const Grooms kept = evenShare(all, drawn(all).size() / 4);
+        const Grooms kept = evenSubset(all, drawn(all).size() / 4);
         const auto inHalf = [](const Groom& groom, bool left) {
             std::size_t count = 0;
             for (std::size_t slot = 0; slot < groom.roots->count(); ++slot)
@@ -85,8 +85,8 @@ private Q_SLOTS:
         };
         for (const std::size_t group : {std::size_t{0}, std::size_t{2}})
             for (const bool left : {true, false}) {
-                const double share = inHalf(*kept[group], left) / inHalf(*all[group], left);
-                QVERIFY2(std::abs(share - 0.25) < 0.01, qPrintable(QString::number(share)));
+                const double fraction = inHalf(*kept[group], left) / inHalf(*all[group], left);
+                QVERIFY2(std::abs(fraction - 0.25) < 0.01, qPrintable(QString::number(fraction)));
             }
         QCOMPARE(inHalf(*kept[1], true), inHalf(*all[1], true)); // Hidden hair is nobody's share.
     }
@@ -94,10 +94,10 @@ private Q_SLOTS:
     void allAreKeptWhereThereAreNoMore()
     {
         const Grooms all = twoGroups();
-        QVERIFY(evenShare(all, drawn(all).size()) == all);
-        QVERIFY(evenShare({}, 5).empty());
+        QVERIFY(evenSubset(all, drawn(all).size()) == all);
+        QVERIFY(evenSubset({}, 5).empty());
     }
 };
 
-HAIRPAINT_TEST(TestEvenShare, None)
-#include "test_even_share.moc"
+HAIRPAINT_TEST(TestEvenSubset, None)
+#include "test_even_subset.moc"

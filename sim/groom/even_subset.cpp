@@ -1,5 +1,5 @@
 // Finds the detail that keeps the right number, and copies the chunks that lose hairs.
-#include "sim/groom/even_share.h"
+#include "sim/groom/even_subset.h"
 
 #include <algorithm>
 #include <tuple>
@@ -34,8 +34,8 @@ void forEachDrawn(const Groom& groom, const Visit& visit)
 
 } // namespace
 
-std::vector<std::shared_ptr<const Groom>> evenShare(const std::vector<std::shared_ptr<const Groom>>& grooms,
-                                                    std::size_t count)
+std::vector<std::shared_ptr<const Groom>> evenSubset(const std::vector<std::shared_ptr<const Groom>>& grooms,
+                                                     std::size_t count)
 {
     const auto candidateAt = [&](std::uint32_t group, std::uint32_t slot) {
         const Groom& groom = *grooms[group];

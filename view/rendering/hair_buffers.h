@@ -12,7 +12,7 @@ namespace hairpaint::rendering {
 
 /// The frame is the canonical side; only what differs from the upload before is sent: styles by chunk, skeletons and
 /// the list of strands by blocks. A list shifts where hairs appear or go, and is sent anew from there on.
-class HairGroup
+class HairBuffers
 {
 public:
     /// Brings the GPU's copy up to date; returns the bytes sent. `group` lives inside `frame`.
@@ -32,7 +32,7 @@ private:
     std::shared_ptr<const sim::Groom> m_groom;
     std::shared_ptr<const std::vector<float>> m_shown;               ///< The positions uploaded; keeps their frame.
     std::vector<DrawnStrand> m_sent;                                 ///< The list uploaded.
-    std::vector<std::shared_ptr<const sim::StrandChunk>> m_uploaded; ///< By place.
+    std::vector<std::shared_ptr<const sim::StrandChunk>> m_uploaded; ///< By the chunk's packed index.
     std::shared_ptr<const sim::RootSet> m_roots;
     HairList m_list;
     Buffer m_strands;
