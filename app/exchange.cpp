@@ -1,7 +1,7 @@
 // Import and export: see the header.
 #include "app/exchange.h"
 
-#include "app/heads.h"
+#include "app/background/heads.h"
 #include "app/library.h"
 #include "app/picture.h"
 #include "app/save_dialog.h"

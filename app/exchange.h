@@ -1,7 +1,7 @@
 // What comes in from other programs and goes out to them: images, heads, hair, pictures, styles.
 #pragma once
 
-#include "app/jobs.h"
+#include "app/background/jobs.h"
 #include "app/session.h"
 #include "app/settings.h"
 #include "view/rendering/scene.h"

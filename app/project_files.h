@@ -1,7 +1,7 @@
 // The open project's file: new, open, save, and the question before anything is lost.
 #pragma once
 
-#include "app/jobs.h"
+#include "app/background/jobs.h"
 #include "app/session.h"
 #include "app/settings.h"
 #include "model/files/project_file.h"

@@ -1,7 +1,7 @@
 // Pictures of styles that have none, drawn in the background and kept in a cache of the program's own.
 #pragma once
 
-#include "app/jobs.h"
+#include "app/background/jobs.h"
 #include "model/preset.h"
 #include "sim/motion/strand_frame.h"
 

@@ -834,7 +834,7 @@
     </message>
     <message>
         <source>Hairs on the whole scalp that are simulated; the others follow them</source>
-        <translation>Cabellos de todo el cuero cabelludo que se simulan; los demás los siguen</translation>
+        <translation>Pelos de todo el cuero cabelludo que se simulan; los demás los siguen</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,6 @@
 // `hairpaint new`: a project from a head, a preset and images.
 #include "app/cli/command.h"
-#include "app/heads.h"
+#include "app/background/heads.h"
 #include "app/library.h"
 #include "model/commands/commands.h"
 #include "model/files/image_map.h"

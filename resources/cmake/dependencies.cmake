@@ -18,22 +18,21 @@ if(NOT TARGET nanoflann::nanoflann)
     add_library(nanoflann::nanoflann ALIAS PkgConfig::NANOFLANN)
 endif()
 
-find_package(Qt6 6.4 REQUIRED COMPONENTS Core Test)
+find_package(ZLIB REQUIRED)
+# pkg-config first: Debian's CMake package names tools that live in other packages, and stops without them.
+pkg_check_modules(LIBZIP QUIET IMPORTED_TARGET libzip)
+if(LIBZIP_FOUND)
+    add_library(libzip::zip ALIAS PkgConfig::LIBZIP)
+else()
+    find_package(libzip CONFIG REQUIRED)
+endif()
+
+find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Test)
 qt_standard_project_setup()
 
-if(NOT HAIRPAINT_SIM_ONLY)
-    find_package(Qt6 6.4 REQUIRED COMPONENTS Gui Widgets OpenGL OpenGLWidgets Svg LinguistTools)
-    find_package(ZLIB REQUIRED)
+if(NOT HAIRPAINT_THREADS_ONLY)
+    find_package(Qt6 6.4 REQUIRED COMPONENTS OpenGL OpenGLWidgets Svg LinguistTools)
     pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
-
-    # pkg-config first: Debian's CMake package names tools that live in other packages, and stops without them.
-    pkg_check_modules(LIBZIP QUIET IMPORTED_TARGET libzip)
-    if(LIBZIP_FOUND)
-        add_library(libzip::zip ALIAS PkgConfig::LIBZIP)
-    else()
-        find_package(libzip CONFIG REQUIRED)
-    endif()
-
     find_package(assimp REQUIRED)
     find_package(OpenImageIO REQUIRED)
     # Debian's target lists an include folder of OpenCV that is not installed.

@@ -16,6 +16,7 @@ constexpr std::uint64_t kChanceKey = 0x6368616E6365U; ///< Apart from the keys o
 
 std::uint32_t byteOf(float value)
 {
+    // Not negative, so that the cast rounds down. NOLINTNEXTLINE(bugprone-incorrect-roundings)
     return static_cast<std::uint32_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F);
 }
 

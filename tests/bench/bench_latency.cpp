@@ -1,8 +1,8 @@
 // gui_latency/groom: how long an event of the window waits while 100,000 hairs are groomed again and again;
 // gui_latency/head_import: while a head of 130,000 triangles is prepared. Counters: the median, the 99th percentile and
 // the longest wait, in ms. Nobody draws: the window's views are not shown.
-#include "app/heads.h"
-#include "app/jobs.h"
+#include "app/background/heads.h"
+#include "app/background/jobs.h"
 #include "app/library.h"
 #include "app/session.h"
 #include "model/commands/commands.h"

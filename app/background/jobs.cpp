@@ -1,5 +1,5 @@
 // Threads, the progress window, and input while it waits.
-#include "app/jobs.h"
+#include "app/background/jobs.h"
 
 #include <QApplication>
 #include <QDialog>
@@ -9,10 +9,11 @@
 #include <QMouseEvent>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSemaphore>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <QWindow>
+
+#include <atomic>
 
 namespace hairpaint::app {
 
@@ -160,43 +161,34 @@ bool watch(const QString& doing, QWidget& window, QEventLoop& loop, const Look& 
 
 } // namespace
 
-Jobs::Jobs(QWidget& window) : QObject(&window), m_window(window)
-{
-    m_watched.setMaxThreadCount(1);
-    m_unwatched.setMaxThreadCount(2);
-}
+Jobs::Jobs(QWidget& window) : QObject(&window), m_window(window) {}
 
 Jobs::~Jobs()
 {
-    m_stop = true;
-    m_unwatched.clear();
-    m_unwatched.waitForDone();
+    for (std::jthread& thread : m_threads)
+        thread.request_stop();
+    m_threads.clear(); // Waits for each.
 }
 
 bool Jobs::runWatched(const QString& doing, const std::function<void(const model::Progress&)>& work)
 {
     std::atomic<double> fraction = 0.0;
-    std::atomic<bool> stop = false;
-    QSemaphore ended;
     QEventLoop loop;
-    m_watched.start([&] {
+    std::jthread thread([&](const std::stop_token& stop) {
         const sim::ArenaScope arena(sim::Arena::Background);
         work([&](double done) {
             fraction = done;
-            return !stop;
+            return !stop.stop_requested();
         });
-        QMetaObject::invokeMethod(&loop, &QEventLoop::quit, Qt::QueuedConnection);
-        ended.release();
+        QMetaObject::invokeMethod(&loop, "quit", Qt::QueuedConnection); // It may not have begun yet.
     });
     const bool cancelled = watch(doing, m_window, loop, [&](ProgressWindow& progress) {
         progress.showFraction(fraction);
         if (progress.cancelled())
-            stop = true;
+            thread.request_stop();
     });
-    if (!ended.tryAcquire()) { // The program ends.
-        stop = true;
-        ended.acquire();
-    }
+    thread.request_stop(); // Where the program ends, the work has not.
+    thread.join();
     return cancelled;
 }
 
@@ -212,12 +204,44 @@ bool Jobs::awaitUntil(const QString& doing, const std::function<bool()>& ready)
     return ready();
 }
 
-void Jobs::runUnwatched(std::function<void()> work)
+void Jobs::runUnwatched(Unwatched work)
 {
-    m_unwatched.start([work = std::move(work)] {
-        const sim::ArenaScope arena(sim::Arena::Background);
-        work();
-    });
+    constexpr std::size_t kMostThreads = 2;
+    const std::lock_guard lock(m_mutex);
+    m_unwatched.push_back(std::move(work));
+    if (m_threads.size() < kMostThreads)
+        m_threads.emplace_back([this](const std::stop_token& stop) { workUnwatched(stop); });
+    m_wanted.notify_one();
+}
+
+void Jobs::workUnwatched(const std::stop_token& stop)
+{
+    const sim::ArenaScope arena(sim::Arena::Background);
+    for (;;) {
+        Unwatched work;
+        {
+            std::unique_lock lock(m_mutex);
+            if (!m_wanted.wait(lock, stop, [this] { return !m_unwatched.empty(); }) || stop.stop_requested())
+                return;
+            work = std::move(m_unwatched.front());
+            m_unwatched.pop_front();
+        }
+        std::function<void()> told = work([&stop](double) { return !stop.stop_requested(); });
+        const std::lock_guard lock(m_mutex);
+        m_told.push_back(std::move(told));
+        QCoreApplication::postEvent(this, new QEvent(QEvent::User));
+    }
+}
+
+void Jobs::customEvent(QEvent* /*event*/)
+{
+    std::vector<std::function<void()>> told;
+    {
+        const std::lock_guard lock(m_mutex);
+        told.swap(m_told);
+    }
+    for (const auto& tell : told)
+        tell();
 }
 
 } // namespace hairpaint::app

@@ -7,11 +7,14 @@
 
 #include <QObject>
 #include <QPointer>
-#include <QThreadPool>
 
-#include <atomic>
+#include <condition_variable>
+#include <deque>
 #include <functional>
+#include <mutex>
 #include <optional>
+#include <thread>
+#include <vector>
 
 class QWidget;
 
@@ -44,14 +47,23 @@ public:
     template<typename T>
     void start(const QString& doing, Work<T> work, QObject* receiver, std::function<void(model::Result<T>)> done);
 
+protected:
+    void customEvent(QEvent* event) override; ///< Something is done that nobody waited for.
+
 private:
+    /// Makes what is told of the work, on the GUI thread.
+    using Unwatched = std::function<std::function<void()>(const model::Progress&)>;
+
     bool runWatched(const QString& doing, const std::function<void(const model::Progress&)>& work);
-    void runUnwatched(std::function<void()> work);
+    void runUnwatched(Unwatched work);
+    void workUnwatched(const std::stop_token& stop);
 
     QWidget& m_window;
-    std::atomic<bool> m_stop = false;
-    QThreadPool m_watched;
-    QThreadPool m_unwatched;
+    std::mutex m_mutex; ///< Of the three that follow.
+    std::condition_variable_any m_wanted;
+    std::deque<Unwatched> m_unwatched;
+    std::vector<std::function<void()>> m_told;
+    std::vector<std::jthread> m_threads;
 };
 
 template<typename T>
@@ -70,16 +82,13 @@ std::optional<model::Result<T>> Jobs::await(const QString& doing, const Work<T>&
 template<typename T>
 void Jobs::start(const QString& doing, Work<T> work, QObject* receiver, std::function<void(model::Result<T>)> done)
 {
-    runUnwatched([this, doing, work = std::move(work), receiver = QPointer<QObject>(receiver), done = std::move(done)] {
-        auto result = std::make_shared<model::Result<T>>(
-            model::guarded(doing, [&] { return work([this](double) { return !m_stop; }); }));
-        QMetaObject::invokeMethod(
-            this,
-            [receiver, done, result] {
-                if (receiver)
-                    done(std::move(*result));
-            },
-            Qt::QueuedConnection);
+    runUnwatched([doing, work = std::move(work), receiver = QPointer<QObject>(receiver),
+                  done = std::move(done)](const model::Progress& progress) -> std::function<void()> {
+        auto result = std::make_shared<model::Result<T>>(model::guarded(doing, [&] { return work(progress); }));
+        return [receiver, done, result] {
+            if (receiver)
+                done(std::move(*result));
+        };
     });
 }
 

@@ -1,5 +1,5 @@
 // Heads from foreign meshes: see the header.
-#include "app/heads.h"
+#include "app/background/heads.h"
 
 #include "model/files/sentences.h"
 

@@ -1,0 +1,111 @@
+// The document is edited while its hair is made and older states of it are saved: each sees its own snapshot whole.
+#include "app/background/jobs.h"
+#include "model/commands/commands.h"
+#include "model/document.h"
+#include "model/files/project_file.h"
+#include "sim/motion/simulation_worker.h"
+#include "tests/support/test_program.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+namespace hairpaint::app {
+
+namespace {
+
+constexpr int kPatienceMs = 300'000;
+constexpr int kMapSize = 256;
+
+model::Project smallProject()
+{
+    model::Project project = model::newProject();
+    project.groups.clear();
+    project.groups.push_back(model::makeGroup(project, QStringLiteral("Scalp"), kMapSize));
+    project.groups.front().settings.greatestDensityPerM2 = 2e4F;
+    project.groups.front().settings.basisHairs = 256;
+    return project;
+}
+
+model::LayerAddress densityLayer(const model::Document& document)
+{
+    const model::HairGroup& group = document.committed().groups.front();
+    return {group.id, model::MapKind::Density, group.map(model::MapKind::Density).layers.front().id};
+}
+
+/// One tile of the density map all of `value`.
+std::pair<int, sim::RasterTilePtr> painted(const model::Document& document, int index, std::uint16_t value)
+{
+    const model::LayerAddress at = densityLayer(document);
+    sim::TiledRaster raster = document.committed().layer(at.group, at.map, at.layer)->raster;
+    raster.setUniform(index, {value, 65535});
+    return {index, raster.tile(index)};
+}
+
+} // namespace
+
+class TestSnapshots : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void whatIsSavedAndGroomedIsTheStateThatWasHandedOver()
+    {
+        constexpr int kRounds = 12;
+        QTemporaryDir folder;
+        QWidget window;
+        Jobs jobs(window);
+        model::Document document(smallProject());
+        std::atomic<int> woken = 0;
+        sim::SimulationWorker worker([&woken] { ++woken; });
+        std::vector<model::Project> handedOver;
+        int saved = 0;
+        std::uint64_t sent = 0;
+        for (int round = 0; round < kRounds; ++round) {
+            const model::LayerAddress at = densityLayer(document);
+            const int tile = round % document.committed().layer(at.group, at.map, at.layer)->raster.tileCount();
+            document.push(paintCommand(document, at,
+                                       {painted(document, tile, static_cast<std::uint16_t>(60'000 + round))},
+                                       QStringLiteral("Brush")));
+            if (round % 3 == 2)
+                document.undo();
+            sim::GroomInput input = document.groomInput();
+            sent = input.revision;
+            worker.setInput(std::move(input));
+            handedOver.push_back(document.committed());
+            const QString path = folder.filePath(QStringLiteral("%1.hairpaint").arg(round));
+            jobs.start<void>(
+                QStringLiteral("Writing %1").arg(path),
+                [project = handedOver.back(), path](const model::Progress& progress) {
+                    return model::saveProject(project, path, {}, nullptr, progress);
+                },
+                this,
+                [&saved](const model::Result<void>& result) {
+                    QVERIFY(result);
+                    ++saved;
+                });
+            // The resolved maps are looked at here while the worker reads them.
+            QVERIFY(document.resolved(at.group, at.map)->texel(0, 0)[0] >= 60'000);
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(saved, kRounds, kPatienceMs);
+        for (int round = 0; round < kRounds; ++round) {
+            const model::Result<model::Project> read =
+                model::loadProject(folder.filePath(QStringLiteral("%1.hairpaint").arg(round)));
+            QVERIFY(read);
+            QVERIFY(read->groups == handedOver[static_cast<std::size_t>(round)].groups);
+        }
+        // The last state that was handed over gets its hair.
+        std::shared_ptr<const sim::StrandFrame> frame;
+        const auto hasNewest = [&] {
+            if (auto next = worker.takeFrame())
+                frame = std::move(next);
+            return frame && frame->revision == sent;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(hasNewest(), kPatienceMs);
+        QVERIFY(frame->hairCount > 0);
+        QVERIFY(woken > 0);
+    }
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestSnapshots, Widgets)
+#include "test_snapshots.moc"
