@@ -49,6 +49,13 @@
     </message>
 </context>
 <context>
+    <name>BrushDrag</name>
+    <message>
+        <source>Size %1 cm, hardness %2 %, opacity %3 %</source>
+        <translation>Tamaño %1 cm, dureza %2 %, opacidad %3 %</translation>
+    </message>
+</context>
+<context>
     <name>Clipboard</name>
     <message>
         <source>Paste into %1</source>
@@ -1323,13 +1330,6 @@
     <message>
         <source>Drawing the picture was cancelled.</source>
         <translation>Se canceló el dibujo de la imagen.</translation>
-    </message>
-</context>
-<context>
-    <name>Pointer</name>
-    <message>
-        <source>Size %1 cm, hardness %2 %, opacity %3 %</source>
-        <translation>Tamaño %1 cm, dureza %2 %, opacidad %3 %</translation>
     </message>
 </context>
 <context>

@@ -62,7 +62,6 @@ void HeadView::pointerPressed(const PointerSample& sample)
     state.puffs.interrupt();
     state.pressed = sample;
     state.cameraBefore = state.scene.camera;
-    state.settingsBefore = state.editor.toolSettings();
     const bool left = sample.button == Qt::LeftButton;
     const bool shift = sample.modifiers.testFlag(Qt::ShiftModifier);
     const bool alt = sample.modifiers.testFlag(Qt::AltModifier);
@@ -71,7 +70,7 @@ void HeadView::pointerPressed(const PointerSample& sample)
     } else if (sample.button == Qt::RightButton && shift) {
         state.drag = State::Drag::Light;
         state.lightBefore = state.light = state.editor.document().project().light;
-    } else if (sample.button == Qt::RightButton && sample.modifiers.testFlag(Qt::ControlModifier)) {
+    } else if (state.brushDrag.press(sample, state.keys)) {
         state.drag = State::Drag::Brush;
     } else if (sample.button == Qt::RightButton) {
         state.drag = State::Drag::Orbit;
@@ -79,8 +78,6 @@ void HeadView::pointerPressed(const PointerSample& sample)
         state.drag = State::Drag::Turn;
         state.turningBack.stop();
         state.poseBefore = state.pose;
-    } else if (left && state.keys.holds(Qt::Key_O)) {
-        state.drag = State::Drag::Opacity;
     } else if (left) {
         const std::optional<sim::SurfacePoint> point = alt ? std::nullopt : skinAt(sample.position);
         state.drag = point ? State::Drag::Stroke : State::Drag::Orbit;
@@ -121,11 +118,7 @@ void HeadView::pointerMoved(const PointerSample& sample)
         Q_EMIT poseWanted(state.pose);
         break;
     case State::Drag::Brush:
-        state.editor.setToolSettings(draggedBrush(state.settingsBefore, moved));
-        Q_EMIT statusText(brushText(state.editor.toolSettings()));
-        break;
-    case State::Drag::Opacity:
-        state.editor.setToolSettings(draggedOpacity(state.settingsBefore, moved));
+        state.brushDrag.move(sample);
         Q_EMIT statusText(brushText(state.editor.toolSettings()));
         break;
     }

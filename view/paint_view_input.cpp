@@ -43,12 +43,8 @@ void PaintView::pointerPressed(const PointerSample& sample)
     const bool left = sample.button == Qt::LeftButton;
     if (sample.button == Qt::MiddleButton || (left && state.keys.holds(Qt::Key_Space))) {
         state.drag = sample.modifiers.testFlag(Qt::ShiftModifier) ? State::Drag::Rotate : State::Drag::Pan;
-    } else if (sample.button == Qt::RightButton && sample.modifiers.testFlag(Qt::ControlModifier)) {
+    } else if (state.brushDrag.press(sample, state.keys)) {
         state.drag = State::Drag::Brush;
-        state.settingsBefore = state.editor.toolSettings();
-    } else if (left && state.keys.holds(Qt::Key_O)) {
-        state.drag = State::Drag::Opacity;
-        state.settingsBefore = state.editor.toolSettings();
     } else if (left) {
         hoverAt(sample);
         state.drag = State::Drag::Stroke;
@@ -60,7 +56,6 @@ void PaintView::pointerPressed(const PointerSample& sample)
 void PaintView::pointerMoved(const PointerSample& sample)
 {
     State& state = *m_state;
-    const QPointF moved = sample.position - state.pressed.position;
     switch (state.drag) {
     case State::Drag::None:
         hoverAt(sample);
@@ -81,11 +76,7 @@ void PaintView::pointerMoved(const PointerSample& sample)
         break;
     }
     case State::Drag::Brush:
-        state.editor.setToolSettings(draggedBrush(state.settingsBefore, moved));
-        Q_EMIT statusText(brushText(state.editor.toolSettings()));
-        break;
-    case State::Drag::Opacity:
-        state.editor.setToolSettings(draggedOpacity(state.settingsBefore, moved));
+        state.brushDrag.move(sample);
         Q_EMIT statusText(brushText(state.editor.toolSettings()));
         break;
     }

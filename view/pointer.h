@@ -1,11 +1,8 @@
-// What mouse and pen have in common, and the drags that both areas share.
+// What mouse and pen have in common.
 #pragma once
-
-#include "model/tools/tool_settings.h"
 
 #include <QInputEvent>
 #include <QPointF>
-#include <QString>
 
 class QMouseEvent;
 class QTabletEvent;
@@ -25,12 +22,5 @@ struct PointerSample
     [[nodiscard]] static PointerSample of(const QMouseEvent& event);
     [[nodiscard]] static PointerSample of(const QTabletEvent& event);
 };
-
-/// Ctrl+right-drag: sideways the size, up and down the hardness. `pixels` since the press.
-[[nodiscard]] model::ToolSettings draggedBrush(const model::ToolSettings& start, QPointF pixels);
-/// O and drag sideways.
-[[nodiscard]] model::ToolSettings draggedOpacity(const model::ToolSettings& start, QPointF pixels);
-/// "Size 3.2 cm, hardness 60 %, opacity 100 %", for the status bar.
-[[nodiscard]] QString brushText(const model::ToolSettings& settings);
 
 } // namespace hairpaint::view

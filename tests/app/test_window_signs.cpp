@@ -1,10 +1,10 @@
 // What a newcomer looks for in the real window: a bald head, views by key, words on what is saved.
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
+#include "view/brush_drag.h"
 #include "view/panels/status_readout.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
-#include "view/pointer.h"
 #include "view/rendering/standard_views.h"
 
 #include <QLabel>

@@ -230,7 +230,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("file");
         QTest::addColumn<std::vector<MapKind>>("maps");
-        using enum MapKind;
+        using enum sim::MapSlot;
         QTest::newRow("version 1") << QStringLiteral(HAIRPAINT_TEST_DATA "/format/v1.hairpaint")
                                    << std::vector{Density, Length, Curl, Braid, Colour, Clump, Gel};
     }

@@ -1,42 +1,24 @@
 // The moving air, shown live.
 #pragma once
 
-#include "view/editor_state.h"
-
-#include <QDialog>
-
-#include <functional>
+#include "view/dialogs/live_dialog.h"
 
 class QCheckBox;
 
 namespace hairpaint::view {
 
-class BarSlider;
-class DirectionBall;
-
-/// Not modal. Each change is previewed while it moves and one undo step when let go.
-class WindDialog : public QDialog
+class WindDialog : public LiveValueDialog<sim::Wind, &model::Project::wind>
 {
     Q_OBJECT
 public:
     explicit WindDialog(EditorState& state, QWidget* parent = nullptr);
 
 private:
-    using Edit = std::function<void(sim::Wind&)>;
-    [[nodiscard]] BarSlider* makeSlider(const QString& label, double minimum, double maximum, int decimals,
-                                        const QString& unit);
-    void bind(BarSlider& slider, const Edit& edit);
+    void buildSliders();
     [[nodiscard]] bool editing() const;
-    void follow();
-    void preview(const Edit& edit);
-    void commit(const Edit& edit);
-    [[nodiscard]] sim::Wind edited(const Edit& edit) const;
-    void revert();
+    void follow() override;
 
-    EditorState& m_state;
-    model::EditSession m_edit;
     QCheckBox* m_enabled = nullptr;
-    DirectionBall* m_ball = nullptr;
     BarSlider* m_azimuth = nullptr;
     BarSlider* m_elevation = nullptr;
     BarSlider* m_strength = nullptr;

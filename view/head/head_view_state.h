@@ -1,6 +1,7 @@
 // What the 3D area remembers between events.
 #pragma once
 
+#include "view/brush_drag.h"
 #include "view/editor_state.h"
 #include "view/head/frame_presenter.h"
 #include "view/head/head_camera.h"
@@ -29,8 +30,7 @@ struct HeadView::State
         Pan,
         Light,
         Turn,
-        Brush,
-        Opacity
+        Brush
     };
 
     State(EditorState& editorState, const Theme& startTheme, QObject* parent)
@@ -67,7 +67,7 @@ struct HeadView::State
     sim::HeadPose poseBefore;
     model::LightSettings lightBefore;
     model::LightSettings light; ///< While it is dragged.
-    model::ToolSettings settingsBefore;
+    BrushDrag brushDrag{editor};
     glm::vec2 lastUv{0.0F};
     PuffGesture puffs;
 

@@ -1,6 +1,7 @@
 // What the paint area remembers between events.
 #pragma once
 
+#include "view/brush_drag.h"
 #include "view/editor_state.h"
 #include "view/held_keys.h"
 #include "view/map_legend.h"
@@ -20,8 +21,7 @@ struct PaintView::State
         Stroke,
         Pan,
         Rotate,
-        Brush,
-        Opacity
+        Brush
     };
 
     State(EditorState& editorState, const Theme& startTheme, QObject* parent)
@@ -39,7 +39,7 @@ struct PaintView::State
     Drag drag = Drag::None;
     PointerSample pressed;
     QPointF last;
-    model::ToolSettings settingsBefore; ///< Of a brush or opacity drag.
+    BrushDrag brushDrag{editor};
 
     std::vector<QPolygonF> rings; ///< On the widget: the pointer's and its mirrored twin.
     QRect ringsBounds;
