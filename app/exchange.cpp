@@ -25,6 +25,13 @@ namespace {
 
 constexpr QSize kPictureSize(2048, 2048);
 
+/// Null where there is no such group any more.
+const model::MapStack* mapOf(const model::Document& document, const model::LayerAddress& address)
+{
+    const model::HairGroup* group = document.committed().group(address.group);
+    return group != nullptr ? &group->map(address.map) : nullptr;
+}
+
 } // namespace
 
 Exchange::Exchange(Session& session, Settings& settings, Jobs& jobs, QWidget& window)
@@ -34,6 +41,11 @@ Exchange::Exchange(Session& session, Settings& settings, Jobs& jobs, QWidget& wi
 void Exchange::setSceneSource(std::function<rendering::Scene()> source)
 {
     m_scene = std::move(source);
+}
+
+QString Exchange::noGroupText()
+{
+    return tr("There is no hair group whose map it could be; add one in the panel Hair.");
 }
 
 void Exchange::importImage(bool grey)
@@ -47,25 +59,38 @@ void Exchange::importImage(bool grey)
 
 void Exchange::importImageFrom(const QString& path, bool grey)
 {
-    m_session.editor().commitStroke();
     model::Document& document = m_session.document();
+    m_session.endPreviews(); // What is only shown is no target.
     const model::LayerAddress target = m_session.editor().target();
-    const model::HairGroup* group = document.project().group(target.group);
-    if (group == nullptr)
-        return;
+    const model::MapStack* map = mapOf(document, target);
+    if (map == nullptr)
+        return complain(noGroupText());
     const model::MapSpec& spec = model::mapSpec(target.map);
-    const int size = group->map(target.map).size;
-    std::optional<model::Result<sim::TiledRaster>> raster = m_jobs.await<sim::TiledRaster>(
-        tr("Reading %1").arg(QFileInfo(path).fileName()),
-        [&](const model::Progress& progress) { return model::layerFromFile(path, spec, grey, size, progress); });
-    if (!raster)
+    const QString name = QFileInfo(path).fileName();
+    std::optional<model::Result<model::ImageLayer>> read = m_jobs.await<model::ImageLayer>(
+        tr("Reading %1").arg(name), [&path, &spec, grey, size = map->size](const model::Progress& progress) {
+            return model::layerFromFile(path, spec, grey, size, progress);
+        });
+    if (!read)
         return;
-    if (!*raster)
-        return complain(raster->error().message);
-    model::Layer layer{.id = 0, .name = QFileInfo(path).completeBaseName(), .raster = std::move(**raster)};
-    const int top = static_cast<int>(group->map(target.map).layers.size());
-    document.push(model::insertLayerCommand(document, target.group, target.map, std::move(layer), top,
-                                            tr("Load %1 into %2").arg(QFileInfo(path).fileName(), spec.titleText())));
+    if (!*read)
+        return complain(read->error().message);
+    map = mapOf(document, target); // Much may have happened meanwhile.
+    model::ImageLayer& image = **read;
+    if (map == nullptr || map->size != image.raster.size())
+        return;
+    const QSize mapSize(map->size, map->size);
+    const int top = static_cast<int>(map->layers.size());
+    document.push(model::insertLayerCommand(
+        document, target.group, target.map,
+        {.id = 0, .name = QFileInfo(path).completeBaseName(), .raster = std::move(image.raster)}, top,
+        tr("Load %1 into %2").arg(name, spec.titleText())));
+    if (image.imageSize != mapSize)
+        Q_EMIT done(tr("%1 was resampled from %2 × %3 to %4 × %4; Map > Map size changes the map's")
+                        .arg(name)
+                        .arg(image.imageSize.width())
+                        .arg(image.imageSize.height())
+                        .arg(mapSize.width()));
 }
 
 void Exchange::exportMap()
@@ -76,7 +101,10 @@ void Exchange::exportMap()
                                      tr("Images (*.png *.tif *.exr *.tga)"), QStringLiteral("png"));
     if (path.isEmpty())
         return;
+    m_session.endPreviews(); // What is only shown is no part of the map.
     const auto resolved = m_session.document().resolved(editor.activeGroup(), editor.activeMap());
+    if (resolved == nullptr)
+        return complain(noGroupText());
     write(path, [&](const model::Progress& progress) {
         return model::ImporterClient().writeImage(model::imageFromMap(*resolved, spec), path, 16, progress);
     });
@@ -225,9 +253,11 @@ void Exchange::renameStyle(const QString& path)
         QMessageBox::question(&m_window, tr("Rename style"),
                               tr("There is a style '%1' already. Replace it?").arg(name)) != QMessageBox::Yes)
         return;
-    if (const model::Result<QString> renamed = app::renameStyle(path, name); !renamed)
-        return complain(renamed.error().message);
-    Q_EMIT stylesChanged();
+    const std::optional<model::Result<QString>> renamed = m_jobs.await<QString>(
+        tr("Renaming %1").arg(before), [&path, &name](const model::Progress&) { return app::renameStyle(path, name); });
+    Q_EMIT stylesChanged(); // Also where it was cancelled: it may have come too late.
+    if (renamed && !*renamed)
+        complain(renamed->error().message);
 }
 
 void Exchange::deleteStyle(const QString& path)

@@ -44,6 +44,7 @@ Q_SIGNALS:
     void done(const QString& message); ///< For the status bar.
 
 private:
+    [[nodiscard]] static QString noGroupText();
     void complain(const QString& message);
     /// The hair of the document as it is, waited for; null where that was cancelled or there is no memory for it.
     [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair();

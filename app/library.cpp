@@ -12,6 +12,12 @@
 
 namespace hairpaint::app {
 
+namespace {
+
+const QString kBald = QStringLiteral("Bald");
+
+} // namespace
+
 QString ownPresetFolder()
 {
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/styles");
@@ -34,9 +40,9 @@ model::Result<model::Preset> loadPresetNamed(const QString& nameOrPath)
 model::Project starterProject()
 {
     model::Project project = model::newProject();
-    const std::vector<model::PresetEntry> entries = model::listPresets({});
-    if (!entries.empty())
-        if (const model::Result<model::Preset> preset = model::loadPreset(entries.front().path))
+    const QStringList styles = model::builtInPresets();
+    if (!styles.isEmpty())
+        if (const model::Result<model::Preset> preset = model::loadPreset(styles.front()))
             model::applyPreset(project, *preset);
     // A breath: enough to see that hair lives, too little to skew a haircut.
     project.wind.velocity = glm::vec3(0.12F, 0.0F, 0.1F);
@@ -51,27 +57,25 @@ QString baldStylePath()
 std::vector<model::PresetEntry> listStyles(QStringList* problems)
 {
     std::vector<model::PresetEntry> entries = model::listPresets(ownPresetFolder(), problems);
-    entries.insert(entries.begin(), {.path = baldStylePath(),
-                                     .name = QStringLiteral("Bald"),
-                                     .tags = {},
-                                     .folder = QStringLiteral("built-in"),
-                                     .picture = {}});
+    entries.insert(
+        entries.begin(),
+        {.path = baldStylePath(), .name = kBald, .tags = {}, .folder = QStringLiteral("built-in"), .picture = {}});
     return entries;
 }
 
 model::Result<model::Preset> loadStyle(const QString& path)
 {
     if (path == baldStylePath())
-        return model::presetFrom(model::newProject(), QStringLiteral("Bald"));
+        return model::presetFrom(model::newProject(), kBald);
     return model::loadPreset(path);
 }
 
 QString styleName(const QString& path)
 {
-    for (const model::PresetEntry& entry : listStyles())
-        if (entry.path == path)
-            return model::shownName(entry.name);
-    return QFileInfo(path).completeBaseName();
+    if (path == baldStylePath())
+        return model::shownName(kBald);
+    const model::Result<model::PresetEntry> entry = model::presetEntry(path);
+    return entry ? model::shownName(entry->name) : QFileInfo(path).completeBaseName();
 }
 
 QString ownStylePath(const QString& name)
@@ -93,8 +97,12 @@ model::Result<QString> renameStyle(const QString& path, const QString& name)
     const QString renamed = ownStylePath(name);
     if (const model::Result<void> saved = model::savePreset(*preset, renamed); !saved)
         return tl::unexpected(saved.error());
-    if (renamed != path)
-        QFile::remove(path);
+    // Where letters' case does not count the new file may be the old one.
+    if (QFileInfo(renamed).canonicalFilePath() != QFileInfo(path).canonicalFilePath() && !QFile::remove(path))
+        return model::failure(
+            QCoreApplication::translate(
+                "Library", "The style is now '%1', but its old file '%2' could not be removed; delete it by hand.")
+                .arg(name, path));
     return renamed;
 }
 

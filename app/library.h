@@ -13,7 +13,7 @@ namespace hairpaint::app {
 /// By name, without regard to case, or by path.
 [[nodiscard]] model::Result<model::Preset> loadPresetNamed(const QString& nameOrPath);
 
-/// The style that the program starts with, applied to a new project on the built-in head.
+/// The style that the program starts with, applied to a new project on the built-in head. Any thread.
 [[nodiscard]] model::Project starterProject();
 
 /// What a bald head stands under in the list of styles; no file.
@@ -22,10 +22,10 @@ namespace hairpaint::app {
 [[nodiscard]] std::vector<model::PresetEntry> listStyles(QStringList* problems = nullptr);
 /// A style of that list. Any thread.
 [[nodiscard]] model::Result<model::Preset> loadStyle(const QString& path);
-/// The name of a style of that list as people read it.
+/// The name of a style of that list as people read it: opens its file. Any thread.
 [[nodiscard]] QString styleName(const QString& path);
 /// The user's own style gets another name, and a file named after it; a style of that name is replaced. Returns the new
-/// path.
+/// path. Reads and writes the whole style. Any thread.
 [[nodiscard]] model::Result<QString> renameStyle(const QString& path, const QString& name);
 /// Where the user's own style of that name lies.
 [[nodiscard]] QString ownStylePath(const QString& name);

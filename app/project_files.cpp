@@ -7,12 +7,19 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QUndoStack>
 
 namespace hairpaint::app {
 
 namespace {
 
 constexpr double kThumbnailFraction = 0.3; ///< Of saving, for its progress.
+
+const QUndoCommand* newestStep(model::Document& document)
+{
+    const QUndoStack& steps = document.undoStack();
+    return steps.index() > 0 ? steps.command(steps.index() - 1) : nullptr;
+}
 
 } // namespace
 
@@ -43,8 +50,17 @@ void ProjectFiles::setPath(const QString& path)
 
 void ProjectFiles::newProject()
 {
-    if (mayDiscard())
-        begin(starterProject());
+    if (!mayDiscard())
+        return;
+    std::optional<model::Result<model::Project>> project =
+        m_jobs.await<model::Project>(tr("Starting a new project"), [](const model::Progress&) {
+            return model::Result<model::Project>(starterProject());
+        });
+    if (!project)
+        return;
+    if (!*project)
+        return complain(project->error().message);
+    begin(std::move(**project));
 }
 
 bool ProjectFiles::newBaldProject()
@@ -134,7 +150,9 @@ bool ProjectFiles::saveTo(const QString& path)
         return false;
     const Picture picture = m_thumbnail ? m_thumbnail() : Picture();
     // A copy shares tiles, so it is cheap, and the document may go on meanwhile.
-    const model::Project project = m_session.document().committed();
+    model::Document& document = m_session.document();
+    const model::Project project = document.committed();
+    const QUndoCommand* newest = newestStep(document);
     const std::optional<model::Result<void>> saved =
         m_jobs.await<void>(saving, [&](const model::Progress& progress) -> model::Result<void> {
             const QImage thumbnail =
@@ -149,7 +167,9 @@ bool ProjectFiles::saveTo(const QString& path)
         complain(saved->error().message);
         return false;
     }
-    m_session.document().markSaved();
+    // A number that was being typed may have become a step meanwhile, which the file does not hold.
+    if (newestStep(document) == newest)
+        document.markSaved();
     setPath(path);
     return true;
 }

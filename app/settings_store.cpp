@@ -41,14 +41,23 @@ SettingsStore::SettingsStore()
 
 SettingsStore::SettingsStore(QString path) : m_path(std::move(path))
 {
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(0);
+    connect(&m_soon, &QTimer::timeout, this, &SettingsStore::flush);
     if (QFileInfo::exists(m_path)) {
-        read();
+        m_values = read();
         return;
     }
     const QSettings before;
     const QStringList keys = before.allKeys();
     for (const QString& key : keys)
         m_values.insert(key, toJson(before.value(key)));
+    m_changed = QSet<QString>(keys.begin(), keys.end());
+}
+
+SettingsStore::~SettingsStore()
+{
+    flush();
 }
 
 QVariant SettingsStore::value(const QString& key, const QVariant& otherwise) const
@@ -59,39 +68,64 @@ QVariant SettingsStore::value(const QString& key, const QVariant& otherwise) con
 
 void SettingsStore::setValue(const QString& key, const QVariant& value)
 {
-    read(); // Another window may have written meanwhile.
-    m_values.insert(key, toJson(value));
-    write();
+    const QJsonValue next = toJson(value);
+    if (m_values.value(key) == next && m_values.contains(key))
+        return;
+    m_values.insert(key, next);
+    changed(key);
 }
 
 void SettingsStore::remove(const QString& key)
 {
-    read();
+    if (!m_values.contains(key))
+        return;
     m_values.remove(key);
-    write();
+    changed(key);
 }
 
 void SettingsStore::clear()
 {
     m_values = {};
-    write();
+    m_changed.clear();
+    (void)write();
 }
 
-void SettingsStore::read()
+void SettingsStore::changed(const QString& key)
+{
+    m_changed.insert(key);
+    m_soon.start();
+}
+
+void SettingsStore::flush()
+{
+    m_soon.stop();
+    if (m_changed.isEmpty())
+        return;
+    QJsonObject merged = read();
+    for (const QString& key : m_changed) {
+        if (m_values.contains(key))
+            merged.insert(key, m_values.value(key));
+        else
+            merged.remove(key);
+    }
+    m_values = merged;
+    if (write())
+        m_changed.clear();
+}
+
+QJsonObject SettingsStore::read() const
 {
     QFile file(m_path);
     if (!file.open(QIODevice::ReadOnly) || file.size() > kMostBytes)
-        return;
-    const QJsonDocument document = QJsonDocument::fromJson(file.readAll());
-    if (document.isObject())
-        m_values = document.object();
+        return {};
+    return QJsonDocument::fromJson(file.readAll()).object();
 }
 
-void SettingsStore::write()
+bool SettingsStore::write()
 {
     // A full disk must not stop the work; the old settings stay.
-    if (QDir().mkpath(QFileInfo(m_path).absolutePath()))
-        (void)model::writeFile(m_path, QJsonDocument(m_values).toJson());
+    return QDir().mkpath(QFileInfo(m_path).absolutePath()) &&
+           model::writeFile(m_path, QJsonDocument(m_values).toJson()).has_value();
 }
 
 } // namespace hairpaint::app

@@ -2,31 +2,42 @@
 #pragma once
 
 #include <QJsonObject>
+#include <QObject>
+#include <QSet>
 #include <QString>
+#include <QTimer>
 #include <QVariant>
 
 namespace hairpaint::app {
 
-/// Values by key, of the kinds that JSON has, and bytes. Read and written whole at each change, through the one writer
-/// of files: QSettings would leave an empty file on a full disk. Where the file can't be written, what is set holds for
-/// this object. What 0.1 left in QSettings is taken over where there is no file yet. GUI thread.
-class SettingsStore
+/// Values by key, of the kinds that JSON has, and bytes. What was set is put into the file once the event loop is
+/// reached, through the one writer of files: QSettings would leave an empty file on a full disk. Only the keys that
+/// were set are: another window may have written the others. Where the file can't be written, what is set holds for
+/// this object and is tried again with the next. What 0.1 left in QSettings is taken over where there is no file yet.
+/// GUI thread.
+class SettingsStore : public QObject
 {
+    Q_OBJECT
 public:
     SettingsStore();
     explicit SettingsStore(QString path);
+    ~SettingsStore() override; ///< Flushes.
 
     [[nodiscard]] QVariant value(const QString& key, const QVariant& otherwise = {}) const;
     void setValue(const QString& key, const QVariant& value);
     void remove(const QString& key);
     void clear();
+    void flush(); ///< Writes at once what was set.
 
 private:
-    void read();
-    void write();
+    void changed(const QString& key);
+    [[nodiscard]] QJsonObject read() const;
+    bool write();
 
     QString m_path;
     QJsonObject m_values;
+    QSet<QString> m_changed; ///< Set or removed and not in the file yet.
+    QTimer m_soon;
 };
 
 } // namespace hairpaint::app

@@ -14,6 +14,7 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QUndoStack>
 
 namespace hairpaint::app {
@@ -211,9 +212,16 @@ void MainWindow::fillMapSizeMenu(QMenu& menu)
         QAction* action = menu.addAction(tr("%1 × %1").arg(size), this, [this, size] {
             model::Document& document = m_session.document();
             const model::LayerAddress target = m_session.editor().target();
-            QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-            document.push(model::resizeMapCommand(document, target.group, target.map, size));
-            QGuiApplication::restoreOverrideCursor();
+            const auto run = [this](const QString& doing, const auto& work) {
+                const auto done = m_jobs.await<bool>(doing, [&work](const model::Progress& progress) {
+                    work(progress);
+                    return model::Result<bool>(true);
+                });
+                if (done && !*done)
+                    QMessageBox::warning(this, tr("Hair Paint"), done->error().message);
+                return done && *done;
+            };
+            document.push(model::resizeMapCommand(document, target.group, target.map, size, run));
         });
         action->setCheckable(true);
         action->setData(size);

@@ -1084,6 +1084,10 @@
         <source>There is no style named &apos;%1&apos;; &apos;hairpaint presets&apos; lists those there are.</source>
         <translation>No hay ningún peinado llamado «%1»; «hairpaint presets» muestra los que hay.</translation>
     </message>
+    <message>
+        <source>The style is now &apos;%1&apos;, but its old file &apos;%2&apos; could not be removed; delete it by hand.</source>
+        <translation>El estilo se llama ahora &apos;%1&apos;, pero no se pudo quitar su archivo anterior &apos;%2&apos;; bórralo a mano.</translation>
+    </message>
 </context>
 <context>
     <name>MapLetter</name>
@@ -1570,6 +1574,18 @@
         <source>Rename style</source>
         <translation>Cambiar el nombre del estilo</translation>
     </message>
+    <message>
+        <source>There is no hair group whose map it could be; add one in the panel Hair.</source>
+        <translation>No hay ningún grupo de pelo cuyo mapa pudiera ser; añade uno en el panel Pelo.</translation>
+    </message>
+    <message>
+        <source>%1 was resampled from %2 × %3 to %4 × %4; Map &gt; Map size changes the map&apos;s</source>
+        <translation>%1 se ha remuestreado de %2 × %3 a %4 × %4; Mapa &gt; Tamaño del mapa cambia el del mapa</translation>
+    </message>
+    <message>
+        <source>Renaming %1</source>
+        <translation>Cambiando el nombre de %1</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::Jobs</name>
@@ -1928,6 +1944,10 @@
         <source>&amp;Add hair group…</source>
         <translation>&amp;Añadir grupo de pelo…</translation>
     </message>
+    <message>
+        <source>Hair Paint</source>
+        <translation>Hair Paint</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ProjectFiles</name>
@@ -1966,6 +1986,10 @@
     <message>
         <source>Saving %1</source>
         <translation>Guardando %1</translation>
+    </message>
+    <message>
+        <source>Starting a new project</source>
+        <translation>Empezando un proyecto nuevo</translation>
     </message>
 </context>
 <context>

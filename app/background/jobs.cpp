@@ -107,12 +107,10 @@ private:
         case QEvent::Shortcut:
         case QEvent::InputMethod:
         case QEvent::ContextMenu:
-        case QEvent::TabletPress:
+        case QEvent::TabletPress: // Its release comes through: nothing happens without a press, and a stroke ends.
         case QEvent::TabletMove:
-        case QEvent::TabletRelease:
         case QEvent::TouchBegin:
         case QEvent::TouchUpdate:
-        case QEvent::TouchEnd:
         case QEvent::NativeGesture:
         case QEvent::DragEnter:
         case QEvent::DragMove:

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 class QWidget;
@@ -73,8 +74,8 @@ std::optional<model::Result<T>> Jobs::await(const QString& doing, const Work<T>&
     const bool cancelled = runWatched(doing, [&](const model::Progress& progress) {
         result.emplace(model::guarded(doing, [&] { return work(progress); }));
     });
-    // Work that was done in spite of it counts.
-    if (cancelled && !*result)
+    // What was written in spite of it is there; what was only read or made is not used.
+    if (cancelled && (!std::is_void_v<T> || !*result))
         return std::nullopt;
     return result;
 }

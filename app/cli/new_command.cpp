@@ -1,6 +1,6 @@
 // `hairpaint new`: a project from a head, a preset and images.
-#include "app/cli/command.h"
 #include "app/background/heads.h"
+#include "app/cli/command.h"
 #include "app/library.h"
 #include "model/commands/commands.h"
 #include "model/files/image_map.h"
@@ -63,14 +63,14 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
         return model::failure(
             CommandLine::tr("'%1' goes to the hair group '%2', and the project has none of that name.")
                 .arg(argument.image, argument.group));
-    model::Result<sim::TiledRaster> raster = model::layerFromFile(argument.image, *argument.spec, argument.grey, 0);
-    if (!raster)
-        return tl::unexpected(raster.error());
+    model::Result<model::ImageLayer> image = model::layerFromFile(argument.image, *argument.spec, argument.grey, 0);
+    if (!image)
+        return tl::unexpected(image.error());
     model::MapStack& stack = group->map(argument.spec->kind);
-    stack.size = raster->size();
+    stack.size = image->raster.size();
     stack.layers.clear();
     model::Layer layer = model::makeLayer(project, *argument.spec, stack.size, QFileInfo(argument.image).baseName());
-    layer.raster = std::move(*raster);
+    layer.raster = std::move(image->raster);
     stack.layers.push_back(std::move(layer));
     return {};
 }

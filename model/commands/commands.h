@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/document.h"
+#include "model/progress.h"
 
 #include <QUndoCommand>
 
@@ -31,8 +32,9 @@ struct LayerEdit
 [[nodiscard]] CommandPtr moveLayerCommand(Document& document, const LayerAddress& address, int newPosition);
 
 /// Every layer at another size (256 to 8192, a power of two): values bilinearly, weighted by coverage; indices by the
-/// nearest texel. Null where it has that size or the content would become too large.
-[[nodiscard]] CommandPtr resizeMapCommand(Document& document, Id group, MapKind map, int size);
+/// nearest texel. Null where it has that size, the content would become too large, or `run` was cancelled.
+[[nodiscard]] CommandPtr resizeMapCommand(Document& document, Id group, MapKind map, int size,
+                                          const RunLong& run = runHere);
 
 struct LayerProperties
 {

@@ -43,14 +43,18 @@ QString nameOf(const Document& document, const LayerAddress& address)
     return layer != nullptr ? shownName(layer->name) : QString();
 }
 
-MapStack resized(const MapStack& stack, int size)
+/// None where `progress` stopped it.
+std::optional<MapStack> resized(const MapStack& stack, int size, const Progress& progress)
 {
     const MapSpec& spec = mapSpec(stack.kind);
     sim::Texel empty = spec.defaultValue;
     empty[static_cast<std::size_t>(spec.valueChannels)] = 0;
     MapStack result = stack;
     result.size = size;
+    double done = 0.0;
     for (Layer& layer : result.layers) {
+        if (progress && !progress(done++ / static_cast<double>(result.layers.size())))
+            return std::nullopt;
         const sim::TiledRaster& from = layer.raster;
         if (const std::optional<sim::Texel> value = from.uniformValue()) {
             layer.raster = sim::TiledRaster(size, spec.layerChannels(), *value);
@@ -110,13 +114,12 @@ CommandPtr moveLayerCommand(Document& document, const LayerAddress& address, int
                          });
 }
 
-CommandPtr resizeMapCommand(Document& document, Id groupId, MapKind map, int size)
+CommandPtr resizeMapCommand(Document& document, Id groupId, MapKind map, int size, const RunLong& run)
 {
     document.endEdit();
     const HairGroup* group = document.committed().group(groupId);
     if (group == nullptr || group->map(map).size == size)
         return nullptr;
-    const MapStack& now = group->map(map);
     // Refused before the work is done where even unpainted layers would be too much.
     Project large = document.committed();
     MapStack& grown = large.group(groupId)->map(map);
@@ -124,8 +127,16 @@ CommandPtr resizeMapCommand(Document& document, Id groupId, MapKind map, int siz
     if (!document.mayBecome(large))
         return nullptr;
     const QString text = Commands::tr("Resize %1 to %2 × %2").arg(mapSpec(map).titleText()).arg(size);
+    const SharedStack before = group->maps[static_cast<std::size_t>(map)];
+    std::optional<MapStack> after;
+    if (!run(text, [&](const Progress& progress) { after = resized(*before, size, progress); }))
+        return nullptr;
+    document.endEdit();
+    const HairGroup* still = document.committed().group(groupId); // Much may have happened meanwhile.
+    if (!after || still == nullptr || !still->maps[static_cast<std::size_t>(map)].sharesWith(before))
+        return nullptr;
     return editCommand(document, {.aspect = Change::Aspect::LayerList, .group = groupId, .map = map}, text,
-                       [groupId, map, after = SharedStack(resized(now, size))](Project& project) {
+                       [groupId, map, after = SharedStack(std::move(*after))](Project& project) {
                            if (HairGroup* one = project.group(groupId))
                                one->maps[static_cast<std::size_t>(map)] = after;
                        });

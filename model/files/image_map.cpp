@@ -85,14 +85,17 @@ Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec
     return resampleBilinear(image.width, image.height, readRow, target, spec.layerChannels(), spec.defaultValue);
 }
 
-Result<sim::TiledRaster> layerFromFile(const QString& path, const MapSpec& spec, bool grey, int size,
-                                       const Progress& progress)
+Result<ImageLayer> layerFromFile(const QString& path, const MapSpec& spec, bool grey, int size,
+                                 const Progress& progress)
 {
-    return withinMemory(path, cannotOpen, [&]() -> Result<sim::TiledRaster> {
+    return withinMemory(path, cannotOpen, [&]() -> Result<ImageLayer> {
         const Result<ForeignImage> image = ImporterClient().readImage(path, progress);
         if (!image)
             return tl::unexpected(image.error());
-        return layerFromImage(*image, spec, grey, size);
+        Result<sim::TiledRaster> raster = layerFromImage(*image, spec, grey, size);
+        if (!raster)
+            return tl::unexpected(raster.error());
+        return ImageLayer{.raster = std::move(*raster), .imageSize = {image->width, image->height}};
     });
 }
 

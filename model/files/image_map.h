@@ -5,6 +5,8 @@
 #include "model/files/importer_client.h"
 #include "model/project.h"
 
+#include <QSize>
+
 namespace hairpaint::model {
 
 /// Reads an image as a layer of the map: by the map's scale, or `grey` as the value itself. Resampled bilinearly
@@ -12,9 +14,15 @@ namespace hairpaint::model {
 [[nodiscard]] Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec& spec, bool grey,
                                                       int size);
 
+struct ImageLayer
+{
+    sim::TiledRaster raster;
+    QSize imageSize; ///< Of the file, in pixels.
+};
+
 /// The same from a file of any format that the helper program reads.
-[[nodiscard]] Result<sim::TiledRaster> layerFromFile(const QString& path, const MapSpec& spec, bool grey, int size,
-                                                     const Progress& progress = {});
+[[nodiscard]] Result<ImageLayer> layerFromFile(const QString& path, const MapSpec& spec, bool grey, int size,
+                                               const Progress& progress = {});
 
 /// A resolved map as an image in its scale, white to colour as in the paper.
 [[nodiscard]] ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec);

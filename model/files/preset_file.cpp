@@ -74,8 +74,9 @@ Result<void> write(const Preset& preset, const QString& path)
     return {};
 }
 
-/// The lines of ":/presets/order.txt", then the others by name.
-QStringList builtInPaths()
+} // namespace
+
+QStringList builtInPresets()
 {
     initPresetResources();
     const QDir folder(kBuiltInFolder);
@@ -93,8 +94,6 @@ QStringList builtInPaths()
         name = folder.filePath(name);
     return ordered;
 }
-
-} // namespace
 
 Result<Preset> loadPreset(const QString& path)
 {
@@ -114,27 +113,40 @@ Result<void> savePreset(const Preset& preset, const QString& path)
     });
 }
 
+Result<PresetEntry> presetEntry(const QString& path)
+{
+    initPresetResources();
+    return withinMemory(path, cannotOpen, [&path]() -> Result<PresetEntry> {
+        const Result<OpenedPreset> opened = openPreset(path);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        const Preset& preset = opened->preset;
+        return PresetEntry{.path = path,
+                           .name = preset.name,
+                           .tags = preset.tags,
+                           .folder =
+                               path.startsWith(QLatin1Char(':')) ? QStringLiteral("built-in") : QStringLiteral("own"),
+                           .picture = preset.picture};
+    });
+}
+
 std::vector<PresetEntry> listPresets(const QString& ownFolder, QStringList* problems)
 {
     std::vector<PresetEntry> entries;
-    const auto add = [&](const QString& path, const QString& folder) {
-        Result<OpenedPreset> opened = withinMemory(path, cannotOpen, [&path] { return openPreset(path); });
-        if (!opened) {
-            if (problems != nullptr)
-                problems->append(opened.error().message);
-            return;
-        }
-        const Preset& preset = opened->preset;
-        entries.push_back(
-            {.path = path, .name = preset.name, .tags = preset.tags, .folder = folder, .picture = preset.picture});
+    const auto add = [&](const QString& path) {
+        Result<PresetEntry> entry = presetEntry(path);
+        if (entry)
+            entries.push_back(std::move(*entry));
+        else if (problems != nullptr)
+            problems->append(entry.error().message);
     };
-    for (const QString& path : builtInPaths())
-        add(path, QStringLiteral("built-in"));
+    for (const QString& path : builtInPresets())
+        add(path);
     const auto firstOwn = static_cast<std::ptrdiff_t>(entries.size());
     const QDir own(ownFolder);
     if (!ownFolder.isEmpty())
         for (const QString& name : own.entryList({QStringLiteral("*.hairpreset")}, QDir::Files, QDir::Name))
-            add(own.filePath(name), QStringLiteral("own"));
+            add(own.filePath(name));
     std::stable_sort(entries.begin() + firstOwn, entries.end(), [](const PresetEntry& a, const PresetEntry& b) {
         return a.name.compare(b.name, Qt::CaseInsensitive) < 0;
     });

@@ -19,6 +19,12 @@ struct PresetEntry
     QImage picture;
 };
 
+/// Of one file.
+[[nodiscard]] Result<PresetEntry> presetEntry(const QString& path);
+
+/// Paths of the built-in styles (":/presets"), in the order of the lines of its order.txt, one base name each.
+[[nodiscard]] QStringList builtInPresets();
+
 /// Built-in styles (":/presets", in the order of the lines of its order.txt, one base name each), then those in
 /// `ownFolder` by name. Files that can't be read are left out and
 /// named in `problems`.

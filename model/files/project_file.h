@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/error.h"
+#include "model/progress.h"
 #include "model/project.h"
 
 #include <QImage>
@@ -10,10 +11,6 @@
 #include <functional>
 
 namespace hairpaint::model {
-
-/// Called with 0..1 from the thread that works; returns false to cancel.
-using Progress = std::function<bool(double)>;
-
 /// Remembers the encoded bytes of unchanged layers, so that saving again costs what changed. Give the same one to load
 /// and to every save of one document.
 class EncodedLayers;

@@ -202,6 +202,58 @@ private Q_SLOTS:
         QCOMPARE(left(), 0);
     }
 
+    void anImageOfAnotherSizeIsSaidToBeResampled()
+    {
+        open(model::newProject());
+        const int size = session().document().committed().groups.front().map(model::MapKind::Density).size;
+        for (const int side : {size / 2, size}) {
+            m_done.clear();
+            QImage image(side, side, QImage::Format_RGB32);
+            image.fill(Qt::black);
+            m_answers->file = path("square.png");
+            QVERIFY(image.save(m_answers->file));
+            trigger("file.loadGrey");
+            QCOMPARE(m_done.isEmpty(), side == size);
+        }
+        QVERIFY(m_answers->said.isEmpty());
+    }
+
+    void withoutAGroupThereIsNoMapToSaveOrLoad()
+    {
+        model::Project project = model::newProject();
+        project.groups.clear();
+        open(std::move(project));
+        m_answers->file = halfImage("alone.png", Qt::black);
+        trigger("file.loadGrey");
+        QCOMPARE(m_answers->said.size(), 1);
+        m_answers->file = path("no-map.png");
+        trigger("file.saveImage");
+        QCOMPARE(m_answers->said.size(), 2);
+        QVERIFY(!QFile::exists(path("no-map.png")));
+        QCOMPARE(stack().count(), 0);
+    }
+
+    void whatIsOnlyShownIsNoPartOfASavedMap()
+    {
+        open(model::newProject());
+        model::Document& document = session().document();
+        const model::Id group = document.committed().groups.front().id;
+        const model::Id layer = document.committed().groups.front().map(model::MapKind::Density).layers.front().id;
+        editor().setActiveMap(model::MapKind::Density);
+        model::EditSession shown;
+        document.show(shown, {.policy = model::EditPolicy::Drop},
+                      {.aspect = model::Change::Aspect::LayerList, .group = group, .map = model::MapKind::Density},
+                      [=](model::Project& project) {
+                          sim::TiledRaster& raster = project.layer(group, model::MapKind::Density, layer)->raster;
+                          for (int tile = 0; tile < raster.tileCount(); ++tile)
+                              raster.setUniform(tile, {65535, 65535});
+                      });
+        m_answers->file = path("density.png");
+        trigger("file.saveImage");
+        const QImage saved(path("density.png"));
+        QCOMPARE(saved.pixelColor(saved.width() / 2, saved.height() / 2), QColor(Qt::white));
+    }
+
     void aMapGoesOutAsAnImageAndComesBackTheSame()
     {
         open(model::newProject());

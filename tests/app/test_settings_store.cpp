@@ -62,9 +62,32 @@ private Q_SLOTS:
         SettingsStore other(path());
         one.setValue(QStringLiteral("one"), 1);
         other.setValue(QStringLiteral("other"), 2);
+        // Nothing is lost before it is written, and what is set stays although the file did not hold it yet.
+        one.setValue(QStringLiteral("both"), 3);
+        QCOMPARE(one.value(QStringLiteral("one")).toInt(), 1);
+        one.flush();
+        other.flush();
         const SettingsStore both(path());
         QCOMPARE(both.value(QStringLiteral("one")).toInt(), 1);
         QCOMPARE(both.value(QStringLiteral("other")).toInt(), 2);
+        QCOMPARE(both.value(QStringLiteral("both")).toInt(), 3);
+    }
+
+    void whatIsSetTogetherIsWrittenOnce()
+    {
+        const QString file = m_folder.filePath(QStringLiteral("once/settings.json"));
+        SettingsStore store(file);
+        for (int i = 0; i < 100; ++i)
+            store.setValue(QStringLiteral("keys/%1").arg(i), i);
+        QVERIFY(!QFile::exists(file));
+        QCoreApplication::processEvents();
+        QTRY_VERIFY(QFile::exists(file));
+        QCOMPARE(SettingsStore(file).value(QStringLiteral("keys/99")).toInt(), 99);
+        // What is the same already is not written again.
+        QVERIFY(QFile::remove(file));
+        store.setValue(QStringLiteral("keys/99"), 99);
+        store.flush();
+        QVERIFY(!QFile::exists(file));
     }
 
     void whatAnOlderProgramLeftIsTakenOver()
@@ -89,6 +112,7 @@ private Q_SLOTS:
     {
         SettingsStore store(path());
         store.setValue(QStringLiteral("text"), QStringLiteral("old"));
+        store.flush();
         rlimit before{};
         getrlimit(RLIMIT_FSIZE, &before);
         {
@@ -97,9 +121,14 @@ private Q_SLOTS:
             const rlimit most{.rlim_cur = 10, .rlim_max = before.rlim_max};
             setrlimit(RLIMIT_FSIZE, &most);
             store.setValue(QStringLiteral("text"), QStringLiteral("new"));
+            store.flush();
         }
         QCOMPARE(store.value(QStringLiteral("text")).toString(), QStringLiteral("new"));
         QCOMPARE(SettingsStore(path()).value(QStringLiteral("text")).toString(), QStringLiteral("old"));
+        // It is tried again with the next.
+        store.setValue(QStringLiteral("number"), 1);
+        store.flush();
+        QCOMPARE(SettingsStore(path()).value(QStringLiteral("text")).toString(), QStringLiteral("new"));
     }
 #endif
 };

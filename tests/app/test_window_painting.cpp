@@ -1,5 +1,6 @@
 // Painting in the real window is seen: texels, hairs and the 3D picture follow every tool in both areas, while the
 // pointer is down, after undo and redo, and after the project went through its file.
+#include "model/commands/commands.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 
@@ -161,6 +162,29 @@ private Q_SLOTS:
         QVERIFY(texelAt(0.5F, 0.5F)[1] > 0);
         QTRY_VERIFY_WITH_TIMEOUT(difference(usual, picture()) > kSeen, kPatienceMs);
         showUndoAndRedo(usual, count, {0.5F, 0.5F});
+    }
+
+    void aStepMadeWhileSavingIsNotTakenForSaved()
+    {
+        openBald();
+        const QString path = m_folder.filePath(QStringLiteral("meanwhile.hairpaint"));
+        m_window->files().setPath(path);
+        drag(paper(), paintPoint(0.42F, 0.5F), paintPoint(0.58F, 0.5F));
+        awaitNewestHair();
+        QTRY_COMPARE_WITH_TIMEOUT(session().hair(), Session::Hair::Current, kPatienceMs);
+        // As a number that was being typed becomes a step when the progress window takes the focus.
+        QTimer::singleShot(0, m_window.get(), [this] {
+            model::Document& document = session().document();
+            document.push(model::renameGroupCommand(document, document.committed().groups.front().id,
+                                                    QStringLiteral("Meanwhile")));
+        });
+        QVERIFY(m_window->files().save());
+        QCOMPARE(session().document().committed().groups.front().name, QStringLiteral("Meanwhile"));
+        const model::Result<model::Project> read = model::loadProject(path);
+        QVERIFY(read);
+        QCOMPARE(session().document().modified(), read->groups.front().name != QLatin1String("Meanwhile"));
+        QVERIFY(m_window->files().save());
+        QVERIFY(!session().document().modified());
     }
 
     void savingByItsKeyAndOpeningAgainGivesTheSame()
