@@ -259,7 +259,7 @@ bool ResolvedMap::updateTiles(const MapStack& stack, Id layer, std::span<const i
     const auto now = std::ranges::find(stack.layers, layer, &Layer::id);
     const auto seen = std::ranges::find(m_seen.layers, layer, &Layer::id);
     if (now == stack.layers.end() || seen == m_seen.layers.end())
-        return update(stack);
+        return update(stack, m_start);
     for (const int index : tiles)
         seen->raster.setTile(index, now->raster.tile(index));
     return resolveTiles(tiles);
