@@ -77,8 +77,8 @@ sim::RasterTilePtr colouredTile(const sim::RasterTile& from, std::size_t channel
     if (from.isUniform()) {
         shownColours(spec, false, from.uniform.data(), 0, 1, tile->uniform.data());
     } else {
-        tile->pixels.resize(kTileTexels * 3);
-        shownColours(spec, false, from.pixels.data(), channels, kTileTexels, tile->pixels.data());
+        tile->pixels.resize(sim::kTileTexels * 3);
+        shownColours(spec, false, from.pixels.data(), channels, sim::kTileTexels, tile->pixels.data());
     }
     return tile;
 }

@@ -10,9 +10,6 @@
 
 namespace hairpaint::model {
 
-inline constexpr std::size_t kTileTexels =
-    static_cast<std::size_t>(sim::TiledRaster::kTileSize) * sim::TiledRaster::kTileSize;
-
 /// An index replaces where coverage * opacity is at least this.
 inline constexpr std::uint16_t kHalfCoverage = 32768;
 

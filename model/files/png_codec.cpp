@@ -47,11 +47,6 @@ bool takeRow(const std::uint8_t* bytes, std::uint16_t* texels, int count, int ch
     return ours;
 }
 
-bool isUniform(const std::vector<std::uint16_t>& pixels, std::size_t channels)
-{
-    return std::equal(pixels.begin() + static_cast<std::ptrdiff_t>(channels), pixels.end(), pixels.begin());
-}
-
 /// Puts tiles into a raster; those of one value are folded, and neighbours of the same value share one tile.
 class TileFolder
 {
@@ -61,14 +56,14 @@ public:
     /// Takes `pixels` away where the tile keeps them.
     void put(int index, std::vector<std::uint16_t>& pixels)
     {
-        const auto channels = static_cast<std::size_t>(m_raster.channels());
+        const std::optional<sim::Texel> value = sim::commonTexel(pixels);
         auto tile = std::make_shared<sim::RasterTile>();
-        if (!isUniform(pixels, channels)) {
+        if (!value) {
             tile->pixels = std::exchange(pixels, {});
             m_raster.setTile(index, std::move(tile));
             return;
         }
-        std::copy_n(pixels.begin(), channels, tile->uniform.begin());
+        tile->uniform = *value;
         if (m_lastUniform->uniform != tile->uniform)
             m_lastUniform = std::move(tile);
         m_raster.setTile(index, m_lastUniform);
