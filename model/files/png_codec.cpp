@@ -2,6 +2,7 @@
 #include "model/files/png_codec.h"
 
 #include "model/files/png_reader.h"
+#include "model/new_image.h"
 #include "model/texel_ops.h"
 
 #include <QBuffer>
@@ -80,7 +81,7 @@ QByteArray encodeLayer(const sim::TiledRaster& raster)
 {
     const int size = raster.size();
     const int channels = raster.channels();
-    QImage image(size, size, QImage::Format_RGBA64);
+    QImage image = newImage(size, size, QImage::Format_RGBA64);
     for (int index = 0; index < raster.tileCount(); ++index) {
         const sim::RasterTile& tile = *raster.tile(index);
         const sim::TexelRect rect = raster.tileRect(index);
@@ -157,8 +158,8 @@ QImage decodePicture(const QByteArray& png, int mostSide)
         (parts->colourType != kRgb && parts->colourType != kRgba))
         return {};
     const bool hasAlpha = parts->colourType == kRgba;
-    QImage image(static_cast<int>(parts->width), static_cast<int>(parts->height),
-                 hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+    QImage image = newImage(static_cast<int>(parts->width), static_cast<int>(parts->height),
+                            hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
     PngRows rows(parts->packedPixels, std::size_t{parts->width} * (hasAlpha ? 4 : 3), hasAlpha ? 4 : 3);
     for (int y = 0; y < image.height(); ++y) {
         const std::span<const std::uint8_t> row = rows.next();
