@@ -140,11 +140,6 @@ QRgb shownTexel(const MapSpec& spec, const sim::Texel& texel, bool nightPaper)
     return spec.scale != nullptr ? shownColour(spec, texel[0], nightPaper) : colourOfTexel(spec, texel, nightPaper);
 }
 
-std::shared_ptr<const sim::TiledRaster> colouredMap(const sim::TiledRaster& resolved, const MapSpec& spec)
-{
-    return coloured(resolved, spec, nullptr, nullptr);
-}
-
 std::shared_ptr<const sim::TiledRaster> MapColours::of(std::shared_ptr<const sim::TiledRaster> resolved,
                                                        const MapSpec& spec)
 {

@@ -6,6 +6,7 @@
 #include "app/library.h"
 #include "app/session.h"
 #include "model/commands/commands.h"
+#include "model/files/glb.h"
 #include "tests/support/test_heads.h"
 
 #include <QApplication>
@@ -137,7 +138,7 @@ void duringHeadImports(benchmark::State& state)
     for ([[maybe_unused]] auto step : state) {
         const auto head =
             jobs.await<app::ImportedHead>(QStringLiteral("Preparing"), [&](const model::Progress& progress) {
-                return app::remakeHead(QStringLiteral("ball"), model::writeGlb(mesh), {}, progress);
+                return app::remakeHead(QStringLiteral("ball"), model::glbFromMesh(mesh), {}, progress);
             });
         if (!head || !*head)
             state.SkipWithError("the head could not be made");
