@@ -65,13 +65,6 @@ bool tooManyTexels(const std::vector<StoredLayer>& storedLayers)
     return texels > kMostTexels;
 }
 
-/// How many images of this size are worked on at once: large ones would take too much memory together.
-std::size_t batchOf(int size)
-{
-    constexpr int kLargestTogether = 2048;
-    return size > kLargestTogether ? 1 : static_cast<std::size_t>(sim::threadCount());
-}
-
 /// Runs `work` over all items, several at once, and asks `progress` between. False where cancelled.
 template<typename Item>
 bool inBatches(std::vector<Item>& items, const Progress& progress, const std::function<void(Item&)>& work)
@@ -79,7 +72,7 @@ bool inBatches(std::vector<Item>& items, const Progress& progress, const std::fu
     for (std::size_t done = 0; done < items.size();) {
         if (progress && !progress(static_cast<double>(done) / static_cast<double>(items.size())))
             return false;
-        const std::size_t count = std::min(items.size() - done, batchOf(items[done].size));
+        const std::size_t count = batchLength(std::span(sizes).subspan(done));
         sim::parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 work(items[done + i]);
@@ -89,6 +82,8 @@ bool inBatches(std::vector<Item>& items, const Progress& progress, const std::fu
     return true;
 }
 
+    std::vector<int> sizes(items.size());
+    std::ranges::transform(items, sizes.begin(), &Item::size);
 /// A raster that several layers may have, and its bytes.
 struct Encoding
 {
@@ -169,6 +164,14 @@ Result<OpenedArchive> openArchive(const QString& path, const QByteArray& mimetyp
         return tl::unexpected(readable.error());
     Checked<ArchiveReader> archive = ArchiveReader::open(path);
     if (!archive)
+std::size_t batchLength(std::span<const int> sizes)
+{
+    constexpr int kLargestTogether = 2048;
+    const auto large = std::ranges::find_if(sizes, [](int size) { return size > kLargestTogether; });
+    const auto before = static_cast<std::size_t>(large - sizes.begin());
+    return std::clamp(before, std::size_t{1}, static_cast<std::size_t>(sim::threadCount()));
+}
+
         return cannotOpen(path, archive.error());
     if (Checked<void> kind = checkMimetype(*archive, mimetype); !kind)
         return cannotOpen(path, kind.error());

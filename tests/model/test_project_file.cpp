@@ -5,6 +5,7 @@
 #include "model/files/layer_files.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
+#include "sim/base/parallel.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_program.h"
@@ -116,6 +117,16 @@ private Q_SLOTS:
         QVERIFY(saveProject(project, path("b.hairpaint"), {}, &cache));
         QCOMPARE(cache.misses(), 1);
         QCOMPARE(test::difference(project, opened(path("b.hairpaint"))), QString());
+    }
+
+    void aLargeImageIsWorkedOnAlone()
+    {
+        const auto threads = static_cast<std::size_t>(sim::threadCount());
+        const std::vector<int> small(100, 2048);
+        QCOMPARE(batchLength(small), std::min(threads, small.size()));
+        QCOMPARE(batchLength(std::vector<int>{8192, 256, 256}), std::size_t{1});
+        QCOMPARE(batchLength(std::vector<int>{256, 8192, 256}), std::size_t{1});
+        QCOMPARE(batchLength(std::vector<int>{256, 256, 4096}), std::min(threads, std::size_t{2}));
     }
 
     void onlyTheThumbnailDistinguishesTwoFilesOfOneProject()
