@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <set>
 #include <type_traits>
 
 namespace hairpaint::model {
@@ -128,9 +129,8 @@ private:
 
     void takeId(Id id)
     {
-        if (id < 1 || id >= m_nextId || m_ids.contains(id))
+        if (id < 1 || id >= m_nextId || !m_ids.insert(id).second)
             complain();
-        m_ids.insert(id);
     }
 
     HairGroup parseGroup(const QJsonObject& object)
@@ -200,7 +200,7 @@ private:
 
     Id m_nextId;
     int m_layers = 0;
-    QSet<Id> m_ids;
+    std::set<Id> m_ids; // A QSet ends the program where memory runs out.
     QString m_problem;
     QString m_unknownMap;
 };

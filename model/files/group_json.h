@@ -5,7 +5,6 @@
 #include "model/files/sentences.h"
 
 #include <QJsonArray>
-#include <QSet>
 
 namespace hairpaint::model {
 
