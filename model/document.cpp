@@ -239,9 +239,8 @@ void Document::endEdit()
 
 bool Document::mayBecome(const Project& after)
 {
-    const ContentExcess excess = excessOf(after.groups);
-    // Where it is too large already, making it smaller step by step must be possible.
-    if (excess == ContentExcess::None || excessOf(m_state->committed.groups) != ContentExcess::None)
+    const ContentExcess excess = excessOver(m_state->committed.groups, after.groups);
+    if (excess == ContentExcess::None)
         return true;
     Q_EMIT refused(excessText(excess));
     return false;

@@ -164,6 +164,8 @@ private:
     {
         MapStack stack{.kind = spec.kind, .size = sizeIfAbsent, .layers = {}};
         if (value.isUndefined()) {
+            if (++m_layers > kMostLayers)
+                complain();
             stack.layers.push_back(Layer{.name = layerName(1), .raster = emptyRaster(spec, stack.size)});
             return stack;
         }
@@ -269,14 +271,7 @@ Checked<std::vector<HairGroup>> groupsFromJson(const QJsonArray& array, Id nextI
 
 Checked<void> checkGroupCounts(const std::vector<HairGroup>& groups)
 {
-    std::size_t layers = 0;
-    bool fits = !groups.empty() && groups.size() <= kMostGroups;
-    for (const HairGroup& group : groups)
-        for (const MapStack& stack : group.maps) {
-            layers += stack.layers.size();
-            fits = fits && stack.layers.size() <= kMostLayersInMap;
-        }
-    if (!fits || layers > kMostLayers)
+    if (groups.empty() || countsExceed(groups))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "it has too many groups or layers; remove some")));
     return {};
 }
