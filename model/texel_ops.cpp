@@ -91,8 +91,8 @@ void scalarsToColours(const MapSpec& spec, bool nightPaper, const std::uint16_t*
                                            widened(qBlue(spec.scaleColour))};
     for (std::size_t texel = 0; texel < count; ++texel)
         for (const std::int64_t channel : full) {
-            const std::int64_t way = (channel - paper) * values[texel * step];
-            *colours++ = static_cast<std::uint16_t>(paper + (way + (way < 0 ? -32767 : 32767)) / 65535);
+            const std::int64_t fromPaper = (channel - paper) * values[texel * step];
+            *colours++ = static_cast<std::uint16_t>(paper + (fromPaper + (fromPaper < 0 ? -32767 : 32767)) / 65535);
         }
 }
 
