@@ -7,6 +7,7 @@
 #include "app/save_dialog.h"
 #include "app/style_pictures.h"
 #include "model/commands/commands.h"
+#include "model/files/glb.h"
 #include "model/files/hair_file.h"
 #include "model/files/image_map.h"
 #include "model/files/sentences.h"
@@ -147,7 +148,7 @@ void Exchange::importHeadFrom(const QString& path)
     const model::HeadGuess guess{.unitScale = dialog.unitScale(), .upAxis = dialog.upAxis()};
     const std::optional<model::Result<ImportedHead>> made =
         m_jobs.await<ImportedHead>(tr("Preparing %1").arg(name), [&](const model::Progress& progress) {
-            return remakeHead(QFileInfo(path).completeBaseName(), model::writeGlb(**mesh), guess, progress);
+            return remakeHead(QFileInfo(path).completeBaseName(), model::glbFromMesh(**mesh), guess, progress);
         });
     if (!made)
         return;

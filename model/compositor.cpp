@@ -37,7 +37,8 @@ void stepTile(const MapSpec& spec, const LayerStep& step, std::uint16_t* map)
 {
     const bool uniform = step.tile->isUniform();
     texelOps(spec).blend(step.blend, uniform ? step.tile->uniform.data() : step.tile->pixels.data(),
-                         uniform ? 0 : static_cast<std::size_t>(spec.layerChannels()), step.opacity, map, kTileTexels);
+                         uniform ? 0 : static_cast<std::size_t>(spec.layerChannels()), step.opacity, map,
+                         sim::kTileTexels);
 }
 
 /// The layers that show in a tile.
@@ -82,35 +83,22 @@ sim::Texel startTexel(const MapSpec& spec, const sim::TiledRaster& start, int si
     return {unit16(value.x), unit16(value.y), unit16(value.z), unit16(value.w)};
 }
 
-/// Back to one value where the texels are equal.
-void fold(sim::RasterTile& tile, std::size_t channels)
-{
-    tile.uniform = {};
-    if (std::equal(tile.pixels.begin() + static_cast<std::ptrdiff_t>(channels), tile.pixels.end(),
-                   tile.pixels.begin())) {
-        std::copy_n(tile.pixels.begin(), channels, tile.uniform.begin());
-        tile.pixels = {};
-    }
-}
-
 sim::RasterTilePtr startTile(const MapStack& stack, const MapSpec& spec, const sim::TiledRaster* start, int tileIndex)
 {
     if (start != nullptr && start->size() == stack.size)
         return start->tile(tileIndex);
-    auto tile = std::make_shared<sim::RasterTile>();
-    tile->uniform = spec.defaultValue;
+    sim::RasterTile tile{.uniform = spec.defaultValue, .pixels = {}};
     if (start == nullptr)
-        return tile;
+        return std::make_shared<const sim::RasterTile>(std::move(tile));
     const auto channels = static_cast<std::size_t>(spec.valueChannels);
     const sim::TexelRect rect = tileRectOf(stack, tileIndex);
-    tile->pixels.reserve(kTileTexels * channels);
+    tile.pixels.reserve(sim::kTileTexels * channels);
     for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x) {
             const sim::Texel texel = startTexel(spec, *start, stack.size, x, y);
-            tile->pixels.insert(tile->pixels.end(), texel.begin(), texel.begin() + spec.valueChannels);
+            tile.pixels.insert(tile.pixels.end(), texel.begin(), texel.begin() + spec.valueChannels);
         }
-    fold(*tile, channels);
-    return tile;
+    return std::make_shared<const sim::RasterTile>(sim::folded(std::move(tile)));
 }
 
 /// Whether a tile of a map of `size` may start from other texels.
@@ -137,11 +125,6 @@ bool startDiffers(const MapStack& stack, const sim::MapRaster& before, const sim
     return false;
 }
 
-bool sameTexels(const sim::RasterTile& a, const sim::RasterTile& b)
-{
-    return a.isUniform() == b.isUniform() && (a.isUniform() ? a.uniform == b.uniform : a.pixels == b.pixels);
-}
-
 sim::RasterTilePtr resolveTile(const MapStack& stack, const sim::TiledRaster* start, int tileIndex)
 {
     const MapSpec& spec = mapSpec(stack.kind);
@@ -149,22 +132,18 @@ sim::RasterTilePtr resolveTile(const MapStack& stack, const sim::TiledRaster* st
     const sim::RasterTilePtr below = startTile(stack, spec, steps.hideStart ? nullptr : start, tileIndex);
     if (steps.all.empty())
         return below;
-    auto result = std::make_shared<sim::RasterTile>(*below);
-    const auto channels = static_cast<std::size_t>(spec.valueChannels);
+    sim::RasterTile result = *below;
     auto step = steps.all.begin();
-    if (result->isUniform()) {
+    if (result.isUniform()) {
         for (; step != steps.all.end() && step->tile->isUniform(); ++step)
-            stepTexel(spec, *step, result->uniform, step->tile->uniform);
+            stepTexel(spec, *step, result.uniform, step->tile->uniform);
         if (step == steps.all.end())
-            return result;
-        result->pixels.resize(kTileTexels * channels);
-        for (std::size_t i = 0; i < result->pixels.size(); ++i)
-            result->pixels[i] = result->uniform[i % channels];
+            return std::make_shared<const sim::RasterTile>(std::move(result));
+        result.pixels = sim::expanded(result, spec.valueChannels);
     }
     for (; step != steps.all.end(); ++step)
-        stepTile(spec, *step, result->pixels.data());
-    fold(*result, channels);
-    return result;
+        stepTile(spec, *step, result.pixels.data());
+    return std::make_shared<const sim::RasterTile>(sim::folded(std::move(result)));
 }
 
 /// In parallel: a whole map at once when a project opens, or at each tick of a layer's opacity.
@@ -259,7 +238,7 @@ bool ResolvedMap::updateTiles(const MapStack& stack, Id layer, std::span<const i
     const auto now = std::ranges::find(stack.layers, layer, &Layer::id);
     const auto seen = std::ranges::find(m_seen.layers, layer, &Layer::id);
     if (now == stack.layers.end() || seen == m_seen.layers.end())
-        return update(stack);
+        return update(stack, m_start);
     for (const int index : tiles)
         seen->raster.setTile(index, now->raster.tile(index));
     return resolveTiles(tiles);

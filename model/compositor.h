@@ -1,4 +1,6 @@
 // Layers to maps: the arithmetic of resolving, and a cache that resolves again only the tiles that differ.
+// Any thread, one at a time for a ResolvedMap. Errors: none but std::bad_alloc, after which a ResolvedMap may show what
+// was before and is to be made anew.
 #pragma once
 
 #include "model/project.h"
@@ -15,8 +17,8 @@ namespace hairpaint::model {
 
 /// One texel of a stack. From the start's texel (the spec's default where `start` is null; sampled where it has another
 /// size), layer by layer from the bottom, for visible layers:
-/// `share = mul16(coverage, unit16(opacity))`; scalars and colours: `lerp16(below, blended, share)` with
-/// `blended` by the mode's formula (blend_modes.h); an index replaces where share >= kHalfCoverage.
+/// `fraction = mul16(coverage, unit16(opacity))`; scalars and colours: `lerp16(below, blended, fraction)` with
+/// `blended` by the mode's formula (blend_modes.h); an index replaces where fraction >= kHalfCoverage.
 [[nodiscard]] sim::Texel resolveTexel(const MapStack& stack, int x, int y, const sim::MapRaster& start = nullptr);
 
 /// The same for a whole stack: `spec.valueChannels` channels. Shares the start's tiles where no layer shows.

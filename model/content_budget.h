@@ -23,6 +23,11 @@ enum class ContentExcess : std::uint8_t
 
 /// What keeps these groups from being saved. Layers that are painted in count as differing.
 [[nodiscard]] ContentExcess excessOf(const std::vector<HairGroup>& groups);
+/// What keeps `after` from taking the place of `before`: where that is too large already, making it smaller step by
+/// step must be possible, so what is too much may be as much as it was.
+[[nodiscard]] ContentExcess excessOver(const std::vector<HairGroup>& before, const std::vector<HairGroup>& after);
+/// Whether there are too many groups or layers.
+[[nodiscard]] bool countsExceed(const std::vector<HairGroup>& groups);
 /// Whether painting alone, without another layer, could make them too much.
 [[nodiscard]] bool paintingMayExceed(const std::vector<HairGroup>& groups);
 /// A sentence that says so and what helps; empty for None.

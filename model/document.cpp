@@ -17,6 +17,33 @@ namespace hairpaint::model {
 namespace {
 
 using MapKey = std::pair<Id, MapKind>;
+using ResolvedMaps = std::map<MapKey, ResolvedMap>;
+
+sim::MapRaster mapOf(const ResolvedMaps& maps, Id group, MapKind map)
+{
+    const auto found = maps.find({group, map});
+    return found == maps.end() ? nullptr : found->second.result();
+}
+
+/// The maps that it follows must be up to date.
+void resolveOne(ResolvedMaps& maps, const Project& project, Id group, const MapStack& stack)
+{
+    const sim::MapRaster start =
+        startOf(mapSpec(stack.kind), project.head.get(), [&](MapKind kind) { return mapOf(maps, group, kind); });
+    const auto found = maps.find({group, stack.kind});
+    if (found == maps.end())
+        maps.emplace(MapKey{group, stack.kind}, ResolvedMap(stack, start));
+    else
+        found->second.update(stack, start);
+}
+
+void resolveAll(ResolvedMaps& maps, const Project& project)
+{
+    std::erase_if(maps, [&](const auto& entry) { return project.group(entry.first.first) == nullptr; });
+    for (const HairGroup& group : project.groups)
+        for (const MapStack& stack : group.maps)
+            resolveOne(maps, project, group.id, stack);
+}
 
 bool touchesMaps(Change::Aspect aspect)
 {
@@ -39,7 +66,7 @@ struct Document::State
     std::uint64_t revision = 1;
     QUndoStack undoStack;
     UndoBudget undoBudget;
-    std::map<MapKey, ResolvedMap> resolved; ///< Of what is shown.
+    ResolvedMaps resolved; ///< Of what is shown.
 
     explicit State(Project project) : committed(std::move(project)) { resolveAll(); }
 
@@ -47,29 +74,8 @@ struct Document::State
     /// The user changes something that is not committed yet. What is only looked at is no change.
     bool changing() const { return running && running->owner.policy == EditPolicy::Commit; }
 
-    void resolveAll()
-    {
-        const Project& project = shown();
-        std::erase_if(resolved, [&](const auto& entry) { return project.group(entry.first.first) == nullptr; });
-        for (const HairGroup& group : project.groups)
-            for (const MapStack& stack : group.maps)
-                resolveOne(group.id, stack);
-    }
-    sim::MapRaster resolvedMap(Id group, MapKind map) const
-    {
-        const auto found = resolved.find({group, map});
-        return found == resolved.end() ? nullptr : found->second.result();
-    }
-    void resolveOne(Id group, const MapStack& stack)
-    {
-        const sim::MapRaster start =
-            startOf(mapSpec(stack.kind), shown().head.get(), [&](MapKind kind) { return resolvedMap(group, kind); });
-        const auto found = resolved.find({group, stack.kind});
-        if (found == resolved.end())
-            resolved.emplace(MapKey{group, stack.kind}, ResolvedMap(stack, start));
-        else
-            found->second.update(stack, start);
-    }
+    void resolveAll() { model::resolveAll(resolved, shown()); }
+    void resolveOne(Id group, const MapStack& stack) { model::resolveOne(resolved, shown(), group, stack); }
     void resolveFollowers(const HairGroup& group, MapKind map)
     {
         for (const MapStack& stack : group.maps)
@@ -137,10 +143,12 @@ void Document::markSaved()
 
 void Document::replace(Project project)
 {
+    // First, for want of memory shows here, and then the old content must be whole.
+    ResolvedMaps resolved;
+    resolveAll(resolved, project);
     const bool ended = std::exchange(m_state->running, std::nullopt).has_value();
     m_state->committed = std::move(project);
-    m_state->resolved.clear();
-    m_state->resolveAll();
+    m_state->resolved = std::move(resolved);
     m_state->undoStack.clear();
     m_state->undoBudget.reset();
     tell(Change{}, false);
@@ -150,7 +158,7 @@ void Document::replace(Project project)
 
 std::shared_ptr<const sim::TiledRaster> Document::resolved(Id group, MapKind map) const
 {
-    return m_state->resolvedMap(group, map);
+    return mapOf(m_state->resolved, group, map);
 }
 
 std::uint64_t Document::revision() const
@@ -231,9 +239,8 @@ void Document::endEdit()
 
 bool Document::mayBecome(const Project& after)
 {
-    const ContentExcess excess = excessOf(after.groups);
-    // Where it is too large already, making it smaller step by step must be possible.
-    if (excess == ContentExcess::None || excessOf(m_state->committed.groups) != ContentExcess::None)
+    const ContentExcess excess = excessOver(m_state->committed.groups, after.groups);
+    if (excess == ContentExcess::None)
         return true;
     Q_EMIT refused(excessText(excess));
     return false;

@@ -34,7 +34,8 @@ public:
     void setUndoBudget(std::size_t bytes);
     [[nodiscard]] bool modified() const; ///< Since the last markSaved().
     void markSaved();
-    /// Puts another project in place of this one; clears the history.
+    /// Puts another project in place of this one; clears the history. Where memory runs out it throws std::bad_alloc,
+    /// and all is as it was.
     void replace(Project project);
 
     /// The map with all visible layers (and a running edit's preview) applied: `spec.valueChannels` channels.

@@ -20,6 +20,8 @@ constexpr auto kBraid = SettingSection::Braid;
 constexpr auto kMotion = SettingSection::Physics;
 constexpr auto kLook = SettingSection::Look;
 
+constexpr double kLeastNodes = sim::kLeastNodes;
+constexpr double kMostNodes = sim::kMostNodes;
 constexpr double kBasisHairs = 4096.0;  ///< On the scalp, of a new group.
 constexpr double kMostBasisHairs = 1e6; ///< On the scalp.
 
@@ -66,7 +68,8 @@ constexpr GroupSetting kSettings[] = {
      QT_TRANSLATE_NOOP("GroupSchema", "Length where the length map is 0"), QT_TRANSLATE_NOOP("GroupSchema", "cm"),
      100.0, 0.0, 2.0, 0.0, 50.0, 1, 2.0F},
     {"nodes_per_hair", &GroupSettings::nodesPerHair, Hairs, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Nodes per hair"),
-     QT_TRANSLATE_NOOP("GroupSchema", "More bend more finely and cost more"), "", 1.0, 4.0, 32.0, 4.0, 32.0},
+     QT_TRANSLATE_NOOP("GroupSchema", "More bend more finely and cost more"), "", 1.0, kLeastNodes, kMostNodes,
+     kLeastNodes, kMostNodes},
     {.key = "basis_hairs",
      .member = &GroupSettings::basisHairs,
      .affects = Hairs,

@@ -3,23 +3,19 @@
 
 #include <QCoreApplication>
 
-#include <new>
-
 namespace hairpaint::model {
 
-Error caughtError(const QString& doing)
+Error memoryError(const QString& doing)
 {
-    try {
-        throw;
-    } catch (const std::bad_alloc&) {
-        return {QCoreApplication::translate("Guarded",
-                                            "%1: there is not enough memory for it; close other programs, or "
-                                            "take something smaller.")
-                    .arg(doing)};
-    } catch (const std::exception& other) {
-        return {QCoreApplication::translate("Guarded", "%1 failed: %2.")
-                    .arg(doing, QString::fromLocal8Bit(other.what()).simplified())};
-    }
+    return {QCoreApplication::translate("Guarded", "%1: there is not enough memory for it; close other programs, or "
+                                                   "take something smaller.")
+                .arg(doing)};
+}
+
+Error thrownError(const QString& doing, const std::exception& thrown)
+{
+    return {QCoreApplication::translate("Guarded", "%1 failed: %2.")
+                .arg(doing, QString::fromLocal8Bit(thrown.what()).simplified())};
 }
 
 } // namespace hairpaint::model

@@ -1,7 +1,7 @@
 // Maps made visible tile by tile.
 #include "model/map_colours.h"
 
-#include "model/texel_math.h"
+#include "model/srgb.h"
 #include "model/texel_ops.h"
 #include "sim/base/parallel.h"
 
@@ -19,19 +19,9 @@ constexpr float kLeastNightLight = 0.2F; ///< Relative luminance at 1 on night p
 constexpr std::size_t kTableSteps = 4096;
 using ColourTable = std::array<QRgb, kTableSteps>;
 
-float linear(float encoded)
-{
-    return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
-
-float encoded(float linear)
-{
-    return linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
-}
-
 float luminance(QRgb colour)
 {
-    const auto channel = [](int byte) { return linear(static_cast<float>(byte) / 255.0F); };
+    const auto channel = [](int byte) { return linearFromSrgb(static_cast<float>(byte) / 255.0F); };
     return 0.2126F * channel(qRed(colour)) + 0.7152F * channel(qGreen(colour)) + 0.0722F * channel(qBlue(colour));
 }
 
@@ -41,8 +31,8 @@ std::array<float, 3> shownFull(const MapSpec& spec, bool nightPaper)
     const float light = luminance(spec.scaleColour);
     const float white = nightPaper ? std::max(0.0F, (kLeastNightLight - light) / (1.0F - light)) : 0.0F;
     const auto channel = [white](int byte) {
-        const float own = linear(static_cast<float>(byte) / 255.0F);
-        return encoded(own + (1.0F - own) * white);
+        const float own = linearFromSrgb(static_cast<float>(byte) / 255.0F);
+        return srgbFromLinear(own + (1.0F - own) * white);
     };
     return {channel(qRed(spec.scaleColour)), channel(qGreen(spec.scaleColour)), channel(qBlue(spec.scaleColour))};
 }
@@ -77,8 +67,8 @@ sim::RasterTilePtr colouredTile(const sim::RasterTile& from, std::size_t channel
     if (from.isUniform()) {
         shownColours(spec, false, from.uniform.data(), 0, 1, tile->uniform.data());
     } else {
-        tile->pixels.resize(kTileTexels * 3);
-        shownColours(spec, false, from.pixels.data(), channels, kTileTexels, tile->pixels.data());
+        tile->pixels.resize(sim::kTileTexels * 3);
+        shownColours(spec, false, from.pixels.data(), channels, sim::kTileTexels, tile->pixels.data());
     }
     return tile;
 }
@@ -138,11 +128,6 @@ void shownColours(const MapSpec& spec, bool nightPaper, const std::uint16_t* val
 QRgb shownTexel(const MapSpec& spec, const sim::Texel& texel, bool nightPaper)
 {
     return spec.scale != nullptr ? shownColour(spec, texel[0], nightPaper) : colourOfTexel(spec, texel, nightPaper);
-}
-
-std::shared_ptr<const sim::TiledRaster> colouredMap(const sim::TiledRaster& resolved, const MapSpec& spec)
-{
-    return coloured(resolved, spec, nullptr, nullptr);
 }
 
 std::shared_ptr<const sim::TiledRaster> MapColours::of(std::shared_ptr<const sim::TiledRaster> resolved,

@@ -20,15 +20,13 @@ void shownColours(const MapSpec& spec, bool nightPaper, const std::uint16_t* val
                   std::size_t count, std::uint16_t* colours);
 [[nodiscard]] QRgb shownTexel(const MapSpec& spec, const sim::Texel& texel, bool nightPaper);
 
-/// Three channels, sRGB as encoded: a scalar's shownColour on white, an index's palette colour, a colour
-/// itself. `resolved`: of Document::resolved. Uniform tiles stay uniform.
-[[nodiscard]] std::shared_ptr<const sim::TiledRaster> colouredMap(const sim::TiledRaster& resolved,
-                                                                  const MapSpec& spec);
-
-/// The same of a map that changes: tiles that stayed keep their coloured ones, so that a change costs what it touched.
+/// A map that changes in three channels, sRGB as encoded: a scalar's shownColour on white, an index's palette colour, a
+/// colour itself. Uniform tiles stay uniform; tiles that stayed keep their coloured ones, so that a change costs what
+/// it touched.
 class MapColours
 {
 public:
+    /// `resolved`: of Document::resolved.
     [[nodiscard]] std::shared_ptr<const sim::TiledRaster> of(std::shared_ptr<const sim::TiledRaster> resolved,
                                                              const MapSpec& spec);
 

@@ -18,17 +18,19 @@ sim::TiledRaster coveredRaster(const sim::TiledRaster& resolved)
     sim::TiledRaster layer(resolved.size(), channels + 1);
     for (int index = 0; index < resolved.tileCount(); ++index) {
         const sim::RasterTile& source = *resolved.tile(index);
-        sim::Texel uniform = source.uniform;
-        uniform[static_cast<std::size_t>(channels)] = 65535;
-        layer.setUniform(index, uniform);
-        if (source.isUniform())
-            continue;
-        const std::span<std::uint16_t> target = layer.writableTile(index);
+        auto covered = std::make_shared<sim::RasterTile>();
+        if (source.isUniform()) {
+            covered->uniform = source.uniform;
+            covered->uniform[static_cast<std::size_t>(channels)] = 65535;
+        }
+        covered->pixels.resize(source.pixels.size() / static_cast<std::size_t>(channels) *
+                               static_cast<std::size_t>(channels + 1));
         auto from = source.pixels.begin();
-        for (auto to = target.begin(); to != target.end(); from += channels, to += channels + 1) {
+        for (auto to = covered->pixels.begin(); to != covered->pixels.end(); from += channels, to += channels + 1) {
             std::copy_n(from, channels, to);
             *(to + channels) = 65535;
         }
+        layer.setTile(index, std::move(covered));
     }
     return layer;
 }

@@ -10,9 +10,6 @@
 
 namespace hairpaint::model {
 
-inline constexpr std::size_t kTileTexels =
-    static_cast<std::size_t>(sim::TiledRaster::kTileSize) * sim::TiledRaster::kTileSize;
-
 /// An index replaces where coverage * opacity is at least this.
 inline constexpr std::uint16_t kHalfCoverage = 32768;
 
@@ -23,7 +20,7 @@ inline constexpr std::uint16_t kHalfCoverage = 32768;
     return static_cast<std::uint16_t>((product + (product >> 16U)) >> 16U);
 }
 
-/// round((below * (65535 - share) + above * share) / 65535), exactly: 0 gives below, 65535 gives above.
+/// round((below * (65535 - fraction) + above * fraction) / 65535), exactly: 0 gives below, 65535 gives above.
 [[nodiscard]] constexpr std::uint16_t lerp16(std::uint32_t below, std::uint32_t above, std::uint32_t fraction)
 {
     const std::uint32_t sum = below * (65535U - fraction) + above * fraction + 32768U;

@@ -24,7 +24,7 @@ constexpr sim::Texel kWhite{65535, 65535, 65535, 0};
 template<int channels>
 void layValues(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint& paint)
 {
-    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
+    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
         std::uint16_t* target = layer + texel * (channels + 1);
         const std::uint32_t fraction = mul16(mask[texel], paint.opacity);
         const std::uint32_t coverage = target[channels];
@@ -45,7 +45,7 @@ void layValues(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint&
 template<int channels>
 void eraseValues(const MapSpec& spec, std::uint16_t* layer, const std::uint16_t* mask, std::uint16_t opacity)
 {
-    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
+    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
         std::uint16_t* target = layer + texel * (channels + 1);
         const std::uint16_t fraction = mul16(mask[texel], opacity);
         if (fraction == 0)
@@ -91,8 +91,8 @@ void scalarsToColours(const MapSpec& spec, bool nightPaper, const std::uint16_t*
                                            widened(qBlue(spec.scaleColour))};
     for (std::size_t texel = 0; texel < count; ++texel)
         for (const std::int64_t channel : full) {
-            const std::int64_t way = (channel - paper) * values[texel * step];
-            *colours++ = static_cast<std::uint16_t>(paper + (way + (way < 0 ? -32767 : 32767)) / 65535);
+            const std::int64_t fromPaper = (channel - paper) * values[texel * step];
+            *colours++ = static_cast<std::uint16_t>(paper + (fromPaper + (fromPaper < 0 ? -32767 : 32767)) / 65535);
         }
 }
 
@@ -136,7 +136,7 @@ QString scalarText(const sim::GroupSettings& settings, const MapSpec& spec, cons
 
 void layIndices(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint& paint)
 {
-    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
+    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
         if (mask[texel] < kHalfCoverage)
             continue;
         layer[texel * 2] = paint.values != nullptr ? paint.values[texel] : paint.value[0];
@@ -146,7 +146,7 @@ void layIndices(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint
 
 void eraseIndices(const MapSpec& spec, std::uint16_t* layer, const std::uint16_t* mask, std::uint16_t /*opacity*/)
 {
-    for (std::size_t texel = 0; texel < kTileTexels; ++texel) {
+    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
         if (mask[texel] < kHalfCoverage)
             continue;
         layer[texel * 2] = spec.defaultValue[0];

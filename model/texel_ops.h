@@ -1,4 +1,5 @@
 // What can be done with texels of each kind: one row a kind, of functions over runs of texels.
+// Any thread. Errors: none; the functions over runs neither allocate nor throw.
 #pragma once
 
 #include "model/blend_modes.h"

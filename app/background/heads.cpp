@@ -1,6 +1,7 @@
 // Heads from foreign meshes: see the header.
 #include "app/background/heads.h"
 
+#include "model/files/glb.h"
 #include "model/files/sentences.h"
 
 #include <QFileInfo>
@@ -21,7 +22,7 @@ model::Result<ImportedHead> importHead(const QString& path, const model::Progres
     const model::Result<sim::HeadMesh> mesh = model::ImporterClient().readMesh(path, progress);
     if (!mesh)
         return tl::unexpected(mesh.error());
-    return remakeHead(QFileInfo(path).completeBaseName(), model::writeGlb(*mesh), model::guessHead(*mesh), progress);
+    return remakeHead(QFileInfo(path).completeBaseName(), model::glbFromMesh(*mesh), model::guessHead(*mesh), progress);
 }
 
 model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& sourceGlb, const model::HeadGuess& guess,

@@ -183,35 +183,36 @@ Checked<void> ArchiveReader::readDirectory()
         if ((!stored && stat.comp_method != ZIP_CM_DEFLATE) || stat.encryption_method != ZIP_EM_NONE ||
             stat.comp_size > (1ULL << 32U) || stat.size > plausible)
             return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is packed in an unacceptable way")).arg(name));
-        m_entries.insert(name, Entry{.index = index, .size = stat.size, .crc = stat.crc});
+        m_entries.emplace(name, Entry{.index = index, .size = stat.size, .crc = stat.crc});
     }
     return {};
 }
 
 Checked<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes) const
 {
-    const auto found = m_entries.constFind(name);
-    if (found == m_entries.constEnd())
+    const auto entry = m_entries.find(name);
+    if (entry == m_entries.end())
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is missing")).arg(name));
-    if (found->size > static_cast<quint64>(mostBytes))
+    const Entry& found = entry->second;
+    if (found.size > static_cast<quint64>(mostBytes))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is too large")).arg(name));
     const auto broken = [&name] {
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is broken")).arg(name));
     };
-    zip_file_t* file = zip_fopen_index(m_handle->zip, found->index, 0);
+    zip_file_t* file = zip_fopen_index(m_handle->zip, found.index, 0);
     if (file == nullptr)
         return broken();
-    QByteArray bytes(static_cast<qsizetype>(found->size), Qt::Uninitialized);
+    QByteArray bytes(static_cast<qsizetype>(found.size), Qt::Uninitialized);
     quint64 done = 0;
-    while (done < found->size) {
-        const zip_int64_t got = zip_fread(file, bytes.data() + done, found->size - done);
+    while (done < found.size) {
+        const zip_int64_t got = zip_fread(file, bytes.data() + done, found.size - done);
         if (got <= 0)
             break;
         done += static_cast<quint64>(got);
     }
     // One more read runs into the end, where libzip compares the checksum.
     char more = 0;
-    const bool ended = done == found->size && zip_fread(file, &more, 1) == 0;
+    const bool ended = done == found.size && zip_fread(file, &more, 1) == 0;
     if (zip_fclose(file) != 0 || !ended)
         return broken();
     return bytes;

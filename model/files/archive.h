@@ -5,9 +5,10 @@
 #include "model/files/sentences.h"
 
 #include <QByteArray>
-#include <QHash>
 
+#include <map>
 #include <memory>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -28,7 +29,8 @@ public:
     [[nodiscard]] bool contains(const QString& name) const { return m_entries.contains(name); }
     /// Refuses an entry that is missing, larger than `mostBytes`, or does not match its checksum.
     [[nodiscard]] Checked<QByteArray> read(const QString& name, qint64 mostBytes) const;
-    [[nodiscard]] quint32 checksum(const QString& name) const { return m_entries.value(name).crc; }
+    /// Of an entry that there is.
+    [[nodiscard]] quint32 checksum(const QString& name) const { return m_entries.at(name).crc; }
 
 private:
     struct Entry
@@ -42,7 +44,7 @@ private:
     Checked<void> readDirectory();
 
     std::unique_ptr<Handle> m_handle;
-    QHash<QString, Entry> m_entries;
+    std::map<QString, Entry> m_entries; ///< A QHash ends the program where memory runs out.
 };
 
 /// Collects entries and writes them all at once. The same entries give the same bytes.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <set>
 #include <type_traits>
 
 namespace hairpaint::model {
@@ -128,9 +129,8 @@ private:
 
     void takeId(Id id)
     {
-        if (id < 1 || id >= m_nextId || m_ids.contains(id))
+        if (id < 1 || id >= m_nextId || !m_ids.insert(id).second)
             complain();
-        m_ids.insert(id);
     }
 
     HairGroup parseGroup(const QJsonObject& object)
@@ -164,6 +164,8 @@ private:
     {
         MapStack stack{.kind = spec.kind, .size = sizeIfAbsent, .layers = {}};
         if (value.isUndefined()) {
+            if (++m_layers > kMostLayers)
+                complain();
             stack.layers.push_back(Layer{.name = layerName(1), .raster = emptyRaster(spec, stack.size)});
             return stack;
         }
@@ -200,7 +202,7 @@ private:
 
     Id m_nextId;
     int m_layers = 0;
-    QSet<Id> m_ids;
+    std::set<Id> m_ids; // A QSet ends the program where memory runs out.
     QString m_problem;
     QString m_unknownMap;
 };
@@ -269,14 +271,7 @@ Checked<std::vector<HairGroup>> groupsFromJson(const QJsonArray& array, Id nextI
 
 Checked<void> checkGroupCounts(const std::vector<HairGroup>& groups)
 {
-    std::size_t layers = 0;
-    bool fits = !groups.empty() && groups.size() <= kMostGroups;
-    for (const HairGroup& group : groups)
-        for (const MapStack& stack : group.maps) {
-            layers += stack.layers.size();
-            fits = fits && stack.layers.size() <= kMostLayersInMap;
-        }
-    if (!fits || layers > kMostLayers)
+    if (groups.empty() || countsExceed(groups))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "it has too many groups or layers; remove some")));
     return {};
 }

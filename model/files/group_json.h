@@ -5,7 +5,6 @@
 #include "model/files/sentences.h"
 
 #include <QJsonArray>
-#include <QSet>
 
 namespace hairpaint::model {
 
@@ -25,7 +24,7 @@ void renumber(std::vector<HairGroup>& groups, Id& nextId);
 /// `nextId`.
 [[nodiscard]] Checked<std::vector<HairGroup>> groupsFromJson(const QJsonArray& array, Id nextId);
 
-/// Whether the counts keep to the limits above; an error is a clause.
+/// Whether the counts keep to content_budget.h's limits and there is a group at all.
 [[nodiscard]] Checked<void> checkGroupCounts(const std::vector<HairGroup>& groups);
 
 /// "groups/<group>/<map>/<layer>.png"

@@ -3,6 +3,7 @@
 #include "model/files/hair_file.h"
 
 #include "model/files/atomic_file.h"
+#include "model/srgb.h"
 #include "sim/base/parallel.h"
 #include "sim/groom/strand_curve.h"
 
@@ -104,10 +105,16 @@ float opacityAt(const sim::StrandMaterial& material, float fraction)
     return glm::mix(material.rootAlpha, material.tipAlpha, fraction * fraction);
 }
 
-/// sRGB as encoded, 0..1.
-glm::vec3 colourOf(std::uint32_t packed)
+/// As strand_shade.comp has it, mixed in linear light; sRGB as encoded, 0..1. Channels that are equal at root and tip
+/// are not mixed, so that they keep their exact value.
+glm::vec3 colourAt(const sim::StrandStyle& style, float fraction)
 {
-    return glm::vec3(packed & 0xFFU, (packed >> 8U) & 0xFFU, (packed >> 16U) & 0xFFU) / 255.0F;
+    const auto channel = [&](unsigned shift) {
+        const float root = static_cast<float>((style.rootColour >> shift) & 0xFFU) / 255.0F;
+        const float tip = static_cast<float>((style.tipColour >> shift) & 0xFFU) / 255.0F;
+        return root == tip ? root : srgbFromLinear(glm::mix(linearFromSrgb(root), linearFromSrgb(tip), fraction));
+    };
+    return {channel(0), channel(8), channel(16)};
 }
 
 std::array<char, kHeaderBytes> makeHeader(std::size_t strands, std::size_t points)
@@ -132,19 +139,37 @@ void writeArray(AtomicFile& file, const std::vector<T>& values)
 
 /// One value per point, computed from the strand and the fraction of the way to the tip.
 template<typename T, typename Function>
-void writePerPoint(AtomicFile& file, const std::vector<Strand>& strands, const Function& function)
+std::vector<T> perPoint(std::span<const Strand> strands, const Function& function)
 {
-    constexpr std::size_t kPiece = 1U << 16U;
     std::vector<T> values;
-    for (const Strand& strand : strands) {
+    values.reserve(strands.back().endPoint() - strands.front().firstPoint);
+    for (const Strand& strand : strands)
         for (int i = 0; i <= strand.segments; ++i)
             values.push_back(function(strand, static_cast<float>(i) / static_cast<float>(strand.segments)));
-        if (values.size() >= kPiece) {
-            writeArray(file, values);
-            values.clear();
-        }
+    return values;
+}
+
+/// Part of the work, 0..1.
+struct Part
+{
+    double from;
+    double to;
+};
+
+/// Writes an array a piece at a time, for all points of much curled hair would be gigabytes; asks `progress` before
+/// each. False where it cancels. Ends early where the file has failed.
+template<typename Values>
+bool writePieces(AtomicFile& file, std::span<const Strand> strands, const Progress& progress, const Part& part,
+                 const Values& valuesOf)
+{
+    constexpr std::size_t kAtOnce = 1U << 15U;
+    for (std::size_t first = 0; first < strands.size() && !file.failed(); first += kAtOnce) {
+        const double fraction = static_cast<double>(first) / static_cast<double>(strands.size());
+        if (progress && !progress(part.from + (part.to - part.from) * fraction))
+            return false;
+        writeArray(file, valuesOf(strands.subspan(first, std::min(kAtOnce, strands.size() - first))));
     }
-    writeArray(file, values);
+    return true;
 }
 
 Result<void> write(const sim::StrandFrame& frame, const QString& path, const Progress& progress)
@@ -164,24 +189,24 @@ Result<void> write(const sim::StrandFrame& frame, const QString& path, const Pro
     for (const Strand& strand : strands)
         segments.push_back(static_cast<quint16>(strand.segments));
     writeArray(file, segments);
-    // All points of much curled hair would be gigabytes.
-    constexpr std::size_t kAtOnce = 1U << 15U;
-    for (std::size_t first = 0; first < strands.size() && !file.failed(); first += kAtOnce) {
-        if (progress && !progress(static_cast<double>(first) / static_cast<double>(strands.size())))
-            return cancelled(path);
-        writeArray(file, evaluate(frame, std::span(strands).subspan(first, std::min(kAtOnce, strands.size() - first))));
-    }
-    writePerPoint<float>(file, strands, [&](const Strand& s, float fraction) {
-        return styleOf(frame, s).width * materialOf(frame, s).widthM * opacityAt(materialOf(frame, s), fraction);
-    });
-    writePerPoint<float>(file, strands, [&](const Strand& s, float fraction) {
-        return 1.0F - opacityAt(materialOf(frame, s), fraction);
-    });
-    writePerPoint<glm::vec3>(file, strands, [&](const Strand& s, float fraction) {
-        const sim::StrandStyle& style = styleOf(frame, s);
-        return glm::mix(colourOf(style.rootColour), colourOf(style.tipColour), fraction);
-    });
-    if (progress && !progress(1.0))
+    const auto points = [&](std::span<const Strand> some) { return evaluate(frame, some); };
+    const auto thickness = [&](std::span<const Strand> some) {
+        return perPoint<float>(some, [&](const Strand& s, float fraction) {
+            return styleOf(frame, s).width * materialOf(frame, s).widthM * opacityAt(materialOf(frame, s), fraction);
+        });
+    };
+    const auto transparency = [&](std::span<const Strand> some) {
+        return perPoint<float>(
+            some, [&](const Strand& s, float fraction) { return 1.0F - opacityAt(materialOf(frame, s), fraction); });
+    };
+    const auto colours = [&](std::span<const Strand> some) {
+        return perPoint<glm::vec3>(
+            some, [&](const Strand& s, float fraction) { return colourAt(styleOf(frame, s), fraction); });
+    };
+    if (!writePieces(file, strands, progress, {0.0, 0.5}, points) ||
+        !writePieces(file, strands, progress, {0.5, 0.6}, thickness) ||
+        !writePieces(file, strands, progress, {0.6, 0.7}, transparency) ||
+        !writePieces(file, strands, progress, {0.7, 1.0}, colours) || (progress && !progress(1.0)))
         return cancelled(path);
     if (const Checked<void> written = file.commit(); !written)
         return cannotWrite(path, written.error());

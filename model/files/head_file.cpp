@@ -100,34 +100,6 @@ std::optional<QString> problemOf(const Extent& extent)
     return std::nullopt;
 }
 
-Result<std::shared_ptr<const Head>> headFrom(const QString& name, const QByteArray& sourceGlb, float unitScale,
-                                             UpAxis upAxis)
-{
-    Checked<sim::HeadMesh> source = meshFromGlb(sourceGlb);
-    if (!source)
-        return cannotOpen(name, source.error());
-    sim::HeadMesh mesh = std::move(*source);
-    for (glm::vec3& p : mesh.positionsHd)
-        p = turned(p, upAxis) * unitScale;
-    for (glm::vec3& n : mesh.normalsHd)
-        n = turned(n, upAxis);
-    if (const std::optional<QString> problem = problemOf(extentOf(mesh)))
-        return cannotOpen(name, Clause{.text = *problem, .cure = Clause::Cure::OtherFile});
-    auto head = std::make_shared<Head>();
-    head->name = name;
-    head->builtIn = false;
-    head->unitScale = unitScale;
-    head->upAxis = upAxis;
-    head->sourceGlb = sourceGlb;
-    head->skin = std::make_shared<const sim::Skin>(std::move(mesh));
-    if (!(head->skin->areaM2() > 0.0))
-        return cannotOpen(name,
-                          Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its mesh has no surface; choose another")),
-                                 .cure = Clause::Cure::OtherFile});
-    head->shownMesh = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
-    return head;
-}
-
 } // namespace
 
 std::shared_ptr<const Head> builtInHead()
@@ -144,15 +116,42 @@ std::vector<sim::Ellipsoid> builtInEllipsoids()
     return ellipsoids;
 }
 
-QByteArray writeGlb(const sim::HeadMesh& mesh)
+Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByteArray& sourceGlb, float unitScale,
+                                                 UpAxis upAxis)
 {
-    return glbFromMesh(mesh);
+    Checked<sim::HeadMesh> source = meshFromGlb(sourceGlb);
+    if (!source)
+        return tl::unexpected(source.error());
+    sim::HeadMesh mesh = std::move(*source);
+    for (glm::vec3& p : mesh.positionsHd)
+        p = turned(p, upAxis) * unitScale;
+    for (glm::vec3& n : mesh.normalsHd)
+        n = turned(n, upAxis);
+    if (const std::optional<QString> problem = problemOf(extentOf(mesh)))
+        return refuse(*problem, Clause::Cure::OtherFile);
+    auto head = std::make_shared<Head>();
+    head->name = name;
+    head->builtIn = false;
+    head->unitScale = unitScale;
+    head->upAxis = upAxis;
+    head->sourceGlb = sourceGlb;
+    head->skin = std::make_shared<const sim::Skin>(std::move(mesh));
+    if (!(head->skin->areaM2() > 0.0))
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "its mesh has no surface; choose another")),
+                      Clause::Cure::OtherFile);
+    head->shownMesh = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
+    return head;
 }
 
 Result<std::shared_ptr<const Head>> makeHead(const QString& name, const QByteArray& sourceGlb, float unitScale,
                                              UpAxis upAxis)
 {
-    return withinMemory(name, cannotOpen, [&] { return headFrom(name, sourceGlb, unitScale, upAxis); });
+    return withinMemory(name, cannotOpen, [&]() -> Result<std::shared_ptr<const Head>> {
+        Checked<std::shared_ptr<const Head>> head = headFromGlb(name, sourceGlb, unitScale, upAxis);
+        if (!head)
+            return cannotOpen(name, head.error());
+        return std::move(*head);
+    });
 }
 
 HeadGuess guessHead(const sim::HeadMesh& source)

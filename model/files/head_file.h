@@ -1,7 +1,7 @@
 // Heads: the built-in one, and our exact subset of binary glTF that project files hold.
 #pragma once
 
-#include "model/error.h"
+#include "model/files/sentences.h"
 #include "model/project.h"
 
 namespace hairpaint::model {
@@ -10,13 +10,13 @@ namespace hairpaint::model {
 [[nodiscard]] std::shared_ptr<const Head> builtInHead();
 [[nodiscard]] std::vector<sim::Ellipsoid> builtInEllipsoids();
 
-/// Our subset of glb.
-[[nodiscard]] QByteArray writeGlb(const sim::HeadMesh& mesh);
-
 /// Applies scale and axis to a source mesh (our subset of glb), centres nothing, and builds the skin. Fails for what is
 /// no mesh, and for a head smaller than 1 mm, larger than 100 m or further than 1 km from the origin.
 [[nodiscard]] Result<std::shared_ptr<const Head>> makeHead(const QString& name, const QByteArray& sourceGlb,
                                                            float unitScale, UpAxis upAxis);
+/// The same, for a sentence that names the file which holds the head. Throws where memory runs out.
+[[nodiscard]] Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByteArray& sourceGlb,
+                                                               float unitScale, UpAxis upAxis);
 
 /// What scale and axis a mesh of unknown origin most likely has: the one under which it is about a head's size and
 /// taller along the axis.

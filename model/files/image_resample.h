@@ -1,4 +1,5 @@
 // Bringing a row-wise readable image to the size of a map.
+// Any thread; rows are asked for on the caller's. Errors: none but std::bad_alloc.
 #pragma once
 
 #include "sim/base/tiled_raster.h"

@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace hairpaint::model {
 
@@ -49,12 +50,24 @@ tl::unexpected<Clause> tooMuch()
                   Clause::Cure::OtherFile);
 }
 
-/// What images that differ come to; checked before any of them is decoded.
-struct Budget
+/// What images that differ come to, the same for writing and reading; checked before any of them is decoded.
+class ImageBudget
 {
-    qint64 texels = 0;
-    quint64 bytes = 0;
-    [[nodiscard]] bool exceeded() const { return texels > kMostDistinctTexels || bytes > kMostImageBytes; }
+public:
+    /// False where it is too much. Bytes that are known already count no more, whatever they are texels of.
+    [[nodiscard]] bool take(int size, const QByteArray& png)
+    {
+        if (m_known.emplace(size, png).second) {
+            m_texels += qint64{size} * size;
+            m_bytes += static_cast<quint64>(png.size());
+        }
+        return m_texels <= kMostDistinctTexels && m_bytes <= kMostImageBytes;
+    }
+
+private:
+    std::set<std::pair<int, QByteArray>> m_known;
+    qint64 m_texels = 0;
+    quint64 m_bytes = 0;
 };
 
 bool tooManyTexels(const std::vector<StoredLayer>& storedLayers)
@@ -65,21 +78,16 @@ bool tooManyTexels(const std::vector<StoredLayer>& storedLayers)
     return texels > kMostTexels;
 }
 
-/// How many images of this size are worked on at once: large ones would take too much memory together.
-std::size_t batchOf(int size)
-{
-    constexpr int kLargestTogether = 2048;
-    return size > kLargestTogether ? 1 : static_cast<std::size_t>(sim::threadCount());
-}
-
 /// Runs `work` over all items, several at once, and asks `progress` between. False where cancelled.
 template<typename Item>
 bool inBatches(std::vector<Item>& items, const Progress& progress, const std::function<void(Item&)>& work)
 {
+    std::vector<int> sizes(items.size());
+    std::ranges::transform(items, sizes.begin(), &Item::size);
     for (std::size_t done = 0; done < items.size();) {
         if (progress && !progress(static_cast<double>(done) / static_cast<double>(items.size())))
             return false;
-        const std::size_t count = std::min(items.size() - done, batchOf(items[done].size));
+        const std::size_t count = batchLength(std::span(sizes).subspan(done));
         sim::parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 work(items[done + i]);
@@ -113,7 +121,7 @@ Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const
     if (tooManyTexels(storedLayers))
         return tooMuch();
     std::vector<Decoding> images;
-    Budget budget;
+    ImageBudget budget;
     std::multimap<quint32, std::size_t> byChecksum;
     for (const StoredLayer& stored : storedLayers) {
         const int size = stored.stack->size;
@@ -133,9 +141,7 @@ Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const
             images[known->second].layers.push_back(stored.layer);
             continue;
         }
-        budget.texels += qint64{size} * size;
-        budget.bytes += static_cast<quint64>(png->size());
-        if (budget.exceeded())
+        if (!budget.take(size, *png))
             return tooMuch();
         byChecksum.emplace(checksum, images.size());
         images.push_back({.png = std::move(*png), .spec = &spec, .size = size, .layers = {stored.layer}});
@@ -157,6 +163,14 @@ Checked<void> checkMimetype(const ArchiveReader& archive, const QByteArray& mime
 }
 
 } // namespace
+
+std::size_t batchLength(std::span<const int> sizes)
+{
+    constexpr int kLargestTogether = 2048;
+    const auto large = std::ranges::find_if(sizes, [](int size) { return size > kLargestTogether; });
+    const auto before = static_cast<std::size_t>(large - sizes.begin());
+    return std::clamp(before, std::size_t{1}, static_cast<std::size_t>(sim::threadCount()));
+}
 
 void addMimetype(ArchiveWriter& archive, const QByteArray& mimetype)
 {
@@ -185,16 +199,14 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
     const std::vector<StoredLayer> storedLayers = placesOf(copies);
     std::vector<Encoding> missing;
     EncodedLayers seen;
-    std::size_t heldBytes = 0;
     for (const StoredLayer& stored : storedLayers) {
         const sim::TiledRaster& raster = stored.layer->raster;
-        heldBytes += raster.byteCount();
         if (cache.find(raster) || seen.find(raster))
             continue;
         seen.insert(raster, {});
         missing.push_back({.raster = raster, .size = raster.size(), .png = {}});
     }
-    if (tooManyTexels(storedLayers) || heldBytes > kMostHeldBytes)
+    if (excessOf(groups) != ContentExcess::None)
         return tooMuch();
     if (!inBatches<Encoding>(missing, progress, [](Encoding& one) { one.png = encodeLayer(one.raster); }))
         return false;
@@ -203,18 +215,15 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
             return refuse(say(QT_TRANSLATE_NOOP("Files", "there is not enough memory to encode its maps")));
         cache.insert(one.raster, one.png);
     }
-    std::set<const char*> counted; // equal layers share their bytes
-    Budget budget;
+    ImageBudget budget;
+    bool fits = true;
     for (const StoredLayer& stored : storedLayers) {
         const QByteArray png = cache.find(stored.layer->raster).value_or(QByteArray());
-        if (counted.insert(png.constData()).second) {
-            budget.bytes += static_cast<quint64>(png.size());
-            budget.texels += qint64{stored.stack->size} * stored.stack->size;
-        }
+        fits = fits && budget.take(stored.stack->size, png);
         archive.add(stored.entry.toLatin1(), png, ArchiveWriter::Method::Stored);
     }
     cache.dropUnused();
-    if (budget.exceeded())
+    if (!fits)
         return tooMuch();
     return true;
 }
@@ -243,6 +252,9 @@ Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& g
         if (image.result->ours)
             cache.insert(image.result->raster, image.png);
     }
+    // Layers of one image, and those of maps that the file lacks, count as they do when it is edited and saved.
+    if (excessOf(groups) != ContentExcess::None)
+        return tooMuch();
     return true;
 }
 

@@ -6,6 +6,8 @@
 #include "model/files/encoded_layers.h"
 #include "model/files/project_file.h"
 
+#include <span>
+
 namespace hairpaint::model {
 
 inline constexpr qint64 kMostFileBytes = (qint64{1} << 32) - 1;
@@ -23,6 +25,10 @@ struct OpenedArchive
     QByteArray json;
 };
 [[nodiscard]] Result<OpenedArchive> openArchive(const QString& path, const QByteArray& mimetype);
+
+/// How many images are worked on at once, from the first one on: large ones would take too much memory together.
+/// `sizes`: texels a side, one or more.
+[[nodiscard]] std::size_t batchLength(std::span<const int> sizes);
 
 /// Adds every layer's image, encoding those that `cache` does not know. False where `progress` cancels.
 [[nodiscard]] Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& groups,

@@ -2,6 +2,7 @@
 #include "model/files/png_codec.h"
 
 #include "model/files/png_reader.h"
+#include "model/new_image.h"
 #include "model/texel_ops.h"
 
 #include <QBuffer>
@@ -47,11 +48,6 @@ bool takeRow(const std::uint8_t* bytes, std::uint16_t* texels, int count, int ch
     return ours;
 }
 
-bool isUniform(const std::vector<std::uint16_t>& pixels, std::size_t channels)
-{
-    return std::equal(pixels.begin() + static_cast<std::ptrdiff_t>(channels), pixels.end(), pixels.begin());
-}
-
 /// Puts tiles into a raster; those of one value are folded, and neighbours of the same value share one tile.
 class TileFolder
 {
@@ -61,14 +57,14 @@ public:
     /// Takes `pixels` away where the tile keeps them.
     void put(int index, std::vector<std::uint16_t>& pixels)
     {
-        const auto channels = static_cast<std::size_t>(m_raster.channels());
+        const std::optional<sim::Texel> value = sim::commonTexel(pixels);
         auto tile = std::make_shared<sim::RasterTile>();
-        if (!isUniform(pixels, channels)) {
+        if (!value) {
             tile->pixels = std::exchange(pixels, {});
             m_raster.setTile(index, std::move(tile));
             return;
         }
-        std::copy_n(pixels.begin(), channels, tile->uniform.begin());
+        tile->uniform = *value;
         if (m_lastUniform->uniform != tile->uniform)
             m_lastUniform = std::move(tile);
         m_raster.setTile(index, m_lastUniform);
@@ -85,7 +81,7 @@ QByteArray encodeLayer(const sim::TiledRaster& raster)
 {
     const int size = raster.size();
     const int channels = raster.channels();
-    QImage image(size, size, QImage::Format_RGBA64);
+    QImage image = newImage(size, size, QImage::Format_RGBA64);
     for (int index = 0; index < raster.tileCount(); ++index) {
         const sim::RasterTile& tile = *raster.tile(index);
         const sim::TexelRect rect = raster.tileRect(index);
@@ -162,8 +158,8 @@ QImage decodePicture(const QByteArray& png, int mostSide)
         (parts->colourType != kRgb && parts->colourType != kRgba))
         return {};
     const bool hasAlpha = parts->colourType == kRgba;
-    QImage image(static_cast<int>(parts->width), static_cast<int>(parts->height),
-                 hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+    QImage image = newImage(static_cast<int>(parts->width), static_cast<int>(parts->height),
+                            hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
     PngRows rows(parts->packedPixels, std::size_t{parts->width} * (hasAlpha ? 4 : 3), hasAlpha ? 4 : 3);
     for (int y = 0; y < image.height(); ++y) {
         const std::span<const std::uint8_t> row = rows.next();

@@ -1,4 +1,6 @@
 // Hairstyles on disk: `.hairpreset`, and the library of built-in and own ones.
+// Any thread. Errors: a file that is missing, truncated, foreign, hostile or oversized gives one sentence that names
+// it; so does want of memory.
 #pragma once
 
 #include "model/error.h"
@@ -26,8 +28,7 @@ struct PresetEntry
 [[nodiscard]] QStringList builtInPresets();
 
 /// Built-in styles (":/presets", in the order of the lines of its order.txt, one base name each), then those in
-/// `ownFolder` by name. Files that can't be read are left out and
-/// named in `problems`.
+/// `ownFolder` by name. Files that can't be read are left out and named in `problems`.
 [[nodiscard]] std::vector<PresetEntry> listPresets(const QString& ownFolder, QStringList* problems = nullptr);
 
 } // namespace hairpaint::model

@@ -15,24 +15,19 @@ namespace {
 const QByteArray kMimetype = QByteArrayLiteral("application/x-hairpaint");
 constexpr qint64 kMostHeadBytes = 192 << 20;
 
-Result<std::shared_ptr<const Head>> openHead(const ArchiveReader& archive, const HeadReference& reference,
-                                             const QString& path)
+Checked<std::shared_ptr<const Head>> openHead(const ArchiveReader& archive, const HeadReference& reference)
 {
     if (reference.builtIn) {
         if (reference.name != builtInHead()->name)
-            return cannotOpen(path,
-                              Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its head '%1' is not known to this one"))
-                                                 .arg(shownPath(reference.name)),
-                                     .cure = Clause::Cure::NewerProgram});
+            return refuse(say(QT_TRANSLATE_NOOP("Files", "its head '%1' is not known to this one"))
+                              .arg(shownPath(reference.name)),
+                          Clause::Cure::NewerProgram);
         return builtInHead();
     }
     const Checked<QByteArray> glb = archive.read(QStringLiteral("head.glb"), kMostHeadBytes);
     if (!glb)
-        return cannotOpen(path, glb.error());
-    Result<std::shared_ptr<const Head>> head = makeHead(reference.name, *glb, reference.unitScale, reference.upAxis);
-    if (!head)
-        return cannotOpen(path, Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its head's mesh is broken"))});
-    return head;
+        return tl::unexpected(glb.error());
+    return headFromGlb(reference.name, *glb, reference.unitScale, reference.upAxis);
 }
 
 Result<Project> read(const QString& path, EncodedLayers& cache, const Progress& progress)
@@ -48,9 +43,9 @@ Result<Project> read(const QString& path, EncodedLayers& cache, const Progress& 
         return cannotOpen(path, layers.error());
     if (!*layers)
         return cancelled(path);
-    Result<std::shared_ptr<const Head>> head = openHead(opened->archive, manifest->head, path);
+    Checked<std::shared_ptr<const Head>> head = openHead(opened->archive, manifest->head);
     if (!head)
-        return tl::unexpected(head.error());
+        return cannotOpen(path, head.error());
     manifest->project.head = std::move(*head);
     return std::move(manifest->project);
 }
@@ -97,14 +92,6 @@ Result<void> saveProject(const Project& project, const QString& path, const QIma
         renumber(renumbered.groups, renumbered.nextId);
         return write(renumbered, path, thumbnail, encoded, progress);
     });
-}
-
-QImage loadThumbnail(const QString& path)
-{
-    if (!checkReadable(path, kMostFileBytes))
-        return {};
-    const Checked<ArchiveReader> archive = ArchiveReader::open(path);
-    return archive ? readThumbnail(*archive) : QImage();
 }
 
 Project newProject()

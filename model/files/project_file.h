@@ -24,9 +24,6 @@ class EncodedLayers;
 [[nodiscard]] Result<void> saveProject(const Project& project, const QString& path, const QImage& thumbnail,
                                        EncodedLayers* cache = nullptr, const Progress& progress = {});
 
-/// The picture a project or preset was saved with; null where there is none.
-[[nodiscard]] QImage loadThumbnail(const QString& path);
-
 /// A new project on the built-in head with one empty group "Scalp".
 [[nodiscard]] Project newProject();
 

@@ -1,11 +1,9 @@
 // The sentences with which reading and writing files fails: each names the file and the way on.
 #pragma once
 
-#include "model/error.h"
+#include "model/guarded.h"
 
 #include <cstdint>
-#include <new>
-#include <stdexcept>
 #include <type_traits>
 
 namespace hairpaint::model {
@@ -50,13 +48,7 @@ using Phrase = tl::unexpected<Error> (*)(const QString& path, const Clause& clau
 template<typename Work>
 [[nodiscard]] std::invoke_result_t<Work> withinMemory(const QString& path, Phrase phrase, const Work& work)
 {
-    try {
-        return work();
-    } catch (const std::bad_alloc&) {
-        return phrase(path, notEnoughMemory());
-    } catch (const std::length_error&) {
-        return phrase(path, notEnoughMemory());
-    }
+    return whereMemoryLasts(work, [&] { return phrase(path, notEnoughMemory()); });
 }
 
 /// Fails where no reading is needed to know: missing, a folder, unreadable, empty, larger than `mostBytes`.

@@ -51,9 +51,7 @@ std::vector<std::pair<int, sim::RasterTilePtr>> differences(sim::TiledRaster& ra
         if (raster.tile(index) == before.tile(index))
             continue;
         raster.compact(index);
-        const sim::RasterTile& now = *raster.tile(index);
-        const sim::RasterTile& was = *before.tile(index);
-        if (now.uniform != was.uniform || now.pixels != was.pixels)
+        if (!sim::sameTexels(*raster.tile(index), *before.tile(index)))
             tiles.emplace_back(index, raster.tile(index));
     }
     return tiles;

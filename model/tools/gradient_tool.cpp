@@ -147,7 +147,7 @@ private:
         const bool fades = paint.first == paint.second;
         StrokeBuffer::MaskTile mask{};
         StrokeBuffer::MaskTile fractions{};
-        std::vector<std::uint16_t> values(StrokeBuffer::kTileTexels * channels);
+        std::vector<std::uint16_t> values(sim::kTileTexels * channels);
         const sim::TexelRect rect = m_edit.before().tileRect(index);
         const auto paintTexel = [&](int x, int y) {
             const auto texel = static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0);

@@ -1,7 +1,8 @@
 // Drawing an outline's inside with Qt's antialiasing painter.
 #include "model/tools/shape_mask.h"
 
-#include <QImage>
+#include "model/new_image.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ ShapeMask::ShapeMask(const QPolygonF& outlineTx, int mapSize)
         return;
     const int width = m_rect.x1 - m_rect.x0;
     const int height = m_rect.y1 - m_rect.y0;
-    QImage image(width, height, QImage::Format_Grayscale8);
+    QImage image = newImage(width, height, QImage::Format_Grayscale8);
     image.fill(Qt::black);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);

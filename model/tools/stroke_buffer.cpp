@@ -147,7 +147,7 @@ void StrokeBuffer::layValue(int tileIndex, std::size_t firstTexel, std::span<con
 {
     std::vector<std::uint16_t>& values = m_values[static_cast<std::size_t>(tileIndex)];
     if (values.empty())
-        values.resize(kTileTexels * m_valueChannels);
+        values.resize(sim::kTileTexels * m_valueChannels);
     for (std::size_t i = 0; i < masks.size(); ++i) {
         if (masks[i] == 0 || masks[i] < row[i])
             continue;

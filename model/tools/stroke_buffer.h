@@ -25,9 +25,7 @@ struct Dab
 class StrokeBuffer
 {
 public:
-    static constexpr std::size_t kTileTexels =
-        static_cast<std::size_t>(sim::TiledRaster::kTileSize) * sim::TiledRaster::kTileSize;
-    using MaskTile = std::array<std::uint16_t, kTileTexels>;
+    using MaskTile = std::array<std::uint16_t, sim::kTileTexels>;
 
     /// `valueChannels`: of the values that dabs leave; 0 where all lay the same.
     explicit StrokeBuffer(int size, int valueChannels = 0);

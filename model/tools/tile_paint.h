@@ -7,9 +7,9 @@
 
 namespace hairpaint::model {
 
-/// `before` with `paint` through `mask`, where `share = mask * opacity`:
-/// laid: coverage' = coverage + (1 - coverage) share, value' = value moved by share / coverage' toward the paint;
-/// erased: coverage' = coverage (1 - share), and the default value where nothing is left.
+/// `before` with `paint` through `mask`, where `fraction = mask * opacity`:
+/// laid: coverage' = coverage + (1 - coverage) fraction, value' = value moved by fraction / coverage' toward the paint;
+/// erased: coverage' = coverage (1 - fraction), and the default value where nothing is left.
 /// An index is laid, or taken away, whole where the mask alone is 1/2 or more.
 /// Returns `before` itself where no texel changes; a tile of equal texels comes back uniform.
 [[nodiscard]] sim::RasterTilePtr paintTile(const MapSpec& spec, const sim::RasterTilePtr& before,

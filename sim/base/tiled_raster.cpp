@@ -9,7 +9,7 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr int kTile = TiledRaster::kTileSize;
-constexpr std::size_t kTileTexels = static_cast<std::size_t>(kTile) * kTile;
+static_assert(kTileTexels == static_cast<std::size_t>(kTile) * kTile);
 
 std::size_t texelOffset(int x, int y, int channels)
 {
@@ -57,6 +57,45 @@ struct Footprint
 
 } // namespace
 
+std::optional<Texel> commonTexel(std::span<const std::uint16_t> pixels)
+{
+    const std::size_t channels = pixels.size() / kTileTexels;
+    if (!std::equal(pixels.begin() + static_cast<std::ptrdiff_t>(channels), pixels.end(), pixels.begin()))
+        return std::nullopt;
+    Texel value{};
+    std::copy_n(pixels.begin(), channels, value.begin());
+    return value;
+}
+
+std::vector<std::uint16_t> expanded(const RasterTile& tile, int channels)
+{
+    if (!tile.isUniform())
+        return tile.pixels;
+    const auto step = static_cast<std::size_t>(channels);
+    std::vector<std::uint16_t> pixels(kTileTexels * step);
+    std::copy_n(tile.uniform.begin(), step, pixels.begin());
+    // What is there, once more after itself: the number of texels is a power of two.
+    for (std::size_t done = step; done < pixels.size(); done *= 2)
+        std::copy_n(pixels.begin(), done, pixels.begin() + static_cast<std::ptrdiff_t>(done));
+    return pixels;
+}
+
+RasterTile folded(RasterTile tile)
+{
+    if (tile.isUniform())
+        return tile;
+    if (const std::optional<Texel> value = commonTexel(tile.pixels))
+        return {.uniform = *value, .pixels = {}};
+    return {.uniform = {}, .pixels = std::move(tile.pixels)};
+}
+
+bool sameTexels(const RasterTile& a, const RasterTile& b)
+{
+    if (a.isUniform() != b.isUniform())
+        return a.isUniform() ? commonTexel(b.pixels) == a.uniform : commonTexel(a.pixels) == b.uniform;
+    return a.isUniform() ? a.uniform == b.uniform : a.pixels == b.pixels;
+}
+
 TiledRaster::TiledRaster(int size, int channels, Texel fill)
     : m_size(size), m_channels(channels), m_tilesAcross(size / kTileSize)
 {
@@ -90,16 +129,9 @@ void TiledRaster::setUniform(int tileIndex, Texel value)
 std::span<std::uint16_t> TiledRaster::writableTile(int tileIndex)
 {
     RasterTilePtr& slot = m_tiles[static_cast<std::size_t>(tileIndex)];
-    const auto channels = static_cast<std::size_t>(m_channels);
     if (slot.use_count() > 1 || slot->isUniform()) {
         auto own = std::make_shared<RasterTile>();
-        if (slot->isUniform()) {
-            own->pixels.resize(kTileTexels * channels);
-            for (std::size_t i = 0; i < own->pixels.size(); ++i)
-                own->pixels[i] = slot->uniform[i % channels];
-        } else {
-            own->pixels = slot->pixels;
-        }
+        own->pixels = expanded(*slot, m_channels);
         slot = std::move(own);
     }
     // Sole owner now, and every tile is created non-const above or by a caller that handed it over.
@@ -111,13 +143,8 @@ void TiledRaster::compact(int tileIndex)
     const RasterTile& tile = *m_tiles[static_cast<std::size_t>(tileIndex)];
     if (tile.isUniform())
         return;
-    const auto channels = static_cast<std::size_t>(m_channels);
-    for (std::size_t i = channels; i < tile.pixels.size(); ++i)
-        if (tile.pixels[i] != tile.pixels[i - channels])
-            return;
-    Texel value{};
-    std::copy_n(tile.pixels.begin(), channels, value.begin());
-    setUniform(tileIndex, value);
+    if (const std::optional<Texel> value = commonTexel(tile.pixels))
+        setUniform(tileIndex, *value);
 }
 
 Texel TiledRaster::texel(int x, int y) const
@@ -201,22 +228,9 @@ bool operator==(const TiledRaster& a, const TiledRaster& b)
 {
     if (a.m_size != b.m_size || a.m_channels != b.m_channels)
         return false;
-    for (int index = 0; index < a.tileCount(); ++index) {
-        const RasterTilePtr& tileA = a.tile(index);
-        const RasterTilePtr& tileB = b.tile(index);
-        if (tileA == tileB)
-            continue;
-        if (tileA->isUniform() && tileB->isUniform()) {
-            if (tileA->uniform != tileB->uniform)
-                return false;
-            continue;
-        }
-        const TexelRect rect = a.tileRect(index);
-        for (int y = rect.y0; y < rect.y1; ++y)
-            for (int x = rect.x0; x < rect.x1; ++x)
-                if (a.texel(x, y) != b.texel(x, y))
-                    return false;
-    }
+    for (int index = 0; index < a.tileCount(); ++index)
+        if (a.tile(index) != b.tile(index) && !sameTexels(*a.tile(index), *b.tile(index)))
+            return false;
     return true;
 }
 

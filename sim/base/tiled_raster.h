@@ -24,6 +24,16 @@ struct RasterTile
     [[nodiscard]] bool isUniform() const { return pixels.empty(); }
 };
 using RasterTilePtr = std::shared_ptr<const RasterTile>;
+inline constexpr std::size_t kTileTexels = std::size_t{64} * 64;
+
+/// The value of every texel of [64][64][channels] where they are all equal.
+[[nodiscard]] std::optional<Texel> commonTexel(std::span<const std::uint16_t> pixels);
+/// The tile's texels as pixels, whether it holds them or not.
+[[nodiscard]] std::vector<std::uint16_t> expanded(const RasterTile& tile, int channels);
+/// The same texels, as one value where they are all equal.
+[[nodiscard]] RasterTile folded(RasterTile tile);
+/// However either of them is stored.
+[[nodiscard]] bool sameTexels(const RasterTile& a, const RasterTile& b);
 
 /// Half-open rectangle of texels.
 struct TexelRect

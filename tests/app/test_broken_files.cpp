@@ -1,6 +1,7 @@
 // Files that are missing, cut short, foreign, hostile or too large, given to every verb, and helpers that misbehave:
 // one line on standard error names the file, the code is 1, nothing is written, and it takes neither 20 s nor 2 GB.
 #include "model/files/archive.h"
+#include "model/files/glb.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "tests/app/program.h"
@@ -99,7 +100,8 @@ private Q_SLOTS:
     {
         model::Project project;
         const sim::HeadMesh mesh = makePatchHead(8);
-        project.head = model::makeHead(QStringLiteral("patch"), model::writeGlb(mesh), 1.0F, model::UpAxis::Y).value();
+        project.head =
+            model::makeHead(QStringLiteral("patch"), model::glbFromMesh(mesh), 1.0F, model::UpAxis::Y).value();
         project.groups.push_back(model::makeGroup(project, QStringLiteral("Scalp"), 256));
         m_good = path(QStringLiteral("good.hairpaint"));
         QVERIFY(model::saveProject(project, m_good, {}));
@@ -291,7 +293,7 @@ private Q_SLOTS:
         const QString image = path(QStringLiteral("any.png"));
         writeBytes(image, pngOf(1, 1, 8, 2, packedZeros(4)));
         const QString head = path(QStringLiteral("any.glb"));
-        writeBytes(head, model::writeGlb(makeBallHead(8)));
+        writeBytes(head, model::glbFromMesh(makeBallHead(8)));
         qputenv("HAIRPAINT_IMPORT", HAIRPAINT_FAKE_HELPER_PROGRAM);
         qputenv("HAIRPAINT_FAKE_HELPER", mode);
         QCOMPARE(faultOf(m_folder.path(), verb("new --map", image), QStringLiteral("any.png")), QString());

@@ -1,6 +1,7 @@
 // What comes in from other programs and goes out to them, by the window's menus and dialogs and dropped on it.
 #include "app/exchange.h"
 #include "model/commands/commands.h"
+#include "model/files/glb.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/preset.h"
@@ -140,7 +141,7 @@ private:
         QFile file(path(name));
         if (!file.open(QIODevice::WriteOnly))
             return {};
-        file.write(model::writeGlb(test::makeBallHead(24, 0.11F)));
+        file.write(model::glbFromMesh(test::makeBallHead(24, 0.11F)));
         return file.fileName();
     }
 

@@ -1,6 +1,7 @@
 // Work in the background: what it throws becomes a sentence, Cancel ends it, and input meanwhile is lost.
 #include "app/background/heads.h"
 #include "app/background/jobs.h"
+#include "model/files/glb.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 
@@ -232,7 +233,7 @@ private Q_SLOTS:
 
     void preparingAHeadStopsWhereverItIsAsked()
     {
-        const QByteArray source = model::writeGlb(test::makeBallHead(24, 0.11F));
+        const QByteArray source = model::glbFromMesh(test::makeBallHead(24, 0.11F));
         int asked = 0;
         QVERIFY(remakeHead(QStringLiteral("ball"), source, {}, [&asked](double) { return ++asked > 0; }));
         QVERIFY(asked > 3);

@@ -7,6 +7,7 @@
 #include "app/main_window.h"
 #include "app/session.h"
 #include "model/commands/commands.h"
+#include "model/files/glb.h"
 #include "tests/support/test_heads.h"
 #include "view/resources.h"
 
@@ -145,7 +146,7 @@ void duringHeadImports(benchmark::State& state)
     for ([[maybe_unused]] auto step : state) {
         const auto head =
             jobs.await<app::ImportedHead>(QStringLiteral("Preparing"), [&](const model::Progress& progress) {
-                return app::remakeHead(QStringLiteral("ball"), model::writeGlb(mesh), {}, progress);
+                return app::remakeHead(QStringLiteral("ball"), model::glbFromMesh(mesh), {}, progress);
             });
         if (!head || !*head)
             return state.SkipWithError("the head could not be made");

@@ -1,5 +1,6 @@
 // Foreign meshes through the real helper, and the joining of triangles on its own.
 #include "app/importer/mesh_builder.h"
+#include "model/files/glb.h"
 #include "model/files/head_file.h"
 #include "model/files/importer_client.h"
 #include "tests/model/archive_maker.h"
@@ -164,7 +165,7 @@ private Q_SLOTS:
         const HeadGuess guess = guessHead(*mesh);
         QCOMPARE(guess.unitScale, 0.01F);
         QVERIFY(guess.upAxis == UpAxis::Z);
-        const auto head = makeHead(QStringLiteral("ball"), writeGlb(*mesh), guess.unitScale, guess.upAxis);
+        const auto head = makeHead(QStringLiteral("ball"), glbFromMesh(*mesh), guess.unitScale, guess.upAxis);
         QVERIFY(head);
         // A ball of 11 cm, stretched by 1.2 upward.
         QVERIFY((*head)->skin->areaM2() > 0.15 && (*head)->skin->areaM2() < 0.19);

@@ -1,6 +1,7 @@
 // A small project in which nothing has its default, for tests of files.
 #pragma once
 
+#include "model/files/glb.h"
 #include "model/files/head_file.h"
 #include "model/project.h"
 #include "tests/support/test_heads.h"
@@ -41,7 +42,7 @@ inline model::Project makeSampleProject(int mapSize = 256, const std::vector<mod
     project.maxHairs = 123'456;
     project.background = 0xFF102030;
     const Result<std::shared_ptr<const Head>> head =
-        makeHead(QStringLiteral("Kugel ä"), writeGlb(makeBallHead(12, 10.0F)), 0.01F, UpAxis::Z);
+        makeHead(QStringLiteral("Kugel ä"), glbFromMesh(makeBallHead(12, 10.0F)), 0.01F, UpAxis::Z);
     project.head = *head;
     project.ellipsoids = {{.centreHd = {0.01F, -0.02F, 0.3F}, .semiAxesM = {0.07F, 0.08F, 0.09F}},
                           {.centreHd = {0.1F, 0.0F, 0.0F},

@@ -77,6 +77,7 @@ private Q_SLOTS:
     void uniformLayersGiveUniformTiles();
     void onlyTilesThatDifferGetNewPointers();
     void updatingGivesWhatResolvingAnewGives();
+    void tilesOfALayerThatWasNotThereKeepTheStart();
     void aSnapshotNeverChanges();
 };
 
@@ -249,6 +250,19 @@ void TestCompositor::updatingGivesWhatResolvingAnewGives()
             QVERIFY(*map.result() == resolveStack(stack));
         }
     }
+}
+
+void TestCompositor::tilesOfALayerThatWasNotThereKeepTheStart()
+{
+    MapStack stack = stackOf(MapKind::Length, {{0, 0, 0, 0}});
+    const auto start = std::make_shared<const sim::TiledRaster>(256, 1, sim::Texel{4321, 0, 0, 0});
+    ResolvedMap map(stack, start);
+    stack.layers.push_back({.id = 9, .name = {}, .raster = sim::TiledRaster(256, 2)});
+    stack.layers.back().raster.setTexel(3, 3, {50000, 65535, 0, 0});
+    const std::vector<int> tiles{0};
+    QVERIFY(map.updateTiles(stack, 9, tiles));
+    QVERIFY(*map.result() == resolveStack(stack, start));
+    QCOMPARE(static_cast<int>(map.result()->texel(200, 200)[0]), 4321);
 }
 
 void TestCompositor::aSnapshotNeverChanges()

@@ -1,6 +1,7 @@
 // A document takes no more than can be saved, and says so; maps can be made another size.
 #include "model/commands/commands.h"
 #include "model/content_budget.h"
+#include "model/files/group_json.h"
 #include "model/files/project_file.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"
@@ -57,6 +58,9 @@ private Q_SLOTS:
     void paintingThatCouldNotBeSavedIsRefused();
     void tooManyLayersInAMapAreRefused();
     void whatIsTooLargeAlreadyCanBeMadeSmaller();
+    void whatIsTooLargeAlreadyMayNotGrow();
+    void whatIsPaintedTooMuchAlreadyMayNotGrow();
+    void layersOfMapsThatAFileLacksCountToo();
     void aMapIsResized_data();
     void aMapIsResized();
     void resizingKeepsWhatIsPainted();
@@ -129,6 +133,59 @@ void TestContentBudget::whatIsTooLargeAlreadyCanBeMadeSmaller()
     Document document(projectOf(256, kMostLayersInMap + 2));
     document.push(removeLayerCommand(document, firstLayer(document, MapKind::Length)));
     QCOMPARE(document.undoStack().count(), 1);
+}
+
+void TestContentBudget::whatIsTooLargeAlreadyMayNotGrow()
+{
+    Document document(projectOf(256, kMostLayersInMap + 2));
+    QSignalSpy refused(&document, &Document::refused);
+    const LayerAddress at = firstLayer(document, MapKind::Length);
+    document.push(addLayerCommand(document, at.group, at.map, QStringLiteral("One more")));
+    QCOMPARE(refused.count(), 1);
+    QCOMPARE(document.undoStack().count(), 0);
+    // What is not too much may.
+    document.push(addLayerCommand(document, at.group, MapKind::Gel, QStringLiteral("Elsewhere")));
+    QCOMPARE(document.undoStack().count(), 1);
+}
+
+void TestContentBudget::whatIsPaintedTooMuchAlreadyMayNotGrow()
+{
+    Project project = projectOf(4096, 18);
+    MapStack& length = project.groups.front().map(MapKind::Length);
+    for (std::size_t i = 0; i < 17; ++i)
+        paintAllOver(length.layers[i]);
+    const Layer first = length.layers.front();
+    const Layer last = length.layers.back();
+    Document document(project);
+    QSignalSpy refused(&document, &Document::refused);
+    const Id group = document.committed().groups.front().id;
+    document.push(
+        paintCommand(document, {group, MapKind::Length, last.id}, allOver(last), QStringLiteral("Fill another")));
+    QCOMPARE(refused.count(), 1);
+    QCOMPARE(document.undoStack().count(), 0);
+    document.push(paintCommand(document, {group, MapKind::Length, first.id}, {{0, last.raster.tile(0)}},
+                               QStringLiteral("Clear a tile")));
+    QCOMPARE(document.undoStack().count(), 1);
+}
+
+void TestContentBudget::layersOfMapsThatAFileLacksCountToo()
+{
+    // Length maps alone, which the file may hold; with the maps that each group gets they are too many to be saved.
+    Project project;
+    constexpr int kLayers = kMostLayers / kMostGroups;
+    for (int g = 0; g < kMostGroups; ++g) {
+        HairGroup group;
+        group.id = project.takeId();
+        MapStack length{.kind = MapKind::Length, .size = 256, .layers = {}};
+        for (int layer = 0; layer < kLayers; ++layer)
+            length.layers.push_back(makeLayer(project, mapSpec(MapKind::Length), 256, QStringLiteral("L")));
+        group.maps.emplace_back(std::move(length));
+        project.groups.push_back(std::move(group));
+    }
+    QVERIFY(checkGroupCounts(project.groups));
+    QVERIFY(!groupsFromJson(groupsToJson(project.groups), project.nextId));
+    project.groups.resize(kMostLayers / (kLayers + kMapKindCount));
+    QVERIFY(groupsFromJson(groupsToJson(project.groups), project.nextId));
 }
 
 void TestContentBudget::aMapIsResized_data()

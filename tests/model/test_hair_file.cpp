@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cstring>
 
 using namespace hairpaint;
@@ -184,6 +185,25 @@ private Q_SLOTS:
         QVERIFY(glm::distance(file.colours[0], glm::vec3(1.0F, 128.0F / 255.0F, 0.0F)) < 0.01F);
     }
 
+    void coloursMixInLightAsOnTheScreen()
+    {
+        sim::GroomInput::Group input = group(1, 65535, 65535, 0);
+        input.maps[sim::MapSlot::Colour] = flat(3, {65535, 32896, 0});
+        input.maps[sim::MapSlot::TipColour] = flat(3, {0, 32896, 65535});
+        const HairFile file = written(frameOf({input}));
+        QVERIFY(file.whole && !file.segments.empty());
+        const std::size_t tip = file.segments.front();
+        QCOMPARE(tip % 2, std::size_t{0});
+        QVERIFY(glm::distance(file.colours[0], glm::vec3(1.0F, 128.0F / 255.0F, 0.0F)) < 1e-4F);
+        QVERIFY(glm::distance(file.colours[tip], glm::vec3(0.0F, 128.0F / 255.0F, 1.0F)) < 1e-4F);
+        // Half of the light is 188 of 255 as encoded.
+        const glm::vec3 middle = file.colours[tip / 2];
+        QVERIFY(std::abs(middle.r - 0.735357F) < 1e-4F && std::abs(middle.b - 0.735357F) < 1e-4F);
+        // What does not change from root to tip is written as it is.
+        for (std::size_t point = 0; point <= tip; ++point)
+            QVERIFY(file.colours[point].g == 128.0F / 255.0F);
+    }
+
     void groupsFollowEachOtherAndHiddenOnesAreLeftOut()
     {
         sim::GroomInput::Group hidden = group(2, 65535, 65535, 0);
@@ -212,13 +232,26 @@ private Q_SLOTS:
         const sim::StrandFrame frame = frameOf({group(1, 65535, 65535, 0)});
         int asked = 0;
         QVERIFY(writeHairFile(frame, path(), [&asked](double) { return ++asked > 0; }));
-        QVERIFY(asked >= 2);
+        // Before each of the four arrays, and before the file takes its name.
+        QVERIFY(asked >= 5);
         const QByteArray before = test::readBytes(path());
         for (int stopAt = 1; stopAt <= asked; ++stopAt) {
             int count = 0;
             QVERIFY(!writeHairFile(frame, path(), [&](double) { return ++count < stopAt; }));
             QVERIFY(test::readBytes(path()) == before);
         }
+    }
+
+    void progressGoesFromNothingToAllAndNeverBack()
+    {
+        std::vector<double> told;
+        QVERIFY(writeHairFile(frameOf({group(1, 65535, 65535, 0)}), path(), [&told](double fraction) {
+            told.push_back(fraction);
+            return true;
+        }));
+        QVERIFY(std::ranges::is_sorted(told));
+        QCOMPARE(told.front(), 0.0);
+        QCOMPARE(told.back(), 1.0);
     }
 
     void whereItCannotBeWrittenNothingIs()

@@ -78,18 +78,18 @@ private Q_SLOTS:
     void aMeshComesBackBitForBit()
     {
         for (const sim::HeadMesh& mesh : {test::makeBallHead(16), builtInHead()->skin->mesh()}) {
-            const QByteArray glb = writeGlb(mesh);
+            const QByteArray glb = glbFromMesh(mesh);
             const Checked<sim::HeadMesh> back = meshFromGlb(glb);
             QVERIFY(back);
             QVERIFY(sameBytes(mesh, *back));
-            QVERIFY(writeGlb(*back) == glb);
+            QVERIFY(glbFromMesh(*back) == glb);
         }
     }
 
     void uvsAreTakenFromTheTextureWhereOursAreMissing()
     {
         const sim::HeadMesh mesh = test::makeBallHead(8);
-        const QByteArray glb = withJson(writeGlb(mesh), [](QJsonObject& root) {
+        const QByteArray glb = withJson(glbFromMesh(mesh), [](QJsonObject& root) {
             QByteArray text = QJsonDocument(root).toJson();
             text.replace("\"_UV\"", "\"_OTHER\"");
             root = QJsonDocument::fromJson(text).object();
@@ -103,7 +103,7 @@ private Q_SLOTS:
     void aBrokenGlbIsRefused_data()
     {
         QTest::addColumn<QByteArray>("glb");
-        const QByteArray good = writeGlb(test::makeBallHead(8));
+        const QByteArray good = glbFromMesh(test::makeBallHead(8));
         const auto row = [](const char* name, const QByteArray& glb) { QTest::newRow(name) << glb; };
         row("empty", {});
         row("a text", "glTF is a nice format");
@@ -129,19 +129,19 @@ private Q_SLOTS:
             }));
         sim::HeadMesh mesh = test::makeBallHead(8);
         mesh.triangles[3].y = 100'000;
-        row("an index out of range", writeGlb(mesh));
+        row("an index out of range", glbFromMesh(mesh));
         mesh = test::makeBallHead(8);
         mesh.positionsHd[2].z = std::numeric_limits<float>::quiet_NaN();
-        row("a position that is no number", writeGlb(mesh));
+        row("a position that is no number", glbFromMesh(mesh));
         mesh.positionsHd[2].z = 1e20F;
-        row("a position light years away", writeGlb(mesh));
+        row("a position light years away", glbFromMesh(mesh));
         mesh = test::makeBallHead(8);
         mesh.uvs[2].x = std::numeric_limits<float>::infinity();
-        row("an endless uv", writeGlb(mesh));
+        row("an endless uv", glbFromMesh(mesh));
         mesh.uvs[2].x = 3e38F;
-        row("a uv light years away", writeGlb(mesh));
+        row("a uv light years away", glbFromMesh(mesh));
         mesh.uvs[2].x = -1001.0F;
-        row("a uv a little beyond the limit", writeGlb(mesh));
+        row("a uv a little beyond the limit", glbFromMesh(mesh));
     }
     void aBrokenGlbIsRefused()
     {
@@ -154,7 +154,7 @@ private Q_SLOTS:
 
     void flippedBitsOfAGlbNeverCrash()
     {
-        const QByteArray good = writeGlb(test::makeBallHead(8));
+        const QByteArray good = glbFromMesh(test::makeBallHead(8));
         std::mt19937 random(99);
         for (int round = 0; round < 3000; ++round) {
             QByteArray glb = good;
@@ -206,7 +206,7 @@ private Q_SLOTS:
         sim::HeadMesh source = test::makeBallHead(12, 10.0F);
         for (glm::vec3& p : source.positionsHd)
             p += glm::vec3(1.0F, 2.0F, 150.0F);
-        const auto head = makeHead(QStringLiteral("ball"), writeGlb(source), 0.01F, UpAxis::Z);
+        const auto head = makeHead(QStringLiteral("ball"), glbFromMesh(source), 0.01F, UpAxis::Z);
         QVERIFY(head);
         const sim::HeadMesh& mesh = (*head)->skin->mesh();
         for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i) {
@@ -222,10 +222,10 @@ private Q_SLOTS:
         sim::HeadMesh mesh = test::makeBallHead(8);
         for (glm::vec3& p : mesh.positionsHd)
             p.x += 900.0F;
-        QVERIFY(makeHead(QStringLiteral("ball"), writeGlb(mesh), 1.0F, UpAxis::Y));
+        QVERIFY(makeHead(QStringLiteral("ball"), glbFromMesh(mesh), 1.0F, UpAxis::Y));
         for (glm::vec3& p : mesh.positionsHd)
             p.x += 200.0F;
-        const auto head = makeHead(QStringLiteral("ball"), writeGlb(mesh), 1.0F, UpAxis::Y);
+        const auto head = makeHead(QStringLiteral("ball"), glbFromMesh(mesh), 1.0F, UpAxis::Y);
         QVERIFY(!head);
         QVERIFY(test::isOneSentenceNaming(head.error().message, QStringLiteral("ball")));
     }
@@ -239,7 +239,7 @@ private Q_SLOTS:
     void aHeadOfAnImpossibleSizeIsRefused()
     {
         QFETCH(float, unitScale);
-        const auto head = makeHead(QStringLiteral("ball"), writeGlb(test::makeBallHead(8)), unitScale, UpAxis::Y);
+        const auto head = makeHead(QStringLiteral("ball"), glbFromMesh(test::makeBallHead(8)), unitScale, UpAxis::Y);
         QVERIFY(!head);
         QVERIFY(test::isOneSentenceNaming(head.error().message, QStringLiteral("ball")));
     }

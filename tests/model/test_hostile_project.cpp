@@ -1,5 +1,7 @@
 // Files that are cut short, altered, foreign or hostile give one sentence, never a crash and never half a project.
 #include "model/files/archive.h"
+#include "model/files/glb.h"
+#include "model/files/group_json.h"
 #include "model/files/project_file.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
@@ -265,12 +267,12 @@ private Q_SLOTS:
         QTest::addColumn<float>("unitScale");
         sim::HeadMesh mesh = test::makeBallHead(8);
         mesh.uvs[5] = {3e38F, -3e38F};
-        QTest::newRow("uvs without end") << writeGlb(mesh) << 1.0F;
+        QTest::newRow("uvs without end") << glbFromMesh(mesh) << 1.0F;
         // Floats are so coarse out there that a million hairs stand on a few places.
         mesh = test::makeBallHead(8);
         for (glm::vec3& p : mesh.positionsHd)
             p += 1e6F;
-        QTest::newRow("vertices that coincide far away") << writeGlb(mesh) << 20.0F;
+        QTest::newRow("vertices that coincide far away") << glbFromMesh(mesh) << 20.0F;
     }
     void aHostileHeadIsRefused()
     {
@@ -285,6 +287,75 @@ private Q_SLOTS:
         project.head = head;
         project.groups.push_back(makeGroup(project, QStringLiteral("Scalp"), 256));
         QVERIFY(saveProject(project, m_bad, {}));
+        QCOMPARE(complaint(), QString());
+    }
+
+    void aHeadThatCannotBeUsedIsNotCalledDamage_data()
+    {
+        QTest::addColumn<QByteArray>("glb");
+        QTest::addColumn<QString>("reason");
+        sim::HeadMesh mesh = test::makeBallHead(8);
+        for (glm::vec3& p : mesh.positionsHd)
+            p += 5000.0F;
+        QTest::newRow("far away") << glbFromMesh(mesh) << QStringLiteral("1 km");
+        mesh = test::makeBallHead(8, 1000.0F);
+        QTest::newRow("too large") << glbFromMesh(mesh) << QStringLiteral("m large");
+        mesh = test::makeBallHead(8);
+        for (glm::vec3& p : mesh.positionsHd)
+            p = {p.x, 0.0F, 0.0F};
+        QTest::newRow("a line") << glbFromMesh(mesh) << QStringLiteral("no surface");
+    }
+    void aHeadThatCannotBeUsedIsNotCalledDamage()
+    {
+        QFETCH(QByteArray, glb);
+        QFETCH(QString, reason);
+        Project project;
+        auto head = std::make_shared<Head>();
+        head->name = QStringLiteral("hostile");
+        head->builtIn = false;
+        head->sourceGlb = glb;
+        project.head = head;
+        project.groups.push_back(makeGroup(project, QStringLiteral("Scalp"), 256));
+        QVERIFY(saveProject(project, m_bad, {}));
+        QCOMPARE(complaint(), QString());
+        const QString text = loadProject(m_bad).error().message;
+        QVERIFY2(text.contains(reason) && !text.contains(QStringLiteral("damaged")), qPrintable(text));
+    }
+
+    /// Editing counts each layer in full, so a file of them could be opened and then neither edited nor saved.
+    void layersThatShareOneImageCountAsWhenTheyAreEdited()
+    {
+        constexpr int kSize = 2048;
+        constexpr std::size_t kLayers = kMostHeldBytes / (std::size_t{kSize} * kSize * 4) + 1;
+        Project project;
+        project.head = builtInHead();
+        project.groups.push_back(makeGroup(project, QStringLiteral("Scalp"), 256));
+        MapStack& length = project.groups.front().map(MapKind::Length);
+        length.size = kSize;
+        length.layers.clear();
+        while (length.layers.size() < kLayers)
+            length.layers.push_back(makeLayer(project, mapSpec(MapKind::Length), kSize, QStringLiteral("L")));
+        sim::TiledRaster painted(256, 2);
+        painted.setTexel(1, 1, {40'000, 65535, 0, 0});
+        sim::TiledRaster& first = length.layers.front().raster;
+        for (int index = 0; index < first.tileCount(); ++index)
+            first.setTile(index, painted.tile(0));
+        QVERIFY(saveProject(project, m_bad, {}));
+
+        std::vector<test::ZipEntry> entries;
+        {
+            const Checked<ArchiveReader> archive = ArchiveReader::open(m_bad);
+            const auto add = [&](const QString& name, const QString& source) {
+                entries.push_back({.name = name.toLatin1(), .bytes = archive->read(source, 1 << 26).value()});
+            };
+            for (const char* name : {"mimetype", "project.json"})
+                add(QString::fromLatin1(name), QString::fromLatin1(name));
+            const HairGroup& group = project.groups.front();
+            for (const MapStack& stack : group.maps)
+                for (const Layer& layer : stack.layers)
+                    add(layerEntryName(group, stack, layer), layerEntryName(group, stack, stack.layers.front()));
+        }
+        test::writeBytes(m_bad, test::makeZip(entries));
         QCOMPARE(complaint(), QString());
     }
 

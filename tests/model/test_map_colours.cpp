@@ -73,19 +73,19 @@ private Q_SLOTS:
         before->setTexel(400, 400, {100});
         MapColours colours;
         const auto first = colours.of(before, length);
-        QVERIFY(*first == *colouredMap(*before, length));
+        QVERIFY(*first == *MapColours().of(before, length));
         QCOMPARE(colours.of(before, length), first);
 
         const auto after = std::make_shared<sim::TiledRaster>(*before);
         after->setTexel(10, 10, {65535});
         const auto second = colours.of(after, length);
-        QVERIFY(*second == *colouredMap(*after, length));
+        QVERIFY(*second == *MapColours().of(after, length));
         for (int index = 0; index < second->tileCount(); ++index)
             QCOMPARE(second->tile(index) == first->tile(index), index != 0);
         // Another scale or size has nothing in common with it.
-        QVERIFY(*colours.of(after, mapSpec(MapKind::Density)) == *colouredMap(*after, mapSpec(MapKind::Density)));
+        QVERIFY(*colours.of(after, mapSpec(MapKind::Density)) == *MapColours().of(after, mapSpec(MapKind::Density)));
         const auto larger = std::make_shared<sim::TiledRaster>(1024, 1, sim::Texel{5});
-        QVERIFY(*colours.of(larger, length) == *colouredMap(*larger, length));
+        QVERIFY(*colours.of(larger, length) == *MapColours().of(larger, length));
     }
 };
 

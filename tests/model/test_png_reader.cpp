@@ -1,6 +1,7 @@
 // PNG images read as QImage reads them, whatever filters their rows have; broken ones are refused.
 #include "model/files/png_codec.h"
 #include "model/files/png_reader.h"
+#include "model/new_image.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_program.h"
 
@@ -38,6 +39,12 @@ class TestPngReader : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    void anImageThatMemoryCannotHoldIsAnExceptionNotNull()
+    {
+        QVERIFY_THROWS_EXCEPTION(std::bad_alloc, static_cast<void>(newImage(1 << 30, 1 << 30, QImage::Format_RGBA64)));
+        QCOMPARE(newImage(3, 2, QImage::Format_Grayscale8).size(), QSize(3, 2));
+    }
+
     void picturesAreReadAsQtReadsThem_data()
     {
         QTest::addColumn<int>("width");

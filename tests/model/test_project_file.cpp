@@ -2,8 +2,10 @@
 #include "model/files/archive.h"
 #include "model/files/encoded_layers.h"
 #include "model/files/group_json.h"
+#include "model/files/layer_files.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
+#include "sim/base/parallel.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_program.h"
@@ -117,6 +119,16 @@ private Q_SLOTS:
         QCOMPARE(test::difference(project, opened(path("b.hairpaint"))), QString());
     }
 
+    void aLargeImageIsWorkedOnAlone()
+    {
+        const auto threads = static_cast<std::size_t>(sim::threadCount());
+        const std::vector<int> small(100, 2048);
+        QCOMPARE(batchLength(small), std::min(threads, small.size()));
+        QCOMPARE(batchLength(std::vector<int>{8192, 256, 256}), std::size_t{1});
+        QCOMPARE(batchLength(std::vector<int>{256, 8192, 256}), std::size_t{1});
+        QCOMPARE(batchLength(std::vector<int>{256, 256, 4096}), std::min(threads, std::size_t{2}));
+    }
+
     void onlyTheThumbnailDistinguishesTwoFilesOfOneProject()
     {
         const Project project = newProject();
@@ -124,9 +136,10 @@ private Q_SLOTS:
         picture.fill(Qt::red);
         QVERIFY(saveProject(project, path("a.hairpaint"), {}));
         QVERIFY(saveProject(project, path("b.hairpaint"), picture));
-        QCOMPARE(loadThumbnail(path("a.hairpaint")).isNull(), true);
-        QCOMPARE(loadThumbnail(path("b.hairpaint")).size(), picture.size());
-        QCOMPARE(loadThumbnail(path("b.hairpaint")).pixelColor(5, 5), QColor(Qt::red));
+        QVERIFY(readThumbnail(*ArchiveReader::open(path("a.hairpaint"))).isNull());
+        const QImage thumbnail = readThumbnail(*ArchiveReader::open(path("b.hairpaint")));
+        QCOMPARE(thumbnail.size(), picture.size());
+        QCOMPARE(thumbnail.pixelColor(5, 5), QColor(Qt::red));
         QVERIFY(test::readBytes(path("b.hairpaint")).size() > test::readBytes(path("a.hairpaint")).size());
         QCOMPARE(test::difference(opened(path("a.hairpaint")), opened(path("b.hairpaint"))), QString());
     }

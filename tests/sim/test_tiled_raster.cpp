@@ -54,6 +54,9 @@ private Q_SLOTS:
     void nearestPicksTheTexelThatHoldsThePlace();
     void theFootprintHoldsEveryTexelRead();
     void oneValueEverywhereIsFound();
+    void aTileIsTheSameExpandedAndFolded_data();
+    void aTileIsTheSameExpandedAndFolded();
+    void oneTexelThatDiffersKeepsATilesPixels();
 };
 
 void TestTiledRaster::copiesShareTilesUntilOneIsWritten()
@@ -253,6 +256,46 @@ void TestTiledRaster::oneValueEverywhereIsFound()
     raster.setUniform(3, {6});
     raster.setTexel(0, 0, {8});
     QVERIFY(!raster.uniformValue());
+}
+
+void TestTiledRaster::aTileIsTheSameExpandedAndFolded_data()
+{
+    QTest::addColumn<int>("channels");
+    for (int channels = 1; channels <= 4; ++channels)
+        QTest::addRow("%d", channels) << channels;
+}
+
+void TestTiledRaster::aTileIsTheSameExpandedAndFolded()
+{
+    QFETCH(int, channels);
+    Texel value{};
+    for (int i = 0; i < channels; ++i)
+        value[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(1000 + i);
+    const RasterTile uniform{.uniform = value, .pixels = {}};
+    const RasterTile large{.uniform = {}, .pixels = expanded(uniform, channels)};
+    QCOMPARE(large.pixels.size(), kTileTexels * static_cast<std::size_t>(channels));
+    for (std::size_t i = 0; i < large.pixels.size(); ++i)
+        QCOMPARE(static_cast<int>(large.pixels[i]), 1000 + static_cast<int>(i) % channels);
+    QCOMPARE(commonTexel(large.pixels), std::optional(value));
+    QVERIFY(sameTexels(uniform, large) && sameTexels(large, uniform) && sameTexels(large, large));
+    const RasterTile back = folded(large);
+    QVERIFY(back.isUniform() && back.uniform == value);
+    QVERIFY(expanded(large, channels) == large.pixels);
+}
+
+void TestTiledRaster::oneTexelThatDiffersKeepsATilesPixels()
+{
+    const RasterTile uniform{.uniform = {7, 8, 0, 0}, .pixels = {}};
+    RasterTile tile{.uniform = {}, .pixels = expanded(uniform, 2)};
+    for (const std::size_t at : {std::size_t{0}, kTileTexels, 2 * kTileTexels - 1}) {
+        RasterTile other = tile;
+        ++other.pixels[at];
+        QVERIFY(!commonTexel(other.pixels));
+        QVERIFY(!sameTexels(other, uniform) && !sameTexels(uniform, other) && !sameTexels(other, tile));
+        QVERIFY(folded(other).pixels == other.pixels);
+    }
+    const RasterTile another{.uniform = {7, 9, 0, 0}, .pixels = {}};
+    QVERIFY(!sameTexels(uniform, another) && !sameTexels(another, tile));
 }
 
 HAIRPAINT_TEST(TestTiledRaster, None)
