@@ -52,30 +52,48 @@ void ProjectFiles::newProject()
 {
     if (!mayDiscard())
         return;
-    std::optional<model::Result<model::Project>> project =
-        m_jobs.await<model::Project>(tr("Starting a new project"), [](const model::Progress&) {
-            return model::Result<model::Project>(starterProject());
-        });
-    if (!project)
-        return;
-    if (!*project)
-        return complain(project->error().message);
-    begin(std::move(**project));
+    begin(tr("Starting a new project"), starterProject);
 }
 
 bool ProjectFiles::newBaldProject()
 {
     if (!mayDiscard())
         return false;
-    begin(model::newProject());
-    return true;
+    return begin(tr("Starting a new project"), model::newProject);
 }
 
-void ProjectFiles::begin(model::Project project)
+bool ProjectFiles::begin(const QString& doing, const std::function<model::Project()>& make)
 {
-    m_encoded = model::makeEncodedLayers();
-    m_session.document().replace(std::move(project));
-    setPath({});
+    return take(doing, model::makeEncodedLayers(), {},
+                [&make](const model::Progress&) { return model::Result<model::Project>(make()); });
+}
+
+bool ProjectFiles::take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
+                        const Work<model::Project>& read)
+{
+    struct Ready
+    {
+        model::Project project;
+        model::ResolvedMaps maps;
+    };
+    std::optional<model::Result<Ready>> ready =
+        m_jobs.await<Ready>(doing, [&read](const model::Progress& progress) -> model::Result<Ready> {
+            model::Result<model::Project> project = read(progress);
+            if (!project)
+                return tl::unexpected(project.error());
+            model::ResolvedMaps maps(*project);
+            return Ready{.project = std::move(*project), .maps = std::move(maps)};
+        });
+    if (!ready)
+        return false;
+    if (!*ready) {
+        complain(ready->error().message);
+        return false;
+    }
+    m_encoded = std::move(encoded);
+    m_session.document().replace(std::move((*ready)->project), std::move((*ready)->maps));
+    setPath(path);
+    return true;
 }
 
 void ProjectFiles::open()
@@ -90,22 +108,21 @@ bool ProjectFiles::openPath(const QString& path)
 {
     if (!mayDiscard())
         return false;
-    auto encoded = model::makeEncodedLayers();
-    std::optional<model::Result<model::Project>> project = m_jobs.await<model::Project>(
-        tr("Opening %1").arg(QFileInfo(path).fileName()), [&path, &encoded](const model::Progress& progress) {
-            return model::loadProject(path, encoded.get(), progress);
+    const auto encoded = model::makeEncodedLayers();
+    bool unreadable = false;
+    const bool taken =
+        take(tr("Opening %1").arg(QFileInfo(path).fileName()), encoded, path, [&](const model::Progress& progress) {
+            bool goesOn = true;
+            model::Result<model::Project> project = model::loadProject(path, encoded.get(), [&](double done) {
+                goesOn = goesOn && progress(done);
+                return goesOn;
+            });
+            unreadable = !project && goesOn;
+            return project;
         });
-    if (!project)
-        return false;
-    if (!*project) {
+    if (unreadable)
         m_settings.removeRecentFile(QFileInfo(path).absoluteFilePath());
-        complain(project->error().message);
-        return false;
-    }
-    m_encoded = std::move(encoded);
-    m_session.document().replace(std::move(**project));
-    setPath(path);
-    return true;
+    return taken;
 }
 
 bool ProjectFiles::save()

@@ -42,7 +42,11 @@ Q_SIGNALS:
     void pathChanged();
 
 private:
-    void begin(model::Project project);
+    /// Without a file.
+    bool begin(const QString& doing, const std::function<model::Project()>& make);
+    /// Reads a project and resolves its maps in the background; then it takes the place of the one that is open.
+    bool take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
+              const Work<model::Project>& read);
     bool saveTo(const QString& path);
     void complain(const QString& message);
 

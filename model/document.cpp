@@ -3,47 +3,16 @@
 #include "model/document.h"
 
 #include "model/commands/undo_budget.h"
-#include "model/compositor.h"
 #include "model/content_budget.h"
 #include "model/running_edit.h"
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <utility>
 
 namespace hairpaint::model {
 
 namespace {
-
-using MapKey = std::pair<Id, MapKind>;
-using ResolvedMaps = std::map<MapKey, ResolvedMap>;
-
-sim::MapRaster mapOf(const ResolvedMaps& maps, Id group, MapKind map)
-{
-    const auto found = maps.find({group, map});
-    return found == maps.end() ? nullptr : found->second.result();
-}
-
-/// The maps that it follows must be up to date.
-void resolveOne(ResolvedMaps& maps, const Project& project, Id group, const MapStack& stack)
-{
-    const sim::MapRaster start =
-        startOf(mapSpec(stack.kind), project.head.get(), [&](MapKind kind) { return mapOf(maps, group, kind); });
-    const auto found = maps.find({group, stack.kind});
-    if (found == maps.end())
-        maps.emplace(MapKey{group, stack.kind}, ResolvedMap(stack, start));
-    else
-        found->second.update(stack, start);
-}
-
-void resolveAll(ResolvedMaps& maps, const Project& project)
-{
-    std::erase_if(maps, [&](const auto& entry) { return project.group(entry.first.first) == nullptr; });
-    for (const HairGroup& group : project.groups)
-        for (const MapStack& stack : group.maps)
-            resolveOne(maps, project, group.id, stack);
-}
 
 bool touchesMaps(Change::Aspect aspect)
 {
@@ -68,29 +37,19 @@ struct Document::State
     UndoBudget undoBudget;
     ResolvedMaps resolved; ///< Of what is shown.
 
-    explicit State(Project project) : committed(std::move(project)) { resolveAll(); }
+    explicit State(Project project) : committed(std::move(project)), resolved(committed) {}
 
     const Project& shown() const { return running ? running->shown : committed; }
     /// The user changes something that is not committed yet. What is only looked at is no change.
     bool changing() const { return running && running->owner.policy == EditPolicy::Commit; }
 
-    void resolveAll() { model::resolveAll(resolved, shown()); }
-    void resolveOne(Id group, const MapStack& stack) { model::resolveOne(resolved, shown(), group, stack); }
-    void resolveFollowers(const HairGroup& group, MapKind map)
-    {
-        for (const MapStack& stack : group.maps)
-            if (mapSpec(stack.kind).follows == map)
-                resolveOne(group.id, stack);
-    }
     void resolveFor(const Change& change)
     {
         const HairGroup* group = shown().group(change.group);
-        if (namesOneMap(change.aspect) && group != nullptr) {
-            resolveOne(change.group, group->map(change.map));
-            resolveFollowers(*group, change.map);
-        } else if (touchesMaps(change.aspect)) {
-            resolveAll();
-        }
+        if (namesOneMap(change.aspect) && group != nullptr)
+            resolved.update(shown(), *group, change.map);
+        else if (touchesMaps(change.aspect))
+            resolved.update(shown());
     }
 };
 
@@ -144,8 +103,12 @@ void Document::markSaved()
 void Document::replace(Project project)
 {
     // First, for want of memory shows here, and then the old content must be whole.
-    ResolvedMaps resolved;
-    resolveAll(resolved, project);
+    ResolvedMaps resolved(project);
+    replace(std::move(project), std::move(resolved));
+}
+
+void Document::replace(Project project, ResolvedMaps resolved)
+{
     const bool ended = std::exchange(m_state->running, std::nullopt).has_value();
     m_state->committed = std::move(project);
     m_state->resolved = std::move(resolved);
@@ -158,7 +121,7 @@ void Document::replace(Project project)
 
 std::shared_ptr<const sim::TiledRaster> Document::resolved(Id group, MapKind map) const
 {
-    return mapOf(m_state->resolved, group, map);
+    return m_state->resolved.map(group, map);
 }
 
 std::uint64_t Document::revision() const
@@ -198,7 +161,7 @@ void Document::apply(const Change& change, const std::function<void(Project&)>& 
     edit(state.committed);
     // Resolving compares tile pointers, so what a preview already showed costs nothing here.
     if (over)
-        state.resolveAll();
+        state.resolved.update(state.shown());
     else
         state.resolveFor(change);
     if (over)
@@ -273,10 +236,7 @@ void Document::previewTiles(const LayerAddress& address, const LayerTiles& tiles
     const std::optional<Change> change = state.running->showTiles(address, tiles);
     if (!change)
         return;
-    const auto map = state.resolved.find({address.group, address.map});
-    const HairGroup& group = *project().group(address.group);
-    map->second.updateTiles(group.map(address.map), address.layer, change->tiles);
-    state.resolveFollowers(group, address.map);
+    state.resolved.updateTiles(project(), address, change->tiles);
     tell(*change, true);
 }
 

@@ -4,6 +4,7 @@
 #include "model/change.h"
 #include "model/edit_session.h"
 #include "model/project.h"
+#include "model/resolved_maps.h"
 #include "sim/groom/groom_input.h"
 
 #include <QObject>
@@ -37,6 +38,8 @@ public:
     /// Puts another project in place of this one; clears the history. Where memory runs out it throws std::bad_alloc,
     /// and all is as it was.
     void replace(Project project);
+    /// The same with its maps resolved already, on another thread.
+    void replace(Project project, ResolvedMaps resolved);
 
     /// The map with all visible layers (and a running edit's preview) applied: `spec.valueChannels` channels.
     [[nodiscard]] std::shared_ptr<const sim::TiledRaster> resolved(Id group, MapKind map) const;
