@@ -101,7 +101,7 @@ std::optional<QString> problemOf(const Extent& extent)
 }
 
 Result<std::shared_ptr<const Head>> headFrom(const QString& name, const QByteArray& sourceGlb, float unitScale,
-                                             UpAxis upAxis)
+                                             UpAxis upAxis, const std::function<bool()>& goesOn)
 {
     Checked<sim::HeadMesh> source = meshFromGlb(sourceGlb);
     if (!source)
@@ -119,7 +119,9 @@ Result<std::shared_ptr<const Head>> headFrom(const QString& name, const QByteArr
     head->unitScale = unitScale;
     head->upAxis = upAxis;
     head->sourceGlb = sourceGlb;
-    head->skin = std::make_shared<const sim::Skin>(std::move(mesh));
+    head->skin = sim::Skin::make(std::move(mesh), goesOn);
+    if (!head->skin)
+        return cancelled(name);
     if (!(head->skin->areaM2() > 0.0))
         return cannotOpen(name,
                           Clause{.text = say(QT_TRANSLATE_NOOP("Files", "its mesh has no surface; choose another")),
@@ -150,9 +152,9 @@ QByteArray writeGlb(const sim::HeadMesh& mesh)
 }
 
 Result<std::shared_ptr<const Head>> makeHead(const QString& name, const QByteArray& sourceGlb, float unitScale,
-                                             UpAxis upAxis)
+                                             UpAxis upAxis, const std::function<bool()>& goesOn)
 {
-    return withinMemory(name, cannotOpen, [&] { return headFrom(name, sourceGlb, unitScale, upAxis); });
+    return withinMemory(name, cannotOpen, [&] { return headFrom(name, sourceGlb, unitScale, upAxis, goesOn); });
 }
 
 HeadGuess guessHead(const sim::HeadMesh& source)
