@@ -32,7 +32,7 @@ model::Result<ImportedHead> remakeHead(const QString& name, const QByteArray& so
     if (!goesOn(kReadingFraction))
         return model::cancelled(name);
     model::Result<std::shared_ptr<const model::Head>> head =
-        model::makeHead(name, sourceGlb, guess.unitScale, guess.upAxis);
+        model::makeHead(name, sourceGlb, guess.unitScale, guess.upAxis, [&] { return goesOn(kReadingFraction); });
     if (!head)
         return tl::unexpected(head.error());
     ImportedHead result;

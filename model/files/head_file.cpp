@@ -117,7 +117,7 @@ std::vector<sim::Ellipsoid> builtInEllipsoids()
 }
 
 Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByteArray& sourceGlb, float unitScale,
-                                                 UpAxis upAxis)
+                                                 UpAxis upAxis, const std::function<bool()>& goesOn)
 {
     Checked<sim::HeadMesh> source = meshFromGlb(sourceGlb);
     if (!source)
@@ -135,7 +135,9 @@ Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByt
     head->unitScale = unitScale;
     head->upAxis = upAxis;
     head->sourceGlb = sourceGlb;
-    head->skin = std::make_shared<const sim::Skin>(std::move(mesh));
+    head->skin = sim::Skin::make(std::move(mesh), goesOn);
+    if (!head->skin)
+        return std::shared_ptr<const Head>();
     if (!(head->skin->areaM2() > 0.0))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its mesh has no surface; choose another")),
                       Clause::Cure::OtherFile);
@@ -144,12 +146,14 @@ Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByt
 }
 
 Result<std::shared_ptr<const Head>> makeHead(const QString& name, const QByteArray& sourceGlb, float unitScale,
-                                             UpAxis upAxis)
+                                             UpAxis upAxis, const std::function<bool()>& goesOn)
 {
     return withinMemory(name, cannotOpen, [&]() -> Result<std::shared_ptr<const Head>> {
-        Checked<std::shared_ptr<const Head>> head = headFromGlb(name, sourceGlb, unitScale, upAxis);
+        Checked<std::shared_ptr<const Head>> head = headFromGlb(name, sourceGlb, unitScale, upAxis, goesOn);
         if (!head)
             return cannotOpen(name, head.error());
+        if (*head == nullptr)
+            return cancelled(name);
         return std::move(*head);
     });
 }

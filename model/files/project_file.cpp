@@ -15,7 +15,9 @@ namespace {
 const QByteArray kMimetype = QByteArrayLiteral("application/x-hairpaint");
 constexpr qint64 kMostHeadBytes = 192 << 20;
 
-Checked<std::shared_ptr<const Head>> openHead(const ArchiveReader& archive, const HeadReference& reference)
+/// Null where `goesOn` stopped it.
+Checked<std::shared_ptr<const Head>> openHead(const ArchiveReader& archive, const HeadReference& reference,
+                                              const std::function<bool()>& goesOn)
 {
     if (reference.builtIn) {
         if (reference.name != builtInHead()->name)
@@ -27,7 +29,7 @@ Checked<std::shared_ptr<const Head>> openHead(const ArchiveReader& archive, cons
     const Checked<QByteArray> glb = archive.read(QStringLiteral("head.glb"), kMostHeadBytes);
     if (!glb)
         return tl::unexpected(glb.error());
-    return headFromGlb(reference.name, *glb, reference.unitScale, reference.upAxis);
+    return headFromGlb(reference.name, *glb, reference.unitScale, reference.upAxis, goesOn);
 }
 
 Result<Project> read(const QString& path, EncodedLayers& cache, const Progress& progress)
@@ -38,14 +40,21 @@ Result<Project> read(const QString& path, EncodedLayers& cache, const Progress& 
     Checked<ProjectManifest> manifest = projectFromJson(opened->json);
     if (!manifest)
         return cannotOpen(path, manifest.error());
-    const Checked<bool> layers = readLayers(opened->archive, manifest->project.groups, cache, progress);
+    double done = 0.0;
+    const Checked<bool> layers = readLayers(opened->archive, manifest->project.groups, cache, [&](double fraction) {
+        done = fraction;
+        return !progress || progress(fraction);
+    });
     if (!layers)
         return cannotOpen(path, layers.error());
     if (!*layers)
         return cancelled(path);
-    Checked<std::shared_ptr<const Head>> head = openHead(opened->archive, manifest->head);
+    Checked<std::shared_ptr<const Head>> head =
+        openHead(opened->archive, manifest->head, [&] { return !progress || progress(done); });
     if (!head)
         return cannotOpen(path, head.error());
+    if (*head == nullptr)
+        return cancelled(path);
     manifest->project.head = std::move(*head);
     return std::move(manifest->project);
 }

@@ -8,7 +8,8 @@
 
 namespace hairpaint::model {
 
-/// Those of a map of `size` whose centre lies in a face's uv. A mesh of many faces costs one pass over their texels.
+/// Those of a map of `size` whose centre lies in a face's uv. A mesh of many faces costs one pass over their texels;
+/// where they would lie more than some 16 times over the whole map, every texel counts as skin instead.
 [[nodiscard]] TexelMask uvCover(const sim::HeadMesh& mesh, int size);
 
 /// The last answer, for as long as it is asked about the same skin and size.

@@ -13,14 +13,12 @@ struct DrawnStrand
 // What a strand looks like: sim::StrandStyle, with its root's tangent.
 struct PackedStyle
 {
-    float lengthM;
     float turns;
     float curlRadiusM;
     float phase;
     uint rootColour;
     uint tipColour;
     float width;
-    float detail;
     uint braid; // sim::BraidKind; bits 8 and 9 the wisp.
     float braidRadiusM;
     float braidStart;

@@ -13,8 +13,13 @@ namespace {
 
 /// Neighbours in a region stand no further apart than this many mean spacings of basis hairs.
 constexpr float kReachSpacings = 1.8F;
+/// So many hairs of one kind in a cell of that size are compared with those around. On an even skin there are three;
+/// where a mesh folds into thousands of layers, comparing all of them with all would never end.
+constexpr std::size_t kMostCompared = 32;
+constexpr float kLeastReachM = 1e-9F;     ///< Keeps cells apart from nothing where a skin has next to no area.
 constexpr std::size_t kMostCentres = 256; ///< A region; bounds the time that a tiny spacing would take.
 constexpr int kLloydSteps = 4;
+constexpr std::size_t kBraidKinds = static_cast<std::size_t>(BraidKind::Loc) + 1;
 
 float squaredDistance(glm::vec3 a, glm::vec3 b)
 {
@@ -53,16 +58,18 @@ public:
     explicit CellGrid(float cellM) : m_cellM(cellM) {}
     void add(glm::vec3 position, std::uint32_t item) { m_items.emplace_back(keyOf(cellOf(position)), item); }
     void sort() { std::sort(m_items.begin(), m_items.end()); }
+    /// Of each cell the first `most` items that are lower than `end`.
     template<typename Visit>
-    void forEachNear(glm::vec3 position, const Visit& visit) const
+    void forEachNear(glm::vec3 position, std::uint32_t end, std::size_t most, const Visit& visit) const
     {
         const glm::ivec3 cell = cellOf(position);
         for (int z = -1; z <= 1; ++z) {
             for (int y = -1; y <= 1; ++y) {
                 for (int x = -1; x <= 1; ++x) {
                     const std::uint64_t key = keyOf(cell + glm::ivec3(x, y, z));
-                    for (auto at = std::lower_bound(m_items.begin(), m_items.end(), std::pair{key, 0U});
-                         at != m_items.end() && at->first == key; ++at)
+                    auto at = std::lower_bound(m_items.begin(), m_items.end(), std::pair{key, 0U});
+                    for (std::size_t visited = 0;
+                         visited < most && at != m_items.end() && at->first == key && at->second < end; ++at, ++visited)
                         visit(at->second);
                 }
             }
@@ -101,25 +108,27 @@ BraidLayout::BraidLayout(const RootSet& roots, std::vector<std::uint8_t> kindOfB
 void BraidLayout::findRegions(const RootSet& roots)
 {
     const auto count = static_cast<std::uint32_t>(m_kindOfBasis.size());
-    const float reachM =
-        kReachSpacings * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(count));
-    CellGrid grid(reachM);
+    const float reachM = std::max(
+        kReachSpacings * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(count)), kLeastReachM);
+    std::array<std::vector<std::uint32_t>, kBraidKinds> ofKind;
     for (std::uint32_t basis = 0; basis < count; ++basis)
-        if (m_kindOfBasis[basis] != 0)
-            grid.add(roots.positionHd[roots.basisSlot[basis]], basis);
-    grid.sort();
+        ofKind.at(m_kindOfBasis[basis]).push_back(basis);
     UnionOfHairs sets(count);
-    for (std::uint32_t basis = 0; basis < count; ++basis) {
-        if (m_kindOfBasis[basis] == 0)
-            continue;
-        const std::uint32_t slot = roots.basisSlot[basis];
-        grid.forEachNear(roots.positionHd[slot], [&](std::uint32_t other) {
-            const std::uint32_t otherSlot = roots.basisSlot[other];
-            if (other < basis && m_kindOfBasis[other] == m_kindOfBasis[basis] &&
-                squaredDistance(roots.positionHd[slot], roots.positionHd[otherSlot]) <= reachM * reachM &&
-                glm::dot(roots.normalHd[slot], roots.normalHd[otherSlot]) > 0.0F)
-                sets.join(basis, other);
-        });
+    for (std::size_t kind = 1; kind < ofKind.size(); ++kind) {
+        CellGrid grid(reachM);
+        for (const std::uint32_t basis : ofKind[kind])
+            grid.add(roots.positionHd[roots.basisSlot[basis]], basis);
+        grid.sort();
+        for (const std::uint32_t basis : ofKind[kind]) {
+            const std::uint32_t slot = roots.basisSlot[basis];
+            grid.forEachNear(roots.positionHd[slot], basis, kMostCompared, [&](std::uint32_t other) {
+                const std::uint32_t otherSlot = roots.basisSlot[other];
+                ++m_compared;
+                if (squaredDistance(roots.positionHd[slot], roots.positionHd[otherSlot]) <= reachM * reachM &&
+                    glm::dot(roots.normalHd[slot], roots.normalHd[otherSlot]) > 0.0F)
+                    sets.join(basis, other);
+            });
+        }
     }
     std::vector<std::uint32_t> numberOfSet(count, kNoCentre);
     std::uint32_t regions = 0;

@@ -11,6 +11,7 @@ namespace hairpaint::sim {
 
 /// Basis hairs of one kind that stand within about two spacings of each other form a region. Each region has centres at
 /// least the group's braid spacing apart, then moved to the middle of the part that is nearest to them. Immutable.
+/// Where very many basis hairs crowd into one place, some of a region may be left out of it and braid by themselves.
 class BraidLayout
 {
 public:
@@ -24,6 +25,8 @@ public:
     /// basis hair is of this kind.
     [[nodiscard]] std::uint32_t centreOf(const RootSet& roots, std::uint32_t slot, std::uint8_t kind) const;
     [[nodiscard]] std::span<const std::uint32_t> centres() const { return m_centres; }
+    /// Pairs of basis hairs whose distance was looked at. For tests.
+    [[nodiscard]] std::size_t compared() const { return m_compared; }
 
 private:
     void findRegions(const RootSet& roots);
@@ -38,6 +41,7 @@ private:
     std::vector<std::uint32_t> m_regionOfBasis; ///< kNoCentre where there is no braid.
     std::vector<std::uint32_t> m_regionStart;   ///< [regions + 1], into m_centres.
     std::vector<std::uint32_t> m_centres;       ///< Indices of basis hairs.
+    std::size_t m_compared = 0;
 };
 
 } // namespace hairpaint::sim

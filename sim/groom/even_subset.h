@@ -9,7 +9,7 @@
 namespace hairpaint::sim {
 
 /// The grooms with the `count` of their drawn hairs that appear first as detail rises, over all visible groups
-/// together: everywhere the same fraction of what is painted there, and every smaller share is part of a larger one.
+/// together: everywhere the same fraction of what is painted there, and every smaller fraction is part of a larger one.
 /// With `count` or fewer drawn hairs the grooms themselves. Chunks of which every hair stays are shared.
 [[nodiscard]] std::vector<std::shared_ptr<const Groom>>
 evenSubset(const std::vector<std::shared_ptr<const Groom>>& grooms, std::size_t count);

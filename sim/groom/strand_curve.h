@@ -24,8 +24,8 @@ inline constexpr float kWispRadiusFraction = 0.8F; ///< A wisp's radius in units
 inline constexpr float kTwistFraction = 0.6F;
 inline constexpr float kTwistWispFraction = 0.65F;
 inline constexpr float kLocWispFraction = 0.9F;
-/// Last fraction of the braid, a tuft: there the wisps close up to kTuftBraidShare of r while each opens by
-/// kTuftWispShare.
+/// Last fraction of the braid, a tuft: there the wisps close up to kTuftBraidFraction of r while each opens by
+/// kTuftWispFraction.
 inline constexpr float kTuftFraction = 0.12F;
 inline constexpr float kTuftBraidFraction = 0.35F;
 inline constexpr float kTuftWispFraction = 1.5F;

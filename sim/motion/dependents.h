@@ -19,7 +19,7 @@ public:
     /// `everything`: the ellipsoids or the coat's thickness differ, so every chunk is prepared anew.
     void prepare(const Groom& groom, const ColliderSet& colliders, bool everything);
 
-    /// Fills frame.positions for this moment: `fraction` of the way from the step before to the present one.
+    /// Fills frame.positions for this moment: `fraction` 0 is the step before, 1 the present one.
     void write(const Groom& groom, const StrandState& state, const ColliderSet& colliders, float fraction,
                const HeadPose& pose, GroupFrame& frame);
 

@@ -9,7 +9,8 @@
 
 namespace hairpaint::sim {
 
-/// Any thread may let go of a frame; it then waits here with its memory. Frames may outlive the pool.
+/// Any thread may let go of a frame; it then waits here with its memory for positions, and without the grooms that it
+/// showed. Frames may outlive the pool.
 class FramePool
 {
 public:
@@ -40,6 +41,8 @@ private:
         void operator()(StrandFrame* done) const
         {
             std::unique_ptr<StrandFrame> frame(done);
+            for (GroupFrame& group : frame->groups)
+                group.groom.reset();
             idle->update([&frame](auto& frames) {
                 if (frames.size() < kMostIdle)
                     frames.push_back(std::move(frame));

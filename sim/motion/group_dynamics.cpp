@@ -48,6 +48,8 @@ const Groom& nothing()
 
 void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderSet& colliders, const StepForces& calm)
 {
+    if (groom == m_groom && sameColliders(m_colliders, colliders))
+        return; // Something else of the input differs: hair at rest stays at rest.
     const std::shared_ptr<const Groom> kept = std::exchange(m_groom, std::move(groom));
     const Groom& before = kept ? *kept : nothing();
     const bool otherColliders = !sameColliders(m_colliders, colliders);
@@ -222,6 +224,10 @@ void GroupDynamics::step(std::span<const StepForces> steps)
 void GroupDynamics::write(GroupFrame& frame, float fraction, const HeadPose& pose) const
 {
     frame.groom = m_groom;
+    if (!m_groom->visible) {
+        frame.positions.clear();
+        return;
+    }
     m_dependents.write(*m_groom, m_state, m_colliders, fraction, pose, frame);
 }
 

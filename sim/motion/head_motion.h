@@ -6,7 +6,7 @@
 
 namespace hairpaint::sim {
 
-/// Between two poses, `fraction` 0..1 of the way. Normalised linear: no transcendental function.
+/// Between two poses: `fraction` 0 is the first, 1 the second. Normalised linear: no transcendental function.
 [[nodiscard]] HeadPose mixPoses(const HeadPose& from, const HeadPose& to, float fraction);
 
 /// Where a point at rest in the world goes in the head's own frame, when the head moves. A head that is carried off

@@ -24,7 +24,7 @@ struct GroupFrame
 {
     std::shared_ptr<const Groom> groom;
     /// Skeleton nodes of every slot of every placed chunk: [placedChunks][kBlocksPerChunk][nodes][3][kLanes], Wo, m.
-    /// Slots that are no hair hold zeros.
+    /// Slots that are no hair hold zeros. Empty where the group is hidden.
     std::vector<float> positions;
 };
 

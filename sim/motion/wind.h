@@ -9,7 +9,7 @@ namespace hairpaint::sim {
 struct Wind
 {
     bool enabled = true;
-    glm::vec3 velocity{0.0F}; ///< Direction and strength, 0..30 m/s.
+    glm::vec3 velocity{0.0F}; ///< Direction and strength; WindField limits it to 60 m/s.
     float gustiness = 0.5F;   ///< 0..1: fraction of the strength that comes and goes over seconds.
     float turbulence = 0.3F;  ///< 0..1: fraction of the strength that differs from place to place.
     friend bool operator==(const Wind&, const Wind&) = default;

@@ -131,10 +131,13 @@ struct BoundingTree::Builder
 {
     const HeadMesh& mesh;
     BoundingTree& tree;
+    GoingOn& goingOn;
     std::vector<glm::vec3> centres;
 
     void fill(std::uint32_t nodeIndex, std::uint32_t begin, std::uint32_t end)
     {
+        if (!goingOn.after(end - begin))
+            return;
         glm::vec3 lowest(kInfinity);
         glm::vec3 highest(-kInfinity);
         glm::vec3 lowestCentre(kInfinity);
@@ -170,13 +173,13 @@ struct BoundingTree::Builder
     }
 };
 
-BoundingTree::BoundingTree(const HeadMesh& mesh)
+BoundingTree::BoundingTree(const HeadMesh& mesh, GoingOn& goingOn)
 {
     m_faces.resize(mesh.triangles.size());
     if (m_faces.empty())
         return;
     std::iota(m_faces.begin(), m_faces.end(), 0U);
-    Builder builder{mesh, *this, {}};
+    Builder builder{mesh, *this, goingOn, {}};
     builder.centres.reserve(m_faces.size());
     for (std::uint32_t face = 0; face < m_faces.size(); ++face) {
         const Corners t = cornersOf(mesh, face);

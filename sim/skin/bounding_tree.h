@@ -1,6 +1,7 @@
 // A bounding volume tree over a mesh's faces: the first face on a ray, the nearest to a point.
 #pragma once
 
+#include "sim/skin/going_on.h"
 #include "sim/skin/head_mesh.h"
 
 #include <cstdint>
@@ -14,7 +15,7 @@ struct FacePoint
 {
     std::uint32_t face = 0;
     glm::vec3 barycentric{1.0F, 0.0F, 0.0F};
-    float distance = 0.0F; ///< Along the ray, or from the point; m.
+    float distance = 0.0F; ///< Along the ray, in lengths of its direction (m where that is unit), or from the point, m.
 };
 
 /// Keeps no reference to the mesh: every method is given the one that the tree was built from. Immutable. Equally near
@@ -22,8 +23,8 @@ struct FacePoint
 class BoundingTree
 {
 public:
-    /// Splits at the median of the longest axis; O(n log n).
-    explicit BoundingTree(const HeadMesh& mesh);
+    /// Splits at the median of the longest axis; O(n log n). Where `goingOn` is refused the tree is of no use.
+    BoundingTree(const HeadMesh& mesh, GoingOn& goingOn);
 
     [[nodiscard]] std::optional<FacePoint> firstHit(const HeadMesh& mesh, glm::vec3 origin, glm::vec3 direction) const;
     /// None for a mesh without faces.

@@ -1,6 +1,7 @@
 // Fitting ellipsoids to a mesh: one after the other, each takes as much of what is left of the inside as it can.
 #include "sim/skin/ellipsoid.h"
 
+#include "sim/skin/going_on.h"
 #include "sim/skin/head_mesh.h"
 #include "sim/skin/solid_grid.h"
 
@@ -141,7 +142,9 @@ std::vector<Ellipsoid> fitEllipsoids(const HeadMesh& mesh, int count, const std:
     };
     if (!mayGoOn())
         return result;
-    const SolidGrid grid = solidGridOf(mesh, kCells);
+    const std::function<bool()> ask = mayGoOn;
+    GoingOn goingOn(ask);
+    const SolidGrid grid = solidGridOf(mesh, kCells, goingOn);
     const auto total = static_cast<double>(std::count(grid.inside.begin(), grid.inside.end(), std::uint8_t{1}));
     if (total == 0.0)
         return result;

@@ -2,6 +2,7 @@
 #include "sim/skin/skin.h"
 
 #include "sim/skin/bounding_tree.h"
+#include "sim/skin/going_on.h"
 #include "sim/skin/uv_grid.h"
 
 #include <algorithm>
@@ -62,13 +63,22 @@ struct Skin::Index
     std::vector<float> faceAreasM2;
 };
 
-Skin::Skin(HeadMesh mesh) : m_mesh(std::move(mesh))
+Skin::Skin(HeadMesh mesh) : Skin(std::move(mesh), std::function<bool()>()) {}
+
+std::shared_ptr<const Skin> Skin::make(HeadMesh mesh, const std::function<bool()>& goesOn)
 {
+    const std::shared_ptr<const Skin> skin(new Skin(std::move(mesh), goesOn));
+    return skin->m_index ? skin : nullptr;
+}
+
+Skin::Skin(HeadMesh mesh, const std::function<bool()>& goesOn) : m_mesh(std::move(mesh))
+{
+    GoingOn goingOn(goesOn);
     const auto faceCount = static_cast<std::uint32_t>(m_mesh.triangles.size());
     std::vector<float> areas(faceCount);
     // A vertex's tangent is the mean of its faces' dP/du, each by its area.
     m_tangentsHd.assign(m_mesh.positionsHd.size(), glm::vec3(0.0F));
-    for (std::uint32_t face = 0; face < faceCount; ++face) {
+    for (std::uint32_t face = 0; face < faceCount && goingOn.after(1); ++face) {
         const glm::vec3 cross = areaNormal(m_mesh, face);
         areas[face] = 0.5F * std::sqrt(glm::dot(cross, cross));
         m_areaM2 += static_cast<double>(areas[face]);
@@ -78,12 +88,15 @@ Skin::Skin(HeadMesh mesh) : m_mesh(std::move(mesh))
                 m_tangentsHd[m_mesh.triangles[face][corner]] += fraction;
         }
     }
-    for (std::size_t vertex = 0; vertex < m_tangentsHd.size(); ++vertex) {
+    for (std::size_t vertex = 0; vertex < m_tangentsHd.size() && goingOn.after(1); ++vertex) {
         const glm::vec3 normal = unitOr(m_mesh.normalsHd[vertex], glm::vec3(0.0F, 1.0F, 0.0F));
         const glm::vec3 tangent = unitOr(m_tangentsHd[vertex], glm::vec3(0.0F));
         m_tangentsHd[vertex] = unitOr(tangent - normal * glm::dot(normal, tangent), anyPerpendicular(normal));
     }
-    m_index = std::make_unique<const Index>(Index{BoundingTree(m_mesh), UvGrid(m_mesh), std::move(areas)});
+    auto index =
+        std::make_unique<const Index>(Index{BoundingTree(m_mesh, goingOn), UvGrid(m_mesh, goingOn), std::move(areas)});
+    if (!goingOn.stopped())
+        m_index = std::move(index);
 }
 
 Skin::~Skin() = default;

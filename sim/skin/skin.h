@@ -4,6 +4,7 @@
 #include "sim/skin/head_mesh.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -36,6 +37,8 @@ class Skin
 {
 public:
     explicit Skin(HeadMesh mesh);
+    /// The same, or null where `goesOn` returns false: it is asked on this thread, every few thousand faces.
+    [[nodiscard]] static std::shared_ptr<const Skin> make(HeadMesh mesh, const std::function<bool()>& goesOn);
     ~Skin();
     Skin(const Skin&) = delete;
     Skin& operator=(const Skin&) = delete;
@@ -58,6 +61,8 @@ public:
 
 private:
     struct Index;
+    /// Without an index where it is stopped.
+    Skin(HeadMesh mesh, const std::function<bool()>& goesOn);
     HeadMesh m_mesh;
     std::vector<glm::vec3> m_tangentsHd;
     double m_areaM2 = 0.0;

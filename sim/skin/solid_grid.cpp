@@ -54,7 +54,7 @@ void scanTriangle(const SolidGrid& grid, const std::array<glm::vec3, 3>& corners
 
 } // namespace
 
-SolidGrid solidGridOf(const HeadMesh& mesh, int cells)
+SolidGrid solidGridOf(const HeadMesh& mesh, int cells, GoingOn& goingOn)
 {
     SolidGrid grid;
     if (mesh.positionsHd.empty())
@@ -77,6 +77,8 @@ SolidGrid solidGridOf(const HeadMesh& mesh, int cells)
     std::vector<std::uint8_t> alongX(count, 0);
     std::vector<std::uint8_t> alongZ(count, 0);
     for (const glm::uvec3& t : mesh.triangles) {
+        if (!goingOn.after(1))
+            return {};
         const std::array<glm::vec3, 3> corners{mesh.positionsHd[t.x], mesh.positionsHd[t.y], mesh.positionsHd[t.z]};
         scanTriangle(grid, corners, 0, alongX);
         scanTriangle(grid, corners, 2, alongZ);

@@ -1,6 +1,7 @@
 // A mesh's inside as a grid of cells.
 #pragma once
 
+#include "sim/skin/going_on.h"
 #include "sim/skin/head_mesh.h"
 
 #include <glm/glm.hpp>
@@ -29,8 +30,9 @@ struct SolidGrid
     [[nodiscard]] glm::vec3 middleHd(glm::ivec3 cell) const { return originHd + glm::vec3(cell) * cellM; }
 };
 
-/// `cells` along the longest side of the mesh's box, with an empty border around it.
-[[nodiscard]] SolidGrid solidGridOf(const HeadMesh& mesh, int cells);
+/// `cells` along the longest side of the mesh's box, with an empty border around it. Where `goingOn` is refused the
+/// grid is empty.
+[[nodiscard]] SolidGrid solidGridOf(const HeadMesh& mesh, int cells, GoingOn& goingOn);
 
 /// For every cell that is marked, its distance in cells to the nearest that is not, roughly; 0 for the others.
 [[nodiscard]] std::vector<int> depthsOf(const SolidGrid& grid, const std::vector<std::uint8_t>& marked);

@@ -43,7 +43,7 @@ UvGrid::CellRange UvGrid::cellsOf(const HeadMesh& mesh, std::uint32_t face) cons
             {cellOf(highest.x, m_cellsPerUv.x), cellOf(highest.y, m_cellsPerUv.y)}};
 }
 
-void UvGrid::chooseResolution(const HeadMesh& mesh)
+void UvGrid::chooseResolution(const HeadMesh& mesh, GoingOn& goingOn)
 {
     const std::size_t faceCount = mesh.triangles.size();
     m_cellsAcross = std::clamp(static_cast<int>(std::sqrt(static_cast<float>(faceCount))), 1, kMostCellsAcross);
@@ -52,6 +52,8 @@ void UvGrid::chooseResolution(const HeadMesh& mesh)
         m_cellsPerUv = static_cast<float>(m_cellsAcross) / extent;
         std::size_t entries = 0;
         for (std::uint32_t face = 0; face < faceCount; ++face) {
+            if (!goingOn.after(1))
+                return;
             if (!usable(mesh, face))
                 continue;
             const CellRange range = cellsOf(mesh, face);
@@ -63,13 +65,13 @@ void UvGrid::chooseResolution(const HeadMesh& mesh)
     }
 }
 
-UvGrid::UvGrid(const HeadMesh& mesh)
+UvGrid::UvGrid(const HeadMesh& mesh, GoingOn& goingOn)
 {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     const auto faceCount = static_cast<std::uint32_t>(mesh.triangles.size());
     glm::vec2 lowest(kInfinity);
     glm::vec2 highest(-kInfinity);
-    for (std::uint32_t face = 0; face < faceCount; ++face) {
+    for (std::uint32_t face = 0; face < faceCount && goingOn.after(1); ++face) {
         if (!usable(mesh, face))
             continue;
         for (int corner = 0; corner < 3; ++corner) {
@@ -83,7 +85,9 @@ UvGrid::UvGrid(const HeadMesh& mesh)
     }
     m_lowestUv = lowest;
     m_highestUv = highest;
-    chooseResolution(mesh);
+    chooseResolution(mesh, goingOn);
+    if (goingOn.stopped())
+        return;
 
     const auto across = static_cast<std::size_t>(m_cellsAcross);
     m_cellStart.assign(across * across + 1, 0);
@@ -93,14 +97,14 @@ UvGrid::UvGrid(const HeadMesh& mesh)
             for (int x = range.first.x; x <= range.last.x; ++x)
                 visit(static_cast<std::size_t>(y) * across + static_cast<std::size_t>(x));
     };
-    for (std::uint32_t face = 0; face < faceCount; ++face)
+    for (std::uint32_t face = 0; face < faceCount && goingOn.after(1); ++face)
         if (usable(mesh, face))
             forEachCell(face, [&](std::size_t cell) { ++m_cellStart[cell + 1]; });
     for (std::size_t cell = 0; cell + 1 < m_cellStart.size(); ++cell)
         m_cellStart[cell + 1] += m_cellStart[cell];
     m_faces.resize(m_cellStart.back());
     std::vector<std::uint32_t> next(m_cellStart.begin(), m_cellStart.end() - 1);
-    for (std::uint32_t face = 0; face < faceCount; ++face)
+    for (std::uint32_t face = 0; face < faceCount && goingOn.after(1); ++face)
         if (usable(mesh, face))
             forEachCell(face, [&](std::size_t cell) { m_faces[next[cell]++] = face; });
 }

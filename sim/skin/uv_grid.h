@@ -1,6 +1,7 @@
 // A grid over uv that says which faces may cover a place on the map.
 #pragma once
 
+#include "sim/skin/going_on.h"
 #include "sim/skin/head_mesh.h"
 
 #include <cstdint>
@@ -15,7 +16,8 @@ namespace hairpaint::sim {
 class UvGrid
 {
 public:
-    explicit UvGrid(const HeadMesh& mesh);
+    /// Where `goingOn` is refused the grid is of no use.
+    UvGrid(const HeadMesh& mesh, GoingOn& goingOn);
 
     /// The lowest face that covers `uv`, with its barycentrics (all 0 or more); none off every island.
     [[nodiscard]] std::optional<std::pair<std::uint32_t, glm::vec3>> find(const HeadMesh& mesh, glm::vec2 uv) const;
@@ -29,7 +31,7 @@ private:
     [[nodiscard]] int cellOf(float offset, float scale) const;
     /// False for uvs beyond kFarthestUv.
     [[nodiscard]] static bool usable(const HeadMesh& mesh, std::uint32_t face);
-    void chooseResolution(const HeadMesh& mesh);
+    void chooseResolution(const HeadMesh& mesh, GoingOn& goingOn);
 
     int m_cellsAcross = 1;
     glm::vec2 m_lowestUv{0.0F};

@@ -9,7 +9,7 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr float kShortestAxisM = 1e-3F;
-/// A root may lift its ellipsoid by this share, to the skin it grows on.
+/// A root may lift its ellipsoid by this fraction, to the skin it grows on.
 constexpr float kLargestLift = 1.06F;
 
 bool isFinite(const Ellipsoid& e)

@@ -34,9 +34,10 @@ struct DependentsTask
     float* out = nullptr; ///< As `rest`; zeros where nothing is drawn.
 };
 
-/// Blocks begin..end of the chunk. A node's way is the weighted mean of its basis hairs' at the same node; neighbours
-/// that hang to another side than the nearest (across a parting) count less. Then segment lengths are restored from
-/// root to tip, outside the ellipsoids. Neither allocates nor throws; the same bytes with every instruction set.
+/// Blocks begin..end of the chunk. A node's displacement is the weighted mean of its basis hairs' at the same node;
+/// neighbours that hang to another side than the nearest (across a parting) count less. Then segment lengths are
+/// restored from root to tip, outside the ellipsoids. Neither allocates nor throws; the same bytes with every
+/// instruction set.
 void placeDependents(const DependentsTask& task, std::size_t begin, std::size_t end);
 
 } // namespace hairpaint::sim

@@ -233,10 +233,15 @@ private Q_SLOTS:
 
     void preparingAHeadStopsWhereverItIsAsked()
     {
-        const QByteArray source = model::glbFromMesh(test::makeBallHead(24, 0.11F));
+        const QByteArray source = model::glbFromMesh(test::makeBallHead(192, 0.11F)); // 36,864 faces
         int asked = 0;
-        QVERIFY(remakeHead(QStringLiteral("ball"), source, {}, [&asked](double) { return ++asked > 0; }));
+        int askedBeforeFitting = 0;
+        QVERIFY(remakeHead(QStringLiteral("ball"), source, {}, [&](double done) {
+            askedBeforeFitting += done < 0.5 ? 1 : 0;
+            return ++asked > 0;
+        }));
         QVERIFY(asked > 3);
+        QVERIFY2(askedBeforeFitting >= 9, qPrintable(QString::number(askedBeforeFitting))); // Each face at least once.
         for (int stopAt = 1; stopAt <= asked; stopAt += 1 + asked / 8) {
             int count = 0;
             const auto head = remakeHead(QStringLiteral("ball"), source, {}, [&](double) { return ++count < stopAt; });

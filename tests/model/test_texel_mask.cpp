@@ -81,6 +81,63 @@ private Q_SLOTS:
         }
     }
 
+    void theSkinIsWhereTexelsCentresLieInFaces_data()
+    {
+        QTest::addColumn<float>("middle");
+        QTest::addColumn<float>("reach");
+        QTest::newRow("small faces") << 0.5F << 0.05F;
+        QTest::newRow("large faces") << 0.5F << 0.6F;
+        QTest::newRow("faces beyond the map") << 0.5F << 20.0F;
+        QTest::newRow("faces a thousand maps large") << 0.0F << 900.0F;
+    }
+    void theSkinIsWhereTexelsCentresLieInFaces()
+    {
+        QFETCH(float, middle);
+        QFETCH(float, reach);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<float> offset(-reach, reach);
+        for (int round = 0; round < 100; ++round) {
+            sim::HeadMesh mesh;
+            const glm::vec2 at(offset(random), offset(random));
+            for (int corner = 0; corner < 3; ++corner)
+                mesh.uvs.push_back(middle + (reach < 0.1F ? at * 8.0F : glm::vec2(0.0F)) +
+                                   glm::vec2(offset(random), offset(random)));
+            if (round % 4 == 0)
+                mesh.uvs[1].y = mesh.uvs[0].y; // An edge along the rows.
+            mesh.triangles.emplace_back(0, 1, 2);
+            const auto corner = [&](std::size_t i) {
+                return glm::vec2(mesh.uvs[i].x, 1.0F - mesh.uvs[i].y) * static_cast<float>(kSize);
+            };
+            const auto side = [](glm::vec2 a, glm::vec2 b, glm::vec2 p) {
+                return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+            };
+            const float turn = side(corner(0), corner(1), corner(2)) < 0.0F ? -1.0F : 1.0F;
+            QVERIFY(is(uvCover(mesh, kSize), [&](int x, int y) {
+                const glm::vec2 p(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const std::size_t from = turn < 0.0F ? 2 - i : i;
+                    const std::size_t to = turn < 0.0F ? (4 - i) % 3 : (i + 1) % 3;
+                    if (side(corner(from), corner(to), p) < 0.0F)
+                        return false;
+                }
+                return true;
+            }));
+        }
+    }
+
+    void facesWithoutNumberOverTheWholeMapAreNotAllVisited()
+    {
+        sim::HeadMesh mesh;
+        mesh.uvs = {{0.0F, 0.0F}, {1.0F, 0.0F}, {0.0F, 1.0F}};
+        const auto uncovered = [&](std::size_t faces) {
+            mesh.triangles.assign(faces, glm::uvec3(0, 1, 2));
+            return !uvCover(mesh, kSize).at(kSize - 1, 0);
+        };
+        QVERIFY(uncovered(10));
+        // To the end this would take a minute, and hours for a large map.
+        QVERIFY(!uncovered(2'000'000));
+    }
+
     void theSkinIsAskedForOnce()
     {
         UvCover cover;

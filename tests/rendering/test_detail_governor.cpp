@@ -37,6 +37,7 @@ private Q_SLOTS:
     void movingAgainGoesBackToTheDetailOfBefore();
     void headIsCoarseOnlyWhileItMoves();
     void detailRestsWhileTimesWaver();
+    void wantOfMemoryMakesTheNextFrameCoarser();
 };
 
 void TestDetailGovernor::movingPicturesSettleNearTheWantedTime_data()
@@ -128,6 +129,34 @@ void TestDetailGovernor::detailRestsWhileTimesWaver()
         governor.observe({.milliseconds = frameMs(governor.begin(false), 5.0, 300.0) * waver}, kAllHairs);
         QCOMPARE(governor.quality().detail, detail);
     }
+}
+
+void TestDetailGovernor::wantOfMemoryMakesTheNextFrameCoarser()
+{
+    DetailGovernor governor(33.0);
+    draw(governor, false, 1.0, 3.0, 200);
+    const Quality moving = governor.quality();
+    governor.observe({.milliseconds = 4.0, .complete = false}, kAllHairs);
+    QVERIFY(governor.begin(false).samples < moving.samples || governor.begin(false).detail < moving.detail);
+
+    // A still one goes back to what was drawn whole, shows that once more, and rests.
+    draw(governor, false, 5.0, 500.0, 200);
+    draw(governor, true, 5.0, 500.0, 2);
+    const Quality whole = governor.quality();
+    draw(governor, true, 5.0, 500.0, 1);
+    QVERIFY(governor.quality().detail > whole.detail);
+    governor.observe({.milliseconds = 4.0, .complete = false}, kAllHairs);
+    QVERIFY(governor.wantsRefinement());
+    QCOMPARE(governor.begin(true).detail, whole.detail);
+    draw(governor, true, 5.0, 500.0, 1);
+    QVERIFY(!governor.wantsRefinement());
+    QCOMPARE(governor.quality().detail, whole.detail);
+    // Not even that: no frame follows another without end.
+    governor.observe({.milliseconds = 4.0, .complete = false}, kAllHairs);
+    QVERIFY(!governor.wantsRefinement());
+    draw(governor, false, 5.0, 500.0, 1);
+    draw(governor, true, 5.0, 500.0, 1);
+    QVERIFY(governor.wantsRefinement());
 }
 
 HAIRPAINT_TEST(TestDetailGovernor, None)

@@ -1,11 +1,15 @@
 // The renderer draws what the scene says, off-screen.
 #include "tests/rendering/renderer_fixture.h"
+#include "tests/support/allocation_limit.h"
 #include "tests/support/test_program.h"
+#include "view/rendering/gl_objects.h"
 #include "view/rendering/packed_style.h"
 
 #include <QtTest>
 
+#include <array>
 #include <cmath>
+#include <new>
 
 using namespace hairpaint;
 using namespace hairpaint::testing;
@@ -28,6 +32,9 @@ private Q_SLOTS:
     void hairBehindTheHeadIsHidden();
     void onlyChangedChunksAreSent();
     void aHiddenGroupKeepsNoFrame();
+    void aBufferThatFindsNoMemoryIsTriedAgain();
+    void wantOfMemoryLeavesNothingOutOfTheNextFrame_data();
+    void wantOfMemoryLeavesNothingOutOfTheNextFrame();
     void aFrameEndsWhereItIsInterrupted();
     void theSameSceneGivesTheSamePixels_data();
     void theSameSceneGivesTheSamePixels();
@@ -229,6 +236,48 @@ void TestRenderer::aHiddenGroupKeepsNoFrame()
     QVERIFY(kept.expired());
     scene.hair = makeFrame(comb(0xFF808080U, 100), plainSettings());
     QCOMPARE(draw(scene).pixels == shown.pixels, true);
+}
+
+void TestRenderer::aBufferThatFindsNoMemoryIsTriedAgain()
+{
+    rendering::Buffer buffer;
+    buffer.reserve(std::size_t{1} << 50U);
+    QVERIFY(!m_gl->takeErrors().empty());
+    QCOMPARE(buffer.capacity(), std::size_t{0});
+    const std::array<int, 4> sent{1, 2, 3, 4};
+    buffer.assign(sent.data(), sizeof(sent));
+    std::array<int, 4> got{};
+    buffer.read(got.data(), sizeof(got));
+    QVERIFY(got == sent);
+}
+
+void TestRenderer::wantOfMemoryLeavesNothingOutOfTheNextFrame_data()
+{
+    QTest::addColumn<int>("leastRefused");
+    for (int bits = 10; bits <= 17; ++bits)
+        QTest::addRow("from %d bytes on", 1 << bits) << (1 << bits);
+}
+
+void TestRenderer::wantOfMemoryLeavesNothingOutOfTheNextFrame()
+{
+    QFETCH(int, leastRefused);
+    Scene scene = emptyScene();
+    scene.hair = makeFrame(comb(0xFF2020C0U, 9000, 0.08F), plainSettings());
+    Scene other = emptyScene();
+    other.hair = makeFrame(comb(0xFF20C020U, 3000), plainSettings());
+    auto fresh = rendering::Renderer::create();
+    QVERIFY(fresh.has_value());
+    const Picture expected = draw(scene);
+    static_cast<void>(drawn(**fresh, other));
+    bool refused = false;
+    try {
+        const test::AllocationLimit limit(static_cast<std::size_t>(leastRefused));
+        (*fresh)->draw(scene, {}, 200, 150);
+    } catch (const std::bad_alloc&) {
+        refused = true;
+    }
+    QVERIFY(refused);
+    QCOMPARE(drawn(**fresh, scene).pixels == expected.pixels, true);
 }
 
 void TestRenderer::aFrameEndsWhereItIsInterrupted()

@@ -51,6 +51,7 @@ private Q_SLOTS:
     void paintingElsewhereLeavesABraidAlone();
     void theLengthAtTheCentreIsTheBraids();
     void aTinyDabBetweenBasisHairsIsNoBraid();
+    void aCrowdOfBasisHairsIsComparedWithFewOthersEach();
 };
 
 void TestBraids::withoutBraidsNoHairIsBraided()
@@ -242,6 +243,26 @@ void TestBraids::aTinyDabBetweenBasisHairsIsNoBraid()
     const auto groom = GroomBuilder().update(input).grooms[0];
     QVERIFY(hairsByCentre(*groom).empty());
     QCOMPARE(groom->hairCount, std::size_t{20000});
+}
+
+void TestBraids::aCrowdOfBasisHairsIsComparedWithFewOthersEach()
+{
+    // A patch folded into thousands of layers: all its basis hairs within reach of each other, and as many elsewhere.
+    constexpr std::uint32_t kCrowd = 20000;
+    RootSet roots;
+    roots.skin = patch();
+    for (std::uint32_t i = 0; i < 2 * kCrowd; ++i) {
+        const float x = static_cast<float>(i % kCrowd) * (1e-4F / static_cast<float>(kCrowd));
+        roots.positionHd.emplace_back(x, i < kCrowd ? 0.0F : 0.1F, 0.0F);
+        roots.normalHd.emplace_back(0.0F, 0.0F, 1.0F);
+        roots.rankOfSlot.push_back(i);
+        roots.slotOfRank.push_back(i);
+        roots.basisSlot.push_back(i);
+        roots.neighbours.push_back({i, i, i});
+    }
+    const BraidLayout layout(roots, std::vector<std::uint8_t>(2 * kCrowd, 1), 0.05F);
+    QCOMPARE(layout.centres().size(), std::size_t{2});
+    QVERIFY2(layout.compared() < std::size_t{200} * kCrowd, qPrintable(QString::number(layout.compared())));
 }
 
 HAIRPAINT_TEST(TestBraids, None)

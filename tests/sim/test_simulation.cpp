@@ -60,6 +60,8 @@ private Q_SLOTS:
     void hairThatGrowsIsStretchedAboutItsRoot();
     void stillHairFallsAsleepAndWakes_data();
     void stillHairFallsAsleepAndWakes();
+    void inputThatDiffersElsewhereLeavesHairAsleep();
+    void aHiddenGroupIsNotPlaced();
     void resetGivesTheRestShape();
     void rootsFollowTheHead();
     void aTurnOfTheHeadSwingsTheHair();
@@ -265,6 +267,48 @@ void TestSimulation::stillHairFallsAsleepAndWakes()
     for (int i = 0; i < 10; ++i)
         simulation.advance(1.0 / 60.0);
     QVERIFY(!sameBytes(before, frameOf(simulation)));
+}
+
+void TestSimulation::inputThatDiffersElsewhereLeavesHairAsleep()
+{
+    Simulation simulation;
+    GroomInput input = paintedBall(kHairs, kBasis);
+    simulation.setInput(input);
+    simulation.settle(60.0);
+    QVERIFY(simulation.asleep());
+    StrandFrame before;
+    simulation.writeFrame(before);
+    input.revision = 2;
+    simulation.setInput(input);
+    QVERIFY(simulation.asleep());
+    StrandFrame after;
+    simulation.writeFrame(after);
+    QCOMPARE(after.revision, std::uint64_t{2});
+    QVERIFY(sameBytes(before, after));
+    // What hair collides with does wake it.
+    input.colliders.front().semiAxesM *= 1.01F;
+    simulation.setInput(input);
+    QVERIFY(!simulation.asleep());
+}
+
+void TestSimulation::aHiddenGroupIsNotPlaced()
+{
+    Simulation simulation;
+    GroomInput input = paintedBall(kHairs, kBasis);
+    simulation.setInput(input);
+    StrandFrame frame;
+    simulation.writeFrame(frame);
+    const StrandFrame shown = frame;
+    QVERIFY(!shown.groups.front().positions.empty());
+    input.groups.front().visible = false;
+    simulation.setInput(input);
+    simulation.writeFrame(frame);
+    QVERIFY(frame.groups.front().positions.empty());
+    QCOMPARE(frame.hairCount, shown.hairCount);
+    input.groups.front().visible = true;
+    simulation.setInput(input);
+    simulation.writeFrame(frame);
+    QVERIFY(sameBytes(frame, shown));
 }
 
 void TestSimulation::resetGivesTheRestShape()

@@ -96,6 +96,7 @@ private Q_SLOTS:
     void mirroringFindsNothingWhereTheOtherSideIsMissing();
     void strangeUvsCostNoMemoryAndNoCrash();
     void aMeshWithoutFacesIsAllowed();
+    void buildingStopsWhereItIsAskedAndLeavesNothing();
 };
 
 void TestSkin::areaIsTheSumOfTheFaces()
@@ -296,6 +297,23 @@ void TestSkin::aMeshWithoutFacesIsAllowed()
     QVERIFY(!skin.pick({}));
     QVERIFY(!skin.atUv({0.5F, 0.5F}));
     QVERIFY(!skin.mirrored(SurfacePoint{}));
+}
+
+void TestSkin::buildingStopsWhereItIsAskedAndLeavesNothing()
+{
+    const HeadMesh mesh = makeBallHead(192); // 36,864 faces
+    int asked = 0;
+    const auto whole = Skin::make(mesh, [&asked] { return ++asked > 0; });
+    QVERIFY(whole);
+    QCOMPARE(whole->areaM2(), Skin(mesh).areaM2());
+    QVERIFY(whole->atUv({0.5F, 0.5F}));
+    QVERIFY2(asked > 40, qPrintable(QString::number(asked))); // More than once a pass over the faces.
+    for (int stopAt = 1; stopAt <= asked; ++stopAt) {
+        int count = 0;
+        QVERIFY(!Skin::make(mesh, [&] { return ++count < stopAt; }));
+        QCOMPARE(count, stopAt); // Not asked again after a refusal.
+    }
+    QVERIFY(Skin::make(mesh, {}));
 }
 
 HAIRPAINT_TEST(TestSkin, None)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace hairpaint::rendering {
@@ -29,6 +30,8 @@ const Quality& DetailGovernor::begin(bool still)
     if (std::exchange(m_still, still) != still) {
         // What was right when it last moved; a still picture starts from there.
         m_quality = m_moving;
+        m_whole = m_moving;
+        m_retreated = false;
         m_wantsRefinement = true;
     }
     return m_quality;
@@ -36,15 +39,34 @@ const Quality& DetailGovernor::begin(bool still)
 
 void DetailGovernor::observe(const FrameStatistics& statistics, std::size_t allHairs)
 {
-    if (m_still)
+    if (!statistics.complete)
+        retreat();
+    else if (m_still)
         refine();
     else
         follow(std::max(statistics.milliseconds, 0.1), allHairs);
 }
 
+/// Memory is short. A moving picture becomes coarser as if it had been far too slow; a still one goes back to what was
+/// drawn whole, once, and stays there: trying again and again would only keep the machine busy.
+void DetailGovernor::retreat()
+{
+    if (!m_still) {
+        follow(std::numeric_limits<double>::infinity(), std::numeric_limits<std::size_t>::max());
+        return;
+    }
+    m_wantsRefinement = !std::exchange(m_retreated, true);
+    m_quality = m_whole;
+}
+
 /// Only ever finer: smooth curves and samples first, then twice as many hairs at a time.
 void DetailGovernor::refine()
 {
+    m_whole = m_quality;
+    if (m_retreated) {
+        m_wantsRefinement = false;
+        return;
+    }
     const Quality finest = pictureQuality();
     const bool smooth = m_quality.samples >= finest.samples && m_quality.smoothSegments >= finest.smoothSegments;
     m_wantsRefinement = m_quality.coarseHead || !smooth || m_quality.detail < finest.detail;

@@ -9,6 +9,8 @@ namespace hairpaint::rendering {
 
 void FrameTimer::begin()
 {
+    if (m_asking)
+        end(); // The frame before never came to its end: memory ran out.
     m_begin = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < kQueries; ++i) {
         Query& query = m_queries.at((m_next + i) % kQueries); // The oldest first, so that the newest answer stays.

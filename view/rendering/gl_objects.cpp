@@ -61,12 +61,18 @@ void Buffer::reserve(std::size_t bytes)
     if (bytes <= m_capacity)
         return;
     // Some room to grow, so that a stroke that adds hair does not allocate every frame.
-    m_capacity = m_capacity == 0 ? bytes : bytes + bytes / 4;
+    const std::size_t wanted = m_capacity == 0 ? bytes : bytes + bytes / 4;
+    m_capacity = 0;
     unsigned id = 0;
     glGenBuffers(1, &id);
     m_name = GlName<deleteBuffer>(id);
     glBindBuffer(GL_COPY_WRITE_BUFFER, id);
-    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(m_capacity), nullptr, GL_DYNAMIC_DRAW);
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(wanted), nullptr, GL_DYNAMIC_DRAW);
+    // Asked for instead of glGetError, which would take the error away from whoever draws.
+    GLint64 given = 0;
+    glGetBufferParameteri64v(GL_COPY_WRITE_BUFFER, GL_BUFFER_SIZE, &given);
+    if (given >= static_cast<GLint64>(wanted))
+        m_capacity = wanted;
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 

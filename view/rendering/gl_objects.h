@@ -55,6 +55,7 @@ class Buffer
 {
 public:
     /// Makes room for `bytes`; what it held is lost when it grows. At least 16 bytes, so that it can always be bound.
+    /// Where OpenGL has no memory its capacity is 0, and the next call tries again.
     void reserve(std::size_t bytes);
     /// Room for at least `bytes`, and those written.
     void assign(const void* data, std::size_t bytes);

@@ -5,16 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hairpaint::rendering {
 
-void HairList::index(ChunkPart& part)
+void HairList::index(ChunkPart& part, const std::shared_ptr<const sim::StrandChunk>& from)
 {
     part.entries.clear();
     part.begin.fill(0);
-    if (!part.chunk)
+    if (!from)
         return;
-    const sim::StrandChunk& chunk = *part.chunk;
+    const sim::StrandChunk& chunk = *from;
     const auto stepOf = [](float detail) {
         return std::min(static_cast<std::size_t>(std::max(detail, 0.0F) * static_cast<float>(kSteps)), kSteps - 1);
     };
@@ -34,21 +35,21 @@ void HairList::index(ChunkPart& part)
                                                           static_cast<std::uint16_t>(sim::curveSegmentsOf(style)),
                                                       .detail = style.detail};
     }
+    part.chunk = from;
 }
 
 bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float detail, int smoothSegments)
 {
     if (groom == m_groom && detail == m_detail && smoothSegments == m_smoothSegments)
         return false;
-    m_detail = detail;
-    m_smoothSegments = smoothSegments;
-    if (groom != m_groom) {
-        m_groom = groom;
+    // Where memory runs out half-way, the next call must not take this for a list.
+    const std::shared_ptr<const sim::Groom> before = std::exchange(m_groom, nullptr);
+    if (groom != before) {
         m_parts.resize(groom->chunks.size());
         for (std::size_t i = 0; i < m_parts.size(); ++i)
             if (m_parts[i].chunk != groom->chunks[i]) {
-                m_parts[i].chunk = groom->chunks[i];
-                index(m_parts[i]);
+                m_parts[i].chunk.reset();
+                index(m_parts[i], groom->chunks[i]);
             }
     }
     m_strands.clear();
@@ -83,6 +84,9 @@ bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float deta
     if (batch.strandCount > 0)
         m_batches.push_back(batch);
     m_strands.push_back({.slot = 0, .firstPoint = point});
+    m_groom = groom;
+    m_detail = detail;
+    m_smoothSegments = smoothSegments;
     return true;
 }
 

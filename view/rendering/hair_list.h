@@ -49,7 +49,8 @@ private:
         std::vector<Entry> entries; ///< By step of detail, then slot.
         std::array<std::uint16_t, kSteps + 1> begin{};
     };
-    static void index(ChunkPart& part);
+    /// `part` names its chunk only when it is done.
+    static void index(ChunkPart& part, const std::shared_ptr<const sim::StrandChunk>& from);
 
     std::shared_ptr<const sim::Groom> m_groom;
     float m_detail = -1.0F;

@@ -69,7 +69,7 @@ HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>&
         }
         HairBuffers& held = m_groups[group.groom->groupId];
         report.uploadedBytes += held.upload(frame, group, detail, smoothSegments);
-        if (held.list().strandCount() == 0)
+        if (!held.ready() || held.list().strandCount() == 0)
             continue;
         m_visible.push_back(group.groom->groupId);
         report.hairs += held.list().strandCount();

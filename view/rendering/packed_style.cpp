@@ -22,14 +22,12 @@ std::uint32_t packDirection(glm::vec3 v)
 
 PackedStyle packed(const sim::StrandStyle& style, glm::vec3 rootTangentHd)
 {
-    return {.lengthM = style.lengthM,
-            .turns = style.turns,
+    return {.turns = style.turns,
             .curlRadiusM = style.curlRadiusM,
             .phase = style.phase,
             .rootColour = style.rootColour,
             .tipColour = style.tipColour,
             .width = style.width,
-            .detail = style.detail,
             .braid = static_cast<std::uint32_t>(style.braid) | (std::uint32_t{style.wisp} << 8U),
             .braidRadiusM = style.braidRadiusM,
             .braidStart = style.braidStart,

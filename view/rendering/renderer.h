@@ -75,7 +75,7 @@ private:
 
 /// While something moves it picks `detail` from the measured time of frames, so that drawing stays near the wanted
 /// time. A still picture is refined step by step to pictureQuality(), however long that takes: whoever draws stops when
-/// something moves.
+/// something moves. Where OpenGL gave up on a part of a frame, the next one is coarser.
 class DetailGovernor
 {
 public:
@@ -90,15 +90,18 @@ public:
     [[nodiscard]] bool wantsRefinement() const { return m_wantsRefinement; }
 
 private:
+    void retreat();
     void refine();
     void follow(double milliseconds, std::size_t allHairs);
 
     double m_wantedMs;
     Quality m_quality{.detail = 0.25F, .samples = 1, .smoothSegments = 8, .coarseHead = true};
     Quality m_moving = m_quality;
-    int m_slow = 0; ///< Frames in a row that took too long, and that left time.
+    Quality m_whole = m_quality; ///< Of the last still frame that was complete.
+    int m_slow = 0;              ///< Frames in a row that took too long, and that left time.
     int m_fast = 0;
     bool m_still = false;
+    bool m_retreated = false; ///< From a still frame that was not complete.
     bool m_wantsRefinement = true;
 };
 

@@ -6,7 +6,6 @@
 namespace hairpaint::rendering {
 namespace {
 
-constexpr int kCell = 4; ///< As in common.glsl.
 constexpr int kCoarseCell = 4;
 constexpr int kFineCell = 2;  ///< Of pictures with several samples a pixel.
 constexpr int kWorkgroup = 8; ///< In each direction.
