@@ -17,6 +17,7 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -58,6 +59,7 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, QWidget* parent)
     m_pause.setSingleShot(true);
     m_pause.setInterval(kHoverMs);
     connect(&m_pause, &QTimer::timeout, this, [this] { wish(m_hovered, false); });
+    connect(&state.document(), &model::Document::editEnded, this, &StyleStrip::restoreTarget);
     setEntries({});
 }
 
@@ -197,10 +199,20 @@ void StyleStrip::arrived(const QString& path, const PresetPtr& preset)
 void StyleStrip::preview(const PresetPtr& preset)
 {
     if (!m_edit.active()) {
-        m_groupBefore = m_state.activeGroup();
-        m_layerBefore = m_state.activeLayer();
+        m_state.document().endEdit(); // First: the end of another one's edit is not the end of this.
+        m_before = m_state.target();
     }
     showStyle(preset);
+}
+
+void StyleStrip::restoreTarget()
+{
+    if (m_edit.active() || !m_before)
+        return;
+    const model::LayerAddress before = *std::exchange(m_before, std::nullopt);
+    m_state.setActiveGroup(before.group);
+    if (m_state.activeGroup() == before.group && m_state.activeMap() == before.map)
+        m_state.setActiveLayer(before.layer);
 }
 
 void StyleStrip::showStyle(const PresetPtr& preset)
@@ -216,6 +228,7 @@ void StyleStrip::apply(const PresetPtr& preset)
     m_hovered.clear();
     showStyle(preset);
     m_edit.setText(applyPresetText(*preset));
+    m_before.reset(); // The style's own is kept.
     m_edit.commit();
     // On a bald head only Density makes hair.
     const auto density = m_state.document().resolved(m_state.activeGroup(), model::MapKind::Density);
@@ -227,11 +240,7 @@ void StyleStrip::endPreview()
 {
     m_pause.stop();
     m_hovered.clear();
-    if (!m_edit.active())
-        return;
     m_edit.drop();
-    m_state.setActiveGroup(m_groupBefore);
-    m_state.setActiveLayer(m_layerBefore);
 }
 
 bool StyleStrip::eventFilter(QObject* watched, QEvent* event)

@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 
 class QHBoxLayout;
 class QScrollArea;
@@ -59,6 +60,7 @@ private:
     void showStyle(const PresetPtr& preset);
     void apply(const PresetPtr& preset);
     void endPreview();
+    void restoreTarget(); ///< Whoever ended the preview.
 
     EditorState& m_state;
     Loader m_loader;
@@ -68,9 +70,8 @@ private:
     QTimer m_pause; ///< Between pointing at a style and showing it.
     QString m_hovered;
     QString m_toCommit;
-    model::EditSession m_edit;   ///< Of the style that is shown.
-    model::Id m_groupBefore = 0; ///< What was active before a style was shown.
-    model::Id m_layerBefore = 0;
+    model::EditSession m_edit;                   ///< Of the style that is shown.
+    std::optional<model::LayerAddress> m_before; ///< What was active before, while a style is shown.
     std::vector<std::pair<QString, PresetPtr>> m_recent;
     std::vector<QString> m_loading;
     QThreadPool m_threads;
