@@ -152,8 +152,6 @@ void MainWindow::connectViews()
             [this](const QString& name) { m_status->showMessage(tr("Redone: %1").arg(name)); });
     connect(m_headView, &view::HeadView::contextMenuWanted, this, &MainWindow::showAreaMenu);
     connect(m_paintView, &view::PaintView::contextMenuWanted, this, &MainWindow::showAreaMenu);
-    connect(&m_session.editor(), &view::EditorState::refused, m_status,
-            [this](const QString& reason) { m_status->showMessage(reason, true); });
 
     m_files.setThumbnailMaker([this] { return thumbnailOf(m_headView->pictureScene()); });
     m_exchange.setSceneSource([this] { return m_headView->pictureScene(); });
