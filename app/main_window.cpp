@@ -90,7 +90,13 @@ void MainWindow::buildLayout()
     m_headView = new view::HeadView(editor, theme, m_preferences.presenter);
     m_legend = new view::MapLegend(m_headView);
     m_sidebar = new view::Sidebar(editor);
-    m_styleStrip = new view::StyleStrip(editor, loadStyle);
+    m_styleStrip =
+        new view::StyleStrip(editor, loadStyle,
+                             [this](const QString& doing, const std::function<model::Result<model::Preset>()>& load,
+                                    QObject* receiver, const std::function<void(model::Result<model::Preset>)>& done) {
+                                 m_jobs.start<model::Preset>(
+                                     doing, [load](const model::Progress&) { return load(); }, receiver, done);
+                             });
     m_status = new view::StatusReadout(editor);
 
     m_splitter = new QSplitter(Qt::Horizontal);

@@ -38,6 +38,14 @@ model::Result<model::Preset> load(const QString& path)
     return makePreset(path, path == QStringLiteral("bob") ? 40000 : 60000);
 }
 
+/// Later, on this thread: the strip is not told before it has asked.
+void startLater(const QString& /*doing*/, const std::function<model::Result<model::Preset>()>& read, QObject* receiver,
+                const std::function<void(model::Result<model::Preset>)>& done)
+{
+    QMetaObject::invokeMethod(
+        receiver, [read, done] { done(read()); }, Qt::QueuedConnection);
+}
+
 bool sameGroups(const std::vector<model::HairGroup>& a, const std::vector<model::HairGroup>& b)
 {
     const auto sameLayer = [](const model::Layer& x, const model::Layer& y) {
@@ -54,7 +62,7 @@ bool sameGroups(const std::vector<model::HairGroup>& a, const std::vector<model:
 
 struct StripFixture : PanelFixture
 {
-    StyleStrip strip{state, load};
+    StyleStrip strip{state, load, startLater};
 
     StripFixture()
     {
@@ -266,7 +274,7 @@ private Q_SLOTS:
     void pictures_are_asked_for_and_filled_in()
     {
         PanelFixture f;
-        StyleStrip strip(f.state, load);
+        StyleStrip strip(f.state, load, startLater);
         QSignalSpy wanted(&strip, &StyleStrip::pictureWanted);
         strip.setEntries({{.path = QStringLiteral("bob"),
                            .name = QStringLiteral("Bob"),
