@@ -311,6 +311,8 @@ void MainWindow::addViewActions(QMenu& menu)
          side("look.right", tr("&Right"), kPad | Qt::Key_3, StandardView::Right),
          side("look.left", tr("&Left"), QKeyCombination(Qt::ControlModifier | kPad, Qt::Key_3), StandardView::Left),
          side("look.top", tr("&Top"), kPad | Qt::Key_7, StandardView::Top),
+         side("look.bottom", tr("B&elow"), QKeyCombination(Qt::ControlModifier | kPad, Qt::Key_7),
+              StandardView::Bottom),
          side("look.threeQuarter", tr("T&hree-quarter"), kPad | Qt::Key_5, StandardView::ThreeQuarter)});
     menu.addSeparator();
     const auto theme = [this](const char* id, const QString& text, view::ThemeKind kind) {
