@@ -139,9 +139,12 @@ private Q_SLOTS:
     {
         StripFixture f;
         QSignalSpy changed(&f.document, &model::Document::changed);
+        const auto* pause = f.strip.findChild<QTimer*>(QString(), Qt::FindDirectChildrenOnly);
         f.enter(0);
+        QVERIFY(pause->isActive());
         f.leave(0);
-        QTest::qWait(250);
+        QVERIFY(!pause->isActive());
+        QCoreApplication::processEvents(); // Nor is anything on its way.
         QCOMPARE(changed.count(), 0);
     }
 

@@ -71,7 +71,7 @@ private:
     QScrollArea* m_scroll = nullptr;
     QHBoxLayout* m_row = nullptr;
     std::vector<StyleTile*> m_tiles;
-    QTimer m_pause; ///< Between pointing at a style and showing it.
+    QTimer m_pause{this}; ///< Between pointing at a style and showing it.
     QString m_hovered;
     QString m_toCommit;
     model::EditSession m_edit;                   ///< Of the style that is shown.
