@@ -38,9 +38,8 @@ void MainWindow::buildMenus()
     addHairActions(*menuBar()->addMenu(tr("H&air")));
     addHelpActions(*menuBar()->addMenu(tr("&Help")));
     for (const auto& tool : m_session.editor().tools())
-        m_toolBar->setKey(
-            tool->id(),
-            m_actions.find(QLatin1StringView(QByteArray("tool.") + model::toolName(tool->id())))->shortcut());
+        m_toolBar->setAction(tool->id(),
+                             *m_actions.find(QLatin1StringView(QByteArray("tool.") + model::toolName(tool->id()))));
 
     // What the paper's context menu offers: the same actions, at hand in both areas.
     m_areaMenu = new QMenu(this);
