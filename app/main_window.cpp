@@ -86,7 +86,15 @@ void MainWindow::buildLayout()
     const view::Theme theme = view::Theme::of(m_preferences.theme);
     m_toolBar = new view::ToolBar(editor);
     m_optionBar = new view::OptionBar(editor);
-    m_paintView = new view::PaintView(editor, theme);
+    m_paintView = new view::PaintView(
+        editor, theme,
+        [this](const std::function<view::BackdropPtr()>& make, QObject* receiver,
+               const std::function<void(const view::BackdropPtr&)>& done) {
+            // Nobody is told what went wrong: the map is painted on without a backdrop too.
+            m_jobs.start<view::BackdropPtr>(
+                {}, [make](const model::Progress&) -> model::Result<view::BackdropPtr> { return make(); }, receiver,
+                [done](const model::Result<view::BackdropPtr>& made) { done(made.value_or(nullptr)); });
+        });
     m_headView = new view::HeadView(editor, theme, m_preferences.presenter);
     m_legend = new view::MapLegend(m_headView);
     m_sidebar = new view::Sidebar(editor);
