@@ -86,11 +86,25 @@ void MainWindow::buildLayout()
     const view::Theme theme = view::Theme::of(m_preferences.theme);
     m_toolBar = new view::ToolBar(editor);
     m_optionBar = new view::OptionBar(editor);
-    m_paintView = new view::PaintView(editor, theme);
+    m_paintView = new view::PaintView(
+        editor, theme,
+        [this](const std::function<view::BackdropPtr()>& make, QObject* receiver,
+               const std::function<void(const view::BackdropPtr&)>& done) {
+            // Nobody is told what went wrong: the map is painted on without a backdrop too.
+            m_jobs.start<view::BackdropPtr>(
+                {}, [make](const model::Progress&) -> model::Result<view::BackdropPtr> { return make(); }, receiver,
+                [done](const model::Result<view::BackdropPtr>& made) { done(made.value_or(nullptr)); });
+        });
     m_headView = new view::HeadView(editor, theme, m_preferences.presenter);
     m_legend = new view::MapLegend(m_headView);
     m_sidebar = new view::Sidebar(editor);
-    m_styleStrip = new view::StyleStrip(editor, loadStyle);
+    m_styleStrip =
+        new view::StyleStrip(editor, loadStyle,
+                             [this](const QString& doing, const std::function<model::Result<model::Preset>()>& load,
+                                    QObject* receiver, const std::function<void(model::Result<model::Preset>)>& done) {
+                                 m_jobs.start<model::Preset>(
+                                     doing, [load](const model::Progress&) { return load(); }, receiver, done);
+                             });
     m_status = new view::StatusReadout(editor);
 
     m_splitter = new QSplitter(Qt::Horizontal);
@@ -152,8 +166,6 @@ void MainWindow::connectViews()
             [this](const QString& name) { m_status->showMessage(tr("Redone: %1").arg(name)); });
     connect(m_headView, &view::HeadView::contextMenuWanted, this, &MainWindow::showAreaMenu);
     connect(m_paintView, &view::PaintView::contextMenuWanted, this, &MainWindow::showAreaMenu);
-    connect(&m_session.editor(), &view::EditorState::refused, m_status,
-            [this](const QString& reason) { m_status->showMessage(reason, true); });
 
     m_files.setThumbnailMaker([this] { return thumbnailOf(m_headView->pictureScene()); });
     m_exchange.setSceneSource([this] { return m_headView->pictureScene(); });

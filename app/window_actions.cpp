@@ -39,9 +39,8 @@ void MainWindow::buildMenus()
     addHairActions(*menuBar()->addMenu(tr("H&air")));
     addHelpActions(*menuBar()->addMenu(tr("&Help")));
     for (const auto& tool : m_session.editor().tools())
-        m_toolBar->setKey(
-            tool->id(),
-            m_actions.find(QLatin1StringView(QByteArray("tool.") + model::toolName(tool->id())))->shortcut());
+        m_toolBar->setAction(tool->id(),
+                             *m_actions.find(QLatin1StringView(QByteArray("tool.") + model::toolName(tool->id()))));
 
     // What the paper's context menu offers: the same actions, at hand in both areas.
     m_areaMenu = new QMenu(this);
@@ -319,6 +318,8 @@ void MainWindow::addViewActions(QMenu& menu)
          side("look.right", tr("&Right"), kPad | Qt::Key_3, StandardView::Right),
          side("look.left", tr("&Left"), QKeyCombination(Qt::ControlModifier | kPad, Qt::Key_3), StandardView::Left),
          side("look.top", tr("&Top"), kPad | Qt::Key_7, StandardView::Top),
+         side("look.bottom", tr("B&elow"), QKeyCombination(Qt::ControlModifier | kPad, Qt::Key_7),
+              StandardView::Bottom),
          side("look.threeQuarter", tr("T&hree-quarter"), kPad | Qt::Key_5, StandardView::ThreeQuarter)});
     menu.addSeparator();
     const auto theme = [this](const char* id, const QString& text, view::ThemeKind kind) {

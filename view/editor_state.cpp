@@ -43,7 +43,7 @@ EditorState::EditorState(model::Document& document, QObject* parent)
 {
     if (!document.project().groups.empty())
         m_activeGroup = document.project().groups.front().id;
-    if (const sim::GroupSettings* settings = activeSettings())
+    if (const sim::GroupSettings* settings = knownSettings())
         m_amounts.take(*settings, m_toolSettings);
     connect(&document, &model::Document::changed, this, &EditorState::onDocumentChanged);
     connect(&document, &model::Document::refused, this, &EditorState::refused);
@@ -135,21 +135,28 @@ bool EditorState::setToolSettings(const model::ToolSettings& settings)
     if (sameSettings(settings, m_toolSettings))
         return false;
     const model::ToolSettings before = std::exchange(m_toolSettings, settings);
-    if (const sim::GroupSettings* group = activeSettings())
+    if (const sim::GroupSettings* group = knownSettings())
         m_amounts.takeChanges(*group, before, m_toolSettings);
     Q_EMIT toolSettingsChanged();
     return true;
 }
 
-const sim::GroupSettings* EditorState::activeSettings() const
+const sim::GroupSettings* EditorState::knownSettings() const
 {
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
     return group != nullptr ? &group->settings : nullptr;
 }
 
+const sim::GroupSettings& EditorState::activeSettings() const
+{
+    static const sim::GroupSettings none;
+    const sim::GroupSettings* known = knownSettings();
+    return known != nullptr ? *known : none;
+}
+
 void EditorState::followAmounts(bool tell)
 {
-    const sim::GroupSettings* settings = activeSettings();
+    const sim::GroupSettings* settings = knownSettings();
     if (settings == nullptr)
         return;
     const model::ToolSettings before = m_toolSettings;
@@ -197,7 +204,7 @@ void EditorState::withTool(const Call& call)
     model::ToolContext toolContext = context();
     call(tool, toolContext);
     if (!sameSettings(before, m_toolSettings)) {
-        if (const sim::GroupSettings* group = activeSettings())
+        if (const sim::GroupSettings* group = knownSettings())
             m_amounts.takeChanges(*group, before, m_toolSettings);
         Q_EMIT toolSettingsChanged();
     }

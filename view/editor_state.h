@@ -41,6 +41,8 @@ public:
     [[nodiscard]] model::Id activeLayer() const;
     bool setActiveLayer(model::Id layer);
     [[nodiscard]] model::LayerAddress target() const;
+    /// The active group's settings; those of a new group where there is none.
+    [[nodiscard]] const sim::GroupSettings& activeSettings() const;
 
     [[nodiscard]] const std::vector<std::unique_ptr<model::Tool>>& tools() const { return m_tools; }
     [[nodiscard]] model::Tool& activeTool() const { return *m_tools[m_activeTool]; }
@@ -91,7 +93,7 @@ private:
     [[nodiscard]] model::ToolContext context();
     [[nodiscard]] std::size_t toolIndex(model::ToolId id) const;
     bool setOption(bool& option, bool value);
-    [[nodiscard]] const sim::GroupSettings* activeSettings() const;
+    [[nodiscard]] const sim::GroupSettings* knownSettings() const; ///< Null where there is no active group.
     /// Puts the amounts on the active group's range.
     void followAmounts(bool tell);
     /// Why the active tool can't start on the target; empty where it can.

@@ -205,6 +205,13 @@ void HeadView::wake()
     requestDraw();
 }
 
+bool HeadView::awake() const
+{
+    return m_state->drawSoon.isActive() || m_state->settle.isActive() ||
+           m_state->turning.state() == QAbstractAnimation::Running ||
+           m_state->turningBack.state() == QAbstractAnimation::Running;
+}
+
 bool HeadView::refining() const
 {
     return m_state->refining;

@@ -51,6 +51,9 @@ public:
     /// What is shown in place of the head; empty while it can be drawn.
     [[nodiscard]] QString missingText() const;
     [[nodiscard]] bool weatherShown() const;
+    /// Whether more is to be drawn without anybody's doing: a picture is asked for, the view is on its way somewhere,
+    /// or what is shown counts as still in a moment and is drawn finer.
+    [[nodiscard]] bool awake() const;
     /// Whether a still picture is being made finer just now.
     [[nodiscard]] bool refining() const;
 

@@ -58,8 +58,8 @@ QPolygonF outlineOf(const model::Change& change, const model::Document& document
 
 } // namespace
 
-PaintView::PaintView(EditorState& state, const Theme& theme, QWidget* parent)
-    : PaintedArea(state, parent), m_state(std::make_unique<State>(state, theme, this))
+PaintView::PaintView(EditorState& state, const Theme& theme, StartBackdrop start, QWidget* parent)
+    : PaintedArea(state, parent), m_state(std::make_unique<State>(state, theme, std::move(start), this))
 {
     setObjectName(QStringLiteral("paintArea"));
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -146,8 +146,27 @@ void PaintView::showChangedOutline()
 
 void PaintView::refreshHead()
 {
-    m_state->canvas.setHead(m_state->editor.document().project().head);
+    const std::shared_ptr<const model::Head>& head = m_state->editor.document().project().head;
+    if (head == m_state->head)
+        return lookChanged();
+    m_state->head = head;
+    const bool known = head && head->skin;
+    m_state->canvas.setLandmarks(known ? landmarksOf(*head) : std::vector<Landmark>());
+    m_state->canvas.setBackdrop(nullptr); // Rather none than another head's.
     lookChanged();
+    if (!known)
+        return;
+    const auto make = [head] { return makeHeadBackdrop(*head); };
+    const auto show = [this, head](const BackdropPtr& backdrop) {
+        if (head != m_state->head)
+            return; // A newer one has come meanwhile.
+        m_state->canvas.setBackdrop(backdrop);
+        lookChanged();
+    };
+    if (m_state->startBackdrop)
+        m_state->startBackdrop(make, this, show);
+    else
+        show(make());
 }
 
 void PaintView::refreshMap()

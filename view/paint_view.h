@@ -1,6 +1,7 @@
 // The paint area: the active map over the head's shading, with the uv wireframe on top.
 #pragma once
 
+#include "view/paint/head_backdrop.h"
 #include "view/painted_area.h"
 #include "view/theme.h"
 
@@ -20,7 +21,8 @@ class PaintView : public PaintedArea
 {
     Q_OBJECT
 public:
-    PaintView(EditorState& state, const Theme& theme, QWidget* parent = nullptr);
+    /// A head's shading and wireframe come later where `start` makes them; without it they are there at once.
+    PaintView(EditorState& state, const Theme& theme, StartBackdrop start = {}, QWidget* parent = nullptr);
     ~PaintView() override;
 
     void setTheme(const Theme& theme);

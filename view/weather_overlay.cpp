@@ -15,7 +15,6 @@ namespace hairpaint::view {
 
 namespace {
 
-constexpr int kPauseMs = 1000;
 constexpr float kTurnRad = std::numbers::pi_v<float> / 12.0F;
 constexpr float kMostElevationRad = std::numbers::pi_v<float> / 2.0F;
 constexpr float kStrengthStep = 0.5F; ///< m/s
@@ -130,7 +129,7 @@ bool WeatherOverlay::handleKey(int key, Qt::KeyboardModifiers modifiers)
         m_windPending = true;
         Q_EMIT windWanted(m_wind, false);
     }
-    m_pause.start(kPauseMs, this);
+    m_pause.start(m_pauseMs, this);
     update();
     return true;
 }

@@ -26,6 +26,9 @@ public:
     [[nodiscard]] static bool isOurKey(int key);
     /// Ends a change under way.
     void settle();
+    /// How long no key is pressed until a change ends by itself; a second unless set.
+    void setPause(int milliseconds) { m_pauseMs = milliseconds; }
+    [[nodiscard]] bool pausing() const { return m_pause.isActive(); } ///< Whether such a pause runs.
 
     [[nodiscard]] QSize sizeHint() const override;
 
@@ -57,6 +60,7 @@ private:
     float m_windElevationRad = 0.0F;
     bool m_windPending = false;
     bool m_lightPending = false;
+    int m_pauseMs = 1000;
     QBasicTimer m_pause;
 };
 

@@ -84,6 +84,10 @@ CommandPtr addLayerCommand(Document& document, Id group, MapKind map, const QStr
 
 CommandPtr insertLayerCommand(Document& document, Id group, MapKind map, Layer layer, int position, const QString& text)
 {
+    document.endEdit();
+    const HairGroup* found = document.committed().group(group);
+    if (found == nullptr || found->map(map).size != layer.raster.size())
+        return nullptr; // A map's layers are all of its size.
     return layersCommand(document, group, map, text,
                          [layer = std::move(layer), position](Project& project, std::vector<Layer>& layers) {
                              Layer copy = layer;

@@ -50,6 +50,7 @@ private Q_SLOTS:
         QTest::newRow("3") << Qt::Key_3 << false << rendering::StandardView::Right;
         QTest::newRow("Ctrl+3") << Qt::Key_3 << true << rendering::StandardView::Left;
         QTest::newRow("7") << Qt::Key_7 << false << rendering::StandardView::Top;
+        QTest::newRow("Ctrl+7") << Qt::Key_7 << true << rendering::StandardView::Bottom;
         QTest::newRow("5") << Qt::Key_5 << false << rendering::StandardView::ThreeQuarter;
     }
     void theNumberPadTurnsTheViewAsInBlender()

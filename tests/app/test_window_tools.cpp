@@ -1,6 +1,7 @@
 // Tools, keys, selection, styles and help in the real window, driven by mouse and keys in both areas.
 #include "tests/app/window_fixture.h"
 
+#include "app/physical_keys.h"
 #include "model/files/preset_file.h"
 #include "model/preset.h"
 #include "tests/support/test_program.h"
@@ -9,9 +10,11 @@
 #include "view/map_legend.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
+#include "view/panels/tool_bar.h"
 
 #include <QDir>
 #include <QMessageBox>
+#include <QToolButton>
 
 namespace hairpaint::app {
 
@@ -124,7 +127,7 @@ private Q_SLOTS:
     void digitsChooseMapsAndXAndDTheValues()
     {
         openWindow(model::newProject());
-        for (int digit = 1; digit <= model::kMapKindCount; ++digit) {
+        for (int digit = 1; digit <= std::min(model::kMapKindCount, kDigits); ++digit) {
             key(static_cast<Qt::Key>(Qt::Key_0 + digit));
             QCOMPARE(editor().activeMap(), static_cast<model::MapKind>(digit - 1));
         }
@@ -357,6 +360,32 @@ private Q_SLOTS:
         QCOMPARE(stack().count(), 0);
     }
 
+    void aReboundKeyIsToldInTheToolBarAndTheOpenHelp()
+    {
+        openWindow(model::newProject());
+        key(Qt::Key_F1, Qt::ShiftModifier);
+        auto* help = m_window->findChild<view::HelpDialog*>();
+        QAction* gradient = m_window->actions().find(QLatin1StringView("tool.gradient"));
+        const auto button = [this, gradient]() -> QString {
+            for (const QToolButton* one : m_window->findChild<view::ToolBar*>()->findChildren<QToolButton*>())
+                if (one->accessibleName() == gradient->iconText())
+                    return one->toolTip();
+            return {};
+        };
+        const QString name = gradient->iconText();
+        QCOMPARE(button(), name + QStringLiteral(" (G)"));
+        QVERIFY(help->text().contains(name + QStringLiteral(" (G)")));
+        gradient->setShortcut(QKeySequence(Qt::Key_F12));
+        QCOMPARE(button(), name + QStringLiteral(" (F12)"));
+        QTRY_VERIFY(help->text().contains(name + QStringLiteral(" (F12)")));
+        QVERIFY(!help->text().contains(name + QStringLiteral(" (G)")));
+        m_window->actions().find(QLatin1StringView("tool.larger"))->setShortcut(QKeySequence(Qt::Key_F11));
+        QTRY_VERIFY(help->text().contains(QStringLiteral("[ and F11")));
+        gradient->setShortcut({});
+        QCOMPARE(button(), name);
+        QTRY_VERIFY(!help->text().contains(name + QStringLiteral(" (")));
+    }
+
     void helpTellsOfEveryToolAndKey()
     {
         openWindow(model::newProject());
@@ -371,6 +400,7 @@ private Q_SLOTS:
                 QVERIFY2(text.contains(binding.action->shortcut().toString(QKeySequence::NativeText)),
                          qPrintable(binding.action->objectName()));
         help->close();
+        QVERIFY(QTest::qWaitFor([this] { return m_window->findChild<view::HelpDialog*>() == nullptr; }));
         m_window->actions().find(QLatin1StringView("hair.windDialog"))->trigger();
         auto* wind = m_window->findChild<view::WindDialog*>();
         QVERIFY(wind != nullptr);

@@ -19,8 +19,8 @@ private Q_SLOTS:
         QTest::addColumn<StandardView>("view");
         QTest::addColumn<glm::vec3>("size");
         QTest::addColumn<float>("aspect");
-        for (const StandardView view :
-             {StandardView::Front, StandardView::Left, StandardView::Top, StandardView::ThreeQuarter}) {
+        for (const StandardView view : {StandardView::Front, StandardView::Left, StandardView::Top,
+                                        StandardView::Bottom, StandardView::ThreeQuarter}) {
             const auto name = [&](const char* what) {
                 return QStringLiteral("%1, %2").arg(int(view)).arg(QLatin1String(what));
             };

@@ -30,7 +30,6 @@ private Q_SLOTS:
         m_slider->setUnit(QStringLiteral("cm"));
         m_slider->setValue(50.0);
         m_slider->setDefaultValue(30.0);
-        m_slider->setStep(1.0);
         m_slider->resize(200, 24);
         m_slider->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_slider.get()));

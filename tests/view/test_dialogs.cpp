@@ -258,6 +258,25 @@ private Q_SLOTS:
         QCOMPARE(eraser.shortcut(), QKeySequence(Qt::Key_E));
     }
 
+    void whoever_loses_a_key_by_a_reset_gets_all_its_own_ones_back()
+    {
+        const QList<QKeySequence> both{Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y};
+        QAction brush(QStringLiteral("&Brush"));
+        QAction redo(QStringLiteral("&Redo"));
+        redo.setShortcut(QKeySequence(Qt::Key_B));
+        PreferencesDialog dialog({}, {},
+                                 {{&brush, QStringLiteral("Tools"), QStringLiteral("Brush"), {Qt::Key_B}},
+                                  {&redo, QStringLiteral("Edit"), QStringLiteral("Redo"), both}});
+        dialog.show();
+        QSignalSpy reset(&dialog, &PreferencesDialog::keyReset);
+        auto* tree = dialog.findChild<QTreeWidget*>();
+        tree->setCurrentItem(rowOf(*tree, QStringLiteral("Brush")));
+        buttonWith(dialog, QStringLiteral("Reset"))->click();
+        QCOMPARE(brush.shortcut(), QKeySequence(Qt::Key_B));
+        QCOMPARE(redo.shortcuts(), both);
+        QCOMPARE(reset.count(), 2); // Both are as they were: nothing is to be remembered.
+    }
+
     void all_keys_are_reset_at_once()
     {
         QAction redo(QStringLiteral("&Redo Brush on Length"));

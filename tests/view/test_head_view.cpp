@@ -229,7 +229,7 @@ private Q_SLOTS:
         QVERIFY(f.area.positionOf(tip)->y() < 0.0);
         f.area.fit();
         QTRY_VERIFY(f.area.positionOf(tip)->y() > 0.0);
-        QTest::qWait(500); // The camera's way there.
+        QTRY_VERIFY(!f.area.awake()); // The camera is there.
         QVERIFY(f.area.positionOf(tip)->y() < 0.2 * f.area.height());
         // Not for hair that is hidden.
         const auto hidden = std::make_shared<sim::StrandFrame>(*frame);
@@ -289,11 +289,20 @@ private Q_SLOTS:
     void nothingChangedNothingIsDrawn()
     {
         HeadFixture f;
-        QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
-        QTRY_VERIFY(drawn.count() >= 1);
+        int drawn = 0;
+        bool refines = false;
+        bool refined = false;
+        connect(&f.area, &view::HeadView::frameDrawn, this, [&] {
+            ++drawn;
+            refined = refines && !f.area.refining();
+            refines = f.area.refining();
+        });
         // Refinement of a still picture comes to an end.
-        int before = -1;
-        QTRY_VERIFY((drawn.wait(400), std::exchange(before, int(drawn.count())) == drawn.count()));
+        QTRY_VERIFY(refined && !f.area.awake());
+        const int before = drawn;
+        QCoreApplication::processEvents();
+        QVERIFY(!f.area.awake() && !f.area.refining());
+        QCOMPARE(drawn, before);
     }
 };
 

@@ -349,6 +349,37 @@ private Q_SLOTS:
         f.editor.document.undo();
         QCOMPARE(f.editor.state.activeMap(), model::MapKind::Density);
     }
+
+    void aHeadsBackdropComesWhenItIsMadeAndTheNewestHeadWins()
+    {
+        test::Editor editor(test::makeProject(test::makePatchHead()));
+        struct Job
+        {
+            std::function<view::BackdropPtr()> make;
+            std::function<void(const view::BackdropPtr&)> done;
+        };
+        std::vector<Job> jobs;
+        view::PaintView area(editor.state, view::Theme::of(view::ThemeKind::Dark),
+                             [&jobs](const std::function<view::BackdropPtr()>& make, QObject*,
+                                     const std::function<void(const view::BackdropPtr&)>& done) {
+                                 jobs.push_back({make, done});
+                             });
+        area.resize(400, 400);
+        const auto shown = [&area] { return area.grab().toImage(); };
+        QCOMPARE(jobs.size(), std::size_t(1));
+        const QImage bare = shown();
+        auto ball = std::make_shared<model::Head>();
+        ball->skin = std::make_shared<sim::Skin>(test::makeBallHead());
+        editor.document.push(model::setHeadCommand(editor.document, ball, {}));
+        QCOMPARE(jobs.size(), std::size_t(2));
+        jobs[1].done(jobs[1].make());
+        const QImage ofBall = shown();
+        QVERIFY(ofBall != bare);
+        jobs[0].done(jobs[0].make()); // The patch's, too late.
+        QVERIFY(shown() == ofBall);
+        jobs[1].done(nullptr); // Where it could not be made the map is shown without.
+        QVERIFY(shown() != ofBall);
+    }
 };
 
 HAIRPAINT_TEST(PaintViewTest, Widgets)

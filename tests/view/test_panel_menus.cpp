@@ -149,6 +149,9 @@ private Q_SLOTS:
         QVERIFY2(words->text().startsWith(QStringLiteral("reveals 15")), qPrintable(words->text()));
         f.state.setActiveMap(MapKind::Braid);
         QCOMPARE(words->text(), QStringLiteral("reveals None, the default"));
+        f.state.setActiveMap(MapKind::TipColour);
+        QCOMPARE(words->text(), QStringLiteral("reveals the map Colour"));
+        f.state.setActiveMap(MapKind::Braid);
         f.document.push(addLayerCommand(f.document, f.state.activeGroup(), MapKind::Braid, QStringLiteral("Above")));
         f.state.setActiveLayer(f.scalp().map(MapKind::Braid).layers.back().id);
         QCOMPARE(words->text(), QStringLiteral("reveals the layers below"));

@@ -3,6 +3,8 @@
 
 #include "model/commands/commands.h"
 #include "tests/support/test_program.h"
+#include "view/panels/hair_panel.h"
+#include "view/panels/layers_panel.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
 
@@ -36,6 +38,14 @@ model::Result<model::Preset> load(const QString& path)
     return makePreset(path, path == QStringLiteral("bob") ? 40000 : 60000);
 }
 
+/// Later, on this thread: the strip is not told before it has asked.
+void startLater(const QString& /*doing*/, const std::function<model::Result<model::Preset>()>& read, QObject* receiver,
+                const std::function<void(model::Result<model::Preset>)>& done)
+{
+    QMetaObject::invokeMethod(
+        receiver, [read, done] { done(read()); }, Qt::QueuedConnection);
+}
+
 bool sameGroups(const std::vector<model::HairGroup>& a, const std::vector<model::HairGroup>& b)
 {
     const auto sameLayer = [](const model::Layer& x, const model::Layer& y) {
@@ -52,7 +62,7 @@ bool sameGroups(const std::vector<model::HairGroup>& a, const std::vector<model:
 
 struct StripFixture : PanelFixture
 {
-    StyleStrip strip{state, load};
+    StyleStrip strip{state, load, startLater};
 
     StripFixture()
     {
@@ -129,9 +139,12 @@ private Q_SLOTS:
     {
         StripFixture f;
         QSignalSpy changed(&f.document, &model::Document::changed);
+        const auto* pause = f.strip.findChild<QTimer*>(QString(), Qt::FindDirectChildrenOnly);
         f.enter(0);
+        QVERIFY(pause->isActive());
         f.leave(0);
-        QTest::qWait(250);
+        QVERIFY(!pause->isActive());
+        QCoreApplication::processEvents(); // Nor is anything on its way.
         QCOMPARE(changed.count(), 0);
     }
 
@@ -178,10 +191,93 @@ private Q_SLOTS:
         QCOMPARE(f.steps(), 1);
     }
 
+    void whoever_ends_the_preview_what_was_active_is_so_again_data()
+    {
+        QTest::addColumn<bool>("undone");
+        QTest::newRow("by a command") << false;
+        QTest::newRow("by undo") << true;
+    }
+    void whoever_ends_the_preview_what_was_active_is_so_again()
+    {
+        QFETCH(bool, undone);
+        StripFixture f;
+        const model::HairGroup& beard = f.document.project().groups[1];
+        f.state.setActiveGroup(beard.id);
+        LayersPanel(f.state).addLayer();
+        f.state.setActiveLayer(f.document.project().groups[1].map(MapKind::Length).layers.front().id);
+        const model::LayerAddress before = f.state.target();
+        f.enter(0);
+        QTRY_VERIFY(f.document.previewing());
+        QVERIFY(f.state.activeGroup() != before.group);
+        if (undone)
+            f.document.undo();
+        else
+            f.document.push(renameGroupCommand(f.document, before.group, QStringLiteral("Brows")));
+        QVERIFY(!f.document.previewing());
+        QCOMPARE(f.state.activeGroup(), before.group);
+        QCOMPARE(f.state.activeLayer(), before.layer);
+    }
+
+    void layer_commands_mean_the_layers_that_are_kept_data()
+    {
+        QTest::addColumn<int>("shown");
+        for (int size : {256, 1024})
+            QTest::addRow("%d texels", size) << size;
+    }
+    /// By key, with the pointer over a style whose maps have another size.
+    void layer_commands_mean_the_layers_that_are_kept()
+    {
+        QFETCH(int, shown);
+        StripFixture f;
+        for (const MapKind kind : {MapKind::Length, MapKind::Curl})
+            f.document.push(resizeMapCommand(f.document, f.scalp().id, kind, shown));
+        LayersPanel panel(f.state);
+        const auto layers = [&] { return f.document.committed().groups.front().map(MapKind::Length).layers; };
+        const auto hover = [&] {
+            f.leave(0);
+            f.enter(0);
+            return QTest::qWaitFor([&] { return f.document.previewing(); });
+        };
+        const int steps = f.steps();
+        QVERIFY(hover());
+        panel.duplicateLayer();
+        QVERIFY(!f.document.previewing());
+        QCOMPARE(layers().size(), std::size_t(2));
+        QVERIFY(layers()[1].raster == layers()[0].raster);
+        QCOMPARE(f.state.activeLayer(), layers()[1].id);
+        QVERIFY(hover());
+        panel.moveLayer(-1);
+        QCOMPARE(layers()[0].id, f.state.activeLayer());
+        QVERIFY(hover());
+        panel.addLayer();
+        QCOMPARE(layers().size(), std::size_t(3));
+        QCOMPARE(f.state.activeLayer(), layers()[2].id);
+        QVERIFY(hover());
+        panel.removeLayer();
+        QCOMPARE(layers().size(), std::size_t(2));
+        QCOMPARE(f.steps(), steps + 4);
+        // Each layer has the map's size.
+        for (const model::Layer& layer : layers())
+            QCOMPARE(layer.raster.size(), shown);
+        QVERIFY(hover());
+        HairPanel(f.state).removeGroup();
+        QCOMPARE(f.document.committed().groups.size(), std::size_t(1));
+        f.leave(0);
+    }
+
+    void a_layer_of_another_size_than_the_map_is_refused()
+    {
+        PanelFixture f;
+        model::Layer layer = f.scalp().map(MapKind::Length).layers.front();
+        layer.raster = sim::TiledRaster(512, layer.raster.channels());
+        QVERIFY(insertLayerCommand(f.document, f.scalp().id, MapKind::Length, layer, 0, {}) == nullptr);
+        QVERIFY(insertLayerCommand(f.document, 999, MapKind::Length, layer, 0, {}) == nullptr);
+    }
+
     void pictures_are_asked_for_and_filled_in()
     {
         PanelFixture f;
-        StyleStrip strip(f.state, load);
+        StyleStrip strip(f.state, load, startLater);
         QSignalSpy wanted(&strip, &StyleStrip::pictureWanted);
         strip.setEntries({{.path = QStringLiteral("bob"),
                            .name = QStringLiteral("Bob"),

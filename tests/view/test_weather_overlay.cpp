@@ -139,8 +139,10 @@ private Q_SLOTS:
     void aPauseEndsTheStep()
     {
         Fixture f;
+        f.overlay.setPause(1);
         QTest::keyClick(&f.overlay, Qt::Key_PageUp);
         QTRY_COMPARE(f.windDone, 1);
+        QVERIFY(!f.overlay.pausing());
         QTest::keyClick(&f.overlay, Qt::Key_Escape);
         QCOMPARE(f.windDone, 1);
     }

@@ -5,8 +5,12 @@
 
 #include <QDialogButtonBox>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -42,24 +46,36 @@ private:
     QString m_rows;
 };
 
-QString toolPage(const EditorState& state)
+/// The key that an action has now; empty where it has none, or where there is no such action.
+QString keyOf(const std::vector<KeyBinding>& bindings, const QString& action)
+{
+    const auto found =
+        std::ranges::find(bindings, action, [](const KeyBinding& one) { return one.action->objectName(); });
+    return found != bindings.end() ? found->action->shortcut().toString(QKeySequence::NativeText) : QString();
+}
+
+QString toolPage(const EditorState& state, const std::vector<KeyBinding>& bindings)
 {
     Table table;
-    for (const auto& tool : state.tools())
-        table.row(tool->hint(),
-                  QStringLiteral("%1 (%2)").arg(tool->title(), tool->defaultKey().toString(QKeySequence::NativeText)));
+    for (const auto& tool : state.tools()) {
+        const QString key = keyOf(bindings, QStringLiteral("tool.") + QLatin1String(model::toolName(tool->id())));
+        table.row(tool->hint(), key.isEmpty() ? tool->title() : QStringLiteral("%1 (%2)").arg(tool->title(), key));
+    }
     return heading(HelpDialog::Topic::Tools, HelpDialog::tr("Tools")) + table.html() +
            paragraph(HelpDialog::tr("Every tool works in both areas: on the flat map and straight on the head. What it "
                                     "paints goes to the active layer of the active map, inside the selection where "
                                     "there is one."));
 }
 
-QString pointerPage()
+QString pointerPage(const std::vector<KeyBinding>& bindings)
 {
     Table table;
+    const QString smaller = keyOf(bindings, QStringLiteral("tool.smaller"));
+    const QString larger = keyOf(bindings, QStringLiteral("tool.larger"));
     table.row(HelpDialog::tr("Paint the first nine maps"), HelpDialog::tr("1 to 9"));
     table.row(HelpDialog::tr("See a map's colours on the hair"), HelpDialog::tr("Hold Alt and 1 to 9"));
-    table.row(HelpDialog::tr("Make the brush smaller or larger"), HelpDialog::tr("[ and ]"));
+    if (!smaller.isEmpty() && !larger.isEmpty())
+        table.row(HelpDialog::tr("Make the brush smaller or larger"), HelpDialog::tr("%1 and %2").arg(smaller, larger));
     table.row(HelpDialog::tr("Size sideways, hardness up and down"), HelpDialog::tr("Ctrl and right-drag"));
     table.row(HelpDialog::tr("Opacity"), HelpDialog::tr("Hold O and drag"));
     table.row(HelpDialog::tr("Straight line from the last point"), HelpDialog::tr("Shift and click"));
@@ -120,21 +136,38 @@ QString dialogPages()
 
 } // namespace
 
-HelpDialog::HelpDialog(const EditorState& state, const std::vector<KeyBinding>& bindings, QWidget* parent)
-    : QDialog(parent), m_browser(new QTextBrowser(this))
+HelpDialog::HelpDialog(const EditorState& state, std::vector<KeyBinding> bindings, QWidget* parent)
+    : QDialog(parent), m_state(state), m_bindings(std::move(bindings)), m_browser(new QTextBrowser(this))
 {
     setWindowTitle(tr("Help"));
     setAttribute(Qt::WA_DeleteOnClose);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::kPadding, metrics::kPadding, metrics::kPadding, metrics::kPadding);
     m_browser->setAccessibleName(tr("Help"));
-    m_browser->setHtml(toolPage(state) + pointerPage() + keyPage(bindings) + dialogPages());
+    write();
+    // Once for all keys that change together.
+    m_rewrite.setSingleShot(true);
+    m_rewrite.setInterval(0);
+    connect(&m_rewrite, &QTimer::timeout, this, &HelpDialog::write);
+    for (const KeyBinding& binding : m_bindings)
+        connect(binding.action, &QAction::changed, &m_rewrite, qOverload<>(&QTimer::start));
     layout->addWidget(m_browser);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     buttons->button(QDialogButtonBox::Close)->setText(tr("Close"));
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
     resize(620, 640);
+}
+
+void HelpDialog::write()
+{
+    const QString html = toolPage(m_state, m_bindings) + pointerPage(m_bindings) + keyPage(m_bindings) + dialogPages();
+    if (html == m_html)
+        return; // Actions change for other reasons than their keys.
+    m_html = html;
+    const int read = m_browser->verticalScrollBar()->value();
+    m_browser->setHtml(html);
+    m_browser->verticalScrollBar()->setValue(read);
 }
 
 void HelpDialog::showTopic(Topic topic)

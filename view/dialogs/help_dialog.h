@@ -5,12 +5,15 @@
 #include "view/editor_state.h"
 
 #include <QDialog>
+#include <QString>
+#include <QTimer>
 
 class QTextBrowser;
 
 namespace hairpaint::view {
 
-/// Not modal. Written anew each time it is made, from the tools' own hints and the keys as they are bound.
+/// Not modal. Written from the tools' own hints and the keys as they are bound, anew when one is bound anew. The
+/// actions outlive it.
 class HelpDialog : public QDialog
 {
     Q_OBJECT
@@ -26,13 +29,19 @@ public:
         Preferences
     };
 
-    HelpDialog(const EditorState& state, const std::vector<KeyBinding>& bindings, QWidget* parent = nullptr);
+    HelpDialog(const EditorState& state, std::vector<KeyBinding> bindings, QWidget* parent = nullptr);
     void showTopic(Topic topic);
     /// All of it, as plain text.
     [[nodiscard]] QString text() const;
 
 private:
+    void write();
+
+    const EditorState& m_state;
+    std::vector<KeyBinding> m_bindings;
     QTextBrowser* m_browser = nullptr;
+    QString m_html; ///< As it was written last.
+    QTimer m_rewrite;
 };
 
 } // namespace hairpaint::view

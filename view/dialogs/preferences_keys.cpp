@@ -183,8 +183,8 @@ void PreferencesDialog::setKey(int binding, const QKeySequence& key)
     followKey();
 }
 
-/// Nobody is left without a key by it: whoever took one of its keys gets its own back, or where that is taken too the
-/// key that becomes free; and whoever has none and would have that key by itself gets it back.
+/// Nobody is left without a key by it: whoever took one of its keys gets its own ones back that are free, or where all
+/// are taken too the key that becomes free; and whoever has none and would have that key by itself gets it back.
 void PreferencesDialog::resetKey(int binding)
 {
     if (binding < 0)
@@ -197,9 +197,11 @@ void PreferencesDialog::resetKey(int binding)
             losers.push_back(owner);
     put(binding, wanted.defaultKeys);
     for (const int loser : losers) {
-        const QKeySequence own = m_bindings[static_cast<std::size_t>(loser)].defaultKey();
-        const QKeySequence next = ownerOf(own, loser) < 0 ? own : freed;
-        put(loser, ownerOf(next, loser) < 0 && !next.isEmpty() ? QList<QKeySequence>{next} : QList<QKeySequence>());
+        QList<QKeySequence> next = m_bindings[static_cast<std::size_t>(loser)].defaultKeys;
+        next.removeIf([this, loser](const QKeySequence& key) { return ownerOf(key, loser) >= 0; });
+        if (next.isEmpty() && !freed.isEmpty() && ownerOf(freed, loser) < 0)
+            next = {freed};
+        put(loser, next);
     }
     for (std::size_t i = 0; i < m_bindings.size(); ++i)
         if (m_bindings[i].action->shortcut().isEmpty() && !freed.isEmpty() && m_bindings[i].defaultKey() == freed &&

@@ -4,6 +4,7 @@
 #include "view/gl_problem.h"
 #include "view/rendering/offscreen_context.h"
 
+#include <atomic>
 #include <new>
 #include <utility>
 
@@ -32,6 +33,9 @@ public:
         return *m_start;
     }
 
+    /// From any thread: a fine picture under way is given up.
+    void hurry() { m_stopping = true; }
+
     /// Calls that still wait in the thread's queue find nothing to draw with.
     void stop()
     {
@@ -54,7 +58,7 @@ public:
         // A fine picture may take seconds: whatever comes meanwhile goes first.
         rendering::Renderer::Progress goesOn;
         if (shot.still)
-            goesOn = [this](double) { return !m_jobs.waiting(); };
+            goesOn = [this](double) { return !m_stopping && !m_jobs.waiting(); };
         try {
             if (!m_renderer->drawPatiently(shot.scene, m_governor.begin(shot.still), m_last->size.width(),
                                            m_last->size.height(), goesOn))
@@ -121,6 +125,7 @@ private:
     rendering::DetailGovernor m_governor;
     std::optional<Job> m_last;
     bool m_refines = false;
+    std::atomic<bool> m_stopping = false;
     std::vector<std::uint8_t> m_pixels;
 };
 
@@ -136,6 +141,7 @@ RenderThread::RenderThread(QObject* parent) : QObject(parent), m_worker(std::mak
 
 RenderThread::~RenderThread()
 {
+    m_worker->hurry();
     QMetaObject::invokeMethod(
         m_worker.get(), [worker = m_worker.get()] { worker->stop(); }, Qt::BlockingQueuedConnection);
     m_thread.quit();

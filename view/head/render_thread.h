@@ -26,7 +26,7 @@ class RenderThread : public QObject
     Q_OBJECT
 public:
     explicit RenderThread(QObject* parent = nullptr);
-    ~RenderThread() override; ///< Waits for the frame being drawn.
+    ~RenderThread() override; ///< Waits for the frame being drawn, of a still picture for a batch of strands.
 
     /// Waits until the context was made or refused; started() tells of it too, later.
     [[nodiscard]] RenderStart waitForStart();

@@ -9,7 +9,6 @@ namespace hairpaint::view {
 
 namespace {
 
-constexpr int kShadingSide = 512;
 /// Landmarks are named where the map is at least that large, and until the user has zoomed in on a detail.
 constexpr double kLeastLabelledPx = 320.0;
 constexpr double kMostLabelledPx = 6000.0;
@@ -21,23 +20,17 @@ QRectF visiblePaper(const UvTransform& transform, const QRectF& widgetRect)
 
 } // namespace
 
-void PaintCanvas::setHead(std::shared_ptr<const model::Head> head)
+void PaintCanvas::setLandmarks(std::vector<Landmark> landmarks)
 {
-    if (head == m_head)
-        return;
-    m_head = std::move(head);
-    m_shading = QImage();
-    m_veil = QImage();
-    m_wireframe.reset();
-    m_landmarks.clear();
+    m_landmarks = std::move(landmarks);
     m_upperValid = false;
-    if (!m_head || !m_head->skin)
-        return;
-    const sim::HeadMesh& coarse = m_head->skin->mesh();
-    const bool hasShown = m_head->shownMesh && m_head->shownMesh->uvs.size() == m_head->shownMesh->positionsHd.size();
-    m_shading = bakeUvShading(hasShown ? *m_head->shownMesh : coarse, kShadingSide);
-    m_wireframe.emplace(coarse);
-    m_landmarks = landmarksOf(*m_head);
+}
+
+void PaintCanvas::setBackdrop(BackdropPtr backdrop)
+{
+    m_backdrop = std::move(backdrop);
+    m_veil = QImage();
+    m_upperValid = false;
 }
 
 QList<QRectF> PaintCanvas::setMap(std::shared_ptr<const sim::TiledRaster> raster, const model::MapSpec& spec,
@@ -74,8 +67,8 @@ void PaintCanvas::drawUpper(const Look& look)
     m_upperValid = true;
 
     const QColor outside = look.theme.window;
-    if (!m_shading.isNull() && (m_veil.isNull() || m_veilIsNight != look.nightPaper || m_veilOutside != outside)) {
-        m_veil = shadingVeil(m_shading, look.nightPaper, outside);
+    if (m_backdrop && (m_veil.isNull() || m_veilIsNight != look.nightPaper || m_veilOutside != outside)) {
+        m_veil = shadingVeil(m_backdrop->shading, look.nightPaper, outside);
         m_veilIsNight = look.nightPaper;
         m_veilOutside = outside;
     }
@@ -87,7 +80,7 @@ void PaintCanvas::drawUpper(const Look& look)
         painter.drawImage(QRectF(0.0, 0.0, 1.0, 1.0), m_veil);
         painter.resetTransform();
     }
-    if (look.wireframe && m_wireframe)
+    if (look.wireframe && m_backdrop)
         painter.drawImage(QPointF(), wireframePicture(look, size));
     painter.setPen(QPen(look.theme.line, 1.0));
     painter.setRenderHint(QPainter::Antialiasing);
@@ -104,9 +97,9 @@ QImage PaintCanvas::wireframePicture(const Look& look, QSize size)
         // Fainter from afar, where many edges would make a fog.
         const double nearness = std::clamp(std::log2(look.transform.pxPerPaper / 400.0) / 4.0, 0.0, 1.0);
         QPainter painter(&lines);
-        m_wireframe->draw(painter, look.transform.paperToWidget(),
-                          visiblePaper(look.transform, QRectF(QPointF(), look.transform.widget)),
-                          static_cast<int>(30.0 + 34.0 * nearness), 110);
+        m_backdrop->wireframe.draw(painter, look.transform.paperToWidget(),
+                                   visiblePaper(look.transform, QRectF(QPointF(), look.transform.widget)),
+                                   static_cast<int>(30.0 + 34.0 * nearness), 110);
     }
     QImage ink(size, QImage::Format_ARGB32_Premultiplied);
     ink.setDevicePixelRatio(look.devicePixelRatio);

@@ -2,17 +2,17 @@
 #pragma once
 
 #include "model/project.h"
+#include "view/paint/head_backdrop.h"
 #include "view/paint/landmarks.h"
 #include "view/paint/map_pyramid.h"
 #include "view/paint/uv_transform.h"
-#include "view/paint/uv_wireframe.h"
 #include "view/theme.h"
 
 #include <QFont>
 #include <QImage>
 
 #include <memory>
-#include <optional>
+#include <vector>
 
 namespace hairpaint::view {
 
@@ -32,7 +32,8 @@ public:
         QFont font;
     };
 
-    void setHead(std::shared_ptr<const model::Head> head);
+    void setLandmarks(std::vector<Landmark> landmarks);
+    void setBackdrop(BackdropPtr backdrop); ///< Null: neither shading nor wireframe.
     /// Returns the parts of the paper that changed.
     QList<QRectF> setMap(std::shared_ptr<const sim::TiledRaster> raster, const model::MapSpec& spec, bool nightPaper);
     [[nodiscard]] const MapPyramid& pyramid() const { return m_pyramid; }
@@ -45,11 +46,9 @@ private:
     [[nodiscard]] QImage wireframePicture(const Look& look, QSize size);
     void drawLandmarks(QPainter& painter, const Look& look) const;
 
-    std::shared_ptr<const model::Head> m_head;
     MapPyramid m_pyramid;
-    QImage m_shading;
-    QImage m_veil;
-    std::optional<UvWireframe> m_wireframe;
+    BackdropPtr m_backdrop;
+    QImage m_veil; ///< Of the backdrop's shading.
     std::vector<Landmark> m_landmarks;
     QImage m_upper;
     bool m_upperValid = false;

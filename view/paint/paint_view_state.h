@@ -24,13 +24,16 @@ struct PaintView::State
         Brush
     };
 
-    State(EditorState& editorState, const Theme& startTheme, QObject* parent)
-        : editor(editorState), theme(startTheme), keys({Qt::Key_Space, Qt::Key_O}, parent)
+    State(EditorState& editorState, const Theme& startTheme, StartBackdrop start, QObject* parent)
+        : editor(editorState), theme(startTheme), keys({Qt::Key_Space, Qt::Key_O}, parent),
+          startBackdrop(std::move(start))
     {}
 
     EditorState& editor;
     Theme theme;
     HeldKeys keys;
+    StartBackdrop startBackdrop;
+    std::shared_ptr<const model::Head> head; ///< Whose backdrop is shown or made.
     PaintCanvas canvas;
     MapLegend* legend = nullptr; ///< A child.
     UvTransform transform;

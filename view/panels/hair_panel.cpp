@@ -164,6 +164,8 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
     // A session a slider: moving one ends, and keeps, what another one left open.
     auto session = std::make_shared<model::EditSession>();
     const auto show = [this, &row, session](double value) {
+        if (!session->active())
+            m_state.document().endEdit(); // What somebody only looks at may have another group.
         const model::HairGroup* shown = group();
         if (shown == nullptr)
             return;
@@ -207,8 +209,8 @@ QString HairPanel::settingText(const GroupSetting& row, const model::HairGroup& 
 
 void HairPanel::change(const GroupSetting& row, double value)
 {
-    const model::Id id = m_state.activeGroup();
     m_state.document().endEdit();
+    const model::Id id = m_state.activeGroup();
     const model::HairGroup* found = m_state.document().committed().group(id);
     if (found == nullptr)
         return;
@@ -269,6 +271,7 @@ void HairPanel::askWhatGrows()
 
 void HairPanel::addGroup(const HairKind& kind)
 {
+    m_state.document().endEdit();
     const auto& groups = m_state.document().committed().groups;
     QString name = QLatin1StringView(kind.name);
     if (name.isEmpty() || std::ranges::find(groups, name, &model::HairGroup::name) != groups.end())
@@ -283,6 +286,7 @@ void HairPanel::addGroup(const HairKind& kind)
 
 void HairPanel::removeGroup()
 {
+    m_state.document().endEdit();
     if (group() != nullptr)
         m_state.document().push(removeGroupCommand(m_state.document(), m_state.activeGroup()));
 }

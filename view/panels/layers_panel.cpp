@@ -114,6 +114,7 @@ void LayersPanel::connectList()
     connect(
         m_list, &LayerList::moveWanted, this,
         [this](int layer, int row) {
+            m_state.document().endEdit();
             const model::MapStack* layers = stack();
             if (layers != nullptr)
                 moveTo(layer, static_cast<int>(layers->layers.size()) - 1 - row);
@@ -154,6 +155,8 @@ void LayersPanel::showMenu(QPoint position)
 void LayersPanel::connectProperties()
 {
     const auto show = [this](double percent) {
+        if (!m_opacityEdit.active())
+            m_state.document().endEdit(); // What somebody only looks at may have another layer.
         const model::LayerAddress target = m_state.target();
         m_state.document().show(m_opacityEdit, {.text = tr("Layer opacity")},
                                 {.aspect = Change::Aspect::LayerList, .group = target.group, .map = target.map},
@@ -170,6 +173,7 @@ void LayersPanel::connectProperties()
     connect(m_opacity, &BarSlider::editingCancelled, this, [this] { m_opacityEdit.drop(); });
     connect(m_blend, &QComboBox::activated, this, [this](int index) {
         const auto mode = static_cast<model::BlendMode>(m_blend->itemData(index).toInt());
+        m_state.document().endEdit(); // Ends what is only looked at, with its layers.
         change(m_state.activeLayer(), tr("Layer blend mode"),
                [mode](LayerProperties& properties) { properties.blend = mode; });
     });
@@ -292,8 +296,11 @@ void LayersPanel::change(model::Id layer, const QString& text, const std::functi
     m_state.document().push(setLayerPropertiesCommand(m_state.document(), address, properties, text));
 }
 
+// Each of the following ends what runs before it looks: a hovered style shows layers that are gone with it.
+
 void LayersPanel::addLayer()
 {
+    m_state.document().endEdit();
     const model::MapStack* layers = stack();
     if (layers == nullptr)
         return;
@@ -305,29 +312,33 @@ void LayersPanel::addLayer()
 
 void LayersPanel::removeLayer()
 {
+    m_state.document().endEdit();
     if (activeLayer() != nullptr)
         m_state.document().push(removeLayerCommand(m_state.document(), m_state.target()));
 }
 
 void LayersPanel::duplicateLayer()
 {
+    m_state.document().endEdit();
     const Layer* layer = activeLayer();
     const model::MapStack* layers = stack();
     if (layer == nullptr || layers == nullptr)
         return;
     const auto position = static_cast<int>(layer - layers->layers.data()) + 1;
+    const std::size_t before = layers->layers.size();
     Layer copy = *layer;
     copy.name = tr("%1 copy").arg(model::shownName(layer->name));
     m_state.document().push(insertLayerCommand(m_state.document(), m_state.activeGroup(), m_state.activeMap(),
                                                std::move(copy), position,
                                                tr("Duplicate layer \"%1\"").arg(model::shownName(layer->name))));
     // A document that is full takes no more.
-    if (const model::MapStack* after = stack(); after != nullptr && position < std::ssize(after->layers))
+    if (const model::MapStack* after = stack(); after != nullptr && after->layers.size() > before)
         m_state.setActiveLayer(after->layers[static_cast<std::size_t>(position)].id);
 }
 
 void LayersPanel::moveLayer(int steps)
 {
+    m_state.document().endEdit();
     const Layer* layer = activeLayer();
     if (layer != nullptr)
         moveTo(layer->id, static_cast<int>(layer - stack()->layers.data()) + steps);

@@ -34,13 +34,6 @@ constexpr double kPercent = 100.0;
 constexpr int kSliderWidth = 160; ///< Where there is room.
 constexpr int kValueWidth = 240;
 
-const sim::GroupSettings& settingsOf(const EditorState& state)
-{
-    static const sim::GroupSettings none;
-    const model::HairGroup* group = state.document().project().group(state.activeGroup());
-    return group != nullptr ? group->settings : none;
-}
-
 BarSlider* percentSlider(const QString& label, QWidget* parent)
 {
     auto* slider = new BarSlider(label, parent);
@@ -127,7 +120,7 @@ void OptionBar::buildValue()
     connect(m_scalar, &BarSlider::valueChanged, this, [this](double shown) {
         const model::MapKind map = m_state.activeMap();
         change([&](ToolSettings& settings) {
-            settings.value(map).scalar = static_cast<float>(mapValue(settingsOf(m_state), map, shown));
+            settings.value(map).scalar = static_cast<float>(mapValue(m_state.activeSettings(), map, shown));
         });
     });
     connect(m_valueButton, &QToolButton::clicked, this, &OptionBar::showPalette);
@@ -257,7 +250,7 @@ void OptionBar::follow()
 {
     ToolSettings settings = m_state.toolSettings();
     const MapSpec& spec = model::mapSpec(m_state.activeMap());
-    const sim::GroupSettings& group = settingsOf(m_state);
+    const sim::GroupSettings& group = m_state.activeSettings();
     const model::PaintValue& value = settings.value(spec.kind);
     m_badge->setMap(spec.kind);
     const bool scalar = spec.scale != nullptr;

@@ -15,7 +15,6 @@ class Sidebar : public QWidget
     Q_OBJECT
 public:
     explicit Sidebar(EditorState& state, QWidget* parent = nullptr);
-    [[nodiscard]] MapsPanel& maps() const { return *m_maps; }
     [[nodiscard]] LayersPanel& layers() const { return *m_layers; }
     [[nodiscard]] HairPanel& hair() const { return *m_hair; }
     void showHair();

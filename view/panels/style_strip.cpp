@@ -2,9 +2,7 @@
 #include "view/panels/style_strip.h"
 
 #include "model/commands/commands.h"
-#include "model/guarded.h"
 #include "model/names.h"
-#include "sim/base/parallel.h"
 #include "view/panels/style_tile.h"
 #include "view/theme.h"
 
@@ -17,6 +15,7 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -30,8 +29,8 @@ constexpr std::size_t kKept = 10; ///< Styles that stay in memory.
 
 } // namespace
 
-StyleStrip::StyleStrip(EditorState& state, Loader loader, QWidget* parent)
-    : QWidget(parent), m_state(state), m_loader(std::move(loader))
+StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* parent)
+    : QWidget(parent), m_state(state), m_loader(std::move(loader)), m_start(std::move(start))
 {
     setObjectName(QStringLiteral("styleStrip"));
     setAttribute(Qt::WA_StyledBackground);
@@ -54,17 +53,11 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, QWidget* parent)
     m_scroll->viewport()->installEventFilter(this);
     m_scroll->horizontalScrollBar()->setAccessibleName(tr("Styles"));
     layout->addWidget(m_scroll);
-    m_threads.setMaxThreadCount(1);
     m_pause.setSingleShot(true);
     m_pause.setInterval(kHoverMs);
     connect(&m_pause, &QTimer::timeout, this, [this] { wish(m_hovered, false); });
+    connect(&state.document(), &model::Document::editEnded, this, &StyleStrip::restoreTarget);
     setEntries({});
-}
-
-StyleStrip::~StyleStrip()
-{
-    m_threads.clear();
-    m_threads.waitForDone();
 }
 
 void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
@@ -156,34 +149,27 @@ void StyleStrip::wish(const QString& path, bool commit)
     if (std::ranges::find(m_loading, path) != m_loading.end())
         return;
     m_loading.push_back(path);
-    m_threads.start([this, path, load = m_loader] {
-        const sim::ArenaScope arena(sim::Arena::Background);
-        model::Result<Preset> read =
-            model::guarded(tr("Reading %1").arg(QFileInfo(path).fileName()), [&] { return load(path); });
-        model::Result<PresetPtr> result =
-            read ? model::Result<PresetPtr>(std::make_shared<const Preset>(std::move(*read)))
-                 : model::Result<PresetPtr>(tl::unexpected<model::Error>(read.error()));
-        // The destructor waits for this thread, and a posted call dies with its receiver.
-        QMetaObject::invokeMethod(
-            this, [this, path, result] { loaded(path, result); }, Qt::QueuedConnection);
-    });
+    m_start(
+        tr("Reading %1").arg(QFileInfo(path).fileName()), [path, load = m_loader] { return load(path); }, this,
+        [this, path](model::Result<Preset> read) { loaded(path, std::move(read)); });
 }
 
-void StyleStrip::loaded(const QString& path, const model::Result<PresetPtr>& preset)
+void StyleStrip::loaded(const QString& path, model::Result<Preset> read)
 {
     std::erase(m_loading, path);
     if (StyleTile* shown = tile(path))
         shown->setBusy(false);
-    if (!preset) {
+    if (!read) {
         if (m_toCommit == path)
             m_toCommit.clear();
-        Q_EMIT failed(preset.error().message);
+        Q_EMIT failed(read.error().message);
         return;
     }
-    m_recent.emplace_back(path, *preset);
+    const auto preset = std::make_shared<const Preset>(std::move(*read));
+    m_recent.emplace_back(path, preset);
     if (m_recent.size() > kKept)
         m_recent.erase(m_recent.begin());
-    arrived(path, *preset);
+    arrived(path, preset);
 }
 
 void StyleStrip::arrived(const QString& path, const PresetPtr& preset)
@@ -197,10 +183,20 @@ void StyleStrip::arrived(const QString& path, const PresetPtr& preset)
 void StyleStrip::preview(const PresetPtr& preset)
 {
     if (!m_edit.active()) {
-        m_groupBefore = m_state.activeGroup();
-        m_layerBefore = m_state.activeLayer();
+        m_state.document().endEdit(); // First: the end of another one's edit is not the end of this.
+        m_before = m_state.target();
     }
     showStyle(preset);
+}
+
+void StyleStrip::restoreTarget()
+{
+    if (m_edit.active() || !m_before)
+        return;
+    const model::LayerAddress before = *std::exchange(m_before, std::nullopt);
+    m_state.setActiveGroup(before.group);
+    if (m_state.activeGroup() == before.group && m_state.activeMap() == before.map)
+        m_state.setActiveLayer(before.layer);
 }
 
 void StyleStrip::showStyle(const PresetPtr& preset)
@@ -216,6 +212,7 @@ void StyleStrip::apply(const PresetPtr& preset)
     m_hovered.clear();
     showStyle(preset);
     m_edit.setText(applyPresetText(*preset));
+    m_before.reset(); // The style's own is kept.
     m_edit.commit();
     // On a bald head only Density makes hair.
     const auto density = m_state.document().resolved(m_state.activeGroup(), model::MapKind::Density);
@@ -227,11 +224,7 @@ void StyleStrip::endPreview()
 {
     m_pause.stop();
     m_hovered.clear();
-    if (!m_edit.active())
-        return;
     m_edit.drop();
-    m_state.setActiveGroup(m_groupBefore);
-    m_state.setActiveLayer(m_layerBefore);
 }
 
 bool StyleStrip::eventFilter(QObject* watched, QEvent* event)

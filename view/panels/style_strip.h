@@ -6,11 +6,11 @@
 #include "model/preset.h"
 #include "view/editor_state.h"
 
-#include <QThreadPool>
 #include <QTimer>
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 
 class QHBoxLayout;
 class QScrollArea;
@@ -19,7 +19,7 @@ namespace hairpaint::view {
 
 class StyleTile;
 
-/// 132 px high. Files are read on another thread; the last few stay in memory. Built-in ones come first, then the
+/// 132 px high. Files are read in the background; the last few stay in memory. Built-in ones come first, then the
 /// user's own, then "Save style".
 class StyleStrip : public QWidget
 {
@@ -27,9 +27,13 @@ class StyleStrip : public QWidget
 public:
     using Loader = std::function<model::Result<model::Preset>(const QString& path)>;
 
-    /// `loader` is called from another thread.
-    explicit StyleStrip(EditorState& state, Loader loader = model::loadPreset, QWidget* parent = nullptr);
-    ~StyleStrip() override;
+    /// Has `load` run, which takes a while, and tells `done` on this thread, unless `receiver` is gone by then. What
+    /// `load` throws becomes an error that names `doing`.
+    using Start = std::function<void(const QString& doing, const std::function<model::Result<model::Preset>()>& load,
+                                     QObject* receiver, const std::function<void(model::Result<model::Preset>)>& done)>;
+
+    /// `loader` is called wherever `start` runs it.
+    StyleStrip(EditorState& state, Loader loader, Start start, QWidget* parent = nullptr);
 
     void setEntries(const std::vector<model::PresetEntry>& entries);
     [[nodiscard]] std::vector<QString> paths() const;
@@ -53,27 +57,27 @@ private:
     void addTile(StyleTile* tile, const QImage& picture);
     [[nodiscard]] StyleTile* tile(const QString& path) const;
     void wish(const QString& path, bool commit);
-    void loaded(const QString& path, const model::Result<PresetPtr>& preset);
+    void loaded(const QString& path, model::Result<model::Preset> read);
     void arrived(const QString& path, const PresetPtr& preset);
     void preview(const PresetPtr& preset);
     void showStyle(const PresetPtr& preset);
     void apply(const PresetPtr& preset);
     void endPreview();
+    void restoreTarget(); ///< Whoever ended the preview.
 
     EditorState& m_state;
     Loader m_loader;
+    Start m_start;
     QScrollArea* m_scroll = nullptr;
     QHBoxLayout* m_row = nullptr;
     std::vector<StyleTile*> m_tiles;
-    QTimer m_pause; ///< Between pointing at a style and showing it.
+    QTimer m_pause{this}; ///< Between pointing at a style and showing it.
     QString m_hovered;
     QString m_toCommit;
-    model::EditSession m_edit;   ///< Of the style that is shown.
-    model::Id m_groupBefore = 0; ///< What was active before a style was shown.
-    model::Id m_layerBefore = 0;
+    model::EditSession m_edit;                   ///< Of the style that is shown.
+    std::optional<model::LayerAddress> m_before; ///< What was active before, while a style is shown.
     std::vector<std::pair<QString, PresetPtr>> m_recent;
     std::vector<QString> m_loading;
-    QThreadPool m_threads;
 };
 
 } // namespace hairpaint::view

@@ -11,6 +11,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace hairpaint::view {
 
 namespace {
@@ -67,11 +69,14 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
     follow();
 }
 
-void ToolBar::setKey(model::ToolId tool, const QKeySequence& key)
+void ToolBar::setAction(model::ToolId tool, const QAction& action)
 {
-    for (std::size_t i = 0; i < m_buttons.size(); ++i)
-        if (tool == m_state.tools()[i]->id())
-            describe(*m_buttons[i], m_state.tools()[i]->title(), key);
+    const auto found = std::ranges::find(m_state.tools(), tool, [](const auto& one) { return one->id(); });
+    Q_ASSERT(found != m_state.tools().end());
+    QToolButton* button = m_buttons[static_cast<std::size_t>(found - m_state.tools().begin())];
+    const auto follow = [button, title = (*found)->title(), &action] { describe(*button, title, action.shortcut()); };
+    connect(&action, &QAction::changed, button, follow);
+    follow();
 }
 
 void ToolBar::addFootAction(QAction* action)

@@ -17,8 +17,8 @@ class ToolBar : public QWidget
     Q_OBJECT
 public:
     explicit ToolBar(EditorState& state, QWidget* parent = nullptr);
-    /// What the tooltip says after a key was rebound.
-    void setKey(model::ToolId tool, const QKeySequence& key);
+    /// The action that chooses a tool too: the tooltip tells its key, whenever that is rebound. Not owned.
+    void setAction(model::ToolId tool, const QAction& action);
     /// A button for one of the main window's actions (mirror, wireframe, ...) at the foot. Not owned.
     void addFootAction(QAction* action);
 

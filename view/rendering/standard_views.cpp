@@ -19,12 +19,13 @@ struct NamedView
 };
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr std::array<NamedView, 6> kViews = {{
+constexpr std::array<NamedView, 7> kViews = {{
     {"front", StandardView::Front, 0.0F, 0.04F},
     {"back", StandardView::Back, kPi, 0.08F},
     {"left", StandardView::Left, kPi / 2.0F, 0.04F},
     {"right", StandardView::Right, -kPi / 2.0F, 0.04F},
     {"top", StandardView::Top, 0.0F, 1.4F},
+    {"bottom", StandardView::Bottom, 0.0F, -1.4F},
     {"three-quarter", StandardView::ThreeQuarter, 0.62F, 0.12F},
 }};
 

@@ -1,4 +1,4 @@
-// The views that pictures are taken from: front, back, left, right, top, three-quarter.
+// The views that pictures are taken from: front, back, left, right, top, bottom, three-quarter.
 #pragma once
 
 #include "view/rendering/scene.h"
@@ -16,11 +16,12 @@ enum class StandardView
     Left,
     Right,
     Top,
+    Bottom,
     ThreeQuarter
 };
 
-/// "front", "back", "left", "right", "top", "three-quarter"; none for anything else. Left shows the head's own left
-/// side.
+/// "front", "back", "left", "right", "top", "bottom", "three-quarter"; none for anything else. Left shows the head's
+/// own left side.
 [[nodiscard]] std::optional<StandardView> standardViewNamed(std::string_view name);
 
 /// What a picture frames.

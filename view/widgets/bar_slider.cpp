@@ -61,11 +61,6 @@ void BarSlider::setUnit(const QString& unit)
     update();
 }
 
-void BarSlider::setStep(double step)
-{
-    m_step = step;
-}
-
 void BarSlider::setExponent(double exponent)
 {
     m_exponent = exponent;
@@ -181,7 +176,7 @@ void BarSlider::cancel()
 
 void BarSlider::stepBy(double steps)
 {
-    double step = m_step > 0.0 ? m_step : (m_maximum - m_minimum) / 100.0;
+    double step = (m_maximum - m_minimum) / 100.0;
     step = std::max(step, std::pow(10.0, -m_decimals));
     moveTo(m_value + steps * step);
 }

@@ -29,7 +29,6 @@ public:
     /// In the unit shown; values are rounded to `decimals`.
     void setRange(double minimum, double maximum, int decimals = 0);
     void setUnit(const QString& unit); ///< "cm"; shown after a thin space.
-    void setStep(double step);         ///< Of arrows and the wheel; Shift takes ten.
     /// The bar is `fraction^exponent` of the range: 2 to 4 give small values more room.
     void setExponent(double exponent);
     void setDefaultValue(double value); ///< What right-click resets to.
@@ -88,7 +87,6 @@ private:
     double m_minimum = 0.0;
     double m_maximum = 1.0;
     double m_value = 0.0;
-    double m_step = 0.0; ///< 0: a hundredth of the range.
     double m_exponent = 1.0;
     double m_default = 0.0;
     bool m_hasDefault = false;

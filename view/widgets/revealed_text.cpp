@@ -26,6 +26,9 @@ QString revealedText(const EditorState& state)
                                     [](const model::Layer& layer) { return layer.visible && layer.opacity > 0; });
     if (covers)
         return QCoreApplication::translate("RevealedText", "reveals the layers below");
+    if (spec.follows)
+        return QCoreApplication::translate("RevealedText", "reveals the map %1")
+            .arg(model::mapSpec(*spec.follows).titleText());
     return QCoreApplication::translate("RevealedText", "reveals %1, the default")
         .arg(valueText(group->settings, spec, valueOfTexel(spec, spec.defaultValue)));
 }

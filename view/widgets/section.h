@@ -15,7 +15,6 @@ public:
     explicit Section(const QString& title, QWidget* parent = nullptr);
     [[nodiscard]] QVBoxLayout& body() const { return *m_layout; }
     void setOpen(bool open);
-    [[nodiscard]] bool isOpen() const { return m_open; }
 
 private:
     QToolButton* m_title;

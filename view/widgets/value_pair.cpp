@@ -18,13 +18,6 @@ namespace {
 constexpr int kSide = 18;
 constexpr int kArrow = 12;
 
-const sim::GroupSettings& settingsOf(const EditorState& state)
-{
-    static const sim::GroupSettings none;
-    const model::HairGroup* group = state.document().project().group(state.activeGroup());
-    return group != nullptr ? group->settings : none;
-}
-
 } // namespace
 
 ValuePair::ValuePair(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
@@ -106,8 +99,8 @@ bool ValuePair::event(QEvent* event)
         model::ToolSettings settings = m_state.toolSettings();
         QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
                            tr("Paints %1; the second value is %2. Click a square to choose, the arrow to swap (X)")
-                               .arg(valueText(settingsOf(m_state), spec, settings.value(spec.kind)),
-                                    valueText(settingsOf(m_state), spec, settings.secondValue(spec.kind))),
+                               .arg(valueText(m_state.activeSettings(), spec, settings.value(spec.kind)),
+                                    valueText(m_state.activeSettings(), spec, settings.secondValue(spec.kind))),
                            this);
         return true;
     }

@@ -96,13 +96,6 @@ ValuePalette::ValuePalette(EditorState& state, QWidget* parent) : QWidget(parent
     refresh();
 }
 
-const sim::GroupSettings& ValuePalette::settings() const
-{
-    static const sim::GroupSettings none;
-    const model::HairGroup* group = m_state.document().project().group(m_state.activeGroup());
-    return group != nullptr ? group->settings : none;
-}
-
 void ValuePalette::rebuild()
 {
     delete m_body;
@@ -148,7 +141,7 @@ void ValuePalette::rebuild()
 void ValuePalette::refresh()
 {
     const MapSpec& spec = model::mapSpec(m_state.activeMap());
-    const QString wanted = QLatin1String(spec.id) + rangeText(settings(), spec);
+    const QString wanted = QLatin1String(spec.id) + rangeText(m_state.activeSettings(), spec);
     if (wanted != m_builtFor) {
         m_builtFor = wanted;
         rebuild();
@@ -162,7 +155,7 @@ void ValuePalette::refresh()
         marked = marked || same;
     }
     if (m_slider != nullptr)
-        m_slider->setValue(shownValue(settings(), spec.kind, static_cast<double>(value.scalar)));
+        m_slider->setValue(shownValue(m_state.activeSettings(), spec.kind, static_cast<double>(value.scalar)));
     if (m_hex != nullptr && !m_hex->hasFocus())
         m_hex->setText(value.colour.name());
 }
@@ -225,7 +218,7 @@ Swatch* ValuePalette::addSwatch(const PaintValue& value, const QString& name)
 void ValuePalette::buildScalar(QVBoxLayout& layout)
 {
     const MapSpec& spec = model::mapSpec(m_state.activeMap());
-    const ValueUnit unit = valueUnit(settings(), spec.kind);
+    const ValueUnit unit = valueUnit(m_state.activeSettings(), spec.kind);
     m_slider = new BarSlider(tr("Value"), m_body);
     m_slider->setRange(unit.minimum, unit.maximum, unit.decimals);
     m_slider->setUnit(unit.unit);
@@ -234,16 +227,16 @@ void ValuePalette::buildScalar(QVBoxLayout& layout)
     m_slider->setMinimumWidth(260);
     connect(m_slider, &BarSlider::valueChanged, this, [this, kind = spec.kind](double shown) {
         PaintValue value = edited(kind);
-        value.scalar = static_cast<float>(mapValue(settings(), kind, shown));
+        value.scalar = static_cast<float>(mapValue(m_state.activeSettings(), kind, shown));
         setValue(value);
     });
     layout.addWidget(m_slider);
     auto* row = new QHBoxLayout;
     row->setSpacing(0);
-    for (const double step : roundSteps(settings(), spec.kind)) {
+    for (const double step : roundSteps(m_state.activeSettings(), spec.kind)) {
         PaintValue value;
-        value.scalar = static_cast<float>(mapValue(settings(), spec.kind, step));
-        Swatch* swatch = addSwatch(value, valueText(settings(), spec, value));
+        value.scalar = static_cast<float>(mapValue(m_state.activeSettings(), spec.kind, step));
+        Swatch* swatch = addSwatch(value, valueText(m_state.activeSettings(), spec, value));
         swatch->setCaption(QLocale().toString(step, 'g', 4));
         row->addWidget(swatch);
     }

@@ -42,7 +42,6 @@ private:
     void buildColour(QVBoxLayout& layout);
     void chooseColour();
     Swatch* addSwatch(const model::PaintValue& value, const QString& name);
-    [[nodiscard]] const sim::GroupSettings& settings() const;
 
     EditorState& m_state;
     bool m_second = false;
