@@ -158,8 +158,8 @@ void Session::sendInput()
 void Session::takeFrame()
 {
     m_frameAnnounced = false;
-    if (m_worker->takeFailure()) {
-        m_failedRevision = m_sentRevision;
+    if (const std::optional<std::uint64_t> failed = m_worker->takeFailure(); failed == m_sentRevision) {
+        m_failedRevision = failed;
         Q_EMIT hairFailed(
             tr("There is not enough memory for this hair: what is shown is older. Undo the last change, or "
                "take less density or smaller maps."));

@@ -210,6 +210,7 @@ void MainWindow::fillMapSizeMenu(QMenu& menu)
     for (int size = sim::TiledRaster::kSmallestSize; size <= sim::TiledRaster::kLargestSize; size *= 2) {
         QAction* action = menu.addAction(tr("%1 × %1").arg(size), this, [this, size] {
             model::Document& document = m_session.document();
+            document.endEdit();
             const model::LayerAddress target = m_session.editor().target();
             const auto run = [this](const QString& doing, const auto& work) {
                 const auto done = m_jobs.await<bool>(doing, [&work](const model::Progress& progress) {

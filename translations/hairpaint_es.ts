@@ -231,10 +231,6 @@
         <translation>en píxeles; 1024x1024 si no se da</translation>
     </message>
     <message>
-        <source>front, back, left, right, top or three-quarter</source>
-        <translation>front, back, left, right, top o three-quarter</translation>
-    </message>
-    <message>
         <source>what fills the picture: hair (with the head), head or bust; hair unless given</source>
         <translation>lo que llena la imagen: hair (con la cabeza), head o bust; hair si no se da</translation>
     </message>
@@ -267,6 +263,10 @@
     tells what each option does</source>
         <translation>hairpaint ORDEN --help
     explica cada opción</translation>
+    </message>
+    <message>
+        <source>front, back, left, right, top, bottom or three-quarter</source>
+        <translation>front, back, left, right, top, bottom o three-quarter</translation>
     </message>
 </context>
 <context>
@@ -1369,6 +1369,10 @@
         <source>reveals %1, the default</source>
         <translation>deja ver %1, lo predeterminado</translation>
     </message>
+    <message>
+        <source>reveals the map %1</source>
+        <translation>deja ver el mapa %1</translation>
+    </message>
 </context>
 <context>
     <name>SaveDialog</name>
@@ -1948,6 +1952,10 @@
         <source>Hair Paint</source>
         <translation>Hair Paint</translation>
     </message>
+    <message>
+        <source>B&amp;elow</source>
+        <translation>Desde aba&amp;jo</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ProjectFiles</name>
@@ -2255,10 +2263,6 @@
         <translation>Achicar o agrandar el pincel</translation>
     </message>
     <message>
-        <source>[ and ]</source>
-        <translation>[ y ]</translation>
-    </message>
-    <message>
         <source>Size sideways, hardness up and down</source>
         <translation>Tamaño a los lados, dureza arriba y abajo</translation>
     </message>
@@ -2413,6 +2417,10 @@
     <message>
         <source>Hold Alt and 1 to 9</source>
         <translation>Mantener Alt y 1 a 9</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
     </message>
 </context>
 <context>

@@ -46,7 +46,7 @@ constexpr std::array<OptionHelp, 4> kExportOptions = {{
 constexpr std::array<OptionHelp, 9> kRenderOptions = {{
     {"-o, --output FILE.png", QT_TRANSLATE_NOOP("CommandLine", "the picture to write")},
     {"--size WxH", QT_TRANSLATE_NOOP("CommandLine", "in pixels; 1024x1024 unless given")},
-    {"--view NAME", QT_TRANSLATE_NOOP("CommandLine", "front, back, left, right, top or three-quarter")},
+    {"--view NAME", QT_TRANSLATE_NOOP("CommandLine", "front, back, left, right, top, bottom or three-quarter")},
     {"--fit WHAT",
      QT_TRANSLATE_NOOP("CommandLine", "what fills the picture: hair (with the head), head or bust; hair unless given")},
     kSettle,
@@ -67,7 +67,7 @@ constexpr std::array<Command, 5> kCommands = {{
     {"export", "P.hairpaint -o FILE.hair [--settle SECONDS] [--hairs N] [--wind X,Y,Z]",
      QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), kExportOptions, runExport},
     {"render",
-     "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|three-quarter] "
+     "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
      "[--fit hair|head|bust] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z]",
      QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},
 }};

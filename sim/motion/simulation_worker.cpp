@@ -7,9 +7,9 @@
 #include "sim/motion/simulation.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <optional>
 #include <thread>
@@ -53,7 +53,7 @@ struct SimulationWorker::State
     std::function<void()> onFrame;
     Mailbox<Requests> requests;
     Mailbox<std::shared_ptr<const StrandFrame>> frames;
-    std::atomic<bool> failed = false;
+    Mailbox<std::uint64_t> failed; ///< The content's revision.
     std::thread thread;
 
     void run();
@@ -71,6 +71,7 @@ public:
 
     /// Nothing will move until something arrives.
     [[nodiscard]] bool idle() const { return !m_simulation || (!m_stale && (m_paused || m_simulation->asleep())); }
+    [[nodiscard]] std::uint64_t revision() const { return m_input.revision; }
     [[nodiscard]] Clock::time_point nextTick() const { return m_nextTick; }
 
     void apply(Requests&& requests)
@@ -192,7 +193,7 @@ void SimulationWorker::State::run()
             runner.tick();
         } catch (const std::exception&) {
             runner.giveUp();
-            failed = true;
+            failed.put(runner.revision());
             if (onFrame)
                 onFrame();
         }
@@ -256,9 +257,9 @@ std::shared_ptr<const StrandFrame> SimulationWorker::takeFrame()
     return m_state->frames.take().value_or(nullptr);
 }
 
-bool SimulationWorker::takeFailure()
+std::optional<std::uint64_t> SimulationWorker::takeFailure()
 {
-    return m_state->failed.exchange(false);
+    return m_state->failed.take();
 }
 
 } // namespace hairpaint::sim

@@ -5,8 +5,10 @@
 #include "sim/motion/strand_frame.h"
 #include "sim/motion/wind.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace hairpaint::sim {
 
@@ -35,8 +37,8 @@ public:
 
     /// The newest frame since the last call, or null.
     [[nodiscard]] std::shared_ptr<const StrandFrame> takeFrame();
-    /// Whether hair could not be made, for want of memory, since the last call.
-    [[nodiscard]] bool takeFailure();
+    /// The revision of the newest content that could not be made into hair, for want of memory, since the last call.
+    [[nodiscard]] std::optional<std::uint64_t> takeFailure();
 
 private:
     struct State;

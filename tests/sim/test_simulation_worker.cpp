@@ -245,12 +245,13 @@ void TestSimulationWorker::wantOfMemoryLeavesTheLastFrameAndIsToldOnce()
     QVERIFY(!worker.takeFailure());
     const int callsBefore = static_cast<int>(kept->number);
     QVERIFY(awaitCalls(calls, callsBefore));
-    const GroomInput large = paintedBall(200'000, 2'000);
+    GroomInput large = paintedBall(200'000, 2'000);
+    large.revision = 7;
     {
         const AllocationLimit limit(std::size_t{1} << 18U);
         worker.setInput(large);
         QVERIFY(awaitCalls(calls, callsBefore + 1));
-        QVERIFY(worker.takeFailure());
+        QCOMPARE(worker.takeFailure().value_or(0), std::uint64_t{7});
         QVERIFY(!worker.takeFailure());
         QVERIFY(!worker.takeFrame());
         QVERIFY(hasHair(*kept));
