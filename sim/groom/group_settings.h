@@ -48,7 +48,7 @@ struct GroupSettings
     float greatestLengthM = 0.30F;       ///< 0.001..2.
     float shortestLengthM = 0.0F;        ///< The length where the map is 0.
     int nodesPerHair = 8;                ///< kLeastNodes..kMostNodes.
-    int basisHairs = 4096; ///< Of the candidates all over the skin, the solved ones; 256..10,000,000.
+    int basisHairs = 4096;               ///< Of the candidates all over the skin, the solved ones; 256..10,000,000.
     TurnsMode turnsMode = TurnsMode::PerHair;
     bool steppedTurns = false;          ///< Table 1's levels only.
     float turnsPerLengthM = 0.10F;      ///< With PerLength: the length that table 1's turns are for.

@@ -1,74 +1,16 @@
 // What comes in from other programs and goes out to them, by the window's menus and dialogs and dropped on it.
-#include "app/exchange.h"
 #include "model/commands/commands.h"
-#include "model/files/glb.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/preset.h"
-#include "tests/app/window_fixture.h"
-#include "tests/support/test_heads.h"
+#include "tests/app/exchange_fixture.h"
 #include "tests/support/test_program.h"
-#include "view/dialogs/head_import_dialog.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
-
-#include <QDialogButtonBox>
-#include <QDropEvent>
-#include <QFileDialog>
-#include <QInputDialog>
-#include <QLineEdit>
-#include <QMessageBox>
-#include <QMimeData>
-#include <QPushButton>
 
 namespace hairpaint::app {
 
 namespace {
-
-/// Answers dialogs that wait while it lives, as a user would.
-class Answerer : public QObject
-{
-public:
-    QString file;          ///< Typed into file dialogs; they are cancelled where it is empty.
-    QString name;          ///< Typed where a name is asked for.
-    bool takesHead = true; ///< Whether the head's dialog is accepted.
-    bool cancels = false;  ///< Whether Cancel is clicked in progress windows.
-    QStringList said;      ///< What message boxes said.
-
-    Answerer() { startTimer(20); }
-
-protected:
-    void timerEvent(QTimerEvent* /*event*/) override
-    {
-        QWidget* waiting = QApplication::activeModalWidget();
-        if (auto* files = qobject_cast<QFileDialog*>(waiting)) {
-            files->findChild<QLineEdit*>()->setText(file);
-            press(*files, !file.isEmpty());
-        } else if (auto* input = qobject_cast<QInputDialog*>(waiting)) {
-            input->setTextValue(name);
-            press(*input, true);
-        } else if (auto* head = qobject_cast<view::HeadImportDialog*>(waiting)) {
-            press(*head, takesHead);
-        } else if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
-            said += box->text();
-            QAbstractButton* yes = box->button(QMessageBox::Yes);
-            (yes != nullptr ? yes : box->buttons().constFirst())->click();
-        } else if (waiting != nullptr && cancels && waiting->objectName() == QLatin1String("progressWindow")) {
-            QTest::mouseClick(waiting->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel),
-                              Qt::LeftButton);
-        }
-    }
-
-private:
-    static void press(QDialog& dialog, bool accept)
-    {
-        for (QAbstractButton* button : dialog.findChild<QDialogButtonBox*>()->buttons()) {
-            const QDialogButtonBox::ButtonRole role = dialog.findChild<QDialogButtonBox*>()->buttonRole(button);
-            if (role == (accept ? QDialogButtonBox::AcceptRole : QDialogButtonBox::RejectRole))
-                return button->click();
-        }
-    }
-};
 
 QByteArray contentOf(const QString& path)
 {
@@ -78,207 +20,12 @@ QByteArray contentOf(const QString& path)
 
 } // namespace
 
-class TestExchange : public QObject, private WindowFixture
+class TestExchange : public QObject, private ExchangeFixture
 {
     Q_OBJECT
-private:
-    std::unique_ptr<Answerer> m_answers;
-    QStringList m_done; ///< What the status bar was told.
-
-    void open(model::Project project)
-    {
-        qputenv("HAIRPAINT_IMPORT", HAIRPAINT_IMPORT_PROGRAM); // Lies beside the program, not beside this test.
-        openWindow(std::move(project));
-        m_answers = std::make_unique<Answerer>();
-        m_done.clear();
-        connect(m_window->findChild<Exchange*>(), &Exchange::done, this,
-                [this](const QString& text) { m_done += text; });
-    }
-
-    void trigger(const char* id) { m_window->actions().find(QLatin1StringView(id))->trigger(); }
-    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
-
-    void drop(const QString& file)
-    {
-        QMimeData dragged;
-        dragged.setUrls({QUrl::fromLocalFile(file)});
-        QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(m_window.get(), &enter);
-        QVERIFY(enter.isAccepted());
-        QDropEvent let(QPointF(300, 300), Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(m_window.get(), &let);
-        QVERIFY(let.isAccepted());
-    }
-
-    /// Chosen in the dialog that the action opens, or dropped on the window.
-    void bring(const QString& file, const char* action, bool dropped)
-    {
-        m_answers->file = file;
-        if (dropped)
-            drop(file);
-        else
-            trigger(action);
-    }
-
-    [[nodiscard]] const std::vector<model::Layer>& layers()
-    {
-        return session().document().committed().group(editor().activeGroup())->map(editor().activeMap()).layers;
-    }
-
-    /// Left half `left`, right half white.
-    [[nodiscard]] QString halfImage(const char* name, QColor left)
-    {
-        QImage image(64, 64, QImage::Format_RGB32);
-        image.fill(Qt::white);
-        for (int y = 0; y < 64; ++y)
-            for (int x = 0; x < 32; ++x)
-                image.setPixelColor(x, y, left);
-        return image.save(path(name)) ? path(name) : QString();
-    }
-
-    [[nodiscard]] QString ballHead(const char* name)
-    {
-        QFile file(path(name));
-        if (!file.open(QIODevice::WriteOnly))
-            return {};
-        file.write(model::glbFromMesh(test::makeBallHead(24, 0.11F)));
-        return file.fileName();
-    }
-
-    static void menuOrDrop()
-    {
-        QTest::addColumn<bool>("dropped");
-        QTest::newRow("by menu") << false;
-        QTest::newRow("dropped") << true;
-    }
-
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-        prepareApplication();
-    }
-    void cleanup()
-    {
-        m_window.reset();
-        m_answers.reset();
-    }
-
-    void anImageBecomesALayerOfTheMap_data() { menuOrDrop(); }
-    void anImageBecomesALayerOfTheMap()
-    {
-        QFETCH(bool, dropped);
-        open(model::newProject());
-        const QByteArray before = savedBytes("image-before.hairpaint");
-        editor().setActiveMap(model::MapKind::Length);
-        const std::size_t count = layers().size();
-        bring(halfImage("fringe.png", Qt::blue), "file.loadImage", dropped);
-        QTRY_COMPARE_WITH_TIMEOUT(layers().size(), count + 1, kPatienceMs);
-        const model::Layer& layer = layers().back();
-        QCOMPARE(layer.name, QStringLiteral("fringe"));
-        const int size = layer.raster.size();
-        QCOMPARE(layer.raster.texel(size / 4, size / 2), (sim::Texel{65535, 65535, 0, 0}));
-        QCOMPARE(layer.raster.texel(size * 3 / 4, size / 2), (sim::Texel{0, 65535, 0, 0}));
-        QCOMPARE(stack().count(), 1);
-        QCOMPARE(stack().undoText(), QStringLiteral("Load fringe.png into Length"));
-        session().document().undo();
-        QVERIFY(savedBytes("image-after.hairpaint") == before);
-        QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('|'))));
-    }
-
-    void aGreyImageIsTheValueItself()
-    {
-        open(model::newProject());
-        editor().setActiveMap(model::MapKind::Gel);
-        const auto left = [this] {
-            const sim::TiledRaster& raster = layers().back().raster;
-            return int(raster.texel(raster.size() / 4, raster.size() / 2)[0]);
-        };
-        m_answers->file = halfImage("grey.png", QColor(51, 51, 51));
-        trigger("file.loadGrey");
-        QCOMPARE(stack().count(), 1);
-        QVERIFY2(std::abs(left() - 65535 / 5) < 300, qPrintable(QString::number(left())));
-        trigger("file.loadImage"); // By the scale, grey is nothing.
-        QCOMPARE(stack().count(), 2);
-        QCOMPARE(left(), 0);
-    }
-
-    void anImageOfAnotherSizeIsSaidToBeResampled()
-    {
-        open(model::newProject());
-        const int size = session().document().committed().groups.front().map(model::MapKind::Density).size;
-        for (const int side : {size / 2, size}) {
-            m_done.clear();
-            QImage image(side, side, QImage::Format_RGB32);
-            image.fill(Qt::black);
-            m_answers->file = path("square.png");
-            QVERIFY(image.save(m_answers->file));
-            trigger("file.loadGrey");
-            QCOMPARE(m_done.isEmpty(), side == size);
-        }
-        QVERIFY(m_answers->said.isEmpty());
-    }
-
-    void withoutAGroupThereIsNoMapToSaveOrLoad()
-    {
-        model::Project project = model::newProject();
-        project.groups.clear();
-        open(std::move(project));
-        m_answers->file = halfImage("alone.png", Qt::black);
-        trigger("file.loadGrey");
-        QCOMPARE(m_answers->said.size(), 1);
-        m_answers->file = path("no-map.png");
-        trigger("file.saveImage");
-        QCOMPARE(m_answers->said.size(), 2);
-        QVERIFY(!QFile::exists(path("no-map.png")));
-        QCOMPARE(stack().count(), 0);
-    }
-
-    void whatIsOnlyShownIsNoPartOfASavedMap()
-    {
-        open(model::newProject());
-        model::Document& document = session().document();
-        const model::Id group = document.committed().groups.front().id;
-        const model::Id layer = document.committed().groups.front().map(model::MapKind::Density).layers.front().id;
-        editor().setActiveMap(model::MapKind::Density);
-        model::EditSession shown;
-        document.show(shown, {.policy = model::EditPolicy::Drop},
-                      {.aspect = model::Change::Aspect::LayerList, .group = group, .map = model::MapKind::Density},
-                      [=](model::Project& project) {
-                          sim::TiledRaster& raster = project.layer(group, model::MapKind::Density, layer)->raster;
-                          for (int tile = 0; tile < raster.tileCount(); ++tile)
-                              raster.setUniform(tile, {65535, 65535});
-                      });
-        m_answers->file = path("density.png");
-        trigger("file.saveImage");
-        const QImage saved(path("density.png"));
-        QCOMPARE(saved.pixelColor(saved.width() / 2, saved.height() / 2), QColor(Qt::white));
-    }
-
-    void aMapGoesOutAsAnImageAndComesBackTheSame()
-    {
-        open(model::newProject());
-        key(Qt::Key_2);
-        key(Qt::Key_G);
-        drag(m_window->paintView(), paintPoint(0.5F, 0.65F), paintPoint(0.5F, 0.35F));
-        QCOMPARE(stack().count(), 1);
-        const auto shown = [this] {
-            return session().document().resolved(editor().activeGroup(), editor().activeMap());
-        };
-        const std::shared_ptr<const sim::TiledRaster> before = shown();
-        m_answers->file = path("length"); // The ending is added.
-        trigger("file.saveImage");
-        QCOMPARE(m_done, QStringList(QStringLiteral("length.png written")));
-        QCOMPARE(QImage(path("length.png")).size(), QSize(before->size(), before->size()));
-        QCOMPARE(stack().count(), 1);
-
-        drop(path("length.png"));
-        QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 2, kPatienceMs);
-        QCOMPARE(shown()->size(), before->size());
-        for (int y = 0; y < before->size(); y += 7)
-            for (int x = 0; x < before->size(); x += 7)
-                QVERIFY(std::abs(int(shown()->texel(x, y)[0]) - int(before->texel(x, y)[0])) <= 1);
-    }
+    void initTestCase() { prepareDialogs(); }
+    void cleanup() { closeWindow(); }
 
     void anAcceptedHeadTakesThePlaceOfTheOld_data() { menuOrDrop(); }
     void anAcceptedHeadTakesThePlaceOfTheOld()

@@ -1,0 +1,152 @@
+// The window with somebody who answers its dialogs: what comes in from other programs and goes out to them.
+#pragma once
+
+#include "app/exchange.h"
+#include "model/files/glb.h"
+#include "tests/app/window_fixture.h"
+#include "tests/support/test_heads.h"
+#include "view/dialogs/head_import_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+
+namespace hairpaint::app {
+
+/// Answers dialogs that wait while it lives, as a user would.
+class Answerer : public QObject
+{
+public:
+    QString file;          ///< Typed into file dialogs; they are cancelled where it is empty.
+    QString name;          ///< Typed where a name is asked for.
+    bool takesHead = true; ///< Whether the head's dialog is accepted.
+    bool cancels = false;  ///< Whether Cancel is clicked in progress windows.
+    QStringList said;      ///< What message boxes said.
+
+    Answerer() { startTimer(20); }
+
+protected:
+    void timerEvent(QTimerEvent* /*event*/) override
+    {
+        QWidget* waiting = QApplication::activeModalWidget();
+        if (auto* files = qobject_cast<QFileDialog*>(waiting)) {
+            files->findChild<QLineEdit*>()->setText(file);
+            press(*files, !file.isEmpty());
+        } else if (auto* input = qobject_cast<QInputDialog*>(waiting)) {
+            input->setTextValue(name);
+            press(*input, true);
+        } else if (auto* head = qobject_cast<view::HeadImportDialog*>(waiting)) {
+            press(*head, takesHead);
+        } else if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
+            said += box->text();
+            QAbstractButton* yes = box->button(QMessageBox::Yes);
+            (yes != nullptr ? yes : box->buttons().constFirst())->click();
+        } else if (waiting != nullptr && cancels && waiting->objectName() == QLatin1String("progressWindow")) {
+            QTest::mouseClick(waiting->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel),
+                              Qt::LeftButton);
+        }
+    }
+
+private:
+    static void press(QDialog& dialog, bool accept)
+    {
+        for (QAbstractButton* button : dialog.findChild<QDialogButtonBox*>()->buttons()) {
+            const QDialogButtonBox::ButtonRole role = dialog.findChild<QDialogButtonBox*>()->buttonRole(button);
+            if (role == (accept ? QDialogButtonBox::AcceptRole : QDialogButtonBox::RejectRole))
+                return button->click();
+        }
+    }
+};
+
+/// A test derives from it and from QObject; it calls prepareDialogs() first and closeWindow() after each function.
+class ExchangeFixture : protected WindowFixture
+{
+protected:
+    std::unique_ptr<Answerer> m_answers;
+    QStringList m_done; ///< What the status bar was told.
+
+    static void prepareDialogs()
+    {
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        prepareApplication();
+    }
+    void closeWindow()
+    {
+        m_window.reset();
+        m_answers.reset();
+    }
+
+    void open(model::Project project)
+    {
+        qputenv("HAIRPAINT_IMPORT", HAIRPAINT_IMPORT_PROGRAM); // Lies beside the program, not beside this test.
+        openWindow(std::move(project));
+        m_answers = std::make_unique<Answerer>();
+        m_done.clear();
+        QObject::connect(m_window->findChild<Exchange*>(), &Exchange::done, m_answers.get(),
+                         [this](const QString& text) { m_done += text; });
+    }
+
+    void trigger(const char* id) { m_window->actions().find(QLatin1StringView(id))->trigger(); }
+    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+
+    void drop(const QString& file)
+    {
+        QMimeData dragged;
+        dragged.setUrls({QUrl::fromLocalFile(file)});
+        QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent let(QPointF(300, 300), Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(m_window.get(), &let);
+        QVERIFY(let.isAccepted());
+    }
+
+    /// Chosen in the dialog that the action opens, or dropped on the window.
+    void bring(const QString& file, const char* action, bool dropped)
+    {
+        m_answers->file = file;
+        if (dropped)
+            drop(file);
+        else
+            trigger(action);
+    }
+
+    [[nodiscard]] const std::vector<model::Layer>& layers()
+    {
+        return session().document().committed().group(editor().activeGroup())->map(editor().activeMap()).layers;
+    }
+
+    /// Left half `left`, right half white.
+    [[nodiscard]] QString halfImage(const char* name, QColor left)
+    {
+        QImage image(64, 64, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 32; ++x)
+                image.setPixelColor(x, y, left);
+        return image.save(path(name)) ? path(name) : QString();
+    }
+
+    [[nodiscard]] QString ballHead(const char* name)
+    {
+        QFile file(path(name));
+        if (!file.open(QIODevice::WriteOnly))
+            return {};
+        file.write(model::glbFromMesh(test::makeBallHead(24, 0.11F)));
+        return file.fileName();
+    }
+
+    static void menuOrDrop()
+    {
+        QTest::addColumn<bool>("dropped");
+        QTest::newRow("by menu") << false;
+        QTest::newRow("dropped") << true;
+    }
+};
+
+} // namespace hairpaint::app
