@@ -36,8 +36,9 @@ QApplication& application()
     static char* argv[] = {name, nullptr};
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
-    static QApplication made(argc, argv);
-    return made;
+    // Never destroyed: what Qt keeps in statics of its own would be gone before it.
+    static auto* made = new QApplication(argc, argv);
+    return *made;
 }
 
 struct Sent : QEvent

@@ -18,7 +18,7 @@ struct HeadBackdrop
     QImage shading; ///< See bakeUvShading().
     UvWireframe wireframe;
 };
-using BackdropPtr = std::shared_ptr<HeadBackdrop>; ///< The wireframe thins itself as it is drawn.
+using BackdropPtr = std::shared_ptr<const HeadBackdrop>;
 
 /// Takes some 50 ms for the built-in head, and more for finer ones. From any thread. The head has a skin.
 [[nodiscard]] BackdropPtr makeHeadBackdrop(const model::Head& head);

@@ -1,6 +1,7 @@
 // Edges of a mesh over uv, and coarser meshes that stand for them.
 #include "view/paint/uv_wireframe.h"
 
+#include "sim/base/parallel.h"
 #include "view/paint/uv_transform.h"
 
 #include <QHash>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <queue>
 
@@ -30,6 +32,12 @@ std::uint64_t shuffled(std::uint64_t x)
     x ^= x >> 33U;
     x *= 0xC4CEB9FE1A85EC53ULL;
     return x ^ (x >> 33U);
+}
+
+/// Of level k, in paper units.
+double spacingOf(std::size_t level)
+{
+    return std::ldexp(1.0, -static_cast<int>(level + 2));
 }
 
 double distance(QPointF a, QPointF b)
@@ -78,6 +86,12 @@ UvWireframe::UvWireframe(const sim::HeadMesh& mesh)
         m_neighbours[next[edge.a]++] = edge.b;
         m_neighbours[next[edge.b]++] = edge.a;
     }
+    sim::parallelFor(m_thinned.size(), 1, [this](std::size_t begin, std::size_t end) {
+        for (std::size_t level = begin; level < end; ++level)
+            // Drawn up to half a level apart from its own spacing.
+            if (const double spacing = spacingOf(level); tooFine(spacing * std::numbers::sqrt2))
+                m_thinned[level] = thinned(spacing);
+    });
 }
 
 std::vector<unsigned> UvWireframe::owners(double spacing) const
@@ -153,19 +167,15 @@ std::vector<UvWireframe::Edge> UvWireframe::thinned(double spacing) const
     return edges;
 }
 
-const std::vector<UvWireframe::Edge>& UvWireframe::edgesAt(double pxPerPaper)
+const std::vector<UvWireframe::Edge>& UvWireframe::edgesAt(double pxPerPaper) const
 {
     const double spacing = kSpacingPx / pxPerPaper;
-    if (m_meanLength > 0.7 * spacing)
-        return m_edges;
     const int level = std::clamp(static_cast<int>(std::lround(-std::log2(spacing))) - 2, 0, kLevels - 1);
-    std::optional<std::vector<Edge>>& edges = m_thinned[static_cast<std::size_t>(level)];
-    if (!edges)
-        edges = thinned(std::ldexp(1.0, -(level + 2)));
-    return *edges;
+    const std::vector<Edge>& edges = m_thinned[static_cast<std::size_t>(level)];
+    return tooFine(spacing) && !edges.empty() ? edges : m_edges;
 }
 
-std::size_t UvWireframe::edgeCount(double pxPerPaper)
+std::size_t UvWireframe::edgeCount(double pxPerPaper) const
 {
     return edgesAt(pxPerPaper).size();
 }
@@ -187,7 +197,7 @@ void UvWireframe::drawEdges(QPainter& painter, const std::vector<Edge>& edges, c
 }
 
 void UvWireframe::draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper, int edge,
-                       int border)
+                       int border) const
 {
     const double pxPerPaper = std::sqrt(std::abs(paperToWidget.determinant()));
     painter.save();

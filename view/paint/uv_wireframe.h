@@ -7,13 +7,13 @@
 #include <QRectF>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace hairpaint::view {
 
-/// Immutable after making, but for coarser meshes made when first wanted. GUI thread. The thinned mesh at spacing d:
-/// vertices at least d apart each own the vertices nearest to them along the edges; owners that meet are joined.
+/// Immutable. Making one, with a thinned mesh for every size of the map that needs one, takes some 100 ms for 100,000
+/// triangles; any thread. The thinned mesh at spacing d: vertices at least d apart each own the vertices nearest to
+/// them along the edges; owners that meet are joined.
 class UvWireframe
 {
 public:
@@ -21,9 +21,10 @@ public:
 
     /// Draws on black in grey: island borders always, edges with about `kSpacingPx` between them, each as bright as
     /// wanted. `visiblePaper` bounds the work. Where lines cross they do not add up.
-    void draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper, int edge, int border);
+    void draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper, int edge,
+              int border) const;
     /// Edges shown at that size of the map, for tests.
-    [[nodiscard]] std::size_t edgeCount(double pxPerPaper);
+    [[nodiscard]] std::size_t edgeCount(double pxPerPaper) const;
 
 private:
     static constexpr double kSpacingPx = 15.0;
@@ -33,7 +34,8 @@ private:
         unsigned a = 0, b = 0;
     };
 
-    [[nodiscard]] const std::vector<Edge>& edgesAt(double pxPerPaper);
+    [[nodiscard]] bool tooFine(double spacing) const { return m_meanLength <= 0.7 * spacing; }
+    [[nodiscard]] const std::vector<Edge>& edgesAt(double pxPerPaper) const;
     [[nodiscard]] std::vector<unsigned> owners(double spacing) const;
     [[nodiscard]] std::vector<Edge> thinned(double spacing) const;
     void drawEdges(QPainter& painter, const std::vector<Edge>& edges, const QTransform& paperToWidget,
@@ -45,8 +47,8 @@ private:
     std::vector<bool> m_onBorder;           ///< [vertices]
     std::vector<unsigned> m_neighbourStart; ///< [vertices + 1]
     std::vector<unsigned> m_neighbours;
-    double m_meanLength = 0.0; ///< Of the edges, in paper units.
-    std::array<std::optional<std::vector<Edge>>, kLevels> m_thinned;
+    double m_meanLength = 0.0;                        ///< Of the edges, in paper units.
+    std::array<std::vector<Edge>, kLevels> m_thinned; ///< Empty where the edges themselves are coarse enough.
 };
 
 } // namespace hairpaint::view
