@@ -60,7 +60,7 @@ private:
     void workUnwatched(const std::stop_token& stop);
 
     QWidget& m_window;
-    std::mutex m_mutex; ///< Of the three that follow.
+    std::mutex m_mutex; ///< Of the work and of what is told of it.
     std::condition_variable_any m_wanted;
     std::deque<Unwatched> m_unwatched;
     std::vector<std::function<void()>> m_told;

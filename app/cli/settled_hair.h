@@ -10,7 +10,7 @@ namespace hairpaint::app {
 
 struct SettleOptions
 {
-    std::optional<std::size_t> hairs;      ///< An even fraction of those that are there; else all.
+    std::optional<std::size_t> hairs;      ///< An even subset of those that are there; else all.
     std::optional<glm::vec3> windVelocity; ///< Wo, m/s; else the project's own wind.
 };
 

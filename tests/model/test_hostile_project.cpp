@@ -56,6 +56,20 @@ private:
         return test::isOneSentenceNaming(project.error().message, m_bad) ? QString() : project.error().message;
     }
 
+    /// Writes m_bad, a project on that head, which is not looked at.
+    [[nodiscard]] bool saveWithHead(const QByteArray& glb, float unitScale) const
+    {
+        Project project;
+        auto head = std::make_shared<Head>();
+        head->name = QStringLiteral("hostile");
+        head->builtIn = false;
+        head->unitScale = unitScale;
+        head->sourceGlb = glb;
+        project.head = head;
+        project.groups.push_back(makeGroup(project, QStringLiteral("Scalp"), 256));
+        return saveProject(project, m_bad, {}).has_value();
+    }
+
 private Q_SLOTS:
     void initTestCase()
     {
@@ -278,15 +292,7 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, glb);
         QFETCH(float, unitScale);
-        Project project;
-        auto head = std::make_shared<Head>();
-        head->name = QStringLiteral("hostile");
-        head->builtIn = false;
-        head->unitScale = unitScale;
-        head->sourceGlb = glb;
-        project.head = head;
-        project.groups.push_back(makeGroup(project, QStringLiteral("Scalp"), 256));
-        QVERIFY(saveProject(project, m_bad, {}));
+        QVERIFY(saveWithHead(glb, unitScale));
         QCOMPARE(complaint(), QString());
     }
 
@@ -309,14 +315,7 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, glb);
         QFETCH(QString, reason);
-        Project project;
-        auto head = std::make_shared<Head>();
-        head->name = QStringLiteral("hostile");
-        head->builtIn = false;
-        head->sourceGlb = glb;
-        project.head = head;
-        project.groups.push_back(makeGroup(project, QStringLiteral("Scalp"), 256));
-        QVERIFY(saveProject(project, m_bad, {}));
+        QVERIFY(saveWithHead(glb, 1.0F));
         QCOMPARE(complaint(), QString());
         const QString text = loadProject(m_bad).error().message;
         QVERIFY2(text.contains(reason) && !text.contains(QStringLiteral("damaged")), qPrintable(text));

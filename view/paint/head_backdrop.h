@@ -20,7 +20,7 @@ struct HeadBackdrop
 };
 using BackdropPtr = std::shared_ptr<const HeadBackdrop>;
 
-/// Takes some 50 ms for the built-in head, and more for finer ones. From any thread. The head has a skin.
+/// Takes some 100 ms for the built-in head, and more for finer ones. From any thread. The head has a skin.
 [[nodiscard]] BackdropPtr makeHeadBackdrop(const model::Head& head);
 
 /// Has `make` run, which takes a while, and tells `done` on the caller's thread, unless `receiver` is gone by then; of
