@@ -60,6 +60,15 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     applyTheme();
     refreshStyles();
     m_files.setPath(path);
+    m_session.document().resolveIn([this](std::function<void()> work, std::function<void(bool)> done) {
+        m_jobs.start<void>(
+            {},
+            [work = std::move(work)](const model::Progress&) -> model::Result<void> {
+                work();
+                return {};
+            },
+            &m_session, [done = std::move(done)](const model::Result<void>& worked) { done(worked.has_value()); });
+    });
     m_session.editor().setNightPaper(!m_preferences.whitePaper);
     if (!restoreGeometry(m_settings.windowGeometry()))
         resize(kFirstWindow);
