@@ -149,6 +149,7 @@ void Renderer::begin(const Scene& scene, const Quality& quality, int width, int 
     picture.complete = !takeErrors();
     picture.spentMs = millisecondsSince(began);
     m_state->underWay = picture;
+    m_state->readCounts = false;
 }
 
 bool Renderer::step(double budgetMs)
@@ -173,7 +174,6 @@ bool Renderer::step(double budgetMs)
     picture.spentMs += spentMs;
     if (finished) {
         state.statistics.milliseconds = picture.spentMs;
-        state.readCounts = false;
         state.underWay.reset();
     } else {
         picture.complete = !takeErrors() && picture.complete;
