@@ -198,6 +198,28 @@ private Q_SLOTS:
         QVERIFY(p.refined());
     }
 
+    void aSavedPictureDropsTheFineOneUnderWay()
+    {
+        Presented p(m_hairy);
+        p.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&p.window));
+        p.present(true);
+        QVERIFY(p.turnsToNextFrame() > 0);
+        QVERIFY(p.refines);
+        p.window.hide(); // Nothing is painted meanwhile.
+        QCoreApplication::processEvents();
+        const QSize size(60, 50);
+        QVERIFY(!p.presenter.grab(p.shot.scene, size).isNull());
+        const int frames = p.frames;
+        for (int turn = 0; turn < 10; ++turn)
+            QCoreApplication::processEvents();
+        QCOMPARE(p.frames, frames);
+        p.window.show();
+        QVERIFY(p.turnsToNextFrame() > 0);
+        QVERIFY(p.refines && p.hairs < p.shot.allHairs);
+        QVERIFY(p.refined());
+    }
+
     void inputDropsTheFinePictureUnderWay_data()
     {
         QTest::addColumn<bool>("moves");

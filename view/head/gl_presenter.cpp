@@ -60,6 +60,7 @@ public:
     {
         if (!m_renderer)
             return {};
+        dropFinePicture();
         makeCurrent();
         m_renderer->draw(scene, rendering::pictureQuality(), size.width(), size.height());
         m_renderer->read(m_pixels);

@@ -174,6 +174,7 @@ bool Renderer::step(double budgetMs)
     picture.spentMs += spentMs;
     if (finished) {
         state.statistics.milliseconds = picture.spentMs;
+        state.statistics.inSteps = true;
         state.underWay.reset();
     } else {
         picture.complete = !takeErrors() && picture.complete;

@@ -28,6 +28,7 @@ struct FrameStatistics
     std::size_t drawnSegments = 0;
     std::size_t uploadedBytes = 0;
     double milliseconds = 0.0; ///< What a frame takes: see Renderer::statistics().
+    bool inSteps = false;      ///< Drawn by step(): the milliseconds are no measure of frames while something moves.
     bool complete = true;      ///< False where OpenGL gave up on a part, as when memory is short.
 };
 
