@@ -234,6 +234,24 @@ private Q_SLOTS:
         QCOMPARE(wanted.count(), 1);
     }
 
+    void the_active_layer_stays_marked_wherever_one_clicks()
+    {
+        PanelFixture f;
+        LayersPanel panel(f.state);
+        panel.resize(280, 400);
+        panel.show();
+        panel.addLayer();
+        auto* list = panel.findChild<LayerList*>();
+        const QRect active = list->visualItemRect(list->currentItem());
+        const QPoint below = list->visualItemRect(list->item(1)).bottomLeft() + QPoint(60, 30);
+        QVERIFY(list->itemAt(below) == nullptr);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, below);
+        QVERIFY(list->currentItem() != nullptr && list->currentItem()->isSelected());
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::ControlModifier, active.center());
+        QVERIFY(list->currentItem()->isSelected());
+        QCOMPARE(f.state.activeLayer(), list->idAt(0));
+    }
+
     void eye_and_lock_are_clicked_in_the_row()
     {
         PanelFixture f;

@@ -82,6 +82,11 @@ void LayerList::mouseDoubleClickEvent(QMouseEvent* event)
         QListWidget::mouseDoubleClickEvent(event);
 }
 
+QItemSelectionModel::SelectionFlags LayerList::selectionCommand(const QModelIndex& index, const QEvent* /*event*/) const
+{
+    return index.isValid() ? QItemSelectionModel::ClearAndSelect : QItemSelectionModel::NoUpdate;
+}
+
 void LayerList::keyPressEvent(QKeyEvent* event)
 {
     const QListWidgetItem* current = currentItem();

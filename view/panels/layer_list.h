@@ -48,6 +48,9 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    /// One is always the active one: clicks beside the rows, or with Ctrl on it, leave it so.
+    [[nodiscard]] QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
+                                                                       const QEvent* event) const override;
 
 private:
     [[nodiscard]] bool onEye(QPoint position) const;
