@@ -60,6 +60,15 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     applyTheme();
     refreshStyles();
     m_files.setPath(path);
+    m_session.document().resolveIn([this](std::function<void()> work, std::function<void(bool)> done) {
+        m_jobs.start<void>(
+            {},
+            [work = std::move(work)](const model::Progress&) -> model::Result<void> {
+                work();
+                return {};
+            },
+            &m_session, [done = std::move(done)](const model::Result<void>& worked) { done(worked.has_value()); });
+    });
     m_session.editor().setNightPaper(!m_preferences.whitePaper);
     if (!restoreGeometry(m_settings.windowGeometry()))
         resize(kFirstWindow);
@@ -392,8 +401,8 @@ void MainWindow::onFrameDrawn(const rendering::FrameStatistics& statistics)
         m_status->setFramesPerSecond(m_frameRate);
     }
     const auto& frame = m_session.frame();
-    // A still picture may be a fine one, that takes its time.
-    if (frame && !frame->asleep && !m_session.paused())
+    // A fine picture takes its time, and one of hair that rests takes less than one of hair that moves.
+    if (frame && !frame->asleep && !m_session.paused() && !statistics.inSteps)
         m_session.setDrawTime(statistics.milliseconds);
     if (frame)
         m_status->setHairs(static_cast<qint64>(statistics.drawnHairs), static_cast<qint64>(frame->hairCount),

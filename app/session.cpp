@@ -43,6 +43,8 @@ Session::~Session()
 
 Session::Hair Session::hair() const
 {
+    if (m_document.resolving())
+        return Hair::Underway;
     if (m_frame && m_frame->revision == m_document.revision() && !m_frame->preview)
         return Hair::Current;
     return m_failedRevision == m_document.revision() ? Hair::Failed : Hair::Underway;

@@ -25,6 +25,7 @@ struct Change
     enum class Aspect : std::uint8_t
     {
         Texels,      ///< group, map, layer, tiles
+        Resolved,    ///< group, map: what its layers give together has come; an earlier change told why
         LayerList,   ///< group, map: layers added, removed, moved, renamed, or their properties; the map's size
         GroupList,   ///< groups added, removed, renamed, reordered, shown
         Settings,    ///< group: its settings

@@ -169,6 +169,25 @@ bool sameButTiles(const MapStack& a, const MapStack& b)
            });
 }
 
+std::vector<int> allTilesOf(const MapStack& stack)
+{
+    const int across = stack.size / sim::TiledRaster::kTileSize;
+    std::vector<int> all(static_cast<std::size_t>(across) * static_cast<std::size_t>(across));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+/// How many tiles of layers there are at these indices that are not one value.
+std::size_t blendedAt(const MapStack& stack, std::span<const int> indices)
+{
+    std::size_t count = 0;
+    for (const Layer& layer : stack.layers)
+        if (layer.visible)
+            for (const int index : indices)
+                count += layer.raster.tile(index)->isUniform() ? 0 : 1;
+    return count;
+}
+
 } // namespace
 
 sim::MapRaster startOf(const MapSpec& spec, const Head* head, const std::function<sim::MapRaster(MapKind)>& resolved)
@@ -192,15 +211,18 @@ sim::TiledRaster resolveStack(const MapStack& stack, const sim::MapRaster& start
 {
     const MapSpec& spec = mapSpec(stack.kind);
     sim::TiledRaster result(stack.size, spec.valueChannels, spec.defaultValue);
-    std::vector<int> all(static_cast<std::size_t>(result.tileCount()));
-    std::iota(all.begin(), all.end(), 0);
-    std::vector<sim::RasterTilePtr> tiles = tilesResolved(stack, start.get(), all);
+    std::vector<sim::RasterTilePtr> tiles = tilesResolved(stack, start.get(), allTilesOf(stack));
     for (int index = 0; index < result.tileCount(); ++index) {
         sim::RasterTilePtr& tile = tiles[static_cast<std::size_t>(index)];
         if (start != nullptr || !sameTexels(*tile, *result.tile(index)))
             result.setTile(index, std::move(tile));
     }
     return result;
+}
+
+std::size_t tilesToBlend(const MapStack& stack)
+{
+    return blendedAt(stack, allTilesOf(stack));
 }
 
 ResolvedMap::ResolvedMap(const MapStack& stack, sim::MapRaster start)
@@ -210,27 +232,38 @@ ResolvedMap::ResolvedMap(const MapStack& stack, sim::MapRaster start)
     shareStart();
 }
 
+std::vector<int> ResolvedMap::staleTiles(const MapStack& stack, const sim::MapRaster& start) const
+{
+    const bool structureKept = sameButTiles(m_seen, stack);
+    const auto differs = [&](int index) {
+        for (std::size_t layer = 0; layer < stack.layers.size(); ++layer)
+            if (stack.layers[layer].raster.tile(index) != m_seen.layers[layer].raster.tile(index))
+                return true;
+        return startDiffers(stack, m_start, start, index);
+    };
+    std::vector<int> tiles = allTilesOf(stack);
+    if (structureKept)
+        std::erase_if(tiles, [&](int index) { return !differs(index); });
+    return tiles;
+}
+
+std::size_t ResolvedMap::tilesToBlend(const MapStack& stack, const sim::MapRaster& start) const
+{
+    return blendedAt(stack, staleTiles(stack, start));
+}
+
 bool ResolvedMap::update(const MapStack& stack, const sim::MapRaster& start)
 {
     if (stack.size != m_seen.size) {
         *this = ResolvedMap(stack, start);
         return true;
     }
-    std::vector<int> tiles;
-    bool layersDiffer = !sameButTiles(m_seen, stack);
-    const bool structureKept = !layersDiffer;
-    for (int index = 0; index < m_result->tileCount(); ++index) {
-        bool differs = !structureKept;
-        for (std::size_t layer = 0; layer < stack.layers.size() && !differs; ++layer)
-            differs = stack.layers[layer].raster.tile(index) != m_seen.layers[layer].raster.tile(index);
-        layersDiffer = layersDiffer || differs;
-        if (differs || startDiffers(stack, m_start, start, index))
-            tiles.push_back(index);
-    }
+    const std::vector<int> tiles = staleTiles(stack, start);
     m_start = start;
-    if (layersDiffer)
-        m_seen = stack;
-    return !tiles.empty() && resolveTiles(tiles);
+    if (tiles.empty())
+        return false;
+    m_seen = stack;
+    return resolveTiles(tiles);
 }
 
 bool ResolvedMap::updateTiles(const MapStack& stack, Id layer, std::span<const int> tiles)

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <span>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -24,6 +25,9 @@ namespace hairpaint::model {
 /// The same for a whole stack: `spec.valueChannels` channels. Shares the start's tiles where no layer shows.
 [[nodiscard]] sim::TiledRaster resolveStack(const MapStack& stack, const sim::MapRaster& start = nullptr);
 
+/// What resolving a whole stack takes: the tiles of its layers that are not one value.
+[[nodiscard]] std::size_t tilesToBlend(const MapStack& stack);
+
 /// A stack and its resolved map. What a caller got from `result()` never changes.
 class ResolvedMap
 {
@@ -32,6 +36,8 @@ public:
 
     /// The start itself where no layer shows and it has the stack's size.
     [[nodiscard]] const sim::MapRaster& result() const { return m_result; }
+    /// The same of update().
+    [[nodiscard]] std::size_t tilesToBlend(const MapStack& stack, const sim::MapRaster& start = nullptr) const;
     /// Resolves again what differs from the stack and the start seen last; a tile whose texels come out the same keeps
     /// its pointer. False where no texel differs.
     bool update(const MapStack& stack, const sim::MapRaster& start = nullptr);
@@ -39,6 +45,7 @@ public:
     bool updateTiles(const MapStack& stack, Id layer, std::span<const int> tiles);
 
 private:
+    [[nodiscard]] std::vector<int> staleTiles(const MapStack& stack, const sim::MapRaster& start) const;
     bool resolveTiles(std::span<const int> tiles);
     void shareStart();
 

@@ -35,9 +35,9 @@ struct Document::State
     std::uint64_t revision = 1;
     QUndoStack undoStack;
     UndoBudget undoBudget;
-    ResolvedMaps resolved; ///< Of what is shown.
+    MapResolver resolver; ///< Of what is shown.
 
-    explicit State(Project project) : committed(std::move(project)), resolved(committed) {}
+    explicit State(Project project) : committed(std::move(project)), resolver(committed) {}
 
     const Project& shown() const { return running ? running->shown : committed; }
     /// The user changes something that is not committed yet. What is only looked at is no change.
@@ -47,9 +47,9 @@ struct Document::State
     {
         const HairGroup* group = shown().group(change.group);
         if (namesOneMap(change.aspect) && group != nullptr)
-            resolved.update(shown(), *group, change.map);
+            resolver.update(shown(), *group, change.map);
         else if (touchesMaps(change.aspect))
-            resolved.update(shown());
+            resolver.update(shown());
     }
 };
 
@@ -111,7 +111,7 @@ void Document::replace(Project project, ResolvedMaps resolved)
 {
     const bool ended = std::exchange(m_state->running, std::nullopt).has_value();
     m_state->committed = std::move(project);
-    m_state->resolved = std::move(resolved);
+    m_state->resolver.replace(std::move(resolved));
     m_state->undoStack.clear();
     m_state->undoBudget.reset();
     tell(Change{}, false);
@@ -121,7 +121,23 @@ void Document::replace(Project project, ResolvedMaps resolved)
 
 std::shared_ptr<const sim::TiledRaster> Document::resolved(Id group, MapKind map) const
 {
-    return m_state->resolved.map(group, map);
+    return m_state->resolver.maps().map(group, map);
+}
+
+void Document::resolveIn(MapResolver::Background background)
+{
+    m_state->resolver.setBackground(std::move(background),
+                                    [this](const ResolvedMaps::Addresses& maps) { tellResolved(maps); });
+}
+
+bool Document::resolving() const
+{
+    return m_state->resolver.underway();
+}
+
+void Document::finishResolving()
+{
+    tellResolved(m_state->resolver.finish());
 }
 
 std::uint64_t Document::revision() const
@@ -141,6 +157,8 @@ sim::GroomInput Document::groomInput() const
     input.revision = m_state->revision;
     input.preview = previewing();
     for (const HairGroup& group : shown.groups) {
+        if (resolved(group.id, MapKind::Density) == nullptr)
+            continue; // Its maps are on their way.
         sim::GroomInput::Group& one = input.groups.emplace_back();
         one.id = group.id;
         one.visible = group.visible;
@@ -161,7 +179,7 @@ void Document::apply(const Change& change, const std::function<void(Project&)>& 
     edit(state.committed);
     // Resolving compares tile pointers, so what a preview already showed costs nothing here.
     if (over)
-        state.resolved.update(state.shown());
+        state.resolver.update(state.shown());
     else
         state.resolveFor(change);
     if (over)
@@ -236,7 +254,7 @@ void Document::previewTiles(const LayerAddress& address, const LayerTiles& tiles
     const std::optional<Change> change = state.running->showTiles(address, tiles);
     if (!change)
         return;
-    state.resolved.updateTiles(project(), address, change->tiles);
+    state.resolver.updateTiles(project(), address, change->tiles);
     tell(*change, true);
 }
 
@@ -284,6 +302,12 @@ void Document::tell(Change change, bool preview)
     change.preview = preview;
     ++m_state->revision;
     Q_EMIT changed(change);
+}
+
+void Document::tellResolved(const ResolvedMaps::Addresses& maps)
+{
+    for (const auto& [group, map] : maps)
+        tell({.aspect = Change::Aspect::Resolved, .group = group, .map = map}, previewing());
 }
 
 void Document::undo()

@@ -3,6 +3,7 @@
 
 #include "model/change.h"
 #include "model/edit_session.h"
+#include "model/map_resolver.h"
 #include "model/project.h"
 #include "model/resolved_maps.h"
 #include "sim/groom/groom_input.h"
@@ -41,9 +42,16 @@ public:
     /// The same with its maps resolved already, on another thread.
     void replace(Project project, ResolvedMaps resolved);
 
-    /// The map with all visible layers (and a running edit's preview) applied: `spec.valueChannels` channels.
+    /// The map with all visible layers (and a running edit's preview) applied: `spec.valueChannels` channels. It lags
+    /// behind while resolving().
     [[nodiscard]] std::shared_ptr<const sim::TiledRaster> resolved(Id group, MapKind map) const;
-    /// Grows with every change, previews too; frames of hair name the one they show.
+    /// From now on resolving that would take long is done there; changed() tells when it is there. Without, everything
+    /// is resolved at once.
+    void resolveIn(MapResolver::Background background);
+    [[nodiscard]] bool resolving() const;
+    /// Waits for what is being resolved, for those who compute from it.
+    void finishResolving();
+    /// Grows with every change, previews and maps resolved later too; frames of hair name the one they show.
     [[nodiscard]] std::uint64_t revision() const;
     /// Everything the simulation needs, sharing tiles.
     [[nodiscard]] sim::GroomInput groomInput() const;
@@ -98,6 +106,7 @@ private:
     void commitEdit();
     void dropEdit();
     void tell(Change change, bool preview);
+    void tellResolved(const ResolvedMaps::Addresses& maps);
 
     std::unique_ptr<State> m_state;
 };

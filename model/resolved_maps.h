@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -15,11 +16,19 @@ namespace hairpaint::model {
 class ResolvedMaps
 {
 public:
+    using Address = std::pair<Id, MapKind>; ///< Of a group, and a map in it.
+    using Addresses = std::vector<Address>;
+
     ResolvedMaps() = default;
     explicit ResolvedMaps(const Project& project) { update(project); }
 
     /// Null where the project has no such group.
     [[nodiscard]] sim::MapRaster map(Id group, MapKind map) const;
+    /// The maps that differ from those of `before`.
+    [[nodiscard]] Addresses differingFrom(const ResolvedMaps& before) const;
+    /// What update() would do: the tiles of layers that are not one value, where they are resolved again.
+    [[nodiscard]] std::size_t tilesToBlend(const Project& project) const;
+    [[nodiscard]] std::size_t tilesToBlend(const Project& project, const HairGroup& group, MapKind map) const;
 
     void update(const Project& project);
     /// One map, and those that follow it.
@@ -28,10 +37,12 @@ public:
     void updateTiles(const Project& project, const LayerAddress& address, std::span<const int> tiles);
 
 private:
+    [[nodiscard]] sim::MapRaster startFor(const Project& project, Id group, MapKind map) const;
+    [[nodiscard]] std::size_t tilesToBlendOf(const Project& project, Id group, const MapStack& stack) const;
     void updateOne(const Project& project, Id group, const MapStack& stack);
     void updateFollowers(const Project& project, const HairGroup& group, MapKind map);
 
-    std::map<std::pair<Id, MapKind>, ResolvedMap> m_maps;
+    std::map<Address, ResolvedMap> m_maps;
 };
 
 } // namespace hairpaint::model

@@ -45,7 +45,7 @@ QPolygonF outlineOf(const model::Change& change, const model::Document& document
     QRectF bounds;
     if (change.aspect == model::Change::Aspect::Texels) {
         const std::shared_ptr<const sim::TiledRaster> raster = document.resolved(change.group, change.map);
-        for (const int tile : change.tiles)
+        for (const int tile : raster != nullptr ? change.tiles : std::vector<int>())
             bounds |= paperRect(raster->tileRect(tile), raster->size());
     }
     if (bounds.isEmpty())

@@ -114,6 +114,7 @@ private:
     void fill(glm::vec2 uv, ToolContext& context)
     {
         const int size = m_edit.size();
+        context.document.finishResolving();
         const auto map = context.document.resolved(context.target.group, context.target.map);
         const Head* head = context.document.project().head.get();
         const bool hasSkin = head != nullptr && head->skin != nullptr;

@@ -3,6 +3,7 @@
 #include "app/picture.h"
 #include "model/files/project_file.h"
 #include "tests/app/program.h"
+#include "tests/app/thin_project.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_program.h"
@@ -48,7 +49,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         m_good = path(QStringLiteral("good.hairpaint"));
-        QVERIFY(model::saveProject(model::newProject(), m_good, {}));
+        QVERIFY(model::saveProject(thinned(model::newProject()), m_good, {}));
     }
 
     void whatCantBeWrittenEndsWithOneSentence_data()

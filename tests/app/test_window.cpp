@@ -16,7 +16,7 @@ private Q_SLOTS:
 
     void paintingDensityGrowsHairAndUndoTakesItAway()
     {
-        openWindow(model::newProject());
+        openWholeWindow(model::newProject());
         session().toggleWind();
         const QByteArray before = savedBytes("before.hairpaint");
         const QImage bald = picture();
@@ -40,7 +40,7 @@ private Q_SLOTS:
 
     void escapeCancelsAStroke()
     {
-        openWindow(starterProject());
+        openWholeWindow(starterProject());
         const QByteArray before = savedBytes("escape-before.hairpaint");
         key(Qt::Key_2);
         view::PaintView& area = m_window->paintView();
@@ -56,7 +56,7 @@ private Q_SLOTS:
 
     void theHairMovesInTheWindAndStopsWhenPaused()
     {
-        openWindow(starterProject());
+        openWholeWindow(starterProject());
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 10'000, kPatienceMs);
         const std::uint64_t first = session().frame()->number;
         QTRY_VERIFY_WITH_TIMEOUT(session().frame()->number > first + 3, kPatienceMs);
@@ -80,7 +80,7 @@ private Q_SLOTS:
 
     void aBrokenFileLeavesTheOpenProjectUntouched()
     {
-        openWindow(starterProject());
+        openWholeWindow(starterProject());
         const QByteArray before = savedBytes("kept.hairpaint");
         const QString broken = m_folder.filePath(QStringLiteral("broken.hairpaint"));
         QFile file(broken);
@@ -103,7 +103,7 @@ private Q_SLOTS:
 
     void everyActionHasATextAndKeysAreUnique()
     {
-        openWindow(model::newProject());
+        openWholeWindow(model::newProject());
         QHash<QKeySequence, QString> owners;
         for (const view::KeyBinding& binding : m_window->actions().bindings()) {
             QVERIFY(!binding.action->text().isEmpty());

@@ -22,7 +22,7 @@ private:
     {
         model::Project project = model::newProject();
         project.wind.enabled = false;
-        openWindow(std::move(project));
+        openWholeWindow(std::move(project));
         m_window->headView().setCamera(frontCamera());
         key(Qt::Key_1);
         key(Qt::Key_B);
@@ -270,7 +270,7 @@ private Q_SLOTS:
 
     void aStyleSavesAndReopensTheSame()
     {
-        openWindow(model::newProject());
+        openWholeWindow(model::newProject());
         const QString path = m_folder.filePath(QStringLiteral("style.hairpaint"));
         m_window->openFile(model::listPresets({}).at(1).path);
         QCOMPARE(stack().count(), 1);

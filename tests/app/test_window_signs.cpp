@@ -24,7 +24,7 @@ private Q_SLOTS:
 
     void aBaldHeadComesFirstAndIsPaintedOnDensity()
     {
-        openWindow(starterProject());
+        openWholeWindow(starterProject());
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 10'000, kPatienceMs);
         view::StyleTile* bald = m_window->findChild<view::StyleStrip*>()->findChildren<view::StyleTile*>().constFirst();
         QCOMPARE(bald->text(), QStringLiteral("Bald"));

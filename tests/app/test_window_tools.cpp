@@ -328,7 +328,7 @@ private Q_SLOTS:
 
     void altAndADigitShowThatMapOnTheHairWhileHeld()
     {
-        openWindow(starterProject());
+        openWholeWindow(starterProject());
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 10'000, kPatienceMs);
         const QByteArray before = savedBytes("look-before.hairpaint");
         const auto rootColour = [this] {

@@ -3,7 +3,7 @@
 
 #include "app/library.h"
 #include "app/main_window.h"
-#include "model/files/project_file.h"
+#include "tests/app/thin_project.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
 #include "view/panels/style_strip.h"
@@ -49,7 +49,10 @@ protected:
     [[nodiscard]] QUndoStack& stack() { return session().document().undoStack(); }
     [[nodiscard]] std::size_t hairs() { return session().frame() ? session().frame()->hairCount : 0; }
 
-    void openWindow(model::Project project)
+    /// Few hairs do for most of what a window shows.
+    void openWindow(model::Project project) { openWholeWindow(test::thinned(std::move(project))); }
+
+    void openWholeWindow(model::Project project)
     {
         m_window = std::make_unique<MainWindow>(std::move(project), QString());
         m_window->resize(1280, 800);

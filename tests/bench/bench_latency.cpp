@@ -1,6 +1,7 @@
 // gui_latency/groom: how long an event of the window waits while 100,000 hairs are groomed again and again;
 // gui_latency/head_import: while heads of 130,000 triangles are prepared and put into the real window in turns, which
-// draws them. Counters: the median, the 99th percentile and the longest wait, in ms.
+// draws them; gui_latency/opacity: while the opacity of a layer is dragged that is one of eight on a map of 2048 texels
+// a side, in the real window. Counters: the median, the 99th percentile and the longest wait, in ms.
 #include "app/background/heads.h"
 #include "app/background/jobs.h"
 #include "app/library.h"
@@ -158,10 +159,63 @@ void duringHeadImports(benchmark::State& state)
     receiver.report(state);
 }
 
+void duringOpacityTicks(benchmark::State& state)
+{
+    constexpr int kLayers = 8;
+    constexpr int kMapSize = 2048;
+    application();
+    view::initResources();
+    model::Project project = app::starterProject();
+    const model::Id group = project.groups.front().id;
+    model::MapStack& colour = project.groups.front().map(model::MapKind::Colour);
+    colour.size = kMapSize;
+    colour.layers.clear();
+    for (int i = 0; i < kLayers; ++i) {
+        model::Layer layer =
+            model::makeLayer(project, model::mapSpec(model::MapKind::Colour), kMapSize, QStringLiteral("L"));
+        for (int index = 0; index < layer.raster.tileCount(); ++index) {
+            std::uint16_t value = 0;
+            for (std::uint16_t& channel : layer.raster.writableTile(index))
+                channel = value = static_cast<std::uint16_t>(value * 31 + index + i + 1);
+        }
+        colour.layers.push_back(std::move(layer));
+    }
+    const model::Id layer = colour.layers.back().id;
+    app::MainWindow window(std::move(project), QString());
+    window.resize(1280, 800);
+    window.show();
+    window.session().editor().setActiveMap(model::MapKind::Colour);
+    const auto await = [&window] {
+        while (window.session().hair() != app::Session::Hair::Current)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    };
+    model::Document& document = window.session().document();
+    model::EditSession edit = document.begin({});
+    await();
+    Receiver receiver;
+    int tick = 0;
+    for ([[maybe_unused]] auto step : state) {
+        const float opacity = 0.2F + 0.001F * static_cast<float>(++tick % 700);
+        edit.preview(
+            {.aspect = model::Change::Aspect::LayerList, .group = group, .map = model::MapKind::Colour},
+            [=](model::Project& shown) { shown.layer(group, model::MapKind::Colour, layer)->opacity = opacity; });
+        const Clock::time_point next = Clock::now() + std::chrono::milliseconds(16);
+        while (Clock::now() < next || document.resolving())
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+    receiver.report(state);
+    edit.drop();
+}
+
 BENCHMARK(duringGrooms)->Name("gui_latency/groom")->Iterations(20)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(duringHeadImports)
     ->Name("gui_latency/head_import")
     ->Iterations(10)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(duringOpacityTicks)
+    ->Name("gui_latency/opacity")
+    ->Iterations(100)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 

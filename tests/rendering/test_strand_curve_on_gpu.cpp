@@ -85,7 +85,8 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
     rendering::Buffer samples;
     samples.assign(empty.data(), empty.size() * sizeof(std::uint32_t));
     const rendering::HairPass::Report report = (*pass)->upload(frame, 1.0F, 8);
-    (*pass)->draw(constants, 1.0F, samples);
+    (*pass)->begin(constants, 1.0F, rendering::HairList::kBatchPoints);
+    QVERIFY((*pass)->drawPiece(samples) && !(*pass)->drawPiece(samples));
     QCOMPARE(report.hairs, strands.size());
     std::vector<glm::vec4> points(report.segments + report.hairs);
     (*pass)->points().read(points.data(), points.size() * sizeof(glm::vec4));

@@ -58,7 +58,9 @@ struct HeadFixture
         QApplication::sendEvent(&area, &event);
     }
 
-    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> frame() const
+    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> frame() const { return frameOf(editor); }
+
+    [[nodiscard]] static std::shared_ptr<const sim::StrandFrame> frameOf(const test::Editor& editor)
     {
         sim::Simulation simulation;
         simulation.setInput(editor.document.groomInput());

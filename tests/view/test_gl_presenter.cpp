@@ -1,12 +1,16 @@
 // The QOpenGLWidget of the 3D area, in a real window: run on xcb under Xvfb.
+#include "head_fixture.h"
 #include "tests/support/test_program.h"
-#include "tests/support/view_fixture.h"
-#include "view/head_view.h"
+#include "view/head/gl_presenter.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QOpenGLWidget>
 #include <QSignalSpy>
 #include <QTest>
+
+#include <memory>
+#include <utility>
 
 using namespace hairpaint;
 
@@ -17,12 +21,75 @@ int lightness(const QImage& image, QPoint at)
     return image.isNull() ? -1 : image.pixelColor(at).lightness();
 }
 
+/// The canvas alone, and what it tells.
+struct Presented
+{
+    explicit Presented(view::Shot still) : shot(std::move(still))
+    {
+        presenter.widget().resize(240, 200);
+        QObject::connect(&presenter, &view::FramePresenter::refining, &presenter, [this](bool on) { refines = on; });
+        QObject::connect(&presenter, &view::FramePresenter::frameDrawn, &presenter,
+                         [this](const rendering::FrameStatistics& statistics) {
+                             ++frames;
+                             hairs = statistics.drawnHairs;
+                         });
+    }
+    void present(bool still)
+    {
+        shot.still = still;
+        presenter.present(shot);
+    }
+    /// How many turns of the event loop it took until a picture was drawn; 0 where none came.
+    [[nodiscard]] int turnsToNextFrame()
+    {
+        const int before = frames;
+        int turns = 0;
+        QElapsedTimer timer;
+        timer.start();
+        while (frames == before && timer.elapsed() < 60'000) {
+            QCoreApplication::processEvents();
+            ++turns;
+        }
+        return frames == before ? 0 : turns;
+    }
+
+    /// Until the picture is as fine as it gets; false where that never comes.
+    [[nodiscard]] bool refined()
+    {
+        while (refines)
+            if (turnsToNextFrame() == 0)
+                return false;
+        return hairs == shot.allHairs;
+    }
+
+    view::Shot shot;
+    QWidget window;
+    view::GlPresenter presenter{&window};
+    bool refines = false;
+    int frames = 0;
+    std::size_t hairs = 0; ///< In the last picture.
+};
+
 } // namespace
 
 class GlPresenterTest : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    void initTestCase()
+    {
+        test::Editor editor(test::makeProject(test::makeBallHead()));
+        const model::LayerAddress at = editor.state.target();
+        editor.document.apply({}, [at](model::Project& project) {
+            project.layer(at.group, at.map, at.layer)->raster = sim::TiledRaster(256, 2, {32000, 65535});
+        });
+        const std::shared_ptr<const sim::Skin> skin = editor.document.project().head->skin;
+        m_hairy.scene.head = std::shared_ptr<const sim::HeadMesh>(skin, &skin->mesh());
+        m_hairy.scene.hair = test::HeadFixture::frameOf(editor);
+        m_hairy.scene.camera = test::HeadFixture::camera();
+        m_hairy.allHairs = m_hairy.scene.hair->hairCount;
+        QVERIFY(m_hairy.allHairs > 70'000);
+    }
     void init()
     {
         m_editor = std::make_unique<test::Editor>(test::makeProject(test::makeBallHead()));
@@ -82,7 +149,138 @@ private Q_SLOTS:
         QCOMPARE(m_editor->document.undoStack().count(), 1);
     }
 
+    void aStillPictureIsRefinedWhileEventsAreHandled()
+    {
+        Presented p(m_hairy);
+        p.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&p.window));
+        p.present(false);
+        QVERIFY(p.turnsToNextFrame() > 0);
+        QVERIFY(!p.refines && p.hairs < p.shot.allHairs);
+        p.present(true);
+        const std::size_t moving = p.hairs;
+        do {
+            // Begun in one turn, stepped in others.
+            QVERIFY(p.turnsToNextFrame() >= 2);
+        } while (p.refines);
+        QVERIFY(p.hairs > moving);
+        QCOMPARE(p.hairs, p.shot.allHairs);
+        // What is shown is what is saved.
+        const QImage shown = canvasOf(p).grabFramebuffer();
+        QCOMPARE(test::differingPixels(shown, p.presenter.grab(p.shot.scene, shown.size()), shown.rect()), 0);
+    }
+
+    void aRepaintShowsTheLastPictureAgain()
+    {
+        Presented p(m_hairy);
+        p.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&p.window));
+        p.present(false);
+        p.present(true);
+        QVERIFY(p.turnsToNextFrame() > 0);
+        while (p.refines && p.hairs < p.shot.allHairs / 4)
+            QVERIFY(p.turnsToNextFrame() > 0);
+        QVERIFY(p.refines);
+        QCoreApplication::processEvents(); // The next one is begun.
+        // While a finer one is under way, and after the last one.
+        for (const bool finest : {false, true}) {
+            QVERIFY(!finest || p.refined());
+            const QImage before = canvasOf(p).grabFramebuffer();
+            const int frames = p.frames;
+            p.present(true); // Nothing new.
+            QCOMPARE(test::differingPixels(canvasOf(p).grabFramebuffer(), before, before.rect()), 0);
+            QCOMPARE(p.frames, frames);
+        }
+        // Another size is another picture.
+        p.presenter.widget().resize(160, 200);
+        QVERIFY(p.turnsToNextFrame() > 0);
+        QVERIFY(p.refines && p.hairs < p.shot.allHairs);
+        QVERIFY(p.refined());
+    }
+
+    void aSavedPictureDropsTheFineOneUnderWay()
+    {
+        Presented p(m_hairy);
+        p.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&p.window));
+        p.present(true);
+        QVERIFY(p.turnsToNextFrame() > 0);
+        QVERIFY(p.refines);
+        p.window.hide(); // Nothing is painted meanwhile.
+        QCoreApplication::processEvents();
+        const QSize size(60, 50);
+        QVERIFY(!p.presenter.grab(p.shot.scene, size).isNull());
+        const int frames = p.frames;
+        for (int turn = 0; turn < 10; ++turn)
+            QCoreApplication::processEvents();
+        QCOMPARE(p.frames, frames);
+        p.window.show();
+        QVERIFY(p.turnsToNextFrame() > 0);
+        QVERIFY(p.refines && p.hairs < p.shot.allHairs);
+        QVERIFY(p.refined());
+    }
+
+    void inputDropsTheFinePictureUnderWay_data()
+    {
+        QTest::addColumn<bool>("moves");
+        QTest::addColumn<bool>("still");
+        QTest::newRow("the view turns") << true << false;
+        QTest::newRow("nothing differs but may soon") << false << false;
+        QTest::newRow("another still moment") << true << true;
+    }
+
+    void inputDropsTheFinePictureUnderWay()
+    {
+        QFETCH(bool, moves);
+        QFETCH(bool, still);
+        Presented p(m_hairy);
+        p.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&p.window));
+        p.present(false);
+        QVERIFY(p.turnsToNextFrame() > 0);
+        const std::size_t moving = p.hairs;
+        p.present(true);
+        do {
+            QVERIFY(p.turnsToNextFrame() > 0);
+        } while (p.refines && 2 * p.hairs < 3 * moving);
+        QVERIFY(p.refines);
+        const std::size_t finer = p.hairs;
+        const int frames = p.frames;
+        QCoreApplication::processEvents(); // The next one is begun.
+        QCOMPARE(p.frames, frames);
+        if (moves)
+            p.shot.scene.camera.azimuthRad += 0.5F;
+        p.present(still);
+        QVERIFY(p.turnsToNextFrame() > 0);
+        QCOMPARE(p.frames, frames + 1);
+        QVERIFY(p.hairs < finer);
+        QCOMPARE(p.refines, still);
+        p.present(true);
+        QVERIFY(p.turnsToNextFrame() > 0);
+        QVERIFY(p.refined());
+    }
+
+    void theWheelEndsTheRefiningInTheWindow()
+    {
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QTRY_VERIFY(m_area->refining());
+        QSignalSpy drawn(m_area, &view::HeadView::frameDrawn);
+        const QPointF middle = m_area->rect().center();
+        QWheelEvent wheel(middle, m_area->mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(m_area, &wheel);
+        QTRY_VERIFY(!m_area->refining() && !drawn.isEmpty());
+        QTRY_VERIFY(m_area->refining()); // Still again.
+    }
+
 private:
+    [[nodiscard]] static QOpenGLWidget& canvasOf(Presented& p)
+    {
+        return *qobject_cast<QOpenGLWidget*>(&p.presenter.widget());
+    }
+
+    view::Shot m_hairy; ///< The ball with hair all over, too much for a moving picture.
     std::unique_ptr<test::Editor> m_editor;
     std::unique_ptr<QMainWindow> m_window;
     view::HeadView* m_area = nullptr; ///< Owned by a window.

@@ -3,18 +3,21 @@
 
 #include "view/gl_problem.h"
 
+#include <QBasicTimer>
 #include <QCoreApplication>
 #include <QOpenGLContext>
 #include <QOpenGLWidget>
 #include <QSurfaceFormat>
+#include <QTimerEvent>
 
+#include <new>
 #include <utility>
 
 namespace hairpaint::view {
 
 namespace {
 
-constexpr double kMostRefinedMs = 250.0; ///< The next step may take four times as long.
+constexpr double kStepMs = 8.0; ///< This is the GUI thread: input waits for no more of a fine picture.
 
 } // namespace
 
@@ -40,7 +43,16 @@ public:
 
     void show(const Shot& shot)
     {
+        const bool same = m_shot && m_shot->scene == shot.scene;
+        if (same && shot.still && m_shot->still)
+            return; // As fine as it gets, or on the way there.
+        dropFinePicture();
         m_shot = shot;
+        if (same && shot.still && !m_outdated) {
+            m_steps.start(0, this);
+            return;
+        }
+        m_outdated = true;
         update();
     }
 
@@ -48,11 +60,13 @@ public:
     {
         if (!m_renderer)
             return {};
+        dropFinePicture();
         makeCurrent();
         m_renderer->draw(scene, rendering::pictureQuality(), size.width(), size.height());
         m_renderer->read(m_pixels);
         doneCurrent();
-        update(); // The renderer's target has another size now.
+        m_outdated = true; // The renderer's last picture is this one now.
+        update();
         return QImage(m_pixels.data(), size.width(), size.height(), size.width() * 4, QImage::Format_RGBX8888)
             .convertToFormat(QImage::Format_RGB32);
     }
@@ -79,21 +93,28 @@ protected:
         if (!m_renderer || !m_shot)
             return;
         const QSize size = (QSizeF(this->size()) * devicePixelRatioF()).toSize();
-        m_renderer->draw(m_shot->scene, m_governor.begin(m_shot->still), size.width(), size.height());
+        if (m_outdated || size != m_size)
+            drawAtOnce(size);
         m_renderer->blitTo(defaultFramebufferObject(), size.width(), size.height());
-        m_governor.observe(m_renderer->statistics(), m_shot->allHairs);
-        // This is the GUI thread: a GPU that is slow already is not asked for more.
-        const bool refines =
-            m_shot->still && m_governor.wantsRefinement() && m_renderer->statistics().milliseconds < kMostRefinedMs;
-        QMetaObject::invokeMethod(
-            this,
-            [this, refines, statistics = m_renderer->statistics()] {
-                Q_EMIT m_owner.refining(refines);
-                Q_EMIT m_owner.frameDrawn(statistics);
-                if (refines)
-                    update();
-            },
-            Qt::QueuedConnection);
+    }
+
+    void timerEvent(QTimerEvent* event) override
+    {
+        if (event->timerId() != m_steps.timerId()) {
+            QOpenGLWidget::timerEvent(event);
+            return;
+        }
+        makeCurrent();
+        const bool finished = refine();
+        doneCurrent();
+        if (!finished)
+            return;
+        const bool refines = m_governor.wantsRefinement();
+        if (!refines)
+            m_steps.stop();
+        update();
+        Q_EMIT m_owner.refining(refines);
+        Q_EMIT m_owner.frameDrawn(m_renderer->statistics());
     }
 
     void showEvent(QShowEvent* event) override
@@ -110,10 +131,62 @@ protected:
     }
 
 private:
+    /// As coarse as while something moves, also where the shot is still: it is refined from there.
+    void drawAtOnce(QSize size)
+    {
+        dropFinePicture();
+        try {
+            m_renderer->draw(m_shot->scene, m_governor.begin(false), size.width(), size.height());
+        } catch (const std::bad_alloc&) {
+            return; // The last picture stays until there is memory for another.
+        }
+        m_size = size;
+        m_outdated = false;
+        m_governor.observe(m_renderer->statistics(), m_shot->allHairs);
+        if (m_shot->still)
+            m_steps.start(0, this);
+        // Nobody is told while Qt paints.
+        QMetaObject::invokeMethod(
+            this,
+            [this, refines = m_shot->still, statistics = m_renderer->statistics()] {
+                Q_EMIT m_owner.refining(refines);
+                Q_EMIT m_owner.frameDrawn(statistics);
+            },
+            Qt::QueuedConnection);
+    }
+
+    /// A step of a finer picture; whether that is finished.
+    bool refine()
+    {
+        try {
+            if (!std::exchange(m_begun, true)) {
+                m_renderer->begin(m_shot->scene, m_governor.begin(true), m_size.width(), m_size.height());
+                return false;
+            }
+            if (!m_renderer->step(kStepMs))
+                return false;
+        } catch (const std::bad_alloc&) {
+            dropFinePicture();
+            Q_EMIT m_owner.refining(false);
+            return false;
+        }
+        m_begun = false;
+        m_governor.observe(m_renderer->statistics(), m_shot->allHairs);
+        return true;
+    }
+
+    void dropFinePicture()
+    {
+        m_steps.stop();
+        m_begun = false;
+    }
+
     void dropRenderer()
     {
         if (!m_renderer)
             return;
+        dropFinePicture();
+        m_outdated = true;
         makeCurrent();
         m_renderer.reset();
         doneCurrent();
@@ -123,6 +196,10 @@ private:
     std::unique_ptr<rendering::Renderer> m_renderer;
     rendering::DetailGovernor m_governor;
     std::optional<Shot> m_shot;
+    bool m_outdated = true; ///< The renderer's last picture is not of this shot.
+    QSize m_size;           ///< Of the renderer's last picture, in pixels.
+    QBasicTimer m_steps;    ///< Runs while a finer picture is drawn; other events come between its turns.
+    bool m_begun = false;   ///< Whether the renderer has a finer picture under way.
     std::vector<std::uint8_t> m_pixels;
 };
 

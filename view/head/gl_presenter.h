@@ -5,7 +5,10 @@
 
 namespace hairpaint::view {
 
-/// The renderer is made anew whenever Qt makes the context anew: after its loss, or when a dock floats.
+/// A shot is drawn at once, at the detail that keeps motion fluent; repaints show that picture again. A still one is
+/// then refined on the GUI thread in steps of a few milliseconds, between which events are handled, and each finer
+/// picture is shown when it is whole; a shot that differs ends that. The renderer is made anew whenever Qt makes the
+/// context anew: after its loss, or when a dock floats.
 class GlPresenter : public FramePresenter
 {
     Q_OBJECT

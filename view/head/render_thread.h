@@ -20,13 +20,13 @@ struct RenderStart
 
 /// Methods are called on the GUI thread; the off-screen context, the renderer and the governor live on the other.
 /// Shots and finished frames wait in mailboxes: the latest wins on both sides. A shot that comes while a still picture
-/// is refined ends that within a batch of strands.
+/// is refined ends that within a piece of its hair.
 class RenderThread : public QObject
 {
     Q_OBJECT
 public:
     explicit RenderThread(QObject* parent = nullptr);
-    ~RenderThread() override; ///< Waits for the frame being drawn, of a still picture for a batch of strands.
+    ~RenderThread() override; ///< Waits for the frame being drawn, of a still picture for a piece of its hair.
 
     /// Waits until the context was made or refused; started() tells of it too, later.
     [[nodiscard]] RenderStart waitForStart();

@@ -2,6 +2,7 @@
 #include "view/paint/map_pyramid.h"
 
 #include "model/files/image_map.h"
+#include "sim/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -197,6 +198,18 @@ const QImage& MapPyramid::tile(std::size_t level, int column, int row)
     return m_levels[level].tiles[index];
 }
 
+void MapPyramid::makeTiles(std::size_t level, const QRect& cells)
+{
+    // What a tile is made of belongs to no other one of its level.
+    const auto count = static_cast<std::size_t>(cells.width()) * static_cast<std::size_t>(cells.height());
+    sim::parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const int cell = static_cast<int>(i);
+            tile(level, cells.left() + cell % cells.width(), cells.top() + cell / cells.width());
+        }
+    });
+}
+
 void MapPyramid::draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper,
                       double devicePixelRatio)
 {
@@ -221,8 +234,11 @@ void MapPyramid::draw(QPainter& painter, const QTransform& paperToWidget, const 
     const auto cell = [across](double x) {
         return std::clamp(static_cast<int>(std::floor(x * across)), 0, across - 1);
     };
-    for (int row = cell(visiblePaper.top()); row <= cell(visiblePaper.bottom()); ++row) {
-        for (int column = cell(visiblePaper.left()); column <= cell(visiblePaper.right()); ++column) {
+    const QRect cells(QPoint(cell(visiblePaper.left()), cell(visiblePaper.top())),
+                      QPoint(cell(visiblePaper.right()), cell(visiblePaper.bottom())));
+    makeTiles(chosen, cells);
+    for (int row = cells.top(); row <= cells.bottom(); ++row) {
+        for (int column = cells.left(); column <= cells.right(); ++column) {
             const QPointF topLeft = snapped(QPointF(column, row) / across);
             const QPointF bottomRight = snapped(QPointF(column + 1, row + 1) / across);
             const QImage& image = tile(chosen, column, row);

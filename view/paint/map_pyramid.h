@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QList>
 #include <QPainter>
+#include <QRect>
 #include <QRectF>
 
 #include <memory>
@@ -49,6 +50,8 @@ private:
     void rebuildLevels();
     /// Repaints one raster tile in every picture that shows it.
     void mend(int rasterTile);
+    /// Those of a level that are not there yet, on several threads.
+    void makeTiles(std::size_t level, const QRect& cells);
     const QImage& tile(std::size_t level, int column, int row);
     [[nodiscard]] QImage paintedTile(int column, int row) const;
     [[nodiscard]] QImage halvedTile(std::size_t level, int column, int row);

@@ -50,7 +50,8 @@ MapsPanel::MapsPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_s
 
 void MapsPanel::onChanged(const Change& change)
 {
-    const bool oneMap = change.aspect == Change::Aspect::Texels || change.aspect == Change::Aspect::LayerList;
+    const bool oneMap = change.aspect == Change::Aspect::Texels || change.aspect == Change::Aspect::LayerList ||
+                        change.aspect == Change::Aspect::Resolved;
     if (oneMap) {
         if (change.group != m_shownGroup)
             return;

@@ -13,8 +13,6 @@ constexpr unsigned kWorkgroup = 64;
 constexpr float kVoxelUnitM2 = 1e-9F;            ///< Hair's area that one unit of a voxel stands for.
 constexpr std::uint32_t kSplattedStrands = 8192; ///< About as many are enough for a smooth grid.
 
-constexpr std::uint32_t kPatientPoints = 1U << 15U; ///< A piece that software draws in a fraction of a second.
-
 constexpr float kLeastWidth = 0.35F;    ///< Samples: what the thinnest hair covers.
 constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
 
@@ -52,6 +50,8 @@ HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>&
 {
     Report report;
     m_visible.clear();
+    m_pieces.clear();
+    m_nextPiece = 0;
     if (!frame) {
         m_groups.clear();
         return report;
@@ -78,30 +78,28 @@ HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>&
     return report;
 }
 
-bool HairPass::draw(const FrameConstants& constants, float detail, const Buffer& samples,
-                    const std::function<bool(double)>& progress)
+void HairPass::begin(const FrameConstants& constants, float detail, std::uint32_t piecePoints)
 {
+    m_detail = detail;
     if (m_visible.empty())
-        return true;
-    fillGrid(constants, detail);
-    double allPoints = 0.0;
-    for (const int id : m_visible)
-        for (const StrandBatch& batch : m_groups.at(id).list().batches())
-            allPoints += batch.pointCount;
-    double drawnPoints = 0.0;
-    const auto pieceDone = [&](std::uint32_t points) {
-        if (!progress)
-            return true;
-        glFinish();
-        drawnPoints += points;
-        return progress(drawnPoints / allPoints);
-    };
-    const std::uint32_t piecePoints = progress ? kPatientPoints : HairList::kBatchPoints;
-    for (const int id : m_visible)
-        if (!drawGroup(m_groups.at(id), constants, detail, samples, piecePoints, pieceDone))
-            return false;
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    return true;
+        return;
+    fillGrid(constants);
+    for (const int id : m_visible) {
+        const sim::StrandMaterial& material = m_groups.at(id).groom().settings.material;
+        const float thickest = std::max(material.widthM * constants.gridSize.z / constants.depthRange.x, kLeastWidth) /
+                               detail * std::max(material.rootAlpha, material.tipAlpha);
+        addPieces(id, static_cast<unsigned>(std::min(thickest, kGreatestWidth) * 1.42F) + 1U, piecePoints);
+    }
+    std::uint32_t mostPoints = 0;
+    for (const Piece& piece : m_pieces)
+        mostPoints = std::max(mostPoints, piece.strands.pointCount);
+    m_points.reserve(mostPoints * sizeof(glm::vec4));
+    m_projected.reserve(mostPoints * sizeof(glm::uvec4));
+}
+
+double HairPass::progress() const
+{
+    return m_pieces.empty() ? 1.0 : static_cast<double>(m_nextPiece) / static_cast<double>(m_pieces.size());
 }
 
 void HairPass::bindOpacity(unsigned lightUnit, unsigned eyeUnit) const
@@ -110,7 +108,7 @@ void HairPass::bindOpacity(unsigned lightUnit, unsigned eyeUnit) const
     m_opacity[1].bind(eyeUnit);
 }
 
-void HairPass::fillGrid(const FrameConstants& constants, float detail)
+void HairPass::fillGrid(const FrameConstants& constants)
 {
     m_voxels.bindStorage(3);
     m_splat.use();
@@ -124,7 +122,7 @@ void HairPass::fillGrid(const FrameConstants& constants, float detail)
         m_splat.set("strandStep", step);
         m_splat.set("nodes", group.groom().nodes);
         m_splat.set("weight",
-                    group.groom().settings.material.widthM * static_cast<float>(step) / (detail * kVoxelUnitM2));
+                    group.groom().settings.material.widthM * static_cast<float>(step) / (m_detail * kVoxelUnitM2));
         dispatch((strands + step - 1) / step);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -139,47 +137,36 @@ void HairPass::fillGrid(const FrameConstants& constants, float detail)
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-bool HairPass::drawGroup(const HairBuffers& group, const FrameConstants& constants, float detail, const Buffer& samples,
-                         std::uint32_t piecePoints, const std::function<bool(std::uint32_t)>& pieceDone)
+void HairPass::addPieces(int groupId, unsigned rows, std::uint32_t piecePoints)
 {
-    const sim::GroupSettings& settings = group.groom().settings;
-    std::uint32_t mostPoints = 0;
-    for (const StrandBatch& batch : group.list().batches())
-        mostPoints = std::max(mostPoints, batch.pointCount);
-    m_points.reserve(mostPoints * sizeof(glm::vec4));
-    m_projected.reserve(mostPoints * sizeof(glm::uvec4));
-    bindOpacity(0, 1);
-
-    const float thickest =
-        std::max(settings.material.widthM * constants.gridSize.z / constants.depthRange.x, kLeastWidth) / detail *
-        std::max(settings.material.rootAlpha, settings.material.tipAlpha);
-    const auto rows = static_cast<unsigned>(std::min(thickest, kGreatestWidth) * 1.42F) + 1U;
-
-    const std::vector<DrawnStrand>& strands = group.list().strands();
-    for (const StrandBatch& batch : group.list().batches()) {
+    const HairList& list = m_groups.at(groupId).list();
+    const std::vector<DrawnStrand>& strands = list.strands();
+    for (const StrandBatch& batch : list.batches()) {
         const std::uint32_t end = batch.firstStrand + batch.strandCount;
-        StrandBatch piece{.firstStrand = batch.firstStrand, .strandCount = 0, .pointCount = 0};
-        while (piece.firstStrand < end) {
-            const std::uint32_t first = strands[piece.firstStrand].firstPoint;
+        for (std::uint32_t at = batch.firstStrand; at < end;) {
+            const std::uint32_t first = strands[at].firstPoint;
             std::uint32_t next = end;
             if (strands[end].firstPoint - first > piecePoints)
-                for (next = piece.firstStrand + 1; strands[next + 1].firstPoint - first <= piecePoints;)
+                for (next = at + 1; strands[next + 1].firstPoint - first <= piecePoints;)
                     ++next;
-            piece.strandCount = next - piece.firstStrand;
-            piece.pointCount = strands[next].firstPoint - first;
-            drawPiece(piece, group, detail, samples, rows);
-            if (!pieceDone(piece.pointCount))
-                return false;
-            piece.firstStrand = next;
+            m_pieces.push_back({.group = groupId,
+                                .strands = {.firstStrand = at,
+                                            .strandCount = next - at,
+                                            .pointCount = strands[next].firstPoint - first},
+                                .rows = rows});
+            at = next;
         }
     }
-    return true;
 }
 
-void HairPass::drawPiece(const StrandBatch& piece, const HairBuffers& group, float detail, const Buffer& samples,
-                         unsigned rows)
+bool HairPass::drawPiece(const Buffer& samples)
 {
+    if (m_nextPiece == m_pieces.size())
+        return false;
+    const auto& [groupId, piece, rows] = m_pieces[m_nextPiece++];
+    const HairBuffers& group = m_groups.at(groupId);
     const sim::GroupSettings& settings = group.groom().settings;
+    bindOpacity(0, 1);
     group.bind();
     m_points.bindStorage(3);
     m_expand.use();
@@ -194,7 +181,7 @@ void HairPass::drawPiece(const StrandBatch& piece, const HairBuffers& group, flo
     m_shade.use();
     m_shade.set("firstStrand", piece.firstStrand);
     m_shade.set("pointCount", piece.pointCount);
-    m_shade.set("widening", 1.0F / detail);
+    m_shade.set("widening", 1.0F / m_detail);
     m_shade.set("leastWidth", kLeastWidth);
     m_shade.set("greatestWidth", kGreatestWidth);
     m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness, settings.material.rootAlpha,
@@ -210,6 +197,7 @@ void HairPass::drawPiece(const StrandBatch& piece, const HairBuffers& group, flo
     m_raster.set("pointCount", piece.pointCount);
     dispatch(piece.pointCount, rows);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    return true;
 }
 
 } // namespace hairpaint::rendering

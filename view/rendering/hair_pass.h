@@ -6,10 +6,11 @@
 #include "view/rendering/hair_buffers.h"
 
 #include <array>
-#include <functional>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace hairpaint::rendering {
 
@@ -26,13 +27,18 @@ public:
     };
     /// Sends what differs from the frame before; null shows no hair.
     Report upload(const std::shared_ptr<const sim::StrandFrame>& frame, float detail, int smoothSegments);
-    /// With the frame's constants bound to uniform buffer 0: fills the opacity grid, then draws into `samples`, which
-    /// already hold the head's depth. With `progress` (0..1; false stops) it waits for each of many small pieces;
-    /// false where it was stopped.
-    bool draw(const FrameConstants& constants, float detail, const Buffer& samples,
-              const std::function<bool(double)>& progress = {});
+    /// A piece that software draws in a fraction of a second, and a slow GPU in a few milliseconds.
+    static constexpr std::uint32_t kSmallPiecePoints = 1U << 14U;
+    /// After upload(), with the frame's constants bound to uniform buffer 0: fills the opacity grid and cuts what is to
+    /// be drawn into pieces of at most `piecePoints`, but of one strand at least.
+    void begin(const FrameConstants& constants, float detail, std::uint32_t piecePoints);
+    /// With the same constants bound: draws the next piece into `samples`, which hold the head's depth and the pieces
+    /// before. False where there was none left.
+    bool drawPiece(const Buffer& samples);
+    /// 0..1: how much of what begin() found is drawn.
+    [[nodiscard]] double progress() const;
 
-    /// Binds the opacity grids of the last draw to two texture units.
+    /// Binds the opacity grids of the last begin() to two texture units.
     void bindOpacity(unsigned lightUnit, unsigned eyeUnit) const;
 
     /// The points of the last batch drawn, Wo, xyz and the strand's number. For tests.
@@ -41,12 +47,14 @@ public:
 
 private:
     HairPass() = default;
-    void fillGrid(const FrameConstants& constants, float detail);
-    /// `piecePoints`: batches are cut into pieces of no more; `pieceDone` (of so many points) says whether to go on.
-    bool drawGroup(const HairBuffers& group, const FrameConstants& constants, float detail, const Buffer& samples,
-                   std::uint32_t piecePoints, const std::function<bool(std::uint32_t)>& pieceDone);
-    void drawPiece(const StrandBatch& piece, const HairBuffers& group, float detail, const Buffer& samples,
-                   unsigned rows);
+    struct Piece
+    {
+        int group; ///< Its id.
+        StrandBatch strands;
+        unsigned rows; ///< Of samples that the thickest strand covers.
+    };
+    void fillGrid(const FrameConstants& constants);
+    void addPieces(int groupId, unsigned rows, std::uint32_t piecePoints);
 
     Program m_splat;
     Program m_sum;
@@ -59,6 +67,9 @@ private:
     std::array<Texture, 2> m_opacity;    ///< Toward the light, the eye.
     std::map<int, HairBuffers> m_groups; ///< By the group's id.
     std::vector<int> m_visible;          ///< Ids, in the frame's order.
+    float m_detail = 1.0F;
+    std::vector<Piece> m_pieces;
+    std::size_t m_nextPiece = 0;
 };
 
 } // namespace hairpaint::rendering

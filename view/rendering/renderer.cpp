@@ -13,7 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 namespace hairpaint::rendering {
 
@@ -29,7 +32,24 @@ bool takeErrors()
     return errors > 0;
 }
 
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point begin)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
 } // namespace
+
+/// What is known of a picture that is being drawn, besides what lies in the passes.
+struct Renderer::Picture
+{
+    Target target;
+    FrameConstants constants;
+    HairPass::Report report;
+    double spentMs = 0.0; ///< In steps.
+    bool complete = true; ///< So far.
+};
 
 struct Renderer::State
 {
@@ -51,9 +71,10 @@ struct Renderer::State
     Framebuffer framebuffer;
     Texture rough; ///< The picture of one sample a pixel, not smoothed yet.
     Texture picture;
-    int width = 0;
-    int height = 0;
-    FrameTimer timer;
+    glm::ivec2 size{0};              ///< Of the last finished picture, in pixels.
+    std::optional<Picture> underWay; ///< Begun, not finished yet.
+    FrameTimer timer;                ///< Of pictures drawn at once.
+    bool readCounts = false;         ///< Whether the next read() is what the last picture's time runs to.
 };
 
 Renderer::Renderer() : m_state(std::make_unique<State>()) {}
@@ -108,35 +129,96 @@ tl::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
 
 void Renderer::draw(const Scene& scene, const Quality& quality, int width, int height)
 {
-    drawIn(scene, quality, width, height, {});
+    State& state = *m_state;
+    state.timer.begin();
+    const StateGuard guard;
+    const Picture picture = prepare(scene, quality, width, height, HairList::kBatchPoints);
+    while (state.hair->drawPiece(state.samples)) {
+    }
+    resolve(picture);
+    state.timer.end();
+    state.statistics.milliseconds = state.timer.milliseconds();
+    state.readCounts = true;
+}
+
+void Renderer::begin(const Scene& scene, const Quality& quality, int width, int height)
+{
+    const Clock::time_point began = Clock::now();
+    const StateGuard guard;
+    Picture picture = prepare(scene, quality, width, height, HairPass::kSmallPiecePoints);
+    picture.complete = !takeErrors();
+    picture.spentMs = millisecondsSince(began);
+    m_state->underWay = picture;
+    m_state->readCounts = false;
+}
+
+bool Renderer::step(double budgetMs)
+{
+    State& state = *m_state;
+    if (!state.underWay)
+        return true;
+    const Clock::time_point began = Clock::now();
+    takeErrors(); // Somebody else's.
+    const StateGuard guard;
+    state.constants.bindUniform(0);
+    Picture& picture = *state.underWay;
+    bool finished = false;
+    double spentMs = 0.0;
+    do {
+        finished = !state.hair->drawPiece(state.samples);
+        if (finished)
+            resolve(picture);
+        glFinish();
+        spentMs = millisecondsSince(began);
+    } while (!finished && spentMs < budgetMs);
+    picture.spentMs += spentMs;
+    if (finished) {
+        state.statistics.milliseconds = picture.spentMs;
+        state.statistics.inSteps = true;
+        state.underWay.reset();
+    } else {
+        picture.complete = !takeErrors() && picture.complete;
+    }
+    return finished;
 }
 
 bool Renderer::drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
                              const Progress& progress)
 {
-    return drawIn(scene, quality, width, height, progress);
+    if (!progress) {
+        draw(scene, quality, width, height);
+        return true;
+    }
+    begin(scene, quality, width, height);
+    while (!step(0.0))
+        if (!progress(m_state->hair->progress()))
+            return false;
+    return true;
 }
 
-bool Renderer::drawIn(const Scene& scene, const Quality& quality, int width, int height, const Progress& progress)
+/// Draws the head and readies the hair's pieces, of `piecePoints` at most.
+Renderer::Picture Renderer::prepare(const Scene& scene, const Quality& quality, int width, int height,
+                                    std::uint32_t piecePoints)
 {
     State& state = *m_state;
-    state.timer.begin();
+    state.underWay.reset();
     takeErrors(); // Somebody else's.
-    const StateGuard guard;
-    state.width = std::clamp(width, 1, 8192);
-    state.height = std::clamp(height, 1, 8192);
-    Target target{.width = state.width, .height = state.height};
-    target.samples = quality.samples >= 4 ? glm::ivec2(2, 2) : glm::ivec2(quality.samples >= 2 ? 2 : 1, 1);
+    Picture picture;
+    picture.target.width = std::clamp(width, 1, 8192);
+    picture.target.height = std::clamp(height, 1, 8192);
+    picture.target.samples = quality.samples >= 4 ? glm::ivec2(2, 2) : glm::ivec2(quality.samples >= 2 ? 2 : 1, 1);
+    const Target& target = picture.target;
     const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
-    const FrameConstants constants = frameConstants(scene, target);
+    picture.constants = frameConstants(scene, target);
+    const FrameConstants& constants = picture.constants;
     state.constants.assign(&constants, sizeof(constants));
     state.constants.bindUniform(0);
 
-    const HairPass::Report report = state.hair->upload(scene.hair, detail, std::clamp(quality.smoothSegments, 1, 256));
+    picture.report = state.hair->upload(scene.hair, detail, std::clamp(quality.smoothSegments, 1, 256));
     const bool headDrawn = state.head->draw(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, constants);
 
-    const auto samplesAcross = static_cast<unsigned>(state.width * target.samples.x);
-    const auto samplesUp = static_cast<unsigned>(state.height * target.samples.y);
+    const auto samplesAcross = static_cast<unsigned>(target.width * target.samples.x);
+    const auto samplesUp = static_cast<unsigned>(target.height * target.samples.y);
     const std::size_t sampleCount = static_cast<std::size_t>(samplesAcross) * samplesUp;
     state.samples.reserve(sampleCount * sizeof(std::uint32_t));
     if (headDrawn || constants.depthRange != state.preparedFor) {
@@ -151,25 +233,29 @@ bool Renderer::drawIn(const Scene& scene, const Quality& quality, int width, int
     }
     state.samples.copyFrom(state.prepared, sampleCount * sizeof(std::uint32_t));
 
-    if (!state.hair->draw(constants, detail, state.samples, progress)) {
-        state.timer.end();
-        state.statistics = {.complete = false};
-        return false;
-    }
+    state.hair->begin(constants, detail, piecePoints);
+    return picture;
+}
 
+/// Makes it the last finished picture.
+void Renderer::resolve(const Picture& picture)
+{
+    State& state = *m_state;
+    const auto& [target, constants, report, spentMs, complete] = picture;
     if (report.hairs > 0) {
         state.head->bind(0, 1);
         state.hair->bindOpacity(2, 3);
         state.shade.draw(target);
     }
     const bool smoothed = target.samples == glm::ivec2(1);
-    state.picture.resize2D(GL_RGBA8, state.width, state.height);
+    state.size = glm::ivec2(target.width, target.height);
+    state.picture.resize2D(GL_RGBA8, target.width, target.height);
     if (smoothed)
-        state.rough.resize2D(GL_RGBA8, state.width, state.height, true);
+        state.rough.resize2D(GL_RGBA8, target.width, target.height, true);
     glBindFramebuffer(GL_FRAMEBUFFER, state.framebuffer.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                            smoothed ? state.rough.id() : state.picture.id(), 0);
-    glViewport(0, 0, state.width, state.height);
+    glViewport(0, 0, target.width, target.height);
     state.samples.bindStorage(0);
     state.head->bind(0, 1);
     if (report.hairs > 0)
@@ -187,41 +273,40 @@ bool Renderer::drawIn(const Scene& scene, const Quality& quality, int width, int
         state.head->bind(0, 1);
     }
     state.rings.draw(constants);
-    state.timer.end();
     state.statistics = {.drawnHairs = report.hairs,
                         .drawnSegments = report.segments,
                         .uploadedBytes = report.uploadedBytes,
-                        .milliseconds = state.timer.milliseconds(),
-                        .complete = !takeErrors()};
-    return true;
+                        .complete = !takeErrors() && complete};
 }
 
 void Renderer::blitTo(unsigned framebuffer, int width, int height)
 {
-    if (m_state->width == 0)
+    const glm::ivec2 size = m_state->size;
+    if (size.x == 0)
         return;
     const StateGuard guard;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_state->framebuffer.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    const bool same = width == m_state->width && height == m_state->height;
-    glBlitFramebuffer(0, 0, m_state->width, m_state->height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
-                      same ? GL_NEAREST : GL_LINEAR);
+    glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                      size == glm::ivec2(width, height) ? GL_NEAREST : GL_LINEAR);
 }
 
 void Renderer::read(std::vector<std::uint8_t>& pixels)
 {
-    const std::size_t row = static_cast<std::size_t>(m_state->width) * 4;
-    pixels.resize(row * static_cast<std::size_t>(m_state->height));
+    const glm::ivec2 size = m_state->size;
+    const std::size_t row = static_cast<std::size_t>(size.x) * 4;
+    pixels.resize(row * static_cast<std::size_t>(size.y));
     if (pixels.empty())
         return;
     const StateGuard guard;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_state->framebuffer.id());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, m_state->width, m_state->height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    m_state->statistics.milliseconds = m_state->timer.sinceBegin();
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    if (std::exchange(m_state->readCounts, false))
+        m_state->statistics.milliseconds = m_state->timer.sinceBegin();
     // OpenGL's first row is at the bottom.
     std::vector<std::uint8_t> swap(row);
-    for (int top = 0, bottom = m_state->height - 1; top < bottom; ++top, --bottom) {
+    for (int top = 0, bottom = size.y - 1; top < bottom; ++top, --bottom) {
         std::uint8_t* a = pixels.data() + static_cast<std::size_t>(top) * row;
         std::uint8_t* b = pixels.data() + static_cast<std::size_t>(bottom) * row;
         std::memcpy(swap.data(), a, row);

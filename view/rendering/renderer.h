@@ -28,6 +28,7 @@ struct FrameStatistics
     std::size_t drawnSegments = 0;
     std::size_t uploadedBytes = 0;
     double milliseconds = 0.0; ///< What a frame takes: see Renderer::statistics().
+    bool inSteps = false;      ///< Drawn by step(): the milliseconds are no measure of frames while something moves.
     bool complete = true;      ///< False where OpenGL gave up on a part, as when memory is short.
 };
 
@@ -44,26 +45,35 @@ public:
 
     /// Draws into the renderer's own target of width x height pixels; waits for nothing.
     void draw(const Scene& scene, const Quality& quality, int width, int height);
+    /// Begins the same picture, for step() to draw: uploads, draws the head, and waits for nothing. Whatever was under
+    /// way is dropped, as it is by draw().
+    void begin(const Scene& scene, const Quality& quality, int width, int height);
+    /// Draws pieces of the picture under way until `budgetMs` are used up, one at least, and waits for them; between
+    /// steps the context is anybody's. True where nothing is left to draw: only then is it the last picture.
+    [[nodiscard]] bool step(double budgetMs);
     /// Called with 0..1 while a picture is drawn; false stops it.
     using Progress = std::function<bool(double)>;
-    /// The same picture in pieces that are waited for one by one, for pictures that take seconds. False, with nothing
-    /// to be read, where it was stopped.
+    /// All the steps of a picture that may take seconds, without progress those of draw(). False where it was stopped.
     [[nodiscard]] bool drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
                                      const Progress& progress);
-    /// Copies the last picture to the framebuffer object bound by the caller.
+    /// Copies the last finished picture to the framebuffer object bound by the caller.
     void blitTo(unsigned framebuffer, int width, int height);
-    /// Reads the last picture: RGBA8, row 0 on top, sRGB as encoded. Reuses `pixels`. Waits for the picture.
+    /// Reads the last finished picture: RGBA8, row 0 on top, sRGB as encoded. Reuses `pixels`. Waits for the picture.
     void read(std::vector<std::uint8_t>& pixels);
-    /// Of the last draw. Its milliseconds run to the end of read() where the picture was read; else they are the GPU's
-    /// own, of the newest frame it has told of, or the time that handing over took where that is longer.
+    /// Of the last finished picture. The milliseconds of one drawn at once run to the end of the first read(); where it
+    /// was not read they are the GPU's own, of the newest such picture it has told of, or the time that handing over
+    /// took where that is longer. Those of a picture drawn in steps are the steps' own, and no other's contain them.
     [[nodiscard]] const FrameStatistics& statistics() const;
     [[nodiscard]] bool software() const;                  ///< llvmpipe, softpipe or the like.
     [[nodiscard]] const std::string& description() const; ///< GL_RENDERER.
 
 private:
     Renderer();
-    bool drawIn(const Scene& scene, const Quality& quality, int width, int height, const Progress& progress);
+    struct Picture;
     struct State;
+    [[nodiscard]] Picture prepare(const Scene& scene, const Quality& quality, int width, int height,
+                                  std::uint32_t piecePoints);
+    void resolve(const Picture& picture);
     std::unique_ptr<State> m_state;
 };
 

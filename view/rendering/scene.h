@@ -30,6 +30,7 @@ struct Light
     glm::vec3 directionWo{0.4F, 0.6F, 0.7F}; ///< Toward the light, unit.
     glm::vec3 colour{1.0F};                  ///< Linear, intensity included.
     float ambient = 0.35F;
+    friend bool operator==(const Light&, const Light&) = default;
 };
 
 /// The brush ring on the skin: drawn as a line around `radiusM`, and hair inside fades.
@@ -38,6 +39,7 @@ struct Ring
     glm::vec3 centreHd{0.0F};
     glm::vec3 normalHd{0.0F, 1.0F, 0.0F};
     float radiusM = 0.015F;
+    friend bool operator==(const Ring&, const Ring&) = default;
 };
 
 struct Scene
@@ -50,6 +52,7 @@ struct Scene
     glm::vec3 background{0.03F}; ///< Linear.
     std::optional<Ring> ring;
     std::optional<Ring> mirroredRing;
+    friend bool operator==(const Scene&, const Scene&) = default; ///< The same meshes and frame, not ones that look so.
 };
 
 } // namespace hairpaint::rendering

@@ -1,0 +1,28 @@
+// Projects of few hairs, for what does not hang on their number.
+#pragma once
+
+#include "model/files/project_file.h"
+
+#include <algorithm>
+
+namespace hairpaint::test {
+
+/// The same with an eighth of the hairs and of the skeletons: windows and verbs get to their part of the work sooner.
+inline model::Project thinned(model::Project project)
+{
+    constexpr int kFraction = 8;
+    for (model::HairGroup& group : project.groups) {
+        group.settings.greatestDensityPerM2 /= static_cast<float>(kFraction);
+        group.settings.basisHairs /= kFraction;
+    }
+    return project;
+}
+
+/// Thins the project in that file; false where it can't be read or written.
+inline bool thinOut(const QString& file)
+{
+    const model::Result<model::Project> project = model::loadProject(file);
+    return project && model::saveProject(thinned(*project), file, {}).has_value();
+}
+
+} // namespace hairpaint::test
