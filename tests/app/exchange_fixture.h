@@ -26,6 +26,7 @@ public:
     QString name;          ///< Typed where a name is asked for.
     bool takesHead = true; ///< Whether the head's dialog is accepted.
     bool cancels = false;  ///< Whether Cancel is clicked in progress windows.
+    int cancelled = 0;     ///< How often it was.
     QStringList said;      ///< What message boxes said.
 
     Answerer() { startTimer(20); }
@@ -49,6 +50,7 @@ protected:
         } else if (waiting != nullptr && cancels && waiting->objectName() == QLatin1String("progressWindow")) {
             QTest::mouseClick(waiting->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel),
                               Qt::LeftButton);
+            ++cancelled;
         }
     }
 

@@ -152,6 +152,7 @@ private Q_SLOTS:
             const model::Result<model::Preset> style = model::loadPreset(file);
             QVERIFY(style);
             QCOMPARE(style->name, QStringLiteral("Sunday, Best"));
+            QVERIFY(style->picture.isNull()); // No view of this moment.
             QTRY_VERIFY_WITH_TIMEOUT(tile(file) != nullptr && tile(file)->own(), kPatienceMs);
             // Drawn in the background as those of all other styles are, whatever the camera looks at.
             QTRY_VERIFY_WITH_TIMEOUT(tile(file)->hasPicture(), kPatienceMs);
@@ -238,6 +239,26 @@ private Q_SLOTS:
         QImage flat(320, 320, QImage::Format_RGB32);
         flat.fill(small.pixel(0, 0));
         QVERIFY(difference(small, flat) > 0.1);
+    }
+
+    void thePictureIsAskedForBeforeItIsDrawnAndCanBeCancelled()
+    {
+        open(starterProject());
+        int drawn = 0;
+        m_window->findChild<Exchange*>()->setSceneSource([this, &drawn] {
+            ++drawn;
+            return m_window->headView().pictureScene();
+        });
+        trigger("file.picture"); // The dialog is cancelled.
+        QCOMPARE(drawn, 0);
+        m_answers->file = path("unwanted.png");
+        m_answers->cancels = true;
+        trigger("file.picture");
+        QCOMPARE(drawn, 1);
+        if (m_answers->cancelled == 0)
+            return; // A GPU has drawn it before there was anything to click.
+        QVERIFY(m_done.isEmpty() && m_answers->said.isEmpty());
+        QVERIFY(!QFile::exists(path("unwanted.png")));
     }
 
     void cancelledDialogsDoNothing_data()

@@ -62,8 +62,9 @@ private Q_SLOTS:
 
     void hairThatFindsNoMemoryCostsOneSentence()
     {
+        model::Project project = starterProject();
         const test::AllocationLimit limit(std::size_t{1} << 20U);
-        Session session(starterProject());
+        Session session(std::move(project));
         QSignalSpy failures(&session, &Session::hairFailed);
         QTRY_COMPARE_WITH_TIMEOUT(failures.size(), 1, kPatienceMs);
         QVERIFY(failures.front().front().toString().contains(QStringLiteral("memory")));

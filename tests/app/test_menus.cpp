@@ -65,6 +65,23 @@ private Q_SLOTS:
         document.undo();
     }
 
+    /// Not texts as menus have them, nor what an action would do just now.
+    void theListOfKeysIsOfPlainWords()
+    {
+        model::Document& document = m_window->session().document();
+        document.push(model::addGroupCommand(document, QStringLiteral("Fringe")));
+        QStringList names;
+        for (const view::KeyBinding& binding : m_window->actions().bindings()) {
+            for (const QString& words : {binding.name, binding.section})
+                for (const QChar mark : {QChar(u'&'), QChar(u'\t'), QChar(0x2026)})
+                    QVERIFY2(!words.contains(mark), qPrintable(words));
+            names.append(binding.name);
+        }
+        QVERIFY(names.contains(QStringLiteral("Undo")));
+        document.undo();
+        QVERIFY(names.contains(QStringLiteral("Preferences")));
+    }
+
     void theMapMenuShowsAndChangesTheMapsSize()
     {
         model::Document& document = m_window->session().document();

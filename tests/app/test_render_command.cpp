@@ -151,6 +151,18 @@ private Q_SLOTS:
                  qPrintable(QStringLiteral("%1, %2, %3").arg(*toTheLeft).arg(*still).arg(*toTheRight)));
     }
 
+    void unlessAskedForThePedestalIsNotFramed()
+    {
+        for (const char* fit : {"", "hair", "bust"}) {
+            const QByteArray options = *fit == '\0' ? QByteArray() : QByteArray("--fit ").append(fit);
+            const QByteArray name = QByteArray("fit-").append(fit).append(".png");
+            QCOMPARE(render(m_baldProject, name.constData(), QByteArray("--settle 0 ").append(options).constData()),
+                     QString());
+        }
+        QVERIFY(contentOf(path("fit-.png")) == contentOf(path("fit-hair.png")));
+        QVERIFY(contentOf(path("fit-.png")) != contentOf(path("fit-bust.png")));
+    }
+
     void aFractionOfTheHairsIsDrawnAndWritten()
     {
         QVERIFY(render(m_baldProject, "bald.png", "--settle 0").isEmpty());

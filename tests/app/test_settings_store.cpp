@@ -1,18 +1,13 @@
 // Settings survive the program, other windows and a full disk.
 #include "app/settings_store.h"
 #include "tests/model/archive_maker.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
-#include <QScopeGuard>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
-
-#ifdef Q_OS_UNIX
-#include <csignal>
-#include <sys/resource.h>
-#endif
 
 using namespace hairpaint;
 using hairpaint::app::SettingsStore;
@@ -113,13 +108,8 @@ private Q_SLOTS:
         SettingsStore store(path());
         store.setValue(QStringLiteral("text"), QStringLiteral("old"));
         store.flush();
-        rlimit before{};
-        getrlimit(RLIMIT_FSIZE, &before);
         {
-            const auto restore = qScopeGuard([before] { setrlimit(RLIMIT_FSIZE, &before); });
-            std::signal(SIGXFSZ, SIG_IGN);
-            const rlimit most{.rlim_cur = 10, .rlim_max = before.rlim_max};
-            setrlimit(RLIMIT_FSIZE, &most);
+            const test::FullDisk disk(10);
             store.setValue(QStringLiteral("text"), QStringLiteral("new"));
             store.flush();
         }

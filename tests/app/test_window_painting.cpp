@@ -1,6 +1,8 @@
 // Painting in the real window is seen: texels, hairs and the 3D picture follow every tool in both areas, while the
 // pointer is down, after undo and redo, and after the project went through its file.
 #include "model/commands/commands.h"
+#include "model/files/layer_files.h"
+#include "model/files/preset_file.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 
@@ -185,6 +187,38 @@ private Q_SLOTS:
         QCOMPARE(session().document().modified(), read->groups.front().name != QLatin1String("Meanwhile"));
         QVERIFY(m_window->files().save());
         QVERIFY(!session().document().modified());
+    }
+
+    void aFilesPictureIsDrawnInTheBackground()
+    {
+        openBald();
+        std::atomic<QThread*> drawnOn = nullptr;
+        m_window->files().setThumbnailMaker([&drawnOn] {
+            return [&drawnOn](const model::Progress&) {
+                drawnOn = QThread::currentThread();
+                return QImage();
+            };
+        });
+        m_window->files().setPath(m_folder.filePath(QStringLiteral("background.hairpaint")));
+        QVERIFY(m_window->files().save());
+        QVERIFY(drawnOn != nullptr && drawnOn != thread());
+    }
+
+    /// Though the simulation has not seen it yet.
+    void theFilesPictureShowsWhatIsSaved()
+    {
+        openBald();
+        const auto saved = [this](const char* name) {
+            m_window->files().setPath(m_folder.filePath(QString::fromLatin1(name)));
+            const bool written = m_window->files().save();
+            const auto archive = model::ArchiveReader::open(m_window->files().path());
+            return written && archive ? model::readThumbnail(*archive) : QImage();
+        };
+        const QImage bald = saved("picture-bald.hairpaint");
+        const model::Result<model::Preset> style = model::loadPreset(model::listPresets({}).at(1).path);
+        QVERIFY(style && !bald.isNull());
+        session().document().push(model::applyPresetCommand(session().document(), *style));
+        QVERIFY(difference(bald, saved("picture-styled.hairpaint")) > 0.05);
     }
 
     void savingByItsKeyAndOpeningAgainGivesTheSame()

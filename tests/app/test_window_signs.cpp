@@ -1,7 +1,9 @@
 // What a newcomer looks for in the real window: a bald head, views by key, words on what is saved.
+#include "sim/solver/solver_layout.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 #include "view/brush_drag.h"
+#include "view/head/view_signs.h"
 #include "view/panels/status_readout.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
@@ -88,6 +90,45 @@ private Q_SLOTS:
         QVERIFY(!status->savedText().contains(QStringLiteral("Not")) && !status->savedText().isEmpty());
         key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(status->savedText().contains(QStringLiteral("Not saved")));
+    }
+
+    void pausedHairIsMarkedInBothPlaces()
+    {
+        openWindow(model::newProject());
+        const auto tells = [](const QWidget* widget) {
+            const QList<QLabel*> labels = widget->findChildren<QLabel*>();
+            return std::ranges::any_of(
+                labels, [](const QLabel* label) { return label->text().contains(QStringLiteral("Paused")); });
+        };
+        const auto* status = m_window->findChild<view::StatusReadout*>();
+        const auto* signs = m_window->headView().findChild<view::ViewSigns*>();
+        for (const bool paused : {true, false}) {
+            key(Qt::Key_F8);
+            QCOMPARE(tells(status), paused);
+            QCOMPARE(signs->text().contains(QStringLiteral("Paused")), paused);
+        }
+    }
+
+    void noMoreFramesAreMadeThanAreDrawn()
+    {
+        model::Project project = starterProject();
+        project.wind.velocity = {3.0F, 0.0F, 0.0F}; // It never rests.
+        openWindow(std::move(project));
+        rendering::FrameStatistics slow;
+        slow.milliseconds = 10'000.0;
+        std::uint64_t number = 0;
+        double shown = 0.0;
+        bool apart = false;
+        QObject lives;
+        connect(&session(), &Session::frameChanged, &lives, [&](const std::shared_ptr<const sim::StrandFrame>& frame) {
+            for (int i = 0; i < 20; ++i) // However fast this machine is.
+                Q_EMIT m_window->headView().frameDrawn(slow);
+            // More time than one advance of the simulation covers.
+            const double passed = frame->simulatedSeconds - std::exchange(shown, frame->simulatedSeconds);
+            apart = apart || (frame->number == number + 1 && number > 0 && passed > 12.0 * sim::kStepSeconds);
+            number = frame->number;
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(apart, kPatienceMs);
     }
 
     void sizingTheBrushInThePaintAreaIsTold()

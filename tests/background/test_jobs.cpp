@@ -231,6 +231,44 @@ private Q_SLOTS:
         QCOMPARE(told, 7);
     }
 
+    void aLoopOfTheWindowWaitsForNoJob_data()
+    {
+        QTest::addColumn<bool>("watched");
+        QTest::newRow("watched") << true;
+        QTest::newRow("unwatched") << false;
+    }
+    void aLoopOfTheWindowWaitsForNoJob()
+    {
+        QFETCH(bool, watched);
+        sim::setThreadCount(2);
+        Window window;
+        Jobs jobs(window);
+        std::atomic<int> held = 0;
+        std::atomic<bool> letGo = false;
+        const Work<int> work = [&](const model::Progress&) -> model::Result<int> {
+            sim::parallelFor(8, 1, [&](std::size_t, std::size_t) {
+                ++held;
+                while (!letGo)
+                    std::this_thread::yield();
+            });
+            return 1;
+        };
+        std::atomic<std::size_t> done = 0;
+        When loop([&] { return held >= 2; }, // Every thread of the work's is taken.
+                  [&] {
+                      sim::parallelFor(1000, 1, [&](std::size_t begin, std::size_t end) { done += end - begin; });
+                      letGo = true;
+                  });
+        bool ended = false;
+        if (watched)
+            ended = jobs.await<int>(QStringLiteral("Holding"), work).has_value();
+        else
+            jobs.start<int>(QStringLiteral("Holding"), work, &window, [&](const model::Result<int>&) { ended = true; });
+        QTRY_VERIFY_WITH_TIMEOUT(ended, kPatienceMs);
+        QCOMPARE(done.load(), std::size_t{1000});
+        sim::setThreadCount(0);
+    }
+
     void preparingAHeadStopsWhereverItIsAsked()
     {
         const QByteArray source = model::glbFromMesh(test::makeBallHead(192, 0.11F)); // 36,864 faces

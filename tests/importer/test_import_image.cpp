@@ -3,6 +3,7 @@
 #include "model/files/importer_client.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
 #include <QBuffer>
@@ -237,6 +238,22 @@ private Q_SLOTS:
         QVERIFY2(image.error().message.contains(QStringLiteral("compressed")), qPrintable(image.error().message));
         QVERIFY2(test::isOneSentenceNaming(image.error().message, file), qPrintable(image.error().message));
     }
+
+#ifdef Q_OS_UNIX
+    void onAFullDiskTheOldImageStays()
+    {
+        const QString file = path(QStringLiteral("full.png"));
+        test::writeBytes(file, "old");
+        {
+            const test::FullDisk disk(100);
+            const auto written = m_client.writeImage(sample(3, false), file, 16);
+            QVERIFY(!written);
+            QVERIFY2(test::isOneSentenceNaming(written.error().message, file), qPrintable(written.error().message));
+        }
+        QCOMPARE(test::readBytes(file), QByteArray("old"));
+        QVERIFY(m_client.writeImage(sample(3, false), file, 16));
+    }
+#endif
 
     void anEndingThatCannotBeWrittenIsRefused_data()
     {

@@ -2,17 +2,12 @@
 #include "model/files/archive.h"
 #include "model/files/atomic_file.h"
 #include "tests/model/archive_maker.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>
-#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
-
-#ifdef Q_OS_UNIX
-#include <csignal>
-#include <sys/resource.h>
-#endif
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -63,7 +58,6 @@ private Q_SLOTS:
     }
 
 #ifdef Q_OS_UNIX
-    /// A limit on a file's size fails its last bytes as a full disk does.
     void aFileWhoseLastBytesFindNoPlaceLeavesTheOldOne_data()
     {
         QTest::addColumn<int>("size");
@@ -80,13 +74,7 @@ private Q_SLOTS:
         ArchiveWriter archive; // Its own bytes come on top.
         archive.add("a", QByteArray(size, 'x'), ArchiveWriter::Method::Stored);
 
-        rlimit before{};
-        getrlimit(RLIMIT_FSIZE, &before);
-        const auto restore = qScopeGuard([before] { setrlimit(RLIMIT_FSIZE, &before); });
-        std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit most{.rlim_cur = static_cast<rlim_t>(room), .rlim_max = before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &most);
-
+        const test::FullDisk disk(room);
         const Checked<void> written = writeFile(path(), QByteArray(size, 'x'));
         QVERIFY(!written);
         QVERIFY(!written.error().text.isEmpty());

@@ -1,4 +1,5 @@
 // Undo commands: each undone exactly, named as the user knows it, and null where nothing differs.
+#include "model/commands/undo_budget.h"
 #include "model/preset.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"
@@ -113,6 +114,7 @@ private Q_SLOTS:
     void thePreviewOfAPresetIsItsCommit();
     void theDocumentKnowsWhetherItIsSaved();
     void theHistoryForgetsItsOldestStepsWithinItsBudget();
+    void aPushCountsItsOwnCommandAlone();
     void sharedTilesCostTheHistoryNothing();
 };
 
@@ -377,6 +379,27 @@ void TestCommands::theHistoryForgetsItsOldestStepsWithinItsBudget()
     document.undo();
     QVERIFY(sameProjects(document.committed(), states[19]));
     QVERIFY(!document.canUndo());
+}
+
+void TestCommands::aPushCountsItsOwnCommandAlone()
+{
+    struct Counted : QUndoCommand, TileHolder
+    {
+        explicit Counted(int& times) : asked(times) {}
+        [[nodiscard]] std::size_t keptBytes() const override
+        {
+            ++asked;
+            return 1;
+        }
+        void release() override {}
+        int& asked;
+    };
+    Document document(patchProject());
+    int asked = 0;
+    for (int step = 1; step <= 50; ++step) {
+        document.push(std::make_unique<Counted>(asked));
+        QCOMPARE(asked, step);
+    }
 }
 
 void TestCommands::sharedTilesCostTheHistoryNothing()

@@ -42,6 +42,7 @@ private Q_SLOTS:
     void hairShadesTheSkin();
     void hairThrowsNoShadeBesideItself_data();
     void hairThrowsNoShadeBesideItself();
+    void aPlaitsShadeEndsWhereThePlaitDoes();
     void emptyAndHiddenHairDrawsNothing();
 };
 
@@ -400,6 +401,29 @@ void TestRenderer::hairThrowsNoShadeBesideItself()
     const Picture with = draw(scene);
     QVERIFY(without.difference(with, 80, 50, 120, 70) > 5.0);
     QCOMPARE(without.difference(with, 60, 96, 140, 120), 0.0);
+}
+
+void TestRenderer::aPlaitsShadeEndsWhereThePlaitDoes()
+{
+    Scene scene = emptyScene();
+    scene.light.directionWo = glm::vec3(0.0F, 0.0F, 1.0F);
+    scene.head = makeBall(kBall);
+    const Picture without = draw(scene, {}, 400, 300);
+    // A long rope before the ball's upper half, so full of hair that a small part of it lets no light through.
+    std::vector<HandMadeStrand> strands = comb(0xFF202020U, 20'000, 0.008F);
+    for (HandMadeStrand& strand : strands)
+        for (std::size_t n = 0; n < strand.nodesWo.size(); ++n)
+            strand.nodesWo[n] =
+                glm::vec3(strand.nodesWo[n].x, glm::mix(1.0F, 0.0F, static_cast<float>(n) / 7.0F), 0.13F);
+    scene.hair = makeFrame(strands, plainSettings());
+    const Picture with = draw(scene, {}, 400, 300);
+    // Below its end the skin becomes light evenly, over one voxel of the shade.
+    std::vector<double> light;
+    for (int y = 150; y < 300 && (light.empty() || light.back() < 0.99); ++y)
+        light.push_back(static_cast<double>(with.at(200, y).x) / static_cast<double>(without.at(200, y).x));
+    QVERIFY(light.size() > 10 && light.back() >= 0.99);
+    const double middle = light[light.size() / 2];
+    QVERIFY2(middle > 0.45, qPrintable(QString::number(middle)));
 }
 
 void TestRenderer::emptyAndHiddenHairDrawsNothing()

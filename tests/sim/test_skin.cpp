@@ -279,7 +279,9 @@ void TestSkin::strangeUvsCostNoMemoryAndNoCrash()
         mesh.uvs[i] = {random(i * 2), random(i * 2 + 1)}; // Every face spans much of the map.
     mesh.uvs[3] = {std::nanf(""), 0.0F};
     mesh.uvs[4] = {3e38F, -3e38F};
-    mesh.uvs[5] = {-3e38F, 3e38F}; // Further apart than any float.
+    mesh.uvs[5] = {-3e38F, 3e38F};             // Further apart than any float.
+    for (int corner = 0; corner < 3; ++corner) // So far that no cell has this face.
+        mesh.uvs[mesh.triangles.back()[corner]] = {3e38F, 3e38F};
     const Skin skin(std::move(mesh));
     QVERIFY(skin.atUv({0.5F, 0.5F}));
     HeadMesh flat = makePatchHead(8);

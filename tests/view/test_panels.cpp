@@ -145,6 +145,26 @@ private Q_SLOTS:
         QVERIFY(!panel.findChild<QCheckBox*>()->isChecked());
     }
 
+    void the_settings_used_most_come_first()
+    {
+        PanelFixture f;
+        HairPanel panel(f.state);
+        panel.resize(280, 3000);
+        panel.show();
+        std::vector<const BarSlider*> sliders;
+        for (const BarSlider* slider : panel.findChildren<BarSlider*>())
+            if (slider->isVisible())
+                sliders.push_back(slider);
+        const auto top = [&panel](const BarSlider* slider) { return slider->mapTo(&panel, QPoint()).y(); };
+        std::ranges::sort(sliders, {}, top);
+        QStringList labels;
+        for (const BarSlider* slider : sliders)
+            labels.append(slider->label());
+        const QStringList wanted{QStringLiteral("Greatest length"), QStringLiteral("Greatest density"),
+                                 QStringLiteral("Hair width")};
+        QCOMPARE(labels.first(3), wanted);
+    }
+
     void groups_are_added_shown_renamed_moved_and_removed()
     {
         PanelFixture f;

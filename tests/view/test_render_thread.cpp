@@ -12,10 +12,12 @@ using namespace hairpaint::test;
 class RenderThreadTest : public QObject
 {
     Q_OBJECT
-private Q_SLOTS:
-    void closingGivesUpTheFinePicture()
+private:
+    static constexpr QSize kLarge{800, 800};
+
+    /// Of hair that takes long to be drawn finely.
+    static view::Shot stillShot(HeadFixture& f)
     {
-        HeadFixture f;
         f.area.hide();
         const model::LayerAddress at = f.editor.state.target();
         f.editor.document.apply({}, [at](model::Project& project) {
@@ -23,35 +25,79 @@ private Q_SLOTS:
         });
         f.area.setFrame(f.frame());
         const rendering::Scene scene = f.area.pictureScene();
-        QVERIFY(scene.hair && scene.hair->hairCount > 10'000);
-        const view::Shot shot{.scene = scene, .allHairs = scene.hair->hairCount, .still = true};
-        // All steps once: how many there are, and how long the last one takes.
-        int steps = 0;
+        return {.scene = scene, .allHairs = scene.hair->hairCount, .still = true};
+    }
+
+    struct Steps
+    {
+        int count = 0;
         qint64 lastMs = 0;
-        const auto run = [&](int wanted) -> qint64 {
-            auto thread = std::make_unique<view::RenderThread>();
-            QSignalSpy ready(thread.get(), &view::RenderThread::frameReady);
-            thread->draw(shot, {800, 800});
-            QElapsedTimer timer;
-            bool refines = true;
-            for (int step = 0; refines && (wanted == 0 || step < wanted); ++step) {
-                timer.start();
-                if (!ready.wait(60'000))
-                    return -1;
-                if (const auto frame = thread->takeFrame())
-                    refines = frame->refines;
-                lastMs = timer.elapsed();
-                steps = wanted == 0 ? step + 1 : steps;
-            }
+    };
+
+    /// Draws a still picture step by step, all of it or only so many; none where one does not come.
+    static Steps refine(view::RenderThread& thread, const view::Shot& shot, int most = 100)
+    {
+        QSignalSpy ready(&thread, &view::RenderThread::frameReady);
+        thread.draw(shot, kLarge);
+        Steps steps;
+        QElapsedTimer timer;
+        for (bool refines = true; refines && steps.count < most; ++steps.count) {
             timer.start();
-            thread.reset();
-            return timer.elapsed();
-        };
-        QVERIFY(run(0) >= 0);
-        const qint64 wholeMs = lastMs;
-        QVERIFY(steps > 1);
-        const qint64 closingMs = run(steps - 1);
-        QVERIFY(closingMs >= 0 && closingMs < wholeMs / 2);
+            if (!ready.wait(60'000))
+                return {};
+            if (const auto frame = thread.takeFrame())
+                refines = frame->refines;
+            steps.lastMs = timer.elapsed();
+        }
+        return steps;
+    }
+
+    static Steps allStepsOf(const view::Shot& shot)
+    {
+        view::RenderThread thread;
+        return refine(thread, shot);
+    }
+
+    /// Into the last and longest step, as far as it takes here.
+    static bool goIntoTheLast(view::RenderThread& thread, const view::Shot& shot, const Steps& all)
+    {
+        const int before = refine(thread, shot, all.count - 1).count;
+        QTest::qWait(static_cast<int>(all.lastMs / 4));
+        return before == all.count - 1;
+    }
+
+private Q_SLOTS:
+    void closingGivesUpTheFinePicture()
+    {
+        HeadFixture f;
+        const view::Shot shot = stillShot(f);
+        QVERIFY(shot.allHairs > 10'000);
+        const Steps all = allStepsOf(shot);
+        QVERIFY(all.count > 1);
+        auto thread = std::make_unique<view::RenderThread>();
+        QVERIFY(goIntoTheLast(*thread, shot, all));
+        QElapsedTimer timer;
+        timer.start();
+        thread.reset();
+        QVERIFY(timer.elapsed() < all.lastMs / 2);
+    }
+
+    void anotherPictureEndsTheFineOne()
+    {
+        HeadFixture f;
+        const view::Shot still = stillShot(f);
+        const Steps all = allStepsOf(still);
+        QVERIFY(all.count > 1);
+        view::RenderThread thread;
+        QVERIFY(goIntoTheLast(thread, still, all));
+        QSignalSpy ready(&thread, &view::RenderThread::frameReady);
+        view::Shot moving = still;
+        moving.still = false;
+        thread.draw(moving, kLarge / 8);
+        QVERIFY(ready.wait(60'000));
+        const auto frame = thread.takeFrame();
+        QVERIFY(frame);
+        QCOMPARE(frame->image.size(), kLarge / 8);
     }
 };
 

@@ -61,6 +61,8 @@ private Q_SLOTS:
         QVERIFY(says(QStringLiteral("3.0")));
         f.state.setActiveTool(model::ToolId::Eraser);
         QVERIFY(says(QStringLiteral("reveals 15")));
+        Q_EMIT f.document.refused(QStringLiteral("It would be too much."));
+        QVERIFY(says(QStringLiteral("too much")));
     }
 
     void the_status_line_tells_that_a_limit_on_hairs_bites_and_why()

@@ -165,6 +165,7 @@ private Q_SLOTS:
     {
         StripFixture f;
         QTest::mouseClick(&f.tile(0), Qt::LeftButton);
+        QCOMPARE(f.steps(), 0); // Read in the background.
         QTRY_COMPARE(f.steps(), 1);
         QCOMPARE(f.scalp().settings.greatestLengthM, 0.6F);
     }
