@@ -112,6 +112,13 @@ wire::Bytes readRequest(wire::Kind kind, const QString& path)
 
 } // namespace
 
+int ImporterClient::usualTimeoutMs()
+{
+    constexpr int kUsualMs = 16'000;
+    const int fromEnvironment = qEnvironmentVariableIntValue("HAIRPAINT_IMPORT_MS");
+    return fromEnvironment > 0 ? fromEnvironment : kUsualMs;
+}
+
 ImporterClient::ImporterClient(QString helperPath, int timeoutMs)
     : m_helperPath(helperPath.isEmpty() ? findHelper() : std::move(helperPath)), m_timeoutMs(timeoutMs)
 {}

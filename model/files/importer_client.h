@@ -20,7 +20,9 @@ struct ForeignImage
 class ImporterClient
 {
 public:
-    explicit ImporterClient(QString helperPath = {}, int timeoutMs = 16'000);
+    explicit ImporterClient(QString helperPath = {}, int timeoutMs = usualTimeoutMs());
+    /// 16 s, or `HAIRPAINT_IMPORT_MS`, for tests.
+    [[nodiscard]] static int usualTimeoutMs();
 
     [[nodiscard]] Result<ForeignImage> readImage(const QString& path, const Progress& progress = {}) const;
     /// PNG, TIFF, EXR, ... by the file's ending; 8 or 16 bits a channel.
