@@ -1,6 +1,7 @@
 // Layout and wiring of the window: see the header.
 #include "app/main_window.h"
 
+#include "app/background/map_resolving.h"
 #include "app/dropped_file.h"
 #include "app/library.h"
 #include "app/physical_keys.h"
@@ -60,15 +61,7 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     applyTheme();
     refreshStyles();
     m_files.setPath(path);
-    m_session.document().resolveIn([this](std::function<void()> work, std::function<void(bool)> done) {
-        m_jobs.start<void>(
-            {},
-            [work = std::move(work)](const model::Progress&) -> model::Result<void> {
-                work();
-                return {};
-            },
-            &m_session, [done = std::move(done)](const model::Result<void>& worked) { done(worked.has_value()); });
-    });
+    m_session.document().resolveIn(resolvedByJobs(m_jobs, &m_session));
     m_session.editor().setNightPaper(!m_preferences.whitePaper);
     if (!restoreGeometry(m_settings.windowGeometry()))
         resize(kFirstWindow);

@@ -1,5 +1,6 @@
 // The document is edited while its hair is made and older states of it are saved: each sees its own snapshot whole.
 #include "app/background/jobs.h"
+#include "app/background/map_resolving.h"
 #include "model/commands/commands.h"
 #include "model/document.h"
 #include "model/files/project_file.h"
@@ -102,6 +103,49 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(hasNewest(), kPatienceMs);
         QVERIFY(frame->hairCount > 0);
         QVERIFY(woken > 0);
+    }
+
+    void aDocumentIsPaintedWhileItsMapsAreResolved()
+    {
+        constexpr int kRounds = 10;
+        constexpr int kLayers = 3;
+        constexpr int kLargeMap = 1024;
+        model::Project project = smallProject();
+        model::MapStack& gel = project.groups.front().map(model::MapKind::Gel);
+        gel.size = kLargeMap;
+        gel.layers.clear();
+        for (int i = 0; i < kLayers; ++i) {
+            gel.layers.push_back(model::makeLayer(project, model::mapSpec(gel.kind), kLargeMap, QStringLiteral("L")));
+            sim::TiledRaster& raster = gel.layers.back().raster;
+            for (int index = 0; index < raster.tileCount(); ++index)
+                raster.writableTile(index)[0] = static_cast<std::uint16_t>(index + i);
+        }
+        QWidget window;
+        Jobs jobs(window);
+        model::Document document(std::move(project));
+        document.resolveIn(resolvedByJobs(jobs, &document));
+        bool resolvedLater = false;
+        for (int round = 0; round < kRounds; ++round) {
+            const model::HairGroup& group = document.committed().groups.front();
+            const model::Layer& layer = group.map(model::MapKind::Gel).layers.front();
+            const model::LayerAddress at{group.id, model::MapKind::Gel, layer.id};
+            model::LayerProperties properties = model::propertiesOf(layer);
+            properties.opacity = 0.05F * static_cast<float>(round);
+            document.push(model::setLayerPropertiesCommand(document, at, properties, QString()));
+            resolvedLater = resolvedLater || document.resolving();
+            sim::TiledRaster raster = document.committed().layer(at.group, at.map, at.layer)->raster;
+            raster.writableTile(round)[1] = 65535;
+            document.push(model::paintCommand(document, at, {{round, raster.tile(round)}}, QString()));
+            if (round % 4 == 3)
+                QTRY_VERIFY_WITH_TIMEOUT(!document.resolving(), kPatienceMs);
+            if (round % 3 == 2)
+                document.undo();
+        }
+        QVERIFY(resolvedLater);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.resolving(), kPatienceMs);
+        const model::Id group = document.committed().groups.front().id;
+        QVERIFY(*document.resolved(group, model::MapKind::Gel) ==
+                *model::ResolvedMaps(document.committed()).map(group, model::MapKind::Gel));
     }
 };
 
