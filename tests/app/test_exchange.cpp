@@ -8,6 +8,8 @@
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
 
+#include <QTimer>
+
 namespace hairpaint::app {
 
 namespace {
@@ -224,6 +226,55 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(session().frame()->preview, kPatienceMs);
         QCOMPARE(written("looked at.hair"), painted);
         QVERIFY(!session().frame()->preview);
+    }
+
+    void theHairThatGoesOutWaitsForMapsThatAreResolved()
+    {
+        // Full density under a layer that hides all of it; no tile is one value.
+        constexpr int kLargeMap = 2048;
+        model::Project project = model::newProject();
+        const model::Id group = project.groups.front().id;
+        model::MapStack& density = project.groups.front().map(model::MapKind::Density);
+        density.size = kLargeMap;
+        density.layers.clear();
+        for (const std::uint16_t value : {std::uint16_t{65535}, std::uint16_t{0}}) {
+            model::Layer layer =
+                model::makeLayer(project, model::mapSpec(density.kind), kLargeMap, QStringLiteral("Layer"));
+            for (int tile = 0; tile < layer.raster.tileCount(); ++tile) {
+                layer.raster.setUniform(tile, {value, 65535});
+                layer.raster.writableTile(tile)[1] = 65534;
+            }
+            density.layers.push_back(std::move(layer));
+        }
+        const model::Id hiding = density.layers.back().id;
+        open(std::move(project));
+        QTRY_VERIFY_WITH_TIMEOUT(!session().document().resolving(), kPatienceMs);
+        const model::LayerAddress at{group, model::MapKind::Density, hiding};
+        model::Document& document = session().document();
+        model::LayerProperties properties =
+            model::propertiesOf(*document.committed().layer(at.group, at.map, at.layer));
+        properties.visible = false;
+        // The background gets to it when the export has waited so long that a window tells of it.
+        std::function<void()> resolve;
+        document.resolveIn([&resolve](const std::function<void()>& work, const std::function<void(bool)>& done) {
+            resolve = [work, done] {
+                work();
+                done(true);
+            };
+        });
+        document.push(model::setLayerPropertiesCommand(document, at, properties, QString()));
+        QVERIFY(document.resolving());
+        QTimer watch;
+        connect(&watch, &QTimer::timeout, this, [&] {
+            const QWidget* waiting = QApplication::activeModalWidget();
+            if (waiting != nullptr && waiting->objectName() == QLatin1String("progressWindow") && document.resolving())
+                std::exchange(resolve, {})();
+        });
+        watch.start(10);
+        m_answers->file = path("shown.hair");
+        trigger("file.exportHair");
+        QVERIFY(!document.resolving());
+        QVERIFY(qFromLittleEndian<quint32>(contentOf(path("shown.hair")).mid(4, 4).constData()) > 5000);
     }
 
     void thePictureIsSaved()
