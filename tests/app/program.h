@@ -78,10 +78,11 @@ inline Outcome runProgram(const QStringList& arguments, const std::function<void
             .peakBytes = peakBytes};
 }
 
-inline constexpr double kMostSeconds = 20.0;
 #if defined(__SANITIZE_ADDRESS__)
-inline constexpr qint64 kMostBytes = 6'000'000'000; // shadow memory and quarantine
+inline constexpr double kMostSeconds = 60.0;        // All is several times slower.
+inline constexpr qint64 kMostBytes = 6'000'000'000; // Shadow memory and quarantine.
 #else
+inline constexpr double kMostSeconds = 20.0;
 inline constexpr qint64 kMostBytes = 2'000'000'000;
 #endif
 

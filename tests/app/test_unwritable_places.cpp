@@ -65,7 +65,9 @@ private Q_SLOTS:
                 << QStringList{QStringLiteral("export"), m_good, QStringLiteral("-o"), path + QStringLiteral(".hair")}
                 << path + QStringLiteral(".hair");
             QTest::newRow((row + ", render").constData())
-                << QStringList{QStringLiteral("render"), m_good, QStringLiteral("-o"), path + QStringLiteral(".png")}
+                << QStringList{QStringLiteral("render"), m_good,
+                               QStringLiteral("-o"),     path + QStringLiteral(".png"),
+                               QStringLiteral("--size"), QStringLiteral("128x128")}
                 << path + QStringLiteral(".png");
         };
         rows("no such folder", path(QStringLiteral("nowhere/out")));
@@ -83,7 +85,8 @@ private Q_SLOTS:
         QTest::newRow("a film's third frame")
             << QStringList{QStringLiteral("render"),   m_good,
                            QStringLiteral("-o"),       path(QStringLiteral("film.png")),
-                           QStringLiteral("--frames"), QStringLiteral("0-4")}
+                           QStringLiteral("--frames"), QStringLiteral("0-4"),
+                           QStringLiteral("--size"),   QStringLiteral("128x128")}
             << QStringLiteral("film.0002.png");
     }
 
