@@ -1,5 +1,6 @@
 // Linear and radial gradients over the map or the selection, live while they are dragged.
 #include "model/compositor.h"
+#include "model/texel_math.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
 #include "model/tools/picker.h"
@@ -155,7 +156,7 @@ private:
             float fraction = 1.0F;
             for (const Ramp& ramp : paint.ramps)
                 fraction = std::min(fraction, ramp.at(centre));
-            fractions[texel] = unit16Fast(fraction);
+            fractions[texel] = unit16(fraction);
             mask[texel] = fades ? static_cast<std::uint16_t>(65535 - fractions[texel]) : std::uint16_t{65535};
         };
         for (const sim::TexelRect& clip : m_edit.clips()) {
@@ -167,9 +168,6 @@ private:
         texelOps(spec).mix(paint.first, paint.second, fractions, values.data());
         return paintTile(spec, m_edit.before().tile(index), mask, {.values = values.data(), .opacity = paint.opacity});
     }
-
-    /// Of a fraction that is in 0..1 already. NOLINTNEXTLINE(bugprone-incorrect-roundings)
-    static std::uint16_t unit16Fast(float fraction) { return static_cast<std::uint16_t>(fraction * 65535.0F + 0.5F); }
 
     LiveEdit m_edit;
     glm::vec2 m_startUv{0.0F}, m_endUv{0.0F};
