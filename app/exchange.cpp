@@ -103,8 +103,7 @@ void Exchange::exportMap()
     if (path.isEmpty())
         return;
     m_session.endPreviews(); // What is only shown is no part of the map.
-    m_session.document().finishResolving();
-    const auto resolved = m_session.document().resolved(editor.activeGroup(), editor.activeMap());
+    const auto resolved = m_session.document().resolvedNow(editor.activeGroup(), editor.activeMap());
     if (resolved == nullptr)
         return complain(noGroupText());
     write(path, [&](const model::Progress& progress) {

@@ -135,9 +135,10 @@ bool Document::resolving() const
     return m_state->resolver.underway();
 }
 
-void Document::finishResolving()
+std::shared_ptr<const sim::TiledRaster> Document::resolvedNow(Id group, MapKind map)
 {
     tellResolved(m_state->resolver.finish());
+    return resolved(group, map);
 }
 
 std::uint64_t Document::revision() const

@@ -49,8 +49,8 @@ public:
     /// is resolved at once.
     void resolveIn(MapResolver::Background background);
     [[nodiscard]] bool resolving() const;
-    /// Waits for what is being resolved, for those who compute from it.
-    void finishResolving();
+    /// The same, waited for, for those who compute from it.
+    [[nodiscard]] std::shared_ptr<const sim::TiledRaster> resolvedNow(Id group, MapKind map);
     /// Grows with every change, previews and maps resolved later too; frames of hair name the one they show.
     [[nodiscard]] std::uint64_t revision() const;
     /// Everything the simulation needs, sharing tiles.

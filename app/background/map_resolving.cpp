@@ -9,7 +9,7 @@ model::MapResolver::Background resolvedByJobs(Jobs& jobs, QObject* receiver)
 {
     return [&jobs, receiver](std::function<void()> work, std::function<void(bool)> done) {
         jobs.start<void>(
-            {}, // Whatever it was that failed is done again by the resolver.
+            {}, // Nobody reads why it failed: the resolver does it again.
             [work = std::move(work)](const model::Progress&) -> model::Result<void> {
                 work();
                 return {};

@@ -114,8 +114,7 @@ private:
     void fill(glm::vec2 uv, ToolContext& context)
     {
         const int size = m_edit.size();
-        context.document.finishResolving();
-        const auto map = context.document.resolved(context.target.group, context.target.map);
+        const auto map = context.document.resolvedNow(context.target.group, context.target.map);
         const Head* head = context.document.project().head.get();
         const bool hasSkin = head != nullptr && head->skin != nullptr;
         const TexelMask skin = hasSkin ? m_cover.of(head->skin, size) : TexelMask(size, true);

@@ -46,8 +46,7 @@ private:
 
 void pickValue(const ToolEvent& event, ToolContext& context)
 {
-    context.document.finishResolving();
-    const auto map = context.document.resolved(context.target.group, context.target.map);
+    const auto map = context.document.resolvedNow(context.target.group, context.target.map);
     if (map == nullptr || (event.area == Area::Head && !event.point))
         return;
     const MapSpec& spec = mapSpec(context.target.map);

@@ -180,8 +180,10 @@ private Q_SLOTS:
         Document document(largeProject());
         document.resolveIn(m_bench.background());
         setOpacity(document, 0.5F);
-        document.finishResolving();
+        const Id group = document.committed().groups.front().id;
+        const auto map = document.resolvedNow(group, MapKind::Colour);
         QVERIFY(!document.resolving());
+        QCOMPARE(document.resolved(group, MapKind::Colour), map);
         QVERIFY(showsItsContent(document));
         setOpacity(document, 0.75F);
         m_bench.work(); // Of the first, which comes too late to be of use.

@@ -215,8 +215,7 @@ void StyleStrip::apply(const PresetPtr& preset)
     m_before.reset(); // The style's own is kept.
     m_edit.commit();
     // On a bald head only Density makes hair.
-    m_state.document().finishResolving();
-    const auto density = m_state.document().resolved(m_state.activeGroup(), model::MapKind::Density);
+    const auto density = m_state.document().resolvedNow(m_state.activeGroup(), model::MapKind::Density);
     if (density != nullptr && density->uniformValue() == sim::Texel{})
         m_state.setActiveMap(model::MapKind::Density);
 }
