@@ -20,6 +20,11 @@ QString wordsOf(const QString& text)
 
 } // namespace
 
+QString inMenu(QString name)
+{
+    return name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+}
+
 ActionSet::ActionSet(Settings& settings, QWidget& window) : QObject(&window), m_settings(settings), m_window(window) {}
 
 void ActionSet::add(QMenu& menu, const std::vector<ActionRow>& rows)

@@ -27,6 +27,9 @@ struct ActionRow
     std::function<QString()> label = {}; ///< In place of `text` in the menu, where words in it change.
 };
 
+/// A name in a menu's text, which would take its & for a mark of its own.
+[[nodiscard]] QString inMenu(QString name);
+
 /// Menus, the list of keys and the help read the same table. GUI thread.
 class ActionSet : public QObject
 {

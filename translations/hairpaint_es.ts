@@ -1449,6 +1449,84 @@
     </message>
 </context>
 <context>
+    <name>hairpaint::app::ClipCommands</name>
+    <message>
+        <source>Copied from %1</source>
+        <translation>Copiado de %1</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Cortar %1</translation>
+    </message>
+    <message>
+        <source>Nothing was copied yet: select a part of a map and copy it first</source>
+        <translation>Aún no se ha copiado nada: selecciona una parte de un mapa y cópiala antes</translation>
+    </message>
+    <message>
+        <source>Clear %1</source>
+        <translation>Borrar %1</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::EditMenu</name>
+    <message>
+        <source>&amp;Mirror painting</source>
+        <translation>Pintar en e&amp;spejo</translation>
+    </message>
+    <message>
+        <source>Pre&amp;ferences…</source>
+        <translation>Pre&amp;ferencias…</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Deshacer %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Rehacer %1</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Cor&amp;tar</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Copiar</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Pegar</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate layer</source>
+        <translation>D&amp;uplicar capa</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>&amp;Borrar</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>Seleccionar t&amp;odo</translation>
+    </message>
+    <message>
+        <source>Select &amp;none</source>
+        <translation>No seleccionar &amp;nada</translation>
+    </message>
+    <message>
+        <source>&amp;Invert selection</source>
+        <translation>&amp;Invertir selección</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::app::Exchange</name>
     <message>
         <source>Load image into %1</source>
@@ -1592,29 +1670,18 @@
     </message>
 </context>
 <context>
-    <name>hairpaint::app::Jobs</name>
+    <name>hairpaint::app::FileMenu</name>
     <message>
-        <source>Hair Paint</source>
-        <translation>Hair Paint</translation>
-    </message>
-    <message>
-        <source>%1…</source>
-        <translation>%1…</translation>
-    </message>
-    <message>
-        <source>Cancelling…</source>
-        <translation>Cancelando…</translation>
-    </message>
-</context>
-<context>
-    <name>hairpaint::app::MainWindow</name>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Archivo</translation>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
     </message>
     <message>
         <source>&amp;New</source>
         <translation>&amp;Nuevo</translation>
+    </message>
+    <message>
+        <source>New with a &amp;bald head</source>
+        <translation>Nuev&amp;o con la cabeza sin pelo</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -1649,6 +1716,10 @@
         <translation>Importar ca&amp;beza…</translation>
     </message>
     <message>
+        <source>Use the built-in hea&amp;d</source>
+        <translation>Usar la cabeza in&amp;cluida</translation>
+    </message>
+    <message>
         <source>&amp;Export hair…</source>
         <translation>&amp;Exportar pelo…</translation>
     </message>
@@ -1656,185 +1727,20 @@
         <source>Save &amp;picture…</source>
         <translation>Guardar cap&amp;tura…</translation>
     </message>
+</context>
+<context>
+    <name>hairpaint::app::HairMenu</name>
     <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Salir</translation>
+        <source>&amp;Add hair group…</source>
+        <translation>&amp;Añadir grupo de pelo…</translation>
     </message>
     <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Editar</translation>
+        <source>Remo&amp;ve hair group</source>
+        <translation>&amp;Quitar grupo de pelo</translation>
     </message>
     <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Deshacer</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Rehacer</translation>
-    </message>
-    <message>
-        <source>&amp;Undo %1</source>
-        <translation>&amp;Deshacer %1</translation>
-    </message>
-    <message>
-        <source>&amp;Redo %1</source>
-        <translation>&amp;Rehacer %1</translation>
-    </message>
-    <message>
-        <source>Cu&amp;t</source>
-        <translation>Cor&amp;tar</translation>
-    </message>
-    <message>
-        <source>&amp;Copy</source>
-        <translation>&amp;Copiar</translation>
-    </message>
-    <message>
-        <source>&amp;Paste</source>
-        <translation>&amp;Pegar</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate layer</source>
-        <translation>D&amp;uplicar capa</translation>
-    </message>
-    <message>
-        <source>C&amp;lear</source>
-        <translation>&amp;Borrar</translation>
-    </message>
-    <message>
-        <source>Select &amp;all</source>
-        <translation>Seleccionar t&amp;odo</translation>
-    </message>
-    <message>
-        <source>Select &amp;none</source>
-        <translation>No seleccionar &amp;nada</translation>
-    </message>
-    <message>
-        <source>&amp;Mirror painting</source>
-        <translation>Pintar en e&amp;spejo</translation>
-    </message>
-    <message>
-        <source>Pre&amp;ferences…</source>
-        <translation>Pre&amp;ferencias…</translation>
-    </message>
-    <message>
-        <source>&amp;Map</source>
-        <translation>&amp;Mapa</translation>
-    </message>
-    <message>
-        <source>&amp;Add layer</source>
-        <translation>&amp;Añadir capa</translation>
-    </message>
-    <message>
-        <source>&amp;Remove layer</source>
-        <translation>&amp;Quitar capa</translation>
-    </message>
-    <message>
-        <source>Layer &amp;up</source>
-        <translation>&amp;Subir capa</translation>
-    </message>
-    <message>
-        <source>Layer &amp;down</source>
-        <translation>&amp;Bajar capa</translation>
-    </message>
-    <message>
-        <source>&amp;Tools</source>
-        <translation>&amp;Herramientas</translation>
-    </message>
-    <message>
-        <source>S&amp;wap values</source>
-        <translation>&amp;Intercambiar valores</translation>
-    </message>
-    <message>
-        <source>&amp;Reset values</source>
-        <translation>&amp;Restablecer valores</translation>
-    </message>
-    <message>
-        <source>S&amp;maller brush</source>
-        <translation>Pincel más &amp;pequeño</translation>
-    </message>
-    <message>
-        <source>&amp;Larger brush</source>
-        <translation>Pincel más &amp;grande</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ver</translation>
-    </message>
-    <message>
-        <source>&amp;Both areas</source>
-        <translation>&amp;Ambas áreas</translation>
-    </message>
-    <message>
-        <source>&amp;3D area only</source>
-        <translation>Solo el área &amp;3D</translation>
-    </message>
-    <message>
-        <source>&amp;Paint area only</source>
-        <translation>Solo el área de &amp;pintura</translation>
-    </message>
-    <message>
-        <source>&amp;Swap sides</source>
-        <translation>&amp;Intercambiar lados</translation>
-    </message>
-    <message>
-        <source>&amp;Hide panels	Tab</source>
-        <translation>&amp;Ocultar paneles	Tab</translation>
-    </message>
-    <message>
-        <source>&amp;Fit</source>
-        <translation>A&amp;justar</translation>
-    </message>
-    <message>
-        <source>&amp;Reset view</source>
-        <translation>&amp;Restablecer vista</translation>
-    </message>
-    <message>
-        <source>&amp;Mirror the paint area</source>
-        <translation>Reflejar el área de pin&amp;tura</translation>
-    </message>
-    <message>
-        <source>&amp;Wireframe</source>
-        <translation>&amp;Malla de alambre</translation>
-    </message>
-    <message>
-        <source>&amp;Night paper</source>
-        <translation>Papel &amp;nocturno</translation>
-    </message>
-    <message>
-        <source>&amp;Look from</source>
-        <translation>Mirar &amp;desde</translation>
-    </message>
-    <message>
-        <source>&amp;Front</source>
-        <translation>&amp;Delante</translation>
-    </message>
-    <message>
-        <source>&amp;Back</source>
-        <translation>De&amp;trás</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>&amp;Izquierda</translation>
-    </message>
-    <message>
-        <source>&amp;Right</source>
-        <translation>De&amp;recha</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>Arri&amp;ba</translation>
-    </message>
-    <message>
-        <source>T&amp;hree-quarter</source>
-        <translation>Tres &amp;cuartos</translation>
-    </message>
-    <message>
-        <source>&amp;Dark theme</source>
-        <translation>Tema os&amp;curo</translation>
-    </message>
-    <message>
-        <source>Li&amp;ght theme</source>
-        <translation>Tema c&amp;laro</translation>
+        <source>&amp;Save style…</source>
+        <translation>&amp;Guardar peinado…</translation>
     </message>
     <message>
         <source>&amp;Wind</source>
@@ -1860,17 +1766,12 @@
         <source>&amp;Reset the simulation</source>
         <translation>&amp;Reiniciar la simulación</translation>
     </message>
+</context>
+<context>
+    <name>hairpaint::app::HelpMenu</name>
     <message>
-        <source>Remo&amp;ve hair group</source>
-        <translation>&amp;Quitar grupo de pelo</translation>
-    </message>
-    <message>
-        <source>&amp;Save style…</source>
-        <translation>&amp;Guardar peinado…</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>A&amp;yuda</translation>
+        <source>&amp;Help…</source>
+        <translation>A&amp;yuda…</translation>
     </message>
     <message>
         <source>&amp;Keys…</source>
@@ -1880,33 +1781,51 @@
         <source>&amp;About Hair Paint</source>
         <translation>&amp;Acerca de Hair Paint</translation>
     </message>
+</context>
+<context>
+    <name>hairpaint::app::Jobs</name>
     <message>
-        <source>Copied from %1</source>
-        <translation>Copiado de %1</translation>
+        <source>Hair Paint</source>
+        <translation>Hair Paint</translation>
     </message>
     <message>
-        <source>Cut %1</source>
-        <translation>Cortar %1</translation>
+        <source>%1…</source>
+        <translation>%1…</translation>
     </message>
     <message>
-        <source>Nothing was copied yet: select a part of a map and copy it first</source>
-        <translation>Aún no se ha copiado nada: selecciona una parte de un mapa y cópiala antes</translation>
+        <source>Cancelling…</source>
+        <translation>Cancelando…</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::MainWindow</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
     </message>
     <message>
-        <source>Clear %1</source>
-        <translation>Borrar %1</translation>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Mapa</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Herramientas</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
     </message>
     <message>
         <source>H&amp;air</source>
         <translation>&amp;Pelo</translation>
-    </message>
-    <message>
-        <source>&amp;Invert selection</source>
-        <translation>&amp;Invertir selección</translation>
-    </message>
-    <message>
-        <source>&amp;Help…</source>
-        <translation>A&amp;yuda…</translation>
     </message>
     <message>
         <source>Undone: %1</source>
@@ -1920,41 +1839,36 @@
         <source>Drawing the picture</source>
         <translation>Dibujando la imagen</translation>
     </message>
-    <message>
-        <source>Reading the styles</source>
-        <translation>Leyendo los estilos</translation>
-    </message>
-    <message>
-        <source>New with a &amp;bald head</source>
-        <translation>Nuev&amp;o con la cabeza sin pelo</translation>
-    </message>
-    <message>
-        <source>Use the built-in hea&amp;d</source>
-        <translation>Usar la cabeza in&amp;cluida</translation>
-    </message>
+</context>
+<context>
+    <name>hairpaint::app::MapMenu</name>
     <message>
         <source>Map &amp;size</source>
         <translation>&amp;Tamaño del mapa</translation>
+    </message>
+    <message>
+        <source>&amp;Add layer</source>
+        <translation>&amp;Añadir capa</translation>
+    </message>
+    <message>
+        <source>&amp;Remove layer</source>
+        <translation>&amp;Quitar capa</translation>
+    </message>
+    <message>
+        <source>Layer &amp;up</source>
+        <translation>&amp;Subir capa</translation>
+    </message>
+    <message>
+        <source>Layer &amp;down</source>
+        <translation>&amp;Bajar capa</translation>
     </message>
     <message>
         <source>%1 × %1</source>
         <translation>%1 × %1</translation>
     </message>
     <message>
-        <source>&amp;Turn to the brush</source>
-        <translation>&amp;Girar hacia el pincel</translation>
-    </message>
-    <message>
-        <source>&amp;Add hair group…</source>
-        <translation>&amp;Añadir grupo de pelo…</translation>
-    </message>
-    <message>
         <source>Hair Paint</source>
         <translation>Hair Paint</translation>
-    </message>
-    <message>
-        <source>B&amp;elow</source>
-        <translation>Desde aba&amp;jo</translation>
     </message>
 </context>
 <context>
@@ -2012,6 +1926,119 @@
     <message>
         <source>Drawing the style %1</source>
         <translation>Dibujando el estilo %1</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::StyleStripController</name>
+    <message>
+        <source>Reading the styles</source>
+        <translation>Leyendo los estilos</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::ToolsMenu</name>
+    <message>
+        <source>S&amp;wap values</source>
+        <translation>&amp;Intercambiar valores</translation>
+    </message>
+    <message>
+        <source>&amp;Reset values</source>
+        <translation>&amp;Restablecer valores</translation>
+    </message>
+    <message>
+        <source>S&amp;maller brush</source>
+        <translation>Pincel más &amp;pequeño</translation>
+    </message>
+    <message>
+        <source>&amp;Larger brush</source>
+        <translation>Pincel más &amp;grande</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::ViewMenu</name>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Delante</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>De&amp;trás</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>De&amp;recha</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Izquierda</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>Arri&amp;ba</translation>
+    </message>
+    <message>
+        <source>B&amp;elow</source>
+        <translation>Desde aba&amp;jo</translation>
+    </message>
+    <message>
+        <source>T&amp;hree-quarter</source>
+        <translation>Tres &amp;cuartos</translation>
+    </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>Mirar &amp;desde</translation>
+    </message>
+    <message>
+        <source>&amp;Both areas</source>
+        <translation>&amp;Ambas áreas</translation>
+    </message>
+    <message>
+        <source>&amp;3D area only</source>
+        <translation>Solo el área &amp;3D</translation>
+    </message>
+    <message>
+        <source>&amp;Paint area only</source>
+        <translation>Solo el área de &amp;pintura</translation>
+    </message>
+    <message>
+        <source>&amp;Swap sides</source>
+        <translation>&amp;Intercambiar lados</translation>
+    </message>
+    <message>
+        <source>&amp;Hide panels	Tab</source>
+        <translation>&amp;Ocultar paneles	Tab</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>A&amp;justar</translation>
+    </message>
+    <message>
+        <source>&amp;Reset view</source>
+        <translation>&amp;Restablecer vista</translation>
+    </message>
+    <message>
+        <source>&amp;Turn to the brush</source>
+        <translation>&amp;Girar hacia el pincel</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror the paint area</source>
+        <translation>Reflejar el área de pin&amp;tura</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>&amp;Malla de alambre</translation>
+    </message>
+    <message>
+        <source>&amp;Night paper</source>
+        <translation>Papel &amp;nocturno</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>Tema os&amp;curo</translation>
+    </message>
+    <message>
+        <source>Li&amp;ght theme</source>
+        <translation>Tema c&amp;laro</translation>
     </message>
 </context>
 <context>
@@ -2424,6 +2451,65 @@
     </message>
 </context>
 <context>
+    <name>hairpaint::view::KeysPage</name>
+    <message>
+        <source>Search by name or key</source>
+        <translation>Buscar por nombre o tecla</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Acción</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Tecla</translation>
+    </message>
+    <message>
+        <source>&amp;New key</source>
+        <translation>Tecla &amp;nueva</translation>
+    </message>
+    <message>
+        <source>New key of the chosen action</source>
+        <translation>Tecla nueva de la acción elegida</translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Asignar</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Restablecer</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Restablecer todo</translation>
+    </message>
+    <message>
+        <source>Gives every action its own key again</source>
+        <translation>Devuelve a cada acción su propia tecla</translation>
+    </message>
+    <message>
+        <source>Choose an action, then press its new key.</source>
+        <translation>Elige una acción y pulsa su tecla nueva.</translation>
+    </message>
+    <message>
+        <source>“%1” has this key now and will lose it.</source>
+        <translation>«%1» tiene ahora esta tecla y la perderá.</translation>
+    </message>
+    <message>
+        <source>Press the new key in the field, then Assign.</source>
+        <translation>Pulsa la tecla nueva en el campo y después Asignar.</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::LayersPanel</name>
     <message>
         <source>Layers</source>
@@ -2741,58 +2827,6 @@
     <message>
         <source>Maps go from white to their colour instead of from black. Exported images always do.</source>
         <translation>Los mapas van del blanco a su color y no desde el negro. Las imágenes exportadas siempre van así.</translation>
-    </message>
-    <message>
-        <source>Search by name or key</source>
-        <translation>Buscar por nombre o tecla</translation>
-    </message>
-    <message>
-        <source>Action</source>
-        <translation>Acción</translation>
-    </message>
-    <message>
-        <source>Key</source>
-        <translation>Tecla</translation>
-    </message>
-    <message>
-        <source>&amp;New key</source>
-        <translation>Tecla &amp;nueva</translation>
-    </message>
-    <message>
-        <source>New key of the chosen action</source>
-        <translation>Tecla nueva de la acción elegida</translation>
-    </message>
-    <message>
-        <source>Assign</source>
-        <translation>Asignar</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Quitar</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Restablecer</translation>
-    </message>
-    <message>
-        <source>Choose an action, then press its new key.</source>
-        <translation>Elige una acción y pulsa su tecla nueva.</translation>
-    </message>
-    <message>
-        <source>“%1” has this key now and will lose it.</source>
-        <translation>«%1» tiene ahora esta tecla y la perderá.</translation>
-    </message>
-    <message>
-        <source>Press the new key in the field, then Assign.</source>
-        <translation>Pulsa la tecla nueva en el campo y después Asignar.</translation>
-    </message>
-    <message>
-        <source>Reset all</source>
-        <translation>Restablecer todo</translation>
-    </message>
-    <message>
-        <source>Gives every action its own key again</source>
-        <translation>Devuelve a cada acción su propia tecla</translation>
     </message>
 </context>
 <context>

@@ -1,130 +1,109 @@
-// The 3D area's scene, presenter and drawing.
+// The 3D area as a widget: its parts and children, its camera's flight, its drawing and its keys.
 #include "view/head_view.h"
 
-#include "view/scene_light.h"
-
+#include "view/editor_state.h"
+#include "view/head/frame_pacer.h"
+#include "view/head/frame_presenter.h"
 #include "view/head/gl_presenter.h"
-#include "view/head/head_view_state.h"
-#include "view/head/software_presenter.h"
-#include "view/head/stage.h"
+#include "view/head/head_camera.h"
+#include "view/head/head_overlay.h"
+#include "view/head/head_pointer.h"
+#include "view/head/head_scene.h"
+#include "view/head/head_turn.h"
+#include "view/head/view_signs.h"
+#include "view/weather_overlay.h"
 
-#include <QGuiApplication>
-#include <QTimerEvent>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QWheelEvent>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace hairpaint::view {
 
-namespace {
-
-constexpr int kLeastMsBetweenDraws = 16;
-constexpr int kSettleMs = 250;
-constexpr int kTurnMs = 240;
-constexpr int kTurnBackMs = 500;
-
-/// Where a QOpenGLWidget can't work at all.
-bool headless()
-{
-    const QString platform = QGuiApplication::platformName();
-    return platform == QLatin1StringView("offscreen") || platform == QLatin1StringView("minimal");
-}
-
-} // namespace
-
 HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choice, QWidget* parent)
-    : PaintedArea(state, parent), m_state(std::make_unique<State>(state, theme, this))
+    : PaintedArea(state, parent), m_state(state), m_overlay(new HeadOverlay(theme, this)),
+      m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_turn(std::make_unique<HeadTurn>()),
+      m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
+      m_pointer(std::make_unique<HeadPointer>(state, *m_scene, *m_turn, *this)), m_pacer(std::make_unique<FramePacer>())
 {
+    constexpr int kFlightMs = 240;
     setObjectName(QStringLiteral("headArea"));
     setMinimumSize(160, 160);
-    m_state->overlay = new HeadOverlay(theme, this);
-    m_state->weather = new WeatherOverlay(theme, this);
-    m_state->signs = new ViewSigns(this);
-    m_state->weather->hide();
-    connect(m_state->weather, &WeatherOverlay::windWanted, this, &HeadView::windWanted);
-    connect(m_state->weather, &WeatherOverlay::lightWanted, this, &HeadView::lightWanted);
-    connect(m_state->weather, &WeatherOverlay::leaveWanted, this, [this] { setWeatherShown(false); });
-
-    connect(&state.document(), &model::Document::changed, this, &HeadView::onDocumentChanged);
-    connect(&state, &EditorState::hoverChanged, this, &HeadView::refreshRings);
-    connect(&state, &EditorState::toolSettingsChanged, this, &HeadView::refreshRings);
-    connect(&state, &EditorState::viewOptionsChanged, this, &HeadView::refreshRings);
-    connect(&state, &EditorState::activeToolChanged, this, [this] {
-        refreshRings();
-        refreshOverlay();
-    });
-    connect(&state, &EditorState::overlayChanged, this, &HeadView::refreshOverlay);
-    connect(&m_state->keys, &HeldKeys::changed, this, &HeadView::updateCursor);
-
-    m_state->turning.setDuration(kTurnMs);
-    m_state->turning.setEasingCurve(QEasingCurve::OutCubic);
-    m_state->turning.setStartValue(0.0F);
-    m_state->turning.setEndValue(1.0F);
-    m_state->turningBack.setDuration(kTurnBackMs);
-    m_state->turningBack.setEasingCurve(QEasingCurve::InOutQuad);
-    m_state->turningBack.setStartValue(0.0F);
-    m_state->turningBack.setEndValue(1.0F);
-    connect(&m_state->turningBack, &QVariantAnimation::valueChanged, this, [this](const QVariant& t) {
-        m_state->pose.rotation =
-            glm::slerp(m_state->poseBefore.rotation, glm::quat(1.0F, 0.0F, 0.0F, 0.0F), t.toFloat());
-        Q_EMIT poseWanted(m_state->pose);
-    });
+    m_weather->hide();
+    m_flight.setDuration(kFlightMs);
+    m_flight.setEasingCurve(QEasingCurve::OutCubic);
+    m_flight.setStartValue(0.0F);
+    m_flight.setEndValue(1.0F);
+    connectParts();
 
     refreshHead();
     refreshEnvironment();
-    if (m_state->scene.head)
-        setCamera(stageCamera(rendering::StandardView::ThreeQuarter, *state.document().project().head,
-                              *m_state->scene.head, nullptr));
+    if (const std::optional<rendering::Camera> start = m_scene->cameraFor(rendering::StandardView::ThreeQuarter))
+        setCamera(*start);
     makePresenter(choice);
 }
 
 HeadView::~HeadView()
 {
-    // Its thread and its context end before the state it reports to.
-    delete m_state->presenter;
+    // Its thread and its context end before what it reports to.
+    delete m_presenter;
+}
+
+void HeadView::connectParts()
+{
+    connect(m_weather, &WeatherOverlay::windWanted, this, &HeadView::windWanted);
+    connect(m_weather, &WeatherOverlay::lightWanted, this, &HeadView::lightWanted);
+    connect(m_weather, &WeatherOverlay::leaveWanted, this, [this] { setWeatherShown(false); });
+
+    connect(&m_state.document(), &model::Document::changed, this, &HeadView::onDocumentChanged);
+    connect(&m_state, &EditorState::hoverChanged, this, &HeadView::refreshRings);
+    connect(&m_state, &EditorState::toolSettingsChanged, this, &HeadView::refreshRings);
+    connect(&m_state, &EditorState::viewOptionsChanged, this, &HeadView::refreshRings);
+    connect(&m_state, &EditorState::activeToolChanged, this, [this] {
+        refreshRings();
+        refreshOverlay();
+    });
+    connect(&m_state, &EditorState::overlayChanged, this, &HeadView::refreshOverlay);
+
+    connect(m_turn.get(), &HeadTurn::poseWanted, this, &HeadView::poseWanted);
+    connect(m_pointer.get(), &HeadPointer::cameraWanted, this, &HeadView::setCamera);
+    connect(m_pointer.get(), &HeadPointer::lightDragged, this, &HeadView::refreshEnvironment);
+    connect(m_pointer.get(), &HeadPointer::lightWanted, this, &HeadView::lightWanted);
+    connect(m_pointer.get(), &HeadPointer::puffWanted, this, &HeadView::puffWanted);
+    connect(m_pointer.get(), &HeadPointer::statusText, this, &HeadView::statusText);
+    connect(m_pointer.get(), &HeadPointer::contextMenuWanted, this, &HeadView::contextMenuWanted);
+    connect(m_pacer.get(), &FramePacer::drawDue, this, &HeadView::draw);
+    connect(m_pacer.get(), &FramePacer::stillEnded, this, &HeadView::refreshSigns);
 }
 
 void HeadView::makePresenter(PresenterChoice choice)
 {
-    bool usesGl = choice == PresenterChoice::Gl && !headless();
-    std::unique_ptr<RenderThread> thread;
-    if (!usesGl) {
-        thread = std::make_unique<RenderThread>();
-        if (choice == PresenterChoice::Automatic && !headless()) {
-            const RenderStart start = thread->waitForStart();
-            usesGl = start.works && !start.software;
-        }
-    }
-    if (usesGl) {
-        thread.reset();
-        m_state->presenter = new GlPresenter(this);
-    } else {
-        m_state->presenter = new SoftwarePresenter(std::move(thread), this);
-    }
-    connect(m_state->presenter, &FramePresenter::frameDrawn, this, &HeadView::frameDrawn);
-    connect(m_state->presenter, &FramePresenter::refining, this, [this](bool on) {
-        m_state->refining = on;
+    m_presenter = FramePresenter::make(choice, this);
+    connect(m_presenter, &FramePresenter::frameDrawn, this, &HeadView::frameDrawn);
+    connect(m_presenter, &FramePresenter::refining, this, [this](bool on) {
+        m_refining = on;
         refreshSigns();
     });
-    connect(m_state->presenter, &FramePresenter::failed, this, &HeadView::onPresenterFailed, Qt::QueuedConnection);
-    m_state->presenter->widget().lower();
-    m_state->presenter->widget().show();
+    connect(m_presenter, &FramePresenter::failed, this, &HeadView::onPresenterFailed, Qt::QueuedConnection);
+    m_presenter->widget().lower();
+    m_presenter->widget().show();
     placeChildren();
 }
 
 void HeadView::onPresenterFailed(const QString& reason)
 {
-    if (qobject_cast<GlPresenter*>(m_state->presenter) != nullptr) {
+    if (qobject_cast<GlPresenter*>(m_presenter) != nullptr) {
         // The window's own context may lack what an off-screen one has.
-        QWidget* shown = &m_state->presenter->widget();
-        delete std::exchange(m_state->presenter, nullptr);
+        QWidget* shown = &m_presenter->widget();
+        delete std::exchange(m_presenter, nullptr);
         delete shown;
         makePresenter(PresenterChoice::Software);
-        requestDraw();
+        m_pacer->requestDraw();
         return;
     }
-    m_state->overlay->setMessage(
+    m_overlay->setMessage(
         tr("The hair can't be shown here: %1 Painting, saving and exporting work all the same.").arg(reason));
     Q_EMIT glUnavailable(reason);
 }
@@ -136,190 +115,224 @@ QSize HeadView::sizeHint() const
 
 void HeadView::setTheme(const Theme& theme)
 {
-    m_state->theme = theme;
-    m_state->overlay->setTheme(theme);
-    m_state->weather->setTheme(theme);
+    m_overlay->setTheme(theme);
+    m_weather->setTheme(theme);
+}
+
+void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
+{
+    if (frame && !m_scene->isOnHead(*frame))
+        return; // Of the head before this one.
+    const bool moved = m_stillness.moved(frame, m_scene->camera(), size());
+    if (m_pacer->still() && !moved)
+        return; // A picture that is being refined is worth more than a difference nobody sees.
+    m_scene->setHair(std::move(frame));
+    if (moved)
+        m_pacer->wake();
+    else
+        m_pacer->requestDraw();
 }
 
 const rendering::Camera& HeadView::camera() const
 {
-    return m_state->scene.camera;
+    return m_scene->camera();
 }
 
 void HeadView::setCamera(const rendering::Camera& camera)
 {
-    m_state->turning.stop();
-    if (camera == m_state->scene.camera)
+    m_flight.stop();
+    if (camera == m_scene->camera())
         return;
-    m_state->scene.camera = camera;
+    m_scene->setCamera(camera);
     cameraMoved();
 }
 
 void HeadView::setView(rendering::StandardView view)
 {
-    if (m_state->scene.head)
-        animateTo(stageCamera(view, *m_state->editor.document().project().head, *m_state->scene.head,
-                              m_state->scene.hair.get()));
+    animateTo(m_scene->cameraFor(view));
 }
 
 void HeadView::resetCamera()
 {
     setView(rendering::StandardView::ThreeQuarter);
-    if (m_state->pose != sim::HeadPose{}) {
-        m_state->poseBefore = m_state->pose;
-        m_state->turningBack.start();
-    }
+    m_turn->turnBack();
 }
 
 void HeadView::fit()
 {
-    if (!m_state->scene.head)
-        return;
-    animateTo(stageCamera(m_state->scene.camera, *m_state->editor.document().project().head, *m_state->scene.head,
-                          m_state->scene.hair.get()));
+    animateTo(m_scene->fittingCamera());
 }
 
-void HeadView::animateTo(const rendering::Camera& camera)
+void HeadView::turnToBrush()
 {
-    m_state->turning.stop();
-    disconnect(&m_state->turning, nullptr, this, nullptr);
-    connect(&m_state->turning, &QVariantAnimation::valueChanged, this,
-            [this, from = m_state->scene.camera, camera](const QVariant& t) {
-                m_state->scene.camera = between(from, camera, t.toFloat());
+    animateTo(m_scene->cameraAtBrush());
+}
+
+void HeadView::animateTo(const std::optional<rendering::Camera>& camera)
+{
+    if (!camera)
+        return;
+    m_flight.stop();
+    disconnect(&m_flight, nullptr, this, nullptr);
+    connect(&m_flight, &QVariantAnimation::valueChanged, this,
+            [this, from = m_scene->camera(), to = *camera](const QVariant& t) {
+                m_scene->setCamera(between(from, to, t.toFloat()));
                 cameraMoved();
             });
-    m_state->turning.start();
+    m_flight.start();
 }
 
 void HeadView::cameraMoved()
 {
     refreshOverlay();
-    wake();
-}
-
-void HeadView::wake()
-{
-    if (std::exchange(m_state->still, false))
-        refreshSigns();
-    m_state->settle.start(kSettleMs, this);
-    requestDraw();
+    m_pacer->wake();
 }
 
 bool HeadView::awake() const
 {
-    return m_state->drawSoon.isActive() || m_state->settle.isActive() ||
-           m_state->turning.state() == QAbstractAnimation::Running ||
-           m_state->turningBack.state() == QAbstractAnimation::Running;
+    return m_pacer->waiting() || m_flight.state() == QAbstractAnimation::Running || m_turn->turningBack();
 }
 
 bool HeadView::refining() const
 {
-    return m_state->refining;
+    return m_refining;
 }
 
 rendering::Scene HeadView::pictureScene() const
 {
-    rendering::Scene scene = m_state->scene;
-    scene.ring.reset();
-    scene.mirroredRing.reset();
-    return scene;
+    return m_scene->withoutRings();
 }
 
 QImage HeadView::grabPicture(QSize size)
 {
-    return size.isEmpty() ? QImage() : m_state->presenter->grab(pictureScene(), size);
+    return size.isEmpty() ? QImage() : m_presenter->grab(pictureScene(), size);
 }
 
 std::optional<sim::SurfacePoint> HeadView::skinAt(QPointF position) const
 {
-    const sim::Skin* skin = m_state->skin();
-    if (skin == nullptr)
-        return std::nullopt;
-    return skin->pick(inHead(rayThrough(m_state->scene.camera, position, QSizeF(size())), m_state->shownPose()));
+    return m_scene->skinAt(position);
 }
 
 std::optional<QPointF> HeadView::positionOf(glm::vec3 positionHd) const
 {
-    return project(m_state->scene.camera, inWorld(positionHd, m_state->shownPose()), QSizeF(size()));
+    return m_scene->positionOf(positionHd);
 }
 
 QString HeadView::rendererDescription() const
 {
-    return m_state->presenter->description();
+    return m_presenter->description();
 }
 
 QString HeadView::missingText() const
 {
-    return m_state->overlay->message();
+    return m_overlay->message();
 }
 
 bool HeadView::weatherShown() const
 {
-    return !m_state->weather->isHidden();
+    return !m_weather->isHidden();
 }
 
 void HeadView::setWeatherShown(bool shown)
 {
     if (shown == weatherShown())
         return;
-    m_state->weather->setVisible(shown);
+    m_weather->setVisible(shown);
     placeChildren();
     if (shown) {
         refreshEnvironment();
-        m_state->weather->setFocus(Qt::OtherFocusReason);
+        m_weather->setFocus(Qt::OtherFocusReason);
     } else {
         setFocus(Qt::OtherFocusReason);
     }
     Q_EMIT weatherShownChanged(shown);
 }
 
-void HeadView::turnToBrush()
-{
-    if (!m_state->brush)
-        return;
-    const sim::HeadPose pose = m_state->shownPose();
-    const glm::vec3 positionWo = inWorld(m_state->brush->positionHd, pose);
-    animateTo(lookingAt(m_state->scene.camera, positionWo, pose.rotation * m_state->brush->normalHd));
-}
-
 void HeadView::setHairPaused(bool paused)
 {
-    m_state->paused = paused;
+    m_paused = paused;
     refreshSigns();
 }
 
-void HeadView::requestDraw()
+void HeadView::onDocumentChanged(const model::Change& change)
 {
-    if (m_state->drawSoon.isActive())
-        return;
-    const qint64 passed = m_state->sinceDraw.isValid() ? m_state->sinceDraw.elapsed() : kLeastMsBetweenDraws;
-    m_state->drawSoon.start(static_cast<int>(std::max<qint64>(0, kLeastMsBetweenDraws - passed)), Qt::PreciseTimer,
-                            this);
+    using Aspect = model::Change::Aspect;
+    if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything)
+        refreshHead();
+    if (change.aspect == Aspect::Environment || change.aspect == Aspect::Everything)
+        refreshEnvironment();
 }
 
-void HeadView::timerEvent(QTimerEvent* event)
+void HeadView::refreshHead()
 {
-    if (event->timerId() == m_state->settle.timerId()) {
-        m_state->settle.stop();
-        m_state->still = true;
-        requestDraw();
-    } else if (event->timerId() == m_state->drawSoon.timerId()) {
-        m_state->drawSoon.stop();
-        if (!isVisible())
-            return; // showEvent asks again.
-        m_state->sinceDraw.start();
-        const std::shared_ptr<const sim::StrandFrame>& hair = m_state->scene.hair;
-        m_state->presenter->present(
-            {.scene = m_state->scene, .allHairs = hair ? hair->hairCount : 0, .still = m_state->still});
-    } else {
-        QWidget::timerEvent(event);
-    }
+    const bool hadHead = m_scene->hasHead();
+    if (!m_scene->refreshHead())
+        return;
+    if (hadHead)
+        fit();
+    m_pacer->wake();
+}
+
+void HeadView::refreshEnvironment()
+{
+    const model::Project& project = m_state.document().project();
+    m_scene->setEnvironment(m_pointer->draggedLight().value_or(project.light), project.background);
+    m_weather->setValues(project.wind, project.light);
+    m_pacer->wake();
+}
+
+void HeadView::refreshRings()
+{
+    const bool ringDiffers = m_scene->refreshRings();
+    m_overlay->setGhost(m_scene->hiddenRing());
+    if (ringDiffers)
+        m_pacer->wake();
+    m_pointer->updateCursor();
+}
+
+void HeadView::refreshOverlay()
+{
+    std::vector<model::OverlayShape> shapes = m_state.activeTool().overlay();
+    for (QPolygonF& outline : m_state.selection().outlines())
+        shapes.push_back({.uvOutline = std::move(outline), .closed = true, .marching = true});
+    m_overlay->setShapes(shapes, m_scene->skin(), m_scene->camera(), m_scene->shownPose());
+    m_overlay->setGhost(m_scene->hiddenRing());
+}
+
+void HeadView::refreshSigns()
+{
+    // While something moves the last picture's word no longer holds.
+    m_signs->show(m_paused, m_refining && m_pacer->still());
+    placeChildren();
+}
+
+void HeadView::draw()
+{
+    if (!isVisible())
+        return; // showEvent asks again.
+    m_pacer->drawing();
+    const rendering::Scene& scene = m_scene->scene();
+    m_presenter->present(
+        {.scene = scene, .allHairs = scene.hair ? scene.hair->hairCount : 0, .still = m_pacer->still()});
+}
+
+void HeadView::placeChildren()
+{
+    constexpr int kMargin = 12;
+    if (m_presenter != nullptr)
+        m_presenter->widget().setGeometry(rect());
+    m_overlay->setGeometry(rect());
+    const QSize panel = m_weather->sizeHint().boundedTo(size() - QSize(2 * kMargin, 2 * kMargin));
+    m_weather->setGeometry(QRect(QPoint(kMargin, height() - kMargin - panel.height()), panel));
+    m_weather->raise();
+    m_signs->move(width() - kMargin - m_signs->width(), kMargin);
+    m_signs->raise();
 }
 
 void HeadView::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    requestDraw();
+    m_pacer->requestDraw();
 }
 
 void HeadView::resizeEvent(QResizeEvent* event)
@@ -329,24 +342,66 @@ void HeadView::resizeEvent(QResizeEvent* event)
     cameraMoved();
 }
 
-void HeadView::placeChildren()
+bool HeadView::event(QEvent* event)
 {
-    constexpr int kMargin = 12;
-    if (m_state->presenter != nullptr)
-        m_state->presenter->widget().setGeometry(rect());
-    m_state->overlay->setGeometry(rect());
-    const QSize panel = m_state->weather->sizeHint().boundedTo(size() - QSize(2 * kMargin, 2 * kMargin));
-    m_state->weather->setGeometry(QRect(QPoint(kMargin, height() - kMargin - panel.height()), panel));
-    m_state->weather->raise();
-    m_state->signs->move(width() - kMargin - m_state->signs->width(), kMargin);
-    m_state->signs->raise();
+    // With the Weather overlay open its keys are its own here too, also those that choose tools elsewhere.
+    if (event->type() == QEvent::ShortcutOverride && weatherShown()) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (WeatherOverlay::isOurKey(key->key()) &&
+            (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
 }
 
-void HeadView::refreshSigns()
+void HeadView::keyPressEvent(QKeyEvent* event)
 {
-    // While something moves the last picture's word no longer holds.
-    m_state->signs->show(m_state->paused, m_state->refining && m_state->still);
-    placeChildren();
+    if (!m_pointer->handleKey(static_cast<Qt::Key>(event->key()), event->modifiers()) &&
+        (!weatherShown() || !m_weather->handleKey(event->key(), event->modifiers())))
+        QWidget::keyPressEvent(event);
+}
+
+void HeadView::pointerPressed(const PointerSample& sample)
+{
+    if (!m_pointer->dragging())
+        m_flight.stop();
+    m_pointer->press(sample);
+}
+
+void HeadView::pointerMoved(const PointerSample& sample)
+{
+    m_pointer->move(sample);
+}
+
+void HeadView::pointerReleased(const PointerSample& sample)
+{
+    m_pointer->release(sample);
+}
+
+void HeadView::leaveEvent(QEvent* event)
+{
+    QWidget::leaveEvent(event);
+    m_pointer->leave();
+}
+
+void HeadView::wheelEvent(QWheelEvent* event)
+{
+    constexpr double kZoomPerNotch = 1.15;
+    constexpr double kNotch = 120.0;
+    const double notches = (event->angleDelta().y() + event->angleDelta().x()) / kNotch;
+    if (notches != 0.0)
+        setCamera(zoomed(camera(), std::pow(kZoomPerNotch, notches), event->position(), QSizeF(size())));
+    event->accept();
+}
+
+void HeadView::contextMenuEvent(QContextMenuEvent* event)
+{
+    // The right button orbits; a click without a drag opens the menu on release.
+    if (event->reason() != QContextMenuEvent::Mouse)
+        Q_EMIT contextMenuWanted(event->globalPos());
+    event->accept();
 }
 
 } // namespace hairpaint::view

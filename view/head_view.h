@@ -3,6 +3,7 @@
 
 #include "model/project.h"
 #include "sim/motion/strand_frame.h"
+#include "view/head/stillness.h"
 #include "view/painted_area.h"
 #include "view/presenter_choice.h"
 #include "view/rendering/renderer.h"
@@ -11,6 +12,7 @@
 #include "view/theme.h"
 
 #include <QImage>
+#include <QVariantAnimation>
 
 #include <memory>
 #include <optional>
@@ -20,6 +22,15 @@ struct Change;
 }
 
 namespace hairpaint::view {
+
+class FramePacer;
+class FramePresenter;
+class HeadOverlay;
+class HeadPointer;
+class HeadScene;
+class HeadTurn;
+class ViewSigns;
+class WeatherOverlay;
 
 /// Without OpenGL it shows a sentence of what is missing; everything else works. The window's actions call the slots;
 /// Space, H, O, Esc, Enter and the Weather overlay's keys are read here.
@@ -86,11 +97,9 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
-    void timerEvent(QTimerEvent* event) override;
 
 private:
-    struct State;
-
+    void connectParts();
     void makePresenter(PresenterChoice choice);
     void onPresenterFailed(const QString& reason);
     void onDocumentChanged(const model::Change& change);
@@ -98,24 +107,30 @@ private:
     void refreshEnvironment();
     void refreshRings();
     void refreshOverlay();
-    void refreshGhost();
-    void requestDraw(); ///< Soon, at most once in 16 ms.
-    void wake();        ///< What is shown changes: draws fast until it is still again.
+    void refreshSigns();
     void cameraMoved();
-    void animateTo(const rendering::Camera& camera);
+    void animateTo(const std::optional<rendering::Camera>& camera);
+    void draw();
+    void placeChildren();
 
     void pointerPressed(const PointerSample& sample) override;
     void pointerMoved(const PointerSample& sample) override;
     void pointerReleased(const PointerSample& sample) override;
-    void strokeTo(const PointerSample& sample);
-    void hoverAt(const PointerSample& sample);
-    void blowAt(const PointerSample& sample);
-    void dragLight(QPointF pixels);
-    void placeChildren();
-    void refreshSigns();
-    void updateCursor();
 
-    std::unique_ptr<State> m_state;
+    EditorState& m_state;
+    HeadOverlay* m_overlay; ///< Children.
+    WeatherOverlay* m_weather;
+    ViewSigns* m_signs;
+    FramePresenter* m_presenter = nullptr; ///< A child.
+
+    std::unique_ptr<HeadTurn> m_turn;
+    std::unique_ptr<HeadScene> m_scene;
+    std::unique_ptr<HeadPointer> m_pointer;
+    std::unique_ptr<FramePacer> m_pacer;
+    Stillness m_stillness;
+    QVariantAnimation m_flight; ///< Of the camera.
+    bool m_paused = false;
+    bool m_refining = false;
 };
 
 } // namespace hairpaint::view

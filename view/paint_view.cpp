@@ -1,43 +1,31 @@
-// The paint area's look and its following of the document.
+// The paint area: its view of the map, its following of the document, its pointer and keys.
 #include "view/paint_view.h"
 
-#include "view/paint/paint_view_state.h"
-#include "view/paint/skin_ring.h"
+#include "view/brush_drag.h"
+#include "view/editor_state.h"
+#include "view/held_keys.h"
+#include "view/map_legend.h"
+#include "view/paint/paint_canvas.h"
+#include "view/paint/paint_overlay.h"
+#include "view/pointer.h"
 
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
 #include <QPaintEvent>
 #include <QPainter>
-#include <QTimerEvent>
+#include <QWheelEvent>
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace hairpaint::view {
 
 namespace {
 
-constexpr int kMarchMs = 120;
-constexpr int kMarchSteps = 8;
-constexpr int kRingMarginPx = 4;
-constexpr int kOutlineMs = 900;
-
-QRect boundsOf(const std::vector<QPolygonF>& polygons)
-{
-    QRectF bounds;
-    for (const QPolygonF& polygon : polygons)
-        bounds |= polygon.boundingRect();
-    return bounds.isNull()
-               ? QRect()
-               : bounds.toAlignedRect().adjusted(-kRingMarginPx, -kRingMarginPx, kRingMarginPx, kRingMarginPx);
-}
-
-QPolygonF onWidget(const QPolygonF& uvPolygon, const QTransform& paperToWidget)
-{
-    QPolygonF polygon;
-    polygon.reserve(uvPolygon.size());
-    for (const QPointF& uv : uvPolygon)
-        polygon.push_back(paperToWidget.map(QPointF(uv.x(), 1.0 - uv.y())));
-    return polygon;
-}
+constexpr double kZoomPerNotch = 1.2;
+constexpr double kWheelNotch = 120.0;
 
 /// Around all tiles that a change touched, in uv; empty where it names none.
 QPolygonF outlineOf(const model::Change& change, const model::Document& document)
@@ -56,7 +44,56 @@ QPolygonF outlineOf(const model::Change& change, const model::Document& document
     return outline;
 }
 
+model::ToolEvent toolEvent(const PointerSample& sample, glm::vec2 uv, const model::Project& project)
+{
+    model::ToolEvent event{.area = model::Area::Paint,
+                           .uv = uv,
+                           .point = std::nullopt,
+                           .pressure = sample.pressure,
+                           .seconds = sample.seconds,
+                           .modifiers = sample.modifiers};
+    if (project.head && project.head->skin)
+        event.point = project.head->skin->atUv(uv);
+    return event;
+}
+
 } // namespace
+
+/// What the area remembers between events.
+struct PaintView::State
+{
+    enum class Drag
+    {
+        None,
+        Stroke,
+        Pan,
+        Rotate,
+        Brush
+    };
+
+    State(EditorState& editorState, const Theme& startTheme, StartBackdrop start, QWidget* area)
+        : editor(editorState), theme(startTheme), keys({Qt::Key_Space, Qt::Key_O}, area),
+          startBackdrop(std::move(start)), overlay(editorState, transform, *area)
+    {}
+
+    EditorState& editor;
+    Theme theme;
+    HeldKeys keys;
+    StartBackdrop startBackdrop;
+    std::shared_ptr<const model::Head> head; ///< Whose backdrop is shown or made.
+    PaintCanvas canvas;
+    MapLegend* legend = nullptr; ///< A child.
+    UvTransform transform;
+    bool fitted = true; ///< Nobody has moved the view: resizing fits it again.
+
+    Drag drag = Drag::None;
+    PointerSample pressed;
+    QPointF last;
+    BrushDrag brushDrag{editor};
+
+    QPolygonF changedOutline; ///< In uv: what the last change of texels touched; empty after other changes.
+    PaintOverlay overlay;
+};
 
 PaintView::PaintView(EditorState& state, const Theme& theme, StartBackdrop start, QWidget* parent)
     : PaintedArea(state, parent), m_state(std::make_unique<State>(state, theme, std::move(start), this))
@@ -72,16 +109,15 @@ PaintView::PaintView(EditorState& state, const Theme& theme, StartBackdrop start
     connect(&state, &EditorState::viewOptionsChanged, this, [this] {
         lookChanged();
         refreshMap();
-        refreshHover();
+        refreshRings();
     });
     connect(&state, &EditorState::activeToolChanged, this, [this] {
-        refreshHover();
-        refreshOverlay();
-        updateCursor();
+        refreshRings();
+        m_state->overlay.refreshOutlines();
     });
-    connect(&state, &EditorState::toolSettingsChanged, this, &PaintView::refreshHover);
-    connect(&state, &EditorState::hoverChanged, this, &PaintView::refreshHover);
-    connect(&state, &EditorState::overlayChanged, this, &PaintView::refreshOverlay);
+    connect(&state, &EditorState::toolSettingsChanged, this, &PaintView::refreshRings);
+    connect(&state, &EditorState::hoverChanged, this, &PaintView::refreshRings);
+    connect(&state, &EditorState::overlayChanged, this, [this] { m_state->overlay.refreshOutlines(); });
     connect(&m_state->keys, &HeldKeys::changed, this, &PaintView::updateCursor);
     refreshHead();
     refreshMap();
@@ -126,6 +162,51 @@ double PaintView::rotationDeg() const
     return m_state->transform.rotationDeg;
 }
 
+void PaintView::zoomAt(QPointF position, double factor)
+{
+    const std::shared_ptr<const sim::TiledRaster>& raster = m_state->canvas.pyramid().raster();
+    m_state->transform.zoomAt(position, factor, raster ? raster->size() : 1024);
+    m_state->fitted = false;
+    lookChanged();
+}
+
+void PaintView::panBy(QPointF pixels)
+{
+    m_state->transform.panBy(pixels);
+    m_state->fitted = false;
+    lookChanged();
+}
+
+void PaintView::rotateBy(double degrees)
+{
+    m_state->transform.rotateBy(degrees);
+    lookChanged();
+}
+
+void PaintView::fit()
+{
+    QRectF paper(0.0, 0.0, 1.0, 1.0);
+    const std::optional<QRectF> selected = m_state->editor.selection().rectangle();
+    if (selected && !selected->isEmpty())
+        paper = QRectF(selected->x(), 1.0 - selected->bottom(), selected->width(), selected->height());
+    m_state->transform.fit(paper);
+    m_state->fitted = !selected.has_value();
+    lookChanged();
+}
+
+void PaintView::resetView()
+{
+    m_state->transform.reset();
+    m_state->fitted = true;
+    lookChanged();
+}
+
+void PaintView::mirrorView()
+{
+    m_state->transform.mirror();
+    lookChanged();
+}
+
 void PaintView::onDocumentChanged(const model::Change& change)
 {
     using Aspect = model::Change::Aspect;
@@ -139,9 +220,7 @@ void PaintView::onDocumentChanged(const model::Change& change)
 
 void PaintView::showChangedOutline()
 {
-    m_state->shownOutline = m_state->changedOutline;
-    m_state->outlined.start(kOutlineMs, this);
-    refreshOverlay();
+    m_state->overlay.flash(m_state->changedOutline);
 }
 
 void PaintView::refreshHead()
@@ -196,82 +275,17 @@ void PaintView::refreshLegend()
         m_state->legend->showMap(spec, group->settings, editor.nightPaper());
 }
 
-void PaintView::refreshHover()
+void PaintView::refreshRings()
 {
-    std::vector<QPolygonF> rings;
-    const EditorState& editor = m_state->editor;
-    if (const std::optional<Hover>& hover = editor.hover(); hover && hover->point && editor.activeTool().hasRing()) {
-        const float radiusM = editor.toolSettings().brushSizeM / 2.0F;
-        const QTransform toWidget = m_state->transform.paperToWidget();
-        rings.push_back(onWidget(ringOnUv(*hover->point, radiusM), toWidget));
-        const std::shared_ptr<const model::Head>& head = editor.document().project().head;
-        if (editor.mirror() && head && head->skin) {
-            if (const std::optional<sim::SurfacePoint> twin = head->skin->mirrored(*hover->point))
-                rings.push_back(onWidget(ringOnUv(*twin, radiusM), toWidget));
-        }
-    }
-    update(m_state->ringsBounds);
-    m_state->rings = std::move(rings);
-    m_state->ringsBounds = boundsOf(m_state->rings);
-    update(m_state->ringsBounds);
+    m_state->overlay.refreshRings();
     updateCursor();
-}
-
-void PaintView::refreshOverlay()
-{
-    State& state = *m_state;
-    state.overlay = state.editor.activeTool().overlay();
-    for (QPolygonF& outline : state.editor.selection().outlines())
-        state.overlay.push_back({.uvOutline = std::move(outline), .closed = true, .marching = true});
-    if (!state.shownOutline.isEmpty())
-        state.overlay.push_back({.uvOutline = state.shownOutline, .closed = true});
-    std::vector<QPolygonF> outlines;
-    const QTransform toWidget = state.transform.paperToWidget();
-    for (const model::OverlayShape& shape : state.overlay)
-        outlines.push_back(onWidget(shape.uvOutline, toWidget));
-    update(state.overlayBounds);
-    state.overlayBounds = boundsOf(outlines);
-    update(state.overlayBounds);
-    const bool marches = std::ranges::any_of(state.overlay, &model::OverlayShape::marching);
-    if (marches && !state.march.isActive())
-        state.march.start(kMarchMs, this);
-    else if (!marches)
-        state.march.stop();
-}
-
-void PaintView::timerEvent(QTimerEvent* event)
-{
-    if (event->timerId() == m_state->outlined.timerId()) {
-        m_state->outlined.stop();
-        m_state->shownOutline.clear();
-        refreshOverlay();
-        return;
-    }
-    if (event->timerId() != m_state->march.timerId()) {
-        QWidget::timerEvent(event);
-        return;
-    }
-    m_state->marchStep = (m_state->marchStep + 1) % kMarchSteps;
-    // Only the outline's own pixels, so that a large selection costs little.
-    const QTransform toWidget = m_state->transform.paperToWidget();
-    QRegion dirty;
-    for (const model::OverlayShape& shape : m_state->overlay) {
-        const QPolygonF outline = onWidget(shape.uvOutline, toWidget);
-        for (qsizetype i = 0; shape.marching && outline.size() <= 8 && i < outline.size(); ++i) {
-            const QRectF side = QRectF(outline[i], outline[(i + 1) % outline.size()]).normalized();
-            dirty += side.toAlignedRect().adjusted(-2, -2, 2, 2);
-        }
-        if (shape.marching && outline.size() > 8)
-            dirty += outline.boundingRect().toAlignedRect().adjusted(-2, -2, 2, 2);
-    }
-    update(dirty);
 }
 
 void PaintView::lookChanged()
 {
     m_state->canvas.invalidate();
-    refreshHover();
-    refreshOverlay();
+    refreshRings();
+    m_state->overlay.refreshOutlines();
     update();
 }
 
@@ -289,63 +303,7 @@ void PaintView::paintEvent(QPaintEvent* event)
         m_state->canvas.paint(painter, dirty, look);
     }
     painter.setClipRegion(event->region());
-    paintOverlay(painter);
-    paintRings(painter);
-}
-
-void PaintView::paintOverlay(QPainter& painter) const
-{
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    const QTransform toWidget = m_state->transform.paperToWidget();
-    for (const model::OverlayShape& shape : m_state->overlay) {
-        const QPolygonF outline = onWidget(shape.uvOutline, toWidget);
-        const auto draw = [&](const QPen& pen) {
-            painter.setPen(pen);
-            if (shape.closed)
-                painter.drawPolygon(outline);
-            else
-                painter.drawPolyline(outline);
-        };
-        QPen dark(QColor(0, 0, 0, 190), shape.marching ? 1.0 : 3.0);
-        QPen light(QColor(255, 255, 255, shape.marching ? 255 : 235), shape.marching ? 1.0 : 1.5);
-        if (shape.marching) {
-            light.setDashPattern({4.0, 4.0});
-            light.setDashOffset(m_state->marchStep);
-            light.setCapStyle(Qt::FlatCap);
-        }
-        draw(dark);
-        draw(light);
-        painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
-        painter.setBrush(QColor(255, 255, 255, 235));
-        for (const QPointF& handle : onWidget(shape.uvHandles, toWidget))
-            painter.drawRect(handleAt(handle));
-        painter.setBrush(Qt::NoBrush);
-    }
-}
-
-void PaintView::paintRings(QPainter& painter) const
-{
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    bool twin = false;
-    for (const QPolygonF& ring : m_state->rings) {
-        painter.setPen(QPen(QColor(0, 0, 0, 150), 3.0));
-        painter.drawPolygon(ring);
-        painter.setPen(QPen(twin ? QColor(255, 255, 255, 150) : QColor(255, 255, 255, 235), 1.4));
-        painter.drawPolygon(ring);
-        const QRectF bounds = ring.boundingRect();
-        if (!twin) {
-            // The middle, so that a ring of a few pixels is still found.
-            painter.setPen(Qt::NoPen);
-            painter.setBrush(QColor(0, 0, 0, 150));
-            painter.drawEllipse(bounds.center(), 2.0, 2.0);
-            painter.setBrush(QColor(255, 255, 255, 235));
-            painter.drawEllipse(bounds.center(), 1.2, 1.2);
-            painter.setBrush(Qt::NoBrush);
-        }
-        twin = true;
-    }
+    m_state->overlay.paint(painter);
 }
 
 void PaintView::resizeEvent(QResizeEvent* event)
@@ -356,6 +314,149 @@ void PaintView::resizeEvent(QResizeEvent* event)
     if (m_state->fitted)
         m_state->transform.fit(QRectF(0.0, 0.0, 1.0, 1.0));
     lookChanged();
+}
+
+void PaintView::pointerPressed(const PointerSample& sample)
+{
+    State& state = *m_state;
+    if (state.drag != State::Drag::None)
+        return;
+    state.pressed = sample;
+    state.last = sample.position;
+    const bool left = sample.button == Qt::LeftButton;
+    if (sample.button == Qt::MiddleButton || (left && state.keys.holds(Qt::Key_Space))) {
+        state.drag = sample.modifiers.testFlag(Qt::ShiftModifier) ? State::Drag::Rotate : State::Drag::Pan;
+    } else if (state.brushDrag.press(sample, state.keys)) {
+        state.drag = State::Drag::Brush;
+    } else if (left) {
+        hoverAt(sample);
+        state.drag = State::Drag::Stroke;
+        state.editor.press(toolEvent(sample, uvAt(sample.position), state.editor.document().project()));
+    }
+    updateCursor();
+}
+
+void PaintView::pointerMoved(const PointerSample& sample)
+{
+    State& state = *m_state;
+    switch (state.drag) {
+    case State::Drag::None:
+        hoverAt(sample);
+        break;
+    case State::Drag::Stroke:
+        hoverAt(sample);
+        state.editor.move(toolEvent(sample, uvAt(sample.position), state.editor.document().project()));
+        break;
+    case State::Drag::Pan:
+        panBy(sample.position - state.last);
+        break;
+    case State::Drag::Rotate: {
+        const QPointF middle = QRectF(rect()).center();
+        const QPointF from = state.last - middle;
+        const QPointF to = sample.position - middle;
+        const double turned = std::atan2(from.x() * to.y() - from.y() * to.x(), QPointF::dotProduct(from, to));
+        rotateBy(turned * 180.0 / std::numbers::pi);
+        break;
+    }
+    case State::Drag::Brush:
+        state.brushDrag.move(sample);
+        Q_EMIT statusText(brushText(state.editor.toolSettings()));
+        break;
+    }
+    state.last = sample.position;
+}
+
+void PaintView::pointerReleased(const PointerSample& sample)
+{
+    State& state = *m_state;
+    if (state.drag == State::Drag::None || sample.button != state.pressed.button)
+        return;
+    const State::Drag drag = std::exchange(state.drag, State::Drag::None);
+    if (drag == State::Drag::Stroke)
+        state.editor.release(toolEvent(sample, uvAt(sample.position), state.editor.document().project()));
+    hoverAt(sample);
+    updateCursor();
+}
+
+void PaintView::hoverAt(const PointerSample& sample)
+{
+    const glm::vec2 uv = uvAt(sample.position);
+    Hover hover{.area = model::Area::Paint, .uv = uv, .point = std::nullopt};
+    const std::shared_ptr<const model::Head>& head = m_state->editor.document().project().head;
+    if (head && head->skin)
+        hover.point = head->skin->atUv(uv);
+    m_state->editor.setHover(hover);
+}
+
+void PaintView::updateCursor()
+{
+    const State& state = *m_state;
+    Qt::CursorShape shape = Qt::CrossCursor;
+    if (state.drag == State::Drag::Pan)
+        shape = Qt::ClosedHandCursor;
+    else if (state.drag == State::Drag::Rotate)
+        shape = Qt::SizeAllCursor;
+    else if (state.keys.holds(Qt::Key_Space))
+        shape = Qt::OpenHandCursor;
+    else if (state.overlay.hasRing() && state.editor.hover() && state.editor.hover()->area == model::Area::Paint)
+        shape = Qt::BlankCursor; // The ring is the cursor.
+    if (cursor().shape() != shape)
+        setCursor(shape);
+}
+
+void PaintView::leaveEvent(QEvent* event)
+{
+    QWidget::leaveEvent(event);
+    const std::optional<Hover>& hover = m_state->editor.hover();
+    if (m_state->drag == State::Drag::None && hover && hover->area == model::Area::Paint)
+        m_state->editor.setHover(std::nullopt);
+}
+
+void PaintView::wheelEvent(QWheelEvent* event)
+{
+    double notches = event->angleDelta().y() / kWheelNotch;
+    if (event->modifiers().testFlag(Qt::AltModifier))
+        notches = event->angleDelta().x() / kWheelNotch; // Some platforms turn the wheel's axis with Alt.
+    if (notches != 0.0)
+        zoomAt(event->position(), std::pow(kZoomPerNotch, notches));
+    event->accept();
+}
+
+bool PaintView::event(QEvent* event)
+{
+    if (event->type() == QEvent::NativeGesture) {
+        const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+        if (gesture->gestureType() == Qt::ZoomNativeGesture) {
+            zoomAt(gesture->position(), 1.0 + gesture->value());
+            return true;
+        }
+        if (gesture->gestureType() == Qt::RotateNativeGesture) {
+            rotateBy(gesture->value());
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void PaintView::keyPressEvent(QKeyEvent* event)
+{
+    EditorState& editor = m_state->editor;
+    if (editor.toolKey(static_cast<Qt::Key>(event->key()), event->modifiers())) {
+        if (m_state->drag == State::Drag::Stroke && !editor.stroking())
+            m_state->drag = State::Drag::None;
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void PaintView::contextMenuEvent(QContextMenuEvent* event)
+{
+    // Ctrl+right-drag sizes the brush.
+    const bool sizing = event->reason() == QContextMenuEvent::Mouse &&
+                        (m_state->drag != State::Drag::None || event->modifiers().testFlag(Qt::ControlModifier));
+    if (!sizing)
+        Q_EMIT contextMenuWanted(event->globalPos());
+    event->accept();
 }
 
 } // namespace hairpaint::view

@@ -58,7 +58,6 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
-    void timerEvent(QTimerEvent* event) override;
 
 private:
     struct State;
@@ -73,12 +72,9 @@ private:
     void showChangedOutline(); ///< For a moment, as undo and redo do.
     void refreshMap();         ///< Takes the active map's resolved raster and repaints what differs.
     void refreshHead();
-    void refreshHover();
-    void refreshOverlay();
+    void refreshRings();
     void refreshLegend();
     void lookChanged();
-    void paintOverlay(QPainter& painter) const;
-    void paintRings(QPainter& painter) const;
 
     std::unique_ptr<State> m_state;
 };

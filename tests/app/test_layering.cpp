@@ -3,6 +3,8 @@
 
 #include <QDirIterator>
 #include <QFile>
+#include <QFileInfo>
+#include <QHash>
 #include <QRegularExpression>
 #include <QtTest>
 
@@ -65,6 +67,35 @@ private Q_SLOTS:
             }
         }
         QVERIFY(files > 3);
+    }
+
+    /// A class that has grown too large is divided into classes, not into files.
+    void noClassIsSlicedOverFiles()
+    {
+        const QRegularExpression member(QStringLiteral("^(?:[A-Za-z_][\\w:<>,&* ]*[ &*])?([A-Z]\\w*)::~?\\w+\\("),
+                                        QRegularExpression::MultilineOption);
+        QHash<QString, QString> fileOf;
+        for (const char* folder : {"app", "model", "view", "sim"}) {
+            QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + QLatin1String(folder),
+                              {QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
+            while (walk.hasNext()) {
+                QFile file(walk.next());
+                if (file.fileName().endsWith(QLatin1String("_wgl.cpp")))
+                    continue; // Of two guarded files one is built.
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                const QString room = QFileInfo(file).path() + QLatin1Char('/');
+                auto match = member.globalMatch(QString::fromUtf8(file.readAll()));
+                while (match.hasNext()) {
+                    const QString type = match.next().captured(1);
+                    const QString before = fileOf.value(room + type, file.fileName());
+                    QVERIFY2(
+                        before == file.fileName(),
+                        qPrintable(QStringLiteral("%1 is defined in %2 and in %3").arg(type, before, file.fileName())));
+                    fileOf.insert(room + type, file.fileName());
+                }
+            }
+        }
+        QVERIFY(fileOf.size() > 100);
     }
 
     void noFileIsOverlong()

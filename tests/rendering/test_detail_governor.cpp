@@ -1,6 +1,6 @@
 // The governor keeps moving pictures fast and makes still ones fine.
 #include "tests/support/test_program.h"
-#include "view/rendering/renderer.h"
+#include "view/rendering/detail_governor.h"
 
 #include <QtTest>
 

@@ -1,7 +1,7 @@
 // What every tool does, every key, and what the dialogs are for.
 #pragma once
 
-#include "view/dialogs/preferences_dialog.h"
+#include "view/dialogs/keys_page.h"
 #include "view/editor_state.h"
 
 #include <QDialog>

@@ -1,4 +1,4 @@
-// The program's own settings; the page of keys is in preferences_keys.cpp.
+// The pages of settings, and the general one.
 #include "view/dialogs/preferences_dialog.h"
 
 #include <QCheckBox>
@@ -18,7 +18,7 @@ namespace hairpaint::view {
 PreferencesDialog::PreferencesDialog(const Preferences& preferences,
                                      const std::vector<std::pair<QString, QString>>& languages,
                                      std::vector<KeyBinding> bindings, QWidget* parent)
-    : QDialog(parent), m_preferences(preferences), m_bindings(std::move(bindings))
+    : QDialog(parent), m_preferences(preferences)
 {
     setWindowTitle(tr("Preferences"));
     setModal(false);
@@ -29,7 +29,10 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences,
     pages->setDocumentMode(true);
     pages->tabBar()->setDrawBase(false);
     pages->addTab(buildGeneral(languages), tr("General"));
-    pages->addTab(buildKeys(), tr("Keys"));
+    auto* keys = new KeysPage(std::move(bindings), this);
+    connect(keys, &KeysPage::keyChanged, this, &PreferencesDialog::keyChanged);
+    connect(keys, &KeysPage::keyReset, this, &PreferencesDialog::keyReset);
+    pages->addTab(keys, tr("Keys"));
     layout->addWidget(pages);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     buttons->button(QDialogButtonBox::Close)->setText(tr("Close"));

@@ -1,6 +1,7 @@
 // How drawn frames of the 3D area come to the screen.
 #pragma once
 
+#include "view/presenter_choice.h"
 #include "view/rendering/renderer.h"
 #include "view/rendering/scene.h"
 
@@ -24,6 +25,9 @@ class FramePresenter : public QObject
     Q_OBJECT
 public:
     using QObject::QObject;
+
+    /// A child of `area`, as its widget is.
+    [[nodiscard]] static FramePresenter* make(PresenterChoice choice, QWidget* area);
 
     /// The widget that shows the frames; owned by its parent widget.
     [[nodiscard]] virtual QWidget& widget() = 0;

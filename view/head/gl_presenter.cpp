@@ -2,6 +2,7 @@
 #include "view/head/gl_presenter.h"
 
 #include "view/gl_problem.h"
+#include "view/rendering/detail_governor.h"
 
 #include <QBasicTimer>
 #include <QCoreApplication>

@@ -2,6 +2,7 @@
 #include "view/head/render_thread.h"
 
 #include "view/gl_problem.h"
+#include "view/rendering/detail_governor.h"
 #include "view/rendering/offscreen_context.h"
 
 #include <atomic>

@@ -1,5 +1,5 @@
 // Chooses how many hairs are drawn, from the time that frames took.
-#include "view/rendering/renderer.h"
+#include "view/rendering/detail_governor.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,15 @@
-// Mouse, keys and typing of the filled bar; its picture is in bar_slider_paint.cpp.
+// Mouse, keys and typing of the filled bar.
 #include "view/widgets/bar_slider.h"
 
 #include "view/theme.h"
+#include "view/widgets/bar_picture.h"
 
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QStyleHints>
 #include <QWheelEvent>
 
@@ -20,6 +22,12 @@ namespace {
 
 constexpr double kFine = 0.1;
 constexpr int kWheelPauseMs = 350; ///< Notches closer together than this are one change.
+
+/// Degrees stand against their number, other units a thin space away.
+QString spacedUnit(const QString& unit)
+{
+    return unit.isEmpty() || unit == QStringLiteral("°") ? unit : QChar(0x2009) + unit;
+}
 
 } // namespace
 
@@ -389,6 +397,57 @@ void BarSlider::resizeEvent(QResizeEvent* event)
     if (m_editor != nullptr)
         m_editor->setGeometry(rect());
     QWidget::resizeEvent(event);
+}
+
+QString BarSlider::valueText() const
+{
+    const QString number = QLocale().toString(m_value, 'f', m_decimals);
+    return number + spacedUnit(m_unit);
+}
+
+QSize BarSlider::sizeHint() const
+{
+    return {std::max(minimumSizeHint().width(), m_preferredWidth), metrics::kSlider};
+}
+
+QSize BarSlider::minimumSizeHint() const
+{
+    const QFontMetrics font = fontMetrics();
+    const QString widest = QLocale().toString(m_maximum, 'f', m_decimals) + spacedUnit(m_unit);
+    return {font.horizontalAdvance(m_label) + font.horizontalAdvance(widest) + 3 * kBarInset, metrics::kSlider};
+}
+
+void BarSlider::paintEvent(QPaintEvent* /*event*/)
+{
+    QPainter painter(this);
+    paintBar(painter, rect(),
+             {.label = m_label,
+              .value = valueText(),
+              .fraction = fractionOf(m_value),
+              .gradient = m_gradient,
+              .exponent = m_exponent,
+              .enabled = isEnabled(),
+              .hovered = isEnabled() && underMouse(),
+              .focused = hasFocus()});
+}
+
+void BarSlider::enterEvent(QEnterEvent* event)
+{
+    update();
+    QWidget::enterEvent(event);
+}
+
+void BarSlider::leaveEvent(QEvent* event)
+{
+    update();
+    QWidget::leaveEvent(event);
+}
+
+void BarSlider::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::EnabledChange || event->type() == QEvent::PaletteChange)
+        update();
+    QWidget::changeEvent(event);
 }
 
 } // namespace hairpaint::view

@@ -1,5 +1,7 @@
-// The page of keys in the preferences.
-#include "view/dialogs/preferences_dialog.h"
+// The tree of actions and their keys.
+#include "view/dialogs/keys_page.h"
+
+#include "view/theme.h"
 #include "view/widgets/action_button.h"
 
 #include <QHBoxLayout>
@@ -33,19 +35,32 @@ QString keyText(const QList<QKeySequence>& keys)
 
 } // namespace
 
-QWidget* PreferencesDialog::buildKeys()
+KeysPage::KeysPage(std::vector<KeyBinding> bindings, QWidget* parent) : QWidget(parent), m_bindings(std::move(bindings))
 {
-    auto* page = new QWidget(this);
-    page->setObjectName(QStringLiteral("panel"));
-    auto* layout = new QVBoxLayout(page);
+    setObjectName(QStringLiteral("panel"));
+    build();
+    fill();
+    connect(m_filter, &QLineEdit::textChanged, this, &KeysPage::filter);
+    connect(m_keys, &QTreeWidget::currentItemChanged, this, &KeysPage::follow);
+    connect(m_newKey, &QKeySequenceEdit::keySequenceChanged, this, &KeysPage::follow);
+    connect(m_assign, &QPushButton::clicked, this, [this] { setKey(current(), m_newKey->keySequence()); });
+    connect(m_clear, &QPushButton::clicked, this, [this] { setKey(current(), {}); });
+    connect(m_reset, &QPushButton::clicked, this, [this] { resetKey(current()); });
+    connect(m_resetAll, &QPushButton::clicked, this, &KeysPage::resetAll);
+    follow();
+}
+
+void KeysPage::build()
+{
+    auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::kPadding, metrics::kPadding, metrics::kPadding, metrics::kPadding);
     layout->setSpacing(metrics::kGap);
-    m_filter = new QLineEdit(page);
+    m_filter = new QLineEdit(this);
     m_filter->setPlaceholderText(tr("Search by name or key"));
     m_filter->setAccessibleName(m_filter->placeholderText());
     m_filter->setClearButtonEnabled(true);
     layout->addWidget(m_filter);
-    m_keys = new QTreeWidget(page);
+    m_keys = new QTreeWidget(this);
     m_keys->setAccessibleName(tr("Keys"));
     m_keys->setColumnCount(2);
     m_keys->setHeaderLabels({tr("Action"), tr("Key")});
@@ -56,21 +71,21 @@ QWidget* PreferencesDialog::buildKeys()
 
     auto* row = new QHBoxLayout;
     row->setSpacing(metrics::kGap);
-    auto* label = new QLabel(tr("&New key"), page);
-    m_newKey = new QKeySequenceEdit(page);
+    auto* label = new QLabel(tr("&New key"), this);
+    m_newKey = new QKeySequenceEdit(this);
     m_newKey->setAccessibleName(tr("New key of the chosen action"));
     label->setBuddy(m_newKey);
-    m_assign = new QPushButton(tr("Assign"), page);
-    m_clear = new QPushButton(tr("Clear"), page);
-    m_reset = new QPushButton(tr("Reset"), page);
-    m_resetAll = new QPushButton(tr("Reset all"), page);
+    m_assign = new QPushButton(tr("Assign"), this);
+    m_clear = new QPushButton(tr("Clear"), this);
+    m_reset = new QPushButton(tr("Reset"), this);
+    m_resetAll = new QPushButton(tr("Reset all"), this);
     m_resetAll->setToolTip(tr("Gives every action its own key again"));
     for (QPushButton* button : {m_assign, m_clear, m_reset, m_resetAll})
         button->setAutoDefault(false);
     row->addWidget(label);
     row->addWidget(m_newKey, 1);
     layout->addLayout(row);
-    m_remark = new QLabel(page);
+    m_remark = new QLabel(this);
     m_remark->setProperty("role", QStringLiteral("dim"));
     m_remark->setWordWrap(true);
     auto* foot = new QHBoxLayout;
@@ -79,20 +94,9 @@ QWidget* PreferencesDialog::buildKeys()
     for (QPushButton* button : {m_assign, m_clear, m_reset, m_resetAll})
         foot->addWidget(button);
     layout->addLayout(foot);
-    fillKeys();
-
-    connect(m_filter, &QLineEdit::textChanged, this, &PreferencesDialog::filterKeys);
-    connect(m_keys, &QTreeWidget::currentItemChanged, this, &PreferencesDialog::followKey);
-    connect(m_newKey, &QKeySequenceEdit::keySequenceChanged, this, &PreferencesDialog::followKey);
-    connect(m_assign, &QPushButton::clicked, this, [this] { setKey(currentBinding(), m_newKey->keySequence()); });
-    connect(m_clear, &QPushButton::clicked, this, [this] { setKey(currentBinding(), {}); });
-    connect(m_reset, &QPushButton::clicked, this, [this] { resetKey(currentBinding()); });
-    connect(m_resetAll, &QPushButton::clicked, this, &PreferencesDialog::resetAllKeys);
-    followKey();
-    return page;
 }
 
-void PreferencesDialog::fillKeys()
+void KeysPage::fill()
 {
     m_items.clear();
     m_keys->clear();
@@ -111,7 +115,7 @@ void PreferencesDialog::fillKeys()
     }
 }
 
-void PreferencesDialog::filterKeys(const QString& text)
+void KeysPage::filter(const QString& text)
 {
     for (int i = 0; i < m_keys->topLevelItemCount(); ++i) {
         QTreeWidgetItem* section = m_keys->topLevelItem(i);
@@ -127,13 +131,13 @@ void PreferencesDialog::filterKeys(const QString& text)
     }
 }
 
-int PreferencesDialog::currentBinding() const
+int KeysPage::current() const
 {
     const QTreeWidgetItem* item = m_keys->currentItem();
     return item != nullptr && item->parent() != nullptr ? item->data(kNameColumn, Qt::UserRole).toInt() : -1;
 }
 
-int PreferencesDialog::ownerOf(const QKeySequence& key, int except) const
+int KeysPage::ownerOf(const QKeySequence& key, int except) const
 {
     for (std::size_t i = 0; i < m_bindings.size(); ++i)
         if (static_cast<int>(i) != except && !key.isEmpty() && m_bindings[i].action->shortcuts().contains(key))
@@ -141,9 +145,9 @@ int PreferencesDialog::ownerOf(const QKeySequence& key, int except) const
     return -1;
 }
 
-void PreferencesDialog::followKey()
+void KeysPage::follow()
 {
-    const int binding = currentBinding();
+    const int binding = current();
     const bool chosen = binding >= 0;
     const QKeySequence wanted = m_newKey->keySequence();
     m_newKey->setEnabled(chosen);
@@ -161,7 +165,7 @@ void PreferencesDialog::followKey()
         m_remark->setText(tr("Press the new key in the field, then Assign."));
 }
 
-void PreferencesDialog::put(int binding, const QList<QKeySequence>& keys)
+void KeysPage::put(int binding, const QList<QKeySequence>& keys)
 {
     const auto index = static_cast<std::size_t>(binding);
     m_bindings[index].action->setShortcuts(keys);
@@ -172,7 +176,7 @@ void PreferencesDialog::put(int binding, const QList<QKeySequence>& keys)
         Q_EMIT keyChanged(m_bindings[index].action, keys.value(0));
 }
 
-void PreferencesDialog::setKey(int binding, const QKeySequence& key)
+void KeysPage::setKey(int binding, const QKeySequence& key)
 {
     if (binding < 0)
         return;
@@ -180,12 +184,12 @@ void PreferencesDialog::setKey(int binding, const QKeySequence& key)
         put(owner, {});
     put(binding, key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key});
     m_newKey->clear();
-    followKey();
+    follow();
 }
 
 /// Nobody is left without a key by it: whoever took one of its keys gets its own ones back that are free, or where all
 /// are taken too the key that becomes free; and whoever has none and would have that key by itself gets it back.
-void PreferencesDialog::resetKey(int binding)
+void KeysPage::resetKey(int binding)
 {
     if (binding < 0)
         return;
@@ -207,14 +211,14 @@ void PreferencesDialog::resetKey(int binding)
         if (m_bindings[i].action->shortcut().isEmpty() && !freed.isEmpty() && m_bindings[i].defaultKey() == freed &&
             ownerOf(freed, static_cast<int>(i)) < 0)
             put(static_cast<int>(i), m_bindings[i].defaultKeys);
-    followKey();
+    follow();
 }
 
-void PreferencesDialog::resetAllKeys()
+void KeysPage::resetAll()
 {
     for (std::size_t i = 0; i < m_bindings.size(); ++i)
         put(static_cast<int>(i), m_bindings[i].defaultKeys);
-    followKey();
+    follow();
 }
 
 } // namespace hairpaint::view

@@ -1,0 +1,36 @@
+// Cut, copy, paste and clear of the selected texels, as the menus and keys ask for them.
+#pragma once
+
+#include "app/session.h"
+#include "model/tools/clipboard.h"
+
+#include <QObject>
+
+#include <optional>
+
+namespace hairpaint::app {
+
+/// Holds what was copied last. Works on the active layer of the session, which outlives it; each change is one undo
+/// step. GUI thread.
+class ClipCommands : public QObject
+{
+    Q_OBJECT
+public:
+    explicit ClipCommands(Session& session);
+
+    void cut();
+    void copy();
+    void paste();
+    void clear();
+
+Q_SIGNALS:
+    void told(const QString& message); ///< For the status bar.
+
+private:
+    void clearSelected(const QString& text); ///< %1 in the step's text becomes the map's name.
+
+    Session& m_session;
+    std::optional<model::Clip> m_clip;
+};
+
+} // namespace hairpaint::app

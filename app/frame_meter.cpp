@@ -1,0 +1,38 @@
+// The speed of drawing: see the header.
+#include "app/frame_meter.h"
+
+#include "view/head_view.h"
+#include "view/panels/status_readout.h"
+
+#include <algorithm>
+
+namespace hairpaint::app {
+
+FrameMeter::FrameMeter(const view::HeadView& head, Session& session, view::StatusReadout& status)
+    : QObject(&status), m_session(session), m_status(status)
+{
+    connect(&head, &view::HeadView::frameDrawn, this, &FrameMeter::onFrameDrawn);
+}
+
+void FrameMeter::onFrameDrawn(const rendering::FrameStatistics& statistics)
+{
+    const double seconds = m_sinceFrame.isValid() ? static_cast<double>(m_sinceFrame.nsecsElapsed()) * 1e-9 : 1.0;
+    m_sinceFrame.start();
+    // A pause is no slow frame: the picture was still.
+    if (seconds < 0.5) {
+        const double rate = 1.0 / std::max(seconds, 1e-3);
+        m_frameRate = m_frameRate > 0.0 ? m_frameRate * 0.9 + rate * 0.1 : rate;
+        m_status.setFramesPerSecond(m_frameRate);
+    }
+    const auto& frame = m_session.frame();
+    // A fine picture takes its time, and one of hair that rests takes less than one of hair that moves.
+    if (frame && !frame->asleep && !m_session.paused() && !statistics.inSteps)
+        m_session.setDrawTime(statistics.milliseconds);
+    if (frame)
+        m_status.setHairs(static_cast<qint64>(statistics.drawnHairs), static_cast<qint64>(frame->hairCount),
+                          frame->limit);
+    else
+        m_status.setHairs(static_cast<qint64>(statistics.drawnHairs), 0);
+}
+
+} // namespace hairpaint::app

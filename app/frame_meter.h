@@ -1,0 +1,33 @@
+// How fast the 3D area draws: for the status line, and for the simulation, which makes no more than can be drawn.
+#pragma once
+
+#include "app/session.h"
+#include "view/rendering/renderer.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+
+namespace hairpaint::view {
+class HeadView;
+class StatusReadout;
+} // namespace hairpaint::view
+
+namespace hairpaint::app {
+
+/// Belongs to the status line; the session outlives both. GUI thread.
+class FrameMeter : public QObject
+{
+    Q_OBJECT
+public:
+    FrameMeter(const view::HeadView& head, Session& session, view::StatusReadout& status);
+
+private:
+    void onFrameDrawn(const rendering::FrameStatistics& statistics);
+
+    Session& m_session;
+    view::StatusReadout& m_status;
+    double m_frameRate = 0.0; ///< Smoothed, frames per second.
+    QElapsedTimer m_sinceFrame;
+};
+
+} // namespace hairpaint::app

@@ -1,0 +1,20 @@
+// The areas' context menu: see the header.
+#include "app/menus/area_menu.h"
+
+namespace hairpaint::app {
+
+AreaMenu::AreaMenu(const ActionSet& actions, QWidget* parent) : QMenu(parent)
+{
+    for (const char* id : std::initializer_list<const char*>{
+             "edit.undo",      "edit.redo",  nullptr,          "edit.cut",       "edit.copy",
+             "edit.paste",     "edit.clear", nullptr,          "edit.all",       "edit.none",
+             "edit.invert",    nullptr,      "file.loadImage", "file.saveImage", nullptr,
+             "view.wireframe", "view.night", "view.fit",       "view.home",      "view.turnToBrush"}) {
+        if (id == nullptr)
+            addSeparator();
+        else
+            addAction(actions.find(QLatin1StringView(id)));
+    }
+}
+
+} // namespace hairpaint::app

@@ -1,0 +1,66 @@
+// The File menu: see the header.
+#include "app/menus/file_menu.h"
+
+#include <QFileInfo>
+
+namespace hairpaint::app {
+
+FileMenu::FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files, Exchange& exchange,
+                   view::EditorState& editor, QWidget* parent)
+    : QMenu(title, parent), m_files(files)
+{
+    addProjectActions(actions, editor);
+    addSeparator();
+    addExchangeActions(actions, exchange);
+    addSeparator();
+    actions.add(*this,
+                {{"file.quit", tr("&Quit"), {Qt::CTRL | Qt::Key_Q}, [this] { parentWidget()->window()->close(); }}});
+}
+
+void FileMenu::addProjectActions(ActionSet& actions, view::EditorState& editor)
+{
+    actions.add(*this, {{"file.new", tr("&New"), {QKeySequence::New}, [this] { m_files.newProject(); }, "new"},
+                        {"file.newBald",
+                         tr("New with a &bald head"),
+                         {},
+                         [this, &editor] {
+                             if (m_files.newBaldProject()) // Only Density makes hair there.
+                                 editor.setActiveMap(model::MapKind::Density);
+                         }},
+                        {"file.open", tr("&Open…"), {QKeySequence::Open}, [this] { m_files.open(); }, "open"}});
+    m_recent = addMenu(tr("Open &recent"));
+    actions.add(*this,
+                {{"file.save", tr("&Save"), {QKeySequence::Save}, [this] { m_files.save(); }, "save"},
+                 {"file.saveAs", tr("Save &as…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_S}, [this] { m_files.saveAs(); }}});
+}
+
+void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange)
+{
+    actions.add(
+        *this,
+        {{"file.loadImage", tr("Load &image into map…"), {}, [&exchange] { exchange.importImage(false); }, "import"},
+         {"file.loadGrey", tr("Load &grey image into map…"), {}, [&exchange] { exchange.importImage(true); }},
+         {"file.saveImage", tr("Save &map as image…"), {}, [&exchange] { exchange.exportMap(); }, "export"}});
+    addSeparator();
+    actions.add(*this,
+                {{"file.importHead", tr("Import &head…"), {}, [&exchange] { exchange.importHead(); }},
+                 {"file.builtInHead", tr("Use the built-in hea&d"), {}, [&exchange] { exchange.useBuiltInHead(); }}});
+    addSeparator();
+    actions.add(
+        *this,
+        {{"file.exportHair", tr("&Export hair…"), {Qt::CTRL | Qt::Key_E}, [&exchange] { exchange.exportHair(); }},
+         {"file.picture", tr("Save &picture…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_P}, [&exchange] {
+              exchange.savePicture();
+          }}});
+}
+
+void FileMenu::showRecentFiles(const QStringList& paths)
+{
+    m_recent->clear();
+    for (const QString& path : paths)
+        m_recent->addAction(inMenu(QFileInfo(path).fileName()), this, [this, path] { m_files.openPath(path); })
+            ->setToolTip(path);
+    m_recent->setEnabled(!m_recent->isEmpty());
+}
+
+} // namespace hairpaint::app

@@ -1,0 +1,29 @@
+// The File menu: projects, and what comes from other programs and goes to them.
+#pragma once
+
+#include "app/action_set.h"
+#include "app/exchange.h"
+#include "app/project_files.h"
+
+#include <QMenu>
+
+namespace hairpaint::app {
+
+/// Whatever it is made with outlives its actions; Quit closes the parent's window. GUI thread.
+class FileMenu : public QMenu
+{
+    Q_OBJECT
+public:
+    FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files, Exchange& exchange,
+             view::EditorState& editor, QWidget* parent);
+    void showRecentFiles(const QStringList& paths);
+
+private:
+    void addProjectActions(ActionSet& actions, view::EditorState& editor);
+    void addExchangeActions(ActionSet& actions, Exchange& exchange);
+
+    ProjectFiles& m_files;
+    QMenu* m_recent = nullptr;
+};
+
+} // namespace hairpaint::app

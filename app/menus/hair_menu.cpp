@@ -1,0 +1,57 @@
+// The Hair menu: see the header.
+#include "app/menus/hair_menu.h"
+
+namespace hairpaint::app {
+
+HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, view::HeadView& head,
+                   view::Sidebar& sidebar, WindowDialogs& dialogs, Exchange& exchange, QWidget* parent)
+    : QMenu(title, parent)
+{
+    addWeather(actions, session, head, dialogs);
+    addSeparator();
+    addSimulation(actions, session);
+    addSeparator();
+    actions.add(*this,
+                {{"hair.addGroup", tr("&Add hair group…"), {}, [&sidebar] { sidebar.askWhatGrows(); }, "group-add"},
+                 {"hair.removeGroup", tr("Remo&ve hair group"), {}, [&sidebar] { sidebar.hair().removeGroup(); }}});
+    addSeparator();
+    actions.add(*this, {{"hair.saveStyle", tr("&Save style…"), {}, [&exchange] { exchange.saveStyle(); }}});
+}
+
+void HairMenu::addWeather(ActionSet& actions, Session& session, view::HeadView& head, WindowDialogs& dialogs)
+{
+    const model::Document& document = session.document();
+    actions.add(
+        *this,
+        {{.id = "hair.wind",
+          .text = tr("&Wind"),
+          .keys = {Qt::Key_W},
+          .run = [&session] { session.toggleWind(); },
+          .icon = "wind",
+          .on = [&document] { return document.project().wind.enabled; }},
+         {"hair.windDialog", tr("W&ind…"), {Qt::SHIFT | Qt::Key_W}, [&dialogs] { dialogs.showWind(); }},
+         {"hair.lightDialog", tr("&Light…"), {Qt::SHIFT | Qt::Key_L}, [&dialogs] { dialogs.showLight(); }, "light"},
+         {.id = "hair.weather",
+          .text = tr("Weat&her keys"),
+          .keys = {Qt::Key_F7},
+          .run = [&head] { head.setWeatherShown(!head.weatherShown()); },
+          .icon = "weather",
+          .on = [&head] { return head.weatherShown(); }}});
+}
+
+void HairMenu::addSimulation(ActionSet& actions, Session& session)
+{
+    actions.add(*this, {{.id = "hair.pause",
+                         .text = tr("&Pause"),
+                         .keys = {Qt::Key_F8},
+                         .run = [&session] { session.setPaused(!session.paused()); },
+                         .icon = "pause",
+                         .on = [&session] { return session.paused(); }},
+                        {"hair.reset",
+                         tr("&Reset the simulation"),
+                         {Qt::SHIFT | Qt::Key_F8},
+                         [&session] { session.resetHair(); },
+                         "reset"}});
+}
+
+} // namespace hairpaint::app

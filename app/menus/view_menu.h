@@ -1,0 +1,26 @@
+// The View menu: which areas and panels are shown, where they look from, the theme.
+#pragma once
+
+#include "app/action_set.h"
+#include "app/live_preferences.h"
+#include "app/workspace.h"
+
+#include <QMenu>
+
+namespace hairpaint::app {
+
+/// Whatever it is made with outlives its actions. GUI thread.
+class ViewMenu : public QMenu
+{
+    Q_OBJECT
+public:
+    ViewMenu(const QString& title, ActionSet& actions, Workspace& workspace, view::EditorState& editor,
+             LivePreferences& preferences, QWidget* parent);
+
+private:
+    void addAreas(ActionSet& actions, Workspace& workspace);
+    void addLook(ActionSet& actions, Workspace& workspace, view::EditorState& editor);
+    void addThemes(ActionSet& actions, LivePreferences& preferences);
+};
+
+} // namespace hairpaint::app

@@ -1,0 +1,52 @@
+// From the library to the strip: see the header.
+#include "app/style_strip_controller.h"
+
+#include "app/library.h"
+
+namespace hairpaint::app {
+
+namespace {
+
+struct StyleList
+{
+    std::vector<model::PresetEntry> entries;
+    QStringList problems;
+};
+
+} // namespace
+
+StyleStripController::StyleStripController(view::StyleStrip& strip, Exchange& exchange, Jobs& jobs)
+    : QObject(&strip), m_strip(strip), m_jobs(jobs), m_pictures(jobs)
+{
+    connect(&exchange, &Exchange::stylesChanged, this, &StyleStripController::refresh);
+    connect(&strip, &view::StyleStrip::saveStyleRequested, &exchange, &Exchange::saveStyle);
+    connect(&strip, &view::StyleStrip::renameStyleRequested, &exchange, &Exchange::renameStyle);
+    connect(&strip, &view::StyleStrip::deleteStyleRequested, &exchange, &Exchange::deleteStyle);
+    connect(&strip, &view::StyleStrip::pictureWanted, &m_pictures, &StylePictures::make);
+    connect(&m_pictures, &StylePictures::made, &strip, &view::StyleStrip::setPicture);
+    connect(&strip, &view::StyleStrip::failed, this, &StyleStripController::failed);
+}
+
+void StyleStripController::refresh()
+{
+    m_jobs.start<StyleList>(
+        tr("Reading the styles"),
+        [](const model::Progress&) -> model::Result<StyleList> {
+            StyleList list;
+            list.entries = listStyles(&list.problems);
+            return list;
+        },
+        this,
+        [this, number = ++m_newest](const model::Result<StyleList>& list) {
+            if (number != m_newest)
+                return; // It was asked for again meanwhile.
+            m_pictures.forget();
+            if (list)
+                m_strip.setEntries(list->entries);
+            const QString problem = !list ? list.error().message : list->problems.value(0);
+            if (!problem.isEmpty())
+                Q_EMIT failed(problem);
+        });
+}
+
+} // namespace hairpaint::app

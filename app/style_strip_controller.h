@@ -1,0 +1,32 @@
+// Fills the strip of styles from the library and does what its tiles ask for.
+#pragma once
+
+#include "app/background/jobs.h"
+#include "app/exchange.h"
+#include "app/style_pictures.h"
+#include "view/panels/style_strip.h"
+
+#include <QObject>
+
+namespace hairpaint::app {
+
+/// The library is read in the background, anew whenever `exchange` changes it. Belongs to the strip; `exchange` and the
+/// jobs outlive both. GUI thread.
+class StyleStripController : public QObject
+{
+    Q_OBJECT
+public:
+    StyleStripController(view::StyleStrip& strip, Exchange& exchange, Jobs& jobs);
+    void refresh();
+
+Q_SIGNALS:
+    void failed(const QString& problem);
+
+private:
+    view::StyleStrip& m_strip;
+    Jobs& m_jobs;
+    StylePictures m_pictures;
+    int m_newest = 0; ///< Number of the list that was asked for last.
+};
+
+} // namespace hairpaint::app

@@ -1,0 +1,140 @@
+// The 3D area's scene, and what lies where in it.
+#include "view/head/head_scene.h"
+
+#include "view/editor_state.h"
+#include "view/head/head_camera.h"
+#include "view/head/head_turn.h"
+#include "view/head/stage.h"
+#include "view/scene_light.h"
+
+#include <QWidget>
+
+#include <algorithm>
+
+namespace hairpaint::view {
+
+namespace {
+
+rendering::Ring ringAt(const sim::SurfacePoint& point, float radiusM)
+{
+    return {.centreHd = point.positionHd, .normalHd = point.normalHd, .radiusM = radiusM};
+}
+
+} // namespace
+
+HeadScene::HeadScene(EditorState& editor, const HeadTurn& turn, const QWidget& area)
+    : m_editor(editor), m_turn(turn), m_area(area)
+{}
+
+rendering::Scene HeadScene::withoutRings() const
+{
+    rendering::Scene scene = m_scene;
+    scene.ring.reset();
+    scene.mirroredRing.reset();
+    return scene;
+}
+
+std::optional<rendering::Camera> HeadScene::cameraFor(rendering::StandardView view) const
+{
+    if (!hasHead())
+        return std::nullopt;
+    return stageCamera(view, *m_editor.document().project().head, *m_scene.head, m_scene.hair.get());
+}
+
+std::optional<rendering::Camera> HeadScene::fittingCamera() const
+{
+    if (!hasHead())
+        return std::nullopt;
+    return stageCamera(m_scene.camera, *m_editor.document().project().head, *m_scene.head, m_scene.hair.get());
+}
+
+std::optional<rendering::Camera> HeadScene::cameraAtBrush() const
+{
+    if (!m_brush)
+        return std::nullopt;
+    const sim::HeadPose pose = shownPose();
+    const glm::vec3 positionWo = inWorld(m_brush->positionHd, pose);
+    return lookingAt(m_scene.camera, positionWo, pose.rotation * m_brush->normalHd);
+}
+
+const sim::Skin* HeadScene::skin() const
+{
+    const std::shared_ptr<const model::Head>& head = m_editor.document().project().head;
+    return head ? head->skin.get() : nullptr;
+}
+
+bool HeadScene::refreshHead()
+{
+    const std::shared_ptr<const model::Head>& head = m_editor.document().project().head;
+    const std::shared_ptr<const sim::HeadMesh> before = m_scene.head;
+    m_scene.headInMotion.reset();
+    if (head)
+        m_scene.headInMotion = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
+    m_scene.head = head && head->shownMesh ? head->shownMesh : m_scene.headInMotion;
+    if (m_scene.head == before)
+        return false;
+    m_scene.hair.reset();
+    return true;
+}
+
+bool HeadScene::isOnHead(const sim::StrandFrame& hair) const
+{
+    return std::ranges::all_of(hair.groups, [skin = skin()](const sim::GroupFrame& group) {
+        return !group.groom || !group.groom->roots || !group.groom->roots->skin ||
+               group.groom->roots->skin.get() == skin;
+    });
+}
+
+sim::HeadPose HeadScene::shownPose() const
+{
+    return m_scene.hair ? m_scene.hair->pose : m_turn.pose();
+}
+
+void HeadScene::setEnvironment(const model::LightSettings& light, QRgb background)
+{
+    m_scene.light = sceneLight(light);
+    m_scene.background = linearColour(background);
+}
+
+bool HeadScene::refreshRings()
+{
+    const bool hadRing = m_scene.ring.has_value();
+    m_scene.ring.reset();
+    m_scene.mirroredRing.reset();
+    const std::optional<Hover>& hover = m_editor.hover();
+    if (hover && hover->point && m_editor.activeTool().hasRing()) {
+        const float radiusM = m_editor.toolSettings().brushSizeM / 2.0F;
+        m_scene.ring = ringAt(*hover->point, radiusM);
+        if (m_editor.mirror() && skin() != nullptr) {
+            if (const std::optional<sim::SurfacePoint> twin = skin()->mirrored(*hover->point))
+                m_scene.mirroredRing = ringAt(*twin, radiusM);
+        }
+    }
+    if (hover && hover->point)
+        m_brush = hover->point;
+    return hadRing || m_scene.ring;
+}
+
+QPolygonF HeadScene::hiddenRing() const
+{
+    const std::optional<Hover>& hover = m_editor.hover();
+    if (!hover || hover->area != model::Area::Paint || !hover->point || !m_editor.activeTool().hasRing() ||
+        !hidden(*hover->point, skin(), m_scene.camera, shownPose()))
+        return {};
+    return ringSeen(*hover->point, m_editor.toolSettings().brushSizeM / 2.0F, m_scene.camera, shownPose(),
+                    QSizeF(m_area.size()));
+}
+
+std::optional<sim::SurfacePoint> HeadScene::skinAt(QPointF position) const
+{
+    if (skin() == nullptr)
+        return std::nullopt;
+    return skin()->pick(inHead(rayThrough(m_scene.camera, position, QSizeF(m_area.size())), shownPose()));
+}
+
+std::optional<QPointF> HeadScene::positionOf(glm::vec3 positionHd) const
+{
+    return project(m_scene.camera, inWorld(positionHd, shownPose()), QSizeF(m_area.size()));
+}
+
+} // namespace hairpaint::view
