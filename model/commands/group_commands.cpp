@@ -1,20 +1,14 @@
 // Groups added, removed, renamed, moved, shown and replaced by a preset's.
+#include "model/commands/command_texts.h"
 #include "model/commands/edit_command.h"
 #include "model/names.h"
 #include "model/preset.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace hairpaint::model {
 
 namespace {
-
-class Commands
-{
-    Q_DECLARE_TR_FUNCTIONS(Commands)
-};
 
 CommandPtr groupsCommand(Document& document, Id group, const QString& text, std::function<void(Project&)> edit)
 {

@@ -1,9 +1,8 @@
 // Layers added, removed, moved and changed.
+#include "model/commands/command_texts.h"
 #include "model/commands/edit_command.h"
 #include "model/files/image_resample.h"
 #include "model/names.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <span>
@@ -11,11 +10,6 @@
 namespace hairpaint::model {
 
 namespace {
-
-class Commands
-{
-    Q_DECLARE_TR_FUNCTIONS(Commands)
-};
 
 CommandPtr layersCommand(Document& document, Id groupId, MapKind map, const QString& text,
                          std::function<void(Project&, std::vector<Layer>&)> edit)

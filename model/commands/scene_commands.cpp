@@ -1,16 +1,10 @@
 // Wind, light, background and the head.
+#include "model/commands/command_texts.h"
 #include "model/commands/edit_command.h"
-
-#include <QCoreApplication>
 
 namespace hairpaint::model {
 
 namespace {
-
-class Commands
-{
-    Q_DECLARE_TR_FUNCTIONS(Commands)
-};
 
 CommandPtr environmentCommand(Document& document, const QString& text, std::function<void(Project&)> edit)
 {

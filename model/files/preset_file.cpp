@@ -20,7 +20,7 @@ namespace hairpaint::model {
 
 namespace {
 
-const QByteArray kMimetype = QByteArrayLiteral("application/x-hairpaint-preset");
+const QByteArray kPresetMimetype = QByteArrayLiteral("application/x-hairpaint-preset");
 const QString kBuiltInFolder = QStringLiteral(":/presets");
 
 /// The archive and its JSON, the maps unread.
@@ -32,7 +32,7 @@ struct OpenedPreset
 
 Result<OpenedPreset> openPreset(const QString& path)
 {
-    Result<OpenedArchive> opened = openArchive(path, kMimetype);
+    Result<OpenedArchive> opened = openArchive(path, kPresetMimetype);
     if (!opened)
         return tl::unexpected(opened.error());
     Checked<Preset> preset = presetFromJson(opened->json);
@@ -63,7 +63,7 @@ Result<void> write(const Preset& preset, const QString& path)
     if (!json)
         return cannotWrite(path, json.error());
     ArchiveWriter archive;
-    addMimetype(archive, kMimetype);
+    addMimetype(archive, kPresetMimetype);
     archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
     EncodedLayers cache;
     if (Checked<bool> added = addLayers(archive, preset.groups, cache, {}); !added)

@@ -12,7 +12,7 @@ namespace hairpaint::model {
 
 namespace {
 
-const QByteArray kMimetype = QByteArrayLiteral("application/x-hairpaint");
+const QByteArray kProjectMimetype = QByteArrayLiteral("application/x-hairpaint");
 constexpr qint64 kMostHeadBytes = 192 << 20;
 
 /// Null where `goesOn` stopped it.
@@ -34,7 +34,7 @@ Checked<std::shared_ptr<const Head>> openHead(const ArchiveReader& archive, cons
 
 Result<Project> read(const QString& path, EncodedLayers& cache, const Progress& progress)
 {
-    const Result<OpenedArchive> opened = openArchive(path, kMimetype);
+    const Result<OpenedArchive> opened = openArchive(path, kProjectMimetype);
     if (!opened)
         return tl::unexpected(opened.error());
     Checked<ProjectManifest> manifest = projectFromJson(opened->json);
@@ -66,7 +66,7 @@ Result<void> write(const Project& project, const QString& path, const QImage& th
     if (!json)
         return cannotWrite(path, json.error());
     ArchiveWriter archive;
-    addMimetype(archive, kMimetype);
+    addMimetype(archive, kProjectMimetype);
     archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
     if (project.head && !project.head->builtIn)
         archive.add("head.glb", project.head->sourceGlb, ArchiveWriter::Method::Deflated);

@@ -14,8 +14,6 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr int kTile = sim::TiledRaster::kTileSize;
-
 /// The way from a place (0) to another (1), in texels.
 struct Ramp
 {

@@ -12,8 +12,6 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr int kTile = sim::TiledRaster::kTileSize;
-
 sim::TexelRect texelsAround(const QPolygonF& outline, int mapSize)
 {
     const QRectF box = outline.boundingRect();

@@ -9,8 +9,6 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr int kTile = sim::TiledRaster::kTileSize;
-
 int clampedInt(float value, int low, int high)
 {
     return static_cast<int>(std::clamp(value, static_cast<float>(low), static_cast<float>(high)));

@@ -11,6 +11,8 @@
 
 namespace hairpaint::model {
 
+inline constexpr int kTile = sim::TiledRaster::kTileSize; ///< Texels along an edge.
+
 /// One dab: inside where `a dx2 + 2 b dx dy + c dy2 < 1`, dx and dy in texels from the centre, y down.
 struct Dab
 {

@@ -2,8 +2,9 @@
 
 find_program(HAIRPAINT_CCACHE ccache)
 if(HAIRPAINT_CCACHE)
-    # Precompiled headers are cached too, and checkouts side by side share what is the same.
-    set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+    # Precompiled headers are cached too, and checkouts side by side share what is the same. Dependencies are the
+    # compiler's own: preprocessing for the cache alone would be a tenth of a first build.
+    set(launcher ${CMAKE_COMMAND} -E env CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros
         CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${HAIRPAINT_CCACHE})
     set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
     set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
@@ -39,6 +40,11 @@ if(HAIRPAINT_SANITIZE)
     # -O1 of RelWithDebInfo's -O2: a quarter less to wait for the compiler, and stacks that name every function.
     add_compile_options(-O1 -fsanitize=${HAIRPAINT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
     add_link_options(-fsanitize=${HAIRPAINT_SANITIZE})
+    # Each of Highway's instruction sets is half a minute of compiling instrumented kernels: the least and one wide one do.
+    target_compile_definitions(hairpaint_options INTERFACE
+        "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
+    # These presets compile several sources as one unit, where a source's own types look like a header's.
+    target_compile_options(hairpaint_options INTERFACE -Wno-subobject-linkage)
     # Instrumented code confuses these two in GCC 12; the plain builds check them.
     target_compile_options(hairpaint_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
 endif()

@@ -3,6 +3,8 @@
 
 #include "sim/base/deterministic.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,6 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr float kTwoPi = 6.28318530717958647692F;
 constexpr float kPointsPerTurn = 8.0F;
 constexpr float kMostSegments = 256.0F;
 constexpr float kTiny = 1e-16F;
@@ -71,14 +72,14 @@ glm::vec3 braidedOffset(const StrandStyle& style, float q)
     const float parted = std::min(q * style.braidTurns / kBraidEaseTurns, 1.0F);
     const float tuft = std::max(q - (1.0F - kTuftFraction), 0.0F) / kTuftFraction;
     const float r = style.braidRadiusM * parted;
-    const float turned = kTwoPi * style.braidTurns * q;
+    const float turned = glm::two_pi<float>() * style.braidTurns * q;
     const glm::vec3 inWisp(style.wispOffset.x, 0.0F, style.wispOffset.y);
     if (style.braid == BraidKind::Loc)
         return inWisp * (r * kLocWispFraction);
-    glm::vec3 axis = braidOffset(turned, wisp * (kTwoPi / 3.0F));
+    glm::vec3 axis = braidOffset(turned, wisp * (glm::two_pi<float>() / 3.0F));
     float wispR = r * kWispRadiusFraction;
     if (style.braid == BraidKind::Twist) {
-        const float angle = turned + wisp * (0.5F * kTwoPi);
+        const float angle = turned + wisp * (0.5F * glm::two_pi<float>());
         axis = glm::vec3(cosDet(angle), 0.0F, sinDet(angle)) * kTwistFraction;
         wispR = r * kTwistWispFraction;
     }
@@ -155,7 +156,7 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
             const glm::vec3 offset = braidedOffset(style, (s - style.braidStart) / (1.0F - style.braidStart));
             point += first * offset.x + tangent * offset.y + glm::cross(first, tangent) * offset.z;
         } else if (isCurled) {
-            const glm::vec3 offset = curlOffset(style.phase + kTwoPi * style.turns * s) *
+            const glm::vec3 offset = curlOffset(style.phase + glm::two_pi<float>() * style.turns * s) *
                                      (style.curlRadiusM * std::min(1.0F, s / kCurlEaseFraction));
             point += reference * offset.x + glm::cross(tangent, reference) * offset.y + tangent * offset.z;
         }

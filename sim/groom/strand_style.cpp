@@ -3,6 +3,8 @@
 
 #include "sim/base/deterministic.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,6 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr float kTwoPi = 6.28318530717958647692F;
 constexpr std::uint64_t kChanceKey = 0x6368616E6365U; ///< Apart from the keys of other uses of the seed.
 
 std::uint32_t byteOf(float value)
@@ -59,7 +60,7 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
     const std::uint64_t second = hash64(seed ^ kChanceKey, std::uint64_t{rank} * 2 + 1);
     constexpr float kPerSixteenBits = 1.0F / 65536.0F;
     RootChance chance;
-    chance.phase = unitFloat(first) * kTwoPi;
+    chance.phase = unitFloat(first) * glm::two_pi<float>();
     chance.variation = static_cast<float>(first & 0xFFFFU) * (2.0F * kPerSixteenBits) - 1.0F;
     chance.coatHeight = static_cast<float>((first >> 16U) & 0xFFFFU) * kPerSixteenBits;
     chance.wisp = static_cast<std::uint32_t>(second & 0xFFU) % 6;

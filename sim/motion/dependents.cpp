@@ -13,7 +13,7 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr std::size_t kBlocksAtOnce = 8;
+constexpr std::size_t kDependentBlocksAtOnce = 8;
 constexpr std::size_t kBasisBlocksAtOnce = 64;
 
 glm::vec3 inWorld(const RigidMotion& world, glm::vec3 p)
@@ -155,7 +155,7 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
     common.displacements = m_displacements.data();
     common.colliders = &colliders;
     common.world = worldOfHead(pose);
-    parallelFor(m_placed.size() * kBlocksPerChunk, kBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
+    parallelFor(m_placed.size() * kBlocksPerChunk, kDependentBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
         for (std::size_t at = begin; at < end;) {
             const std::size_t index = m_placed[at / kBlocksPerChunk];
             const std::size_t chunkBegin = at - at % kBlocksPerChunk;

@@ -5,6 +5,8 @@
 #include "sim/motion/head_motion.h"
 #include "sim/solver/wind_phases.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +18,6 @@ constexpr auto kStep = static_cast<float>(kStepSeconds);
 constexpr float kGravity = 9.81F;
 constexpr float kStrongestWind = 60.0F;
 constexpr int kPuffSteps = 12;
-constexpr double kTwoPi = 6.283185307179586;
 
 // Of the waves in time, rad/s; in space they are in solver/wind_phases.
 constexpr double kGustRate = 1.7;
@@ -44,8 +45,8 @@ std::array<float, 3> toArray(glm::vec3 v)
 /// Phase of a wave after so many steps, 0..2 pi.
 float phaseAfter(std::uint64_t steps, double radPerSecond)
 {
-    const double turns = static_cast<double>(steps) * (kStepSeconds * radPerSecond / kTwoPi);
-    return static_cast<float>((turns - std::floor(turns)) * kTwoPi);
+    const double turns = static_cast<double>(steps) * (kStepSeconds * radPerSecond / glm::two_pi<double>());
+    return static_cast<float>((turns - std::floor(turns)) * glm::two_pi<double>());
 }
 
 /// Any unit vector across v.
@@ -97,8 +98,9 @@ StepForces WindField::nextStep(const HeadPose& from, const HeadPose& to)
     if (m_wind.enabled) {
         const double seconds = static_cast<double>(m_step) * kStepSeconds;
         // Two slow waves that never meet in the same way again; -1..1.
-        const float lull = 0.6F * sinDet(wrappedPhase(static_cast<float>(std::fmod(seconds * 0.83, kTwoPi)))) +
-                           0.4F * sinDet(wrappedPhase(static_cast<float>(std::fmod(seconds * 2.17 + 1.3, kTwoPi))));
+        const float lull =
+            0.6F * sinDet(wrappedPhase(static_cast<float>(std::fmod(seconds * 0.83, glm::two_pi<double>())))) +
+            0.4F * sinDet(wrappedPhase(static_cast<float>(std::fmod(seconds * 2.17 + 1.3, glm::two_pi<double>()))));
         const float everywhere = 1.0F - m_wind.gustiness * 0.35F * (1.0F - lull);
         const glm::vec3 windHd = directionToHead(to, m_wind.velocity * (everywhere * kStep));
         const float speed = std::sqrt(glm::dot(windHd, windHd));

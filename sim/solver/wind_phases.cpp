@@ -3,13 +3,13 @@
 
 #include "sim/base/deterministic.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <cmath>
 
 namespace hairpaint::sim {
 
 namespace {
-
-constexpr auto kTwoPi = 6.283185307179586;
 
 // rad/m over the head, rad from root to tip.
 constexpr glm::vec3 kGustWave{3.1F, 1.3F, 4.2F};
@@ -22,8 +22,8 @@ constexpr float kAlongB = 4.1F;
 
 float wrappedPhase(float phaseRad)
 {
-    const float turns = phaseRad * static_cast<float>(1.0 / kTwoPi);
-    return (turns - std::floor(turns)) * static_cast<float>(kTwoPi);
+    const float turns = phaseRad * static_cast<float>(1.0 / glm::two_pi<double>());
+    return (turns - std::floor(turns)) * static_cast<float>(glm::two_pi<double>());
 }
 
 WindPhases windPhases(glm::vec3 rootHd, float hash01)

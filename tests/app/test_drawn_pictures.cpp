@@ -1,5 +1,6 @@
 // Maps drawn as images: pictures show hair where they are green and long hair where they are blue, the same every time.
 #include "tests/app/project_folder.h"
+#include "tests/app/thin_project.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -106,6 +107,8 @@ private Q_SLOTS:
             const QString file = m_folder.project("same.hairpaint", {QStringLiteral("density=") + drawn("density"),
                                                                      QStringLiteral("length=") + drawn("length"),
                                                                      QStringLiteral("curl=") + drawn("curl")});
+            projects[i] = contentOf(file);
+            QVERIFY(thinOut(file));
             const QString hair = m_folder.path("same.hair");
             const QString out = m_folder.path("same.png");
             QCOMPARE(runProgram({QStringLiteral("export"), file, QStringLiteral("-o"), hair, QStringLiteral("--settle"),
@@ -116,7 +119,6 @@ private Q_SLOTS:
                                  QStringLiteral("160x160"), QStringLiteral("--settle"), QStringLiteral("0.2")})
                          .code,
                      0);
-            projects[i] = contentOf(file);
             hairs[i] = contentOf(hair);
             pictures[i] = contentOf(out);
             QVERIFY(!projects[i].isEmpty() && !hairs[i].isEmpty() && !pictures[i].isEmpty());

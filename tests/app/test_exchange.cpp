@@ -27,7 +27,11 @@ class TestExchange : public QObject, private ExchangeFixture
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() { prepareDialogs(); }
-    void cleanup() { closeWindow(); }
+    void cleanup()
+    {
+        closeWindow();
+        qunsetenv("HAIRPAINT_IMPORT_MS");
+    }
 
     void anAcceptedHeadTakesThePlaceOfTheOld_data() { menuOrDrop(); }
     void anAcceptedHeadTakesThePlaceOfTheOld()
@@ -78,6 +82,8 @@ private Q_SLOTS:
         qputenv("HAIRPAINT_IMPORT",
                 mode == "missing" ? m_folder.path().toLocal8Bit() + "/none" : HAIRPAINT_FAKE_HELPER_PROGRAM);
         qputenv("HAIRPAINT_FAKE_HELPER", mode);
+        if (mode == "hang")
+            qputenv("HAIRPAINT_IMPORT_MS", "2000"); // It is given up soon.
         drop(ballHead("crashing.glb"));
         QTRY_COMPARE_WITH_TIMEOUT(m_answers->said.size(), 1, kPatienceMs);
         const QString& said = m_answers->said.constFirst();
@@ -88,6 +94,7 @@ private Q_SLOTS:
         QVERIFY(!session().document().modified());
         QVERIFY(savedBytes("helper-after.hairpaint") == before);
         // The program goes on.
+        qunsetenv("HAIRPAINT_IMPORT_MS");
         qputenv("HAIRPAINT_IMPORT", HAIRPAINT_IMPORT_PROGRAM);
         drop(ballHead("good.glb"));
         QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);

@@ -3,6 +3,7 @@
 #include "app/library.h"
 #include "app/main_window.h"
 #include "model/names.h"
+#include "tests/support/patience.h"
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/seen_text.h"
 #include "tests/support/test_heads.h"
@@ -32,7 +33,7 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+using test::kPatienceMs;
 
 /// What is the same in every language. Everything else that is seen must have gone through the translation.
 QString withoutExceptions(QString text, const QString& driver)

@@ -17,12 +17,13 @@ private:
 
     [[nodiscard]] QWidget& paper() { return m_window->paintView(); }
 
-    /// A bald head in still air, Density ready to be painted, seen from the front.
-    void openBald()
+    /// A bald head in still air, Density ready to be painted, seen from the front. `whole`: so that a short stroke
+    /// grows hair to be counted.
+    void openBald(bool whole = false)
     {
         model::Project project = model::newProject();
         project.wind.enabled = false;
-        openWholeWindow(std::move(project));
+        openWholeWindow(whole ? std::move(project) : test::thinned(std::move(project)));
         m_window->headView().setCamera(frontCamera());
         key(Qt::Key_1);
         key(Qt::Key_B);
@@ -75,7 +76,7 @@ private Q_SLOTS:
     void aStrokeGrowsHairWhileThePointerIsDown()
     {
         QFETCH(bool, onTheHead);
-        openBald();
+        openBald(true);
         const QByteArray before = savedBytes("stroke-before.hairpaint");
         const QImage bald = picture();
         QCOMPARE(hairs(), std::size_t{0});
@@ -123,7 +124,7 @@ private Q_SLOTS:
 
     void whatIsCopiedGrowsHairWhereItIsPasted()
     {
-        openBald();
+        openBald(true);
         drag(paper(), paintPoint(0.40F, 0.5F), paintPoint(0.44F, 0.5F));
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 100, kPatienceMs);
         key(Qt::Key_F8);
@@ -147,7 +148,7 @@ private Q_SLOTS:
 
     void pastingIntoAnotherMapChangesThatMapAndThePicture()
     {
-        openBald();
+        openBald(true);
         drag(paper(), paintPoint(0.40F, 0.5F), paintPoint(0.60F, 0.5F));
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
         key(Qt::Key_F8);
@@ -270,7 +271,7 @@ private Q_SLOTS:
 
     void aStyleSavesAndReopensTheSame()
     {
-        openWholeWindow(model::newProject());
+        openWindow(model::newProject());
         const QString path = m_folder.filePath(QStringLiteral("style.hairpaint"));
         m_window->openFile(model::listPresets({}).at(1).path);
         QCOMPARE(stack().count(), 1);

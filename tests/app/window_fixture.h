@@ -4,6 +4,7 @@
 #include "app/library.h"
 #include "app/main_window.h"
 #include "tests/app/thin_project.h"
+#include "tests/support/patience.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
 #include "view/panels/style_strip.h"
@@ -19,7 +20,7 @@
 
 namespace hairpaint::app {
 
-inline constexpr int kPatienceMs = 60'000;
+using test::kPatienceMs;
 
 /// Fraction of pixels that differ clearly between two pictures of one size.
 inline double difference(const QImage& a, const QImage& b)

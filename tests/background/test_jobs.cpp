@@ -2,6 +2,7 @@
 #include "app/background/heads.h"
 #include "app/background/jobs.h"
 #include "model/files/glb.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 
@@ -22,7 +23,7 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr int kPatienceMs = 60'000;
+using test::kPatienceMs;
 
 QDialog* shownProgress(const QWidget& window)
 {

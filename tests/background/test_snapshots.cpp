@@ -14,7 +14,7 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr int kPatienceMs = 300'000;
+constexpr int kLongPatienceMs = 300'000;
 constexpr int kMapSize = 256;
 
 model::Project smallProject()
@@ -86,7 +86,7 @@ private Q_SLOTS:
             // The resolved maps are looked at here while the worker reads them.
             QVERIFY(document.resolved(at.group, at.map)->texel(0, 0)[0] >= 60'000);
         }
-        QTRY_COMPARE_WITH_TIMEOUT(saved, kRounds, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(saved, kRounds, kLongPatienceMs);
         for (int round = 0; round < kRounds; ++round) {
             const model::Result<model::Project> read =
                 model::loadProject(folder.filePath(QStringLiteral("%1.hairpaint").arg(round)));
@@ -100,7 +100,7 @@ private Q_SLOTS:
                 frame = std::move(next);
             return frame && frame->revision == sent;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(hasNewest(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(hasNewest(), kLongPatienceMs);
         QVERIFY(frame->hairCount > 0);
         QVERIFY(woken > 0);
     }
@@ -137,12 +137,12 @@ private Q_SLOTS:
             raster.writableTile(round)[1] = 65535;
             document.push(model::paintCommand(document, at, {{round, raster.tile(round)}}, QString()));
             if (round % 4 == 3)
-                QTRY_VERIFY_WITH_TIMEOUT(!document.resolving(), kPatienceMs);
+                QTRY_VERIFY_WITH_TIMEOUT(!document.resolving(), kLongPatienceMs);
             if (round % 3 == 2)
                 document.undo();
         }
         QVERIFY(resolvedLater);
-        QTRY_VERIFY_WITH_TIMEOUT(!document.resolving(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!document.resolving(), kLongPatienceMs);
         const model::Id group = document.committed().groups.front().id;
         QVERIFY(*document.resolved(group, model::MapKind::Gel) ==
                 *model::ResolvedMaps(document.committed()).map(group, model::MapKind::Gel));

@@ -1,5 +1,6 @@
 // The formulas of the blend modes, by themselves and through layers.
 #include "model/compositor.h"
+#include "tests/model/uniform_layers.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -9,20 +10,6 @@
 
 using namespace hairpaint;
 using namespace hairpaint::model;
-
-namespace {
-
-MapStack stackOf(MapKind kind, const std::vector<sim::Texel>& layers)
-{
-    MapStack stack{.kind = kind, .size = 256, .layers = {}};
-    Id id = 1;
-    for (const sim::Texel& texel : layers)
-        stack.layers.push_back(
-            {.id = id++, .name = {}, .raster = sim::TiledRaster(256, mapSpec(kind).layerChannels(), texel)});
-    return stack;
-}
-
-} // namespace
 
 class TestBlendModes : public QObject
 {

@@ -18,8 +18,8 @@ using rendering::Scene;
 
 namespace {
 
-constexpr int kWidth = 200;
-constexpr int kHeight = 150;
+constexpr int kSteppedWidth = 200;
+constexpr int kSteppedHeight = 150;
 
 /// A head with a ring on it and two groups of hair, of several pieces each.
 Scene hairyScene()
@@ -103,7 +103,7 @@ class TestSteppedPictures : public RendererFixture
     Q_OBJECT
 
 private:
-    [[nodiscard]] Picture lastPicture(int width = kWidth, int height = kHeight)
+    [[nodiscard]] Picture lastPicture(int width = kSteppedWidth, int height = kSteppedHeight)
     {
         Picture picture{.width = width, .height = height, .pixels = {}};
         m_renderer->read(picture.pixels);
@@ -140,7 +140,7 @@ void TestSteppedPictures::stepsGiveThePictureDrawnAtOnce()
     const Picture whole = draw(scene, quality);
     const rendering::FrameStatistics statistics = m_renderer->statistics();
     draw(redComb());
-    m_renderer->begin(scene, quality, kWidth, kHeight);
+    m_renderer->begin(scene, quality, kSteppedWidth, kSteppedHeight);
     int steps = 1;
     while (!m_renderer->step(0.0))
         ++steps;
@@ -157,7 +157,7 @@ void TestSteppedPictures::aLargeBudgetIsOneStep()
 {
     const Picture whole = draw(hairyScene());
     draw(redComb());
-    m_renderer->begin(hairyScene(), {}, kWidth, kHeight);
+    m_renderer->begin(hairyScene(), {}, kSteppedWidth, kSteppedHeight);
     QVERIFY(m_renderer->step(std::numeric_limits<double>::infinity()));
     QCOMPARE(lastPicture().pixels == whole.pixels, true);
 }
@@ -168,7 +168,7 @@ void TestSteppedPictures::aPictureWithoutHairIsOneStep()
     bald.hair.reset();
     const Picture whole = draw(bald);
     draw(redComb());
-    m_renderer->begin(bald, {}, kWidth, kHeight);
+    m_renderer->begin(bald, {}, kSteppedWidth, kSteppedHeight);
     QVERIFY(m_renderer->step(0.0));
     QCOMPARE(lastPicture().pixels == whole.pixels, true);
     QCOMPARE(m_renderer->statistics().drawnHairs, std::size_t{0});
@@ -180,7 +180,7 @@ void TestSteppedPictures::whatOthersDoBetweenStepsDoesNoHarm()
     draw(redComb());
     const ForeignState foreign;
     foreign.set();
-    m_renderer->begin(hairyScene(), {}, kWidth, kHeight);
+    m_renderer->begin(hairyScene(), {}, kSteppedWidth, kSteppedHeight);
     do {
         foreign.set();
         glEnable(GL_NONE + 1); // A complaint that is not the renderer's.
@@ -198,7 +198,7 @@ void TestSteppedPictures::theLastPictureStaysUntilTheNextIsWhole()
     const Picture last = draw(red, {}, 60, 40);
     const std::size_t hairs = m_renderer->statistics().drawnHairs;
     const ForeignFramebuffer foreign(60, 40);
-    m_renderer->begin(hairyScene(), {}, kWidth, kHeight);
+    m_renderer->begin(hairyScene(), {}, kSteppedWidth, kSteppedHeight);
     int steps = 0;
     do {
         QCOMPARE(lastPicture(60, 40).pixels == last.pixels, true);
@@ -225,7 +225,7 @@ void TestSteppedPictures::aPictureDrawnMeanwhileDropsTheOneUnderWay()
     QFETCH(bool, inSteps);
     const Picture red = draw(redComb(), {}, 120, 90);
     const Picture hairy = draw(hairyScene());
-    m_renderer->begin(hairyScene(), {}, kWidth, kHeight);
+    m_renderer->begin(hairyScene(), {}, kSteppedWidth, kSteppedHeight);
     QVERIFY(!m_renderer->step(0.0));
     QVERIFY(!m_renderer->step(0.0));
     if (inSteps)
@@ -241,10 +241,10 @@ void TestSteppedPictures::aPictureDrawnMeanwhileDropsTheOneUnderWay()
 
 void TestSteppedPictures::stepsDoNotCountInTheTimeOfWhatIsDrawnAtOnce()
 {
-    m_renderer->draw(redComb(), {}, kWidth, kHeight);
+    m_renderer->draw(redComb(), {}, kSteppedWidth, kSteppedHeight);
     const double ms = m_renderer->statistics().milliseconds;
     QVERIFY(!m_renderer->statistics().inSteps);
-    m_renderer->begin(hairyScene(), {}, kWidth, kHeight);
+    m_renderer->begin(hairyScene(), {}, kSteppedWidth, kSteppedHeight);
     QVERIFY(!m_renderer->step(0.0));
     static_cast<void>(lastPicture());
     QCOMPARE(m_renderer->statistics().milliseconds, ms);

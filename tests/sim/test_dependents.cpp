@@ -59,7 +59,7 @@ void TestDependents::dependentsKeepTheirLengthAndStayOutside()
 void TestDependents::braidedHairFollowsItsCentre()
 {
     GroomInput input = paintedBall(kHairs, 600);
-    input.groups.front().maps[MapSlot::Braid] = uniformMap(1, {1});
+    input.groups.front().maps[MapSlot::Braid] = mapOfTexel(1, {1});
     Simulation simulation;
     simulation.setInput(input);
     blow(simulation);

@@ -179,11 +179,11 @@ void TestSimulation::aDabLeavesAllOtherStrandsUndisturbed()
 void TestSimulation::paintedHairStartsHangingStill()
 {
     GroomInput input = paintedBall(kHairs, kBasis);
-    input.groups.front().maps[MapSlot::Density] = uniformMap(1, {0});
+    input.groups.front().maps[MapSlot::Density] = mapOfTexel(1, {0});
     Simulation simulation;
     simulation.setInput(input);
     QCOMPARE(frameOf(simulation).hairCount, std::size_t{0});
-    input.groups.front().maps[MapSlot::Density] = uniformMap(1, {65535});
+    input.groups.front().maps[MapSlot::Density] = mapOfTexel(1, {65535});
     simulation.setInput(input);
     const StrandFrame before = frameOf(simulation);
     simulation.advance(1.0 / 30.0);
@@ -204,11 +204,11 @@ void TestSimulation::paintedHairStartsHangingStill()
 void TestSimulation::hairThatGrowsIsStretchedAboutItsRoot()
 {
     GroomInput input = paintedBall(kHairs, kHairs);
-    input.groups.front().maps[MapSlot::Length] = uniformMap(1, {32768});
+    input.groups.front().maps[MapSlot::Length] = mapOfTexel(1, {32768});
     Simulation simulation;
     simulation.setInput(input);
     const StrandFrame before = frameOf(simulation);
-    input.groups.front().maps[MapSlot::Length] = uniformMap(1, {65535});
+    input.groups.front().maps[MapSlot::Length] = mapOfTexel(1, {65535});
     simulation.setInput(input);
     const StrandFrame after = frameOf(simulation);
     int stretched = 0;

@@ -47,7 +47,7 @@ bool hasHair(const StrandFrame& frame)
     return frame.hairCount > 0;
 }
 
-const Wind kBreeze{true, glm::vec3(3.0F, 0.0F, 0.0F), 0.5F, 0.3F};
+const Wind kSideBreeze{true, glm::vec3(3.0F, 0.0F, 0.0F), 0.5F, 0.3F};
 
 } // namespace
 
@@ -73,7 +73,7 @@ void TestSimulationWorker::framesComeByThemselvesAndAreNumbered()
     std::atomic<int> calls{0};
     SimulationWorker worker([&calls] { ++calls; });
     worker.setInput(paintedBall(400, 200));
-    worker.setWind(kBreeze);
+    worker.setWind(kSideBreeze);
     const auto first = awaitFrame(worker, hasHair);
     QVERIFY(first);
     const auto later = awaitFrame(worker, [&](const StrandFrame& frame) { return frame.number > first->number + 3; });
@@ -87,7 +87,7 @@ void TestSimulationWorker::theLatestInputWins()
     SimulationWorker worker(nullptr);
     GroomInput input = paintedBall(400, 200);
     for (int i = 0; i < 20; ++i) {
-        input.groups.front().maps[MapSlot::Length] = uniformMap(1, {static_cast<std::uint16_t>(10000 + i * 2000)});
+        input.groups.front().maps[MapSlot::Length] = mapOfTexel(1, {static_cast<std::uint16_t>(10000 + i * 2000)});
         worker.setInput(input);
     }
     const auto shows = [&](const StrandFrame& frame) {
@@ -128,8 +128,8 @@ void TestSimulationWorker::inputWithoutEndHoldsUpNoFrames()
     std::thread flood([&worker, &enough] {
         // Longer to rebuild than until the next one comes.
         std::array inputs{paintedBall(kHairs, 2000), paintedBall(kHairs, 2000), paintedBall(kHairs, 2000)};
-        inputs[1].groups.front().maps[MapSlot::Length] = uniformMap(1, {30000});
-        inputs[2].groups.front().maps[MapSlot::Length] = uniformMap(1, {45000});
+        inputs[1].groups.front().maps[MapSlot::Length] = mapOfTexel(1, {30000});
+        inputs[2].groups.front().maps[MapSlot::Length] = mapOfTexel(1, {45000});
         for (std::size_t i = 0; !enough; ++i)
             worker.setInput(inputs.at(i % inputs.size()));
     });
@@ -148,7 +148,7 @@ void TestSimulationWorker::aPausedWorkerStillShowsNewInput()
     SimulationWorker worker(nullptr);
     worker.setPaused(true);
     worker.setInput(paintedBall(400, 200));
-    worker.setWind(kBreeze);
+    worker.setWind(kSideBreeze);
     const auto first = awaitFrame(worker, hasHair);
     QVERIFY(first);
     QCOMPARE(first->simulatedSeconds, 0.0);
@@ -165,7 +165,7 @@ void TestSimulationWorker::stillHairStopsTheFramesUntilSomethingHappens()
     std::atomic<int> calls{0};
     SimulationWorker worker([&calls] { ++calls; });
     GroomInput input = paintedBall(100, 100);
-    input.groups.front().maps[MapSlot::Gel] = uniformMap(1, {65535}); // nothing to settle
+    input.groups.front().maps[MapSlot::Gel] = mapOfTexel(1, {65535}); // nothing to settle
     worker.setInput(input);
     const auto last = awaitFrame(worker, [](const StrandFrame& frame) { return hasHair(frame) && frame.asleep; });
     QVERIFY(last);
@@ -174,7 +174,7 @@ void TestSimulationWorker::stillHairStopsTheFramesUntilSomethingHappens()
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     QCOMPARE(calls.load(), static_cast<int>(last->number));
     QVERIFY(!worker.takeFrame());
-    worker.setWind(kBreeze);
+    worker.setWind(kSideBreeze);
     QVERIFY(awaitFrame(worker, [](const StrandFrame& frame) { return !frame.asleep; }));
 }
 
@@ -182,7 +182,7 @@ void TestSimulationWorker::aFrameKeptStaysAsItWas()
 {
     SimulationWorker worker(nullptr);
     worker.setInput(paintedBall(400, 200));
-    worker.setWind(kBreeze);
+    worker.setWind(kSideBreeze);
     const auto kept = awaitFrame(worker, hasHair);
     QVERIFY(kept);
     const std::vector<float> positions = kept->groups.front().positions;
@@ -200,7 +200,7 @@ void TestSimulationWorker::itStopsInTheMiddleOfAnything()
         SimulationWorker worker(nullptr);
         worker.setFrameRate(240.0);
         worker.setInput(paintedBall(300, 100));
-        worker.setWind(kBreeze);
+        worker.setWind(kSideBreeze);
         worker.puff(glm::vec3(0.0F), glm::vec3(1.0F), 0.1F);
         worker.setPose({glm::quat(1.0F, 0.0F, 0.0F, 0.0F), glm::vec3(0.01F * static_cast<float>(i))});
         if (i % 3 == 0)
@@ -217,7 +217,7 @@ void TestSimulationWorker::motionKeepsItsPaceWhereFewFramesAreWanted()
     SimulationWorker worker(nullptr);
     worker.setFrameRate(2.0);
     worker.setInput(paintedBall(400, 200));
-    worker.setWind(kBreeze);
+    worker.setWind(kSideBreeze);
     double shown = 0.0;
     std::uint64_t number = 0;
     // More time between two frames that follow each other than one advance of the simulation covers.
@@ -238,7 +238,7 @@ void TestSimulationWorker::wantOfMemoryLeavesTheLastFrameAndIsToldOnce()
     std::atomic<int> calls{0};
     SimulationWorker worker([&calls] { ++calls; });
     GroomInput small = paintedBall(400, 200);
-    small.groups.front().maps[MapSlot::Gel] = uniformMap(1, {65535});
+    small.groups.front().maps[MapSlot::Gel] = mapOfTexel(1, {65535});
     worker.setInput(small);
     const auto kept = awaitFrame(worker, [](const StrandFrame& frame) { return hasHair(frame) && frame.asleep; });
     QVERIFY(kept);
@@ -256,7 +256,7 @@ void TestSimulationWorker::wantOfMemoryLeavesTheLastFrameAndIsToldOnce()
         QVERIFY(!worker.takeFrame());
         QVERIFY(hasHair(*kept));
         // What can't be made is not tried again for the wind's sake, but for new content's.
-        worker.setWind(kBreeze);
+        worker.setWind(kSideBreeze);
         worker.setInput(large);
         QVERIFY(awaitCalls(calls, callsBefore + 2));
         QCOMPARE(calls.load(), callsBefore + 2);

@@ -16,14 +16,14 @@ using namespace hairpaint::test;
 
 namespace {
 
-float random(std::uint64_t counter)
+float skinRandom(std::uint64_t counter)
 {
     return unitFloat(hash64(20, counter));
 }
 
 glm::vec3 randomVector(std::uint64_t counter)
 {
-    return glm::vec3(random(counter * 3), random(counter * 3 + 1), random(counter * 3 + 2)) * 2.0F - 1.0F;
+    return glm::vec3(skinRandom(counter * 3), skinRandom(counter * 3 + 1), skinRandom(counter * 3 + 2)) * 2.0F - 1.0F;
 }
 
 std::array<glm::dvec3, 3> cornersOf(const HeadMesh& mesh, const glm::uvec3& t)
@@ -175,7 +175,7 @@ void TestSkin::uvLeadsThereAndBack()
     const Skin skin(ball ? makeBallHead(48) : makePatchHead(13));
     for (std::uint64_t i = 0; i < 2000; ++i) {
         // Triangles at the poles cover half their cells only.
-        const glm::vec2 uv(random(i * 2), 0.05F + 0.9F * random(i * 2 + 1));
+        const glm::vec2 uv(skinRandom(i * 2), 0.05F + 0.9F * skinRandom(i * 2 + 1));
         const auto point = skin.atUv(uv);
         QVERIFY(point);
         QVERIFY(glm::length(point->uv - uv) < 2e-6F);
@@ -213,7 +213,7 @@ void TestSkin::overlappingIslandsGiveTheLowestFace()
         mesh.triangles.push_back(mesh.triangles[i] + base);
     const Skin skin(std::move(mesh));
     for (std::uint64_t i = 0; i < 100; ++i) {
-        const auto point = skin.atUv({random(i), random(i + 500)});
+        const auto point = skin.atUv({skinRandom(i), skinRandom(i + 500)});
         QVERIFY(point);
         QVERIFY(point->face < faces);
     }
@@ -223,7 +223,7 @@ void TestSkin::framesAreOrthonormalAndFollowUv()
 {
     const Skin skin(makeBallHead(48));
     for (std::uint64_t i = 0; i < 500; ++i) {
-        const auto point = skin.atUv({random(i), 0.1F + 0.8F * random(i + 1000)});
+        const auto point = skin.atUv({skinRandom(i), 0.1F + 0.8F * skinRandom(i + 1000)});
         QVERIFY(point);
         QVERIFY(std::abs(glm::length(point->normalHd) - 1.0F) < 1e-5F);
         QVERIFY(std::abs(glm::length(point->tangentHd) - 1.0F) < 1e-5F);
@@ -247,7 +247,7 @@ void TestSkin::mirroringTwiceComesBack()
 {
     const Skin skin(makeBallHead(48));
     for (std::uint64_t i = 0; i < 300; ++i) {
-        const auto point = skin.atUv({random(i), 0.1F + 0.8F * random(i + 1000)});
+        const auto point = skin.atUv({skinRandom(i), 0.1F + 0.8F * skinRandom(i + 1000)});
         QVERIFY(point);
         const auto other = skin.mirrored(*point);
         QVERIFY(other);
@@ -276,7 +276,7 @@ void TestSkin::strangeUvsCostNoMemoryAndNoCrash()
 {
     HeadMesh mesh = makePatchHead(64);
     for (std::size_t i = 0; i < mesh.uvs.size(); ++i)
-        mesh.uvs[i] = {random(i * 2), random(i * 2 + 1)}; // Every face spans much of the map.
+        mesh.uvs[i] = {skinRandom(i * 2), skinRandom(i * 2 + 1)}; // Every face spans much of the map.
     mesh.uvs[3] = {std::nanf(""), 0.0F};
     mesh.uvs[4] = {3e38F, -3e38F};
     mesh.uvs[5] = {-3e38F, 3e38F};             // Further apart than any float.

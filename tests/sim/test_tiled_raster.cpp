@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kTile = TiledRaster::kTileSize;
 
-float random(std::uint64_t counter)
+float rasterRandom(std::uint64_t counter)
 {
     return unitFloat(hash64(31, counter));
 }
@@ -151,7 +151,7 @@ void TestTiledRaster::samplesBetweenCentresAreBilinear()
                65535.0;
     };
     for (std::uint64_t i = 0; i < 2000; ++i) {
-        const glm::vec2 uv(random(i * 2), random(i * 2 + 1));
+        const glm::vec2 uv(rasterRandom(i * 2), rasterRandom(i * 2 + 1));
         const double x = static_cast<double>(uv.x) * 256.0 - 0.5;
         const double y = (1.0 - static_cast<double>(uv.y)) * 256.0 - 0.5;
         const int x0 = static_cast<int>(std::floor(x));
@@ -198,7 +198,7 @@ void TestTiledRaster::equalTexelsGiveExactlyTheirValueHoweverStored()
         for (int tile = 0; tile < pixels.tileCount(); tile += 2)
             (void)pixels.writableTile(tile);
         for (std::uint64_t i = 0; i < 500; ++i) {
-            const glm::vec2 uv(random(i * 2), random(i * 2 + 1));
+            const glm::vec2 uv(rasterRandom(i * 2), rasterRandom(i * 2 + 1));
             QCOMPARE(uniform.sampleScalar(uv), static_cast<float>(value) / 65535.0F);
             QCOMPARE(pixels.sampleScalar(uv), uniform.sampleScalar(uv));
             QCOMPARE(pixels.sampleBilinear(uv).x, uniform.sampleScalar(uv));
@@ -211,7 +211,7 @@ void TestTiledRaster::theScalarIsTheFirstChannel()
     for (const int channels : {1, 3}) {
         const TiledRaster raster = randomRaster(256, channels);
         for (std::uint64_t i = 0; i < 2000; ++i) {
-            const glm::vec2 uv(random(i * 2) * 1.1F - 0.05F, random(i * 2 + 1) * 1.1F - 0.05F);
+            const glm::vec2 uv(rasterRandom(i * 2) * 1.1F - 0.05F, rasterRandom(i * 2 + 1) * 1.1F - 0.05F);
             QVERIFY(raster.sampleScalar(uv) == raster.sampleBilinear(uv).x);
         }
     }
@@ -221,9 +221,9 @@ void TestTiledRaster::nearestPicksTheTexelThatHoldsThePlace()
 {
     const TiledRaster raster = randomRaster(256, 2);
     for (std::uint64_t i = 0; i < 500; ++i) {
-        const int x = static_cast<int>(random(i * 4) * 256.0F);
-        const int y = static_cast<int>(random(i * 4 + 1) * 256.0F);
-        const glm::vec2 inside(0.01F + 0.98F * random(i * 4 + 2), 0.01F + 0.98F * random(i * 4 + 3));
+        const int x = static_cast<int>(rasterRandom(i * 4) * 256.0F);
+        const int y = static_cast<int>(rasterRandom(i * 4 + 1) * 256.0F);
+        const glm::vec2 inside(0.01F + 0.98F * rasterRandom(i * 4 + 2), 0.01F + 0.98F * rasterRandom(i * 4 + 3));
         const glm::vec2 uv((static_cast<float>(x) + inside.x) / 256.0F,
                            1.0F - (static_cast<float>(y) + inside.y) / 256.0F);
         QCOMPARE(raster.sampleNearest(uv), raster.texel(x, y));
@@ -233,7 +233,7 @@ void TestTiledRaster::nearestPicksTheTexelThatHoldsThePlace()
 void TestTiledRaster::theFootprintHoldsEveryTexelRead()
 {
     for (std::uint64_t i = 0; i < 300; ++i) {
-        const glm::vec2 uv(random(i * 2) * 1.02F - 0.01F, random(i * 2 + 1) * 1.02F - 0.01F);
+        const glm::vec2 uv(rasterRandom(i * 2) * 1.02F - 0.01F, rasterRandom(i * 2 + 1) * 1.02F - 0.01F);
         const glm::ivec2 first = TiledRaster::footprint(uv, 64);
         // A raster that is bright only in the four texels is read as bright.
         TiledRaster raster(64, 1);

@@ -9,7 +9,7 @@
 
 namespace hairpaint::test {
 
-inline std::shared_ptr<const sim::TiledRaster> uniformMap(int channels, sim::Texel value, int size = 256)
+inline std::shared_ptr<const sim::TiledRaster> mapOfTexel(int channels, sim::Texel value, int size = 256)
 {
     return std::make_shared<const sim::TiledRaster>(size, channels, value);
 }
@@ -27,10 +27,10 @@ inline sim::GroomInput paintedBall(int hairs, int basisHairs)
     group.settings.greatestLengthM = 0.2F;
     group.settings.basisHairs = basisHairs;
     for (const sim::MapRule& rule : sim::kMapRules)
-        group.maps[rule.slot] = uniformMap(rule.channels, rule.defaultValue);
-    group.maps[sim::MapSlot::Density] = uniformMap(1, {65535});
-    group.maps[sim::MapSlot::Length] = uniformMap(1, {65535});
-    group.maps[sim::MapSlot::Colour] = uniformMap(3, {20000, 12000, 8000});
+        group.maps[rule.slot] = mapOfTexel(rule.channels, rule.defaultValue);
+    group.maps[sim::MapSlot::Density] = mapOfTexel(1, {65535});
+    group.maps[sim::MapSlot::Length] = mapOfTexel(1, {65535});
+    group.maps[sim::MapSlot::Colour] = mapOfTexel(3, {20000, 12000, 8000});
     input.groups.push_back(group);
     return input;
 }
