@@ -162,11 +162,12 @@ private Q_SLOTS:
 
     void aFractionOfTheHairsIsDrawnAndWritten()
     {
-        QVERIFY(render(m_baldProject, "bald.png", "--settle 0").isEmpty());
+        QVERIFY(render(m_baldProject, "bald.png", "--fit bust --settle 0").isEmpty());
         const QImage bald(path("bald.png"));
         std::vector<int> covered;
         for (const char* hairs : {"", "--hairs 60", "--hairs 6"}) {
-            QCOMPARE(render(m_project, "fraction.png", QByteArray("--settle 0 ").append(hairs).constData()), QString());
+            QCOMPARE(render(m_project, "fraction.png", QByteArray("--fit bust --settle 0 ").append(hairs).constData()),
+                     QString());
             const QImage picture(path("fraction.png"));
             int pixels = 0;
             for (int y = 0; y < bald.height(); ++y)
@@ -174,7 +175,8 @@ private Q_SLOTS:
                     pixels += picture.pixel(x, y) != bald.pixel(x, y) ? 1 : 0;
             covered.push_back(pixels);
         }
-        QVERIFY(covered[0] > covered[1] && covered[1] > covered[2] && covered[2] > 0);
+        QVERIFY2(covered[0] > covered[1] && covered[1] > covered[2] && covered[2] > 0,
+                 qPrintable(QStringLiteral("%1, %2 and %3 pixels").arg(covered[0]).arg(covered[1]).arg(covered[2])));
 
         const QString file = path("fraction.hair");
         QCOMPARE(runProgram({QStringLiteral("export"), m_project, QStringLiteral("-o"), file, QStringLiteral("--hairs"),
