@@ -6,6 +6,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 
 namespace hairpaint::view {
 class HeadView;
@@ -28,6 +29,7 @@ private:
     view::StatusReadout& m_status;
     double m_frameRate = 0.0; ///< Smoothed, frames per second.
     QElapsedTimer m_sinceFrame;
+    QTimer m_stopped; ///< Runs out when nothing was drawn for a moment: a rate of then would mislead.
 };
 
 } // namespace hairpaint::app

@@ -212,6 +212,27 @@ void EditorState::withTool(const Call& call)
         Q_EMIT overlayChanged();
 }
 
+std::vector<sim::SurfacePoint> EditorState::ringPoints() const
+{
+    if (!m_hover || !m_hover->point || !activeTool().hasRing())
+        return {};
+    std::vector<sim::SurfacePoint> points{*m_hover->point};
+    const std::shared_ptr<const model::Head>& head = m_document.project().head;
+    if (m_mirror && head && head->skin) {
+        if (const std::optional<sim::SurfacePoint> twin = head->skin->mirrored(*m_hover->point))
+            points.push_back(*twin);
+    }
+    return points;
+}
+
+std::vector<model::OverlayShape> EditorState::overlay() const
+{
+    std::vector<model::OverlayShape> shapes = activeTool().overlay();
+    for (QPolygonF& outline : m_selection.outlines())
+        shapes.push_back({.uvOutline = std::move(outline), .closed = true, .marching = true});
+    return shapes;
+}
+
 void EditorState::setHover(const std::optional<Hover>& hover)
 {
     if (!hover && !m_hover)

@@ -64,6 +64,11 @@ public:
     bool setWireframe(bool shown);
 
     [[nodiscard]] const std::optional<Hover>& hover() const { return m_hover; }
+    /// Where both areas draw the brush's rings: under the pointer, and the mirrored twin if there is one. Empty off the
+    /// skin and where the active tool has no ring.
+    [[nodiscard]] std::vector<sim::SurfacePoint> ringPoints() const;
+    /// What both areas draw over their picture: the active tool's shapes, and the selection's outlines, which march.
+    [[nodiscard]] std::vector<model::OverlayShape> overlay() const;
     /// Tools with something pending hear of it too.
     void setHover(const std::optional<Hover>& hover);
 

@@ -292,10 +292,7 @@ void HeadView::refreshRings()
 
 void HeadView::refreshOverlay()
 {
-    std::vector<model::OverlayShape> shapes = m_state.activeTool().overlay();
-    for (QPolygonF& outline : m_state.selection().outlines())
-        shapes.push_back({.uvOutline = std::move(outline), .closed = true, .marching = true});
-    m_overlay->setShapes(shapes, m_scene->skin(), m_scene->camera(), m_scene->shownPose());
+    m_overlay->setShapes(m_state.overlay(), m_scene->skin(), m_scene->camera(), m_scene->shownPose());
     m_overlay->setGhost(m_scene->hiddenRing());
 }
 

@@ -109,6 +109,23 @@ private Q_SLOTS:
         }
     }
 
+    void aStillPictureHasNoRateOfFrames()
+    {
+        openWindow(model::newProject());
+        const auto* status = m_window->findChild<view::StatusReadout*>();
+        const auto tellsRate = [status] {
+            const QList<QLabel*> labels = status->findChildren<QLabel*>();
+            return std::ranges::any_of(
+                labels, [](const QLabel* label) { return label->text().endsWith(QStringLiteral("fps")); });
+        };
+        key(Qt::Key_F8); // Paused: pictures come from here alone, once this one is as fine as it gets.
+        QTRY_VERIFY_WITH_TIMEOUT(!tellsRate(), kPatienceMs);
+        for (int i = 0; i < 2; ++i)
+            Q_EMIT m_window->headView().frameDrawn({});
+        QVERIFY(tellsRate());
+        QTRY_VERIFY_WITH_TIMEOUT(!tellsRate(), kPatienceMs);
+    }
+
     void noMoreFramesAreMadeThanAreDrawn()
     {
         model::Project project = starterProject();

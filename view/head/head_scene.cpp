@@ -101,16 +101,13 @@ bool HeadScene::refreshRings()
     const bool hadRing = m_scene.ring.has_value();
     m_scene.ring.reset();
     m_scene.mirroredRing.reset();
-    const std::optional<Hover>& hover = m_editor.hover();
-    if (hover && hover->point && m_editor.activeTool().hasRing()) {
-        const float radiusM = m_editor.toolSettings().brushSizeM / 2.0F;
-        m_scene.ring = ringAt(*hover->point, radiusM);
-        if (m_editor.mirror() && skin() != nullptr) {
-            if (const std::optional<sim::SurfacePoint> twin = skin()->mirrored(*hover->point))
-                m_scene.mirroredRing = ringAt(*twin, radiusM);
-        }
-    }
-    if (hover && hover->point)
+    const std::vector<sim::SurfacePoint> points = m_editor.ringPoints();
+    const float radiusM = m_editor.toolSettings().brushSizeM / 2.0F;
+    if (!points.empty())
+        m_scene.ring = ringAt(points[0], radiusM);
+    if (points.size() > 1)
+        m_scene.mirroredRing = ringAt(points[1], radiusM);
+    if (const std::optional<Hover>& hover = m_editor.hover(); hover && hover->point)
         m_brush = hover->point;
     return hadRing || m_scene.ring;
 }

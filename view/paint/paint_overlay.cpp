@@ -48,29 +48,19 @@ PaintOverlay::PaintOverlay(EditorState& editor, const UvTransform& transform, QW
 
 void PaintOverlay::refreshRings()
 {
-    std::vector<QPolygonF> rings;
-    const EditorState& editor = m_editor;
-    if (const std::optional<Hover>& hover = editor.hover(); hover && hover->point && editor.activeTool().hasRing()) {
-        const float radiusM = editor.toolSettings().brushSizeM / 2.0F;
-        const QTransform toWidget = m_transform.paperToWidget();
-        rings.push_back(onWidget(ringOnUv(*hover->point, radiusM), toWidget));
-        const std::shared_ptr<const model::Head>& head = editor.document().project().head;
-        if (editor.mirror() && head && head->skin) {
-            if (const std::optional<sim::SurfacePoint> twin = head->skin->mirrored(*hover->point))
-                rings.push_back(onWidget(ringOnUv(*twin, radiusM), toWidget));
-        }
-    }
+    const float radiusM = m_editor.toolSettings().brushSizeM / 2.0F;
+    const QTransform toWidget = m_transform.paperToWidget();
     m_area.update(m_ringsBounds);
-    m_rings = std::move(rings);
+    m_rings.clear();
+    for (const sim::SurfacePoint& point : m_editor.ringPoints())
+        m_rings.push_back(onWidget(ringOnUv(point, radiusM), toWidget));
     m_ringsBounds = boundsOf(m_rings);
     m_area.update(m_ringsBounds);
 }
 
 void PaintOverlay::refreshOutlines()
 {
-    m_outlines = m_editor.activeTool().overlay();
-    for (QPolygonF& outline : m_editor.selection().outlines())
-        m_outlines.push_back({.uvOutline = std::move(outline), .closed = true, .marching = true});
+    m_outlines = m_editor.overlay();
     if (!m_flashed.isEmpty())
         m_outlines.push_back({.uvOutline = m_flashed, .closed = true});
     std::vector<QPolygonF> outlines;

@@ -132,7 +132,7 @@ QString StatusReadout::savedText() const
 
 void StatusReadout::setFramesPerSecond(double frames)
 {
-    m_frames->setText(tr("%1 fps").arg(padded(QLocale().toString(qRound(frames)), 3)));
+    m_frames->setText(frames > 0.0 ? tr("%1 fps").arg(padded(QLocale().toString(qRound(frames)), 3)) : QString());
 }
 
 void StatusReadout::showMessage(const QString& text, bool error, int milliseconds)

@@ -30,7 +30,7 @@ public:
     };
     void setSaved(Saved saved);
     [[nodiscard]] QString savedText() const;
-    void setFramesPerSecond(double frames);
+    void setFramesPerSecond(double frames); ///< Zero, where nothing is drawn, shows nothing.
     /// Instead of the tool's hint, for `milliseconds`; errors are marked as such.
     void showMessage(const QString& text, bool error = false, int milliseconds = 6000);
 
