@@ -16,7 +16,7 @@ struct LayerAddress
     Id group = 0;
     MapKind map = MapKind::Density;
     Id layer = 0;
-    friend auto operator<=>(const LayerAddress&, const LayerAddress&) = default;
+    friend auto operator<=>(const LayerAddress&, const LayerAddress&) = default; // NOLINT(modernize-use-nullptr)
 };
 
 /// What one edit touched. `aspect` says which of the other members mean something.

@@ -40,7 +40,7 @@ struct SettingChoice
 
 /// A row of the table. Numbers, switches (0 or 1) and choices (an index) are all read and written as a double, in SI
 /// units.
-struct GroupSetting
+struct GroupSetting // NOLINT(clang-analyzer-optin.performance.Padding): in the order to be read.
 {
     const char* key; ///< In files; "physics.body" is the key body of the object physics.
     SettingMember member;

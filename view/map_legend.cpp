@@ -30,10 +30,11 @@ QList<MapLegend::Tick> ticksOf(const sim::GroupSettings& settings, const model::
                                QLocale().toString(shown, 'g', 4)};
     };
     QList<MapLegend::Tick> ticks{tickAt(unit.minimum), tickAt(unit.maximum)};
-    for (double power = std::pow(10.0, std::ceil(std::log10(std::max(unit.maximum, 1e-3))));
-         power >= 1e-3 * unit.maximum; power /= 10.0) {
+    constexpr int kDecades = 4;
+    const int highest = static_cast<int>(std::ceil(std::log10(std::max(unit.maximum, 1e-3))));
+    for (int decade = highest; decade > highest - kDecades; --decade) {
         for (const double step : {5.0, 2.0, 1.0}) {
-            const double shown = step * power;
+            const double shown = step * std::pow(10.0, decade);
             if (shown <= unit.minimum || shown >= unit.maximum)
                 continue;
             const MapLegend::Tick tick = tickAt(shown);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <variant>
 
 namespace hairpaint::model {
@@ -221,8 +222,8 @@ public:
     }
     void undo() override
     {
-        for (auto command = m_commands.rbegin(); command != m_commands.rend(); ++command)
-            (*command)->undo();
+        for (const CommandPtr& command : std::views::reverse(m_commands))
+            command->undo();
     }
     [[nodiscard]] std::size_t keptBytes() const override
     {

@@ -36,6 +36,10 @@ else()
     # Contraction would fuse a multiply and an add on some machines and not on others.
     target_compile_options(hairpaint_options INTERFACE -Wall -Wextra -Wconversion -Werror -ffp-contract=off)
 endif()
+if(CMAKE_UNITY_BUILD AND NOT MSVC)
+    # Where several sources are compiled as one, a source's own types look like a header's.
+    target_compile_options(hairpaint_options INTERFACE -Wno-subobject-linkage)
+endif()
 if(HAIRPAINT_SANITIZE)
     # -O1 of RelWithDebInfo's -O2: a quarter less to wait for the compiler, and stacks that name every function.
     add_compile_options(-O1 -fsanitize=${HAIRPAINT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -g1)
@@ -43,8 +47,6 @@ if(HAIRPAINT_SANITIZE)
     # Each of Highway's instruction sets is half a minute of compiling instrumented kernels: the least and one wide one do.
     target_compile_definitions(hairpaint_options INTERFACE
         "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
-    # These presets compile several sources as one unit, where a source's own types look like a header's.
-    target_compile_options(hairpaint_options INTERFACE -Wno-subobject-linkage)
     # Instrumented code confuses these two in GCC 12; the plain builds check them.
     target_compile_options(hairpaint_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
 endif()

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <span>
 
 namespace hairpaint::sim {
 
@@ -20,6 +22,8 @@ constexpr std::size_t kFound = RootSet::kNeighbours + 1;
 /// Opposite normals are as far apart as twice this many spacings of basis hairs.
 constexpr float kNormalSpacings = 3.0F;
 constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kRun = 16; ///< Slots one after another, hence near each other, that share a search.
+constexpr std::size_t kMostCandidates = 128;
 
 using SearchPoint = std::array<float, kDimensions>;
 
@@ -91,18 +95,114 @@ struct Nearest
     std::array<float, kFound> distances{};
 };
 
-/// From the nearest on. With fewer basis hairs than neighbours the last is repeated, and weighs nothing.
-Nearest nearestBasis(const BasisCloud& cloud, const Tree& tree, const SearchPoint& point)
+using NearestPoints = nanoflann::KNNResultSet<float, std::uint32_t>;
+
+/// What a search finds within a distance of a point; it ends where that is too much to be worth comparing.
+class Candidates
 {
-    std::array<std::uint32_t, kFound> foundPoints{};
+public:
+    explicit Candidates(float squaredReach) : m_squaredReach(squaredReach) {}
+
+    [[nodiscard]] bool tooMany() const { return m_count > kMostCandidates; }
+    [[nodiscard]] std::span<const std::uint32_t> points() const { return std::span(m_points).first(m_count); }
+
+    // The names are nanoflann's; newer versions ask for more of them.
+    [[nodiscard]] std::size_t size() const { return m_count; }
+    [[nodiscard]] bool empty() const { return m_count == 0; }
+    [[nodiscard]] static bool full() { return true; }
+    [[nodiscard]] float worstDist() const { return m_squaredReach; }
+    static void sort() {}
+    bool addPoint(float square, std::uint32_t point)
+    {
+        if (square >= m_squaredReach)
+            return true;
+        if (m_count < kMostCandidates)
+            m_points[m_count] = point;
+        return ++m_count <= kMostCandidates;
+    }
+
+private:
+    float m_squaredReach;
+    std::size_t m_count = 0;
+    std::array<std::uint32_t, kMostCandidates> m_points; // Written where read.
+};
+
+class BasisSearch
+{
+public:
+    explicit BasisSearch(const std::vector<SearchPoint>& pointOfBasis)
+        : m_cloud(pointOfBasis),
+          m_tree(static_cast<int>(kDimensions), m_cloud, nanoflann::KDTreeSingleIndexAdaptorParams(8))
+    {}
+
+    /// The nearest of each of at most kRun points.
+    void find(std::span<const SearchPoint> run, std::span<Nearest> nearest) const;
+
+private:
+    [[nodiscard]] static float squareOf(const SearchPoint& a, const SearchPoint& b);
+    [[nodiscard]] Candidates candidatesFor(std::span<const SearchPoint> run) const;
+    [[nodiscard]] Nearest basisOn(const std::array<std::uint32_t, kFound>& points,
+                                  const std::array<float, kFound>& squares, std::size_t pointCount) const;
+
+    BasisCloud m_cloud;
+    Tree m_tree;
+};
+
+float BasisSearch::squareOf(const SearchPoint& a, const SearchPoint& b)
+{
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < kDimensions; ++i)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sum;
+}
+
+/// Who is among the nearest of one of the run is no farther from the run's middle than the nearest of the middle and
+/// twice the run's radius (triangle inequality).
+Candidates BasisSearch::candidatesFor(std::span<const SearchPoint> run) const
+{
+    SearchPoint middle{};
+    for (const SearchPoint& point : run)
+        for (std::size_t i = 0; i < kDimensions; ++i)
+            middle[i] += point[i] / static_cast<float>(run.size());
+    float squaredRadius = 0.0F;
+    for (const SearchPoint& point : run)
+        squaredRadius = std::max(squaredRadius, squareOf(point, middle));
+    std::array<std::uint32_t, kFound> points{};
     std::array<float, kFound> squares{};
-    const std::size_t pointCount = tree.knnSearch(point.data(), kFound, foundPoints.data(), squares.data());
+    const std::size_t count = m_tree.knnSearch(middle.data(), kFound, points.data(), squares.data());
+    constexpr float kRoundingMargin = 1.001F;
+    const float reach = kRoundingMargin * (std::sqrt(squares[count - 1]) + 2.0F * std::sqrt(squaredRadius));
+    Candidates candidates(std::max(reach * reach, std::numeric_limits<float>::min()));
+    m_tree.findNeighbors(candidates, middle.data(), {});
+    return candidates;
+}
+
+void BasisSearch::find(std::span<const SearchPoint> run, std::span<Nearest> nearest) const
+{
+    const Candidates candidates = candidatesFor(run);
+    for (std::size_t i = 0; i < run.size(); ++i) {
+        std::array<std::uint32_t, kFound> points{};
+        std::array<float, kFound> squares{};
+        NearestPoints found(kFound);
+        found.init(points.data(), squares.data());
+        if (candidates.tooMany())
+            m_tree.findNeighbors(found, run[i].data(), {});
+        else
+            for (const std::uint32_t point : candidates.points())
+                found.addPoint(squareOf(run[i], m_cloud.points[point]), point);
+        nearest[i] = basisOn(points, squares, found.size());
+    }
+}
+
+/// From the nearest on. With fewer basis hairs than neighbours the last is repeated, and weighs nothing.
+Nearest BasisSearch::basisOn(const std::array<std::uint32_t, kFound>& points, const std::array<float, kFound>& squares,
+                             std::size_t pointCount) const
+{
     Nearest nearest;
     std::size_t count = 0;
     for (std::size_t k = 0; k < pointCount; ++k)
-        for (std::uint32_t i = cloud.first[foundPoints[k]]; i < cloud.first[foundPoints[k] + 1] && count < kFound;
-             ++i) {
-            nearest.basis[count] = cloud.basis[i];
+        for (std::uint32_t i = m_cloud.first[points[k]]; i < m_cloud.first[points[k] + 1] && count < kFound; ++i) {
+            nearest.basis[count] = m_cloud.basis[i];
             nearest.distances[count++] = std::sqrt(squares[k]);
         }
     for (std::size_t k = count; k < kFound; ++k) {
@@ -132,6 +232,25 @@ std::array<float, RootSet::kNeighbours> weightsOf(const std::array<float, kFound
     return weights;
 }
 
+void follow(RootSet& roots, std::uint32_t slot, const Nearest& nearest)
+{
+    std::array<std::uint32_t, RootSet::kNeighbours> kept{};
+    std::copy_n(nearest.basis.begin(), kept.size(), kept.begin());
+    if (roots.rankOfSlot[slot] >= roots.basisSlot.size()) {
+        roots.neighbours[slot] = kept;
+        roots.weights[slot] = weightsOf(nearest.distances);
+        return;
+    }
+    // A basis hair follows itself, also where another stands on the same spot.
+    const auto own = static_cast<std::uint32_t>(std::lower_bound(roots.basisSlot.begin(), roots.basisSlot.end(), slot) -
+                                                roots.basisSlot.begin());
+    const auto at = std::find(kept.begin(), kept.end() - 1, own);
+    std::copy_backward(kept.begin(), at, at + 1);
+    kept[0] = own;
+    roots.neighbours[slot] = kept;
+    roots.weights[slot] = {1.0F, 0.0F, 0.0F};
+}
+
 } // namespace
 
 void findBasisNeighbours(RootSet& roots)
@@ -147,29 +266,18 @@ void findBasisNeighbours(RootSet& roots)
     pointOfBasis.reserve(basisCount);
     for (const std::uint32_t slot : roots.basisSlot)
         pointOfBasis.push_back(searchPointOf(roots, slot, normalScaleM));
-    const BasisCloud cloud(pointOfBasis);
-    const Tree tree(static_cast<int>(kDimensions), cloud, nanoflann::KDTreeSingleIndexAdaptorParams(8));
+    const BasisSearch search(pointOfBasis);
 
     parallelFor(roots.count(), kGrain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto slot = static_cast<std::uint32_t>(i);
-            const SearchPoint point = searchPointOf(roots, slot, normalScaleM);
-            const auto [found, distances] = nearestBasis(cloud, tree, point);
-            std::array<std::uint32_t, RootSet::kNeighbours> kept{};
-            std::copy_n(found.begin(), kept.size(), kept.begin());
-            if (roots.rankOfSlot[slot] >= basisCount) {
-                roots.neighbours[slot] = kept;
-                roots.weights[slot] = weightsOf(distances);
-                continue;
-            }
-            // A basis hair follows itself, also where another stands on the same spot.
-            const auto own = static_cast<std::uint32_t>(
-                std::lower_bound(roots.basisSlot.begin(), roots.basisSlot.end(), slot) - roots.basisSlot.begin());
-            const auto at = std::find(kept.begin(), kept.end() - 1, own);
-            std::copy_backward(kept.begin(), at, at + 1);
-            kept[0] = own;
-            roots.neighbours[slot] = kept;
-            roots.weights[slot] = {1.0F, 0.0F, 0.0F};
+        std::array<SearchPoint, kRun> points{};
+        std::array<Nearest, kRun> nearest{};
+        for (std::size_t first = begin; first < end; first += kRun) {
+            const std::size_t count = std::min(kRun, end - first);
+            for (std::size_t i = 0; i < count; ++i)
+                points[i] = searchPointOf(roots, static_cast<std::uint32_t>(first + i), normalScaleM);
+            search.find(std::span(points).first(count), nearest);
+            for (std::size_t i = 0; i < count; ++i)
+                follow(roots, static_cast<std::uint32_t>(first + i), nearest[i]);
         }
     });
 }

@@ -113,6 +113,7 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     const RootSet& roots = inputs.roots;
     const std::size_t firstSlot = chunkIndex * kChunkSlots;
     std::bitset<kChunkSlots> hairs = before ? before->hairs : std::bitset<kChunkSlots>{};
+    std::bitset<kChunkSlots> kept = hairs;
     std::array<float, kChunkSlots> densities; // Written where read.
     bool differs = false;
     dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
@@ -130,6 +131,7 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
             differs = true;
         }
         hairs.set(local, isHair);
+        kept.reset(local);
     });
     if (!differs)
         return before;
@@ -137,7 +139,7 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
         return nullptr;
 
     const std::shared_ptr<StrandChunk> chunk =
-        before ? std::make_shared<StrandChunk>(*before) : emptyChunk(inputs.settings.nodesPerHair);
+        kept.any() ? std::make_shared<StrandChunk>(*before) : emptyChunk(inputs.settings.nodesPerHair);
     ChunkWriter writer(inputs, chunkIndex, *chunk);
     dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         if (chunk->hairs[slot - firstSlot] && !dirty.hairs.contains(slot))

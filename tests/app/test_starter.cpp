@@ -41,9 +41,9 @@ private Q_SLOTS:
             for (std::size_t lane = row; lane < row + sim::kLanes; ++lane) {
                 if (still[lane] == 0.0F)
                     continue;
-                const double x = static_cast<double>(blown[lane] - still[lane]);
-                const double y = static_cast<double>(blown[lane + sim::kLanes] - still[lane + sim::kLanes]);
-                const double z = static_cast<double>(blown[lane + 2 * sim::kLanes] - still[lane + 2 * sim::kLanes]);
+                const auto x = static_cast<double>(blown[lane] - still[lane]);
+                const auto y = static_cast<double>(blown[lane + sim::kLanes] - still[lane + sim::kLanes]);
+                const auto z = static_cast<double>(blown[lane + 2 * sim::kLanes] - still[lane + 2 * sim::kLanes]);
                 sum += std::sqrt(x * x + y * y + z * z);
                 shift += x;
                 ++nodes;

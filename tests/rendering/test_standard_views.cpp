@@ -38,7 +38,8 @@ private Q_SLOTS:
         std::mt19937 random(5);
         std::uniform_real_distribution<float> unit(-0.5F, 0.5F);
         std::vector<glm::vec3> points;
-        for (int i = 0; i < 500; ++i)
+        points.reserve(500);
+        while (points.size() < 500)
             points.push_back(glm::vec3(0.1F, -0.3F, 0.05F) +
                              size * glm::vec3(unit(random), unit(random), unit(random)));
         const Camera camera = fittedCamera(view, points, aspect);

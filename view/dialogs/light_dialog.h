@@ -7,7 +7,7 @@ namespace hairpaint::view {
 
 class Swatch;
 
-class LightDialog : public LiveValueDialog<model::LightSettings, &model::Project::light>
+class LightDialog final : public LiveValueDialog<model::LightSettings, &model::Project::light>
 {
     Q_OBJECT
 public:

@@ -7,7 +7,7 @@ class QCheckBox;
 
 namespace hairpaint::view {
 
-class WindDialog : public LiveValueDialog<sim::Wind, &model::Project::wind>
+class WindDialog final : public LiveValueDialog<sim::Wind, &model::Project::wind>
 {
     Q_OBJECT
 public:
