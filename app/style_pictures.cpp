@@ -5,6 +5,7 @@
 #include "app/library.h"
 #include "app/picture.h"
 #include "model/commands/commands.h"
+#include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 
@@ -32,9 +33,11 @@ QString cacheFolder()
     return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/style-pictures");
 }
 
-/// What the file holds, as a name; empty where it can't be read.
+/// What the file holds, as a name; empty where it can't be read. The bald head is no file: it shows the built-in head.
 QString contentName(const QString& path)
 {
+    if (path == baldStylePath())
+        return QStringLiteral("bald-") + model::builtInHead()->name;
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
     if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
@@ -61,7 +64,7 @@ QImage drawStyle(const model::Preset& preset, const model::Progress& progress)
 
 QImage pictureOfFile(const QString& path, const StylePictures::Draw& draw, const model::Progress& progress)
 {
-    const QString name = contentName(path); // None of the bald head, which is no file.
+    const QString name = contentName(path);
     const QString cached = cacheFolder() + QLatin1Char('/') + name + QStringLiteral(".png");
     if (QImage known; !name.isEmpty() && known.load(cached, "PNG"))
         return known;

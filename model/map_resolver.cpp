@@ -87,10 +87,17 @@ void MapResolver::take(const std::shared_ptr<Underway>& done, bool whole)
     const ResolvedMaps before = m_maps;
     if (whole)
         m_maps = std::move(done->maps);
-    // Where memory ran out on the other thread there may be enough by now; if not, it is this one's caller that hears.
-    if (!whole || done->stale)
-        update(done->wanted);
-    m_arrived(m_maps.differingFrom(before));
+    const auto tell = [&] { m_arrived(m_maps.differingFrom(before)); };
+    try {
+        // Where memory ran out on the other thread there may be enough by now; if not, it is this one's caller that
+        // hears, after what has come all the same was told.
+        if (!whole || done->stale)
+            update(done->wanted);
+    } catch (const std::bad_alloc&) {
+        tell();
+        throw;
+    }
+    tell();
 }
 
 ResolvedMaps::Addresses MapResolver::finish()

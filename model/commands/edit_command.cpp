@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <variant>
 
 namespace hairpaint::model {
@@ -222,8 +221,8 @@ public:
     }
     void undo() override
     {
-        for (const CommandPtr& command : std::views::reverse(m_commands))
-            command->undo();
+        for (std::size_t i = m_commands.size(); i-- > 0;)
+            m_commands[i]->undo();
     }
     [[nodiscard]] std::size_t keptBytes() const override
     {

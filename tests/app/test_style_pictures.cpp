@@ -82,6 +82,22 @@ private Q_SLOTS:
         QCOMPARE(drawn.load(), 2);
     }
 
+    void theBaldHeadToo()
+    {
+        Jobs jobs(m_window);
+        std::atomic<int> drawn = 0;
+        StylePictures pictures(jobs, [&drawn](const model::Preset&, const model::Progress&) {
+            ++drawn;
+            return plain(Qt::gray);
+        });
+        const QSignalSpy made(&pictures, &StylePictures::made);
+        for (int times = 1; times <= 2; ++times) {
+            pictures.make(baldStylePath());
+            QTRY_COMPARE_WITH_TIMEOUT(made.size(), times, kPatienceMs);
+        }
+        QCOMPARE(drawn.load(), 1);
+    }
+
     void aStyleDeletedOrReplacedMeanwhileStaysSo_data()
     {
         QTest::addColumn<bool>("replaced");

@@ -3,12 +3,15 @@
 #include "model/document.h"
 #include "sim/base/deterministic.h"
 #include "tests/model/fixtures.h"
+#include "tests/support/allocation_limit.h"
 #include "tests/support/test_program.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
+#include <algorithm>
 #include <deque>
+#include <new>
 #include <utility>
 
 using namespace hairpaint;
@@ -57,6 +60,20 @@ public:
         if (whole)
             work();
         done(whole);
+    }
+    /// The oldest, but what follows it on the document's thread finds no memory for a tile; whether that is told.
+    bool workAndRunOut()
+    {
+        auto [work, done] = std::move(m_queue.front());
+        m_queue.pop_front();
+        work();
+        const AllocationLimit limit(sim::kTileTexels * sizeof(std::uint16_t));
+        try {
+            done(true);
+        } catch (const std::bad_alloc&) {
+            return true;
+        }
+        return false;
     }
     void workAll()
     {
@@ -212,6 +229,24 @@ private Q_SLOTS:
         m_bench.workAll();
         QVERIFY(!document.resolving());
         QVERIFY(showsItsContent(document));
+    }
+
+    void whatHasComeIsToldThoughMemoryRunsOutAfterIt()
+    {
+        Document document(largeProject());
+        document.resolveIn(m_bench.background());
+        setOpacity(document, 0.5F);
+        paintTexel(document, MapKind::Length, 3, 40'000); // Little, but it waits for the other.
+        const QSignalSpy told(&document, &Document::changed);
+        QVERIFY(m_bench.workAndRunOut());
+        const auto isTold = [&told](MapKind map) {
+            return std::ranges::any_of(told, [map](const QList<QVariant>& signal) {
+                const auto change = signal.front().value<Change>();
+                return change.aspect == Change::Aspect::Resolved && change.map == map;
+            });
+        };
+        QVERIFY(isTold(MapKind::Colour));
+        QVERIFY(!isTold(MapKind::Length));
     }
 
     void aGroupHasNoHairBeforeItsMapsAreThere()

