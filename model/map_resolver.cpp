@@ -84,9 +84,7 @@ void MapResolver::start(const Project& project)
 void MapResolver::take(const std::shared_ptr<Underway>& done, bool whole)
 {
     m_underway.reset();
-    const ResolvedMaps before = m_maps;
-    if (whole)
-        m_maps = std::move(done->maps);
+    const ResolvedMaps before = whole ? std::exchange(m_maps, std::move(done->maps)) : m_maps;
     const auto tell = [&] { m_arrived(m_maps.differingFrom(before)); };
     try {
         // Where memory ran out on the other thread there may be enough by now; if not, it is this one's caller that
