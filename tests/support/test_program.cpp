@@ -31,22 +31,16 @@ std::map<QString, Entry>& entries()
 
 std::unique_ptr<QCoreApplication> makeApplication(Application kind, int& argc, char** argv)
 {
-    switch (kind) {
-    case Application::None:
-        break;
-    case Application::Core:
-        return std::make_unique<QCoreApplication>(argc, argv);
-    case Application::Gui:
-    case Application::Widgets:
+    if (kind == Application::None)
+        return nullptr;
 #ifdef QT_WIDGETS_LIB
+    if (kind != Application::Core)
         return std::make_unique<QApplication>(argc, argv);
 #elif defined(QT_GUI_LIB)
+    if (kind != Application::Core)
         return std::make_unique<QGuiApplication>(argc, argv);
-#else
-        return std::make_unique<QCoreApplication>(argc, argv);
 #endif
-    }
-    return nullptr;
+    return std::make_unique<QCoreApplication>(argc, argv);
 }
 
 int run(int argc, char** argv)
