@@ -2,10 +2,12 @@
 #include "app/library.h"
 
 #include "model/commands/commands.h"
+#include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/names.h"
 
 #include <QCoreApplication>
+#include <QCryptographicHash>
 #include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -61,6 +63,17 @@ std::vector<model::PresetEntry> listStyles(QStringList* problems)
         entries.begin(),
         {.path = baldStylePath(), .name = kBald, .tags = {}, .folder = QStringLiteral("built-in"), .picture = {}});
     return entries;
+}
+
+QString styleContentName(const QString& path)
+{
+    if (path == baldStylePath())
+        return QStringLiteral("bald-") + model::builtInHead()->name;
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
+        return {};
+    return QString::fromLatin1(hash.result().toHex());
 }
 
 model::Result<model::Preset> loadStyle(const QString& path)

@@ -20,6 +20,9 @@ namespace hairpaint::app {
 [[nodiscard]] QString baldStylePath();
 /// The styles as the window lists them: a bald head first, then model::listPresets.
 [[nodiscard]] std::vector<model::PresetEntry> listStyles(QStringList* problems = nullptr);
+/// A name for what a style of that list holds: of another content, another. Empty where its file can't be read. Any
+/// thread.
+[[nodiscard]] QString styleContentName(const QString& path);
 /// A style of that list. Any thread.
 [[nodiscard]] model::Result<model::Preset> loadStyle(const QString& path);
 /// The name of a style of that list as people read it: opens its file. Any thread.

@@ -5,13 +5,10 @@
 #include "app/library.h"
 #include "app/picture.h"
 #include "model/commands/commands.h"
-#include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 
-#include <QCryptographicHash>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -33,18 +30,6 @@ QString cacheFolder()
     return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/style-pictures");
 }
 
-/// What the file holds, as a name; empty where it can't be read. The bald head is no file: it shows the built-in head.
-QString contentName(const QString& path)
-{
-    if (path == baldStylePath())
-        return QStringLiteral("bald-") + model::builtInHead()->name;
-    QFile file(path);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
-        return {};
-    return QString::fromLatin1(hash.result().toHex());
-}
-
 /// A cache that takes nothing costs no more than drawing again.
 void keep(const QImage& picture, const QString& path)
 {
@@ -64,7 +49,7 @@ QImage drawStyle(const model::Preset& preset, const model::Progress& progress)
 
 QImage pictureOfFile(const QString& path, const StylePictures::Draw& draw, const model::Progress& progress)
 {
-    const QString name = contentName(path);
+    const QString name = styleContentName(path);
     const QString cached = cacheFolder() + QLatin1Char('/') + name + QStringLiteral(".png");
     if (QImage known; !name.isEmpty() && known.load(cached, "PNG"))
         return known;
@@ -72,7 +57,7 @@ QImage pictureOfFile(const QString& path, const StylePictures::Draw& draw, const
     if (!preset || !progress(0.0))
         return {};
     const QImage picture = draw(*preset, progress);
-    if (picture.isNull() || contentName(path) != name)
+    if (picture.isNull() || styleContentName(path) != name)
         return {};
     if (!name.isEmpty())
         keep(picture, cached);

@@ -16,6 +16,7 @@ struct LayerAddress
     Id group = 0;
     MapKind map = MapKind::Density;
     Id layer = 0;
+    // The compared 0 of a defaulted order is no pointer, whatever clang-tidy 14 takes it for.
     friend auto operator<=>(const LayerAddress&, const LayerAddress&) = default; // NOLINT(modernize-use-nullptr)
 };
 

@@ -41,7 +41,7 @@ class EditSession
 {
 public:
     EditSession() = default;
-    EditSession(EditSession&& other) noexcept;
+    EditSession(EditSession&& other) noexcept; ///< `other` is not active after it.
     EditSession& operator=(EditSession&& other) noexcept;
     ~EditSession();
 

@@ -11,7 +11,7 @@
 namespace hairpaint::model {
 
 /// What changing a setting makes anew.
-enum class Affects : std::uint8_t
+enum class Affects
 {
     Hairs,   ///< The strands themselves are evaluated again.
     Physics, ///< How they move.
@@ -19,7 +19,7 @@ enum class Affects : std::uint8_t
 };
 
 /// Where the panel shows it.
-enum class SettingSection : std::uint8_t
+enum class SettingSection
 {
     Shape,
     Braid,
@@ -40,7 +40,7 @@ struct SettingChoice
 
 /// A row of the table. Numbers, switches (0 or 1) and choices (an index) are all read and written as a double, in SI
 /// units.
-struct GroupSetting // NOLINT(clang-analyzer-optin.performance.Padding): in the order to be read.
+struct GroupSetting
 {
     const char* key; ///< In files; "physics.body" is the key body of the object physics.
     SettingMember member;
