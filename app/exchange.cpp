@@ -11,7 +11,9 @@
 #include "model/files/hair_file.h"
 #include "model/files/image_map.h"
 #include "model/files/sentences.h"
+#include "model/style_transfer.h"
 #include "view/dialogs/head_import_dialog.h"
+#include "view/dialogs/landmarks_dialog.h"
 
 #include <QDir>
 #include <QFile>
@@ -154,16 +156,72 @@ void Exchange::importHeadFrom(const QString& path)
         return;
     if (!*made)
         return complain(made->error().message);
-    const ImportedHead& head = **made;
-    model::Document& document = m_session.document();
-    document.push(model::setHeadCommand(document, head.head, head.ellipsoids));
+    std::shared_ptr<const model::Head> head = (*made)->head;
+    if (dialog.carriesHair() && (head = withLandmarksAsked(head)) == nullptr)
+        return;
+    replaceHead(head, (*made)->ellipsoids, dialog.carriesHair());
 }
 
-void Exchange::useBuiltInHead()
+std::shared_ptr<const model::Head> Exchange::withLandmarksAsked(const std::shared_ptr<const model::Head>& head)
+{
+    view::LandmarksDialog dialog(head, &m_window);
+    Q_EMIT headDialogMade(dialog);
+    if (dialog.exec() != QDialog::Accepted)
+        return nullptr;
+    return head->landmarks == dialog.landmarks() ? head : model::withLandmarks(*head, dialog.landmarks());
+}
+
+void Exchange::moveLandmarks()
 {
     m_session.editor().commitStroke();
+    const model::Project& project = m_session.document().committed();
+    if (project.head == nullptr || project.head->builtIn)
+        return;
+    const std::shared_ptr<const model::Head> head = withLandmarksAsked(project.head);
+    if (head != nullptr && head != project.head)
+        replaceHead(head, project.ellipsoids, true);
+}
+
+void Exchange::useBuiltInHead(const model::NamedHead& named)
+{
+    m_session.editor().commitStroke();
+    using HeadPtr = std::shared_ptr<const model::Head>;
+    const std::optional<model::Result<HeadPtr>> head = m_jobs.await<HeadPtr>(
+        tr("Preparing %1").arg(named.title), [&named](const model::Progress&) -> model::Result<HeadPtr> {
+            const model::Checked<HeadPtr> known = model::builtInHead(named.name);
+            return known ? model::Result<HeadPtr>(*known) : model::cannotOpen(named.title, known.error());
+        });
+    if (!head)
+        return;
+    if (!*head)
+        return complain(head->error().message);
+    replaceHead(**head, model::builtInEllipsoids(named.name), true);
+}
+
+void Exchange::replaceHead(const std::shared_ptr<const model::Head>& head, std::vector<sim::Ellipsoid> ellipsoids,
+                           bool carriesHair)
+{
+    using Groups = std::vector<model::HairGroup>;
     model::Document& document = m_session.document();
-    document.push(model::setHeadCommand(document, model::builtInHead(), model::builtInEllipsoids()));
+    m_session.endPreviews(); // What is only shown does not go along.
+    std::optional<Groups> groups;
+    if (carriesHair && document.committed().head && !document.committed().head->landmarks)
+        Q_EMIT done(tr("The head so far has no landmarks; the maps stay as they lie"));
+    // A style that was on its way may come while the hair is carried: what is there then counts.
+    for (model::Project before; carriesHair && !(groups && before.groups == document.committed().groups);) {
+        before = document.committed();
+        std::optional<model::Result<Groups>> carried = m_jobs.await<Groups>(
+            tr("Carrying the hair over"), [&before, &head](const model::Progress& progress) -> model::Result<Groups> {
+                std::optional<Groups> moved = model::carriedGroups(before.groups, before.head, head, progress);
+                return moved ? model::Result<Groups>(std::move(*moved)) : model::cancelled(head->name);
+            });
+        if (!carried)
+            return;
+        if (!*carried)
+            return complain(carried->error().message);
+        groups = std::move(**carried);
+    }
+    document.push(model::setHeadCommand(document, head, std::move(ellipsoids), std::move(groups)));
 }
 
 std::shared_ptr<const sim::StrandFrame> Exchange::currentHair()
@@ -274,9 +332,15 @@ void Exchange::deleteStyle(const QString& path)
 void Exchange::applyStyleFrom(const QString& path)
 {
     m_session.editor().commitStroke();
-    const std::optional<model::Result<model::Preset>> preset =
-        m_jobs.await<model::Preset>(tr("Reading %1").arg(QFileInfo(path).fileName()),
-                                    [&path](const model::Progress&) { return model::loadPreset(path); });
+    const std::optional<model::Result<model::Preset>> preset = m_jobs.await<model::Preset>(
+        tr("Reading %1").arg(QFileInfo(path).fileName()),
+        [&path, head = m_session.document().committed().head](const model::Progress& progress) {
+            model::Result<model::Preset> read = model::loadPreset(path);
+            if (!read)
+                return read;
+            std::optional<model::Preset> carried = model::carriedPreset(std::move(*read), head, progress);
+            return carried ? model::Result<model::Preset>(std::move(*carried)) : model::cancelled(path);
+        });
     if (!preset)
         return;
     if (!*preset)

@@ -4,6 +4,7 @@
 #include "app/background/jobs.h"
 #include "app/session.h"
 #include "app/settings.h"
+#include "model/files/head_file.h"
 #include "view/rendering/scene.h"
 
 #include <QObject>
@@ -30,7 +31,9 @@ public:
     void exportMap(); ///< The active map in its scale.
     void importHead();
     void importHeadFrom(const QString& path);
-    void useBuiltInHead();
+    /// Shows the head's landmarks; where the user moves them, hair goes along.
+    void moveLandmarks();
+    void useBuiltInHead(const model::NamedHead& named);
     void exportHair();
     void savePicture();
     void saveStyle();
@@ -46,6 +49,11 @@ Q_SIGNALS:
 private:
     [[nodiscard]] static QString noGroupText();
     void complain(const QString& message);
+    /// The head with its landmarks where the user wants them; null where he wants none of it.
+    [[nodiscard]] std::shared_ptr<const model::Head> withLandmarksAsked(const std::shared_ptr<const model::Head>& head);
+    /// One undo step. The hairstyle is carried to the new head, or its maps stay as they lie.
+    void replaceHead(const std::shared_ptr<const model::Head>& head, std::vector<sim::Ellipsoid> ellipsoids,
+                     bool carriesHair);
     /// The hair of the document as it is, waited for; null where that was cancelled or there is no memory for it.
     [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair();
     /// Has a file written with progress, and tells of it.

@@ -68,7 +68,7 @@ std::vector<model::PresetEntry> listStyles(QStringList* problems)
 QString styleContentName(const QString& path)
 {
     if (path == baldStylePath())
-        return QStringLiteral("bald-") + model::builtInHead()->name;
+        return QStringLiteral("bald");
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
     if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))

@@ -13,7 +13,7 @@ namespace hairpaint::app {
 /// By name, without regard to case, or by path.
 [[nodiscard]] model::Result<model::Preset> loadPresetNamed(const QString& nameOrPath);
 
-/// The style that the program starts with, applied to a new project on the built-in head. Any thread.
+/// The style that the program starts with, applied to a new project on the head of new projects. Any thread.
 [[nodiscard]] model::Project starterProject();
 
 /// What a bald head stands under in the list of styles; no file.

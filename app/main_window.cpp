@@ -124,7 +124,7 @@ void MainWindow::buildMenus()
              new MapMenu(tr("&Map"), m_actions, m_session, sidebar.layers(), m_jobs, bar),
              new ToolsMenu(tr("&Tools"), m_actions, editor, bar),
              new ViewMenu(tr("&View"), m_actions, *m_workspace, editor, m_preferences, bar),
-             new HairMenu(tr("H&air"), m_actions, m_session, head, sidebar, m_dialogs, m_exchange, bar),
+             new HairMenu(tr("H&air"), m_actions, m_session, head, sidebar, m_dialogs, m_exchange, m_jobs, bar),
              new HelpMenu(tr("&Help"), m_actions, m_dialogs, head, bar)})
         bar->addMenu(menu);
 }

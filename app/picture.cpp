@@ -49,6 +49,7 @@ model::Result<QImage> PictureMaker::take(const model::Project& project, std::sha
                  .hair = std::move(frame),
                  .camera = camera,
                  .light = view::sceneLight(project.light),
+                 .skin = view::sceneSkin(project.skin),
                  .background = view::linearColour(project.background),
                  .ring = {},
                  .mirroredRing = {}},

@@ -5,8 +5,10 @@
 #include "app/library.h"
 #include "app/picture.h"
 #include "model/commands/commands.h"
+#include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
+#include "model/style_transfer.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -50,7 +52,8 @@ QImage drawStyle(const model::Preset& preset, const model::Progress& progress)
 QImage pictureOfFile(const QString& path, const StylePictures::Draw& draw, const model::Progress& progress)
 {
     const QString name = styleContentName(path);
-    const QString cached = cacheFolder() + QLatin1Char('/') + name + QStringLiteral(".png");
+    const QString cached = cacheFolder() + QLatin1Char('/') + model::builtInHead()->name + QLatin1Char('-') + name +
+                           QStringLiteral(".png");
     if (QImage known; !name.isEmpty() && known.load(cached, "PNG"))
         return known;
     const model::Result<model::Preset> preset = loadStyle(path);
@@ -69,7 +72,10 @@ QImage pictureOfFile(const QString& path, const StylePictures::Draw& draw, const
 QImage stylePicture(const model::Preset& preset, PictureMaker& maker, const model::Progress& progress)
 {
     model::Project project = model::newProject();
-    model::applyPreset(project, preset);
+    const std::optional<model::Preset> carried = model::carriedPreset(preset, project.head, progress);
+    if (!carried)
+        return {};
+    model::applyPreset(project, *carried);
     project.wind.enabled = false;
     SettledHair hair(project, kStepSeconds);
     for (int step = 1; step < kSteps; ++step) {

@@ -16,7 +16,7 @@ namespace hairpaint::app {
 
 class PictureMaker;
 
-/// The style as it hangs on the built-in head after two calm seconds. Null where `progress` stops it.
+/// The style as it hangs on the head of new projects after two calm seconds. Null where `progress` stops it.
 [[nodiscard]] QImage stylePicture(const model::Preset& preset, PictureMaker& maker,
                                   const model::Progress& progress = {});
 /// A project's hair at a moment, framed in the same way; null where nothing can be drawn.

@@ -150,8 +150,10 @@ sim::GroomInput Document::groomInput() const
 {
     const Project& shown = project();
     sim::GroomInput input;
-    if (shown.head != nullptr)
+    if (shown.head != nullptr) {
         input.skin = shown.head->skin;
+        input.distances = shown.head->distances;
+    }
     input.colliders = shown.ellipsoids;
     input.seed = shown.seed;
     input.maxHairs = shown.maxHairs;

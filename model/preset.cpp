@@ -3,6 +3,7 @@
 
 #include "model/commands/commands.h"
 #include "model/compositor.h"
+#include "model/style_transfer.h"
 
 #include <algorithm>
 #include <array>
@@ -71,6 +72,7 @@ Preset presetFrom(const Project& project, const QString& name)
 {
     Preset preset;
     preset.name = name;
+    preset.head = project.head;
     Id nextId = 1;
     for (const HairGroup& group : project.groups) {
         HairGroup flat;
@@ -96,9 +98,10 @@ Preset presetFrom(const Project& project, const QString& name)
 
 void applyPreset(Project& project, const Preset& preset)
 {
+    const std::optional<std::vector<HairGroup>> styles = carriedGroups(preset.groups, preset.head, project.head);
     std::vector<HairGroup> before = std::move(project.groups);
     project.groups.clear();
-    for (const HairGroup& style : preset.groups) {
+    for (const HairGroup& style : *styles) {
         HairGroup group;
         const auto sameName = std::ranges::find(before, style.name, &HairGroup::name);
         if (sameName != before.end()) {

@@ -1,4 +1,4 @@
-// A hairstyle without a head: what `.hairpreset` files hold and the style strip shows.
+// A hairstyle: what `.hairpreset` files hold and the style strip shows.
 #pragma once
 
 #include "model/project.h"
@@ -15,7 +15,10 @@ struct Preset
     QStringList tags;
     QString folder;                ///< "" for built-in ones; the user's own carry the file's path.
     std::vector<HairGroup> groups; ///< Ids are local to the preset.
-    QImage picture;                ///< 96 px and more a side; null where none was saved.
+    /// On whose layout the maps lie; null where it is not known. Applied to a project on another head, the style is
+    /// carried there (style_transfer.h).
+    std::shared_ptr<const Head> head;
+    QImage picture; ///< 96 px and more a side; null where none was saved.
 };
 
 /// Flattens every stack of every group of a project.

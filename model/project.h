@@ -2,15 +2,19 @@
 #pragma once
 
 #include "model/change.h"
+#include "model/skin_tone.h"
 #include "sim/groom/group_settings.h"
 #include "sim/motion/wind.h"
+#include "sim/skin/distance_grid.h"
 #include "sim/skin/ellipsoid.h"
+#include "sim/skin/head_landmarks.h"
 #include "sim/skin/skin.h"
 
 #include <QByteArray>
 #include <QString>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace hairpaint::model {
@@ -79,13 +83,16 @@ enum class UpAxis : std::uint8_t
 /// The head under the hair. Shared and immutable: replaced whole.
 struct Head
 {
-    QString name; ///< "bust-1", or the imported file's base name.
+    QString name; ///< A built-in head's, or the imported file's base name.
     bool builtIn = true;
     float unitScale = 1.0F; ///< Metres per unit of the source; 1 for a built-in head.
     UpAxis upAxis = UpAxis::Y;
     QByteArray sourceGlb;                  ///< Source positions, before scale and axis; empty for a built-in head.
     std::shared_ptr<const sim::Skin> skin; ///< Scale and axis applied.
-    double scalpFraction = 1.0;            ///< 0..1 of the skin's area; all of it where the scalp is not known.
+    /// From the skin, for what keeps hair out of it; none for bust-1, whose hair stays as version 0.1 has it.
+    std::shared_ptr<const sim::DistanceGrid> distances;
+    double scalpFraction = 1.0;                  ///< 0..1 of the skin's area; all of it where the scalp is not known.
+    std::optional<sim::HeadLandmarks> landmarks; ///< None where they are not known.
     std::shared_ptr<const sim::HeadMesh> shownMesh; ///< What is drawn; finer than the skin's for a built-in head.
 };
 
@@ -113,6 +120,7 @@ struct Project
     sim::Wind wind;
     LightSettings light;
     QRgb background = 0xFF2A2C30;
+    SkinTone skin = SkinTone::Clay;
 
     [[nodiscard]] const HairGroup* group(Id id) const;
     [[nodiscard]] HairGroup* group(Id id);

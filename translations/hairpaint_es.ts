@@ -268,6 +268,14 @@
         <source>front, back, left, right, top, bottom or three-quarter</source>
         <translation>front, back, left, right, top, bottom o three-quarter</translation>
     </message>
+    <message>
+        <source>clay, porcelain, fair, beige, olive, brown or deep, instead of the project&apos;s</source>
+        <translation>clay, porcelain, fair, beige, olive, brown o deep, en vez de la del proyecto</translation>
+    </message>
+    <message>
+        <source>There is no skin &apos;%1&apos;</source>
+        <translation>No hay ninguna piel «%1»</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -331,6 +339,22 @@
         <source>Resize %1 to %2 × %2</source>
         <translation>Cambiar %1 a %2 × %2</translation>
     </message>
+    <message>
+        <source>Change skin tone</source>
+        <translation>Cambiar el tono de piel</translation>
+    </message>
+    <message>
+        <source>Add brows and lashes</source>
+        <translation>Añadir cejas y pestañas</translation>
+    </message>
+    <message>
+        <source>Show brows and lashes</source>
+        <translation>Mostrar cejas y pestañas</translation>
+    </message>
+    <message>
+        <source>Hide brows and lashes</source>
+        <translation>Ocultar cejas y pestañas</translation>
+    </message>
 </context>
 <context>
     <name>ContentBudget</name>
@@ -360,6 +384,21 @@
     <message>
         <source>Let go to load the image into %1</source>
         <translation>Suelta para cargar la imagen en %1</translation>
+    </message>
+</context>
+<context>
+    <name>FaceHair</name>
+    <message>
+        <source>Growing brows and lashes</source>
+        <translation>Crecen cejas y pestañas</translation>
+    </message>
+    <message>
+        <source>Where they grow is not known on this head. Set its landmarks with File &gt; Replace head &gt; Landmarks.</source>
+        <translation>No se sabe dónde crecen en esta cabeza. Sitúe sus puntos de referencia con Archivo &gt; Reemplazar cabeza &gt; Puntos de referencia.</translation>
+    </message>
+    <message>
+        <source>Brows and lashes</source>
+        <translation>Cejas y pestañas</translation>
     </message>
 </context>
 <context>
@@ -1032,6 +1071,17 @@
     </message>
 </context>
 <context>
+    <name>Heads</name>
+    <message>
+        <source>Mannequin of version 0.1</source>
+        <translation>Maniquí de la versión 0.1</translation>
+    </message>
+    <message>
+        <source>Display bust</source>
+        <translation>Busto de exposición</translation>
+    </message>
+</context>
+<context>
     <name>Landmarks</name>
     <message>
         <source>crown</source>
@@ -1068,6 +1118,29 @@
     <message>
         <source>right ear</source>
         <translation>oreja derecha</translation>
+    </message>
+</context>
+<context>
+    <name>LandmarksDialog</name>
+    <message>
+        <source>Front</source>
+        <translation>Delante</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Detrás</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Arriba</translation>
     </message>
 </context>
 <context>
@@ -1382,6 +1455,37 @@
     </message>
 </context>
 <context>
+    <name>SkinTone</name>
+    <message>
+        <source>Neutral clay</source>
+        <translation>Arcilla neutra</translation>
+    </message>
+    <message>
+        <source>Porcelain</source>
+        <translation>Porcelana</translation>
+    </message>
+    <message>
+        <source>Fair</source>
+        <translation>Clara</translation>
+    </message>
+    <message>
+        <source>Beige</source>
+        <translation>Beis</translation>
+    </message>
+    <message>
+        <source>Olive</source>
+        <translation>Oliva</translation>
+    </message>
+    <message>
+        <source>Brown</source>
+        <translation>Morena</translation>
+    </message>
+    <message>
+        <source>Deep</source>
+        <translation>Oscura</translation>
+    </message>
+</context>
+<context>
     <name>Tool</name>
     <message>
         <source>Eraser</source>
@@ -1668,6 +1772,14 @@
         <source>Renaming %1</source>
         <translation>Cambiando el nombre de %1</translation>
     </message>
+    <message>
+        <source>Carrying the hair over</source>
+        <translation>Pasando el pelo</translation>
+    </message>
+    <message>
+        <source>The head so far has no landmarks; the maps stay as they lie</source>
+        <translation>La cabeza anterior no tiene puntos de referencia; los mapas se quedan como están</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::FileMenu</name>
@@ -1712,20 +1824,24 @@
         <translation>Guardar el &amp;mapa como imagen…</translation>
     </message>
     <message>
-        <source>Import &amp;head…</source>
-        <translation>Importar ca&amp;beza…</translation>
-    </message>
-    <message>
-        <source>Use the built-in hea&amp;d</source>
-        <translation>Usar la cabeza in&amp;cluida</translation>
-    </message>
-    <message>
         <source>&amp;Export hair…</source>
         <translation>&amp;Exportar pelo…</translation>
     </message>
     <message>
         <source>Save &amp;picture…</source>
         <translation>Guardar cap&amp;tura…</translation>
+    </message>
+    <message>
+        <source>Replace &amp;head</source>
+        <translation>Reempla&amp;zar cabeza</translation>
+    </message>
+    <message>
+        <source>&amp;Import head…</source>
+        <translation>&amp;Importar cabeza…</translation>
+    </message>
+    <message>
+        <source>&amp;Landmarks…</source>
+        <translation>&amp;Puntos de referencia…</translation>
     </message>
 </context>
 <context>
@@ -1765,6 +1881,14 @@
     <message>
         <source>&amp;Reset the simulation</source>
         <translation>&amp;Reiniciar la simulación</translation>
+    </message>
+    <message>
+        <source>S&amp;kin tone</source>
+        <translation>T&amp;ono de piel</translation>
+    </message>
+    <message>
+        <source>&amp;Brows and lashes</source>
+        <translation>&amp;Cejas y pestañas</translation>
     </message>
 </context>
 <context>
@@ -2256,6 +2380,14 @@
             <numerusform>%Ln triángulos, %1 cm de alto.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>&amp;Carry the hairstyle over</source>
+        <translation>&amp;Conservar el peinado</translation>
+    </message>
+    <message>
+        <source>Hairline, parting and every painted map go to the same places of the new head. Otherwise the maps stay as they are, for a head with the same layout.</source>
+        <translation>El nacimiento del pelo, la raya y todos los mapas pintados pasan a los mismos lugares de la cabeza nueva. Si no, los mapas se quedan como están, para una cabeza con el mismo despliegue.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::HeadOverlay</name>
@@ -2449,6 +2581,10 @@
         <source>%1 and %2</source>
         <translation>%1 y %2</translation>
     </message>
+    <message>
+        <source>Where the hairstyle is carried over, seven landmarks bring both heads together. They are found by the head&apos;s shape; drag one to where it lies on the left head if it was not found right. File &gt; Replace head &gt; Landmarks shows them again, and hair goes along.</source>
+        <translation>Cuando se traslada el peinado, siete puntos de referencia hacen coincidir ambas cabezas. Se encuentran por la forma de la cabeza; si alguno no está bien, arrástrelo hasta donde está en la cabeza de la izquierda. Archivo &gt; Reemplazar cabeza &gt; Puntos de referencia los muestra de nuevo, y el pelo los sigue.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::KeysPage</name>
@@ -2507,6 +2643,29 @@
     <message>
         <source>Press the new key in the field, then Assign.</source>
         <translation>Pulsa la tecla nueva en el campo y después Asignar.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::LandmarksDialog</name>
+    <message>
+        <source>Landmarks</source>
+        <translation>Puntos de referencia</translation>
+    </message>
+    <message>
+        <source>Hair goes to the same places of the new head. Where a point lies elsewhere than on the left, drag it there.</source>
+        <translation>El pelo va a los mismos lugares de la cabeza nueva. Si un punto no está donde en la de la izquierda, arrástrelo hasta allí.</translation>
+    </message>
+    <message>
+        <source>No landmarks were found on this head. Drag each point to where it lies on the left; hair goes to the same places.</source>
+        <translation>No se han encontrado puntos de referencia en esta cabeza. Arrastre cada punto a donde está en la de la izquierda; el pelo va a los mismos lugares.</translation>
+    </message>
+    <message>
+        <source>Carry the hair over</source>
+        <translation>Trasladar el pelo</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Restablecer</translation>
     </message>
 </context>
 <context>

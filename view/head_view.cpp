@@ -276,7 +276,7 @@ void HeadView::refreshHead()
 void HeadView::refreshEnvironment()
 {
     const model::Project& project = m_state.document().project();
-    m_scene->setEnvironment(m_pointer->draggedLight().value_or(project.light), project.background);
+    m_scene->setEnvironment(project, m_pointer->draggedLight().value_or(project.light));
     m_weather->setValues(project.wind, project.light);
     m_pacer->wake();
 }

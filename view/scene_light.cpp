@@ -1,4 +1,4 @@
-// Light and colours for the renderer: see the header.
+// Light, skin and colours for the renderer: see the header.
 #include "view/scene_light.h"
 
 #include <cmath>
@@ -12,6 +12,17 @@ rendering::Light sceneLight(const model::LightSettings& settings)
                             std::cos(settings.azimuthRad) * std::cos(settings.elevationRad)},
             .colour = glm::vec3(settings.red, settings.green, settings.blue) * settings.intensity,
             .ambient = settings.ambient};
+}
+
+rendering::Skin sceneSkin(model::SkinTone tone)
+{
+    const model::SkinLook& look = model::skinLook(tone);
+    return {.colour = linearColour(look.skin),
+            .lips = linearColour(look.lips),
+            .lids = linearColour(look.lids),
+            .scatter = look.scatter,
+            .grain = look.grain,
+            .sheen = look.sheen};
 }
 
 glm::vec3 linearColour(QRgb encoded)

@@ -1,4 +1,4 @@
-// The document's light and colours as the renderer wants them.
+// The document's light, skin and colours as the renderer wants them.
 #pragma once
 
 #include "model/project.h"
@@ -7,6 +7,7 @@
 namespace hairpaint::view {
 
 [[nodiscard]] rendering::Light sceneLight(const model::LightSettings& settings);
+[[nodiscard]] rendering::Skin sceneSkin(model::SkinTone tone);
 /// An sRGB colour in linear light.
 [[nodiscard]] glm::vec3 linearColour(QRgb encoded);
 

@@ -43,12 +43,14 @@ constexpr std::array<OptionHelp, 4> kExportOptions = {{
     kHairs,
     kWind,
 }};
-constexpr std::array<OptionHelp, 9> kRenderOptions = {{
+constexpr std::array<OptionHelp, 10> kRenderOptions = {{
     {"-o, --output FILE.png", QT_TRANSLATE_NOOP("CommandLine", "the picture to write")},
     {"--size WxH", QT_TRANSLATE_NOOP("CommandLine", "in pixels; 1024x1024 unless given")},
     {"--view NAME", QT_TRANSLATE_NOOP("CommandLine", "front, back, left, right, top, bottom or three-quarter")},
     {"--fit WHAT",
      QT_TRANSLATE_NOOP("CommandLine", "what fills the picture: hair (with the head), head or bust; hair unless given")},
+    {"--skin NAME", QT_TRANSLATE_NOOP("CommandLine", "clay, porcelain, fair, beige, olive, brown or deep, instead of "
+                                                     "the project's")},
     kSettle,
     {"--frames A-B", QT_TRANSLATE_NOOP("CommandLine", "a film instead of one picture: FILE.0001.png and on")},
     {"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")},
@@ -68,7 +70,7 @@ constexpr std::array<Command, 5> kCommands = {{
      QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), kExportOptions, runExport},
     {"render",
      "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
-     "[--fit hair|head|bust] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z]",
+     "[--fit hair|head|bust] [--skin NAME] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z]",
      QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},
 }};
 

@@ -24,6 +24,7 @@ struct RenderOptions
     QSize size{1024, 1024};
     rendering::StandardView view = rendering::StandardView::ThreeQuarter;
     rendering::Fit fit = rendering::Fit::Hair;
+    std::optional<model::SkinTone> skin; ///< Else the project's.
     int firstFrame = 0;
     int lastFrame = -1; ///< Below the first: one picture.
     double framesPerSecond = 30.0;
@@ -55,6 +56,13 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
         if (!fit)
             return tl::unexpected(CommandLine::tr("--fit takes hair, head or bust, not '%1'").arg(name));
         options.fit = *fit;
+    }
+    if (parser.isSet(QStringLiteral("skin"))) {
+        const QString name = parser.value(QStringLiteral("skin"));
+        const model::SkinLook* look = model::findSkinLook(name);
+        if (look == nullptr)
+            return tl::unexpected(CommandLine::tr("There is no skin '%1'").arg(name));
+        options.skin = look->tone;
     }
     if (parser.isSet(QStringLiteral("frames"))) {
         const QString frames = parser.value(QStringLiteral("frames"));
@@ -180,6 +188,7 @@ ExitCode runRender(const QStringList& arguments)
                        {QStringLiteral("size"), {}, QStringLiteral("WxH")},
                        {QStringLiteral("view"), {}, QStringLiteral("name")},
                        {QStringLiteral("fit"), {}, QStringLiteral("what")},
+                       {QStringLiteral("skin"), {}, QStringLiteral("name")},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
                        {QStringLiteral("fps"), {}, QStringLiteral("number")},
@@ -208,6 +217,7 @@ ExitCode runRender(const QStringList& arguments)
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());
+    project->skin = options->skin.value_or(project->skin);
     SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
     return renderAll(hair, *options, output);
 }

@@ -1,6 +1,8 @@
 // The File menu: see the header.
 #include "app/menus/file_menu.h"
 
+#include "model/files/head_file.h"
+
 #include <QFileInfo>
 
 namespace hairpaint::app {
@@ -11,7 +13,7 @@ FileMenu::FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files
 {
     addProjectActions(actions, editor);
     addSeparator();
-    addExchangeActions(actions, exchange);
+    addExchangeActions(actions, exchange, editor);
     addSeparator();
     actions.add(*this,
                 {{"file.quit", tr("&Quit"), {Qt::CTRL | Qt::Key_Q}, [this] { parentWidget()->window()->close(); }}});
@@ -34,7 +36,7 @@ void FileMenu::addProjectActions(ActionSet& actions, view::EditorState& editor)
                  {"file.saveAs", tr("Save &as…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_S}, [this] { m_files.saveAs(); }}});
 }
 
-void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange)
+void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange, const view::EditorState& editor)
 {
     actions.add(
         *this,
@@ -42,9 +44,7 @@ void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange)
          {"file.loadGrey", tr("Load &grey image into map…"), {}, [&exchange] { exchange.importImage(true); }},
          {"file.saveImage", tr("Save &map as image…"), {}, [&exchange] { exchange.exportMap(); }, "export"}});
     addSeparator();
-    actions.add(*this,
-                {{"file.importHead", tr("Import &head…"), {}, [&exchange] { exchange.importHead(); }},
-                 {"file.builtInHead", tr("Use the built-in hea&d"), {}, [&exchange] { exchange.useBuiltInHead(); }}});
+    addHeads(*addMenu(tr("Replace &head")), actions, exchange, editor);
     addSeparator();
     actions.add(
         *this,
@@ -52,6 +52,21 @@ void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange)
          {"file.picture", tr("Save &picture…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_P}, [&exchange] {
               exchange.savePicture();
           }}});
+}
+
+void FileMenu::addHeads(QMenu& menu, ActionSet& actions, Exchange& exchange, const view::EditorState& editor)
+{
+    for (const model::NamedHead& head : model::builtInHeads())
+        actions.add(menu, {{"file.head." + head.name.toLatin1(), inMenu(head.title), {}, [&exchange, head] {
+                                exchange.useBuiltInHead(head);
+                            }}});
+    menu.addSeparator();
+    const model::Document& document = editor.document();
+    actions.add(menu, {{"file.importHead", tr("&Import head…"), {}, [&exchange] { exchange.importHead(); }},
+                       {.id = "file.landmarks",
+                        .text = tr("&Landmarks…"),
+                        .run = [&exchange] { exchange.moveLandmarks(); },
+                        .enabled = [&document] { return !document.project().head->builtIn; }}});
 }
 
 void FileMenu::showRecentFiles(const QStringList& paths)

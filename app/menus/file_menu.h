@@ -20,7 +20,8 @@ public:
 
 private:
     void addProjectActions(ActionSet& actions, view::EditorState& editor);
-    void addExchangeActions(ActionSet& actions, Exchange& exchange);
+    void addExchangeActions(ActionSet& actions, Exchange& exchange, const view::EditorState& editor);
+    static void addHeads(QMenu& menu, ActionSet& actions, Exchange& exchange, const view::EditorState& editor);
 
     ProjectFiles& m_files;
     QMenu* m_recent = nullptr;

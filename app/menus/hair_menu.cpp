@@ -1,18 +1,25 @@
 // The Hair menu: see the header.
 #include "app/menus/hair_menu.h"
 
+#include "model/commands/commands.h"
+
 namespace hairpaint::app {
 
 HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, view::HeadView& head,
-                   view::Sidebar& sidebar, WindowDialogs& dialogs, Exchange& exchange, QWidget* parent)
-    : QMenu(title, parent)
+                   view::Sidebar& sidebar, WindowDialogs& dialogs, Exchange& exchange, Jobs& jobs, QWidget* parent)
+    : QMenu(title, parent), m_faceHair(session, jobs, *parent->window())
 {
     addWeather(actions, session, head, dialogs);
+    addSkin(actions, session);
     addSeparator();
     addSimulation(actions, session);
     addSeparator();
     actions.add(*this,
                 {{"hair.addGroup", tr("&Add hair group…"), {}, [&sidebar] { sidebar.askWhatGrows(); }, "group-add"},
+                 {.id = "hair.face",
+                  .text = tr("&Brows and lashes"),
+                  .run = [this] { m_faceHair.toggle(); },
+                  .on = [this] { return m_faceHair.shown(); }},
                  {"hair.removeGroup", tr("Remo&ve hair group"), {}, [&sidebar] { sidebar.hair().removeGroup(); }}});
     addSeparator();
     actions.add(*this, {{"hair.saveStyle", tr("&Save style…"), {}, [&exchange] { exchange.saveStyle(); }}});
@@ -37,6 +44,19 @@ void HairMenu::addWeather(ActionSet& actions, Session& session, view::HeadView& 
           .run = [&head] { head.setWeatherShown(!head.weatherShown()); },
           .icon = "weather",
           .on = [&head] { return head.weatherShown(); }}});
+}
+
+void HairMenu::addSkin(ActionSet& actions, Session& session)
+{
+    QMenu* menu = addMenu(tr("S&kin tone"));
+    model::Document& document = session.document();
+    for (const model::SkinLook& look : model::skinLooks()) {
+        const QByteArray id = QByteArray("hair.skin.") + look.id;
+        actions.add(*menu, {{.id = id,
+                             .text = look.titleText(),
+                             .run = [&document, tone = look.tone] { document.push(setSkinCommand(document, tone)); },
+                             .on = [&document, tone = look.tone] { return document.project().skin == tone; }}});
+    }
 }
 
 void HairMenu::addSimulation(ActionSet& actions, Session& session)

@@ -1,8 +1,9 @@
-// The Hair menu: wind, light, simulation, groups, styles.
+// The Hair menu: wind, light, skin, simulation, groups, styles.
 #pragma once
 
 #include "app/action_set.h"
 #include "app/exchange.h"
+#include "app/face_hair.h"
 #include "app/window_dialogs.h"
 #include "view/head_view.h"
 #include "view/panels/sidebar.h"
@@ -17,11 +18,14 @@ class HairMenu : public QMenu
     Q_OBJECT
 public:
     HairMenu(const QString& title, ActionSet& actions, Session& session, view::HeadView& head, view::Sidebar& sidebar,
-             WindowDialogs& dialogs, Exchange& exchange, QWidget* parent);
+             WindowDialogs& dialogs, Exchange& exchange, Jobs& jobs, QWidget* parent);
 
 private:
     void addWeather(ActionSet& actions, Session& session, view::HeadView& head, WindowDialogs& dialogs);
+    void addSkin(ActionSet& actions, Session& session);
     void addSimulation(ActionSet& actions, Session& session);
+
+    FaceHair m_faceHair;
 };
 
 } // namespace hairpaint::app

@@ -53,6 +53,10 @@ struct LayerProperties
 /// Every map empty.
 [[nodiscard]] CommandPtr addGroupCommand(Document& document, const QString& name,
                                          const sim::GroupSettings& settings = {});
+/// Eyebrows and eyelashes (model/face_hair.h), with new ids; or those that are there are shown, or hidden. Null where
+/// there is nothing to add.
+[[nodiscard]] CommandPtr addFaceHairCommand(Document& document, std::vector<HairGroup> groups);
+[[nodiscard]] CommandPtr showFaceHairCommand(Document& document, bool visible);
 [[nodiscard]] CommandPtr removeGroupCommand(Document& document, Id group);
 [[nodiscard]] CommandPtr renameGroupCommand(Document& document, Id group, const QString& name);
 /// Null where it stays in its place; `newPosition` is counted from the first.
@@ -64,12 +68,15 @@ struct LayerProperties
 [[nodiscard]] CommandPtr setWindCommand(Document& document, const sim::Wind& wind);
 [[nodiscard]] CommandPtr setLightCommand(Document& document, const LightSettings& light);
 [[nodiscard]] CommandPtr setBackgroundCommand(Document& document, QRgb background);
-/// What undo says of those three, for edits that are shown before they are kept.
+[[nodiscard]] CommandPtr setSkinCommand(Document& document, SkinTone skin);
+/// What undo says of the first three, for edits that are shown before they are kept.
 [[nodiscard]] QString windStepText();
 [[nodiscard]] QString lightStepText();
 [[nodiscard]] QString backgroundStepText();
+/// With the groups as they were carried to it (style_transfer.h), or the maps taken as they lie.
 [[nodiscard]] CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head,
-                                        std::vector<sim::Ellipsoid> ellipsoids);
+                                        std::vector<sim::Ellipsoid> ellipsoids,
+                                        std::optional<std::vector<HairGroup>> groups = {});
 /// Replaces all groups by a preset's (model/preset.h). Groups with the same name keep their ids.
 [[nodiscard]] CommandPtr applyPresetCommand(Document& document, const struct Preset& preset);
 [[nodiscard]] QString applyPresetText(const struct Preset& preset);

@@ -72,16 +72,18 @@ struct EnvironmentPart
     sim::Wind wind;
     LightSettings light;
     QRgb background = 0;
+    SkinTone skin = SkinTone::Clay;
 
     static EnvironmentPart take(const Project& project, const Change& /*change*/)
     {
-        return {project.wind, project.light, project.background};
+        return {project.wind, project.light, project.background, project.skin};
     }
     void put(Project& project, const Change& /*change*/) const
     {
         project.wind = wind;
         project.light = light;
         project.background = background;
+        project.skin = skin;
     }
     friend bool operator==(const EnvironmentPart&, const EnvironmentPart&) = default;
 };

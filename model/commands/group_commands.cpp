@@ -1,6 +1,7 @@
 // Groups added, removed, renamed, moved, shown and replaced by a preset's.
 #include "model/commands/command_texts.h"
 #include "model/commands/edit_command.h"
+#include "model/face_hair.h"
 #include "model/names.h"
 #include "model/preset.h"
 
@@ -29,6 +30,33 @@ CommandPtr addGroupCommand(Document& document, const QString& name, const sim::G
                          [name, settings](Project& project) {
                              project.groups.push_back(makeGroup(project, name));
                              project.groups.back().settings = settings;
+                         });
+}
+
+CommandPtr addFaceHairCommand(Document& document, std::vector<HairGroup> groups)
+{
+    if (groups.empty())
+        return nullptr;
+    return groupsCommand(document, 0, Commands::tr("Add brows and lashes"),
+                         [groups = std::move(groups)](Project& project) {
+                             for (HairGroup group : groups) {
+                                 group.id = project.takeId();
+                                 for (SharedStack& stack : group.maps)
+                                     for (Layer& layer : stack.write().layers)
+                                         layer.id = project.takeId();
+                                 project.groups.push_back(std::move(group));
+                             }
+                         });
+}
+
+CommandPtr showFaceHairCommand(Document& document, bool visible)
+{
+    return groupsCommand(document, 0,
+                         visible ? Commands::tr("Show brows and lashes") : Commands::tr("Hide brows and lashes"),
+                         [visible](Project& project) {
+                             for (HairGroup& group : project.groups)
+                                 if (isFaceHair(group))
+                                     group.visible = visible;
                          });
 }
 

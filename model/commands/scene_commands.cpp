@@ -1,4 +1,4 @@
-// Wind, light, background and the head.
+// Wind, light, background, skin and the head.
 #include "model/commands/command_texts.h"
 #include "model/commands/edit_command.h"
 
@@ -61,15 +61,32 @@ CommandPtr setBackgroundCommand(Document& document, QRgb background)
                               [background](Project& project) { project.background = background; });
 }
 
-CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, std::vector<sim::Ellipsoid> ellipsoids)
+CommandPtr setSkinCommand(Document& document, SkinTone skin)
+{
+    if (!differs(document, &Project::skin, skin))
+        return nullptr;
+    return environmentCommand(document, Commands::tr("Change skin tone"),
+                              [skin](Project& project) { project.skin = skin; });
+}
+
+CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, std::vector<sim::Ellipsoid> ellipsoids,
+                          std::optional<std::vector<HairGroup>> groups)
 {
     if (document.committed().head == head)
         return nullptr;
-    return editCommand(document, {.aspect = Change::Aspect::Head}, Commands::tr("Change head"),
-                       [head = std::move(head), ellipsoids = std::move(ellipsoids)](Project& project) {
-                           project.head = head;
-                           project.ellipsoids = ellipsoids;
-                       });
+    const auto setHead = [head = std::move(head), ellipsoids = std::move(ellipsoids)](Project& project) {
+        project.head = head;
+        project.ellipsoids = ellipsoids;
+    };
+    Change change;
+    change.aspect = Change::Aspect::Head;
+    std::vector<ShownPart> parts;
+    parts.push_back({change, setHead});
+    if (groups) {
+        change.aspect = Change::Aspect::GroupList;
+        parts.push_back({change, [groups = std::move(*groups)](Project& project) { project.groups = groups; }});
+    }
+    return shownEditCommand(document, parts, {}, Commands::tr("Change head"));
 }
 
 } // namespace hairpaint::model

@@ -3,6 +3,7 @@
 
 #include "model/files/json_fields.h"
 #include "sim/skin/head_limits.h"
+#include "sim/skin/mesh_bounds.h"
 
 #include <QJsonDocument>
 #include <QtEndian>
@@ -239,13 +240,8 @@ QByteArray glbFromMesh(const sim::HeadMesh& mesh)
     const int texcoords = writer.add(turned, "VEC2", kFloat, 1, kArrayBuffer);
     const int own = writer.add(mesh.uvs, "VEC2", kFloat, 1, kArrayBuffer);
     if (!mesh.positionsHd.empty()) {
-        glm::vec3 least = mesh.positionsHd.front();
-        glm::vec3 greatest = least;
-        for (const glm::vec3& p : mesh.positionsHd) {
-            least = glm::min(least, p);
-            greatest = glm::max(greatest, p);
-        }
-        writer.setBounds(positions, least, greatest);
+        const sim::MeshBounds bounds = sim::boundsOf(mesh);
+        writer.setBounds(positions, bounds.least, bounds.greatest);
     }
     const QJsonObject attributes{{QStringLiteral("POSITION"), positions},
                                  {QStringLiteral("NORMAL"), normals},

@@ -1,16 +1,27 @@
-// The built-in head, and heads made from a source mesh.
+// The built-in heads, and heads made from a source mesh.
 #include "model/files/head_file.h"
 
 #include "model/files/glb.h"
-#include "model/heads/bust_landmarks.h"
+#include "model/heads/built_in_heads.h"
+#include "sim/skin/head_warp.h"
+#include "sim/skin/landmark_search.h"
+#include "sim/skin/mesh_bounds.h"
 #include "sim/skin/mesh_openings.h"
+#include "sim/skin/mesh_subdivision.h"
 
+#include <QCoreApplication>
 #include <QFile>
+#include <QtEndian>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <numeric>
 #include <optional>
+#include <span>
 
 /// Resources of a static library are registered on request; the macro must stand outside every namespace.
 static void registerHeads() // NOLINT(misc-use-anonymous-namespace)
@@ -22,27 +33,100 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr double kBustScalpFraction = 0.1979; ///< bust-1 is frozen; a test counts hairs on its scalp.
-
-sim::HeadMesh builtInMesh(const QString& resource)
+QByteArray builtInFile(const QString& resource)
 {
     QFile file(resource);
     [[maybe_unused]] const bool opened = file.open(QIODevice::ReadOnly);
-    Checked<sim::HeadMesh> mesh = meshFromGlb(file.readAll());
-    Q_ASSERT(opened && mesh); // Compiled in; a test reads it.
+    Q_ASSERT(opened); // Compiled in; a test reads it.
+    return file.readAll();
+}
+
+sim::HeadMesh builtInMesh(const QString& resource)
+{
+    Checked<sim::HeadMesh> mesh = meshFromGlb(builtInFile(resource));
+    Q_ASSERT(mesh);
     return std::move(*mesh);
 }
 
-std::shared_ptr<const Head> loadBuiltIn()
+/// In the file, micrometres in 16 bits, little endian.
+std::vector<float> builtInDisplacements(const QString& resource)
+{
+    constexpr float kMetresPerUnit = 1e-6F;
+    const QByteArray bytes = builtInFile(resource);
+    std::vector<float> metres;
+    for (qsizetype at = 0; at + 2 <= bytes.size(); at += 2)
+        metres.push_back(kMetresPerUnit * qFromLittleEndian<qint16>(bytes.constData() + at));
+    return metres;
+}
+
+/// Of the finer mesh's vertices, in front of which those of the coarser one stand; none where there is no such file.
+std::vector<sim::SkinMarks> builtInMarks(const QString& resource)
+{
+    if (!QFile::exists(resource))
+        return {};
+    const QByteArray bytes = builtInFile(resource);
+    std::vector<sim::SkinMarks> marks(static_cast<std::size_t>(bytes.size()) / sizeof(sim::SkinMarks));
+    std::memcpy(marks.data(), bytes.constData(), marks.size() * sizeof(sim::SkinMarks));
+    return marks;
+}
+
+/// Signed distances to the finer mesh; null where there is no such file. Its layout: origin, cell, three sizes, then
+/// the values' differences as qCompress packs them.
+std::shared_ptr<const sim::DistanceGrid> builtInDistances(const QString& resource)
+{
+    constexpr qsizetype kLayoutBytes = 28;
+    if (!QFile::exists(resource))
+        return nullptr;
+    const QByteArray bytes = builtInFile(resource);
+    const auto number = [&bytes](int index) { return qFromLittleEndian<float>(bytes.constData() + 4 * index); };
+    const auto size = [&bytes](int index) { return qFromLittleEndian<qint32>(bytes.constData() + 4 * index); };
+    const sim::GridLayout layout{
+        .originHd = {number(0), number(1), number(2)}, .cellM = number(3), .size = {size(4), size(5), size(6)}};
+    const QByteArray differences = qUncompress(bytes.sliced(kLayoutBytes));
+    std::vector<std::int8_t> values(static_cast<std::size_t>(differences.size()));
+    std::partial_sum(differences.begin(), differences.end(), values.begin(),
+                     [](char sum, char step) { return static_cast<char>(sum + step); });
+    return sim::DistanceGrid::of(layout, std::move(values));
+}
+
+/// What is drawn of it: finer than what carries hair. bust-1 has a mesh of its own for that.
+sim::HeadMesh shownMesh(const sim::HeadMesh& carrying, const QString& resource)
+{
+    const QString fine = resource + QStringLiteral("-fine.glb");
+    if (QFile::exists(fine))
+        return builtInMesh(fine);
+    return sim::subdivided(carrying, builtInDisplacements(resource + QStringLiteral(".displacement")));
+}
+
+std::shared_ptr<const Head> loadBuiltIn(const heads::BuiltInHead& row)
 {
     registerHeads();
     auto head = std::make_shared<Head>();
-    head->name = QStringLiteral("bust-1");
-    head->skin = std::make_shared<const sim::Skin>(builtInMesh(QStringLiteral(":/heads/bust-1.glb")));
-    head->scalpFraction = kBustScalpFraction;
+    head->name = QString::fromUtf8(row.name);
+    const QString resource = QStringLiteral(":/heads/") + head->name;
+    sim::HeadMesh carrying = builtInMesh(resource + QStringLiteral(".glb"));
+    sim::HeadMesh shown = shownMesh(carrying, resource);
+    shown.marks = builtInMarks(resource + QStringLiteral(".marks"));
+    if (!shown.marks.empty())
+        carrying.marks.assign(shown.marks.begin(),
+                              shown.marks.begin() + static_cast<std::ptrdiff_t>(carrying.positionsHd.size()));
+    head->skin = std::make_shared<const sim::Skin>(std::move(carrying));
+    head->distances = builtInDistances(resource + QStringLiteral(".distances"));
+    head->scalpFraction = row.scalpFraction;
+    head->landmarks = row.landmarks;
     // The bust's foot is open; it is shown as if it were solid.
-    head->shownMesh = std::make_shared<const sim::HeadMesh>(
-        sim::withOpeningsClosed(builtInMesh(QStringLiteral(":/heads/bust-1-fine.glb"))));
+    head->shownMesh = std::make_shared<const sim::HeadMesh>(sim::withOpeningsClosed(std::move(shown)));
+    return head;
+}
+
+std::shared_ptr<const Head> loaded(const heads::BuiltInHead& row)
+{
+    static std::mutex mutex;
+    static std::map<const heads::BuiltInHead*, std::shared_ptr<const Head>> heads;
+    const std::scoped_lock lock(mutex);
+    std::shared_ptr<const Head>& head = heads[&row];
+    if (!head)
+        head = loadBuiltIn(row);
     return head;
 }
 
@@ -52,39 +136,20 @@ glm::vec3 turned(const glm::vec3& v, UpAxis upAxis)
     return upAxis == UpAxis::Y ? v : glm::vec3(v.x, v.z, -v.y);
 }
 
-struct Extent
-{
-    glm::vec3 least{0.0F};
-    glm::vec3 greatest{0.0F};
-    [[nodiscard]] glm::vec3 size() const { return greatest - least; }
-};
-
-Extent extentOf(const sim::HeadMesh& mesh)
-{
-    if (mesh.positionsHd.empty())
-        return {};
-    Extent extent{.least = mesh.positionsHd.front(), .greatest = mesh.positionsHd.front()};
-    for (const glm::vec3& p : mesh.positionsHd) {
-        extent.least = glm::min(extent.least, p);
-        extent.greatest = glm::max(extent.greatest, p);
-    }
-    return extent;
-}
-
-/// Why a head of this extent, in metres, can't be used; nothing where it can.
-std::optional<QString> problemOf(const Extent& extent)
+/// Why a head of these bounds can't be used; nothing where it can.
+std::optional<QString> problemOf(const sim::MeshBounds& bounds)
 {
     constexpr float kSmallestM = 0.001F;
     constexpr float kLargestM = 100.0F;
     constexpr float kFarthestM = 1000.0F;
-    const glm::vec3 size = extent.size();
+    const glm::vec3 size = bounds.size();
     const float largest = std::max({size.x, size.y, size.z});
     if (!(largest >= kSmallestM && largest <= kLargestM))
         return say(QT_TRANSLATE_NOOP("Files", "its head is %1 m large, and heads of 1 mm to 100 m can be used; choose "
                                               "another unit"))
             .arg(static_cast<double>(largest), 0, 'g', 3);
     // Further out floats are too coarse to tell hairs apart.
-    const glm::vec3 reach = glm::max(glm::abs(extent.least), glm::abs(extent.greatest));
+    const glm::vec3 reach = glm::max(glm::abs(bounds.least), glm::abs(bounds.greatest));
     const float farthest = std::max({reach.x, reach.y, reach.z});
     if (!(farthest <= kFarthestM))
         return say(QT_TRANSLATE_NOOP("Files", "its head stands %1 m from the scene's origin, and 1 km is the most; "
@@ -93,24 +158,83 @@ std::optional<QString> problemOf(const Extent& extent)
     return std::nullopt;
 }
 
+/// A file may place them anywhere. Those that lie on the skin stay as they are, bit for bit.
+void takeToSkin(sim::HeadLandmarks& landmarks, const sim::Skin& skin)
+{
+    const float tolerance = 1e-3F * glm::length(sim::boundsOf(skin.mesh()).size());
+    for (glm::vec3& landmark : landmarks.positionsHd) {
+        const glm::vec3 onSkin = skin.nearest(landmark).positionHd;
+        if (glm::distance(onSkin, landmark) > tolerance)
+            landmark = onSkin;
+    }
+}
+
+/// Which part of a foreign head's skin corresponds to the built-in one's scalp.
+double scalpFractionOf(const Head& head)
+{
+    constexpr std::size_t kMostFaces = 5000; // A percent of error is as good as none.
+    const heads::BuiltInHead& row = *heads::builtInHeads().front();
+    const sim::Skin& known = *builtInHead()->skin;
+    const sim::HeadWarp warp(*head.landmarks, row.landmarks);
+    const std::size_t faces = head.skin->mesh().triangles.size();
+    const std::size_t stride = faces / kMostFaces + 1;
+    double scalpM2 = 0.0;
+    double allM2 = 0.0;
+    for (std::size_t face = 0; face < faces; face += stride) {
+        const auto index = static_cast<std::uint32_t>(face);
+        const auto areaM2 = static_cast<double>(head.skin->faceAreaM2(index));
+        const glm::vec3 centre = head.skin->at(index, glm::vec3(1.0F / 3.0F)).positionHd;
+        allM2 += areaM2;
+        if (row.regions.scalpDistance(known.nearest(warp(centre)).positionHd) > 0.0F)
+            scalpM2 += areaM2;
+    }
+    constexpr double kLeast = 0.01; // Of a head whose scalp is not found nothing is known.
+    return scalpM2 > kLeast * allM2 ? scalpM2 / allM2 : 1.0;
+}
+
 } // namespace
 
 std::shared_ptr<const Head> builtInHead()
 {
-    static const std::shared_ptr<const Head> head = loadBuiltIn();
-    return head;
+    return loaded(*heads::builtInHeads().front());
 }
 
-std::vector<sim::Ellipsoid> builtInEllipsoids()
+Checked<std::shared_ptr<const Head>> builtInHead(const QString& name)
 {
-    std::vector<sim::Ellipsoid> ellipsoids;
-    for (const heads::EllipsoidSpec& spec : heads::bustColliders())
-        ellipsoids.push_back({.centreHd = spec.centre, .semiAxesM = spec.semiAxes, .rotation = spec.rotation});
-    return ellipsoids;
+    if (const heads::BuiltInHead* row = heads::builtInHead(name.toStdString()))
+        return loaded(*row);
+    return refuse(say(QT_TRANSLATE_NOOP("Files", "its head '%1' is not known to this one")).arg(shownPath(name)),
+                  Clause::Cure::NewerProgram);
+}
+
+std::vector<sim::Ellipsoid> builtInEllipsoids(const QString& name)
+{
+    const heads::BuiltInHead* named = heads::builtInHead(name.toStdString());
+    const heads::BuiltInHead* row = named != nullptr ? named : heads::builtInHeads().front();
+    return {row->colliders.begin(), row->colliders.end()};
+}
+
+std::vector<NamedHead> builtInHeads()
+{
+    std::vector<NamedHead> named;
+    for (const heads::BuiltInHead* row : heads::builtInHeads())
+        named.push_back(
+            {.name = QString::fromUtf8(row->name), .title = QCoreApplication::translate("Heads", row->title)});
+    return named;
+}
+
+std::shared_ptr<const Head> withLandmarks(const Head& head, const sim::HeadLandmarks& landmarks)
+{
+    auto changed = std::make_shared<Head>(head);
+    changed->landmarks = landmarks;
+    takeToSkin(*changed->landmarks, *changed->skin);
+    changed->scalpFraction = scalpFractionOf(*changed);
+    return changed;
 }
 
 Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByteArray& sourceGlb, float unitScale,
-                                                 UpAxis upAxis, const std::function<bool()>& goesOn)
+                                                 UpAxis upAxis, const std::function<bool()>& goesOn,
+                                                 const std::optional<sim::HeadLandmarks>& landmarks)
 {
     Checked<sim::HeadMesh> source = meshFromGlb(sourceGlb);
     if (!source)
@@ -120,7 +244,7 @@ Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByt
         p = turned(p, upAxis) * unitScale;
     for (glm::vec3& n : mesh.normalsHd)
         n = turned(n, upAxis);
-    if (const std::optional<QString> problem = problemOf(extentOf(mesh)))
+    if (const std::optional<QString> problem = problemOf(sim::boundsOf(mesh)))
         return refuse(*problem, Clause::Cure::OtherFile);
     auto head = std::make_shared<Head>();
     head->name = name;
@@ -135,6 +259,17 @@ Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByt
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its mesh has no surface; choose another")),
                       Clause::Cure::OtherFile);
     head->shownMesh = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
+    head->distances = sim::DistanceGrid::make(head->skin->mesh(), [&goesOn](double) { return !goesOn || goesOn(); });
+    const Head& known = *builtInHead();
+    head->landmarks = landmarks ? landmarks
+                                : sim::findLandmarks(*head->skin, *known.skin, *known.landmarks,
+                                                     [&goesOn](double) { return !goesOn || goesOn(); });
+    if (goesOn && !goesOn())
+        return std::shared_ptr<const Head>();
+    if (head->landmarks) {
+        takeToSkin(*head->landmarks, *head->skin);
+        head->scalpFraction = scalpFractionOf(*head);
+    }
     return head;
 }
 
@@ -153,7 +288,7 @@ Result<std::shared_ptr<const Head>> makeHead(const QString& name, const QByteArr
 
 HeadGuess guessHead(const sim::HeadMesh& source)
 {
-    const glm::vec3 size = extentOf(source).size();
+    const glm::vec3 size = sim::boundsOf(source).size();
     HeadGuess guess;
     guess.upAxis = size.z > size.y ? UpAxis::Z : UpAxis::Y;
     const float height = std::max(size.y, size.z);

@@ -2,6 +2,7 @@
 #include "model/files/preset_file.h"
 
 #include "model/files/group_json.h"
+#include "model/files/head_entry.h"
 #include "model/files/layer_files.h"
 #include "model/files/project_json.h"
 
@@ -28,6 +29,7 @@ struct OpenedPreset
 {
     ArchiveReader archive;
     Preset preset;
+    HeadReference head;
 };
 
 Result<OpenedPreset> openPreset(const QString& path)
@@ -35,14 +37,16 @@ Result<OpenedPreset> openPreset(const QString& path)
     Result<OpenedArchive> opened = openArchive(path, kPresetMimetype);
     if (!opened)
         return tl::unexpected(opened.error());
-    Checked<Preset> preset = presetFromJson(opened->json);
-    if (!preset)
-        return cannotOpen(path, preset.error());
-    if (preset->name.isEmpty())
-        preset->name = QFileInfo(path).completeBaseName();
-    preset->folder = path.startsWith(QLatin1Char(':')) ? QString() : path;
-    preset->picture = readThumbnail(opened->archive);
-    return OpenedPreset{.archive = std::move(opened->archive), .preset = std::move(*preset)};
+    Checked<PresetManifest> manifest = presetFromJson(opened->json);
+    if (!manifest)
+        return cannotOpen(path, manifest.error());
+    Preset& preset = manifest->preset;
+    if (preset.name.isEmpty())
+        preset.name = QFileInfo(path).completeBaseName();
+    preset.folder = path.startsWith(QLatin1Char(':')) ? QString() : path;
+    preset.picture = readThumbnail(opened->archive);
+    return OpenedPreset{
+        .archive = std::move(opened->archive), .preset = std::move(preset), .head = std::move(manifest->head)};
 }
 
 Result<Preset> read(const QString& path)
@@ -50,6 +54,10 @@ Result<Preset> read(const QString& path)
     Result<OpenedPreset> opened = openPreset(path);
     if (!opened)
         return tl::unexpected(opened.error());
+    Checked<std::shared_ptr<const Head>> head = readHead(opened->archive, opened->head);
+    if (!head)
+        return cannotOpen(path, head.error());
+    opened->preset.head = std::move(*head);
     EncodedLayers cache;
     const Checked<bool> layers = readLayers(opened->archive, opened->preset.groups, cache, {});
     if (!layers)
@@ -65,6 +73,7 @@ Result<void> write(const Preset& preset, const QString& path)
     ArchiveWriter archive;
     addMimetype(archive, kPresetMimetype);
     archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
+    addHead(archive, preset.head);
     EncodedLayers cache;
     if (Checked<bool> added = addLayers(archive, preset.groups, cache, {}); !added)
         return cannotWrite(path, added.error());

@@ -2,6 +2,7 @@
 #include "model/files/project_file.h"
 
 #include "model/files/group_json.h"
+#include "model/files/head_entry.h"
 #include "model/files/head_file.h"
 #include "model/files/layer_files.h"
 #include "model/files/project_json.h"
@@ -13,25 +14,6 @@ namespace hairpaint::model {
 namespace {
 
 const QByteArray kProjectMimetype = QByteArrayLiteral("application/x-hairpaint");
-constexpr qint64 kMostHeadBytes = 192 << 20;
-
-/// Null where `goesOn` stopped it.
-Checked<std::shared_ptr<const Head>> openHead(const ArchiveReader& archive, const HeadReference& reference,
-                                              const std::function<bool()>& goesOn)
-{
-    if (reference.builtIn) {
-        if (reference.name != builtInHead()->name)
-            return refuse(say(QT_TRANSLATE_NOOP("Files", "its head '%1' is not known to this one"))
-                              .arg(shownPath(reference.name)),
-                          Clause::Cure::NewerProgram);
-        return builtInHead();
-    }
-    const Checked<QByteArray> glb = archive.read(QStringLiteral("head.glb"), kMostHeadBytes);
-    if (!glb)
-        return tl::unexpected(glb.error());
-    return headFromGlb(reference.name, *glb, reference.unitScale, reference.upAxis, goesOn);
-}
-
 Result<Project> read(const QString& path, EncodedLayers& cache, const Progress& progress)
 {
     const Result<OpenedArchive> opened = openArchive(path, kProjectMimetype);
@@ -50,7 +32,7 @@ Result<Project> read(const QString& path, EncodedLayers& cache, const Progress& 
     if (!*layers)
         return cancelled(path);
     Checked<std::shared_ptr<const Head>> head =
-        openHead(opened->archive, manifest->head, [&] { return !progress || progress(done); });
+        readHead(opened->archive, manifest->head, [&] { return !progress || progress(done); });
     if (!head)
         return cannotOpen(path, head.error());
     if (*head == nullptr)
@@ -68,8 +50,7 @@ Result<void> write(const Project& project, const QString& path, const QImage& th
     ArchiveWriter archive;
     addMimetype(archive, kProjectMimetype);
     archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
-    if (project.head && !project.head->builtIn)
-        archive.add("head.glb", project.head->sourceGlb, ArchiveWriter::Method::Deflated);
+    addHead(archive, project.head);
     const Checked<bool> added = addLayers(archive, project.groups, cache, progress);
     if (!added)
         return cannotWrite(path, added.error());

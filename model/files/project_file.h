@@ -24,7 +24,7 @@ class EncodedLayers;
 [[nodiscard]] Result<void> saveProject(const Project& project, const QString& path, const QImage& thumbnail,
                                        EncodedLayers* cache = nullptr, const Progress& progress = {});
 
-/// A new project on the built-in head with one empty group "Scalp".
+/// A project on the first of the built-in heads, with one empty group "Scalp".
 [[nodiscard]] Project newProject();
 
 } // namespace hairpaint::model

@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace hairpaint::model {
 
@@ -17,6 +18,7 @@ namespace {
 constexpr int kDeepestJson = 32;
 constexpr qsizetype kMostEllipsoids = 8;
 constexpr qsizetype kMostTags = 32;
+constexpr float kFarthestLandmarkM = 1000.0F;
 
 constexpr const char* kProjectFormat = "hairpaint project";
 constexpr const char* kPresetFormat = "hairpaint preset";
@@ -35,6 +37,15 @@ void visitWind(Fields& fields, AnyWind& wind)
     fields.numbers("velocity_m_per_s", components(wind.velocity), -100.0F, 100.0F);
     fields.number("gustiness", wind.gustiness, 0.0F, 1.0F);
     fields.number("turbulence", wind.turbulence, 0.0F, 1.0F);
+}
+
+std::array<Choice<SkinTone>, kSkinToneCount> skinChoices()
+{
+    std::array<Choice<SkinTone>, kSkinToneCount> choices{};
+    std::ranges::transform(skinLooks(), choices.begin(), [](const SkinLook& look) {
+        return Choice<SkinTone>{look.id, look.tone};
+    });
+    return choices;
 }
 
 template<typename Fields>
@@ -69,6 +80,36 @@ void visitHead(Fields& fields, AnyHead& head)
     fields.boolean("built_in", head.builtIn);
     fields.number("unit_scale_m", head.unitScale, 1e-6F, 1e6F);
     fields.choice("up_axis", head.upAxis, kAxes);
+}
+
+template<typename Fields>
+void visitLandmarks(Fields& fields, sim::HeadLandmarks& landmarks)
+{
+    constexpr std::array<const char*, sim::kHeadLandmarkCount> kKeys = {"crown",     "hairline", "nape", "ear_left",
+                                                                        "ear_right", "nose_tip", "chin"};
+    for (std::size_t i = 0; i < kKeys.size(); ++i) {
+        fields.numbers(kKeys[i], components(landmarks.positionsHd[i]), -kFarthestLandmarkM, kFarthestLandmarkM);
+        if constexpr (std::is_same_v<Fields, FieldReader>)
+            if (!fields.contains(kKeys[i]))
+                fields.complain(kKeys[i]);
+    }
+}
+
+void writeReference(FieldWriter& fields, const Head& head)
+{
+    visitHead(fields, head);
+    if (!head.builtIn && head.landmarks)
+        fields.object("landmarks_m", [landmarks = *head.landmarks](FieldWriter& inner) {
+            sim::HeadLandmarks copy = landmarks;
+            visitLandmarks(inner, copy);
+        });
+}
+
+void readReference(FieldReader& fields, HeadReference& head)
+{
+    visitHead(fields, head);
+    if (!head.builtIn && fields.contains("landmarks_m"))
+        fields.object("landmarks_m", [&head](FieldReader& inner) { visitLandmarks(inner, head.landmarks.emplace()); });
 }
 
 /// Qt's parser stops at 1024 levels; so deep a value would still be taken.
@@ -216,8 +257,9 @@ Checked<QByteArray> projectToJson(const Project& project)
     fields.integer("max_hairs", project.maxHairs, 1, kMostHairs);
     fields.object("roots", [](FieldWriter& inner) { inner.integer("algorithm", sim::kRootsAlgorithm, 1, 1 << 20); });
     fields.text("background", QColor(project.background).name(QColor::HexRgb));
+    fields.choice("skin", project.skin, skinChoices());
     if (project.head)
-        fields.object("head", [&project](FieldWriter& inner) { visitHead(inner, *project.head); });
+        fields.object("head", [&project](FieldWriter& inner) { writeReference(inner, *project.head); });
     fields.object("wind", [&project](FieldWriter& inner) { visitWind(inner, project.wind); });
     fields.object("light", [light = project.light](FieldWriter& inner) {
         LightSettings copy = light;
@@ -255,9 +297,10 @@ Checked<ProjectManifest> projectFromJson(const QByteArray& json)
     QString problem;
     FieldReader fields(*root, problem);
     fields.integer("max_hairs", project.maxHairs, 1, kMostHairs);
+    fields.choice("skin", project.skin, skinChoices());
     fields.object("wind", [&project](FieldReader& inner) { visitWind(inner, project.wind); });
     fields.object("light", [&project](FieldReader& inner) { visitLight(inner, project.light); });
-    fields.object("head", [&manifest](FieldReader& inner) { visitHead(inner, manifest.head); });
+    fields.object("head", [&manifest](FieldReader& inner) { readReference(inner, manifest.head); });
     if (manifest.head.name.isEmpty())
         fields.complain("head");
     if (!problem.isEmpty())
@@ -280,6 +323,8 @@ Checked<QByteArray> presetToJson(const Preset& preset)
         return tl::unexpected(counts.error());
     FieldWriter fields;
     fields.text("name", preset.name);
+    if (preset.head)
+        fields.object("head", [&preset](FieldWriter& inner) { writeReference(inner, *preset.head); });
     fields.integer("next_id", nextIdOf(preset.groups), 1, kGreatestNextId);
     QJsonObject root = fields.take();
     QJsonArray tags;
@@ -291,18 +336,26 @@ Checked<QByteArray> presetToJson(const Preset& preset)
     return toBytes(std::move(root), kPresetFormat);
 }
 
-Checked<Preset> presetFromJson(const QByteArray& json)
+Checked<PresetManifest> presetFromJson(const QByteArray& json)
 {
     const Checked<QJsonObject> root = parseRoot(json, kPresetFormat);
     if (!root)
         return tl::unexpected(root.error());
-    Preset preset;
+    // Files of the first version do not say; there was one head.
+    PresetManifest manifest{.preset = {}, .head = {.name = QStringLiteral("bust-1")}};
+    Preset& preset = manifest.preset;
     Checked<Id> nextId = parseNextId(*root);
     if (!nextId)
         return tl::unexpected(nextId.error());
     QString problem;
     FieldReader fields(*root, problem);
     fields.text("name", preset.name);
+    if (fields.contains("head")) {
+        manifest.head.name.clear();
+        fields.object("head", [&manifest](FieldReader& inner) { readReference(inner, manifest.head); });
+        if (manifest.head.name.isEmpty())
+            fields.complain("head");
+    }
     if (!problem.isEmpty())
         return refuse(problem);
     const QJsonValue tags = root->value(QLatin1String("tags"));
@@ -318,7 +371,7 @@ Checked<Preset> presetFromJson(const QByteArray& json)
     if (!groups)
         return tl::unexpected(groups.error());
     preset.groups = std::move(*groups);
-    return preset;
+    return manifest;
 }
 
 } // namespace hairpaint::model

@@ -17,6 +17,7 @@ struct HeadReference
     bool builtIn = true;
     float unitScale = 1.0F;
     UpAxis upAxis = UpAxis::Y;
+    std::optional<sim::HeadLandmarks> landmarks = {}; ///< Of an imported head.
 };
 
 struct ProjectManifest
@@ -25,10 +26,15 @@ struct ProjectManifest
     HeadReference head;
 };
 
+struct PresetManifest
+{
+    Preset preset; ///< Without a head; layers without texels, likewise.
+    HeadReference head;
+};
+
 [[nodiscard]] Checked<QByteArray> projectToJson(const Project& project);
 [[nodiscard]] Checked<ProjectManifest> projectFromJson(const QByteArray& json);
 [[nodiscard]] Checked<QByteArray> presetToJson(const Preset& preset);
-/// Layers without texels, likewise.
-[[nodiscard]] Checked<Preset> presetFromJson(const QByteArray& json);
+[[nodiscard]] Checked<PresetManifest> presetFromJson(const QByteArray& json);
 
 } // namespace hairpaint::model

@@ -3,6 +3,7 @@
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 find_package(glm REQUIRED)
+find_package(Eigen3 REQUIRED)
 find_package(TBB REQUIRED COMPONENTS tbb)
 find_package(tl-expected REQUIRED)
 

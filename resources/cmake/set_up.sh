@@ -5,14 +5,13 @@ HAIRPAINT_PACKAGES=(
     ca-certificates git g++ cmake ninja-build ccache pkg-config
     qt6-base-dev qt6-base-dev-tools qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-svg-dev libqt6opengl6-dev
     libgl-dev libegl-dev libgl1-mesa-dri libegl1 libepoxy-dev libxkbcommon-dev
-    libglm-dev libhwy-dev libtbb-dev libnanoflann-dev libexpected-dev libzip-dev zlib1g-dev
+    libglm-dev libeigen3-dev libhwy-dev libtbb-dev libnanoflann-dev libexpected-dev libzip-dev zlib1g-dev
     libopenimageio-dev openimageio-tools libassimp-dev
     qt6-translations-l10n fonts-inter fonts-noto-core
 )
 HAIRPAINT_TEST_PACKAGES=(xvfb xauth lld)
 HAIRPAINT_BENCH_PACKAGES=(libbenchmark-dev libmypaint-dev)
-# The generators are read too, and they need Eigen.
-HAIRPAINT_TIDY_PACKAGES=(clang-tidy clang-format libbenchmark-dev libmypaint-dev libeigen3-dev)
+HAIRPAINT_TIDY_PACKAGES=(clang-tidy clang-format libbenchmark-dev libmypaint-dev)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -17,6 +17,7 @@ layout(std140, binding = 0) uniform Frame
     vec4 gridSize;          // Area in m2 of a voxel of either grid, seen along z; samples that a metre covers at 1 m.
     vec4 background[2];     // sRGB as encoded: in the middle of the picture, and how much it rises to the top.
     vec4 ringWo[2];         // Centre; w: radius, 0 where there is no ring.
+    vec4 skin[3];           // Linear colours of skin, lips, lids; w: how far light scatters, depth of grain, sheen; 0..1.
 };
 
 // Where the x of a skeleton's node is; y and z follow kStrandLanes apart.

@@ -3,6 +3,7 @@
 
 #include "sim/groom/group_settings.h"
 #include "sim/groom/map_slot.h"
+#include "sim/skin/distance_grid.h"
 #include "sim/skin/ellipsoid.h"
 #include "sim/skin/skin.h"
 
@@ -25,6 +26,7 @@ struct GroomInput
 
     std::shared_ptr<const Skin> skin;
     std::vector<Ellipsoid> colliders;
+    std::shared_ptr<const DistanceGrid> distances; ///< To the skin; null: the colliders alone keep hair out of it.
     std::vector<Group> groups;
     std::uint64_t seed = 1;
     int maxHairs = 1'000'000;   ///< Limit on candidates over all groups; divided in the groups' order.

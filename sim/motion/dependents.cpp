@@ -69,10 +69,15 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
         for (std::size_t k = 0; k < RootSet::kNeighbours; ++k)
             height += groom.roots->weights[firstSlot + slot][k] *
                       groom.basis->height[groom.roots->neighbours[firstSlot + slot][k]];
-        std::array<glm::vec3, 2> rest; // the root and the node after it, as for loose basis hairs
-        groom.blocks().read(styles.restPositions, slot, rest);
+        std::array<glm::vec3, kMostNodes> rest;
+        const std::span<glm::vec3> nodes = std::span(rest).first(static_cast<std::size_t>(groom.nodes));
+        groom.blocks().read(styles.restPositions, slot, nodes);
+        const StrandStyle& style = styles.styles[slot];
+        // A curl winds about its nodes at its radius.
+        row(kDependentClearance) =
+            style.turns > 0.0F ? skinClearance(colliders, nodes, kSkinClearanceM + style.curlRadiusM) : kSkinClearanceM;
         for (int c = 0; c < colliders.count; ++c) {
-            const float scale = strandScale(colliders.items[static_cast<std::size_t>(c)], rest,
+            const float scale = strandScale(colliders.items[static_cast<std::size_t>(c)], nodes.first(2),
                                             coatM(height, groom.settings.physics.volumeM, segment));
             row(kDependentScale + c) = scale * scale;
         }

@@ -21,7 +21,7 @@ constexpr float kSettleDamping = 5.0F;
 
 bool sameColliders(const ColliderSet& a, const ColliderSet& b)
 {
-    if (a.count != b.count)
+    if (a.count != b.count || a.grid != b.grid)
         return false;
     for (int i = 0; i < a.count; ++i) {
         const Collider& x = a.items[static_cast<std::size_t>(i)];

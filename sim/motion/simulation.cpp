@@ -80,7 +80,7 @@ void Simulation::setInput(const GroomInput& input)
     s.rebuilt += report.rebuiltStrands;
     s.revision = input.revision;
     s.preview = input.preview;
-    s.colliders = prepareColliders(input.colliders);
+    s.colliders = prepareColliders(input.colliders, input.distances);
     const StepForces calm = WindField::calm(s.pose);
     std::vector<std::unique_ptr<GroupDynamics>> groups;
     groups.reserve(report.grooms.size());

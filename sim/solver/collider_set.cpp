@@ -32,6 +32,22 @@ glm::vec3 toUnit(const Collider& c, glm::vec3 pHd)
     return q;
 }
 
+SkinField fieldOf(const DistanceGrid& grid)
+{
+    constexpr float kDiagonal = 1.7320508F; // Nowhere does a distance change faster than the place.
+    const GridLayout& layout = grid.layout();
+    const float unitsACell = layout.cellM / DistanceGrid::kUnitM;
+    return {.values = grid.values().data(),
+            .origin = {layout.originHd.x, layout.originHd.y, layout.originHd.z},
+            .last = {static_cast<float>(layout.size.x - 1), static_cast<float>(layout.size.y - 1),
+                     static_cast<float>(layout.size.z - 1)},
+            .inverseCell = 1.0F / layout.cellM,
+            .row = layout.size.x,
+            .slice = layout.size.x * layout.size.y,
+            .unitsACell = unitsACell,
+            .unitsADiagonal = kDiagonal * unitsACell};
+}
+
 } // namespace
 
 float Collider::radius2(glm::vec3 pHd) const
@@ -56,9 +72,13 @@ glm::vec3 Collider::pushedOut(glm::vec3 pHd, float scale) const
     return pHd + gradient * ((scale - r) * r / g2);
 }
 
-ColliderSet prepareColliders(std::span<const Ellipsoid> ellipsoids)
+ColliderSet prepareColliders(std::span<const Ellipsoid> ellipsoids, std::shared_ptr<const DistanceGrid> grid)
 {
     ColliderSet set;
+    if (grid) {
+        set.skin = fieldOf(*grid);
+        set.grid = std::move(grid);
+    }
     for (const Ellipsoid& e : ellipsoids) {
         if (set.count == kMaxColliders)
             break;
@@ -91,6 +111,25 @@ float strandScale(const Collider& collider, std::span<const glm::vec3> restHd, f
     if (restHd.empty() || collider.radius2(restHd.front()) > kLargestLift * kLargestLift)
         scale = std::min(scale, 1.0F);
     return scale + growthM / collider.meanAxisM;
+}
+
+float skinClearance(const ColliderSet& colliders, std::span<const glm::vec3> restHd, float wishedM)
+{
+    if (!colliders.grid)
+        return 0.0F;
+    float clearance = wishedM;
+    for (std::size_t i = 1; i < restHd.size(); ++i)
+        for (const float part : kSegmentParts) {
+            if (i == 1 && part < 1.0F)
+                continue; // The first segment begins on the skin.
+            const auto sample = colliders.grid->at(restHd[i - 1] + part * (restHd[i] - restHd[i - 1]));
+            if (!sample)
+                continue;
+            if (sample->distanceM < 0.0F)
+                return wishedM;
+            clearance = std::min(clearance, sample->distanceM);
+        }
+    return clearance;
 }
 
 } // namespace hairpaint::sim

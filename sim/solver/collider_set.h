@@ -1,9 +1,12 @@
-// The head's ellipsoids as the kernels read them, and how close to them a strand may come.
+// The head's ellipsoids and its skin as the kernels read them, and how close to them a strand may come.
 #pragma once
 
+#include "sim/skin/distance_grid.h"
 #include "sim/skin/ellipsoid.h"
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <span>
 
 namespace hairpaint::sim {
@@ -23,18 +26,43 @@ struct Collider
     [[nodiscard]] glm::vec3 pushedOut(glm::vec3 pHd, float scale) const;
 };
 
+/// A DistanceGrid, of which the kernels read single values.
+struct SkinField
+{
+    const std::int8_t* values = nullptr; ///< [z][y][x], null where there is no grid.
+    std::array<float, 3> origin{};
+    std::array<float, 3> last{}; ///< Places in cells lie in 0..last, the end excluded.
+    float inverseCell = 1.0F;    ///< 1/m
+    std::int32_t row = 0;        ///< From one y to the next.
+    std::int32_t slice = 0;      ///< From one z to the next.
+    float unitsACell = 1.0F;     ///< A cell's side, in units of the values.
+    float unitsADiagonal = 1.0F; ///< Of a cell: nowhere in it are values further from those at its corners.
+};
+
+inline constexpr float kSkinClearanceM = 0.0003F; ///< Straight hair stays that far from the skin.
+
 struct ColliderSet
 {
     int count = 0;
     std::array<Collider, kMaxColliders> items{};
+    SkinField skin;
+    std::shared_ptr<const DistanceGrid> grid; ///< What `skin` reads; null: the ellipsoids alone keep hair out.
 };
 
 /// The first kMaxColliders of those that are finite; semi-axes are at least a millimetre.
-[[nodiscard]] ColliderSet prepareColliders(std::span<const Ellipsoid> ellipsoids);
+[[nodiscard]] ColliderSet prepareColliders(std::span<const Ellipsoid> ellipsoids,
+                                           std::shared_ptr<const DistanceGrid> grid = nullptr);
 
 /// How much the ellipsoid is scaled for one strand. It passes through the strand's own root where the root lies near
 /// it, since the ellipsoid only follows the skin roughly; no node of `restHd` (root first) is inside; and then it is
 /// grown by `growthM`, the strand's height in the coat.
 [[nodiscard]] float strandScale(const Collider& collider, std::span<const glm::vec3> restHd, float growthM);
+
+/// Where on a segment, from its parent, strands are kept out of the skin; of the first one only at its end.
+inline constexpr std::array kSegmentParts{1.0F, 0.75F, 0.5F};
+
+/// How far from the skin a strand stays that would be kept `wishedM` away: not so far that its shape at rest (root
+/// first) would be moved, unless that shape leads through the skin anyway. 0 without a grid.
+[[nodiscard]] float skinClearance(const ColliderSet& colliders, std::span<const glm::vec3> restHd, float wishedM);
 
 } // namespace hairpaint::sim

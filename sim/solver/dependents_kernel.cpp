@@ -61,6 +61,22 @@ HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float* HWY_
     }
 }
 
+/// Keeps a node outside every ellipsoid, and it and its segment outside the skin; true where any lane was inside one.
+template<class D>
+HWY_INLINE bool collide(D d, const DependentsTask& task, const float* HWY_RESTRICT lanes, bool first,
+                        const Vec3<hn::Vec<D>>& parent, Vec3<hn::Vec<D>>& p, Contact<D>& contact)
+{
+    bool any = false;
+    const auto furthest = hn::Set(d, kAnywhereM);
+    for (int c = 0; c < task.colliders->count; ++c)
+        any |= pushOut(d, task.colliders->items[static_cast<std::size_t>(c)],
+                       hn::LoadU(d, lanes + (kDependentScale + c) * kLanes), furthest, p, contact);
+    if (task.colliders->skin.values != nullptr)
+        any |= pushSegmentOutOfSkin(d, task.colliders->skin, hn::LoadU(d, lanes + kDependentClearance * kLanes),
+                                    furthest, first, parent, p, contact);
+    return any;
+}
+
 /// Lanes lane..lane + Lanes(d) of one block, from their mean displacements to their places in the world.
 template<class D>
 HWY_INLINE void placeStrands(D d, const DependentsTask& task, const float* HWY_RESTRICT mean,
@@ -83,13 +99,13 @@ HWY_INLINE void placeStrands(D d, const DependentsTask& task, const float* HWY_R
         hn::LoadInterleaved4(d, mean + node * kLanes * 4, displacement.x, displacement.y, displacement.z, unused);
         const Vec3<V> styled = load3(d, rest + offset);
         Vec3<V> p = atLength(d, parent, addScaled(styled, displacement, length), segment, sub(styled, parentRest));
-        Contact<D> contact = noContact(d);
-        bool touched = false;
-        for (int c = 0; c < task.colliders->count; ++c)
-            touched |= pushOut(d, task.colliders->items[static_cast<std::size_t>(c)],
-                               hn::LoadU(d, lanes + (1 + c) * kLanes), hn::Set(d, kAnywhereM), p, contact);
-        if (touched)
+        // Once more out of the skin, since restoring the length may lead back in.
+        for (int pass = 0; pass < (task.colliders->skin.values != nullptr ? 2 : 1); ++pass) {
+            Contact<D> contact = noContact(d);
+            if (!collide(d, task, lanes, i == 1, parent, p, contact))
+                break;
             p = choose(contact.touched, atLength(d, parent, p, segment, sub(styled, parentRest)), p);
+        }
         store3(d, choose(drawn, task.world.identity ? p : moved(d, task.world, p), nothing), out + offset);
         parent = p;
         parentRest = styled;

@@ -12,8 +12,9 @@ namespace hairpaint::sim {
 /// Rows of kLanes floats of a block of dependents.
 enum DependentRow : std::uint8_t
 {
-    kDependentSegment, ///< Segment length, m; 0 where nothing is drawn.
-    kDependentScale,   ///< [kMaxColliders] rows: squared scale of each collider.
+    kDependentSegment,   ///< Segment length, m; 0 where nothing is drawn.
+    kDependentClearance, ///< From the skin, m.
+    kDependentScale,     ///< [kMaxColliders] rows: squared scale of each collider.
     kDependentRows = kDependentScale + kMaxColliders
 };
 inline constexpr std::size_t kDependentStride = std::size_t{kDependentRows} * kLanes;
@@ -36,7 +37,7 @@ struct DependentsTask
 
 /// Blocks begin..end of the chunk. A node's displacement is the weighted mean of its basis hairs' at the same node;
 /// neighbours that hang to another side than the nearest (across a parting) count less. Then segment lengths are
-/// restored from root to tip, outside the ellipsoids. Neither allocates nor throws; the same bytes with every
+/// restored from root to tip, outside ellipsoids and skin. Neither allocates nor throws; the same bytes with every
 /// instruction set.
 void placeDependents(const DependentsTask& task, std::size_t begin, std::size_t end);
 

@@ -13,7 +13,7 @@ namespace hairpaint::sim::HWY_NAMESPACE {
 
 /// Fraction of a child's correction that its parent's velocity answers with (Mueller et al. 2012, section 3.3).
 constexpr float kChildAnswer = 0.9F;
-/// A node leaves an ellipsoid by at most this much in a step, m.
+/// A node leaves an ellipsoid or the skin by at most this much in a step, m.
 constexpr float kFastestLeaveM = 0.02F;
 constexpr int kLengthIterations = 2;
 
@@ -158,15 +158,18 @@ HWY_INLINE void relaxLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RESTR
     }
 }
 
-/// Keeps a node outside every ellipsoid; true where any lane was inside one.
+/// Keeps a node outside every ellipsoid, and it and its segment outside the skin; true where any lane was inside one.
 template<class D>
-HWY_INLINE bool collide(D d, const ColliderSet& colliders, const float* HWY_RESTRICT lanes, Vec3<hn::Vec<D>>& p,
-                        Contact<D>& contact)
+HWY_INLINE bool collide(D d, const ColliderSet& colliders, const float* HWY_RESTRICT lanes, bool first,
+                        const Vec3<hn::Vec<D>>& parent, Vec3<hn::Vec<D>>& p, Contact<D>& contact)
 {
     bool any = false;
     for (int c = 0; c < colliders.count; ++c)
         any |= pushOut(d, colliders.items[static_cast<std::size_t>(c)], hn::LoadU(d, lanes + (kScale + c) * kLanes),
                        hn::Set(d, kFastestLeaveM), p, contact);
+    if (colliders.skin.values != nullptr)
+        any |= pushSegmentOutOfSkin(d, colliders.skin, hn::Set(d, kSkinClearanceM), hn::Set(d, kFastestLeaveM), first,
+                                    parent, p, contact);
     return any;
 }
 
@@ -255,11 +258,11 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
             parentVelocity = sub(parentVelocity, scale(sub(placed, wished), answer));
 
             Contact<D> contact = noContact(d);
-            if (collide(d, colliders, lanes, placed, contact)) {
+            if (collide(d, colliders, lanes, i == 1, parent, placed, contact)) {
                 placed = rubbed(d, gains, contact, start, placed);
                 placed = choose(contact.touched, atLength(d, parent, placed, length, lie), placed);
                 Contact<D> second = noContact(d);
-                if (collide(d, colliders, lanes, placed, second))
+                if (collide(d, colliders, lanes, i == 1, parent, placed, second))
                     placed = choose(second.touched, atLength(d, parent, placed, length, lie), placed);
             }
             // Whatever went wrong (not a number, far away), the node goes back to where it was styled.

@@ -27,6 +27,15 @@ glm::vec3 unitOr(glm::vec3 v, glm::vec3 fallback)
     return square > 1e-12F ? v / std::sqrt(square) : fallback;
 }
 
+glm::vec3 outOfSkin(const DistanceGrid& grid, const glm::vec3& node)
+{
+    const std::optional<DistanceGrid::Sample> sample = grid.at(node);
+    if (!sample || sample->distanceM >= kSkinClearanceM)
+        return node;
+    const float slope2 = std::max(glm::dot(sample->gradient, sample->gradient), 0.04F);
+    return node + sample->gradient * ((kSkinClearanceM - sample->distanceM) / slope2);
+}
+
 } // namespace
 
 glm::vec3 lieDirection(const StrandRoot& root)
@@ -59,6 +68,8 @@ void hangStrand(std::span<glm::vec3> nodesHd, std::span<const glm::vec3> restHd,
                 const auto index = static_cast<std::size_t>(c);
                 node = colliders.items[index].pushedOut(node, scales[index]);
             }
+            if (colliders.grid)
+                node = outOfSkin(*colliders.grid, node);
             node += (restHd[i] - node) * styled;
             node = parent + unitOr(node - parent, lie) * segmentM;
         }

@@ -6,6 +6,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_heads.h"
 #include "view/dialogs/head_import_dialog.h"
+#include "view/dialogs/landmarks_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QDropEvent>
@@ -16,6 +17,8 @@
 #include <QMimeData>
 #include <QPushButton>
 
+#include <functional>
+
 namespace hairpaint::app {
 
 /// Answers dialogs that wait while it lives, as a user would.
@@ -25,9 +28,11 @@ public:
     QString file;          ///< Typed into file dialogs; they are cancelled where it is empty.
     QString name;          ///< Typed where a name is asked for.
     bool takesHead = true; ///< Whether the head's dialog is accepted.
-    bool cancels = false;  ///< Whether Cancel is clicked in progress windows.
-    int cancelled = 0;     ///< How often it was.
-    QStringList said;      ///< What message boxes said.
+    bool takesLandmarks = true;
+    std::function<void(view::LandmarksDialog&)> movesLandmarks; ///< Before its dialog is accepted.
+    bool cancels = false;                                       ///< Whether Cancel is clicked in progress windows.
+    int cancelled = 0;                                          ///< How often it was.
+    QStringList said;                                           ///< What message boxes said.
 
     Answerer() { startTimer(20); }
 
@@ -43,6 +48,10 @@ protected:
             press(*input, true);
         } else if (auto* head = qobject_cast<view::HeadImportDialog*>(waiting)) {
             press(*head, takesHead);
+        } else if (auto* landmarks = qobject_cast<view::LandmarksDialog*>(waiting)) {
+            if (movesLandmarks)
+                movesLandmarks(*landmarks);
+            press(*landmarks, takesLandmarks);
         } else if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
             said += box->text();
             QAbstractButton* yes = box->button(QMessageBox::Yes);
@@ -93,7 +102,8 @@ protected:
                          [this](const QString& text) { m_done += text; });
     }
 
-    void trigger(const char* id) { m_window->actions().find(QLatin1StringView(id))->trigger(); }
+    [[nodiscard]] QAction* action(const char* id) { return m_window->actions().find(QLatin1StringView(id)); }
+    void trigger(const char* id) { action(id)->trigger(); }
     [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
 
     void drop(const QString& file)
@@ -134,14 +144,15 @@ protected:
         return image.save(path(name)) ? path(name) : QString();
     }
 
-    [[nodiscard]] QString ballHead(const char* name)
+    [[nodiscard]] QString headFile(const char* name, const sim::HeadMesh& mesh)
     {
         QFile file(path(name));
         if (!file.open(QIODevice::WriteOnly))
             return {};
-        file.write(model::glbFromMesh(test::makeBallHead(24, 0.11F)));
+        file.write(model::glbFromMesh(mesh));
         return file.fileName();
     }
+    [[nodiscard]] QString ballHead(const char* name) { return headFile(name, test::makeBallHead(24, 0.11F)); }
 
     static void menuOrDrop()
     {

@@ -1,10 +1,14 @@
 // What comes in from other programs and goes out to them, by the window's menus and dialogs and dropped on it.
+#include "app/library.h"
 #include "model/commands/commands.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
+#include "model/files/project_file.h"
 #include "model/preset.h"
 #include "tests/app/exchange_fixture.h"
+#include "tests/support/foreign_heads.h"
 #include "tests/support/test_program.h"
+#include "view/dialogs/head_side.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
 
@@ -51,9 +55,104 @@ private Q_SLOTS:
         QVERIFY(document.committed().head == old);
         QVERIFY(document.committed().ellipsoids == model::builtInEllipsoids());
         document.redo();
-        trigger("file.builtInHead");
+        trigger("file.head.bust-2");
         QVERIFY(document.committed().head->builtIn);
         QCOMPARE(stack().count(), 2);
+    }
+
+    void aReplacedHeadHasTheHairAtTheSamePlaces()
+    {
+        open(test::thinned(starterProject()));
+        model::Document& document = session().document();
+        const model::Project before = document.committed();
+        trigger("file.head.bust-1");
+        QCOMPARE(stack().count(), 1);
+        const model::Project& after = document.committed();
+        QCOMPARE(after.head->name, QStringLiteral("bust-1"));
+        QVERIFY(after.ellipsoids == model::builtInEllipsoids(QStringLiteral("bust-1")));
+        const auto growsAt = [this, &after](sim::HeadLandmark landmark, glm::vec3 beside) {
+            const sim::SurfacePoint point = after.head->skin->nearest((*after.head->landmarks)[landmark] + beside);
+            const auto density = session().document().resolvedNow(after.groups.front().id, model::MapKind::Density);
+            return density->sampleScalar(point.uv) > 0.3F;
+        };
+        const glm::vec3 upward(0.015F, 0.015F, 0.0F);
+        QVERIFY(growsAt(sim::HeadLandmark::Hairline, upward));
+        QVERIFY(!growsAt(sim::HeadLandmark::Hairline, -upward));
+        QVERIFY(growsAt(sim::HeadLandmark::Nape, upward) && !growsAt(sim::HeadLandmark::Nape, -upward));
+        document.undo();
+        QVERIFY(document.committed().head == before.head && document.committed().groups == before.groups);
+        // A project on the older head opens on it.
+        document.redo();
+        QVERIFY(!savedBytes("older.hairpaint").isEmpty());
+        const model::Result<model::Project> read = model::loadProject(path("older.hairpaint"));
+        QVERIFY(read && read->head == after.head);
+    }
+
+    void aMovedLandmarkTakesTheHairAlong()
+    {
+        open(test::thinned(starterProject()));
+        model::Document& document = session().document();
+        QVERIFY(!action("file.landmarks")->isEnabled()); // Those of a built-in head are known.
+        m_answers->file = headFile("child.glb", test::childOf(document.committed().head->skin->mesh()).mesh);
+        trigger("file.importHead");
+        QCOMPARE(stack().count(), 1);
+        const model::Project before = document.committed();
+        QVERIFY(before.head->landmarks && action("file.landmarks")->isEnabled());
+
+        trigger("file.landmarks"); // Looked at, and nothing moved.
+        QCOMPARE(stack().count(), 1);
+        m_answers->movesLandmarks = [](view::LandmarksDialog& dialog) {
+            auto& head = *dialog.findChild<view::HeadSide*>(QStringLiteral("movedLandmarks"));
+            const std::optional<QPointF> at = head.positionOf(sim::HeadLandmark::Hairline);
+            QVERIFY(at && !head.positionOf(sim::HeadLandmark::Nape)); // From the front.
+            const QPoint from = at->toPoint();
+            QTest::mousePress(&head, Qt::LeftButton, {}, from);
+            QTest::mouseMove(&head, from + QPoint(0, 10));
+            QTest::mouseMove(&head, from + QPoint(0, 20));
+            QTest::mouseRelease(&head, Qt::LeftButton, {}, from + QPoint(0, 20));
+        };
+        trigger("file.landmarks");
+        QCOMPARE(stack().count(), 2);
+        const model::Project& after = document.committed();
+        const glm::vec3 old = (*before.head->landmarks)[sim::HeadLandmark::Hairline];
+        const glm::vec3 moved = (*after.head->landmarks)[sim::HeadLandmark::Hairline];
+        QVERIFY2(old.y - moved.y > 0.008F && old.y - moved.y < 0.03F, qPrintable(QString::number(old.y - moved.y)));
+        QVERIFY((*after.head->landmarks)[sim::HeadLandmark::Chin] ==
+                (*before.head->landmarks)[sim::HeadLandmark::Chin]);
+        QVERIFY(after.head->skin == before.head->skin);
+        const auto densityAt = [&](glm::vec3 place) {
+            const auto density = document.resolvedNow(after.groups.front().id, model::MapKind::Density);
+            return density->sampleScalar(after.head->skin->nearest(place).uv);
+        };
+        const glm::vec3 between = 0.5F * (old + moved) + glm::vec3(0.015F, 0.0F, 0.0F); // Beside the parting.
+        QVERIFY(densityAt(between) > 0.3F);
+        document.undo();
+        QVERIFY(densityAt(between) < 0.1F);
+        QVERIFY(document.committed().head == before.head);
+    }
+
+    void browsOnAHeadWithoutLandmarksAreAskedFor()
+    {
+        model::Project project = model::newProject();
+        auto bare = std::make_shared<model::Head>(*project.head);
+        bare->builtIn = false;
+        bare->landmarks.reset();
+        project.head = bare;
+        open(std::move(project));
+        trigger("hair.face");
+        QCOMPARE(m_answers->said.size(), 1);
+        QVERIFY(m_answers->said.constFirst().contains(QStringLiteral("Landmarks")));
+        QCOMPARE(stack().count(), 0);
+    }
+
+    void landmarksThatAreNotWantedChangeNothing()
+    {
+        open(model::newProject());
+        m_answers->takesLandmarks = false;
+        m_answers->file = ballHead("ball.glb");
+        trigger("file.importHead");
+        QCOMPARE(stack().count(), 0);
+        QVERIFY(session().document().committed().head->builtIn);
     }
 
     void aHeadThatIsNotWantedChangesNothing()

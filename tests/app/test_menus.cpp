@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 #include "model/commands/commands.h"
 #include "model/files/project_file.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
@@ -53,6 +54,30 @@ private Q_SLOTS:
             switches += binding.action->isCheckable() ? 1 : 0;
         }
         QVERIFY(switches > 8);
+    }
+
+    void browsAndLashesAreASwitch()
+    {
+        model::Document& document = m_window->session().document();
+        const std::vector<model::HairGroup> before = document.committed().groups;
+        const int steps = document.undoStack().count();
+        QVERIFY(!checked("hair.face"));
+        trigger("hair.face");
+        QCOMPARE(document.undoStack().count(), steps + 1);
+        QCOMPARE(document.committed().groups.size(), before.size() + 2);
+        QVERIFY(checked("hair.face"));
+        const auto frame = [this] { return m_window->session().frame(); };
+        QTRY_VERIFY_WITH_TIMEOUT(frame() && frame()->hairCount > 500, test::kPatienceMs);
+        trigger("hair.face"); // They are hidden, and stay.
+        QVERIFY(!checked("hair.face"));
+        QCOMPARE(document.committed().groups.size(), before.size() + 2);
+        trigger("hair.face");
+        QVERIFY(checked("hair.face"));
+        QCOMPARE(document.undoStack().count(), steps + 3);
+        for (int i = 0; i < 3; ++i)
+            document.undo();
+        QVERIFY(document.committed().groups == before);
+        QVERIFY(!document.previewing());
     }
 
     void aNameWithAnAmpersandIsReadWhole()

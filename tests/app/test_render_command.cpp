@@ -128,6 +128,18 @@ private Q_SLOTS:
             QVERIFY(!frame("usual", number).isEmpty() && frame("usual", number) == frame("given", number));
     }
 
+    void theSkinIsTheOneAskedFor()
+    {
+        const auto faceOf = [&](const char* options) {
+            const QString problem = render(m_baldProject, "skin.png", options);
+            return problem.isEmpty() ? QImage(path("skin.png")).pixelColor(48, 48).lightness() : -1;
+        };
+        const int clay = faceOf("--view front --fit head --settle 0");
+        const int deep = faceOf("--view front --fit head --settle 0 --skin deep");
+        QVERIFY2(clay > 0 && deep > 0 && deep < clay - 60, qPrintable(QStringLiteral("%1 %2").arg(clay).arg(deep)));
+        QVERIFY(render(m_baldProject, "skin.png", "--skin green").contains(QStringLiteral("There is no skin 'green'")));
+    }
+
     /// +X is the head's own left, which the view from the front shows on the right.
     void theWindBlowsTheHairItsWay()
     {

@@ -2,6 +2,7 @@
 // off.
 #include "app/library.h"
 #include "app/main_window.h"
+#include "model/hair_kinds.h"
 #include "model/names.h"
 #include "tests/support/patience.h"
 #include "tests/support/pseudo_languages.h"
@@ -11,7 +12,6 @@
 #include "view/dialogs/head_import_dialog.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
-#include "view/panels/hair_kinds.h"
 #include "view/panels/sidebar.h"
 #include "view/resources.h"
 
@@ -283,7 +283,7 @@ private Q_SLOTS:
         sidebar->layers().duplicateLayer();
         sidebar->layers().moveLayer(-1);
         sidebar->layers().removeLayer();
-        sidebar->hair().addGroup(view::hairKinds().back());
+        sidebar->hair().addGroup(model::hairKinds().back());
         look(*m_window);
         sidebar->showHair();
         look(*m_window);

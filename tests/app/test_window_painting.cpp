@@ -149,6 +149,9 @@ private Q_SLOTS:
     void pastingIntoAnotherMapChangesThatMapAndThePicture()
     {
         openBald(true);
+        rendering::Camera camera = frontCamera();
+        camera.distanceM *= 1.5F; // The hair, which stands up while it is paused, is seen whole.
+        m_window->headView().setCamera(camera);
         drag(paper(), paintPoint(0.40F, 0.5F), paintPoint(0.60F, 0.5F));
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
         key(Qt::Key_F8);

@@ -156,6 +156,26 @@ private Q_SLOTS:
         QVERIFY(std::abs(glm::length(kept().wind.velocity) - 2.5F) < 1e-4F);
     }
 
+    void aSkinToneIsChosenFromTheMenuAndUndone()
+    {
+        openWindow(app::starterProject());
+        session().setPaused(true);
+        const QImage clay = picture();
+        const auto actionOf = [this](const char* id) { return m_window->actions().find(QLatin1StringView(id)); };
+        QAction* brown = actionOf("hair.skin.brown");
+        QVERIFY(brown != nullptr && actionOf("hair.skin.clay")->isChecked());
+        brown->trigger();
+        QVERIFY(kept().skin == model::SkinTone::Brown);
+        QVERIFY(brown->isChecked() && !actionOf("hair.skin.clay")->isChecked());
+        QCOMPARE(stack().count(), 1);
+        QVERIFY(difference(clay, picture()) > 0.03);
+        brown->trigger(); // Again: no step more.
+        QCOMPARE(stack().count(), 1);
+        actionOf("edit.undo")->trigger();
+        QVERIFY(kept().skin == model::SkinTone::Clay);
+        QVERIFY(difference(clay, picture()) < 0.001);
+    }
+
     void goingElsewhereKeepsTheChange()
     {
         openWindow(breezyProject());

@@ -1,5 +1,6 @@
-// sim_step/hairs:H/nodes:N/threads:T: one step of H basis hairs with wind, gel, three ellipsoids and two length
-// iterations. dependents/hairs:H/nodes:N/threads:T: one frame of H hairs around 4096 basis hairs.
+// sim_step/hairs:H/nodes:N/threads:T/skin:S: one step of H basis hairs with wind, gel, three ellipsoids and two length
+// iterations. dependents/hairs:H/nodes:N/threads:T/skin:S: one frame of H hairs around 4096 basis hairs. With skin:1
+// they are kept out of the skin, too.
 #include "bench_scene.h"
 
 #include "sim/base/parallel.h"
@@ -13,11 +14,19 @@ using namespace hairpaint;
 
 const sim::Wind kBreeze{true, glm::vec3(3.0F, 0.0F, 1.0F), 0.5F, 0.3F};
 
+sim::GroomInput withSkin(sim::GroomInput input, bool wanted)
+{
+    if (wanted)
+        input.distances = sim::DistanceGrid::make(input.skin->mesh());
+    return input;
+}
+
 void simStep(benchmark::State& state)
 {
     sim::setThreadCount(static_cast<int>(state.range(2)));
     sim::Simulation simulation;
-    simulation.setInput(bench::sceneOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), true));
+    simulation.setInput(withSkin(
+        bench::sceneOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), true), state.range(3) != 0));
     simulation.setWind(kBreeze);
     simulation.settle(0.5);
     // As in a program that shows 60 frames a second: two steps each time.
@@ -35,7 +44,9 @@ void dependents(benchmark::State& state)
 {
     sim::setThreadCount(static_cast<int>(state.range(2)));
     sim::Simulation simulation;
-    simulation.setInput(bench::sceneOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), false));
+    simulation.setInput(
+        withSkin(bench::sceneOf(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), false),
+                 state.range(3) != 0));
     simulation.setWind(kBreeze);
     simulation.settle(0.5);
     sim::StrandFrame frame;
@@ -52,14 +63,14 @@ void dependents(benchmark::State& state)
 
 BENCHMARK(simStep)
     ->Name("sim_step")
-    ->ArgNames({"hairs", "nodes", "threads"})
-    ->ArgsProduct({{10000, 100000}, {5}, {1, 2}})
+    ->ArgNames({"hairs", "nodes", "threads", "skin"})
+    ->ArgsProduct({{10000, 100000}, {5}, {1, 2}, {0, 1}})
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();
 BENCHMARK(dependents)
     ->Name("dependents")
-    ->ArgNames({"hairs", "nodes", "threads"})
-    ->ArgsProduct({{100000}, {8}, {1, 2}})
+    ->ArgNames({"hairs", "nodes", "threads", "skin"})
+    ->ArgsProduct({{100000}, {8}, {1, 2}, {0, 1}})
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();
 

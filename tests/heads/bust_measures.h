@@ -1,4 +1,4 @@
-// What the tests measure on the built-in head.
+// What the tests measure on the built-in heads.
 //
 // Skin areas in square metres, uv areas in uv units.
 #pragma once

@@ -1,4 +1,5 @@
-// Reads the subset of binary glTF 2.0 in which the built-in head is stored, independently of the product's own reader.
+// Reads the subset of binary glTF 2.0 in which the built-in heads are stored, independently of the product's own
+// reader.
 //
 // Lengths in metres. Anything unexpected is an error text; the mesh is then incomplete.
 #pragma once

@@ -41,6 +41,7 @@ inline model::Project makeSampleProject(int mapSize = 256, const std::vector<mod
     project.seed = 18'446'744'073'709'551'557ULL;
     project.maxHairs = 123'456;
     project.background = 0xFF102030;
+    project.skin = model::SkinTone::Olive;
     const Result<std::shared_ptr<const Head>> head =
         makeHead(QStringLiteral("Kugel ä"), glbFromMesh(makeBallHead(12, 10.0F)), 0.01F, UpAxis::Z);
     project.head = *head;
@@ -117,7 +118,8 @@ inline model::Project makeSampleProject(int mapSize = 256, const std::vector<mod
 inline QString difference(const model::Project& a, const model::Project& b)
 {
     using namespace model;
-    if (a.nextId != b.nextId || a.seed != b.seed || a.maxHairs != b.maxHairs || a.background != b.background)
+    if (a.nextId != b.nextId || a.seed != b.seed || a.maxHairs != b.maxHairs || a.background != b.background ||
+        a.skin != b.skin)
         return QStringLiteral("numbers");
     if (a.ellipsoids != b.ellipsoids)
         return QStringLiteral("ellipsoids");

@@ -238,6 +238,7 @@ void TestCommands::namesSayWhatWasDone()
     QCOMPARE(applyPresetCommand(document, presetFrom(document.project(), QStringLiteral("Bob")))->text(),
              QStringLiteral("Apply style \"Bob\""));
     QCOMPARE(setBackgroundCommand(document, 0xFF123456)->text(), QStringLiteral("Change background"));
+    QCOMPARE(setSkinCommand(document, SkinTone::Olive)->text(), QStringLiteral("Change skin tone"));
 }
 
 void TestCommands::nothingToDoGivesNoCommand()
@@ -251,6 +252,7 @@ void TestCommands::nothingToDoGivesNoCommand()
     QCOMPARE(setWindCommand(document, project.wind), nullptr);
     QCOMPARE(setLightCommand(document, project.light), nullptr);
     QCOMPARE(setBackgroundCommand(document, project.background), nullptr);
+    QCOMPARE(setSkinCommand(document, project.skin), nullptr);
     QCOMPARE(moveGroupCommand(document, length.group, 3), nullptr);
     QCOMPARE(setHeadCommand(document, project.head, project.ellipsoids), nullptr);
     QCOMPARE(paintCommand(document, length, {{0, layer.raster.tile(0)}}, QString()), nullptr);

@@ -217,7 +217,7 @@ void TestEditSession::anEditEndsWithItsOwner()
         EditSession edit;
         document.show(edit, {}, kAir, blow);
         EditSession other = std::move(edit);
-        QVERIFY(!edit.active()); // NOLINT(bugprone-use-after-move): promised by it.
+        QVERIFY(!edit.active()); // NOLINT(bugprone-use-after-move): tested is that it is not.
         QVERIFY(other.active());
     }
     QVERIFY(!document.previewing());

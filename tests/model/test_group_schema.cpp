@@ -1,7 +1,7 @@
 // The table of a group's settings: what it says is what files, documentation and the groom do.
 #include "model/files/project_file.h"
 #include "model/group_schema.h"
-#include "model/heads/bust_landmarks.h"
+#include "model/heads/built_in_heads.h"
 #include "sim/groom/groom.h"
 #include "sim/groom/roots.h"
 #include "tests/support/painted_ball.h"
@@ -142,8 +142,10 @@ private Q_SLOTS:
         const sim::GroupSettings& settings = project.groups.front().settings;
         const auto roots =
             sim::buildRoots(project.head->skin, 300'000, static_cast<std::size_t>(settings.basisHairs), 1);
-        const auto onScalp = std::ranges::count_if(
-            roots->basisSlot, [&](std::uint32_t slot) { return heads::scalpDistance(roots->positionHd[slot]) > 0.0F; });
+        const heads::HeadRegions& regions = heads::builtInHeads().front()->regions;
+        const auto onScalp = std::ranges::count_if(roots->basisSlot, [&](std::uint32_t slot) {
+            return regions.scalpDistance(roots->positionHd[slot]) > 0.0F;
+        });
         QVERIFY2(std::abs(static_cast<double>(onScalp) - 4096.0) < 41.0, qPrintable(QString::number(onScalp)));
     }
 

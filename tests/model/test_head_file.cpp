@@ -11,8 +11,11 @@
 #include <QTest>
 #include <QtEndian>
 
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <random>
+#include <tuple>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -66,13 +69,60 @@ private Q_SLOTS:
     {
         const std::shared_ptr<const Head> head = builtInHead();
         QCOMPARE(head, builtInHead());
-        QCOMPARE(head->name, QStringLiteral("bust-1"));
+        QCOMPARE(head->name, QStringLiteral("bust-2"));
         QVERIFY(head->shownMesh->positionsHd.size() > 3 * head->skin->mesh().positionsHd.size());
         QVERIFY(sim::openEdges(*head->shownMesh).empty());
         const HeadGuess guess = guessHead(head->skin->mesh());
         QCOMPARE(guess.unitScale, 1.0F);
         QVERIFY(guess.upAxis == UpAxis::Y);
         QVERIFY(builtInEllipsoids().size() >= 3 && builtInEllipsoids().size() <= 8);
+    }
+
+    void theNewBustsSkinIsMarked()
+    {
+        const std::shared_ptr<const Head> head = builtInHead();
+        const sim::HeadMesh& shown = *head->shownMesh;
+        const sim::HeadMesh& coarse = head->skin->mesh();
+        QCOMPARE(shown.marks.size(), shown.positionsHd.size());
+        QCOMPARE(coarse.marks.size(), coarse.positionsHd.size());
+        const sim::Skin skin(shown);
+        const auto at = [&](const glm::vec3& place) {
+            return shown.marks[shown.triangles[skin.nearest(place).face].x];
+        };
+        QVERIFY(at({0.0F, 0.12F, -0.03F}).sky > 250);      // The crown sees all of it,
+        QVERIFY(at({0.0F, -0.120F, 0.045F}).sky < 190);    // so does the skin under the chin.
+        QVERIFY(at({0.0F, -0.0750F, 0.1F}).lips > 200);    // The lower lip,
+        QCOMPARE(at({0.0F, -0.0540F, 0.1F}).lips, 0);      // the philtrum,
+        QVERIFY(at({0.032F, -0.002F, 0.09F}).lids > 150);  // a closed eye,
+        QCOMPARE(at({0.032F, 0.030F, 0.09F}).lids, 0);     // the brow.
+        QVERIFY(at({0.042F, -0.030F, 0.07F}).blush > 120); // A cheek.
+        QVERIFY(std::ranges::none_of(shown.marks, [](const sim::SkinMarks& m) { return m.lips > 0 && m.lids > 0; }));
+
+        // The hollow of the ear is the darkest beside the head.
+        std::uint8_t inEar = 255;
+        for (std::size_t i = 0; i < shown.positionsHd.size(); ++i)
+            if (shown.positionsHd[i].x > 0.06F && std::abs(shown.positionsHd[i].y + 0.012F) < 0.03F)
+                inEar = std::min(inEar, shown.marks[i].sky);
+        QVERIFY2(inEar < 120, qPrintable(QString::number(inEar)));
+
+        const Checked<std::shared_ptr<const Head>> old = builtInHead(QStringLiteral("bust-1"));
+        QVERIFY(old && (*old)->shownMesh->marks.empty());
+    }
+
+    void theMarksAreSymmetric()
+    {
+        const sim::HeadMesh& mesh = builtInHead()->skin->mesh();
+        std::map<std::tuple<float, float, float>, sim::SkinMarks> known;
+        for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i)
+            known[{mesh.positionsHd[i].x, mesh.positionsHd[i].y, mesh.positionsHd[i].z}] = mesh.marks[i];
+        for (const auto& [place, marks] : known) {
+            const auto mirrored = known.find({-std::get<0>(place), std::get<1>(place), std::get<2>(place)});
+            QVERIFY(mirrored != known.end());
+            QCOMPARE(mirrored->second.sky, marks.sky);
+            QCOMPARE(mirrored->second.lips, marks.lips);
+            QCOMPARE(mirrored->second.lids, marks.lids);
+            QCOMPARE(mirrored->second.blush, marks.blush);
+        }
     }
 
     void aMeshComesBackBitForBit()

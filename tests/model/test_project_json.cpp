@@ -84,6 +84,8 @@ private Q_SLOTS:
         row("roots of another type", "roots", 1);
         row("a background without #", "background", QStringLiteral("red"));
         row("a short background", "background", QStringLiteral("#fff"));
+        row("a skin that is not known", "skin", QStringLiteral("green"));
+        row("a skin that is a number", "skin", 3);
         row("no head", "head", absent);
         row("a head of another type", "head", QJsonArray());
         row("a head without a name", "head/name", absent);

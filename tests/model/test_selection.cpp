@@ -17,7 +17,7 @@ using namespace hairpaint::test;
 
 namespace {
 
-constexpr int kSize = 256;
+constexpr int kSelectionSize = 256;
 
 const sim::TiledRaster& rasterOf(const Document& document, MapKind map)
 {
@@ -28,11 +28,11 @@ const sim::TiledRaster& rasterOf(const Document& document, MapKind map)
 /// How many rectangles hold each texel.
 std::vector<int> covered(const Selection& selection)
 {
-    std::vector<int> texels(std::size_t{kSize} * kSize);
-    for (const sim::TexelRect& rect : selectedTexels(selection, kSize))
+    std::vector<int> texels(std::size_t{kSelectionSize} * kSelectionSize);
+    for (const sim::TexelRect& rect : selectedTexels(selection, kSelectionSize))
         for (int y = rect.y0; y < rect.y1; ++y)
             for (int x = rect.x0; x < rect.x1; ++x)
-                ++texels[static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x)];
+                ++texels[static_cast<std::size_t>(y) * kSelectionSize + static_cast<std::size_t>(x)];
     return texels;
 }
 
@@ -63,7 +63,7 @@ private Q_SLOTS:
         QCOMPARE(studio.selection.rectangle(), std::optional(QRectF(0.25, 0.25, 0.5, 0.375)));
         const std::vector<int> texels = covered(studio.selection);
         QCOMPARE(std::ranges::count(texels, 1), 64 * 64 + 96 * 64 - 32 * 32);
-        QCOMPARE(std::ranges::count(texels, 0), kSize * kSize - std::ranges::count(texels, 1));
+        QCOMPARE(std::ranges::count(texels, 0), kSelectionSize * kSelectionSize - std::ranges::count(texels, 1));
         QCOMPARE(studio.selection.outlines().size(), std::size_t{1});
         QCOMPARE(studio.selection.outlines().front().size(), 8); // two rectangles that overlap at a corner
         // A click with Shift adds nothing and takes nothing away; without, it selects nothing.
@@ -141,11 +141,11 @@ private Q_SLOTS:
             studio.release(tool, u + 0.15F, 0.6F);
         }
         std::array<int, 2> changed{}; // in the left and in the right one
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize; ++x) {
+        for (int y = 0; y < kSelectionSize; ++y)
+            for (int x = 0; x < kSelectionSize; ++x) {
                 if (studio.layer().texel(x, y) == before.texel(x, y))
                     continue;
-                QCOMPARE(inside[static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x)], 1);
+                QCOMPARE(inside[static_cast<std::size_t>(y) * kSelectionSize + static_cast<std::size_t>(x)], 1);
                 ++changed[x < 112 ? 0 : 1];
             }
         QVERIFY2(changed[0] > 100 && changed[1] > 100,
@@ -164,9 +164,9 @@ private Q_SLOTS:
         document.push(pasteCommand(document, firstLayer(document, MapKind::Clump), clip, {}));
         document.push(clearCommand(document, firstLayer(document, MapKind::Gel), selection, QStringLiteral("Clear")));
         const std::vector<int> inside = covered(selection);
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize; ++x) {
-                const bool in = inside[static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x)] == 1;
+        for (int y = 0; y < kSelectionSize; ++y)
+            for (int x = 0; x < kSelectionSize; ++x) {
+                const bool in = inside[static_cast<std::size_t>(y) * kSelectionSize + static_cast<std::size_t>(x)] == 1;
                 QCOMPARE(rasterOf(document, MapKind::Clump).texel(x, y)[1], in ? 65535 : 0);
                 QCOMPARE(rasterOf(document, MapKind::Gel).texel(x, y)[1], in ? 0 : 65535);
             }
@@ -180,8 +180,8 @@ private Q_SLOTS:
         const Clip clip = copyClip(document, firstLayer(document, MapKind::Gel), selection);
         selection.setRectangle(QRectF(0.5, 0.5, 0.125, 0.25));
         document.push(pasteCommand(document, firstLayer(document, MapKind::Clump), clip, selection));
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize; ++x)
+        for (int y = 0; y < kSelectionSize; ++y)
+            for (int x = 0; x < kSelectionSize; ++x)
                 QCOMPARE(rasterOf(document, MapKind::Clump).texel(x, y)[1],
                          x >= 128 && x < 160 && y >= 64 && y < 128 ? 65535 : 0);
     }

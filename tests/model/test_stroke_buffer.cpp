@@ -13,11 +13,11 @@ using namespace hairpaint::model;
 
 namespace {
 
-constexpr int kSize = 256;
+constexpr int kLayerSize = 256;
 
 int maskAt(const StrokeBuffer& buffer, int x, int y)
 {
-    const StrokeBuffer::MaskTile* tile = buffer.mask((y / 64) * (kSize / 64) + x / 64);
+    const StrokeBuffer::MaskTile* tile = buffer.mask((y / 64) * (kLayerSize / 64) + x / 64);
     return tile == nullptr ? 0 : (*tile)[static_cast<std::size_t>(y % 64) * 64 + static_cast<std::size_t>(x % 64)];
 }
 
@@ -38,7 +38,7 @@ double formula(const Dab& dab, int x, int y)
     return t * t * (3.0 - 2.0 * t) * dab.strength * 65535.0;
 }
 
-const sim::TexelRect kWhole{0, 0, kSize, kSize};
+const sim::TexelRect kWhole{0, 0, kLayerSize, kLayerSize};
 
 } // namespace
 
@@ -78,11 +78,11 @@ void TestStrokeBuffer::aDabIsItsFormula()
 {
     QFETCH(QList<float>, dab);
     const Dab shape{dab[0], dab[1], dab[2], dab[3], dab[4], dab[5], dab[6]};
-    StrokeBuffer buffer(kSize);
+    StrokeBuffer buffer(kLayerSize);
     buffer.add(shape, kWhole);
     int covered = 0;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kLayerSize; ++y)
+        for (int x = 0; x < kLayerSize; ++x) {
             const int mask = maskAt(buffer, x, y);
             covered += mask > 0 ? 1 : 0;
             QVERIFY2(std::abs(mask - formula(shape, x, y)) <= 3.0, qPrintable(QStringLiteral("%1, %2").arg(x).arg(y)));
@@ -92,12 +92,12 @@ void TestStrokeBuffer::aDabIsItsFormula()
 
 void TestStrokeBuffer::dabsNeverAddUp()
 {
-    StrokeBuffer once(kSize), often(kSize);
+    StrokeBuffer once(kLayerSize), often(kLayerSize);
     once.add(disc(50.0F, 50.0F, 20.0F, 0.3F, 0.4F), kWhole);
     for (int i = 0; i < 10; ++i)
         often.add(disc(50.0F, 50.0F, 20.0F, 0.3F, 0.4F), kWhole);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
+    for (int y = 0; y < kLayerSize; ++y)
+        for (int x = 0; x < kLayerSize; ++x)
             QCOMPARE(maskAt(often, x, y), maskAt(once, x, y));
 }
 
@@ -109,21 +109,21 @@ void TestStrokeBuffer::theOrderOfDabsDoesNotShow()
     for (int i = 0; i < 30; ++i)
         dabs.push_back(disc(static_cast<float>(random() % 256), static_cast<float>(random() % 256),
                             static_cast<float>(1 + random() % 60), 0.5F, static_cast<float>(random() % 100) / 99.0F));
-    StrokeBuffer forward(kSize), backward(kSize);
+    StrokeBuffer forward(kLayerSize), backward(kLayerSize);
     for (const Dab& dab : dabs)
         forward.add(dab, kWhole);
     std::ranges::reverse(dabs);
     for (const Dab& dab : dabs)
         backward.add(dab, kWhole);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
+    for (int y = 0; y < kLayerSize; ++y)
+        for (int x = 0; x < kLayerSize; ++x)
             QCOMPARE(maskAt(forward, x, y), maskAt(backward, x, y));
 }
 
 void TestStrokeBuffer::eachTexelKeepsTheValueOfItsStrongestDab()
 {
-    StrokeBuffer buffer(kSize, 2);
-    StrokeBuffer plain(kSize);
+    StrokeBuffer buffer(kLayerSize, 2);
+    StrokeBuffer plain(kLayerSize);
     std::mt19937 random(11);
     std::vector<Dab> dabs;
     for (int i = 0; i < 30; ++i) {
@@ -134,11 +134,11 @@ void TestStrokeBuffer::eachTexelKeepsTheValueOfItsStrongestDab()
         buffer.add(dabs.back(), kWhole, {number, static_cast<std::uint16_t>(1000 + i)});
         plain.add(dabs.back(), kWhole);
     }
-    for (int y = 0; y < kSize; y += 3)
-        for (int x = 0; x < kSize; x += 3) {
+    for (int y = 0; y < kLayerSize; y += 3)
+        for (int x = 0; x < kLayerSize; x += 3) {
             const int mask = maskAt(buffer, x, y);
             QCOMPARE(mask, maskAt(plain, x, y));
-            const int tile = (y / 64) * (kSize / 64) + x / 64;
+            const int tile = (y / 64) * (kLayerSize / 64) + x / 64;
             QVERIFY(plain.values(tile) == nullptr);
             if (mask == 0)
                 continue;
@@ -148,7 +148,7 @@ void TestStrokeBuffer::eachTexelKeepsTheValueOfItsStrongestDab()
             QVERIFY(std::abs(formula(dabs[value[0]], x, y) - mask) < 12.0);
         }
     // Where two are as strong, the later one counts.
-    StrokeBuffer twice(kSize, 1);
+    StrokeBuffer twice(kLayerSize, 1);
     twice.add(disc(100, 100, 20), kWhole, {1});
     twice.add(disc(100, 100, 20), kWhole, {2});
     QCOMPARE(static_cast<int>(twice.values(1 * 4 + 1)[(100 - 64) * 64 + 100 - 64]), 2);
@@ -156,14 +156,14 @@ void TestStrokeBuffer::eachTexelKeepsTheValueOfItsStrongestDab()
 
 void TestStrokeBuffer::aDabTouchesOnlyTilesUnderIt()
 {
-    StrokeBuffer buffer(kSize);
+    StrokeBuffer buffer(kLayerSize);
     buffer.add(disc(100.0F, 30.0F, 10.0F), kWhole);
     QCOMPARE(buffer.takeDirty(), std::vector<int>{1});
     QCOMPARE(buffer.takeDirty(), std::vector<int>{});
     buffer.add(disc(64.0F, 30.0F, 10.0F), kWhole);
     QCOMPARE(buffer.takeDirty(), (std::vector<int>{0, 1}));
     // The corner of the box around this one is in tile 0, the disc is not.
-    StrokeBuffer corner(kSize);
+    StrokeBuffer corner(kLayerSize);
     corner.add(disc(80.0F, 80.0F, 18.0F), kWhole);
     QCOMPARE(corner.takeDirty(), (std::vector<int>{1, 4, 5}));
 }
@@ -171,10 +171,10 @@ void TestStrokeBuffer::aDabTouchesOnlyTilesUnderIt()
 void TestStrokeBuffer::nothingIsPaintedOutsideTheClip()
 {
     const sim::TexelRect clip{60, 70, 90, 75};
-    StrokeBuffer buffer(kSize);
+    StrokeBuffer buffer(kLayerSize);
     buffer.add(disc(70.0F, 70.0F, 40.0F), clip);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
+    for (int y = 0; y < kLayerSize; ++y)
+        for (int x = 0; x < kLayerSize; ++x)
             QCOMPARE(maskAt(buffer, x, y) > 0, x >= clip.x0 && x < clip.x1 && y >= clip.y0 && y < clip.y1);
 }
 
@@ -187,14 +187,14 @@ void TestStrokeBuffer::aReflectedDabIsReflectedToTheBit()
         dab.c *= 2.0F;
         dab.b = 0.6F * dab.a;
         Dab twin = dab;
-        twin.xTx = kSize - dab.xTx;
+        twin.xTx = kLayerSize - dab.xTx;
         twin.b = -dab.b;
-        StrokeBuffer left(kSize), right(kSize);
+        StrokeBuffer left(kLayerSize), right(kLayerSize);
         left.add(dab, kWhole);
         right.add(twin, kWhole);
-        for (int y = 0; y < kSize; ++y)
-            for (int x = 0; x < kSize; ++x)
-                QCOMPARE(maskAt(left, x, y), maskAt(right, kSize - 1 - x, y));
+        for (int y = 0; y < kLayerSize; ++y)
+            for (int x = 0; x < kLayerSize; ++x)
+                QCOMPARE(maskAt(left, x, y), maskAt(right, kLayerSize - 1 - x, y));
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -65,6 +66,7 @@ private Q_SLOTS:
     void resetGivesTheRestShape();
     void rootsFollowTheHead();
     void aTurnOfTheHeadSwingsTheHair();
+    void strandsStayOutsideTheSkinWithoutAnEllipsoid();
     void nonsenseIsIgnored();
     void moreCandidatesKeepTheMotionOfTheOthers();
 };
@@ -366,6 +368,40 @@ void TestSimulation::aTurnOfTheHeadSwingsTheHair()
     }
     QVERIFY(count > 100);
     QVERIFY2(tips / static_cast<double>(count) < 0.035, qPrintable(QString::number(tips / static_cast<double>(count))));
+}
+
+void TestSimulation::strandsStayOutsideTheSkinWithoutAnEllipsoid()
+{
+    /// Of nodes and middles of segments, m.
+    const auto deepest = [](bool withSkin) {
+        GroomInput input = paintedBall(2000, 400);
+        input.colliders.clear();
+        if (!withSkin)
+            input.distances = nullptr;
+        Simulation simulation;
+        simulation.setInput(input);
+        simulation.setWind({true, glm::vec3(9.0F, 0.0F, -4.0F), 0.5F, 0.3F});
+        for (int i = 0; i < 60; ++i)
+            simulation.advance(1.0 / 60.0);
+        StrandFrame frame;
+        simulation.writeFrame(frame);
+        const std::vector<float>& positions = frame.groups.front().positions;
+        const StrandBlocks blocks = frame.groups.front().groom->blocks();
+        const std::size_t strands = positions.size() / blocks.blockFloats() * kLanes;
+        float depth = 0.0F;
+        for (std::size_t strand = 0; strand < strands; ++strand)
+            for (int node = 1; node < frame.groups.front().groom->nodes; ++node) {
+                const glm::vec3 parent = blocks.node(positions, strand, static_cast<std::size_t>(node) - 1);
+                const glm::vec3 child = blocks.node(positions, strand, static_cast<std::size_t>(node));
+                if (child == glm::vec3(0.0F))
+                    continue; // No hair.
+                for (const glm::vec3& place : {0.5F * (parent + child), child})
+                    depth = std::max(depth, 0.1F - glm::length(place));
+            }
+        return depth;
+    };
+    QVERIFY(deepest(false) > 0.02F);
+    QVERIFY2(deepest(true) < 0.0015F, qPrintable(QString::number(deepest(true))));
 }
 
 void TestSimulation::nonsenseIsIgnored()

@@ -14,13 +14,15 @@ inline std::shared_ptr<const sim::TiledRaster> mapOfTexel(int channels, sim::Tex
     return std::make_shared<const sim::TiledRaster>(size, channels, value);
 }
 
-/// One group on a ball of 0.1 m with its ellipsoid: about `hairs` hairs of 20 cm, `basisHairs` of them solved.
+/// One group on a ball of 0.1 m with its ellipsoid and skin: about `hairs` hairs of 20 cm, `basisHairs` of them solved.
 inline sim::GroomInput paintedBall(int hairs, int basisHairs)
 {
     sim::GroomInput input;
     const auto skin = std::make_shared<const sim::Skin>(makeBallHead());
     input.skin = skin;
     input.colliders.push_back({glm::vec3(0.0F), glm::vec3(0.1F), glm::quat(1.0F, 0.0F, 0.0F, 0.0F)});
+    static const auto distances = sim::DistanceGrid::make(skin->mesh()); // Of every such ball.
+    input.distances = distances;
     sim::GroomInput::Group group;
     group.id = 1;
     group.settings.greatestDensityPerM2 = static_cast<float>((hairs + 0.5) / skin->areaM2());

@@ -2,8 +2,8 @@
 #include "panel_fixture.h"
 
 #include "model/commands/commands.h"
+#include "model/hair_kinds.h"
 #include "tests/support/test_program.h"
-#include "view/panels/hair_kinds.h"
 #include "view/panels/hair_panel.h"
 #include "view/panels/layer_list.h"
 #include "view/panels/layers_panel.h"
@@ -106,7 +106,7 @@ private Q_SLOTS:
 
     void every_kind_of_hair_is_within_what_files_hold()
     {
-        for (const HairKind& kind : hairKinds()) {
+        for (const model::HairKind& kind : model::hairKinds()) {
             sim::GroupSettings settings;
             kind.apply(settings);
             QVERIFY(settings.greatestLengthM >= 0.001F && settings.greatestLengthM <= 2.0F);
@@ -120,7 +120,7 @@ private Q_SLOTS:
         PanelFixture f;
         HairPanel panel(f.state);
         for (int i = 0; i < 2; ++i)
-            panel.addGroup(hairKinds()[3]);
+            panel.addGroup(model::hairKinds()[3]);
         const auto& groups = f.document.project().groups;
         QVERIFY(groups.back().name != groups[groups.size() - 2].name);
     }

@@ -7,6 +7,7 @@
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/icons.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -105,7 +106,12 @@ QFormLayout* HeadImportDialog::buildForm()
     m_height->setUnit(tr("cm"));
     form->addRow(tr("One &unit is"), m_unit);
     form->addRow(tr("&Up is"), m_axis);
+    m_carry = new QCheckBox(tr("&Carry the hairstyle over"), this);
+    m_carry->setToolTip(tr("Hairline, parting and every painted map go to the same places of the new head. Otherwise "
+                           "the maps stay as they are, for a head with the same layout."));
+    m_carry->setChecked(true);
     form->addRow(m_height);
+    form->addRow(m_carry);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &HeadImportDialog::follow);
     connect(m_axis, &QComboBox::currentIndexChanged, this, &HeadImportDialog::follow);
     connect(m_height, &BarSlider::valueChanged, this, [this](double cm) {
@@ -169,6 +175,11 @@ model::UpAxis HeadImportDialog::upAxis() const
     return static_cast<model::UpAxis>(m_axis->currentData().toInt());
 }
 
+bool HeadImportDialog::carriesHair() const
+{
+    return m_carry->isChecked();
+}
+
 double HeadImportDialog::heightCm() const
 {
     return sourceHeight() * static_cast<double>(unitScale()) * kCm;
@@ -180,6 +191,7 @@ void HeadImportDialog::follow()
     m_unit->setEnabled(usable);
     m_axis->setEnabled(usable);
     m_height->setEnabled(usable);
+    m_carry->setEnabled(usable);
     m_silhouette->setUpAxis(upAxis());
     if (m_unit->currentData().toDouble() > 0.0)
         m_ownScale = m_unit->currentData().toDouble();

@@ -6,6 +6,7 @@
 
 #include <QDialog>
 
+class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
 class QFormLayout;
@@ -25,6 +26,8 @@ public:
     HeadImportDialog(sim::HeadMesh source, const QString& fileName, QWidget* parent = nullptr);
     [[nodiscard]] float unitScale() const;
     [[nodiscard]] model::UpAxis upAxis() const;
+    /// Whether the hairstyle is to be carried to it; else its maps stay as they lie.
+    [[nodiscard]] bool carriesHair() const;
     /// Height along the chosen axis at the chosen scale, cm.
     [[nodiscard]] double heightCm() const;
 
@@ -43,6 +46,7 @@ private:
     QComboBox* m_unit = nullptr;
     QComboBox* m_axis = nullptr;
     BarSlider* m_height = nullptr;
+    QCheckBox* m_carry = nullptr;
     QLabel* m_remark = nullptr;
     QLabel* m_remarkIcon = nullptr;
     MeshSilhouette* m_silhouette = nullptr;

@@ -128,6 +128,10 @@ QString dialogPages()
                HelpDialog::tr("A mesh says neither its unit nor which way is up, so both are guessed: the picture "
                               "shows the head beside its height. Set them right before it becomes the head; it "
                               "needs uv coordinates, which the maps lie on.")) +
+           paragraph(HelpDialog::tr(
+               "Where the hairstyle is carried over, seven landmarks bring both heads together. They are "
+               "found by the head's shape; drag one to where it lies on the left head if it was not "
+               "found right. File > Replace head > Landmarks shows them again, and hair goes along.")) +
            heading(Topic::Preferences, HelpDialog::tr("Preferences")) +
            paragraph(
                HelpDialog::tr("Theme, paper, language and what draws the 3D area; and all keys, each of which can "

@@ -23,8 +23,6 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    [[nodiscard]] QImage picture(QSize pixels) const;
-
     const sim::HeadMesh& m_mesh;
     QImage m_picture;
     model::UpAxis m_axis = model::UpAxis::Y;

@@ -90,10 +90,11 @@ sim::HeadPose HeadScene::shownPose() const
     return m_scene.hair ? m_scene.hair->pose : m_turn.pose();
 }
 
-void HeadScene::setEnvironment(const model::LightSettings& light, QRgb background)
+void HeadScene::setEnvironment(const model::Project& project, const model::LightSettings& light)
 {
     m_scene.light = sceneLight(light);
-    m_scene.background = linearColour(background);
+    m_scene.skin = sceneSkin(project.skin);
+    m_scene.background = linearColour(project.background);
 }
 
 bool HeadScene::refreshRings()

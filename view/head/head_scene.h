@@ -51,7 +51,8 @@ public:
     /// Where the head stands in the frame that is shown.
     [[nodiscard]] sim::HeadPose shownPose() const;
 
-    void setEnvironment(const model::LightSettings& light, QRgb background);
+    /// Skin and background of the project, under a light that may be on its way to another.
+    void setEnvironment(const model::Project& project, const model::LightSettings& light);
 
     bool refreshRings(); ///< Whether a ring was shown or is now.
     /// The ring of a brush in the paint area, in px, where the head hides it; empty where it does not.

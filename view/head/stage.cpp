@@ -1,8 +1,6 @@
 // The stage's camera.
 #include "view/head/stage.h"
 
-#include "model/heads/bust_landmarks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -11,8 +9,8 @@ namespace hairpaint::view {
 
 namespace {
 
-constexpr float kBustShownM = 0.5F;
-constexpr glm::vec3 kBustMiddleWo{0.0F, -0.055F, 0.0F};
+constexpr float kBustShownM = 0.52F;
+constexpr glm::vec3 kBustMiddleWo{0.0F, -0.063F, 0.0F};
 constexpr float kMarginM = 0.015F; ///< Above the highest hair; curls and volume reach beyond the nodes.
 
 /// How far above the target the hair is seen at most, m at the target's distance.
@@ -63,7 +61,8 @@ rendering::Camera stageOf(rendering::Camera camera, const model::Head& head, con
 void addHead(std::vector<glm::vec3>& pointsWo, const model::Head& head)
 {
     constexpr float kBelowChinM = 0.01F;
-    const float lowest = head.builtIn ? heads::bustLandmarks().chin.y - kBelowChinM : -1e9F;
+    const float lowest =
+        head.builtIn && head.landmarks ? (*head.landmarks)[sim::HeadLandmark::Chin].y - kBelowChinM : -1e9F;
     std::ranges::copy_if(head.skin->mesh().positionsHd, std::back_inserter(pointsWo),
                          [lowest](const glm::vec3& position) { return position.y >= lowest; });
 }

@@ -1,11 +1,10 @@
-// The built-in head's named points as places of the flat map.
+// A head's landmarks as places of the flat map.
 #include "view/paint/landmarks.h"
-
-#include "model/heads/bust_landmarks.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 
 namespace hairpaint::view {
 
@@ -24,27 +23,31 @@ std::vector<Landmark> sidesOf(const sim::Skin& skin)
             {QCoreApplication::translate("Landmarks", "R"), skin.nearest(*right).uv}};
 }
 
+/// In the order of HeadLandmark.
+constexpr std::array<const char*, sim::kHeadLandmarkCount> kLandmarkNames = {
+    QT_TRANSLATE_NOOP("Landmarks", "crown"),     QT_TRANSLATE_NOOP("Landmarks", "hairline"),
+    QT_TRANSLATE_NOOP("Landmarks", "nape"),      QT_TRANSLATE_NOOP("Landmarks", "left ear"),
+    QT_TRANSLATE_NOOP("Landmarks", "right ear"), QT_TRANSLATE_NOOP("Landmarks", "nose"),
+    QT_TRANSLATE_NOOP("Landmarks", "chin"),
+};
+
 } // namespace
+
+QString landmarkName(sim::HeadLandmark landmark)
+{
+    return QCoreApplication::translate("Landmarks", kLandmarkNames[static_cast<std::size_t>(landmark)]);
+}
 
 std::vector<Landmark> landmarksOf(const model::Head& head)
 {
     if (!head.skin)
         return {};
-    if (!head.builtIn)
+    if (!head.landmarks)
         return sidesOf(*head.skin);
-    const heads::BustLandmarks bust = heads::bustLandmarks();
-    const std::pair<const char*, glm::vec3> named[] = {
-        {QT_TRANSLATE_NOOP("Landmarks", "crown"), bust.crown},
-        {QT_TRANSLATE_NOOP("Landmarks", "hairline"), bust.forehead},
-        {QT_TRANSLATE_NOOP("Landmarks", "nape"), bust.nape},
-        {QT_TRANSLATE_NOOP("Landmarks", "left ear"), bust.earLeft},
-        {QT_TRANSLATE_NOOP("Landmarks", "right ear"), bust.earRight},
-        {QT_TRANSLATE_NOOP("Landmarks", "nose"), bust.noseTip},
-        {QT_TRANSLATE_NOOP("Landmarks", "chin"), bust.chin},
-    };
     std::vector<Landmark> landmarks;
-    for (const auto& [name, positionHd] : named)
-        landmarks.push_back({QCoreApplication::translate("Landmarks", name), head.skin->nearest(positionHd).uv});
+    for (std::size_t i = 0; i < sim::kHeadLandmarkCount; ++i)
+        landmarks.push_back(
+            {landmarkName(static_cast<sim::HeadLandmark>(i)), head.skin->nearest(head.landmarks->positionsHd[i]).uv});
     return landmarks;
 }
 

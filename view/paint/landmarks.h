@@ -1,4 +1,4 @@
-// Names of places on the built-in head, for the paint area.
+// Names of places on the head, for the paint area.
 #pragma once
 
 #include "model/project.h"
@@ -15,8 +15,10 @@ struct Landmark
     glm::vec2 uv{0.0F};
 };
 
-/// Places on the skin, so they follow the layout: the built-in head's named points, where "left ear" tells the sides
-/// apart. Of imported heads, whose proportions nobody knows, the two sides where they are widest.
+[[nodiscard]] QString landmarkName(sim::HeadLandmark landmark); ///< Translated.
+
+/// Places on the skin, so they follow the layout: the head's landmarks, where "left ear" tells the sides apart. Of
+/// heads whose landmarks are not known, the two sides where they are widest.
 [[nodiscard]] std::vector<Landmark> landmarksOf(const model::Head& head);
 
 } // namespace hairpaint::view

@@ -3,8 +3,8 @@
 
 #include "model/commands/commands.h"
 #include "model/group_schema.h"
+#include "model/hair_kinds.h"
 #include "model/names.h"
-#include "view/panels/hair_kinds.h"
 #include "view/panels/layer_list.h"
 #include "view/theme.h"
 #include "view/widgets/action_button.h"
@@ -264,12 +264,12 @@ void HairPanel::askWhatGrows()
     menu->setObjectName(QStringLiteral("whatGrows"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addSection(tr("What grows?"));
-    for (const HairKind& kind : hairKinds())
+    for (const model::HairKind& kind : model::hairKinds())
         menu->addAction(titleOf(kind), this, [this, &kind] { addGroup(kind); });
     menu->popup(m_add->mapToGlobal(QPoint(0, m_add->height())));
 }
 
-void HairPanel::addGroup(const HairKind& kind)
+void HairPanel::addGroup(const model::HairKind& kind)
 {
     m_state.document().endEdit();
     const auto& groups = m_state.document().committed().groups;

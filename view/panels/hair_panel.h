@@ -12,13 +12,13 @@ class QVBoxLayout;
 
 namespace hairpaint::model {
 struct GroupSetting;
+struct HairKind;
 } // namespace hairpaint::model
 
 namespace hairpaint::view {
 
 class LayerList;
 class Section;
-struct HairKind;
 
 class HairPanel : public QWidget
 {
@@ -29,7 +29,7 @@ public:
     /// Shows a list of what can grow; the one chosen is added.
     void askWhatGrows();
     /// Adds a group of that kind, ready to be painted: its Density is the map that is painted then.
-    void addGroup(const HairKind& kind);
+    void addGroup(const model::HairKind& kind);
     void removeGroup();
 
 private:

@@ -3,6 +3,7 @@
 
 #include "model/commands/commands.h"
 #include "model/names.h"
+#include "model/style_transfer.h"
 #include "view/panels/style_tile.h"
 #include "view/theme.h"
 
@@ -26,6 +27,14 @@ namespace {
 
 constexpr int kHoverMs = 120;
 constexpr std::size_t kKept = 10; ///< Styles that stay in memory.
+
+/// Here and not when it is shown: it takes a while.
+model::Result<Preset> onHead(model::Result<Preset> read, const std::shared_ptr<const model::Head>& head)
+{
+    if (!read)
+        return read;
+    return *model::carriedPreset(std::move(*read), head);
+}
 
 } // namespace
 
@@ -140,7 +149,8 @@ void StyleStrip::wish(const QString& path, bool commit)
     if (commit)
         m_toCommit = path;
     const auto known = std::ranges::find(m_recent, path, &std::pair<QString, PresetPtr>::first);
-    if (known != m_recent.end()) {
+    const std::shared_ptr<const model::Head> head = m_state.document().committed().head;
+    if (known != m_recent.end() && !model::canCarry(known->second->head, head)) {
         arrived(path, known->second);
         return;
     }
@@ -150,7 +160,8 @@ void StyleStrip::wish(const QString& path, bool commit)
         return;
     m_loading.push_back(path);
     m_start(
-        tr("Reading %1").arg(QFileInfo(path).fileName()), [path, load = m_loader] { return load(path); }, this,
+        tr("Reading %1").arg(QFileInfo(path).fileName()),
+        [path, head, load = m_loader] { return onHead(load(path), head); }, this,
         [this, path](model::Result<Preset> read) { loaded(path, std::move(read)); });
 }
 
@@ -165,7 +176,12 @@ void StyleStrip::loaded(const QString& path, model::Result<Preset> read)
         Q_EMIT failed(read.error().message);
         return;
     }
+    if (model::canCarry(read->head, m_state.document().committed().head)) {
+        wish(path, m_toCommit == path); // Another head has come meanwhile.
+        return;
+    }
     const auto preset = std::make_shared<const Preset>(std::move(*read));
+    std::erase_if(m_recent, [&path](const auto& one) { return one.first == path; }); // On another head.
     m_recent.emplace_back(path, preset);
     if (m_recent.size() > kKept)
         m_recent.erase(m_recent.begin());

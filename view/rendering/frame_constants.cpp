@@ -118,6 +118,8 @@ FrameConstants frameConstants(const Scene& scene, const Target& target)
     c.target = glm::vec4(target.width * target.samples.x, target.height * target.samples.y, target.samples);
     const glm::vec3 background = srgbFromLinear(scene.background);
     c.background = {glm::vec4(background, 1.0F), glm::vec4(background * 0.06F + 0.01F, 0.0F)};
+    c.skin = {glm::vec4(scene.skin.colour, scene.skin.scatter), glm::vec4(scene.skin.lips, scene.skin.grain),
+              glm::vec4(scene.skin.lids, scene.skin.sheen)};
     std::size_t ring = 0;
     for (const auto& wanted : {scene.ring, scene.mirroredRing}) {
         if (wanted)

@@ -23,6 +23,7 @@ struct FrameConstants
     glm::vec4 gridSize;
     std::array<glm::vec4, 2> background;
     std::array<glm::vec4, 2> ringWo;
+    std::array<glm::vec4, 3> skin;
     friend bool operator==(const FrameConstants&, const FrameConstants&) = default;
 };
 

@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace hairpaint::rendering {
@@ -14,6 +15,7 @@ struct Vertex
 {
     glm::vec3 positionHd;
     glm::vec3 normalHd;
+    sim::SkinMarks marks;
 };
 
 /// The part of the constants that the head's picture depends on.
@@ -50,7 +52,9 @@ void HeadLayer::Mesh::upload(const std::shared_ptr<const sim::HeadMesh>& head)
         return;
     std::vector<Vertex> packed(head->positionsHd.size());
     for (std::size_t i = 0; i < packed.size(); ++i)
-        packed[i] = {.positionHd = head->positionsHd[i], .normalHd = head->normalsHd[i]};
+        packed[i] = {.positionHd = head->positionsHd[i],
+                     .normalHd = head->normalsHd[i],
+                     .marks = head->marks.empty() ? sim::SkinMarks{} : head->marks[i]};
     vertices.assign(packed.data(), packed.size() * sizeof(Vertex));
     indices.assign(head->triangles.data(), head->triangles.size() * sizeof(glm::uvec3));
     indexCount = static_cast<int>(head->triangles.size() * 3);
@@ -59,9 +63,11 @@ void HeadLayer::Mesh::upload(const std::shared_ptr<const sim::HeadMesh>& head)
     glBindVertexArray(vertexArray.id());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
     glBindVertexBuffer(0, vertices.id(), 0, sizeof(Vertex));
-    for (unsigned attribute = 0; attribute < 2; ++attribute) {
+    glVertexAttribFormat(0, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, positionHd));
+    glVertexAttribFormat(1, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, normalHd));
+    glVertexAttribFormat(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, marks));
+    for (unsigned attribute = 0; attribute < 3; ++attribute) {
         glEnableVertexAttribArray(attribute);
-        glVertexAttribFormat(attribute, 3, GL_FLOAT, GL_FALSE, attribute * static_cast<unsigned>(sizeof(glm::vec3)));
         glVertexAttribBinding(attribute, 0);
     }
     glBindVertexArray(0);

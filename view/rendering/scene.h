@@ -33,6 +33,18 @@ struct Light
     friend bool operator==(const Light&, const Light&) = default;
 };
 
+/// What the head's skin looks like. Colours are linear.
+struct Skin
+{
+    glm::vec3 colour{0.51F, 0.455F, 0.412F};
+    glm::vec3 lips{0.46F, 0.38F, 0.33F};
+    glm::vec3 lids{0.47F, 0.41F, 0.37F};
+    float scatter = 0.25F; ///< 0..1: how far light spreads within it, red furthest.
+    float grain = 0.25F;   ///< 0..1: how deep pores and fine lines are.
+    float sheen = 0.6F;    ///< 0..1: how much of the light it reflects without taking its colour.
+    friend bool operator==(const Skin&, const Skin&) = default;
+};
+
 /// The brush ring on the skin: drawn as a line around `radiusM`, and hair inside fades.
 struct Ring
 {
@@ -49,6 +61,7 @@ struct Scene
     std::shared_ptr<const sim::StrandFrame> hair;
     Camera camera;
     Light light;
+    Skin skin;
     glm::vec3 background{0.03F}; ///< Linear.
     std::optional<Ring> ring;
     std::optional<Ring> mirroredRing;

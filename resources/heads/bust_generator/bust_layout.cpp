@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "model/heads/bust_landmarks.h"
+#include "model/heads/built_in_heads.h"
 #include "sdf_primitives.h"
 #include "uv_solver.h"
 
@@ -19,7 +19,7 @@ glm::vec3 centroid(const HalfMesh& half, const Triangle& t)
 // 1 on the scalp and in a margin around it, 0 away from it.
 double scalpness(const glm::vec3& p)
 {
-    return static_cast<double>(smoothStep(-0.012F, -0.002F, scalpDistance(p)));
+    return static_cast<double>(smoothStep(-0.012F, -0.002F, bust2().regions.scalpDistance(p)));
 }
 
 UvGoal goalAt(const glm::vec3& p)
@@ -32,7 +32,8 @@ UvGoal goalAt(const glm::vec3& p)
         static_cast<double>(bell(folded, {0.082F, -0.016F, -0.014F}, {0.016F, 0.035F, 0.024F})) * (1.0 - scalp);
     const auto trunk = static_cast<double>(1.0F - smoothStep(-0.20F, -0.11F, p.y));
     UvGoal goal{};
-    const auto beard = static_cast<double>(smoothStep(-0.010F, 0.002F, beardDistance(p))) * (1.0 - scalp);
+    const auto beard =
+        static_cast<double>(smoothStep(-0.010F, 0.002F, bust2().regions.beardDistance(p))) * (1.0 - scalp);
     goal.scale = std::lerp(std::lerp(0.40 - 0.24 * trunk, 0.95, std::max(face, beard)), 1.0, scalp);
     goal.weight = (0.10 - 0.04 * trunk + 2.0 * std::max(face, beard) + 5.0 * scalp) * (1.0 - 0.7 * ear);
     goal.areaWeight = 2.0 * scalp;
@@ -92,7 +93,7 @@ UvReport measured(const HalfMesh& half)
     for (const Triangle& t : half.triangles) {
         const Distortion d = distortion(half, t);
         allUv += d.uvArea;
-        if (scalpDistance(centroid(half, t)) <= 0.0F)
+        if (bust2().regions.scalpDistance(centroid(half, t)) <= 0.0F)
             continue;
         scalpUv += d.uvArea;
         scales.emplace_back(d.uvArea / d.skinArea, d.skinArea);

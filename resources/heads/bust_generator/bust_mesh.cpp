@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "parallel_for.h"
 
@@ -128,67 +127,32 @@ void addTriangles(HalfMesh& half, const PolarGrid& grid)
     }
 }
 
-Mesh mirroredMesh(const HalfMesh& half)
+sim::HeadMesh mirroredMesh(const HalfMesh& half)
 {
     // Multiples of 2^-22 near 0.5 are exact in float, and so is 1 minus them.
     constexpr double lattice = 4194304.0;
-    Mesh mesh;
-    mesh.positions = half.positions;
-    mesh.normals = half.normals;
-    mesh.triangles = half.triangles;
+    sim::HeadMesh mesh;
+    mesh.positionsHd = half.positions;
+    mesh.normalsHd = half.normals;
+    for (const Triangle& t : half.triangles)
+        mesh.triangles.emplace_back(t[0], t[1], t[2]);
     for (const glm::dvec2& uv : half.uvs)
         mesh.uvs.emplace_back(0.5 + std::round(uv.x * lattice) / lattice, 0.5 + std::round(uv.y * lattice) / lattice);
     std::vector<std::uint32_t> twin(half.positions.size());
     for (std::size_t v = 0; v < half.positions.size(); ++v) {
-        twin[v] = static_cast<std::uint32_t>(half.isMiddle(v) ? v : mesh.positions.size());
+        twin[v] = static_cast<std::uint32_t>(half.isMiddle(v) ? v : mesh.positionsHd.size());
         if (half.isMiddle(v))
             continue;
         const glm::vec3 p = half.positions[v];
         const glm::vec3 n = half.normals[v];
         const glm::vec2 uv = mesh.uvs[v];
-        mesh.positions.emplace_back(-p.x, p.y, p.z);
-        mesh.normals.emplace_back(-n.x, n.y, n.z);
+        mesh.positionsHd.emplace_back(-p.x, p.y, p.z);
+        mesh.normalsHd.emplace_back(-n.x, n.y, n.z);
         mesh.uvs.emplace_back(1.0F - uv.x, uv.y);
     }
     for (const Triangle& t : half.triangles)
-        mesh.triangles.push_back({twin[t[0]], twin[t[2]], twin[t[1]]});
+        mesh.triangles.emplace_back(twin[t[0]], twin[t[2]], twin[t[1]]);
     return mesh;
-}
-
-std::vector<glm::dvec2> interpolatedUvs(const HalfMesh& fine, const HalfMesh& coarse, const PolarGrid& coarseGrid)
-{
-    std::vector<glm::dvec2> uvs(coarseGrid.index(coarseGrid.rings(), coarseGrid.columns()) + 1, glm::dvec2(0.0));
-    // Columns that thinning left out lie between those it kept.
-    for (std::size_t v = 1; v < coarse.indices.size(); ++v) {
-        const auto [ring, column] = coarse.indices[v];
-        const std::size_t at = coarseGrid.index(ring, column);
-        uvs[at] = coarse.uvs[v];
-        const int step = column == 0 ? 1 : column - coarse.indices[v - 1].column;
-        for (int k = 1; k < step; ++k)
-            uvs[at - static_cast<std::size_t>(k)] =
-                glm::mix(coarse.uvs[v], coarse.uvs[v - 1], static_cast<double>(k) / static_cast<double>(step));
-    }
-    const std::vector<std::uint32_t> ids = verticesByPlace(coarse, coarseGrid);
-    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (const Triangle& t : coarse.triangles)
-        for (std::size_t i = 0; i < 3; ++i)
-            edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
-
-    std::vector<glm::dvec2> fineUvs;
-    for (const auto& [ring, column] : fine.indices) {
-        const std::size_t a = coarseGrid.index(ring / 2, column / 2);
-        const std::size_t b = coarseGrid.index((ring + 1) / 2, column / 2);
-        const std::size_t c = coarseGrid.index((ring + 1) / 2, (column + 1) / 2);
-        const std::size_t d = coarseGrid.index(ring / 2, (column + 1) / 2);
-        // In the middle of a quad the uv lies on the diagonal that splits it.
-        if (edges.contains(std::minmax(ids[a], ids[c])))
-            fineUvs.push_back(0.5 * (uvs[a] + uvs[c]));
-        else if (edges.contains(std::minmax(ids[b], ids[d])))
-            fineUvs.push_back(0.5 * (uvs[b] + uvs[d]));
-        else
-            fineUvs.push_back(0.25 * (uvs[a] + uvs[b] + uvs[c] + uvs[d]));
-    }
-    return fineUvs;
 }
 
 MeshReport inspected(const HalfMesh& half)

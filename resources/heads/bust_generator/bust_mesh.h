@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "polar_grid.h"
+#include "sim/skin/head_mesh.h"
 
 namespace hairpaint::heads {
 
@@ -32,23 +33,12 @@ struct HalfMesh
     bool isMiddle(std::size_t vertex) const { return positions[vertex].x == 0.0F; }
 };
 
-struct Mesh
-{
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> uvs; // v up
-    std::vector<Triangle> triangles;
-};
-
 // Vertices first, then triangles: quads are split so that no uv triangle flips, where uvs are there already.
 HalfMesh halfVertices(const PolarGrid& grid);
 void addTriangles(HalfMesh& half, const PolarGrid& grid);
 
 // uv = 0.5 + half uv, on a lattice so that 1 - u is exact.
-Mesh mirroredMesh(const HalfMesh& half);
-
-// Linear on the triangles of the mesh with half the rings and columns: textures lie the same on both.
-std::vector<glm::dvec2> interpolatedUvs(const HalfMesh& fine, const HalfMesh& coarse, const PolarGrid& coarseGrid);
+sim::HeadMesh mirroredMesh(const HalfMesh& half);
 
 struct MeshReport
 {

@@ -7,21 +7,24 @@ namespace hairpaint::heads {
 
 namespace {
 
+float cranium(const glm::vec3& p)
+{
+    const float back = ellipsoid(p, {0.0F, 0.0310F, -0.0300F}, {0.0735F, 0.0750F, 0.0735F});
+    const float front = ellipsoid(p, {0.0F, 0.0310F, 0.0230F}, {0.0600F, 0.0700F, 0.0640F});
+    float d = smoothMin(back, front, 0.055F);
+    d = smoothMin(d, ellipsoid(p, {0.0F, 0.0390F, -0.0100F}, {0.0660F, 0.0690F, 0.0690F}), 0.030F);
+    // Below the bump at the back, over which the neck's muscles start.
+    return smoothMin(d, ellipsoid(p, {0.0F, -0.0180F, -0.0380F}, {0.0580F, 0.0460F, 0.0540F}), 0.036F);
+}
+
+} // namespace
+
 MirroredPoint mirrored(const glm::vec3& p)
 {
     constexpr float rounding = 0.003F;
     const float soft = std::sqrt(p.x * p.x + rounding * rounding) - 0.5F * rounding;
     return {p, {std::abs(p.x), p.y, p.z}, {soft, p.y, p.z}};
 }
-
-float cranium(const glm::vec3& p)
-{
-    const float back = ellipsoid(p, {0.0F, 0.0290F, -0.0200F}, {0.0760F, 0.0830F, 0.0775F});
-    const float front = ellipsoid(p, {0.0F, 0.0300F, 0.0210F}, {0.0640F, 0.0745F, 0.0705F});
-    return smoothMin(back, front, 0.050F);
-}
-
-} // namespace
 
 float bustDistance(const glm::vec3& p, const ShapeOptions& options)
 {

@@ -1,4 +1,4 @@
-// The bust as a signed distance: a calm shop-window mannequin with closed eyes, from analytic primitives.
+// The bust-2 as a signed distance: a calm adult head with closed eyes on a display bust, from analytic primitives.
 //
 // Metres, y up, face toward +z, origin at the head's centre; symmetric in x. Pure functions, any thread.
 #pragma once
@@ -15,7 +15,7 @@ struct ShapeOptions
 };
 
 // The bust ends at this height; the mesh's rim lies in the plane.
-inline constexpr float baseHeight = -0.372F;
+inline constexpr float baseHeight = -0.312F;
 
 float bustDistance(const glm::vec3& p, const ShapeOptions& options);
 
@@ -29,6 +29,7 @@ struct MirroredPoint
     glm::vec3 folded; // x >= 0, with a kink at the middle: for parts that stay away from it
     glm::vec3 soft;   // x folded without a kink: for pairs that meet in the middle
 };
+MirroredPoint mirrored(const glm::vec3& p);
 
 // The parts: each joins itself to the distance so far and returns the new one.
 float joinFace(float distance, const MirroredPoint& p); // bones and flesh: jaw, cheeks, brow, sockets
@@ -37,6 +38,10 @@ float joinNose(float distance, const MirroredPoint& p);
 float joinMouth(float distance, const MirroredPoint& p); // lips, philtrum
 float joinEar(float distance, const MirroredPoint& p, float growth);
 float joinNeck(float distance, const MirroredPoint& p);
-float joinTrunk(float distance, const MirroredPoint& p); // shoulders, tapered chest, foot
+float joinTrunk(float distance, const MirroredPoint& p); // shoulders and chest, cut for display
+
+// Which part of the skin is it, 0 to 1: soft at the borders.
+float lipsFraction(const MirroredPoint& p);
+float lidsFraction(const MirroredPoint& p); // Both lids as far as the crease above, densest at the lashes.
 
 } // namespace hairpaint::heads

@@ -26,9 +26,9 @@ glm::quat turn(const glm::vec3& rotation)
     return angle > 0.0F ? glm::angleAxis(angle, rotation / angle) : glm::quat(1.0F, 0.0F, 0.0F, 0.0F);
 }
 
-float distanceTo(const EllipsoidSpec& e, const glm::vec3& p)
+float distanceTo(const sim::Ellipsoid& e, const glm::vec3& p)
 {
-    return ellipsoid(glm::conjugate(e.rotation) * (p - e.centre), glm::vec3(0.0F), e.semiAxes);
+    return ellipsoid(glm::conjugate(e.rotation) * (p - e.centreHd), glm::vec3(0.0F), e.semiAxesM);
 }
 
 // Nose, lips and chin: hair seldom gets there, so they may stick out.
@@ -37,10 +37,10 @@ bool isMask(const glm::vec3& p)
     return p.z > 0.085F && p.y < 0.010F;
 }
 
-float unionDistance(std::span<const EllipsoidSpec> ellipsoids, const glm::vec3& p)
+float unionDistance(std::span<const sim::Ellipsoid> ellipsoids, const glm::vec3& p)
 {
     float nearest = 1.0F;
-    for (const EllipsoidSpec& e : ellipsoids)
+    for (const sim::Ellipsoid& e : ellipsoids)
         nearest = std::min(nearest, distanceTo(e, p));
     return nearest;
 }
@@ -50,7 +50,7 @@ std::vector<Sample> samples(const HalfMesh& half)
     std::vector<Sample> all;
     for (std::size_t v = 0; v < half.positions.size(); v += 2) {
         const glm::vec3& p = half.positions[v];
-        const bool isScalp = scalpDistance(p) > 0.0F;
+        const bool isScalp = bust2().regions.scalpDistance(p) > 0.0F;
         const bool isEar = !isScalp && glm::distance(p, glm::vec3(0.080F, -0.016F, -0.014F)) < 0.042F;
         if (isEar || p.y < -0.290F)
             continue;
@@ -64,7 +64,7 @@ std::vector<Sample> samples(const HalfMesh& half)
 class Parameters
 {
 public:
-    explicit Parameters(std::span<const EllipsoidSpec> start) : m_start(start.begin(), start.end())
+    explicit Parameters(std::span<const sim::Ellipsoid> start) : m_start(start.begin(), start.end())
     {
         for (std::size_t i = 0; i < m_start.size(); i += isPaired(i) ? 2 : 1)
             m_count += isPaired(i) ? 9 : 6;
@@ -73,19 +73,19 @@ public:
     int count() const { return m_count; }
 
     // Values are offsets from the start, zero there; lengths in units of 10 mm.
-    std::vector<EllipsoidSpec> ellipsoids(const Eigen::VectorXd& values) const
+    std::vector<sim::Ellipsoid> ellipsoids(const Eigen::VectorXd& values) const
     {
-        std::vector<EllipsoidSpec> all = m_start;
+        std::vector<sim::Ellipsoid> all = m_start;
         Eigen::Index k = 0;
         const auto next = [&] { return static_cast<float>(values[k++]); };
         for (std::size_t i = 0; i < all.size(); ++i) {
-            EllipsoidSpec& e = all[i];
+            sim::Ellipsoid& e = all[i];
             const float x = isPaired(i) ? 0.01F * next() : 0.0F;
             const float y = 0.01F * next();
             const float z = 0.01F * next();
-            e.centre += glm::vec3(x, y, z);
+            e.centreHd += glm::vec3(x, y, z);
             for (int axis = 0; axis < 3; ++axis)
-                e.semiAxes[axis] *= std::exp(next());
+                e.semiAxesM[axis] *= std::exp(next());
             const float pitch = next();
             const float yaw = isPaired(i) ? next() : 0.0F;
             const float roll = isPaired(i) ? next() : 0.0F;
@@ -93,31 +93,31 @@ public:
             if (!isPaired(i))
                 continue;
             const glm::quat& q = e.rotation;
-            all[i + 1] = {{-e.centre.x, e.centre.y, e.centre.z}, e.semiAxes, {q.w, q.x, -q.y, -q.z}};
+            all[i + 1] = {{-e.centreHd.x, e.centreHd.y, e.centreHd.z}, e.semiAxesM, {q.w, q.x, -q.y, -q.z}};
             ++i;
         }
         return all;
     }
 
 private:
-    bool isPaired(std::size_t i) const { return m_start[i].centre.x != 0.0F; }
+    bool isPaired(std::size_t i) const { return m_start[i].centreHd.x != 0.0F; }
 
-    std::vector<EllipsoidSpec> m_start;
+    std::vector<sim::Ellipsoid> m_start;
     int m_count = 0;
 };
 
 } // namespace
 
-std::vector<EllipsoidSpec> fittedColliders(const HalfMesh& half, std::span<const EllipsoidSpec> start)
+std::vector<sim::Ellipsoid> fittedColliders(const HalfMesh& half, std::span<const sim::Ellipsoid> start)
 {
     constexpr int iterations = 400;
     constexpr double nudge = 1.0e-3;
-    constexpr double restraint = 2.0; // keeps the shoulders apart, which weigh little
+    constexpr double restraint = 1.0; // keeps the shoulders apart, which weigh little
 
     std::vector<Sample> points = samples(half);
     const Parameters parameters(start);
     const auto residuals = [&](const Eigen::VectorXd& values) {
-        const std::vector<EllipsoidSpec> ellipsoids = parameters.ellipsoids(values);
+        const std::vector<sim::Ellipsoid> ellipsoids = parameters.ellipsoids(values);
         const auto count = static_cast<Eigen::Index>(points.size());
         Eigen::VectorXd r(count + values.size());
         r.tail(values.size()) = values * restraint;
@@ -130,12 +130,12 @@ std::vector<EllipsoidSpec> fittedColliders(const HalfMesh& half, std::span<const
     double damping = 1.0e-2;
     for (int iteration = 0; iteration < iterations; ++iteration) {
         if (iteration % 20 == 19) {
-            const std::vector<EllipsoidSpec> ellipsoids = parameters.ellipsoids(values);
+            const std::vector<sim::Ellipsoid> ellipsoids = parameters.ellipsoids(values);
             for (Sample& s : points)
                 s.weight *=
                     1.0F +
-                    0.3F *
-                        std::max(std::abs(unionDistance(ellipsoids, s.p)) / (s.isScalp ? 0.001F : 0.006F) - 1.0F, 0.0F);
+                    0.3F * std::max(std::abs(unionDistance(ellipsoids, s.p)) / (s.isScalp ? 0.0014F : 0.008F) - 1.0F,
+                                    0.0F);
         }
         const Eigen::VectorXd r = residuals(values);
         Eigen::MatrixXd jacobian(r.size(), values.size());
@@ -155,7 +155,7 @@ std::vector<EllipsoidSpec> fittedColliders(const HalfMesh& half, std::span<const
     return parameters.ellipsoids(values);
 }
 
-ColliderReport inspected(const HalfMesh& half, std::span<const EllipsoidSpec> colliders)
+ColliderReport inspected(const HalfMesh& half, std::span<const sim::Ellipsoid> colliders)
 {
     ColliderReport report{0.0F, 0.0F, 0.0F};
     for (const Sample& s : samples(half)) {

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "bust_mesh.h"
-#include "model/heads/bust_landmarks.h"
+#include "model/heads/built_in_heads.h"
 
 namespace hairpaint::heads {
 
 // Starts from the given ellipsoids. Those with a centre at x = 0 stay symmetric; the others come in pairs, each
 // followed by its mirror image.
-std::vector<EllipsoidSpec> fittedColliders(const HalfMesh& half, std::span<const EllipsoidSpec> start);
+std::vector<sim::Ellipsoid> fittedColliders(const HalfMesh& half, std::span<const sim::Ellipsoid> start);
 
 struct ColliderReport
 {
@@ -22,6 +22,6 @@ struct ColliderReport
     float elsewhere;    // m, the worst of the rest that was fitted
 };
 
-ColliderReport inspected(const HalfMesh& half, std::span<const EllipsoidSpec> colliders);
+ColliderReport inspected(const HalfMesh& half, std::span<const sim::Ellipsoid> colliders);
 
 } // namespace hairpaint::heads

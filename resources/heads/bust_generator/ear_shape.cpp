@@ -32,24 +32,24 @@ constexpr std::array<Bead, 12> helix = {{{{-0.0040F, -0.0012F}, 0.0002F},
                                          {{0.0132F, -0.0060F}, 0.0020F},
                                          {{0.0085F, -0.0170F}, 0.0011F},
                                          {{0.0040F, -0.0230F}, 0.0004F}}};
-constexpr std::array<Bead, 5> furrow = {{{{-0.0020F, 0.0222F}, -0.0004F},
-                                         {{0.0060F, 0.0205F}, -0.0010F},
-                                         {{0.0108F, 0.0120F}, -0.0013F},
-                                         {{0.0115F, 0.0020F}, -0.0013F},
+constexpr std::array<Bead, 5> furrow = {{{{-0.0020F, 0.0222F}, -0.0006F},
+                                         {{0.0060F, 0.0205F}, -0.0015F},
+                                         {{0.0108F, 0.0120F}, -0.0019F},
+                                         {{0.0115F, 0.0020F}, -0.0019F},
                                          {{0.0090F, -0.0090F}, -0.0006F}}};
-constexpr std::array<Bead, 6> antihelix = {{{{-0.0065F, -0.0165F}, 0.0016F},
-                                            {{0.0005F, -0.0160F}, 0.0013F},
-                                            {{0.0058F, -0.0095F}, 0.0017F},
-                                            {{0.0073F, 0.0000F}, 0.0020F},
-                                            {{0.0060F, 0.0080F}, 0.0018F},
-                                            {{0.0050F, 0.0165F}, 0.0006F}}};
+constexpr std::array<Bead, 6> antihelix = {{{{-0.0065F, -0.0165F}, 0.0020F},
+                                            {{0.0005F, -0.0160F}, 0.0019F},
+                                            {{0.0058F, -0.0095F}, 0.0025F},
+                                            {{0.0073F, 0.0000F}, 0.0029F},
+                                            {{0.0060F, 0.0080F}, 0.0027F},
+                                            {{0.0050F, 0.0165F}, 0.0013F}}};
 constexpr std::array<Bead, 3> lowerLeg = {
-    {{{0.0060F, 0.0075F}, 0.0016F}, {{0.0000F, 0.0102F}, 0.0016F}, {{-0.0065F, 0.0108F}, 0.0010F}}};
+    {{{0.0060F, 0.0075F}, 0.0023F}, {{0.0000F, 0.0102F}, 0.0022F}, {{-0.0065F, 0.0108F}, 0.0013F}}};
 
 // Catmull-Rom through the beads, so that a ridge shows no corners.
 std::vector<Bead> smoothed(std::span<const Bead> beads)
 {
-    constexpr int steps = 4;
+    constexpr int steps = 8;
     std::vector<Bead> fine;
     for (std::size_t i = 0; i + 1 < beads.size(); ++i) {
         const glm::vec2 p1 = beads[i].position;
@@ -82,13 +82,16 @@ float ridge(const glm::vec2& position, std::span<const Bead> beads, float width)
     return strongest;
 }
 
-// Top tilted back by 12 degrees, rear edge 28 degrees away from the head.
+constexpr float scale = 0.95F; // of the ear's own lengths
+
+// Leaning back by 7 degrees, the lobe's place in front adding as much; rear edge 33 degrees away from the head's middle
+// plane. In the ear's own lengths.
 glm::vec3 toEar(const glm::vec3& folded)
 {
-    const glm::vec3 q = turnedX(folded - glm::vec3(0.0725F, -0.0140F, -0.0100F), -12.0F);
-    const float c = std::cos(glm::radians(28.0F));
-    const float s = std::sin(glm::radians(28.0F));
-    return {s * q.x - c * q.z, q.y, c * q.x + s * q.z};
+    const glm::vec3 q = turnedX(folded - glm::vec3(0.0725F, -0.0140F, -0.0100F), 7.0F);
+    const float c = std::cos(glm::radians(33.0F));
+    const float s = std::sin(glm::radians(33.0F));
+    return glm::vec3(s * q.x - c * q.z, q.y, c * q.x + s * q.z) / scale;
 }
 
 float ear(const glm::vec3& e)
@@ -123,7 +126,7 @@ float joinEar(float d, const MirroredPoint& p, float growth)
         const float blend = std::clamp((growth - 0.5F) * 2.0F, 0.0F, 1.0F);
         shape = growth > 0.5F ? block + (shape - block) * blend : block;
     }
-    return smoothMin(d, shape, 0.006F);
+    return smoothMin(d, scale * shape, 0.006F);
 }
 
 } // namespace hairpaint::heads

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 
+#include "sim/skin/mesh_bounds.h"
+
 namespace hairpaint::heads {
 
 namespace {
@@ -60,7 +62,7 @@ std::string description(std::span<const Block> blocks, std::size_t size)
     }
     return R"({"asset":{"version":"2.0","generator":"hairpaint_bust_generator"},"scene":0,"scenes":[{)"
            R"("nodes":[0]}],)"
-           R"("nodes":[{"mesh":0,"name":"bust-1"}],"meshes":[{"name":"bust-1","primitives":[{)"
+           R"("nodes":[{"mesh":0,"name":"bust-2"}],"meshes":[{"name":"bust-2","primitives":[{)"
            R"("attributes":{)"
            R"("POSITION":1,"NORMAL":2,"TEXCOORD_0":3,"_UV":4},"indices":0,"mode":4}]}],"buffers":[{)"
            R"("byteLength":)" +
@@ -69,27 +71,23 @@ std::string description(std::span<const Block> blocks, std::size_t size)
 
 } // namespace
 
-bool writeGlb(const Mesh& mesh, const std::filesystem::path& path)
+bool writeGlb(const sim::HeadMesh& mesh, const std::filesystem::path& path)
 {
-    glm::vec3 low = mesh.positions.front();
-    glm::vec3 high = low;
-    for (const glm::vec3& p : mesh.positions) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
+    const sim::MeshBounds bounds = sim::boundsOf(mesh);
     std::vector<glm::vec2> flipped;
     for (const glm::vec2& uv : mesh.uvs)
         flipped.emplace_back(uv.x, 1.0F - uv.y);
 
     constexpr int vertexTarget = 34962;
     constexpr int indexTarget = 34963;
-    const std::size_t count = mesh.positions.size();
+    const std::size_t count = mesh.positionsHd.size();
     const std::string vec3 = R"("componentType":5126,"type":"VEC3")";
     const std::string vec2 = R"("componentType":5126,"type":"VEC2")";
     const std::vector<Block> blocks = {
         {bytes(mesh.triangles), R"("componentType":5125,"type":"SCALAR")", mesh.triangles.size() * 3, indexTarget},
-        {bytes(mesh.positions), vec3 + R"(,"min":)" + text(low) + R"(,"max":)" + text(high), count, vertexTarget},
-        {bytes(mesh.normals), vec3, count, vertexTarget},
+        {bytes(mesh.positionsHd), vec3 + R"(,"min":)" + text(bounds.least) + R"(,"max":)" + text(bounds.greatest),
+         count, vertexTarget},
+        {bytes(mesh.normalsHd), vec3, count, vertexTarget},
         {bytes(flipped), vec2, count, vertexTarget},
         {bytes(mesh.uvs), vec2, count, vertexTarget}};
     std::string binary;

@@ -6,11 +6,11 @@
 
 #include <filesystem>
 
-#include "bust_mesh.h"
+#include "sim/skin/head_mesh.h"
 
 namespace hairpaint::heads {
 
 // False if the file could not be written.
-[[nodiscard]] bool writeGlb(const Mesh& mesh, const std::filesystem::path& path);
+[[nodiscard]] bool writeGlb(const sim::HeadMesh& mesh, const std::filesystem::path& path);
 
 } // namespace hairpaint::heads

@@ -1,6 +1,8 @@
-// Makes the built-in head: hairpaint_bust_generator OUTPUT_DIR [--preview DIR | --colliders]
+// Makes bust-2: hairpaint_bust_generator OUTPUT_DIR [--preview DIR | --colliders]
 //
-// Writes bust-1.glb (roots, uv, picking) and bust-1-fine.glb (shading), and prints what the tests will measure.
+// Writes bust-2.glb (roots, uv, picking), bust-2.displacement (of its edges' middles, for the finer mesh that is drawn)
+// and bust-2.marks (of the finer mesh's vertices), bust-2.distances (to the finer mesh), and prints what the tests will
+// measure.
 // --colliders instead fits the ellipsoids anew, from those in use, and prints them.
 #include <cstdio>
 #include <filesystem>
@@ -8,37 +10,42 @@
 
 #include "bust_mesh.h"
 #include "collider_fit.h"
+#include "distance_writer.h"
+#include "edge_displacement.h"
 #include "glb_writer.h"
 #include "grid_relaxer.h"
-#include "model/heads/bust_landmarks.h"
+#include "model/heads/built_in_heads.h"
 #include "preview.h"
+#include "sim/skin/mesh_subdivision.h"
+#include "skin_marks.h"
 #include "uv_solver.h"
 
 namespace {
 
+using namespace hairpaint;
 using namespace hairpaint::heads;
 
-void print(const char* name, const HalfMesh& half, const Mesh& mesh)
+void print(const HalfMesh& half, const sim::HeadMesh& mesh)
 {
     const MeshReport report = inspected(half);
-    std::printf("%s: %zu vertices, %zu triangles, aspect %.2f, least agreement %.3f, folded %d\n", name,
-                mesh.positions.size(), mesh.triangles.size(), static_cast<double>(report.worstAspect),
+    std::printf("%zu vertices, %zu triangles, aspect %.2f, least agreement %.3f, folded %d\n", mesh.positionsHd.size(),
+                mesh.triangles.size(), static_cast<double>(report.worstAspect),
                 static_cast<double>(report.worstAgreement), report.foldedFaces);
 }
 
-// As lines of bust_colliders.cpp.
+// As lines of bust_2.cpp.
 void printColliders(const HalfMesh& half)
 {
-    const std::vector<EllipsoidSpec> fitted = fittedColliders(half, bustColliders());
+    const std::vector<sim::Ellipsoid> fitted = fittedColliders(half, bust2().colliders);
     const auto print = [](float value, const char* after) {
         std::printf("%.5fF%s", static_cast<double>(value), after);
     };
-    for (const EllipsoidSpec& e : fitted) {
+    for (const sim::Ellipsoid& e : fitted) {
         std::printf("    {{");
         for (int i = 0; i < 3; ++i)
-            print(e.centre[i], i < 2 ? ", " : "}, {");
+            print(e.centreHd[i], i < 2 ? ", " : "}, {");
         for (int i = 0; i < 3; ++i)
-            print(e.semiAxes[i], i < 2 ? ", " : "}, {");
+            print(e.semiAxesM[i], i < 2 ? ", " : "}, {");
         for (const float value : {e.rotation.w, e.rotation.x, e.rotation.y})
             print(value, ", ");
         print(e.rotation.z, "}},\n");
@@ -51,11 +58,11 @@ void printColliders(const HalfMesh& half)
 
 glm::vec3 regionTint(const glm::vec3& p)
 {
-    if (scalpDistance(p) > 0.0F)
+    if (bust2().regions.scalpDistance(p) > 0.0F)
         return {0.35F, 0.22F, 0.12F};
-    if (browDistance(p) > 0.0F)
+    if (bust2().regions.browDistance(p) > 0.0F)
         return {0.15F, 0.10F, 0.08F};
-    if (beardDistance(p) > 0.0F)
+    if (bust2().regions.beardDistance(p) > 0.0F)
         return {0.55F, 0.35F, 0.22F};
     return {0.75F, 0.65F, 0.58F};
 }
@@ -79,19 +86,22 @@ int main(int argc, char** argv)
         return 0;
     }
     const UvReport report = layOutBust(grid, carrying);
-    HalfMesh fine = halfVertices(fineGrid);
-    fine.uvs = interpolatedUvs(fine, carrying, grid);
-    addTriangles(fine, fineGrid);
-    const Mesh carryingMesh = mirroredMesh(carrying);
-    const Mesh fineMesh = mirroredMesh(fine);
-    print("bust-1", carrying, carryingMesh);
-    print("bust-1-fine", fine, fineMesh);
+    const sim::HeadMesh mesh = mirroredMesh(carrying);
+    const std::vector<std::int16_t> displacements = edgeDisplacements(mesh);
+    print(carrying, mesh);
     std::printf("scalp: area scale %.2f (99 %%: %.2f), stretch %.2f (99 %%: %.2f), share %.1f %%, energy %.6g\n",
                 report.scalpAreaRatio, report.scalpAreaRatio99, report.scalpStretch, report.scalpStretch99,
                 100.0 * report.scalpShare, report.energy);
+    std::vector<float> metres;
+    metres.reserve(displacements.size());
+    for (const std::int16_t micrometres : displacements)
+        metres.push_back(1.0e-6F * static_cast<float>(micrometres));
+    const sim::HeadMesh fine = sim::subdivided(mesh, metres);
     if (option == "--preview")
-        writePreviews(fineMesh, carryingMesh, regionTint, argv[3]);
-    if (!writeGlb(carryingMesh, folder / "bust-1.glb") || !writeGlb(fineMesh, folder / "bust-1-fine.glb")) {
+        writePreviews(fine, mesh, regionTint, argv[3]);
+    if (!writeGlb(mesh, folder / "bust-2.glb") || !writeDisplacements(displacements, folder / "bust-2.displacement") ||
+        !writeMarks(skinMarks(fine), folder / "bust-2.marks") ||
+        !writeDistances(*sim::DistanceGrid::make(fine), folder / "bust-2.distances")) {
         std::fprintf(stderr, "hairpaint_bust_generator: cannot write to %s\n", folder.string().c_str());
         return 1;
     }

@@ -4,21 +4,50 @@
 
 namespace hairpaint::heads {
 
+namespace {
+
+constexpr float kMouthHalf = 0.0262F; // From the middle to a corner.
+
+// Heights, as functions of the distance from the middle plane: plain.x for what is sharp there, soft.x elsewhere.
+
+// They touch along a seam that dips in the middle and falls a little to the corners. Rising ends would smirk.
+float seam(const MirroredPoint& p)
+{
+    const float x = p.soft.x;
+    return -0.0680F - 0.0012F * bell(p.plain.x, 0.0060F) + 0.0008F * bell(x - 0.0095F, 0.0060F) - 0.6F * x * x;
+}
+
+// The upper lip's border, with a dip in the middle.
+float upperBorder(const MirroredPoint& p)
+{
+    return -0.0582F - 0.0016F * bell(p.plain.x, 0.0034F) - 0.0088F * smoothStep(0.004F, 0.027F, p.soft.x);
+}
+
+// The hollow under the lower lip.
+float hollowBelow(const MirroredPoint& p)
+{
+    return -0.0845F + 0.0110F * smoothStep(0.002F, 0.027F, p.soft.x);
+}
+
+} // namespace
+
 float joinNose(float d, const MirroredPoint& p)
 {
-    if (p.plain.z < 0.040F || p.plain.y > 0.050F || p.plain.y < -0.090F)
+    if (p.plain.z < 0.040F || p.plain.y > 0.060F || p.plain.y < -0.090F)
         return d;
-    // A narrow ridge over wide flanks that lie well behind it: the section is a rounded triangle, not a box.
-    float nose = roundCone(p.plain, {0.0F, 0.0100F, 0.0815F}, {0.0F, -0.0330F, 0.1010F}, 0.0052F, 0.0062F);
+    // A narrow ridge from between the brows to the tip, over flanks that lie well behind it: a rounded triangle.
+    float nose = roundCone(p.plain, {0.0F, 0.0140F, 0.0795F}, {0.0F, -0.0337F, 0.0974F}, 0.0060F, 0.0062F);
     nose = smoothMin(
-        nose, roundCone(p.soft, {0.0060F, 0.0040F, 0.0745F}, {0.0090F, -0.0370F, 0.0845F}, 0.0070F, 0.0090F), 0.018F);
-    // Tip and wings, the bridge of skin between the nostrils.
-    nose = smoothMin(nose, ellipsoid(p.plain, {0.0F, -0.0370F, 0.1004F}, {0.0090F, 0.0083F, 0.0092F}), 0.015F);
-    nose = smoothMin(nose, ellipsoid(p.soft, {0.0113F, -0.0415F, 0.0900F}, {0.0060F, 0.0064F, 0.0092F}), 0.010F);
-    nose = smoothMin(nose, roundCone(p.plain, {0.0F, -0.0430F, 0.1000F}, {0.0F, -0.0490F, 0.0910F}, 0.0038F, 0.0045F),
+        nose, roundCone(p.soft, {0.0062F, 0.0040F, 0.0720F}, {0.0080F, -0.0340F, 0.0830F}, 0.0070F, 0.0080F), 0.020F);
+    // The tip's two cartilages nearly meet; the wings; the column between the nostrils.
+    nose = smoothMin(nose, ellipsoid(p.soft, {0.0026F, -0.0386F, 0.0962F}, {0.0070F, 0.0072F, 0.0090F}), 0.017F);
+    nose = smoothMin(nose, ellipsoid(p.soft, {0.0104F, -0.0405F, 0.0888F}, {0.0052F, 0.0064F, 0.0094F}), 0.009F);
+    nose = smoothMin(nose, roundCone(p.plain, {0.0F, -0.0440F, 0.0964F}, {0.0F, -0.0474F, 0.0895F}, 0.0034F, 0.0038F),
                      0.007F);
-    d = smoothMin(d, nose, 0.015F);
-    return smoothMax(d, -ellipsoid(p.soft, {0.0064F, -0.0488F, 0.0985F}, {0.0024F, 0.0027F, 0.0040F}), 0.006F);
+    d = smoothMin(d, nose, 0.014F);
+    // The groove round the wing, the nostril.
+    d += 0.0008F * bell(p.folded, {0.0168F, -0.0375F, 0.0835F}, {0.0028F, 0.0070F, 0.0080F});
+    return smoothMax(d, -ellipsoid(p.soft, {0.0060F, -0.0480F, 0.0955F}, {0.0026F, 0.0024F, 0.0046F}), 0.0060F);
 }
 
 float joinMouth(float d, const MirroredPoint& p)
@@ -27,26 +56,32 @@ float joinMouth(float d, const MirroredPoint& p)
         return d;
     const glm::vec3& soft = p.soft;
     const float x = soft.x;
-    const float xx = p.plain.x * p.plain.x;
 
-    float upper = roundCone(soft, {0.0050F, -0.0648F, 0.0922F}, {0.0215F, -0.0702F, 0.0803F}, 0.0048F, 0.0026F);
-    const glm::vec3 peak(0.0040F, -0.0656F, 0.0928F);
-    upper = smoothMin(upper, roundCone(p.plain, {-peak.x, peak.y, peak.z}, peak, 0.0042F, 0.0042F), 0.004F);
-    const float lower = roundCone(soft, {0.0045F, -0.0758F, 0.0900F}, {0.0205F, -0.0720F, 0.0798F}, 0.0069F, 0.0030F);
-    d = smoothMin(d, upper, 0.0070F);
-    d = smoothMin(d, lower, 0.0080F);
+    const float upper = roundCone(soft, {0.0050F, -0.0625F, 0.0890F}, {0.0240F, -0.0674F, 0.0752F}, 0.0064F, 0.0028F);
+    const float lower = roundCone(soft, {0.0050F, -0.0742F, 0.0855F}, {0.0225F, -0.0700F, 0.0750F}, 0.0084F, 0.0034F);
+    d = smoothMin(d, upper, 0.0090F);
+    d = smoothMin(d, lower, 0.0090F);
 
-    // The seam: level, dipping a little in the middle. A rising end would smirk.
-    const float seam = -0.0702F - 0.0009F * bell(p.plain.x, 0.0055F) - 1.0F * xx;
-    d += 0.0022F * bell(p.plain.y - seam, 0.0019F) * (1.0F - smoothStep(0.0165F, 0.0245F, x));
-    // The lips' borders: a fine ridge with a dip in the middle above, a shallow hollow below.
-    const float border = -0.0606F - 0.0016F * bell(p.plain.x, 0.0034F) - 0.0090F * smoothStep(0.004F, 0.026F, x);
-    d -= 0.0005F * bell(p.plain.y - border, 0.0019F) * (1.0F - smoothStep(0.012F, 0.024F, x));
-    const float under = -0.0818F + 0.0085F * smoothStep(0.002F, 0.026F, x);
-    d += 0.0010F * bell(p.plain.y - under, 0.0034F) * (1.0F - smoothStep(0.010F, 0.022F, x));
+    d += 0.0013F * bell(p.plain.y - seam(p), 0.0013F) * (1.0F - smoothStep(0.0185F, kMouthHalf, x));
+    // The lips' borders: a fine ridge above, a shallow hollow below.
+    d -= 0.0005F * bell(p.plain.y - upperBorder(p), 0.0018F) * (1.0F - smoothStep(0.012F, 0.025F, x));
+    d += 0.0014F * bell(p.plain.y - hollowBelow(p), 0.0042F) * (1.0F - smoothStep(0.010F, 0.022F, x));
     // Corners and philtrum.
-    d += 0.0013F * bell(p.folded, {0.0248F, -0.0707F, 0.0795F}, {0.0036F, 0.0038F, 0.0120F});
-    return d + 0.0011F * bell(p.plain, {0.0F, -0.0562F, 0.0960F}, {0.0042F, 0.0070F, 0.0150F});
+    d += 0.0014F * bell(p.folded, {0.0264F, -0.0684F, 0.0750F}, {0.0034F, 0.0036F, 0.0120F});
+    return d + 0.0008F * bell(p.plain, {0.0F, -0.0545F, 0.0950F}, {0.0038F, 0.0065F, 0.0150F});
+}
+
+float lipsFraction(const MirroredPoint& p)
+{
+    constexpr float softness = 0.0011F;
+    constexpr float borderWidth = 0.0006F; // The ridge itself is skin.
+    constexpr float hollowReach = 0.0034F; // The lower lip ends above the hollow's middle.
+    if (p.plain.z < 0.060F)
+        return 0.0F;
+    const float below = upperBorder(p) - p.plain.y - borderWidth;
+    const float above = p.plain.y - hollowBelow(p) - hollowReach;
+    const float inside = smoothStep(-softness, softness, std::min(below, above));
+    return inside * (1.0F - smoothStep(kMouthHalf - 0.0050F, kMouthHalf, p.soft.x));
 }
 
 } // namespace hairpaint::heads

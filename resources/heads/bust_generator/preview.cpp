@@ -127,7 +127,8 @@ glm::vec3 lit(const glm::vec3& normal, const glm::vec3& albedo)
     return albedo * diffuse + glm::vec3(gloss(key) + 0.5F * gloss(fill));
 }
 
-Picture shaded(const Mesh& mesh, const View& view, const std::function<glm::vec3(std::size_t)>& albedo, bool isChecked)
+Picture shaded(const sim::HeadMesh& mesh, const View& view, const std::function<glm::vec3(std::size_t)>& albedo,
+               bool isChecked)
 {
     constexpr int width = 1000;
     constexpr int height = 1200;
@@ -141,16 +142,16 @@ Picture shaded(const Mesh& mesh, const View& view, const std::function<glm::vec3
     const float scale = static_cast<float>(height) / view.height;
     std::vector<glm::vec3> projected;
     std::vector<glm::vec3> normals;
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-        const glm::vec3 q = mesh.positions[v] - view.target;
+    for (std::size_t v = 0; v < mesh.positionsHd.size(); ++v) {
+        const glm::vec3 q = mesh.positionsHd[v] - view.target;
         const float depth = glm::dot(q, toward);
         const float zoom = scale * distance / (distance - depth);
         projected.emplace_back(0.5F * static_cast<float>(width) + glm::dot(q, right) * zoom,
                                0.5F * static_cast<float>(height) - glm::dot(q, up) * zoom, depth);
-        const glm::vec3& n = mesh.normals[v];
+        const glm::vec3& n = mesh.normalsHd[v];
         normals.emplace_back(glm::dot(n, right), glm::dot(n, up), glm::dot(n, toward));
     }
-    for (const Triangle& t : mesh.triangles) {
+    for (const glm::uvec3& t : mesh.triangles) {
         picture.fill({projected[t[0]], projected[t[1]], projected[t[2]]}, [&](const glm::vec3& w) {
             const glm::vec3 normal = glm::normalize(w.x * normals[t[0]] + w.y * normals[t[1]] + w.z * normals[t[2]]);
             glm::vec3 colour = w.x * albedo(t[0]) + w.y * albedo(t[1]) + w.z * albedo(t[2]);
@@ -164,17 +165,17 @@ Picture shaded(const Mesh& mesh, const View& view, const std::function<glm::vec3
     return picture;
 }
 
-Picture layout(const Mesh& mesh, const std::function<glm::vec3(std::size_t)>& albedo)
+Picture layout(const sim::HeadMesh& mesh, const std::function<glm::vec3(std::size_t)>& albedo)
 {
     constexpr int size = 1600;
     Picture picture(size, size);
     const auto project = [&](std::uint32_t v) {
         return glm::vec3(mesh.uvs[v].x, 1.0F - mesh.uvs[v].y, 0.0F) * static_cast<float>(size);
     };
-    for (const Triangle& t : mesh.triangles) {
+    for (const glm::uvec3& t : mesh.triangles) {
         picture.fill({project(t[0]), project(t[1]), project(t[2])}, [&](const glm::vec3& w) {
             const glm::vec3 normal =
-                glm::normalize(w.x * mesh.normals[t[0]] + w.y * mesh.normals[t[1]] + w.z * mesh.normals[t[2]]);
+                glm::normalize(w.x * mesh.normalsHd[t[0]] + w.y * mesh.normalsHd[t[1]] + w.z * mesh.normalsHd[t[2]]);
             return (w.x * albedo(t[0]) + w.y * albedo(t[1]) + w.z * albedo(t[2])) *
                    (0.55F + 0.35F * normal.y + 0.3F * normal.x);
         });
@@ -185,8 +186,8 @@ Picture layout(const Mesh& mesh, const std::function<glm::vec3(std::size_t)>& al
 
 } // namespace
 
-void writePreviews(const Mesh& fine, const Mesh& carrying, const std::function<glm::vec3(const glm::vec3&)>& tint,
-                   const std::filesystem::path& folder)
+void writePreviews(const sim::HeadMesh& fine, const sim::HeadMesh& carrying,
+                   const std::function<glm::vec3(const glm::vec3&)>& tint, const std::filesystem::path& folder)
 {
     std::filesystem::create_directories(folder);
     const glm::vec3 skin(0.72F, 0.62F, 0.55F);
@@ -199,10 +200,10 @@ void writePreviews(const Mesh& fine, const Mesh& carrying, const std::function<g
                 .write(folder / (name + ".ppm"));
         else
             shaded(
-                carrying, view, [&](std::size_t v) { return tint(carrying.positions[v]); }, true)
+                carrying, view, [&](std::size_t v) { return tint(carrying.positionsHd[v]); }, true)
                 .write(folder / (name + "_checker.ppm"));
     });
-    layout(carrying, [&](std::size_t v) { return tint(carrying.positions[v]); }).write(folder / "uv_layout.ppm");
+    layout(carrying, [&](std::size_t v) { return tint(carrying.positionsHd[v]); }).write(folder / "uv_layout.ppm");
 }
 
 } // namespace hairpaint::heads

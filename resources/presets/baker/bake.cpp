@@ -2,7 +2,7 @@
 #include "bake.h"
 
 #include "model/files/project_file.h"
-#include "model/heads/bust_landmarks.h"
+#include "model/heads/built_in_heads.h"
 
 #include <cmath>
 
@@ -46,6 +46,7 @@ sim::Texel valueAt(const Style& style, const model::MapSpec& spec, const SkinPoi
 
 SkinPoints pointsOn(const sim::Skin& skin)
 {
+    const heads::HeadRegions& regions = heads::builtInHeads().front()->regions;
     SkinPoints points(static_cast<std::size_t>(kMapSize) * kMapSize);
     for (int y = 0; y < kMapSize; ++y)
         for (int x = 0; x < kMapSize; ++x) {
@@ -55,7 +56,7 @@ SkinPoints pointsOn(const sim::Skin& skin)
                 points[static_cast<std::size_t>(y) * kMapSize + static_cast<std::size_t>(x)] =
                     SkinPoint{.positionHd = point->positionHd,
                               .normalHd = point->normalHd,
-                              .scalpM = heads::scalpDistance(point->positionHd)};
+                              .scalpM = regions.scalpDistance(point->positionHd)};
         }
     return points;
 }

@@ -1,4 +1,4 @@
-// The built-in styles, each as functions of a place on the built-in head.
+// The built-in styles, each as functions of a place on the head of new projects.
 #pragma once
 
 #include "model/map_spec.h"

@@ -1,11 +1,11 @@
 // The table of kinds of hair. Lengths, widths and densities are usual ones of adults.
-#include "view/panels/hair_kinds.h"
+#include "model/hair_kinds.h"
 
 #include <QCoreApplication>
 
 #include <array>
 
-namespace hairpaint::view {
+namespace hairpaint::model {
 
 namespace {
 
@@ -38,7 +38,7 @@ constexpr std::array kKinds{
     HairKind{"Scalp", QT_TRANSLATE_NOOP("HairKinds", "Hair of the head"), [](GroupSettings&) {}},
     HairKind{"Brows", QT_TRANSLATE_NOOP("HairKinds", "Brows"),
              [](GroupSettings& settings) {
-                 putShort(settings, {0.012F, 1.2e6F, 70e-6F, 0.001F, 0.6F});
+                 putShort(settings, {0.012F, 1.8e6F, 70e-6F, 0.001F, 0.6F});
              }},
     HairKind{"Lashes", QT_TRANSLATE_NOOP("HairKinds", "Lashes"),
              [](GroupSettings& settings) {
@@ -67,4 +67,4 @@ QString titleOf(const HairKind& kind)
     return QCoreApplication::translate("HairKinds", kind.title);
 }
 
-} // namespace hairpaint::view
+} // namespace hairpaint::model

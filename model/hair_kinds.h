@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace hairpaint::view {
+namespace hairpaint::model {
 
 /// A kind of hair that a new group starts as.
 struct HairKind
@@ -20,4 +20,4 @@ struct HairKind
 [[nodiscard]] std::span<const HairKind> hairKinds();
 [[nodiscard]] QString titleOf(const HairKind& kind); ///< Translated.
 
-} // namespace hairpaint::view
+} // namespace hairpaint::model

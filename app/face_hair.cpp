@@ -1,0 +1,54 @@
+// Painting takes a moment, so it is a job.
+#include "app/face_hair.h"
+
+#include "model/commands/commands.h"
+#include "model/face_hair.h"
+#include "model/files/sentences.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+
+#include <algorithm>
+
+namespace hairpaint::app {
+
+bool FaceHair::exists() const
+{
+    return std::ranges::any_of(m_session.document().project().groups, model::isFaceHair);
+}
+
+bool FaceHair::shown() const
+{
+    return std::ranges::any_of(m_session.document().project().groups,
+                               [](const model::HairGroup& group) { return group.visible && model::isFaceHair(group); });
+}
+
+void FaceHair::toggle()
+{
+    using Groups = std::vector<model::HairGroup>;
+    m_session.editor().commitStroke();
+    model::Document& document = m_session.document();
+    if (exists())
+        return document.push(showFaceHairCommand(document, !shown()));
+    const std::shared_ptr<const model::Head> head = document.committed().head;
+    std::optional<model::Result<Groups>> made =
+        m_jobs.await<Groups>(QCoreApplication::translate("FaceHair", "Growing brows and lashes"),
+                             [&head](const model::Progress& progress) -> model::Result<Groups> {
+                                 std::optional<Groups> grown = model::faceHair(head, progress);
+                                 return grown ? model::Result<Groups>(std::move(*grown)) : model::cancelled(head->name);
+                             });
+    if (!made)
+        return;
+    const QString problem = !*made ? made->error().message
+                            : (*made)->empty()
+                                ? QCoreApplication::translate(
+                                      "FaceHair", "Where they grow is not known on this head. Set its landmarks with "
+                                                  "File > Replace head > Landmarks.")
+                                : QString();
+    if (!problem.isEmpty())
+        QMessageBox::warning(&m_window, QCoreApplication::translate("FaceHair", "Brows and lashes"), problem);
+    else
+        document.push(addFaceHairCommand(document, std::move(**made)));
+}
+
+} // namespace hairpaint::app

@@ -1,0 +1,21 @@
+// Eyebrows and eyelashes as hair groups.
+#pragma once
+
+#include "model/progress.h"
+#include "model/project.h"
+
+#include <optional>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// Groups "Brows" and "Lashes" whose maps are painted where they grow on the head of new projects, and carried from
+/// there to another head (model/style_transfer.h). Their ids are nobody's yet. Empty for a head to which nothing can be
+/// carried; none where progress stops it. Any thread; some 100 ms.
+[[nodiscard]] std::optional<std::vector<HairGroup>> faceHair(const std::shared_ptr<const Head>& head,
+                                                             const Progress& progress = {});
+
+/// Whether the group is one of those.
+[[nodiscard]] bool isFaceHair(const HairGroup& group);
+
+} // namespace hairpaint::model
