@@ -3,6 +3,10 @@
 
 namespace hairpaint::test {
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr int kPatienceMs = 180'000; ///< Five to ten times slower, and another program beside it.
+#else
 inline constexpr int kPatienceMs = 60'000;
+#endif
 
 } // namespace hairpaint::test
