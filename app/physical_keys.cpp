@@ -14,7 +14,7 @@ PhysicalKey physicalKey(const QKeyEvent& event)
         constexpr quint32 kFirstDigit = 10;
         constexpr quint32 kBracketLeft = 34;
 #endif
-        if (code >= kFirstDigit && code < kFirstDigit + 9)
+        if (code >= kFirstDigit && code < kFirstDigit + kDigits)
             return digitKey(static_cast<int>(code - kFirstDigit) + 1);
         if (code == kBracketLeft)
             return PhysicalKey::BracketLeft;
@@ -24,6 +24,8 @@ PhysicalKey physicalKey(const QKeyEvent& event)
     }
     if (event.key() >= Qt::Key_1 && event.key() <= Qt::Key_9)
         return digitKey(event.key() - Qt::Key_1 + 1);
+    if (event.key() == Qt::Key_0)
+        return PhysicalKey::Digit0;
     if (event.key() == Qt::Key_BracketLeft)
         return PhysicalKey::BracketLeft;
     if (event.key() == Qt::Key_BracketRight)
@@ -38,7 +40,7 @@ Qt::Key usualKey(PhysicalKey key)
     if (key == PhysicalKey::BracketRight)
         return Qt::Key_BracketRight;
     const int digit = digitOf(key);
-    return digit > 0 ? static_cast<Qt::Key>(Qt::Key_0 + digit) : Qt::Key_unknown;
+    return digit > 0 ? static_cast<Qt::Key>(Qt::Key_0 + digit % kDigits) : Qt::Key_unknown;
 }
 
 PhysicalKey digitKey(int number)
@@ -50,7 +52,7 @@ PhysicalKey digitKey(int number)
 
 int digitOf(PhysicalKey key)
 {
-    return key >= PhysicalKey::Digit1 && key <= PhysicalKey::Digit9
+    return key >= PhysicalKey::Digit1 && key <= PhysicalKey::Digit0
                ? static_cast<int>(key) - static_cast<int>(PhysicalKey::Digit1) + 1
                : 0;
 }

@@ -17,6 +17,7 @@ enum class PhysicalKey
     Digit7,
     Digit8,
     Digit9,
+    Digit0,
     BracketLeft,
     BracketRight
 };
@@ -25,10 +26,10 @@ enum class PhysicalKey
 [[nodiscard]] PhysicalKey physicalKey(const QKeyEvent& event);
 /// What the key types on most keyboards.
 [[nodiscard]] Qt::Key usualKey(PhysicalKey key);
-inline constexpr int kDigits = 9;
-/// The key of 1..9; Other for a number beyond.
+inline constexpr int kDigits = 10;
+/// The key of 1..9, and the 0 beside it of 10; Other for a number beyond.
 [[nodiscard]] PhysicalKey digitKey(int number);
-/// 1..9, or 0 for any other key.
+/// 1..10, or 0 for any other key.
 [[nodiscard]] int digitOf(PhysicalKey key);
 
 } // namespace hairpaint::app

@@ -153,6 +153,7 @@ sim::GroomInput Document::groomInput() const
     if (shown.head != nullptr) {
         input.skin = shown.head->skin;
         input.distances = shown.head->distances;
+        input.naturalDirection = shown.head->naturalDirection;
     }
     input.colliders = shown.ellipsoids;
     input.seed = shown.seed;

@@ -42,7 +42,7 @@ struct SettingChoice
 /// units.
 struct GroupSetting
 {
-    const char* key; ///< In files; "physics.body" is the key body of the object physics.
+    const char* key; ///< In files; "physics.friction" is the key friction of the object physics.
     SettingMember member;
     Affects affects;
     SettingSection section;

@@ -13,7 +13,7 @@ using sim::GroupSettings;
 
 struct Measures
 {
-    float lengthM, densityPerM2, widthM, volumeM, body;
+    float lengthM, densityPerM2, widthM, volumeM, stiffnessM;
 };
 
 void put(GroupSettings& settings, const Measures& measures)
@@ -22,15 +22,13 @@ void put(GroupSettings& settings, const Measures& measures)
     settings.greatestDensityPerM2 = measures.densityPerM2;
     settings.material.widthM = measures.widthM;
     settings.physics.volumeM = measures.volumeM;
-    settings.physics.body = measures.body;
+    settings.physics.stiffnessM = measures.stiffnessM;
 }
 
-/// Hair that is not combed as the hair of the head is, and too short for the wind.
+/// Too short for the wind.
 void putShort(GroupSettings& settings, const Measures& measures)
 {
     put(settings, measures);
-    settings.physics.parting = 0.0F;
-    settings.physics.sweepBack = 0.0F;
     settings.physics.windScale = 0.25F;
 }
 
@@ -38,20 +36,20 @@ constexpr std::array kKinds{
     HairKind{"Scalp", QT_TRANSLATE_NOOP("HairKinds", "Hair of the head"), [](GroupSettings&) {}},
     HairKind{"Brows", QT_TRANSLATE_NOOP("HairKinds", "Brows"),
              [](GroupSettings& settings) {
-                 putShort(settings, {0.012F, 1.8e6F, 70e-6F, 0.001F, 0.6F});
+                 putShort(settings, {0.012F, 1.8e6F, 70e-6F, 0.001F, 0.045F});
              }},
     HairKind{"Lashes", QT_TRANSLATE_NOOP("HairKinds", "Lashes"),
              [](GroupSettings& settings) {
-                 putShort(settings, {0.010F, 1.0e6F, 100e-6F, 0.0005F, 0.9F});
+                 putShort(settings, {0.010F, 1.0e6F, 100e-6F, 0.0005F, 0.06F});
                  settings.material.tipAlpha = 0.8F;
              }},
     HairKind{"Beard", QT_TRANSLATE_NOOP("HairKinds", "Beard"),
              [](GroupSettings& settings) {
-                 putShort(settings, {0.08F, 0.6e6F, 110e-6F, 0.004F, 0.4F});
+                 putShort(settings, {0.08F, 0.6e6F, 110e-6F, 0.004F, 0.06F});
              }},
     HairKind{"", QT_TRANSLATE_NOOP("HairKinds", "Something else"),
              [](GroupSettings& settings) {
-                 putShort(settings, {0.05F, 1.0e6F, 60e-6F, 0.004F, 0.3F});
+                 putShort(settings, {0.05F, 1.0e6F, 60e-6F, 0.004F, 0.04F});
              }},
 };
 

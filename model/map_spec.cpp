@@ -1,6 +1,8 @@
 // The table of maps and the arithmetic of their colour scales.
 #include "model/map_spec.h"
 
+#include "model/project.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -102,6 +104,14 @@ std::array<MapSpec, kMapKindCount> makeTable()
                 .scale = &kPercentScale,
                 .scaleColour = 0xFF00FFFF,
                 .blendModes = kBlendable},
+        MapSpec{.kind = MapKind::Direction,
+                .id = "direction",
+                .title = QT_TRANSLATE_NOOP("MapSpec", "Direction"),
+                .letter = QT_TRANSLATE_NOOP("MapLetter", "R"),
+                .texel = TexelKind::Vector,
+                .scaleColour = 0xFF8080FF, // Of hair that stands upright.
+                .blendModes = kReplacing,
+                .ofHead = [](const Head& head) { return head.naturalDirection; }},
     };
     for (MapSpec& spec : rows) {
         spec.valueChannels = sim::ruleOf(spec.kind).channels;

@@ -21,7 +21,8 @@ enum class TexelKind : std::uint8_t
 {
     Scalar,
     Index,
-    Colour
+    Colour,
+    Vector ///< Of the direction map: sim/groom/direction_texel.h.
 };
 
 struct Head;
@@ -36,12 +37,14 @@ struct PaletteEntry
     [[nodiscard]] QString titleText() const; ///< Translated.
 };
 
-/// A value that a map is painted with: a scalar in `scalar`, an index in `index`, a colour in `colour`.
+/// A value that a map is painted with: a scalar in `scalar`, an index in `index`, a colour in `colour`, a vector in
+/// `direction`.
 struct PaintValue
 {
     float scalar = 1.0F; ///< 0..1
     int index = 1;
     QColor colour = QColor(0x5A, 0x38, 0x22);
+    glm::vec2 direction{0.0F, -0.9F}; ///< In the frame of the root: down the map, nearly flat.
     friend bool operator==(const PaintValue&, const PaintValue&) = default;
     /// As a raster's texel, without coverage.
     [[nodiscard]] sim::Texel texel(const MapSpec& spec) const;
@@ -54,8 +57,8 @@ struct MapSpec
     const char* title;  ///< To be translated in context "MapSpec".
     const char* letter; ///< For the colour-blind; unique. To be translated in context "MapLetter".
     TexelKind texel = TexelKind::Scalar;
-    const MapScale* scale = nullptr;            ///< Of a scalar map, else null.
-    QRgb scaleColour;                           ///< The colour at 1 ("green"); of a colour map, its default.
+    const MapScale* scale = nullptr; ///< Of a scalar map, else null.
+    QRgb scaleColour;                ///< The colour at 1 ("green"); of other maps, the one that stands for them.
     std::span<const PaletteEntry> palette = {}; ///< Of an index map.
     std::span<const BlendMode> blendModes = {};
     PaintValue firstPaint = {}; ///< What is painted at first.

@@ -27,6 +27,10 @@ constexpr std::array kNames = {
     QT_TRANSLATE_NOOP("Names", "Gelled mohawk"),
     QT_TRANSLATE_NOOP("Names", "Split dye"),
     QT_TRANSLATE_NOOP("Names", "Buzz cut"),
+    QT_TRANSLATE_NOOP("Names", "Slicked undercut"),
+    QT_TRANSLATE_NOOP("Names", "Quiff"),
+    QT_TRANSLATE_NOOP("Names", "Side part"),
+    QT_TRANSLATE_NOOP("Names", "French crop"),
     // Their tags
     QT_TRANSLATE_NOOP("Names", "short"),
     QT_TRANSLATE_NOOP("Names", "medium"),

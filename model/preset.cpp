@@ -4,6 +4,7 @@
 #include "model/commands/commands.h"
 #include "model/compositor.h"
 #include "model/style_transfer.h"
+#include "model/tools/tile_paint.h"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +35,30 @@ sim::TiledRaster coveredRaster(const sim::TiledRaster& resolved)
         layer.setTile(index, std::move(covered));
     }
     return layer;
+}
+
+/// The layers that show as one, which shows what they do over any start.
+sim::TiledRaster flattened(const MapStack& stack, const MapSpec& spec)
+{
+    const auto values = static_cast<std::size_t>(spec.valueChannels);
+    sim::TiledRaster flat = emptyRaster(spec, stack.size);
+    for (const Layer& layer : stack.layers)
+        for (int index = 0; layer.visible && index < flat.tileCount(); ++index) {
+            const sim::RasterTile& tile = *layer.raster.tile(index);
+            if (tile.isUniform() && tile.uniform[values] == 0)
+                continue;
+            const std::vector<std::uint16_t> texels = sim::expanded(tile, spec.layerChannels());
+            StrokeBuffer::MaskTile mask{};
+            std::vector<std::uint16_t> laid(sim::kTileTexels * values);
+            for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
+                const std::uint16_t* from = texels.data() + texel * (values + 1);
+                std::copy_n(from, values, laid.data() + texel * values);
+                mask[texel] = from[values];
+            }
+            flat.setTile(index, paintTile(spec, flat.tile(index), mask,
+                                          {.values = laid.data(), .opacity = unit16(layer.opacity)}));
+        }
+    return flat;
 }
 
 /// Whether anything of a map shows but what it starts from.
@@ -88,7 +113,9 @@ Preset presetFrom(const Project& project, const QString& name)
                 stack, startOf(spec, project.head.get(), [&](MapKind kind) { return resolved[sim::indexOf(kind)]; })));
             Layer layer{.id = nextId++,
                         .name = name,
-                        .raster = isPainted(stack) ? coveredRaster(*map) : emptyRaster(spec, stack.size)};
+                        .raster = spec.ofHead != nullptr ? flattened(stack, spec)
+                                  : isPainted(stack)     ? coveredRaster(*map)
+                                                         : emptyRaster(spec, stack.size)};
             flat.maps.emplace_back(MapStack{.kind = stack.kind, .size = stack.size, .layers = {std::move(layer)}});
         }
         preset.groups.push_back(std::move(flat));

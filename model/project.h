@@ -94,6 +94,8 @@ struct Head
     double scalpFraction = 1.0;                  ///< 0..1 of the skin's area; all of it where the scalp is not known.
     std::optional<sim::HeadLandmarks> landmarks; ///< None where they are not known.
     std::shared_ptr<const sim::HeadMesh> shownMesh; ///< What is drawn; finer than the skin's for a built-in head.
+    /// How hair streams over the head where nobody combed it, as a direction map has it; null where it is not known.
+    sim::MapRaster naturalDirection = {};
 };
 
 /// Wo. One key light; the paper's keys change its colour.

@@ -4,6 +4,7 @@
 #include "model/group_schema.h"
 #include "model/uv_correspondence.h"
 #include "sim/base/parallel.h"
+#include "sim/groom/direction_texel.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +17,12 @@ namespace {
 /// Beyond the islands' borders, so that nothing of the default bleeds in where hair is sampled between texels.
 constexpr int kGutter = 2;
 constexpr int kFieldSide = sim::TiledRaster::kTileSize + 2 * kGutter;
-using UvField = std::vector<std::optional<glm::vec2>>; ///< [kFieldSide][kFieldSide]
+/// A place on both layouts.
+struct UvPair
+{
+    glm::vec2 from, to;
+};
+using UvField = std::vector<std::optional<UvPair>>; ///< [kFieldSide][kFieldSide]
 
 std::size_t fieldIndex(int x, int y)
 {
@@ -33,7 +39,8 @@ UvField fieldOf(const UvCorrespondence& correspondence, const sim::TexelRect& ti
                                    static_cast<float>(tile.y0 - kGutter + y) + 0.5F);
             const glm::vec2 uv = centre / static_cast<float>(size);
             if (uv.x > 0.0F && uv.x < 1.0F && uv.y > 0.0F && uv.y < 1.0F)
-                field[fieldIndex(x, y)] = correspondence.at({uv.x, 1.0F - uv.y});
+                if (const std::optional<glm::vec2> from = correspondence.at({uv.x, 1.0F - uv.y}))
+                    field[fieldIndex(x, y)] = UvPair{*from, {uv.x, 1.0F - uv.y}};
         }
     return field;
 }
@@ -80,6 +87,13 @@ sim::Texel blendedTexel(const sim::TiledRaster& raster, glm::vec2 uv, std::size_
     return texel;
 }
 
+/// From the old head's frame to the new one's.
+void turn(sim::Texel& texel, const UvCorrespondence& correspondence, const UvPair& uv)
+{
+    const sim::Texel turned = sim::texelOfDirection(correspondence.direction(sim::directionOf(texel), uv.from, uv.to));
+    std::copy_n(turned.begin(), 2, texel.begin());
+}
+
 sim::RasterTilePtr carriedTile(const sim::TiledRaster& raster, const MapSpec& spec,
                                const UvCorrespondence& correspondence, int index)
 {
@@ -92,10 +106,13 @@ sim::RasterTilePtr carriedTile(const sim::TiledRaster& raster, const MapSpec& sp
     auto out = tile.pixels.begin();
     for (int y = kGutter; y < kFieldSide - kGutter; ++y)
         for (int x = kGutter; x < kFieldSide - kGutter; ++x, out += static_cast<std::ptrdiff_t>(channels)) {
-            const std::optional<glm::vec2> uv = field[fieldIndex(x, y)];
+            const std::optional<UvPair>& uv = field[fieldIndex(x, y)];
             if (!uv)
                 continue;
-            const sim::Texel texel = spec.bilinear() ? blendedTexel(raster, *uv, values) : raster.sampleNearest(*uv);
+            sim::Texel texel =
+                spec.bilinear() ? blendedTexel(raster, uv->from, values) : raster.sampleNearest(uv->from);
+            if (spec.texel == TexelKind::Vector && texel[values] != 0)
+                turn(texel, correspondence, *uv);
             std::copy_n(texel.begin(), channels, out);
         }
     return std::make_shared<const sim::RasterTile>(sim::folded(std::move(tile)));
@@ -104,7 +121,9 @@ sim::RasterTilePtr carriedTile(const sim::TiledRaster& raster, const MapSpec& sp
 sim::TiledRaster carriedRaster(const sim::TiledRaster& raster, const MapSpec& spec,
                                const UvCorrespondence& correspondence)
 {
-    if (raster.uniformValue())
+    const std::optional<sim::Texel> one = raster.uniformValue();
+    const bool turns = spec.texel == TexelKind::Vector && one && (*one)[2] != 0;
+    if (one && !turns)
         return raster;
     sim::TiledRaster carried = emptyRaster(spec, raster.size());
     std::vector<sim::RasterTilePtr> tiles(static_cast<std::size_t>(raster.tileCount()));

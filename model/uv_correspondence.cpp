@@ -2,6 +2,7 @@
 #include "model/uv_correspondence.h"
 
 #include "sim/base/parallel.h"
+#include "sim/skin/skin_frame.h"
 
 #include <algorithm>
 #include <array>
@@ -90,6 +91,29 @@ std::optional<glm::vec2> UvCorrespondence::at(glm::vec2 uvOfTo) const
     if (!even)
         return measured(uvOfTo);
     return glm::mix(glm::mix(uvs[0], uvs[1], fraction.x), glm::mix(uvs[2], uvs[3], fraction.x), fraction.y);
+}
+
+glm::vec2 UvCorrespondence::direction(glm::vec2 ofFrom, glm::vec2 uvOfFrom, glm::vec2 uvOfTo) const
+{
+    constexpr float kStepM = 1e-3F;
+    const float length = glm::length(ofFrom);
+    const std::optional<sim::SurfacePoint> to = m_to->skin->atUv(uvOfTo);
+    if (!to || length == 0.0F)
+        return ofFrom;
+    // The warp leads from the new head to the old: what its steps along the new axes are in the old frame is undone.
+    const sim::SkinFrame toFrame = sim::SkinFrame::at(*to);
+    const glm::vec3 place = m_warp(to->positionHd);
+    const std::optional<sim::SurfacePoint> known = m_from->skin->atUv(uvOfFrom);
+    const sim::SkinFrame fromFrame = sim::SkinFrame::at(known ? *known : m_from->skin->nearest(place));
+    const auto carried = [&](glm::vec3 axis) {
+        return fromFrame.fromHd((m_warp(to->positionHd + axis * kStepM) - place) / kStepM);
+    };
+    const glm::mat2 toOld(carried(toFrame.x), carried(toFrame.y));
+    constexpr float kFlat = 1e-3F; // Landmarks that nearly coincide may press the skin together.
+    if (!(std::abs(glm::determinant(toOld)) > kFlat))
+        return ofFrom;
+    const glm::vec2 wanted = glm::inverse(toOld) * ofFrom;
+    return wanted * (length / std::max(glm::length(wanted), 1e-9F));
 }
 
 std::optional<glm::vec2> UvCorrespondence::measured(glm::vec2 uvOfTo) const

@@ -276,6 +276,22 @@
         <source>There is no skin &apos;%1&apos;</source>
         <translation>No hay ninguna piel «%1»</translation>
     </message>
+    <message>
+        <source>the head moves once after that, and the hair settles for 1 s more</source>
+        <translation>después, la cabeza se mueve una vez y el pelo se asienta 1 s más</translation>
+    </message>
+    <message>
+        <source>the head moves from frame 0 on, again and again; for films</source>
+        <translation>la cabeza se mueve desde el fotograma 0, una y otra vez; para películas</translation>
+    </message>
+    <message>
+        <source>--motion takes nod, shake or turn, not &apos;%1&apos;</source>
+        <translation>--motion admite nod, shake o turn, no «%1»</translation>
+    </message>
+    <message>
+        <source>--motion is for films; give --frames too</source>
+        <translation>--motion es para películas; dé también --frames</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -651,6 +667,10 @@
         <source>there is not enough memory for it; close other programs and try again</source>
         <translation>no hay memoria suficiente para ello; cierra otros programas e inténtalo de nuevo</translation>
     </message>
+    <message>
+        <source>Parting and sweep back</source>
+        <translation>Raya y peinado hacia atrás</translation>
+    </message>
 </context>
 <context>
     <name>GroupSchema</name>
@@ -771,30 +791,6 @@
         <translation>Grosor de una trenza</translation>
     </message>
     <message>
-        <source>Body</source>
-        <translation>Cuerpo</translation>
-    </message>
-    <message>
-        <source>How firmly hair keeps its shape near the root</source>
-        <translation>Con qué firmeza el pelo conserva su forma cerca de la raíz</translation>
-    </message>
-    <message>
-        <source>Parting</source>
-        <translation>Raya</translation>
-    </message>
-    <message>
-        <source>How far long hair is combed to either side of the middle</source>
-        <translation>Cuánto se peina el pelo largo hacia los lados desde el centro</translation>
-    </message>
-    <message>
-        <source>Sweep back</source>
-        <translation>Hacia atrás</translation>
-    </message>
-    <message>
-        <source>How far long hair is combed away from the face</source>
-        <translation>Cuánto se peina el pelo largo apartándolo de la cara</translation>
-    </message>
-    <message>
         <source>Volume</source>
         <translation>Volumen</translation>
     </message>
@@ -881,6 +877,14 @@
     <message>
         <source>Hairs on the whole scalp that are simulated; the others follow them</source>
         <translation>Pelos de todo el cuero cabelludo que se simulan; los demás los siguen</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidez</translation>
+    </message>
+    <message>
+        <source>A hair so long nearly carries itself; shorter hair stands, longer hair hangs</source>
+        <translation>Un pelo de esta longitud apenas se sostiene; más corto se mantiene de pie, más largo cuelga</translation>
     </message>
 </context>
 <context>
@@ -1200,6 +1204,10 @@
         <source>T</source>
         <translation>P</translation>
     </message>
+    <message>
+        <source>R</source>
+        <translation>O</translation>
+    </message>
 </context>
 <context>
     <name>MapScale</name>
@@ -1277,6 +1285,10 @@
     <message>
         <source>Tip colour</source>
         <translation>Color de puntas</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
     </message>
 </context>
 <context>
@@ -1389,6 +1401,22 @@
         <source>Bald</source>
         <translation>Sin pelo</translation>
     </message>
+    <message>
+        <source>Slicked undercut</source>
+        <translation>Undercut engominado</translation>
+    </message>
+    <message>
+        <source>Quiff</source>
+        <translation>Tupé</translation>
+    </message>
+    <message>
+        <source>Side part</source>
+        <translation>Raya al lado</translation>
+    </message>
+    <message>
+        <source>French crop</source>
+        <translation>Corte francés</translation>
+    </message>
 </context>
 <context>
     <name>Picture</name>
@@ -1446,6 +1474,10 @@
         <source>reveals the map %1</source>
         <translation>deja ver el mapa %1</translation>
     </message>
+    <message>
+        <source>reveals how hair naturally lies</source>
+        <translation>descubre cómo cae el pelo de forma natural</translation>
+    </message>
 </context>
 <context>
     <name>SaveDialog</name>
@@ -1483,6 +1515,18 @@
     <message>
         <source>Deep</source>
         <translation>Oscura</translation>
+    </message>
+</context>
+<context>
+    <name>TexelWords</name>
+    <message>
+        <source>upright</source>
+        <translation>de pie</translation>
+    </message>
+    <message>
+        <source>%1°, %2 % flat</source>
+        <extracomment>An angle in degrees, and how flat hair lies, in per cent.</extracomment>
+        <translation>%1°, %2 % plano</translation>
     </message>
 </context>
 <context>
@@ -1550,6 +1594,14 @@
     <message>
         <source>Click corner by corner; click the first one to close; Backspace takes one back</source>
         <translation>Haz clic esquina a esquina; haz clic en la primera para cerrar; Retroceso quita la última</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Peine</translation>
+    </message>
+    <message>
+        <source>Drag to lay hair along the stroke; Shift+click for a straight line from the last point</source>
+        <translation>Arrastra para tender el pelo a lo largo del trazo; Mayúsculas+clic traza una línea recta desde el último punto</translation>
     </message>
 </context>
 <context>
@@ -1890,6 +1942,34 @@
         <source>&amp;Brows and lashes</source>
         <translation>&amp;Cejas y pestañas</translation>
     </message>
+    <message>
+        <source>&amp;Move the head</source>
+        <translation>&amp;Mover la cabeza</translation>
+    </message>
+    <message>
+        <source>&amp;Nod</source>
+        <translation>&amp;Asentir</translation>
+    </message>
+    <message>
+        <source>Twice down and up, so that the hair swings</source>
+        <translation>Dos veces abajo y arriba, para que el pelo oscile</translation>
+    </message>
+    <message>
+        <source>&amp;Shake</source>
+        <translation>&amp;Negar</translation>
+    </message>
+    <message>
+        <source>Twice to both sides, so that the hair swings</source>
+        <translation>Dos veces a ambos lados, para que el pelo oscile</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Girar</translation>
+    </message>
+    <message>
+        <source>Slowly to one side and the other, so that the hair swings</source>
+        <translation>Despacio a un lado y al otro, para que el pelo oscile</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HelpMenu</name>
@@ -2163,6 +2243,10 @@
     <message>
         <source>Li&amp;ght theme</source>
         <translation>Tema c&amp;laro</translation>
+    </message>
+    <message>
+        <source>Show &amp;colliders</source>
+        <translation>Mostrar &amp;elipsoides de colisión</translation>
     </message>
 </context>
 <context>
@@ -2820,6 +2904,26 @@
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Upright</source>
+        <translation>De pie</translation>
+    </message>
+    <message>
+        <source>Up the map</source>
+        <translation>Hacia arriba en el mapa</translation>
+    </message>
+    <message>
+        <source>Down the map</source>
+        <translation>Hacia abajo en el mapa</translation>
+    </message>
+    <message>
+        <source>To the left</source>
+        <translation>A la izquierda</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>A la derecha</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::MapRow</name>
@@ -2915,6 +3019,30 @@
     <message>
         <source>Palette, %1</source>
         <translation>Paleta, %1</translation>
+    </message>
+    <message>
+        <source>Flatness</source>
+        <translation>Inclinación</translation>
+    </message>
+    <message>
+        <source>How flat combed hair lies; pen pressure makes it less</source>
+        <translation>Lo plano que queda el pelo peinado; la presión del lápiz lo reduce</translation>
+    </message>
+    <message>
+        <source>Comb along the stroke</source>
+        <translation>Peinar a lo largo del trazo</translation>
+    </message>
+    <message>
+        <source>Lift or lay, the way hair lies</source>
+        <translation>Levantar o tender, según cae el pelo</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Alisar</translation>
+    </message>
+    <message>
+        <source>Ruffle</source>
+        <translation>Despeinar</translation>
     </message>
 </context>
 <context>
@@ -3168,6 +3296,18 @@
     <message>
         <source>%1, second value</source>
         <translation>%1, segundo valor</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Flatness</source>
+        <translation>Inclinación</translation>
+    </message>
+    <message>
+        <source>Upright</source>
+        <translation>De pie</translation>
     </message>
 </context>
 <context>

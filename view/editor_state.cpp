@@ -18,8 +18,8 @@ bool sameSettings(const model::ToolSettings& a, const model::ToolSettings& b)
 {
     return a.brushSizeM == b.brushSizeM && a.hardness == b.hardness && a.opacity == b.opacity &&
            a.pressureSize == b.pressureSize && a.pressureOpacity == b.pressureOpacity &&
-           a.fillTolerance == b.fillTolerance && a.shape == b.shape && a.gradient == b.gradient &&
-           a.values == b.values && a.secondValues == b.secondValues;
+           a.fillTolerance == b.fillTolerance && a.shape == b.shape && a.gradient == b.gradient && a.comb == b.comb &&
+           a.flatness == b.flatness && a.values == b.values && a.secondValues == b.secondValues;
 }
 
 /// The Length brush is ready with 15 cm.
@@ -31,7 +31,7 @@ model::ToolSettings startSettings(const model::Project& project)
     settings.value(MapKind::Curl).scalar = 0.6F;
     settings.value(MapKind::Clump).scalar = 0.5F;
     for (model::PaintValue& second : settings.secondValues)
-        second = {.scalar = 0.0F, .index = 0, .colour = QColor(0xC8, 0x9B, 0x5A)};
+        second = {.scalar = 0.0F, .index = 0, .colour = QColor(0xC8, 0x9B, 0x5A), .direction = glm::vec2(0.0F)};
     return settings;
 }
 
@@ -119,6 +119,8 @@ bool EditorState::setActiveTool(model::ToolId id)
     commitStroke();
     m_previousTool = m_activeTool;
     m_activeTool = index;
+    if (const std::optional<MapKind> map = activeTool().map())
+        setActiveMap(*map);
     Q_EMIT activeToolChanged();
     Q_EMIT overlayChanged();
     return true;
@@ -193,6 +195,11 @@ bool EditorState::setNightPaper(bool night)
 bool EditorState::setWireframe(bool shown)
 {
     return setOption(m_wireframe, shown);
+}
+
+bool EditorState::setCollidersShown(bool shown)
+{
+    return setOption(m_collidersShown, shown);
 }
 
 template<typename Call>
@@ -270,6 +277,8 @@ void EditorState::press(const model::ToolEvent& event)
 {
     // With Ctrl every painting tool picks the value under the pointer.
     const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().hasRing();
+    if (const std::optional<MapKind> map = activeTool().map())
+        setActiveMap(*map);
     // Somebody else's edit ends before it is asked what there is to paint on.
     if (!picks && activeTool().paints() && !stroking())
         m_document.endEdit();

@@ -62,6 +62,9 @@ public:
     bool setNightPaper(bool night);
     [[nodiscard]] bool wireframe() const { return m_wireframe; }
     bool setWireframe(bool shown);
+    /// The project's ellipsoids over the head.
+    [[nodiscard]] bool collidersShown() const { return m_collidersShown; }
+    bool setCollidersShown(bool shown);
 
     [[nodiscard]] const std::optional<Hover>& hover() const { return m_hover; }
     /// Where both areas draw the brush's rings: under the pointer, and the mirrored twin if there is one. Empty off the
@@ -87,7 +90,7 @@ Q_SIGNALS:
     void targetChanged(); ///< Active group, map or layer.
     void activeToolChanged();
     void toolSettingsChanged();
-    void viewOptionsChanged(); ///< Mirror, night paper, wireframe.
+    void viewOptionsChanged(); ///< Mirror, night paper, wireframe, colliders.
     void hoverChanged();
     void overlayChanged(); ///< The active tool's overlay or the selection.
     void refused(const QString& reason);
@@ -120,6 +123,7 @@ private:
     bool m_mirror = true;
     bool m_nightPaper = true;
     bool m_wireframe = true;
+    bool m_collidersShown = false;
     std::optional<Hover> m_hover;
 };
 

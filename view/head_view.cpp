@@ -60,7 +60,10 @@ void HeadView::connectParts()
     connect(&m_state.document(), &model::Document::changed, this, &HeadView::onDocumentChanged);
     connect(&m_state, &EditorState::hoverChanged, this, &HeadView::refreshRings);
     connect(&m_state, &EditorState::toolSettingsChanged, this, &HeadView::refreshRings);
-    connect(&m_state, &EditorState::viewOptionsChanged, this, &HeadView::refreshRings);
+    connect(&m_state, &EditorState::viewOptionsChanged, this, [this] {
+        refreshRings();
+        refreshOverlay();
+    });
     connect(&m_state, &EditorState::activeToolChanged, this, [this] {
         refreshRings();
         refreshOverlay();
@@ -126,7 +129,10 @@ void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
     const bool moved = m_stillness.moved(frame, m_scene->camera(), size());
     if (m_pacer->still() && !moved)
         return; // A picture that is being refined is worth more than a difference nobody sees.
+    const sim::HeadPose before = m_scene->shownPose();
     m_scene->setHair(std::move(frame));
+    if (m_scene->shownPose() != before)
+        refreshOverlay();
     if (moved)
         m_pacer->wake();
     else
@@ -156,6 +162,11 @@ void HeadView::resetCamera()
 {
     setView(rendering::StandardView::ThreeQuarter);
     m_turn->turnBack();
+}
+
+void HeadView::moveHead(sim::NeckMotion motion)
+{
+    m_turn->play(motion);
 }
 
 void HeadView::fit()
@@ -190,7 +201,7 @@ void HeadView::cameraMoved()
 
 bool HeadView::awake() const
 {
-    return m_pacer->waiting() || m_flight.state() == QAbstractAnimation::Running || m_turn->turningBack();
+    return m_pacer->waiting() || m_flight.state() == QAbstractAnimation::Running || m_turn->moving();
 }
 
 bool HeadView::refining() const
@@ -251,20 +262,25 @@ void HeadView::setWeatherShown(bool shown)
 void HeadView::setHairPaused(bool paused)
 {
     m_paused = paused;
+    m_turn->setPaused(paused);
     refreshSigns();
 }
 
 void HeadView::onDocumentChanged(const model::Change& change)
 {
     using Aspect = model::Change::Aspect;
-    if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything)
+    if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything) {
         refreshHead();
+        refreshOverlay(); // Its ellipsoids may be others while its mesh is the same.
+    }
     if (change.aspect == Aspect::Environment || change.aspect == Aspect::Everything)
         refreshEnvironment();
 }
 
 void HeadView::refreshHead()
 {
+    if (const std::shared_ptr<const model::Head>& head = m_state.document().project().head)
+        m_turn->setNeck(sim::neckOf(head->landmarks, head->skin->mesh()));
     const bool hadHead = m_scene->hasHead();
     if (!m_scene->refreshHead())
         return;
@@ -293,6 +309,9 @@ void HeadView::refreshRings()
 void HeadView::refreshOverlay()
 {
     m_overlay->setShapes(m_state.overlay(), m_scene->skin(), m_scene->camera(), m_scene->shownPose());
+    m_overlay->setColliders(m_state.collidersShown() ? m_state.document().project().ellipsoids
+                                                     : std::vector<sim::Ellipsoid>(),
+                            m_scene->camera(), m_scene->shownPose());
     m_overlay->setGhost(m_scene->hiddenRing());
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/project.h"
+#include "sim/motion/neck_motion.h"
 #include "sim/motion/strand_frame.h"
 #include "view/head/stillness.h"
 #include "view/painted_area.h"
@@ -71,8 +72,10 @@ public:
     [[nodiscard]] QSize sizeHint() const override;
 
 public Q_SLOTS:
-    void resetCamera();               ///< Also turns the head back.
-    void fit();                       ///< The head with all of its hair, from where the camera looks now.
+    void resetCamera(); ///< Also ends a motion of the head.
+    void fit();         ///< The head with all of its hair, from where the camera looks now.
+    /// The head goes through it once, so that the hair swings; not while it is dragged. Outside undo.
+    void moveHead(hairpaint::sim::NeckMotion motion);
     void turnToBrush();               ///< So that the place shows where the brush was last, in whichever area.
     void setHairPaused(bool paused);  ///< Says so over the picture.
     void setWeatherShown(bool shown); ///< F7: the paper's keys for wind and light.

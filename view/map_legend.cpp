@@ -9,7 +9,9 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -76,6 +78,16 @@ void MapLegend::showMap(const model::MapSpec& spec, const sim::GroupSettings& se
                      QColor(model::shownColour(spec, 65535, nightPaper))};
         m_ticks = ticksOf(settings, spec);
         m_title = tr("%1, %2").arg(spec.titleText(), valueUnit(settings, spec.kind).unit);
+    }
+    if (spec.texel == model::TexelKind::Vector) {
+        const std::array<std::pair<QString, glm::vec2>, 5> ways{
+            std::pair(tr("Upright"), glm::vec2(0.0F, 0.0F)), std::pair(tr("Up the map"), glm::vec2(0.0F, 1.0F)),
+            std::pair(tr("Down the map"), glm::vec2(0.0F, -1.0F)), std::pair(tr("To the left"), glm::vec2(-1.0F, 0.0F)),
+            std::pair(tr("To the right"), glm::vec2(1.0F, 0.0F))};
+        for (const auto& [text, direction] : ways) {
+            m_labels.append(text);
+            m_colours.append(valueColour(spec, {.direction = direction}, nightPaper));
+        }
     }
     for (std::size_t i = 0; i < spec.palette.size(); ++i) {
         model::PaintValue value;

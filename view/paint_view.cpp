@@ -258,8 +258,9 @@ void PaintView::refreshMap()
                                spec, editor.nightPaper());
     const QTransform toWidget = m_state->transform.paperToWidget();
     QRegion dirty;
+    const int reach = m_state->canvas.reachPx();
     for (const QRectF& part : changed)
-        dirty += toWidget.mapRect(part).toAlignedRect().adjusted(-2, -2, 2, 2);
+        dirty += toWidget.mapRect(part).toAlignedRect().adjusted(-reach, -reach, reach, reach);
     update(dirty);
     refreshLegend();
 }

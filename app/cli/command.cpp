@@ -36,14 +36,16 @@ constexpr OptionHelp kHairs{
 constexpr OptionHelp kWind{
     "--wind X,Y,Z",
     QT_TRANSLATE_NOOP("CommandLine", "in m/s, instead of the project's; x to the head's left, y up, z forward")};
+constexpr const char* kMotion = "--motion nod|shake|turn";
 constexpr std::array<OptionHelp, 1> kJsonOptions = {{kJson}};
-constexpr std::array<OptionHelp, 4> kExportOptions = {{
+constexpr std::array<OptionHelp, 5> kExportOptions = {{
     {"-o, --output FILE.hair", QT_TRANSLATE_NOOP("CommandLine", "the curves to write")},
     kSettle,
     kHairs,
     kWind,
+    {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves once after that, and the hair settles for 1 s more")},
 }};
-constexpr std::array<OptionHelp, 10> kRenderOptions = {{
+constexpr std::array<OptionHelp, 11> kRenderOptions = {{
     {"-o, --output FILE.png", QT_TRANSLATE_NOOP("CommandLine", "the picture to write")},
     {"--size WxH", QT_TRANSLATE_NOOP("CommandLine", "in pixels; 1024x1024 unless given")},
     {"--view NAME", QT_TRANSLATE_NOOP("CommandLine", "front, back, left, right, top, bottom or three-quarter")},
@@ -56,6 +58,7 @@ constexpr std::array<OptionHelp, 10> kRenderOptions = {{
     {"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")},
     kHairs,
     kWind,
+    {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves from frame 0 on, again and again; for films")},
 }};
 
 constexpr std::array<Command, 5> kCommands = {{
@@ -66,11 +69,12 @@ constexpr std::array<Command, 5> kCommands = {{
     {"info", "P.hairpaint [--json]", QT_TRANSLATE_NOOP("CommandLine", "tells what a project holds"), kJsonOptions,
      runInfo},
     {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), kJsonOptions, runPresets},
-    {"export", "P.hairpaint -o FILE.hair [--settle SECONDS] [--hairs N] [--wind X,Y,Z]",
+    {"export", "P.hairpaint -o FILE.hair [--settle SECONDS] [--hairs N] [--wind X,Y,Z] [--motion nod|shake|turn]",
      QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), kExportOptions, runExport},
     {"render",
      "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
-     "[--fit hair|head|bust] [--skin NAME] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z]",
+     "[--fit hair|head|bust] [--skin NAME] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z] "
+     "[--motion nod|shake|turn]",
      QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},
 }};
 
@@ -203,6 +207,18 @@ std::optional<std::optional<glm::vec3>> windOption(const QCommandLineParser& par
     if (good)
         return velocity;
     (void)wrongUsage(command, CommandLine::tr("--wind takes X,Y,Z in m/s, each from -30 to 30"));
+    return std::nullopt;
+}
+
+std::optional<std::optional<sim::NeckMotion>> motionOption(const QCommandLineParser& parser, const char* command)
+{
+    const QString option = QStringLiteral("motion");
+    if (!parser.isSet(option))
+        return std::optional<sim::NeckMotion>();
+    const QString name = parser.value(option);
+    if (const std::optional<sim::NeckMotion> motion = sim::neckMotionNamed(name.toStdString()))
+        return motion;
+    (void)wrongUsage(command, CommandLine::tr("--motion takes nod, shake or turn, not '%1'").arg(name));
     return std::nullopt;
 }
 

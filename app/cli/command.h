@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/error.h"
+#include "sim/motion/neck_motion.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -73,6 +74,9 @@ ExitCode wrongUsage(const char* command, const QString& problem);
                                                  const QString& option, double fallback, double least, double most);
 /// --wind X,Y,Z in m/s: no value inside where it is not given; none (with the usage printed) where it is nonsense.
 [[nodiscard]] std::optional<std::optional<glm::vec3>> windOption(const QCommandLineParser& parser, const char* command);
+/// --motion NAME, likewise.
+[[nodiscard]] std::optional<std::optional<sim::NeckMotion>> motionOption(const QCommandLineParser& parser,
+                                                                         const char* command);
 /// --hairs N, likewise.
 [[nodiscard]] std::optional<std::optional<std::size_t>> hairsOption(const QCommandLineParser& parser,
                                                                     const char* command);

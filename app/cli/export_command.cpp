@@ -13,7 +13,8 @@ ExitCode runExport(const QStringList& arguments)
     parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("hairs"), {}, QStringLiteral("number")},
-                       {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")}});
+                       {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
+                       {QStringLiteral("motion"), {}, QStringLiteral("name")}});
     const std::optional<QStringList> files = parse(parser, kName, arguments, 1);
     if (!files)
         return ExitCode::WrongUsage;
@@ -23,7 +24,8 @@ ExitCode runExport(const QStringList& arguments)
     const std::optional<double> settle = numberOption(parser, kName, QStringLiteral("settle"), 0.0, 0.0, 60.0);
     const auto hairs = hairsOption(parser, kName);
     const auto wind = windOption(parser, kName);
-    if (!settle || !hairs || !wind)
+    const auto motion = motionOption(parser, kName);
+    if (!settle || !hairs || !wind || !motion)
         return ExitCode::WrongUsage;
 
     if (const model::Result<void> free = checkOutput(output, *files); !free)
@@ -31,7 +33,14 @@ ExitCode runExport(const QStringList& arguments)
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());
-    const SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
+    SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
+    if (*motion) {
+        constexpr double kAfterMotionSeconds = 1.0;
+        hair.setMotion(*motion);
+        hair.advance(sim::secondsOf(**motion));
+        hair.setMotion(std::nullopt);
+        hair.advance(kAfterMotionSeconds);
+    }
     if (const model::Result<void> written = model::writeHairFile(*hair.frame(), output); !written)
         return failed(written.error());
     return ExitCode::Done;

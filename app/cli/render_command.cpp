@@ -193,7 +193,8 @@ ExitCode runRender(const QStringList& arguments)
                        {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
                        {QStringLiteral("fps"), {}, QStringLiteral("number")},
                        {QStringLiteral("hairs"), {}, QStringLiteral("number")},
-                       {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")}});
+                       {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
+                       {QStringLiteral("motion"), {}, QStringLiteral("name")}});
     const std::optional<QStringList> files = parse(parser, kName, arguments, 1);
     if (!files)
         return ExitCode::WrongUsage;
@@ -208,8 +209,11 @@ ExitCode runRender(const QStringList& arguments)
     const auto rate = numberOption(parser, kName, QStringLiteral("fps"), options->framesPerSecond, 1.0, 240.0);
     const auto hairs = hairsOption(parser, kName);
     const auto wind = windOption(parser, kName);
-    if (!settle || !rate || !hairs || !wind)
+    const auto motion = motionOption(parser, kName);
+    if (!settle || !rate || !hairs || !wind || !motion)
         return ExitCode::WrongUsage;
+    if (*motion && !options->isFilm())
+        return wrongUsage(kName, CommandLine::tr("--motion is for films; give --frames too"));
     options->framesPerSecond = *rate;
 
     if (const model::Result<void> free = checkOutputs(*options, output, *files); !free)
@@ -219,6 +223,7 @@ ExitCode runRender(const QStringList& arguments)
         return failed(project.error());
     project->skin = options->skin.value_or(project->skin);
     SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
+    hair.setMotion(*motion);
     return renderAll(hair, *options, output);
 }
 

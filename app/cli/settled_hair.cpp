@@ -3,6 +3,9 @@
 
 #include "model/document.h"
 #include "sim/groom/even_subset.h"
+#include "sim/solver/solver_layout.h"
+
+#include <cmath>
 
 namespace hairpaint::app {
 
@@ -20,9 +23,30 @@ SettledHair::SettledHair(model::Project project, double settleSeconds, const Set
         m_simulation.settle(settleSeconds);
 }
 
+void SettledHair::setMotion(std::optional<sim::NeckMotion> motion)
+{
+    m_motion = motion;
+    m_motionSteps = 0;
+    if (!motion)
+        m_simulation.setPose({});
+}
+
 void SettledHair::advance(double seconds)
 {
-    m_simulation.settle(seconds);
+    if (!m_motion) {
+        m_simulation.settle(seconds);
+        return;
+    }
+    const auto stepsOf = [](double time) { return std::lround(time / sim::kStepSeconds); };
+    const sim::Neck neck = sim::neckOf(m_project.head->landmarks, m_project.head->skin->mesh());
+    // A pose for every step, so that a film is the same motion at every rate.
+    for (long left = stepsOf(seconds); left > 0; --left) {
+        ++m_motionSteps;
+        const long phase = m_motionSteps % stepsOf(sim::secondsOf(*m_motion));
+        const double time = static_cast<double>(phase) * sim::kStepSeconds;
+        m_simulation.setPose(sim::poseOn(neck, sim::anglesAt(*m_motion, time)));
+        m_simulation.settle(sim::kStepSeconds);
+    }
 }
 
 std::shared_ptr<const sim::StrandFrame> SettledHair::frame() const

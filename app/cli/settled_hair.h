@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/project.h"
+#include "sim/motion/neck_motion.h"
 #include "sim/motion/simulation.h"
 
 #include <optional>
@@ -21,6 +22,8 @@ public:
     SettledHair(model::Project project, double settleSeconds, const SettleOptions& options = {});
 
     [[nodiscard]] const model::Project& project() const { return m_project; }
+    /// From now on the head goes through it again and again while time passes; none: it looks straight ahead.
+    void setMotion(std::optional<sim::NeckMotion> motion);
     void advance(double seconds);
     [[nodiscard]] std::shared_ptr<const sim::StrandFrame> frame() const;
 
@@ -28,6 +31,8 @@ private:
     model::Project m_project;
     std::optional<std::size_t> m_hairs;
     sim::Simulation m_simulation;
+    std::optional<sim::NeckMotion> m_motion;
+    long m_motionSteps = 0; ///< Since it began.
 };
 
 } // namespace hairpaint::app

@@ -13,6 +13,7 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
     addSkin(actions, session);
     addSeparator();
     addSimulation(actions, session);
+    addMotions(actions, session, head);
     addSeparator();
     actions.add(*this,
                 {{"hair.addGroup", tr("&Add hair group…"), {}, [&sidebar] { sidebar.askWhatGrows(); }, "group-add"},
@@ -72,6 +73,23 @@ void HairMenu::addSimulation(ActionSet& actions, Session& session)
                          {Qt::SHIFT | Qt::Key_F8},
                          [&session] { session.resetHair(); },
                          "reset"}});
+}
+
+void HairMenu::addMotions(ActionSet& actions, Session& session, view::HeadView& head)
+{
+    QMenu* menu = addMenu(tr("&Move the head"));
+    menu->setToolTipsVisible(true);
+    const auto motion = [&](const char* id, const QString& text, const QString& toolTip, sim::NeckMotion motion) {
+        actions.add(*menu, {{.id = id,
+                             .text = text,
+                             .run = [&head, motion] { head.moveHead(motion); },
+                             .enabled = [&session] { return !session.paused(); }}});
+        actions.find(QLatin1StringView(id))->setToolTip(toolTip);
+    };
+    motion("hair.nod", tr("&Nod"), tr("Twice down and up, so that the hair swings"), sim::NeckMotion::Nod);
+    motion("hair.shake", tr("&Shake"), tr("Twice to both sides, so that the hair swings"), sim::NeckMotion::Shake);
+    motion("hair.turn", tr("&Turn"), tr("Slowly to one side and the other, so that the hair swings"),
+           sim::NeckMotion::Turn);
 }
 
 } // namespace hairpaint::app

@@ -3,11 +3,13 @@
 
 #include "model/files/glb.h"
 #include "model/heads/built_in_heads.h"
+#include "sim/groom/stream_raster.h"
 #include "sim/skin/head_warp.h"
 #include "sim/skin/landmark_search.h"
 #include "sim/skin/mesh_bounds.h"
 #include "sim/skin/mesh_openings.h"
 #include "sim/skin/mesh_subdivision.h"
+#include "sim/skin/natural_stream.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -89,6 +91,13 @@ std::shared_ptr<const sim::DistanceGrid> builtInDistances(const QString& resourc
     return sim::DistanceGrid::of(layout, std::move(values));
 }
 
+/// Null where `goesOn` returns false.
+sim::MapRaster naturalDirectionOf(const Head& head, const std::function<bool()>& goesOn = {})
+{
+    const std::vector<glm::vec3> stream = sim::naturalStream(*head.skin, head.landmarks, goesOn);
+    return stream.empty() ? nullptr : sim::streamRaster(*head.skin, stream);
+}
+
 /// What is drawn of it: finer than what carries hair. bust-1 has a mesh of its own for that.
 sim::HeadMesh shownMesh(const sim::HeadMesh& carrying, const QString& resource)
 {
@@ -114,6 +123,7 @@ std::shared_ptr<const Head> loadBuiltIn(const heads::BuiltInHead& row)
     head->distances = builtInDistances(resource + QStringLiteral(".distances"));
     head->scalpFraction = row.scalpFraction;
     head->landmarks = row.landmarks;
+    head->naturalDirection = naturalDirectionOf(*head);
     // The bust's foot is open; it is shown as if it were solid.
     head->shownMesh = std::make_shared<const sim::HeadMesh>(sim::withOpeningsClosed(std::move(shown)));
     return head;
@@ -229,6 +239,7 @@ std::shared_ptr<const Head> withLandmarks(const Head& head, const sim::HeadLandm
     changed->landmarks = landmarks;
     takeToSkin(*changed->landmarks, *changed->skin);
     changed->scalpFraction = scalpFractionOf(*changed);
+    changed->naturalDirection = naturalDirectionOf(*changed);
     return changed;
 }
 
@@ -270,6 +281,9 @@ Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByt
         takeToSkin(*head->landmarks, *head->skin);
         head->scalpFraction = scalpFractionOf(*head);
     }
+    head->naturalDirection = naturalDirectionOf(*head, goesOn);
+    if (goesOn && !goesOn())
+        return std::shared_ptr<const Head>();
     return head;
 }
 

@@ -7,7 +7,7 @@
 
 namespace hairpaint::model {
 
-inline constexpr int kFormatVersion = 1;
+inline constexpr int kFormatVersion = 2;
 
 /// Errors: a clause, where the version is missing or newer than this program's.
 [[nodiscard]] Checked<QJsonObject> migrated(QJsonObject root);

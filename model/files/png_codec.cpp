@@ -24,6 +24,7 @@ constexpr int kCompression = 20;    // of 100: zlib's level 1 or 2
 constexpr int kRgb = 2;             // PNG's numbers of colour types
 constexpr int kRgba = 6;
 constexpr std::size_t kPixelBytes = 8;
+constexpr std::uint16_t kVectorBlue = 32768; ///< Of layers of vectors, which have two values.
 
 tl::unexpected<Clause> brokenImage()
 {
@@ -39,6 +40,12 @@ bool takeRow(const std::uint8_t* bytes, std::uint16_t* texels, int count, int ch
         qFromBigEndian<quint16>(bytes, 4, rgba.data());
         if (channels == 4) {
             std::copy_n(rgba.begin(), 4, texels);
+            continue;
+        }
+        if (channels == 3) {
+            ours = ours && rgba[2] == kVectorBlue;
+            std::copy_n(rgba.begin(), 2, texels);
+            texels[2] = rgba[3];
             continue;
         }
         ours = ours && rgba[1] == rgba[0] && rgba[2] == rgba[0] && rgba[0] <= greatestIndex;
@@ -92,8 +99,8 @@ QByteArray encodeLayer(const sim::TiledRaster& raster)
             const int step = tile.isUniform() ? 0 : channels;
             for (int x = 0; x < kTile; ++x, rgba += 4, texel += step) {
                 rgba[0] = texel[0];
-                rgba[1] = texel[channels == 4 ? 1 : 0];
-                rgba[2] = texel[channels == 4 ? 2 : 0];
+                rgba[1] = texel[channels > 2 ? 1 : 0];
+                rgba[2] = channels == 4 ? texel[2] : channels == 3 ? kVectorBlue : texel[0];
                 rgba[3] = texel[channels - 1];
             }
         }

@@ -38,6 +38,8 @@ Result<Project> read(const QString& path, EncodedLayers& cache, const Progress& 
     if (*head == nullptr)
         return cancelled(path);
     manifest->project.head = std::move(*head);
+    if (!paintFormerCombing(manifest->project, manifest->formerCombing, [&] { return !progress || progress(done); }))
+        return cancelled(path);
     return std::move(manifest->project);
 }
 

@@ -136,6 +136,7 @@ bool nestsTooDeep(const QByteArray& json)
     return false;
 }
 
+/// As it was written.
 Checked<QJsonObject> parseRoot(const QByteArray& json, const char* format)
 {
     if (json.size() > kMostJsonBytes || nestsTooDeep(json))
@@ -146,7 +147,34 @@ Checked<QJsonObject> parseRoot(const QByteArray& json, const char* format)
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its project.json can't be understood")));
     if (document.object().value(QLatin1String("format")).toString() != QLatin1String(format))
         return brokenKey("format");
-    return migrated(document.object());
+    return document.object();
+}
+
+/// What groups of the first version say in settings that are gone.
+Checked<std::vector<std::optional<FormerCombing>>> parseFormerCombing(const QJsonObject& root)
+{
+    std::vector<std::optional<FormerCombing>> all;
+    QString problem;
+    const QJsonArray groups = root.value(QLatin1String("groups")).toArray();
+    for (const QJsonValueConstRef value : groups) {
+        const QJsonObject group = value.toObject();
+        if (group.value(QLatin1String("maps")).toObject().contains(QLatin1String(mapSpec(MapKind::Direction).id))) {
+            all.emplace_back();
+            continue;
+        }
+        FormerCombing& combing = all.emplace_back().emplace();
+        FieldReader fields(group, problem);
+        fields.object("settings", [&combing](FieldReader& settings) {
+            settings.object("physics", [&combing](FieldReader& physics) {
+                physics.number("parting", combing.parting, 0.0F, 1.0F);
+                physics.number("sweep_back", combing.sweepBack, 0.0F, 1.0F);
+                physics.number("body", combing.body, 0.0F, 1.0F);
+            });
+        });
+    }
+    if (!problem.isEmpty())
+        return refuse(problem);
+    return all;
 }
 
 Checked<Id> parseNextId(const QJsonObject& root)
@@ -280,7 +308,10 @@ Checked<QByteArray> projectToJson(const Project& project)
 
 Checked<ProjectManifest> projectFromJson(const QByteArray& json)
 {
-    const Checked<QJsonObject> root = parseRoot(json, kProjectFormat);
+    const Checked<QJsonObject> written = parseRoot(json, kProjectFormat);
+    if (!written)
+        return tl::unexpected(written.error());
+    const Checked<QJsonObject> root = migrated(*written);
     if (!root)
         return tl::unexpected(root.error());
     ProjectManifest manifest;
@@ -314,6 +345,13 @@ Checked<ProjectManifest> projectFromJson(const QByteArray& json)
     if (!groups)
         return tl::unexpected(groups.error());
     project.groups = std::move(*groups);
+    constexpr int kFirstWithDirections = 2;
+    if (written->value(QLatin1String("format_version")).toInt() < kFirstWithDirections) {
+        Checked<std::vector<std::optional<FormerCombing>>> combing = parseFormerCombing(*written);
+        if (!combing)
+            return tl::unexpected(combing.error());
+        manifest.formerCombing = std::move(*combing);
+    }
     return manifest;
 }
 
@@ -338,7 +376,10 @@ Checked<QByteArray> presetToJson(const Preset& preset)
 
 Checked<PresetManifest> presetFromJson(const QByteArray& json)
 {
-    const Checked<QJsonObject> root = parseRoot(json, kPresetFormat);
+    const Checked<QJsonObject> written = parseRoot(json, kPresetFormat);
+    if (!written)
+        return tl::unexpected(written.error());
+    const Checked<QJsonObject> root = migrated(*written);
     if (!root)
         return tl::unexpected(root.error());
     // Files of the first version do not say; there was one head.

@@ -2,6 +2,7 @@
 // Errors: clauses for a sentence of sentences.h.
 #pragma once
 
+#include "model/files/former_combing.h"
 #include "model/files/sentences.h"
 #include "model/preset.h"
 #include "model/project.h"
@@ -24,6 +25,8 @@ struct ProjectManifest
 {
     Project project; ///< Without a head; layers without texels (see groupsFromJson), ids of all set.
     HeadReference head;
+    /// Of each group of a file of version 1 that has no direction map; empty for later versions.
+    std::vector<std::optional<FormerCombing>> formerCombing = {};
 };
 
 struct PresetManifest

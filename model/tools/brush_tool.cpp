@@ -2,6 +2,7 @@
 #include "model/compositor.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/live_edit.h"
+#include "model/tools/mirror.h"
 #include "model/tools/picker.h"
 #include "model/tools/tool_list.h"
 
@@ -52,6 +53,7 @@ private:
     void show();
 
     bool m_erases;
+    bool m_sided = false; ///< The mirrored dabs lay another value.
     LiveEdit m_edit;
     std::optional<StrokeBuffer> m_buffer;
     std::optional<BrushPath> m_path;
@@ -64,7 +66,9 @@ void BrushTool::press(const ToolEvent& event, ToolContext& context)
     if (picksInstead(event, context) || active() || !m_edit.begin(context, title()))
         return;
     const Head* head = context.document.project().head.get();
-    m_buffer.emplace(m_edit.size());
+    // Vectors are others on the other side.
+    m_sided = context.mirror && m_edit.spec().texel == TexelKind::Vector;
+    m_buffer.emplace(m_edit.size(), m_sided ? m_edit.spec().valueChannels : 0);
     m_path.emplace(head != nullptr ? head->skin.get() : nullptr, context.settings.brushSizeM * kSpacing,
                    kLeastStepTx / static_cast<float>(m_edit.size()));
     m_paint = {.value = context.settings.value(context.target.map).texel(m_edit.spec()),
@@ -128,22 +132,23 @@ void BrushTool::dab(const BrushSample& sample, const ToolContext& context)
     Dab dab = dabAt(sample.metric, sample.uv, 0.5F * sizeM, size);
     dab.hardness = settings.hardness;
     dab.strength = settings.pressureOpacity && texelOps(m_edit.spec()).continuous ? pressure : 1.0F;
-    const auto add = [this](const Dab& one) {
+    const auto add = [this](const Dab& one, const sim::Texel& value) {
         for (const sim::TexelRect& clip : m_edit.clips())
-            m_buffer->add(one, clip);
+            m_sided ? m_buffer->add(one, clip, value) : m_buffer->add(one, clip);
     };
-    add(dab);
+    add(dab, m_paint.value);
     if (!context.mirror)
         return;
     const Head* head = context.document.project().head.get();
+    const sim::Texel twinValue = mirroredValue(m_edit.spec(), m_paint.value, head, sample.point);
     if (head == nullptr || head->builtIn) {
-        add(mirroredInU(dab, size));
+        add(mirroredInU(dab, size), twinValue);
     } else if (sample.point) {
         if (const auto other = head->skin->mirrored(*sample.point)) {
             Dab twin = dabAt(SkinMetric::at(*other), other->uv, 0.5F * sizeM, size);
             twin.hardness = dab.hardness;
             twin.strength = dab.strength;
-            add(twin);
+            add(twin, twinValue);
         }
     }
 }

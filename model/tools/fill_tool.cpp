@@ -127,6 +127,7 @@ private:
                        static_cast<int>(std::floor((1.0F - seed.y) * static_cast<float>(size))));
         };
         from(uv);
+        const TexelMask near = flood.filled();
         if (context.mirror)
             if (const std::optional<glm::vec2> other = mirroredUv(head, uv))
                 from(*other);
@@ -135,22 +136,32 @@ private:
         filled.remove(skin);
         filled.add(flood.filled());
         filled.keepInside(m_edit.clips());
-        show(filled, context);
+        const std::optional<sim::SurfacePoint> at = hasSkin ? head->skin->atUv(uv) : std::nullopt;
+        const sim::Texel value = context.settings.value(context.target.map).texel(m_edit.spec());
+        const sim::Texel twin = mirroredValue(m_edit.spec(), value, head, at);
+        show(filled, {.value = value, .opacity = unit16(context.settings.opacity)}, twin, near.grown(kBleedTx));
     }
 
-    void show(const TexelMask& filled, ToolContext& context)
+    /// `twin`: in place of the paint's value outside of `near`, where it is another.
+    void show(const TexelMask& filled, TilePaint paint, const sim::Texel& twin, const TexelMask& near)
     {
-        const TilePaint paint{.value = context.settings.value(context.target.map).texel(m_edit.spec()),
-                              .opacity = unit16(context.settings.opacity)};
         std::vector<int> tiles = tilesIn(m_edit.before(), m_edit.clips());
         std::erase_if(tiles, [&](int index) { return !filled.any(m_edit.before().tileRect(index)); });
+        const auto channels = static_cast<std::size_t>(m_edit.spec().valueChannels);
+        std::vector<std::uint16_t> values(twin == paint.value ? 0 : sim::kTileTexels * channels);
+        if (!values.empty())
+            paint.values = values.data();
         m_edit.update(tiles, [&](int index, const sim::RasterTilePtr& before) {
             StrokeBuffer::MaskTile mask{};
             const sim::TexelRect rect = m_edit.before().tileRect(index);
             std::size_t texel = 0;
             for (int y = rect.y0; y < rect.y1; ++y)
-                for (int x = rect.x0; x < rect.x1; ++x, ++texel)
+                for (int x = rect.x0; x < rect.x1; ++x, ++texel) {
                     mask[texel] = filled.at(x, y) ? 65535 : 0;
+                    if (!values.empty())
+                        std::copy_n((near.at(x, y) ? paint.value : twin).begin(), channels,
+                                    values.begin() + static_cast<std::ptrdiff_t>(texel * channels));
+                }
             return paintTile(m_edit.spec(), before, mask, paint);
         });
     }

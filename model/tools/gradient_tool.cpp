@@ -40,7 +40,8 @@ struct Ramp
 struct GradientPaint
 {
     sim::Texel first{}, second{};
-    std::vector<Ramp> ramps; ///< The mirrored one too; the nearest to its start counts.
+    sim::Texel twinFirst{}, twinSecond{}; ///< Of the mirrored ramp.
+    std::vector<Ramp> ramps;              ///< The mirrored one too; the nearest to its start counts.
     std::uint16_t opacity = 65535;
 };
 
@@ -64,8 +65,10 @@ public:
     {
         if (picksInstead(event, context) || active() || (event.area == Area::Head && !event.point))
             return;
-        if (m_edit.begin(context, title()))
+        if (m_edit.begin(context, title())) {
             m_startUv = m_endUv = event.uv;
+            m_start = event.point;
+        }
     }
     void move(const ToolEvent& event, ToolContext& context) override
     {
@@ -112,8 +115,12 @@ private:
                             .second = context.settings.secondValue(spec.kind).texel(spec),
                             .ramps = {Ramp(kind, texel(m_startUv), texel(m_endUv))},
                             .opacity = unit16(context.settings.opacity)};
+        paint.twinFirst = paint.first;
+        paint.twinSecond = paint.second;
         if (context.mirror) {
             const Head* head = context.document.project().head.get();
+            paint.twinFirst = mirroredValue(spec, paint.first, head, m_start);
+            paint.twinSecond = mirroredValue(spec, paint.second, head, m_start);
             const std::optional<glm::vec2> start = mirroredUv(head, m_startUv);
             const std::optional<glm::vec2> end = mirroredUv(head, m_endUv);
             if (start && end)
@@ -146,14 +153,18 @@ private:
         const bool fades = paint.first == paint.second;
         StrokeBuffer::MaskTile mask{};
         StrokeBuffer::MaskTile fractions{};
+        std::vector<bool> isTwin(sim::kTileTexels);
         std::vector<std::uint16_t> values(sim::kTileTexels * channels);
         const sim::TexelRect rect = m_edit.before().tileRect(index);
         const auto paintTexel = [&](int x, int y) {
             const auto texel = static_cast<std::size_t>(y - rect.y0) * kTile + static_cast<std::size_t>(x - rect.x0);
             const glm::vec2 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-            float fraction = 1.0F;
-            for (const Ramp& ramp : paint.ramps)
-                fraction = std::min(fraction, ramp.at(centre));
+            float fraction = paint.ramps.front().at(centre);
+            if (paint.ramps.size() > 1) {
+                const float other = paint.ramps.back().at(centre);
+                isTwin[texel] = other < fraction;
+                fraction = std::min(fraction, other);
+            }
             fractions[texel] = unit16(fraction);
             mask[texel] = fades ? static_cast<std::uint16_t>(65535 - fractions[texel]) : std::uint16_t{65535};
         };
@@ -164,11 +175,19 @@ private:
                     paintTexel(x, y);
         }
         texelOps(spec).mix(paint.first, paint.second, fractions, values.data());
+        if (paint.twinFirst != paint.first || paint.twinSecond != paint.second) {
+            std::vector<std::uint16_t> twins(values.size());
+            texelOps(spec).mix(paint.twinFirst, paint.twinSecond, fractions, twins.data());
+            for (std::size_t i = 0; i < values.size(); ++i)
+                if (isTwin[i / channels])
+                    values[i] = twins[i];
+        }
         return paintTile(spec, m_edit.before().tile(index), mask, {.values = values.data(), .opacity = paint.opacity});
     }
 
     LiveEdit m_edit;
     glm::vec2 m_startUv{0.0F}, m_endUv{0.0F};
+    std::optional<sim::SurfacePoint> m_start;
 };
 
 } // namespace

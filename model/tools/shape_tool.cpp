@@ -6,6 +6,7 @@
 #include "model/tools/shape_mask.h"
 #include "model/tools/tool_list.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hairpaint::model {
@@ -61,8 +62,9 @@ private:
 
     LiveEdit m_edit;
     ShapeKind m_kind = ShapeKind::Ellipse;
-    std::vector<glm::vec2> m_corners;   ///< uv; of a rectangle or ellipse: start and end.
-    std::optional<glm::vec2> m_hoverUv; ///< Where a pending polygon's next corner would be.
+    std::optional<sim::SurfacePoint> m_start; ///< Where it was begun.
+    std::vector<glm::vec2> m_corners;         ///< uv; of a rectangle or ellipse: start and end.
+    std::optional<glm::vec2> m_hoverUv;       ///< Where a pending polygon's next corner would be.
     bool m_freehand = false;
     bool m_pressed = false;
 };
@@ -80,6 +82,7 @@ void ShapeTool::press(const ToolEvent& event, ToolContext& context)
         m_pressed = true;
         m_kind = context.settings.shape;
         m_corners = {event.uv};
+        m_start = event.point;
         if (m_kind != ShapeKind::Polygon)
             m_corners.push_back(event.uv);
         return;
@@ -192,28 +195,42 @@ void ShapeTool::show(const ToolContext& context)
         return tx;
     };
     StrokeBuffer buffer(size);
+    // Vectors are others on the other side, which has a mask of its own then.
+    StrokeBuffer otherSide(size);
+    StrokeBuffer& twinBuffer = m_edit.spec().texel == TexelKind::Vector ? otherSide : buffer;
     const QPolygonF outline = outlineUv();
     const ShapeMask mask(inTexels(outline), size);
-    const auto add = [&](const ShapeMask& shape, bool mirrored) {
+    const auto add = [&](StrokeBuffer& to, const ShapeMask& shape, bool mirrored) {
         for (const sim::TexelRect& clip : m_edit.clips())
-            shape.addTo(buffer, clip, mirrored);
+            shape.addTo(to, clip, mirrored);
     };
-    add(mask, false);
+    add(buffer, mask, false);
     const Head* head = context.document.project().head.get();
     if (context.mirror && (head == nullptr || head->builtIn)) {
-        add(mask, true);
+        add(twinBuffer, mask, true);
     } else if (context.mirror) {
         QPolygonF twin;
         for (const QPointF& point : outline)
             if (const auto uv = mirroredUv(head, glm::vec2(point.x(), point.y())))
                 twin << QPointF(uv->x, uv->y);
         if (twin.size() == outline.size())
-            add(ShapeMask(inTexels(twin), size), false);
+            add(twinBuffer, ShapeMask(inTexels(twin), size), false);
     }
     const TilePaint paint{.value = context.settings.value(context.target.map).texel(m_edit.spec()),
                           .opacity = unit16(context.settings.opacity)};
-    m_edit.replace(buffer.takeDirty(), [&](int index, const sim::RasterTilePtr& before) {
-        return paintTile(m_edit.spec(), before, *buffer.mask(index), paint);
+    TilePaint twinPaint = paint;
+    twinPaint.value = mirroredValue(m_edit.spec(), paint.value, head, m_start);
+    std::vector<int> tiles = buffer.takeDirty();
+    for (const int index : otherSide.takeDirty())
+        if (!std::ranges::binary_search(tiles, index))
+            tiles.insert(std::ranges::lower_bound(tiles, index), index);
+    m_edit.replace(tiles, [&](int index, const sim::RasterTilePtr& before) {
+        sim::RasterTilePtr tile = before;
+        if (const StrokeBuffer::MaskTile* twin = otherSide.mask(index))
+            tile = paintTile(m_edit.spec(), tile, *twin, twinPaint);
+        if (const StrokeBuffer::MaskTile* own = buffer.mask(index))
+            tile = paintTile(m_edit.spec(), tile, *own, paint);
+        return tile;
     });
 }
 

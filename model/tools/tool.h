@@ -49,6 +49,7 @@ enum class ToolId : std::uint8_t
 {
     Brush,
     Eraser,
+    Comb,
     Gradient,
     Fill,
     Shape,
@@ -87,7 +88,10 @@ public:
     /// The settings that the option bar shows for it.
     [[nodiscard]] virtual std::vector<ToolOption> options() const = 0;
     [[nodiscard]] virtual bool hasRing() const { return false; } ///< The cursor is a brush ring.
-    [[nodiscard]] virtual bool paints() const { return true; }   ///< Needs a layer that can be painted on.
+    /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
+    /// one.
+    [[nodiscard]] virtual std::optional<MapKind> map() const { return std::nullopt; }
+    [[nodiscard]] virtual bool paints() const { return true; } ///< Needs a layer that can be painted on.
 
     virtual void press(const ToolEvent& event, ToolContext& context) = 0;
     virtual void move(const ToolEvent& event, ToolContext& context) = 0;

@@ -18,6 +18,7 @@ std::array<PaintValue, kMapKindCount> secondPaintValues()
         value.scalar = 0.0F;
         value.index = 0;
         value.colour = QColor(0x1A, 0x14, 0x12);
+        value.direction = glm::vec2(0.0F);
     }
     return values;
 }

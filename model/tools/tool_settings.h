@@ -16,13 +16,23 @@ enum class ToolOption : std::uint8_t
     Value,
     ShapeKind,
     GradientKind,
-    FillTolerance
+    FillTolerance,
+    CombKind,
+    Flatness
 };
 enum class ShapeKind : std::uint8_t
 {
     Rectangle,
     Ellipse,
     Polygon
+};
+/// What a stroke of the comb does to hair.
+enum class CombKind : std::uint8_t
+{
+    Lay,    ///< Lays it along the stroke.
+    Lift,   ///< Makes it as flat as asked for, the way it lies.
+    Smooth, ///< As its neighbours lie.
+    Noise
 };
 enum class GradientKind : std::uint8_t
 {
@@ -44,6 +54,8 @@ struct ToolSettings
     float fillTolerance = 0.05F; ///< 0..1
     ShapeKind shape = ShapeKind::Ellipse;
     GradientKind gradient = GradientKind::Linear;
+    CombKind comb = CombKind::Lay;
+    float flatness = 0.9F; ///< 0..1 of combed hair: 0 stands upright, 1 lies flat.
     std::array<PaintValue, kMapKindCount> values = firstPaintValues(); ///< What each map is painted with.
     std::array<PaintValue, kMapKindCount> secondValues =
         secondPaintValues(); ///< What X swaps in; the far end of gradients.

@@ -39,6 +39,8 @@ public:
             style.detail = StrandStyle{}.detail;
 
         const std::span<glm::vec3> nodes = std::span(m_buffer).first(m_nodes);
+        m_way = {};
+        m_clump = 0.0F;
         std::uint32_t centre = kNoCentre;
         if (isDrawn && m_inputs.kinds[slot] != 0)
             centre = m_inputs.braids.centreOf(roots, slot, m_inputs.kinds[slot]);
@@ -48,13 +50,23 @@ public:
                 braidRest(rootFrame(roots, slot), rootFrame(roots, roots.basisSlot[centre]), centreLengthM, nodes);
             applyBraid(settings, static_cast<BraidKind>(m_inputs.kinds[slot]), chance, scalpM, centreLengthM, style);
         } else {
-            straightRest(rootFrame(roots, slot), style.lengthM, nodes);
+            m_inputs.lay.lay(layRootOf(roots, slot, chance), style.lengthM, nodes);
+            includeAll(nodes);
             const std::uint32_t basis = roots.basisSlot[roots.neighbours[slot][0]];
             const float clump = basis == slot ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(uv);
             if (clump > 0.0F) {
-                clumpRest(rootFrame(roots, basis), clump, style.lengthM / static_cast<float>(m_nodes - 1), nodes);
+                const RootChance basisChance = chanceOf(roots.seed, roots.rankOfSlot[basis]);
+                const std::span<glm::vec3> basisNodes = std::span(m_basisBuffer).first(m_nodes);
+                // Neighbours are as often as not of one lock and one length.
+                if (basis != m_laidBasis || style.lengthM != m_laidLengthM)
+                    m_inputs.lay.lay(layRootOf(roots, basis, basisChance), style.lengthM, basisNodes);
+                m_laidBasis = basis;
+                m_laidLengthM = style.lengthM;
+                includeAll(basisNodes);
+                m_clump = clump;
+                clumpRest(basisNodes, clump, style.lengthM / static_cast<float>(m_nodes - 1), nodes);
                 // Hairs that lie together curl together: a ringlet is one curl of many hairs.
-                const float basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
+                const float basisPhase = basisChance.phase;
                 style.phase = basisPhase + (style.phase - basisPhase) * (1.0F - clump);
             }
         }
@@ -70,11 +82,19 @@ public:
     void clear(std::uint32_t slot)
     {
         std::ranges::fill(std::span(m_buffer).first(m_nodes), glm::vec3(0.0F));
+        m_way = {};
+        m_clump = 0.0F;
         store(slot, StrandStyle{}, std::span(m_buffer).first(m_nodes), false, kNoCentre);
         m_chunk.hairs.reset(slot - m_firstSlot);
     }
 
 private:
+    void includeAll(std::span<const glm::vec3> nodes)
+    {
+        for (const glm::vec3& node : nodes)
+            m_way.include(node);
+    }
+
     void store(std::uint32_t slot, const StrandStyle& style, std::span<const glm::vec3> nodes, bool isDrawn,
                std::uint32_t centre)
     {
@@ -82,6 +102,8 @@ private:
         m_chunk.hairs.set(local);
         m_chunk.drawn.set(local, isDrawn);
         m_chunk.styles[local] = style;
+        m_chunk.ways[local] = m_way;
+        m_chunk.clump[local] = m_clump;
         m_chunk.braidCentre[local] = centre;
         m_chunk.segmentLengths[local] = style.lengthM / static_cast<float>(m_nodes - 1);
         StrandBlocks(m_inputs.settings.nodesPerHair).write(m_chunk.restPositions, local, nodes);
@@ -92,12 +114,19 @@ private:
     std::uint32_t m_firstSlot;
     std::size_t m_nodes;
     std::array<glm::vec3, kMostNodes> m_buffer{};
+    std::array<glm::vec3, kMostNodes> m_basisBuffer{};
+    std::uint32_t m_laidBasis = kNoCentre; ///< Whose lay m_basisBuffer holds,
+    float m_laidLengthM = 0.0F;            ///< and at which length.
+    WayBox m_way;
+    float m_clump = 0.0F;
 };
 
 std::shared_ptr<StrandChunk> emptyChunk(int nodes)
 {
     auto chunk = std::make_shared<StrandChunk>();
     chunk->styles.resize(kChunkSlots);
+    chunk->ways.resize(kChunkSlots);
+    chunk->clump.resize(kChunkSlots);
     chunk->restPositions.resize(StrandBlocks(nodes).floatsFor(kBlocksPerChunk));
     chunk->segmentLengths.resize(kChunkSlots);
     chunk->braidCentre.assign(kChunkSlots, kNoCentre);

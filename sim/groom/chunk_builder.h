@@ -3,6 +3,7 @@
 
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/groom.h"
+#include "sim/groom/lay.h"
 #include "sim/groom/map_changes.h"
 #include "sim/groom/map_sampler.h"
 #include "sim/groom/slot_set.h"
@@ -18,6 +19,7 @@ struct ChunkInputs
     const GroupSettings& settings;
     const RootSet& roots;
     const MapSamplers& maps;
+    const Lay& lay;
     const BraidLayout& braids;
     std::span<const std::uint8_t> kinds; ///< [slots]
     std::span<const float> basisLengthM; ///< [basis hairs]

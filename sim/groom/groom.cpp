@@ -3,6 +3,7 @@
 
 #include "sim/base/deterministic.h"
 #include "sim/groom/group_builder.h"
+#include "sim/skin/skin_band.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,18 @@ struct GroomBuilder::State
         group.rootsAsked = count;
     }
 
+    /// Made once a hair lies on the skin.
+    const std::shared_ptr<const SkinBand>& bandOf(const std::shared_ptr<const Skin>& skin)
+    {
+        if (!band || bandSkin != skin) {
+            band = std::make_shared<SkinBand>(*skin);
+            bandSkin = skin;
+        }
+        return band;
+    }
+
+    std::shared_ptr<const Skin> bandSkin;
+    std::shared_ptr<const SkinBand> band;
     std::vector<std::unique_ptr<Group>> groups;
     bool collectSlots = false;
 };
@@ -90,7 +103,10 @@ GroomBuilder::Report GroomBuilder::update(const GroomInput& input)
         candidatesLeft -= count;
         weightLeft -= count * weight;
         m_state->findRoots(group, input, count, static_cast<std::size_t>(std::max(groupInput.settings.basisHairs, 1)));
-        const GroupBuilder::Result result = group.builder.update(groupInput, group.roots, limit);
+        GroupBuilder::HeadLay head{.natural = input.naturalDirection, .band = nullptr};
+        if (!isUpright(MapSampler(groupInput.maps[MapSlot::Direction])))
+            head.band = m_state->bandOf(input.skin);
+        const GroupBuilder::Result result = group.builder.update(groupInput, group.roots, head, limit);
         report.grooms.push_back(result.groom);
         std::vector<std::uint32_t> rebuilt;
         result.rebuilt.forEach([&](std::uint32_t slot) {

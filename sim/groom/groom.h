@@ -46,6 +46,24 @@ struct StrandStyle
     std::uint8_t wisp = 0; ///< 0..2
 };
 
+/// A box around places, Hd; around none of them at first.
+struct WayBox
+{
+    glm::vec3 leastHd{1e9F};
+    glm::vec3 greatestHd{-1e9F};
+
+    void include(glm::vec3 placeHd)
+    {
+        leastHd = glm::min(leastHd, placeHd);
+        greatestHd = glm::max(greatestHd, placeHd);
+    }
+    [[nodiscard]] bool meets(const WayBox& other) const
+    {
+        return glm::all(glm::lessThanEqual(leastHd, other.greatestHd)) &&
+               glm::all(glm::greaterThanEqual(greatestHd, other.leastHd));
+    }
+};
+
 /// 1024 slots. Hd, m.
 struct StrandChunk
 {
@@ -55,6 +73,9 @@ struct StrandChunk
     std::vector<float> restPositions;  ///< [kBlocksPerChunk][nodes][3][kLanes]; clump already in it.
     std::vector<float> segmentLengths; ///< [kBlocksPerChunk][kLanes]: distance of neighbouring nodes (their mean
                                        ///< where braided); 0 where no hair.
+    std::vector<float>
+        clump; ///< [kChunkSlots], 0..1: how far each hair lies on its nearest basis hair, and follows it.
+    std::vector<WayBox> ways; ///< [kChunkSlots]: around the lay of each hair, and of the hair that it clumps to.
     /// For braided hairs: index into basis hairs of the braid's centre, else kNoCentre.
     std::vector<std::uint32_t> braidCentre; ///< [kChunkSlots]
 };

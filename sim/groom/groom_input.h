@@ -27,6 +27,7 @@ struct GroomInput
     std::shared_ptr<const Skin> skin;
     std::vector<Ellipsoid> colliders;
     std::shared_ptr<const DistanceGrid> distances; ///< To the skin; null: the colliders alone keep hair out of it.
+    MapRaster naturalDirection; ///< How hair grows where nobody combed it; null where that is not known.
     std::vector<Group> groups;
     std::uint64_t seed = 1;
     int maxHairs = 1'000'000;   ///< Limit on candidates over all groups; divided in the groups' order.

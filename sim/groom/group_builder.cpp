@@ -18,11 +18,13 @@ namespace {
 constexpr float kShortestBasisM = 0.005F; ///< A shorter one's displacement in units of its length means nothing.
 constexpr std::size_t kBasisGrain = 256;
 
-/// Whether every hair must be evaluated anew. Density and basis hairs are in the roots; physics and material are not in
-/// the hairs.
+/// Whether every hair must be evaluated anew. Density and basis hairs are in the roots; material is not in the hairs,
+/// and of physics only how thick the coat is.
 bool sameHairs(GroupSettings before, const GroupSettings& after)
 {
+    const float volumeM = before.physics.volumeM;
     before.physics = after.physics;
+    before.physics.volumeM = volumeM;
     before.material = after.material;
     before.greatestDensityPerM2 = after.greatestDensityPerM2;
     before.basisHairs = after.basisHairs;
@@ -45,6 +47,11 @@ float heightOf(const RootSet& roots, std::uint32_t slot, float crownY)
            chanceOf(roots.seed, roots.rankOfSlot[slot]).coatHeight * kChanceFraction;
 }
 
+std::optional<MapSampler> samplerOf(const MapRaster& raster)
+{
+    return raster ? std::optional<MapSampler>(raster) : std::nullopt;
+}
+
 std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
 {
     auto basis = std::make_shared<BasisStyles>();
@@ -65,10 +72,11 @@ std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
 } // namespace
 
 GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots,
-                                          HairLimit limit)
+                                          const HeadLay& head, HairLimit limit)
 {
     const GroupSettings settings = withinLimits(input.settings);
-    const bool allDiffer = !m_groom || roots != m_roots || !sameHairs(m_groom->settings, settings);
+    const bool allDiffer =
+        !m_groom || roots != m_roots || !sameHairs(m_groom->settings, settings) || head.natural != m_head.natural;
     Result result{m_groom, SlotSet(roots->count())};
     if (!allDiffer && settings == m_groom->settings && input.maps == m_input.maps &&
         input.visible == m_groom->visible && limit == m_groom->limit)
@@ -90,6 +98,7 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
         m_changes->find(m_input.maps, input.maps, dirty);
         groom = std::make_shared<Groom>(*m_groom);
     }
+    updateLay(input, head, dirty);
     groom->visible = input.visible;
     groom->settings = settings;
     groom->limit = limit;
@@ -97,15 +106,40 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
     if (allDiffer || !dirty.empty()) {
         const MapSamplers maps(input.maps);
         readKinds(maps, dirty.hairs);
-        updateBasis(settings, maps, dirty.basis);
+        const std::optional<MapSampler> natural = samplerOf(head.natural);
+        const Lay lay(maps[MapSlot::Direction], natural ? &*natural : nullptr, head.band ? &*m_layField : nullptr,
+                      settings.physics.volumeM);
+        updateBasis(settings, maps, lay, dirty.basis);
         updateBraids(settings, dirty.hairs);
-        rebuildChunks(settings, maps, dirty, *groom, result.rebuilt);
+        rebuildChunks(settings, maps, lay, dirty, *groom, result.rebuilt);
         updateWanted(*groom);
     }
     m_input = input;
+    m_head = head;
     m_groom = groom;
     result.groom = std::move(groom);
     return result;
+}
+
+void GroupBuilder::updateLay(const GroomInput::Group& input, const HeadLay& head, ChangedSlots& dirty)
+{
+    const MapRaster& direction = input.maps[MapSlot::Direction];
+    if (!head.band)
+        return; // All stands upright; what a field there is stays as it is for what comes next.
+    if (!m_layField || m_layField->band() != head.band || m_layField->natural() != head.natural) {
+        m_layField.emplace(head.band, head.natural, direction);
+        return;
+    }
+    const LayField::Difference difference = m_layField->differenceTo(direction);
+    if (m_groom && !difference.indices.empty()) {
+        const MapSampler directionBefore(m_input.maps[MapSlot::Direction]);
+        const MapSampler clumpBefore(m_input.maps[MapSlot::Clump]);
+        const std::optional<MapSampler> natural = samplerOf(head.natural);
+        const Lay before(directionBefore, natural ? &*natural : nullptr, &*m_layField,
+                         m_groom->settings.physics.volumeM);
+        findRelaid({*m_groom, clumpBefore, before, m_basisLengthM}, *m_layField, difference, dirty);
+    }
+    m_layField->apply(difference);
 }
 
 void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots)
@@ -142,7 +176,8 @@ BasisStyles& GroupBuilder::writableBasis()
     return *m_newBasis;
 }
 
-void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty)
+void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers& maps, const Lay& lay,
+                               const SlotSet& dirty)
 {
     const RootSet& roots = *m_roots;
     m_basisChanged.assign(roots.basisSlot.size(), 0);
@@ -161,12 +196,13 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             const float lengthM =
                 std::max(lengthOf(settings, maps[MapSlot::Length].scalar(roots.uv[slot])), kShortestBasisM);
             basis.gel[i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
-            if (lengthM == m_basisLengthM[i])
-                continue;
-            m_basisLengthM[i] = lengthM;
-            m_basisChanged[i] = 1;
+            if (lengthM != m_basisLengthM[i]) {
+                m_basisLengthM[i] = lengthM;
+                m_basisChanged[i] = 1;
+            }
             basis.segmentLengths[i] = lengthM / static_cast<float>(nodeCount - 1);
-            straightRest({roots.positionHd[slot], roots.normalHd[slot]}, lengthM, std::span(nodes).first(nodeCount));
+            const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[slot]);
+            lay.lay(layRootOf(roots, slot, chance), lengthM, std::span(nodes).first(nodeCount));
             StrandBlocks(settings.nodesPerHair).write(basis.restPositions, i, std::span(nodes).first(nodeCount));
         }
     });
@@ -201,14 +237,14 @@ void GroupBuilder::updateBraids(const GroupSettings& settings, SlotSet& dirty)
     m_kindOfBasis = std::move(kindOfBasis);
 }
 
-void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const ChangedSlots& dirty,
-                                 Groom& groom, SlotSet& rebuilt)
+void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const Lay& lay,
+                                 const ChangedSlots& dirty, Groom& groom, SlotSet& rebuilt)
 {
     std::vector<std::size_t> stale;
     for (std::size_t chunk = 0; chunk < dirty.hairs.chunkCount(); ++chunk)
         if (!dirty.hairs.chunkEmpty(chunk) || !dirty.look.chunkEmpty(chunk))
             stale.push_back(chunk);
-    const ChunkInputs inputs{settings, *m_roots, maps, m_braids, m_kinds, m_basisLengthM};
+    const ChunkInputs inputs{settings, *m_roots, maps, lay, m_braids, m_kinds, m_basisLengthM};
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
     parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

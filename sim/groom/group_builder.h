@@ -3,6 +3,8 @@
 
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/groom.h"
+#include "sim/groom/lay.h"
+#include "sim/groom/lay_changes.h"
 #include "sim/groom/map_changes.h"
 #include "sim/groom/map_sampler.h"
 #include "sim/groom/slot_set.h"
@@ -22,16 +24,24 @@ public:
         std::shared_ptr<const Groom> groom; ///< The one before where nothing differs.
         SlotSet rebuilt;                    ///< Hairs, and slots that were hairs, that were evaluated.
     };
+    /// What the head has for hair to lie on; see Lay.
+    struct HeadLay
+    {
+        MapRaster natural;
+        std::shared_ptr<const SkinBand> band;
+    };
     [[nodiscard]] Result update(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots,
-                                HairLimit limit);
+                                const HeadLay& head, HairLimit limit);
 
 private:
+    /// Brings m_layField to the input; adds what lies otherwise than before, where there is a before.
+    void updateLay(const GroomInput::Group& input, const HeadLay& head, ChangedSlots& dirty);
     void startOver(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots);
     void readKinds(const MapSamplers& maps, const SlotSet& dirty);
-    void updateBasis(const GroupSettings& settings, const MapSamplers& maps, const SlotSet& dirty);
+    void updateBasis(const GroupSettings& settings, const MapSamplers& maps, const Lay& lay, const SlotSet& dirty);
     void updateBraids(const GroupSettings& settings, SlotSet& dirty);
-    void rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const ChangedSlots& dirty, Groom& groom,
-                       SlotSet& rebuilt);
+    void rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const Lay& lay,
+                       const ChangedSlots& dirty, Groom& groom, SlotSet& rebuilt);
     void countDependents(const StrandChunk* chunk, std::size_t chunkIndex, const SlotSet& slots, std::uint32_t one);
     void updateWanted(Groom& groom);
     /// A copy of the basis styles that this update may write to.
@@ -39,8 +49,10 @@ private:
 
     std::shared_ptr<const RootSet> m_roots;
     GroomInput::Group m_input;
+    HeadLay m_head;
     std::shared_ptr<const Groom> m_groom;
     std::optional<MapChanges> m_changes;
+    std::optional<LayField> m_layField;
     std::shared_ptr<const BasisStyles> m_basis;
     std::shared_ptr<BasisStyles> m_newBasis;      ///< While updating, once something differs.
     std::vector<float> m_basisLengthM;            ///< [basis hairs]

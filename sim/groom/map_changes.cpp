@@ -7,53 +7,6 @@
 
 namespace hairpaint::sim {
 
-namespace {
-
-/// Past this fraction of changed tiles every candidate is looked at, on all threads.
-constexpr std::size_t kManyTiles = 4;
-
-/// The tiles in which samples begin that may read one of the changed tiles: those tiles, and left of and above them.
-std::vector<int> tilesReading(const std::vector<int>& changedTiles, int tilesAcross)
-{
-    std::vector<int> reading;
-    reading.reserve(changedTiles.size() * 4);
-    for (const int tile : changedTiles) {
-        const bool hasLeft = tile % tilesAcross > 0;
-        const bool hasUpper = tile >= tilesAcross;
-        reading.push_back(tile);
-        if (hasLeft)
-            reading.push_back(tile - 1);
-        if (hasUpper)
-            reading.push_back(tile - tilesAcross);
-        if (hasLeft && hasUpper)
-            reading.push_back(tile - tilesAcross - 1);
-    }
-    std::sort(reading.begin(), reading.end());
-    reading.erase(std::unique(reading.begin(), reading.end()), reading.end());
-    return reading;
-}
-
-} // namespace
-
-TileIndex::TileIndex(std::span<const glm::vec2> uvs, int rasterSize)
-{
-    const int across = rasterSize / TiledRaster::kTileSize;
-    const auto tileOf = [&](glm::vec2 uv) {
-        const glm::ivec2 texel = TiledRaster::footprint(uv, rasterSize) / TiledRaster::kTileSize;
-        const int tile = texel.y * across + texel.x;
-        return static_cast<std::size_t>(tile);
-    };
-    m_start.assign(static_cast<std::size_t>(across) * static_cast<std::size_t>(across) + 1, 0);
-    for (const glm::vec2& uv : uvs)
-        ++m_start[tileOf(uv) + 1];
-    for (std::size_t tile = 0; tile + 1 < m_start.size(); ++tile)
-        m_start[tile + 1] += m_start[tile];
-    m_slots.resize(uvs.size());
-    std::vector<std::uint32_t> next(m_start.begin(), m_start.end() - 1);
-    for (std::uint32_t slot = 0; slot < uvs.size(); ++slot)
-        m_slots[next[tileOf(uvs[slot])]++] = slot;
-}
-
 const TileIndex& MapChanges::indexFor(int rasterSize)
 {
     const auto found = m_indices.find(rasterSize);
@@ -71,16 +24,8 @@ void MapChanges::prepare(const GroupMaps& maps)
 template<typename Visit>
 void MapChanges::visitCandidates(const TiledRaster& before, const TiledRaster& after, const Visit& visit)
 {
-    const bool sameShape = before.size() == after.size() && before.channels() == after.channels();
-    std::vector<int> changedTiles;
-    if (sameShape) {
-        for (int tile = 0; tile < after.tileCount(); ++tile)
-            if (before.tile(tile) != after.tile(tile))
-                changedTiles.push_back(tile);
-        if (changedTiles.empty())
-            return;
-    }
-    if (!sameShape || changedTiles.size() * kManyTiles > static_cast<std::size_t>(after.tileCount())) {
+    const std::optional<std::vector<int>> tiles = tilesThatDiffer(before, after);
+    if (!tiles) {
         const std::size_t chunks = (m_roots->count() + kChunkSlots - 1) / kChunkSlots;
         parallelFor(chunks, 4, [&](std::size_t begin, std::size_t end) {
             const std::size_t last = std::min(end * kChunkSlots, m_roots->count());
@@ -89,8 +34,10 @@ void MapChanges::visitCandidates(const TiledRaster& before, const TiledRaster& a
         });
         return;
     }
+    if (tiles->empty())
+        return;
     const TileIndex& index = indexFor(after.size());
-    for (const int tile : tilesReading(changedTiles, after.tilesAcross()))
+    for (const int tile : *tiles)
         for (const std::uint32_t slot : index.slotsOf(tile))
             visit(slot);
 }

@@ -4,30 +4,12 @@
 #include "sim/groom/groom_input.h"
 #include "sim/groom/roots.h"
 #include "sim/groom/slot_set.h"
+#include "sim/groom/tile_index.h"
 
 #include <map>
 #include <memory>
-#include <span>
-#include <vector>
 
 namespace hairpaint::sim {
-
-/// The slots whose samples begin in each tile of a raster.
-class TileIndex
-{
-public:
-    /// O(n): a counting sort.
-    TileIndex(std::span<const glm::vec2> uvs, int rasterSize);
-    [[nodiscard]] std::span<const std::uint32_t> slotsOf(int tile) const
-    {
-        const auto at = static_cast<std::size_t>(tile);
-        return std::span(m_slots).subspan(m_start[at], m_start[at + 1] - m_start[at]);
-    }
-
-private:
-    std::vector<std::uint32_t> m_start; ///< [tiles + 1]
-    std::vector<std::uint32_t> m_slots;
-};
 
 /// The candidates whose values differ, by what is to be made anew.
 struct ChangedSlots

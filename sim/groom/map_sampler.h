@@ -1,6 +1,7 @@
 // Reads one map at many roots.
 #pragma once
 
+#include "sim/groom/direction_texel.h"
 #include "sim/groom/map_slot.h"
 
 #include <optional>
@@ -25,6 +26,12 @@ public:
     [[nodiscard]] glm::vec4 channels(glm::vec2 uv) const
     {
         return m_uniform ? m_uniformValue : m_raster->sampleBilinear(uv);
+    }
+    /// Of the direction map, in the frame of the root at uv.
+    [[nodiscard]] glm::vec2 vector(glm::vec2 uv) const
+    {
+        constexpr float kGreatest = 65535.0F;
+        return directionOfChannels(glm::vec2(channels(uv)) * kGreatest);
     }
     [[nodiscard]] std::uint16_t index(glm::vec2 uv) const
     {

@@ -21,7 +21,8 @@ enum class MapSlot : std::uint8_t
     Colour,
     TipColour,
     Clump,
-    Gel
+    Gel,
+    Direction
 };
 
 enum class MapSampling : std::uint8_t
@@ -64,6 +65,10 @@ inline constexpr std::array kMapRules{
             .defaultValue = {0x3B3B, 0x2626, 0x1818}}, // Of empty layers; nothing painted shows the colour map.
     MapRule{.slot = MapSlot::Clump, .effect = {.hairs = true}},
     MapRule{.slot = MapSlot::Gel, .effect = {.basis = true}},
+    MapRule{.slot = MapSlot::Direction,
+            .channels = 2,
+            .effect = {.hairs = true, .basis = true},
+            .defaultValue = {32768, 32768}}, // Upright; direction_texel.h says how vectors are stored.
 };
 inline constexpr std::size_t kMapSlotCount = kMapRules.size();
 
@@ -88,7 +93,7 @@ static_assert(
 using MapRaster = std::shared_ptr<const TiledRaster>;
 
 /// Resolved maps of one group, with the channels of their rules. A scalar's 65535 is 1; braid holds BraidKind's
-/// numbers; colours are sRGB as encoded. All are present.
+/// numbers; colours are sRGB as encoded; directions as direction_texel.h has them. All are present.
 class GroupMaps
 {
 public:

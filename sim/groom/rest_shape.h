@@ -17,9 +17,8 @@ struct RootFrame
 /// Straight along the normal, nodes evenly spaced.
 void straightRest(const RootFrame& root, float lengthM, std::span<glm::vec3> nodesHd);
 
-/// Draws the nodes toward the hair of `basis`, as far from its root along its normal, by `clump` times a fraction that
-/// grows to the tip, and restores the distance of neighbouring nodes. Depends on the basis hair's root only, not on its
-/// maps. (Hernandez and Rudomin 2004, clumpiness.)
-void clumpRest(const RootFrame& basis, float clump, float segmentM, std::span<glm::vec3> nodesHd);
+/// Draws the nodes toward `basisHd`, how a hair as long lies at the basis hair's root, by `clump` times a fraction that
+/// grows to the tip, and restores the distance of neighbouring nodes. (Hernandez and Rudomin 2004, clumpiness.)
+void clumpRest(std::span<const glm::vec3> basisHd, float clump, float segmentM, std::span<glm::vec3> nodesHd);
 
 } // namespace hairpaint::sim

@@ -162,6 +162,7 @@ void placeOnSkin(RootSet& roots, const CurveSequence& sequence, const AreaCurve&
     roots.positionHd.resize(count);
     roots.normalHd.resize(count);
     roots.tangentHd.resize(count);
+    roots.mirrored.resize(count);
     const double totalArea = curve.areaBefore.back();
     parallelFor(count, kGrain, [&](std::size_t begin, std::size_t end) {
         std::size_t at = 0;
@@ -185,6 +186,9 @@ void placeOnSkin(RootSet& roots, const CurveSequence& sequence, const AreaCurve&
             roots.positionHd[slot] = point.positionHd;
             roots.normalHd[slot] = point.normalHd;
             roots.tangentHd[slot] = point.tangentHd;
+            roots.mirrored[slot] = glm::dot(glm::cross(point.dPduHd, point.dPdvHd), point.normalHd) < 0.0F
+                                       ? std::uint8_t{1}
+                                       : std::uint8_t{0};
         }
     });
 }

@@ -1,7 +1,7 @@
 // Candidate roots: drawn once per head and group, so that painting never moves a hair.
 #pragma once
 
-#include "sim/skin/skin.h"
+#include "sim/skin/skin_frame.h"
 
 #include <array>
 #include <cstdint>
@@ -28,8 +28,9 @@ struct RootSet
     std::vector<std::uint32_t> face; ///< By slot, as are the following.
     std::vector<glm::vec2> uv;
     std::vector<glm::vec3> positionHd;
-    std::vector<glm::vec3> normalHd;  ///< Unit.
-    std::vector<glm::vec3> tangentHd; ///< Unit, see SurfacePoint.
+    std::vector<glm::vec3> normalHd;    ///< Unit.
+    std::vector<glm::vec3> tangentHd;   ///< Unit, see SurfacePoint.
+    std::vector<std::uint8_t> mirrored; ///< 1 where uv is mirrored on the skin, so that SkinFrame's y is turned round.
     /// The nearest basis hairs of each slot, nearest first, as indices into `basisSlot`; a basis hair's own first.
     std::vector<std::array<std::uint32_t, kNeighbours>> neighbours;
     std::vector<std::array<float, kNeighbours>> weights; ///< Sum to 1; a basis hair's own weighs 1.
@@ -37,6 +38,11 @@ struct RootSet
     std::vector<std::uint32_t> basisSlot;
 
     [[nodiscard]] std::size_t count() const { return rankOfSlot.size(); }
+    [[nodiscard]] SkinFrame frame(std::uint32_t slot) const
+    {
+        const glm::vec3 side = glm::cross(normalHd[slot], tangentHd[slot]);
+        return {.x = tangentHd[slot], .y = mirrored[slot] != 0 ? -side : side, .normal = normalHd[slot]};
+    }
     [[nodiscard]] float threshold(std::uint32_t slot) const
     {
         return (static_cast<float>(rankOfSlot[slot]) + 0.5F) / static_cast<float>(count());

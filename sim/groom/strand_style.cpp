@@ -68,6 +68,14 @@ RootChance chanceOf(std::uint64_t seed, std::uint32_t rank)
     return chance;
 }
 
+LayRoot layRootOf(const RootSet& roots, std::uint32_t slot, const RootChance& chance)
+{
+    return {.positionHd = roots.positionHd[slot],
+            .frame = roots.frame(slot),
+            .uv = roots.uv[slot],
+            .chance = chance.coatHeight};
+}
+
 RootColours coloursAt(const MapSamplers& maps, glm::vec2 uv)
 {
     const MapSampler& colour = maps[MapSlot::Colour];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/groom/groom.h"
+#include "sim/groom/lay.h"
 #include "sim/groom/map_sampler.h"
 
 namespace hairpaint::sim {
@@ -34,6 +35,8 @@ struct RootChance
     glm::vec2 wispOffset{0.0F}; ///< In the unit disc, uniform.
 };
 [[nodiscard]] RootChance chanceOf(std::uint64_t seed, std::uint32_t rank);
+
+[[nodiscard]] LayRoot layRootOf(const RootSet& roots, std::uint32_t slot, const RootChance& chance);
 
 /// Of the curl-size map's value, m: exactly half of the greatest where nothing is painted.
 [[nodiscard]] float curlRadiusOf(const GroupSettings& settings, float value);

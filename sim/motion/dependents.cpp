@@ -63,6 +63,11 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
         };
         const float segment = styles.segmentLengths[slot];
         row(kDependentSegment) = segment;
+        const std::size_t nearest = groom.roots->neighbours[firstSlot + slot][0];
+        const glm::vec3 toNearest =
+            groom.roots->positionHd[groom.roots->basisSlot[nearest]] - groom.roots->positionHd[firstSlot + slot];
+        for (int axis = 0; axis < 3; ++axis)
+            row(kDependentClumpX + axis) = toNearest[axis] * styles.clump[slot];
         if (!styles.braidCentre.empty() && styles.braidCentre[slot] != kNoCentre)
             chunk.braided.push_back(static_cast<std::uint16_t>(slot));
         float height = 0.0F;
@@ -87,7 +92,7 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
 void Dependents::findDisplacements(const Groom& groom, const StrandState& state, float fraction)
 {
     const auto nodes = static_cast<std::size_t>(groom.nodes);
-    m_displacements.resize(state.blocks * kLanes * nodes * 4);
+    m_displacements.resize(state.blocks * kLanes * nodes * kBasisFloats);
     const BasisStyles& basis = *groom.basis;
     const AlignedFloats& before = state.before();
     const AlignedFloats& now = state.now();
@@ -98,15 +103,20 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
                 const float length = basis.segmentLengths[block * kLanes + lane] * static_cast<float>(nodes - 1);
                 const bool solved = ((wanted >> lane) & 1U) != 0 && length > 0.0F;
                 const float perLength = solved ? 1.0F / length : 0.0F;
-                float* out = m_displacements.data() + (block * kLanes + lane) * nodes * 4;
+                float* out = m_displacements.data() + (block * kLanes + lane) * nodes * kBasisFloats;
                 std::size_t at = groom.blocks().index(block * kLanes + lane, 0);
-                for (std::size_t node = 0; node < nodes; ++node, at += StrandBlocks::kNodeStride, out += 4) {
+                const std::size_t root = at;
+                for (std::size_t node = 0; node < nodes; ++node, at += StrandBlocks::kNodeStride, out += kBasisFloats) {
                     for (std::size_t axis = 0; axis < 3; ++axis) {
                         const std::size_t index = at + axis * StrandBlocks::kAxisStride;
                         const float moment = before[index] + (now[index] - before[index]) * fraction;
                         out[axis] = (moment - basis.restPositions[index]) * perLength;
+                        out[4 + axis] = (basis.restPositions[index] -
+                                         basis.restPositions[root + axis * StrandBlocks::kAxisStride]) *
+                                        perLength;
                     }
                     out[3] = 0.0F;
+                    out[7] = 0.0F;
                 }
             }
         }
@@ -124,8 +134,8 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
         groom.blocks().read(chunk.styles->restPositions, slot, std::span(rest).first(nodes));
         groom.blocks().read(basis.restPositions, basisIndex, std::span(centre).first(nodes));
         const float length = basis.segmentLengths[basisIndex] * static_cast<float>(nodes - 1);
-        const float* displacement = m_displacements.data() + basisIndex * nodes * 4;
-        for (std::size_t i = 0; i < nodes; ++i, displacement += 4)
+        const float* displacement = m_displacements.data() + basisIndex * nodes * kBasisFloats;
+        for (std::size_t i = 0; i < nodes; ++i, displacement += kBasisFloats)
             centre[i] += glm::vec3(displacement[0], displacement[1], displacement[2]) * length;
         // Along the scalp to the centre's root, then evenly along the centre to its tip.
         const auto last = static_cast<int>(nodes - 1);
@@ -169,6 +179,7 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
             DependentsTask task = common;
             task.neighbours = groom.roots->neighbours.data() + index * kChunkSlots;
             task.weights = groom.roots->weights.data() + index * kChunkSlots;
+            task.clump = chunk.styles->clump.data();
             task.rest = chunk.styles->restPositions.data();
             task.lanes = chunk.lanes.data();
             task.out = frame.positions.data() + static_cast<std::size_t>(groom.packedChunk[index]) * chunkFloats;

@@ -36,7 +36,7 @@ private:
 
     std::vector<Chunk> m_chunks;
     std::vector<std::uint32_t> m_placed; ///< Chunks that have a place in the frame.
-    AlignedFloats m_displacements;       ///< [basis lanes][nodes][4], see DependentsTask.
+    AlignedFloats m_displacements;       ///< [basis lanes][nodes][kBasisFloats], see DependentsTask.
 };
 
 } // namespace hairpaint::sim

@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t kBlocksAtOnce = 16;
 constexpr int kSettleSteps = 84; ///< 0.7 s
 constexpr float kSettleDamping = 5.0F;
+constexpr float kHeldFully = 0.05F; ///< A hold of which half is seen at once.
 
 bool sameColliders(const ColliderSet& a, const ColliderSet& b)
 {
@@ -156,9 +157,12 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
                 alone.field(i, row) = m_state.field(strand, row);
             for (std::size_t c = 0; c < kMaxColliders; ++c)
                 scales[c] = std::sqrt(alone.field(i, kScale + static_cast<int>(c)));
-            const glm::vec3 lie(alone.field(i, kLieX), alone.field(i, kLieY), alone.field(i, kLieZ));
-            hangStrand(std::span(hanging).first(nodes), std::span(shape).first(nodes), lie, down,
-                       alone.field(i, kSegmentLength), 1.0F - alone.field(i, kLoose), m_colliders, scales);
+            const float hold = alone.field(i, kHold);
+            const HangingStrand wanted{.segmentM = alone.field(i, kSegmentLength),
+                                       .stiffnessM = m_groom->settings.physics.stiffnessM,
+                                       .styled = std::min(hold / (kHeldFully + hold), 1.0F),
+                                       .downHd = down};
+            hangStrand(std::span(hanging).first(nodes), std::span(shape).first(nodes), wanted, m_colliders, scales);
             alone.placeStrand(i, std::span(hanging).first(nodes));
         }
         stepBlocks(alone.view(rest.data()), gains, m_colliders, steps, 0, begin, end);

@@ -1,38 +1,16 @@
 // Edges are matched after welding; rings are found by following them.
 #include "sim/skin/mesh_openings.h"
 
-#include "sim/skin/mesh_bounds.h"
+#include "sim/skin/vertex_weld.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <tuple>
 
 namespace hairpaint::sim {
 
 namespace {
-
-/// For each vertex the first one at its place. The two sides of a uv seam may have been rounded differently.
-std::vector<unsigned> weldedVertices(const HeadMesh& mesh)
-{
-    constexpr float kTolerance = 1e-6F; // Of the mesh's size.
-    const glm::vec3 size = boundsOf(mesh).size();
-    const float cell = std::max(kTolerance * std::max({size.x, size.y, size.z}), 1e-9F);
-    using Place = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
-    std::vector<std::pair<Place, unsigned>> places;
-    places.reserve(mesh.positionsHd.size());
-    for (unsigned i = 0; i < mesh.positionsHd.size(); ++i) {
-        const glm::vec3& p = mesh.positionsHd[i];
-        places.emplace_back(Place(std::llround(p.x / cell), std::llround(p.y / cell), std::llround(p.z / cell)), i);
-    }
-    std::sort(places.begin(), places.end());
-    std::vector<unsigned> welded(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
-        welded[places[i].second] =
-            i > 0 && places[i].first == places[i - 1].first ? welded[places[i - 1].second] : places[i].second;
-    return welded;
-}
 
 void addFan(HeadMesh& mesh, const std::vector<unsigned>& ring)
 {

@@ -113,10 +113,34 @@ float strandScale(const Collider& collider, std::span<const glm::vec3> restHd, f
     return scale + growthM / collider.meanAxisM;
 }
 
+namespace {
+
+/// Whether a strand is laid: not straight, and every node much nearer to the skin than the way to it is long.
+bool liesOnSkin(const DistanceGrid& grid, std::span<const glm::vec3> restHd)
+{
+    constexpr float kOfTheWay = 0.5F;
+    const glm::vec3 first = restHd[1] - restHd[0];
+    const float segmentM = std::sqrt(glm::dot(first, first));
+    constexpr float kStraight = 0.9999F;
+    const glm::vec3 reach = restHd.back() - restHd.front();
+    if (std::sqrt(glm::dot(reach, reach)) > kStraight * segmentM * static_cast<float>(restHd.size() - 1))
+        return false;
+    for (std::size_t i = 2; i < restHd.size(); ++i) {
+        const auto sample = grid.at(restHd[i]);
+        if (!sample || sample->distanceM > kOfTheWay * segmentM * static_cast<float>(i))
+            return false;
+    }
+    return true;
+}
+
+} // namespace
+
 float skinClearance(const ColliderSet& colliders, std::span<const glm::vec3> restHd, float wishedM)
 {
     if (!colliders.grid)
         return 0.0F;
+    if (liesOnSkin(*colliders.grid, restHd))
+        return wishedM;
     float clearance = wishedM;
     for (std::size_t i = 1; i < restHd.size(); ++i)
         for (const float part : kSegmentParts) {

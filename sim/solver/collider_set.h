@@ -62,7 +62,7 @@ struct ColliderSet
 inline constexpr std::array kSegmentParts{1.0F, 0.75F, 0.5F};
 
 /// How far from the skin a strand stays that would be kept `wishedM` away: not so far that its shape at rest (root
-/// first) would be moved, unless that shape leads through the skin anyway. 0 without a grid.
+/// first) would be moved, unless that shape leads through the skin or along it anyway. 0 without a grid.
 [[nodiscard]] float skinClearance(const ColliderSet& colliders, std::span<const glm::vec3> restHd, float wishedM);
 
 } // namespace hairpaint::sim

@@ -14,6 +14,8 @@ namespace hairpaint::sim::HWY_NAMESPACE {
 /// Tips that lie further apart than this fraction of the length, squared, belong to different sides of a parting.
 constexpr float kApart2 = 0.45F;
 constexpr float kAnywhereM = 1.0F;
+constexpr float kCarriedM = 0.08F; ///< Shorter hair holds its own shape,
+constexpr float kHangingM = 0.20F; ///< and longer hair does not.
 
 /// How much a neighbour counts beside the nearest, 0..1, by how differently its tip hangs.
 HWY_INLINE float agreement(const float* HWY_RESTRICT nearestTip, const float* HWY_RESTRICT tip)
@@ -25,17 +27,20 @@ HWY_INLINE float agreement(const float* HWY_RESTRICT nearestTip, const float* HW
     return left > 0.0F ? left * left : 0.0F;
 }
 
-/// Weighted mean of one slot's three basis hairs into mean: [nodes][kLanes][4], at its lane.
+/// Weighted mean of one slot's three basis hairs into mean: [nodes][2][kLanes][4], at its lane.
 HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float* HWY_RESTRICT mean)
 {
     const hn::CappedTag<float, 4> d4;
     const auto nodes = static_cast<std::size_t>(task.nodes);
     const std::array<std::uint32_t, 3>& basis = task.neighbours[slot];
     std::array<float, 3> weight = task.weights[slot];
-    const float* const first = task.displacements + basis[0] * nodes * 4;
-    const float* const second = task.displacements + basis[1] * nodes * 4;
-    const float* const third = task.displacements + basis[2] * nodes * 4;
-    const std::size_t tip = (nodes - 1) * 4;
+    const float* const first = task.displacements + basis[0] * nodes * kBasisFloats;
+    const float* const second = task.displacements + basis[1] * nodes * kBasisFloats;
+    const float* const third = task.displacements + basis[2] * nodes * kBasisFloats;
+    const std::size_t tip = (nodes - 1) * kBasisFloats;
+    const float clump = task.clump[slot];
+    for (std::size_t k = 0; k < weight.size(); ++k)
+        weight[k] += ((k == 0 ? 1.0F : 0.0F) - weight[k]) * clump;
     if (weight[1] != 0.0F || weight[2] != 0.0F) {
         weight[1] *= agreement(first + tip, second + tip);
         weight[2] *= agreement(first + tip, third + tip);
@@ -49,14 +54,14 @@ HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float* HWY_
     const auto w2 = hn::Set(d4, weight[2]);
     const bool alone = weight[1] == 0.0F && weight[2] == 0.0F;
     const std::size_t step = hn::Lanes(d4); // 4, or 1 where there is no SIMD
-    for (std::size_t i = 0; i < nodes; ++i) {
+    for (std::size_t i = 0; i < nodes * 2; ++i) {
         for (std::size_t axis = 0; axis < 4; axis += step) {
             const std::size_t at = i * 4 + axis;
-            auto displacement = hn::Mul(w0, hn::Load(d4, first + at));
+            auto sum = hn::Mul(w0, hn::Load(d4, first + at));
             if (!alone)
-                displacement = hn::Add(hn::Add(displacement, hn::Mul(w1, hn::Load(d4, second + at))),
-                                       hn::Mul(w2, hn::Load(d4, third + at)));
-            hn::Store(displacement, d4, mean + i * kLanes * 4 + axis);
+                sum = hn::Add(hn::Add(sum, hn::Mul(w1, hn::Load(d4, second + at))),
+                              hn::Mul(w2, hn::Load(d4, third + at)));
+            hn::Store(sum, d4, mean + i * kLanes * 4 + axis);
         }
     }
 }
@@ -88,18 +93,43 @@ HWY_INLINE void placeStrands(D d, const DependentsTask& task, const float* HWY_R
     const V length = hn::Mul(segment, hn::Set(d, static_cast<float>(task.nodes - 1)));
     const V zero = hn::Zero(d);
     const Vec3<V> nothing{zero, zero, zero};
-    Vec3<V> parent = load3(d, rest);
+    const Vec3<V> root = load3(d, rest);
+    const Vec3<V> clump = load3(d, lanes + kDependentClumpX * kLanes);
+    const V one = hn::Set(d, 1.0F);
+    // None of hair of 8 cm, all of 20 cm and more, once the tips around have sunk by a twentieth of it: a rest shape
+    // that nothing pulls at is exact. By the squared length.
+    const V longness = hn::Mul(hn::Sub(length, hn::Set(d, kCarriedM)), hn::Set(d, 1.0F / (kHangingM - kCarriedM)));
+    Vec3<V> sunk;
+    V beside;
+    hn::LoadInterleaved4(d, mean + static_cast<std::size_t>(2 * (task.nodes - 1)) * kLanes * 4, sunk.x, sunk.y, sunk.z,
+                         beside);
+    const V hangs = hn::Min(one, hn::Mul(dot(sunk, sunk), hn::Set(d, 400.0F)));
+    const V straying = hn::Div(hn::Mul(hangs, hn::Min(hn::Max(longness, zero), one)),
+                               hn::Max(hn::Mul(length, length), hn::Set(d, 1e-8F)));
+    Vec3<V> parent = root;
     Vec3<V> parentRest = parent;
     store3(d, choose(drawn, task.world.identity ? parent : moved(d, task.world, parent), nothing), out);
     for (int i = 1; i < task.nodes; ++i) {
         const auto node = static_cast<std::size_t>(i);
         const std::size_t offset = node * StrandBlocks::kNodeStride;
         Vec3<V> displacement;
+        Vec3<V> shape;
         V unused;
-        hn::LoadInterleaved4(d, mean + node * kLanes * 4, displacement.x, displacement.y, displacement.z, unused);
+        hn::LoadInterleaved4(d, mean + (2 * node) * kLanes * 4, displacement.x, displacement.y, displacement.z, unused);
+        hn::LoadInterleaved4(d, mean + (2 * node + 1) * kLanes * 4, shape.x, shape.y, shape.z, unused);
         const Vec3<V> styled = load3(d, rest + offset);
-        Vec3<V> p = atLength(d, parent, addScaled(styled, displacement, length), segment, sub(styled, parentRest));
-        // Once more out of the skin, since restoring the length may lead back in.
+        // How its basis hairs lie, at its own root or, clumped, at the nearest one's.
+        const float s = static_cast<float>(i) / static_cast<float>(task.nodes - 1);
+        const Vec3<V> common = add(addScaled(root, shape, length), scale(clump, hn::Set(d, s * (2.0F - s))));
+        const Vec3<V> own = sub(styled, common);
+        // All of its own is left where they have not moved, nothing where by half of the way from the root; and of long
+        // hair, which does not carry itself, all that leads away from theirs by a sixth of the way, nothing by a third.
+        const V moved2 = hn::Mul(dot(displacement, displacement), hn::Set(d, 4.0F / (s * s)));
+        const V strays2 = hn::Mul(hn::Mul(dot(own, own), straying), hn::Set(d, 9.0F / (s * s)));
+        const V strays = hn::Max(zero, hn::Mul(hn::Sub(strays2, hn::Set(d, 0.25F)), hn::Set(d, 4.0F / 3.0F)));
+        const Vec3<V> laid = sub(styled, scale(own, hn::Min(one, hn::Add(moved2, strays))));
+        Vec3<V> p = atLength(d, parent, addScaled(laid, displacement, length), segment, sub(styled, parentRest));
+        // Again out of the skin, since restoring the length may lead back in.
         for (int pass = 0; pass < (task.colliders->skin.values != nullptr ? 2 : 1); ++pass) {
             Contact<D> contact = noContact(d);
             if (!collide(d, task, lanes, i == 1, parent, p, contact))
@@ -116,8 +146,8 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
 {
     const hn::CappedTag<float, kLanes> d;
     const auto nodes = static_cast<std::size_t>(task.nodes);
-    HWY_ALIGN float mean[std::size_t{kMostNodes} * kLanes * 4];
-    for (std::size_t i = 0; i < nodes * kLanes * 4; ++i)
+    HWY_ALIGN float mean[std::size_t{kMostNodes} * 2 * kLanes * 4];
+    for (std::size_t i = 0; i < nodes * 2 * kLanes * 4; ++i)
         mean[i] = 0.0F;
     for (std::size_t block = begin; block < end; ++block) {
         const float* const lanes = task.lanes + block * kDependentStride;

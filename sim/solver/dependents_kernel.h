@@ -14,20 +14,26 @@ enum DependentRow : std::uint8_t
 {
     kDependentSegment,   ///< Segment length, m; 0 where nothing is drawn.
     kDependentClearance, ///< From the skin, m.
-    kDependentScale,     ///< [kMaxColliders] rows: squared scale of each collider.
+    kDependentClumpX,    ///< From the root to that of the nearest basis hair, by the clump. Hd, m.
+    kDependentClumpY,
+    kDependentClumpZ,
+    kDependentScale, ///< [kMaxColliders] rows: squared scale of each collider.
     kDependentRows = kDependentScale + kMaxColliders
 };
 inline constexpr std::size_t kDependentStride = std::size_t{kDependentRows} * kLanes;
+
+inline constexpr std::size_t kBasisFloats = 8;
 
 /// One chunk's worth of dependents. Hd, m, but `out`, which is in the world.
 struct DependentsTask
 {
     int nodes = 0;
-    /// [basis hairs][nodes][4]: the node's displacement from its rest position, by the basis hair's length; the 4th is
-    /// not used.
+    /// [basis hairs][nodes][kBasisFloats]: the node's displacement from its rest position and, from the fifth on, that
+    /// position from the root, both by the basis hair's length.
     const float* displacements = nullptr;
     const std::array<std::uint32_t, 3>* neighbours = nullptr; ///< [kChunkSlots], indices of basis hairs.
     const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], sums of 1.
+    const float* clump = nullptr;                             ///< [kChunkSlots], 0..1.
     const float* rest = nullptr;                              ///< [kBlocksPerChunk][nodes][3][kLanes]
     const float* lanes = nullptr;                             ///< [kBlocksPerChunk][kDependentRows][kLanes]
     const ColliderSet* colliders = nullptr;
@@ -36,7 +42,9 @@ struct DependentsTask
 };
 
 /// Blocks begin..end of the chunk. A node's displacement is the weighted mean of its basis hairs' at the same node;
-/// neighbours that hang to another side than the nearest (across a parting) count less. Then segment lengths are
+/// neighbours that hang to another side than the nearest (across a parting) count less, and the nearest counts the more
+/// the closer a hair clumps to it. What a hair's own rest shape has of its own beside theirs is forgotten where they
+/// have moved far: two hairs of which one is laid over the ear hang side by side. Then segment lengths are
 /// restored from root to tip, outside ellipsoids and skin. Neither allocates nor throws; the same bytes with every
 /// instruction set.
 void placeDependents(const DependentsTask& task, std::size_t begin, std::size_t end);

@@ -11,11 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-/// Fraction of a child's correction that its parent's velocity answers with (Mueller et al. 2012, section 3.3).
-constexpr float kChildAnswer = 0.9F;
 /// A node leaves an ellipsoid or the skin by at most this much in a step, m.
 constexpr float kFastestLeaveM = 0.02F;
-constexpr int kLengthIterations = 2;
 
 /// sin(x) for |x| < 4 pi, within 0.002: two parabolas.
 template<class D>
@@ -71,7 +68,36 @@ HWY_INLINE Vec3<hn::Vec<D>> airAt(D d, const StrandAir<D>& air, const GroupGains
     return wind;
 }
 
-/// Equation 5 with drag, gravity, wind and the gains of the shape, into p: [nodes][3][kLanes].
+constexpr float kBendingDamping = 0.2F; ///< Fraction of the motion against the mean of both neighbours lost in a step.
+
+/// Where a node is, and its displacement of the last step less what drag took.
+template<class D>
+struct NodeMotion
+{
+    Vec3<hn::Vec<D>> position, velocity;
+};
+
+template<class D>
+HWY_INLINE NodeMotion<D> motionOf(D d, const StepForces& step, hn::Vec<D> drag, const float* HWY_RESTRICT current,
+                                  const float* HWY_RESTRICT previous, int node)
+{
+    const std::size_t offset = static_cast<std::size_t>(node) * StrandBlocks::kNodeStride;
+    Vec3<hn::Vec<D>> x = load3(d, current + offset);
+    Vec3<hn::Vec<D>> earlier = load3(d, previous + offset);
+    if (!step.toNewHead.identity) {
+        x = moved(d, step.toNewHead, x);
+        earlier = moved(d, step.toNewHead, earlier);
+    }
+    return {x, scale(sub(x, earlier), drag)};
+}
+
+/// Equation 5 with drag, gravity and wind, then the strand's own stiffness, into p: [nodes][3][kLanes].
+///
+/// Displacements u from the rest shape after the step, from those u* that free nodes would have, solve
+/// M ((1 + hold) u - u*) + bend K u = 0: K is the matrix of squared second differences of a beam clamped at its root
+/// and free at its tip, M the nodes' masses, the tip half of the others. Implicit, so that a stiff hair takes no
+/// smaller step; exact for any deflection of a strand that does not stretch, since its curvature is then its second
+/// derivative (Bergou et al. 2006). Five diagonals: rows are eliminated while the nodes are predicted.
 template<class D>
 HWY_INLINE void predict(D d, const GroupGains& gains, const StepForces& step, const float* HWY_RESTRICT rest,
                         const float* HWY_RESTRICT current, const float* HWY_RESTRICT previous,
@@ -79,32 +105,42 @@ HWY_INLINE void predict(D d, const GroupGains& gains, const StepForces& step, co
 {
     using V = hn::Vec<D>;
     const V drag = hn::Set(d, gains.drag);
-    const V loose = hn::LoadU(d, lanes + kLoose * kLanes);
-    const hn::Mask<D> held = hn::Lt(loose, hn::Set(d, 1.0F));
-    const bool anyHeld = !hn::AllFalse(d, held);
     const V inverseSquare = hn::LoadU(d, lanes + kInverseSquare * kLanes);
     const Vec3<V> gravity = scale(set3(d, step.gravity), hn::Set(d, gains.gravityScale));
-    const Vec3<V> lie = scale(load3(d, lanes + kLieX * kLanes), hn::LoadU(d, lanes + kSegmentLength * kLanes));
     StrandAir<D> air{};
     if (step.windy)
         air = airAround(d, gains, step, lanes);
 
-    Vec3<V> parent = load3(d, rest); // predicted, and as it was with its own parent
+    const V zero = hn::Zero(d);
+    const V one = hn::Set(d, 1.0F);
+    const V bend = hn::LoadU(d, lanes + kBend * kLanes);
+    const V held = hn::Add(one, hn::LoadU(d, lanes + kHold * kLanes));
+    HWY_ALIGN float rows[std::size_t{kMostNodes} * 2 * kLanes];
+    V pivot = zero; // Inverses of the last two, and the last row's own term beside the diagonal.
+    V secondPivot = zero;
+    V beside = zero;
+    Vec3<V> above{zero, zero, zero}; // Eliminated right-hand sides.
+    Vec3<V> secondAbove = above;
+
     Vec3<V> before = load3(d, current);
     if (!step.toNewHead.identity)
         before = moved(d, step.toNewHead, before);
-    Vec3<V> secondBefore = before;
-    store3(d, parent, p);
-    for (int i = 1; i < gains.nodes; ++i) {
+    store3(d, load3(d, rest), p);
+    const int last = gains.nodes - 1;
+    NodeMotion<D> upcoming = motionOf(d, step, drag, current, previous, 1);
+    Vec3<V> velocityBefore{zero, zero, zero};
+    for (int i = 1; i <= last; ++i) {
         const auto node = static_cast<std::size_t>(i);
         const std::size_t offset = node * StrandBlocks::kNodeStride;
-        Vec3<V> x = load3(d, current + offset);
-        Vec3<V> last = load3(d, previous + offset);
-        if (!step.toNewHead.identity) {
-            x = moved(d, step.toNewHead, x);
-            last = moved(d, step.toNewHead, last);
+        const Vec3<V> x = upcoming.position;
+        Vec3<V> v = upcoming.velocity;
+        // Bending dies away within the fibre; a strand that turns as a whole does not notice.
+        if (i < last) {
+            upcoming = motionOf(d, step, drag, current, previous, i + 1);
+            const Vec3<V> unbent = scale(add(velocityBefore, upcoming.velocity), hn::Set(d, 0.5F));
+            velocityBefore = v;
+            v = addScaled(v, sub(unbent, v), hn::Set(d, kBendingDamping));
         }
-        Vec3<V> v = scale(sub(x, last), drag);
         if (step.windy) {
             // -((t x r) x t) for the relative velocity r: only its part across the segment drags.
             const Vec3<V> edge = sub(x, before);
@@ -113,48 +149,93 @@ HWY_INLINE void predict(D d, const GroupGains& gains, const StepForces& step, co
             const Vec3<V> across = sub(relative, scale(edge, along));
             v = addScaled(v, across, hn::Set(d, gains.windGain));
         }
-        Vec3<V> next = add(add(x, v), gravity);
-        if (i > 1 && gains.straighten > 0.0F) {
-            const Vec3<V> straight = sub(add(before, before), secondBefore);
-            next = addScaled(next, sub(straight, x), hn::Set(d, gains.straighten));
-        }
-        if (gains.body[node] > 0.0F)
-            next = addScaled(next, sub(add(parent, lie), next), hn::Set(d, gains.body[node]));
-        if (anyHeld) {
-            const Vec3<V> styled = load3(d, rest + offset);
-            next = choose(held, addScaled(styled, sub(next, styled), loose), next);
-        }
-        store3(d, next, p + offset);
-        parent = next;
-        secondBefore = before;
+        const Vec3<V> free = sub(add(add(x, v), gravity), load3(d, rest + offset));
         before = x;
+
+        const V mass = hn::Set(d, i == last ? 0.5F : 1.0F);
+        const V diagonal = hn::Set(d, i == 1 ? 7.0F : i == last ? 1.0F : i == last - 1 ? 5.0F : 6.0F);
+        const V second = hn::Mul(bend, secondPivot);
+        beside = hn::Sub(hn::Mul(bend, hn::Set(d, i == 1 ? 0.0F : i == last ? -2.0F : -4.0F)), hn::Mul(second, beside));
+        const V first = hn::Mul(beside, pivot);
+        const V whole = hn::Sub(hn::Sub(hn::Add(hn::Mul(mass, held), hn::Mul(bend, diagonal)), hn::Mul(first, beside)),
+                                hn::Mul(second, bend));
+        secondPivot = pivot;
+        pivot = hn::Div(one, hn::IfThenElse(hn::Gt(whole, zero), whole, one));
+        const Vec3<V> side = sub(sub(scale(free, mass), scale(above, first)), scale(secondAbove, second));
+        secondAbove = above;
+        above = side;
+        store3(d, scale(side, pivot), p + offset);
+        hn::StoreU(first, d, rows + (2 * node) * kLanes);
+        hn::StoreU(second, d, rows + (2 * node + 1) * kLanes);
+    }
+    Vec3<V> below{zero, zero, zero};
+    Vec3<V> secondBelow = below;
+    V first = zero;
+    V second = zero;
+    V secondOfBelow = zero;
+    for (int i = last; i >= 1; --i) {
+        const auto node = static_cast<std::size_t>(i);
+        float* const at = p + node * StrandBlocks::kNodeStride;
+        const Vec3<V> u = sub(sub(load3(d, at), scale(below, first)), scale(secondBelow, second));
+        store3(d, add(load3(d, rest + node * StrandBlocks::kNodeStride), u), at);
+        secondBelow = below;
+        below = u;
+        second = secondOfBelow;
+        first = hn::LoadU(d, rows + (2 * node) * kLanes);
+        secondOfBelow = hn::LoadU(d, rows + (2 * node + 1) * kLanes);
     }
 }
 
-/// Equation 4 and algorithm 2: both ends of a segment move by half of what its length is wrong by, the root not at
-/// all. Odd segments first, then even ones. Jakobsen's form without a square root.
+/// Equation 4 and algorithm 2 for all segments at once: nodes move along their segments by tensions that, to first
+/// order, give every segment its length again. One row of three diagonals a segment, so that a pull at the tip is felt
+/// at the root within the step and no momentum is made.
 template<class D>
-HWY_INLINE void relaxLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RESTRICT p)
+HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RESTRICT p)
 {
     using V = hn::Vec<D>;
-    const V square = hn::Mul(length, length);
+    const V zero = hn::Zero(d);
+    const V one = hn::Set(d, 1.0F);
     const V half = hn::Set(d, 0.5F);
-    for (int first = 1; first <= 2; ++first) {
-        for (int i = first; i < nodes; i += 2) {
-            float* const childAt = p + static_cast<std::size_t>(i) * StrandBlocks::kNodeStride;
-            float* const parentAt = childAt - StrandBlocks::kNodeStride;
-            const Vec3<V> parent = load3(d, parentAt);
-            const Vec3<V> child = load3(d, childAt);
-            const Vec3<V> edge = sub(child, parent);
-            const V fraction = hn::Sub(hn::Div(square, hn::Add(dot(edge, edge), square)), half);
-            const Vec3<V> correction = scale(edge, fraction);
-            if (i == 1) {
-                store3(d, add(add(child, correction), correction), childAt);
-            } else {
-                store3(d, sub(parent, correction), parentAt);
-                store3(d, add(child, correction), childAt);
-            }
-        }
+    const V tiny = hn::Set(d, 1e-16F);
+    const V square = hn::Mul(length, length);
+    const int last = nodes - 1;
+    // Inverse masses: the root does not move, and the tip is half a node.
+    const auto inverseMass = [last](int node) { return node == 0 ? 0.0F : node == last ? 2.0F : 1.0F; };
+    HWY_ALIGN float rows[std::size_t{kMostNodes} * 2 * kLanes];
+    Vec3<V> parent = load3(d, p);
+    Vec3<V> edgeBefore{zero, zero, zero};
+    V pivot = zero;
+    V side = zero;
+    for (int i = 1; i <= last; ++i) {
+        const auto node = static_cast<std::size_t>(i);
+        const Vec3<V> child = load3(d, p + node * StrandBlocks::kNodeStride);
+        const Vec3<V> edge = sub(child, parent);
+        const V edge2 = dot(edge, edge);
+        const V beside = hn::Mul(hn::Set(d, -inverseMass(i - 1)), dot(edge, edgeBefore));
+        const V first = hn::Mul(beside, pivot);
+        const V whole =
+            hn::Sub(hn::Mul(hn::Set(d, inverseMass(i) + inverseMass(i - 1)), edge2), hn::Mul(first, beside));
+        pivot = hn::Div(one, hn::Max(whole, tiny));
+        side = hn::Sub(hn::Mul(half, hn::Sub(square, edge2)), hn::Mul(first, side));
+        hn::StoreU(first, d, rows + (2 * node) * kLanes);
+        hn::StoreU(hn::Mul(side, pivot), d, rows + (2 * node + 1) * kLanes);
+        parent = child;
+        edgeBefore = edge;
+    }
+    V first = zero;
+    V tension = zero;
+    Vec3<V> pullBelow{zero, zero, zero};
+    Vec3<V> child = parent;
+    for (int i = last; i >= 1; --i) {
+        const auto node = static_cast<std::size_t>(i);
+        float* const at = p + node * StrandBlocks::kNodeStride;
+        parent = load3(d, at - StrandBlocks::kNodeStride);
+        tension = hn::Sub(hn::LoadU(d, rows + (2 * node + 1) * kLanes), hn::Mul(first, tension));
+        first = hn::LoadU(d, rows + (2 * node) * kLanes);
+        const Vec3<V> pull = scale(sub(child, parent), tension);
+        store3(d, addScaled(child, sub(pull, pullBelow), hn::Set(d, inverseMass(i))), at);
+        pullBelow = pull;
+        child = parent;
     }
 }
 
@@ -228,77 +309,54 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
     const V length = hn::LoadU(d, lanes + kSegmentLength * kLanes);
 
     predict(d, gains, step, rest, current, previous, lanes, p);
-    for (int i = 0; i < kLengthIterations; ++i)
-        relaxLengths(d, gains.nodes, length, p);
+    restoreLengths(d, gains.nodes, length, p);
 
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0F);
-    const V looseDrag = hn::LoadU(d, lanes + kLooseDrag * kLanes);
+    const V holdKeep = hn::LoadU(d, lanes + kHoldKeep * kLanes);
     const Vec3<V> lie = load3(d, lanes + kLieX * kLanes);
     const Vec3<V> root = load3(d, rest);
     hn::Mask<D> departed = hn::MaskFromVec(zero);
     Vec3<V> parent = root;
     store3(d, root, next);
     store3(d, root, previous);
-    // The parent's velocity waits until its child's correction is known.
-    Vec3<V> parentPosition = root;
-    Vec3<V> parentVelocity{zero, zero, zero};
-    hn::Mask<D> parentFree = hn::MaskFromVec(zero);
-    for (int i = 1; i <= gains.nodes; ++i) {
+    for (int i = 1; i < gains.nodes; ++i) {
         const std::size_t offset = static_cast<std::size_t>(i) * StrandBlocks::kNodeStride;
-        const bool pastTip = i == gains.nodes;
-        Vec3<V> placed = parent;
-        Vec3<V> velocity = parentVelocity;
-        hn::Mask<D> free = parentFree;
-        if (!pastTip) {
-            const Vec3<V> start = load3(d, current + offset);
-            const Vec3<V> wished = load3(d, p + offset);
-            placed = atLength(d, parent, wished, length, lie);
-            const V answer = hn::IfThenElseZero(parentFree, hn::Set(d, kChildAnswer));
-            parentVelocity = sub(parentVelocity, scale(sub(placed, wished), answer));
-
-            Contact<D> contact = noContact(d);
-            if (collide(d, colliders, lanes, i == 1, parent, placed, contact)) {
-                placed = rubbed(d, gains, contact, start, placed);
-                placed = choose(contact.touched, atLength(d, parent, placed, length, lie), placed);
-                Contact<D> second = noContact(d);
-                if (collide(d, colliders, lanes, i == 1, parent, placed, second))
-                    placed = choose(second.touched, atLength(d, parent, placed, length, lie), placed);
-            }
-            // Whatever went wrong (not a number, far away), the node goes back to where it was styled.
-            const hn::Mask<D> lost = hn::Not(hn::Lt(dot(sub(placed, root), sub(placed, root)), hn::Set(d, 1e4F)));
-            if (HWY_UNLIKELY(!hn::AllFalse(d, lost)))
-                placed = choose(lost, load3(d, rest + offset), placed);
-
-            const Vec3<V> onHead = sub(placed, start); // motion as the head sees it
-            velocity = step.toNewHead.identity ? onHead : sub(placed, moved(d, step.toNewHead, start));
-            const V keep = hn::Mul(looseDrag, hn::Set(d, gains.bodyKeep[static_cast<std::size_t>(i)]));
-            velocity = sub(velocity, scale(onHead, hn::Sub(one, keep)));
-            // In contact nothing moves into the surface or springs off it.
-            if (!hn::AllFalse(d, contact.touched)) {
-                const V across = hn::Div(dot(onHead, contact.normal), contact.normal2);
-                const Vec3<V> sliding = sub(velocity, scale(contact.normal, hn::Mul(across, keep)));
-                velocity = choose(contact.touched, sliding, velocity);
-            }
-            velocity = choose(lost, Vec3<V>{zero, zero, zero}, velocity);
-            free = hn::Not(contact.touched);
-            placed = choose(moving, placed, start);
-            store3(d, placed, next + offset);
-            // Watching two places instead of speeds: a node that trembles where the hair leaves the head does not move.
-            if (i == gains.nodes / 2)
-                departed = hn::Or(departed, departedFrom(d, lanes + kMiddleX * kLanes, placed));
-            if (i + 1 == gains.nodes)
-                departed = hn::Or(departed, departedFrom(d, lanes + kTipX * kLanes, placed));
+        const Vec3<V> start = load3(d, current + offset);
+        Vec3<V> placed = atLength(d, parent, load3(d, p + offset), length, lie);
+        Contact<D> contact = noContact(d);
+        if (collide(d, colliders, lanes, i == 1, parent, placed, contact)) {
+            placed = rubbed(d, gains, contact, start, placed);
+            placed = choose(contact.touched, atLength(d, parent, placed, length, lie), placed);
+            Contact<D> second = noContact(d);
+            if (collide(d, colliders, lanes, i == 1, parent, placed, second))
+                placed = choose(second.touched, atLength(d, parent, placed, length, lie), placed);
         }
-        if (i > 1) {
-            const Vec3<V> kept = limited(d, parentVelocity);
-            const Vec3<V> last = sub(parentPosition, kept);
-            store3(d, choose(moving, last, parentPosition), previous + offset - StrandBlocks::kNodeStride);
+        // Whatever went wrong (not a number, far away), the node goes back to where it was styled.
+        const hn::Mask<D> lost = hn::Not(hn::Lt(dot(sub(placed, root), sub(placed, root)), hn::Set(d, 1e4F)));
+        if (HWY_UNLIKELY(!hn::AllFalse(d, lost)))
+            placed = choose(lost, load3(d, rest + offset), placed);
+
+        const Vec3<V> onHead = sub(placed, start); // motion as the head sees it
+        Vec3<V> velocity = step.toNewHead.identity ? onHead : sub(placed, moved(d, step.toNewHead, start));
+        const V keep = hn::Mul(holdKeep, hn::Set(d, gains.rootKeep[static_cast<std::size_t>(i)]));
+        velocity = sub(velocity, scale(onHead, hn::Sub(one, keep)));
+        // In contact nothing moves into the surface or springs off it.
+        if (!hn::AllFalse(d, contact.touched)) {
+            const V across = hn::Div(dot(onHead, contact.normal), contact.normal2);
+            const Vec3<V> sliding = sub(velocity, scale(contact.normal, hn::Mul(across, keep)));
+            velocity = choose(contact.touched, sliding, velocity);
         }
+        velocity = limited(d, choose(lost, Vec3<V>{zero, zero, zero}, velocity));
+        placed = choose(moving, placed, start);
+        store3(d, placed, next + offset);
+        store3(d, choose(moving, sub(placed, velocity), placed), previous + offset);
+        // Watching two places instead of speeds: a node that trembles where the hair leaves the head does not move.
+        if (i == gains.nodes / 2)
+            departed = hn::Or(departed, departedFrom(d, lanes + kMiddleX * kLanes, placed));
+        if (i + 1 == gains.nodes)
+            departed = hn::Or(departed, departedFrom(d, lanes + kTipX * kLanes, placed));
         parent = placed;
-        parentPosition = placed;
-        parentVelocity = velocity;
-        parentFree = free;
     }
     if (!hn::AllFalse(d, departed)) {
         remember(d, departed, next + static_cast<std::size_t>(gains.nodes / 2) * StrandBlocks::kNodeStride,

@@ -17,8 +17,9 @@ enum LaneField : std::uint8_t
 {
     kSegmentLength, ///< m
     kInverseSquare, ///< 1/length^2
-    kLoose,         ///< 1 - the gain of gel, 0..1: 0 holds the rest shape fully.
-    kLooseDrag,     ///< Fraction of the motion against the head that the held shape leaves, 0..1.
+    kBend,          ///< Stiffness against bending of a step, see bendingGain().
+    kHold,          ///< Strength of the spring to the rest shape of a step, see holdGain().
+    kHoldKeep,      ///< Fraction of the motion against the head that the held shape leaves, 0..1.
     kLieX,          ///< Unit vector in which the strand leaves the skin.
     kLieY,
     kLieZ,
@@ -85,9 +86,7 @@ struct GroupGains
     float windGain = 0.0F;                    ///< Fraction of the relative velocity of the air taken over in a step.
     float frictionKeep = 1.0F;                ///< Fraction of the tangential motion kept in contact.
     float stickSlope2 = 0.0F;                 ///< Contact sticks while (tangential/normal motion)^2 is below.
-    float straighten = 0.0F;                  ///< Gain toward a straight continuation of the two segments before.
-    std::array<float, kMostNodes> body{};     ///< Gain toward the direction in which the strand leaves the skin.
-    std::array<float, kMostNodes> bodyKeep{}; ///< Fraction of the motion against the head that body leaves.
+    std::array<float, kMostNodes> rootKeep{}; ///< Fraction of the motion against the head that hair around leaves.
     std::array<float, kMostNodes> waveACos{}, waveASin{}, waveBCos{}, waveBSin{}; ///< Turbulence along the strand.
 };
 

@@ -2,7 +2,6 @@
 #include "sim/solver/strand_constants.h"
 
 #include "sim/base/deterministic.h"
-#include "sim/solver/start_shape.h"
 #include "sim/solver/wind_phases.h"
 
 #include <algorithm>
@@ -13,11 +12,11 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr auto kStep = static_cast<float>(kStepSeconds);
-constexpr float kWindRate = 2.4F; ///< 1/s: how fast hair takes over the air's motion across it.
-constexpr float kShortStiffness = 0.6F;
-constexpr float kStraightenFraction = 0.02F; ///< Of body.
-/// Below this gain a held shape is only a leaning, and its other nodes may lie on the ellipsoids.
-constexpr float kHeldShape = 0.2F;
+constexpr float kWindRate = 1.0F; ///< 1/s: how fast a lock takes over the air's motion across it.
+/// From here on the shape is held rather than leant to, and its other nodes may lie on the ellipsoids.
+constexpr float kHeldShape = 0.02F;
+constexpr float kGravity = 9.81F;
+constexpr float kRootDamping = 0.3F; ///< Of a step: what the hair around it takes from a hair's motion at its root.
 
 /// A gain of a step of 1/60 s, for kStepSeconds: half as long, so 1 - sqrt(1 - k).
 float rescaled(float gain)
@@ -45,15 +44,9 @@ GroupGains gainsOf(const PhysicsSettings& physics, int nodes)
     gains.frictionKeep = 1.0F - rescaled(physics.friction);
     const float slope = physics.friction / std::max(1.0F - physics.friction, 1e-3F); // 0.5 holds on 45 degrees
     gains.stickSlope2 = slope * slope;
-    gains.straighten = kStraightenFraction * rescaled(physics.body);
     for (int i = 1; i < nodes; ++i) {
-        const auto node = static_cast<std::size_t>(i);
-        const float fraction = static_cast<float>(i) / static_cast<float>(nodes - 1);
-        const float left = 1.0F - fraction;
-        const float left5 = left * left * left * left * left;
-        const float fading = left5 * left5 + (left - left5 * left5) * physics.body; // full body reaches far
-        gains.body[node] = rescaled(physics.body * fading);
-        gains.bodyKeep[node] = damped(gains.body[node]);
+        const float left = 1.0F - static_cast<float>(i) / static_cast<float>(nodes - 1);
+        gains.rootKeep[static_cast<std::size_t>(i)] = 1.0F - kRootDamping * left * left * left * left;
     }
     setWaveTables(gains);
     return gains;
@@ -67,12 +60,27 @@ float strandHash(const Groom& groom, std::size_t basisIndex)
     return unitFloat(hash64(0x77696e64ULL, number));
 }
 
-float holdOf(float gel, float body, float lengthM)
+float bendingGain(float stiffnessM, float segmentM)
 {
-    const float shortness = std::clamp((0.10F - lengthM) / (0.10F - 0.02F), 0.0F, 1.0F);
-    const float stiff = kShortStiffness * shortness * shortness * std::min(1.0F, 4.0F * body);
-    const float gelled = gel * gel * gel; // so that half the slider is half the effect
-    return 1.0F - (1.0F - gelled) * (1.0F - stiff);
+    constexpr float kStiffest = 1e7F; // A matrix of floats holds no more, and nothing bends long before.
+    if (!(segmentM > 0.0F))
+        return 0.0F;
+    const float segment2 = segmentM * segmentM;
+    const float cube = stiffnessM * stiffnessM * stiffnessM;
+    return std::min(kGravity * kStep * kStep * cube / (segment2 * segment2), kStiffest);
+}
+
+float holdGain(float gel)
+{
+    // 0.3 gives way to gravity by 2.5 cm, and each tenth more by half of the tenth before.
+    constexpr float kGivesWayM = 0.025F;
+    constexpr float kLn2 = 0.6931472F;
+    // All of it holds whatever comes.
+    const float amount = std::clamp(gel, 0.0F, 1.0F);
+    const float amount2 = amount * amount;
+    const float amount4 = amount2 * amount2;
+    const float left = std::max(1.0F - amount4 * amount4, 1e-6F);
+    return kGravity * kStep * kStep / kGivesWayM * ((expDet(kLn2 * 10.0F * amount) - 1.0F) / (7.0F * left));
 }
 
 float coatM(float height, float volumeM, float segmentM)
@@ -92,23 +100,14 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     const float hash = strandHash(groom, basisIndex);
     const glm::vec3 edge = rest[1] - rest[0];
     const float edge2 = glm::dot(edge, edge);
-    StrandRoot root;
-    root.positionHd = rest[0];
-    root.normalHd = edge2 > 0.0F ? edge / std::sqrt(edge2) : glm::vec3(0.0F, 1.0F, 0.0F);
-    root.lengthM = segment * static_cast<float>(groom.nodes - 1);
-    root.gel = std::clamp(basis.gel[basisIndex], 0.0F, 1.0F);
-    root.body = std::clamp(physics.body, 0.0F, 1.0F);
-    root.parting = std::clamp(physics.parting, 0.0F, 1.0F);
-    root.sweepBack = std::clamp(physics.sweepBack, 0.0F, 1.0F);
-    root.hash01 = hash;
-    const glm::vec3 lie = lieDirection(root);
-    const float hold = holdOf(root.gel, root.body, root.lengthM);
-    const float gain = rescaled(hold);
+    const glm::vec3 lie = edge2 > 0.0F ? edge / std::sqrt(edge2) : glm::vec3(0.0F, 1.0F, 0.0F);
+    const float hold = holdGain(basis.gel[basisIndex]);
 
     state.field(basisIndex, kSegmentLength) = segment;
     state.field(basisIndex, kInverseSquare) = segment > 0.0F ? 1.0F / (segment * segment) : 0.0F;
-    state.field(basisIndex, kLoose) = 1.0F - gain;
-    state.field(basisIndex, kLooseDrag) = damped(gain);
+    state.field(basisIndex, kBend) = bendingGain(physics.stiffnessM, segment);
+    state.field(basisIndex, kHold) = hold;
+    state.field(basisIndex, kHoldKeep) = damped(hold / (1.0F + hold));
     state.field(basisIndex, kLieX) = lie.x;
     state.field(basisIndex, kLieY) = lie.y;
     state.field(basisIndex, kLieZ) = lie.z;

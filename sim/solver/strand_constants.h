@@ -15,8 +15,13 @@ namespace hairpaint::sim {
 /// Fills a basis hair's rows in `state`, except kStill.
 void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basisIndex, const ColliderSet& colliders);
 
-/// How strongly a strand is held in its styled shape, 0..1, by gel and, short hair, by its own stiffness.
-[[nodiscard]] float holdOf(float gel, float body, float lengthM);
+/// A fibre's stiffness between nodes `segmentM` apart, in units of a step: g dt^2 stiffness^3 / segment^4, which is
+/// E I dt^2 / (rho A segment^4).
+[[nodiscard]] float bendingGain(float stiffnessM, float segmentM);
+
+/// How strongly gel of 0..1 pulls every node to its place in the rest shape, in units of a step: displacements are
+/// divided by 1 + this.
+[[nodiscard]] float holdGain(float gel);
 
 /// Thickness that a strand's height in the coat adds to the ellipsoids under it; never more than half a segment.
 [[nodiscard]] float coatM(float height, float volumeM, float segmentM);

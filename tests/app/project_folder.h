@@ -29,11 +29,14 @@ public:
         return image.save(file) ? file : QString();
     }
 
-    /// A project of these maps ("density=IMAGE"), made by one command; empty where it can't be made.
+    /// A project of these maps ("density=IMAGE"), made by one command; empty where it can't be made. Its hair stands
+    /// upright, so that equations that are told along a straight hair can be read off.
     [[nodiscard]] QString project(const char* name, const QStringList& maps) const
     {
         const QString file = path(name);
-        QStringList arguments{QStringLiteral("new"), QStringLiteral("-o"), file};
+        const QString upright = filled("upright.png", QColor(128, 128, 255));
+        QStringList arguments{QStringLiteral("new"), QStringLiteral("-o"), file, QStringLiteral("--map"),
+                              QStringLiteral("direction=") + upright};
         for (const QString& map : maps)
             arguments << QStringLiteral("--map") << map;
         const Outcome made = runProgram(arguments);

@@ -100,6 +100,9 @@ private Q_SLOTS:
         row("render p.hairpaint -o p.png --view inside");
         row("render p.hairpaint -o p.png --frames 9-3");
         row("render p.hairpaint -o p.png --wind 1,2");
+        row("render p.hairpaint -o p.png --frames 0-3 --motion bow");
+        row("render p.hairpaint -o p.png --motion nod");
+        row("export p.hairpaint -o p.hair --motion bow");
         row("--nonsense");
     }
 
@@ -117,8 +120,10 @@ private Q_SLOTS:
         QTest::newRow("new") << QStringList{QStringLiteral("--map"), QStringLiteral("--max-candidates")};
         QTest::newRow("info") << QStringList{QStringLiteral("--json")};
         QTest::newRow("presets") << QStringList{QStringLiteral("--json")};
-        QTest::newRow("export") << QStringList{QStringLiteral("--settle"), QStringLiteral("--hairs")};
-        QTest::newRow("render") << QStringList{QStringLiteral("--size"), QStringLiteral("--frames")};
+        QTest::newRow("export") << QStringList{QStringLiteral("--settle"), QStringLiteral("--hairs"),
+                                               QStringLiteral("--wind"), QStringLiteral("--motion")};
+        QTest::newRow("render") << QStringList{QStringLiteral("--size"), QStringLiteral("--frames"),
+                                               QStringLiteral("--wind"), QStringLiteral("--motion")};
     }
     void aCommandsHelpTellsOfEachOption()
     {

@@ -80,6 +80,37 @@ private Q_SLOTS:
         QVERIFY(!document.previewing());
     }
 
+    void theHeadNodsShakesAndTurnsWhileTheHairIsNotPaused()
+    {
+        int poses = 0;
+        const auto counting = connect(&m_window->headView(), &view::HeadView::poseWanted, this, [&] { ++poses; });
+        for (const char* id : {"hair.nod", "hair.shake", "hair.turn"}) {
+            QAction* action = m_window->actions().find(QLatin1StringView(id));
+            QVERIFY(action != nullptr && action->isEnabled() && !action->isCheckable());
+            QVERIFY(action->toolTip().size() > action->text().size());
+            const int before = poses;
+            action->trigger();
+            QTRY_VERIFY_WITH_TIMEOUT(poses > before, test::kPatienceMs);
+            trigger("hair.pause");
+            QVERIFY(!action->isEnabled());
+            trigger("hair.pause");
+        }
+        disconnect(counting);
+        QVERIFY(!m_window->session().document().previewing());
+        m_window->headView().resetCamera();
+    }
+
+    void theCollidersAreASwitchOutsideUndo()
+    {
+        const int steps = m_window->session().document().undoStack().count();
+        QVERIFY(!checked("view.colliders") && !m_window->session().editor().collidersShown());
+        trigger("view.colliders");
+        QVERIFY(checked("view.colliders") && m_window->session().editor().collidersShown());
+        trigger("view.colliders");
+        QVERIFY(!checked("view.colliders"));
+        QCOMPARE(m_window->session().document().undoStack().count(), steps);
+    }
+
     void aNameWithAnAmpersandIsReadWhole()
     {
         model::Document& document = m_window->session().document();
@@ -205,11 +236,12 @@ private Q_SLOTS:
         }
     }
 
-    void mapsPastTheNinthTakeNoKey()
+    void mapsPastTheTenthTakeNoKey()
     {
         for (int number = 1; number <= kDigits; ++number)
             QCOMPARE(digitOf(digitKey(number)), number);
-        for (const int number : {0, 10, 11, 12})
+        QCOMPARE(usualKey(digitKey(10)), Qt::Key_0);
+        for (const int number : {0, 11, 12})
             QVERIFY(digitKey(number) == PhysicalKey::Other);
     }
 

@@ -117,6 +117,37 @@ private Q_SLOTS:
         QVERIFY(frame("rate", number) == frame("steps", 10));
     }
 
+    void aMotionIsTheSameAtEveryRate()
+    {
+        QCOMPARE(film("shaken.png", "--motion shake --fps 120 --frames 10-10"), QString());
+        QCOMPARE(film("shaken-24.png", "--motion shake --fps 24 --frames 2-2"), QString());
+        QCOMPARE(film("unshaken.png", "--fps 24 --frames 2-2"), QString());
+        QVERIFY(!frame("shaken", 10).isEmpty() && frame("shaken", 10) == frame("shaken-24", 2));
+        QVERIFY(frame("shaken", 10) != frame("unshaken", 2));
+    }
+
+    /// Seen on a head without hair, which swings on in its own way.
+    void aMotionIsRepeatedAfterItsEnd_data()
+    {
+        QTest::addColumn<QByteArray>("motion");
+        QTest::addColumn<QByteArray>("fps");
+        QTest::newRow("nod") << QByteArray("nod") << QByteArray("5");     // 8 frames
+        QTest::newRow("shake") << QByteArray("shake") << QByteArray("5"); // 8 frames
+        QTest::newRow("turn") << QByteArray("turn") << QByteArray("2");   // 8 frames
+    }
+
+    void aMotionIsRepeatedAfterItsEnd()
+    {
+        QFETCH(QByteArray, motion);
+        QFETCH(QByteArray, fps);
+        const QByteArray options = "--settle 0 --frames 0-9 --motion " + motion + " --fps " + fps;
+        QCOMPARE(render(m_baldProject, "moved.png", options.constData()), QString());
+        QVERIFY(!frame("moved", 0).isEmpty() && frame("moved", 1) != frame("moved", 0));
+        QVERIFY(frame("moved", 3) != frame("moved", 1));
+        QVERIFY(frame("moved", 8) == frame("moved", 0));
+        QVERIFY(frame("moved", 9) == frame("moved", 1));
+    }
+
     void withoutARateAFilmHasThirtyFramesASecond()
     {
         QCOMPARE(film("given.png", "--frames 0-2 --fps 30"), QString());
@@ -146,14 +177,14 @@ private Q_SLOTS:
         QCOMPARE(render(m_baldProject, "bald.png", "--view front --fit bust --settle 0"), QString());
         const QImage bald(path("bald.png"));
         const auto middle = [&](const char* wind) {
-            const QString problem = render(
-                m_project, "wind.png", QByteArray("--view front --fit bust --settle 0.5 ").append(wind).constData());
+            const QString problem = render(m_project, "wind.png",
+                                           QByteArray("--view front --fit bust --settle 1 ").append(wind).constData());
             return problem.isEmpty() ? middleOfHair(QImage(path("wind.png")), bald) : std::nullopt;
         };
         const auto still = middle("");
         const auto calm = middle("--wind 0,0,0");
-        const auto toTheRight = middle("--wind 8,0,0");
-        const auto toTheLeft = middle("--wind -8,0,0");
+        const auto toTheRight = middle("--wind 15,0,0");
+        const auto toTheLeft = middle("--wind -15,0,0");
         QVERIFY(still && calm && toTheRight && toTheLeft);
         QCOMPARE(*calm, *still);
         QVERIFY2(*toTheLeft < *still - 3.0 && *still + 3.0 < *toTheRight,
@@ -227,6 +258,27 @@ private Q_SLOTS:
             return sum / static_cast<double>(strands.size());
         };
         QVERIFY(middle(hair[1]) > middle(hair[0]) + 0.01);
+    }
+
+    void exportedHairHasSwungAndItsHeadLooksAheadAgain()
+    {
+        const auto exported = [this](const QStringList& options) {
+            const QString file = path("swung.hair");
+            const Outcome outcome = runProgram(QStringList{QStringLiteral("export"), m_project, QStringLiteral("-o"),
+                                                           file, QStringLiteral("--settle"), QStringLiteral("0.5")} +
+                                               options);
+            return outcome.code == 0 ? readHair(file) : std::vector<std::vector<glm::vec3>>();
+        };
+        const auto still = exported({});
+        const auto swung = exported({QStringLiteral("--motion"), QStringLiteral("turn")});
+        QVERIFY(!still.empty());
+        QCOMPARE(swung.size(), still.size());
+        bool moved = false;
+        for (std::size_t i = 0; i < still.size(); ++i) {
+            QVERIFY(glm::distance(swung[i].front(), still[i].front()) < 1e-6F);
+            moved = moved || glm::distance(swung[i].back(), still[i].back()) > 1e-3F;
+        }
+        QVERIFY(moved);
     }
 };
 

@@ -1,5 +1,6 @@
 // groom_build/hairs:H: grooming H hairs from their maps, with roots and neighbours ready.
 // groom_update_dab/hairs:H: bringing the groom up to date after a dab over one per cent of the head.
+// groom_update_comb/hairs:H: the same after a dab of the comb, whose hairs lie across the head for up to 16 cm.
 #include "bench_scene.h"
 
 #include "sim/groom/groom.h"
@@ -41,7 +42,8 @@ void groomBuild(benchmark::State& state)
     state.counters["rebuilt"] = static_cast<double>(rebuilt);
 }
 
-void groomUpdateDab(benchmark::State& state)
+template<sim::GroomInput (*after)(const sim::GroomInput&, int)>
+void groomUpdate(benchmark::State& state)
 {
     sim::GroomInput input = bench::sceneOf(static_cast<int>(state.range(0)), 8, false);
     sim::GroomBuilder builder;
@@ -51,7 +53,7 @@ void groomUpdateDab(benchmark::State& state)
     for ([[maybe_unused]] auto step : state) {
         static_cast<void>(step);
         state.PauseTiming();
-        input = bench::dabbed(input, ++number);
+        input = after(input, ++number);
         state.ResumeTiming();
         const sim::GroomBuilder::Report report = builder.update(input);
         rebuilt = report.rebuiltStrands;
@@ -65,8 +67,14 @@ BENCHMARK(groomBuild)
     ->Arg(100000)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK(groomUpdateDab)
+BENCHMARK(groomUpdate<bench::dabbed>)
     ->Name("groom_update_dab")
+    ->ArgNames({"hairs"})
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(groomUpdate<bench::combed>)
+    ->Name("groom_update_comb")
     ->ArgNames({"hairs"})
     ->Arg(100000)
     ->Unit(benchmark::kMillisecond)

@@ -1,6 +1,7 @@
 // The benchmarks' head, maps and dabs.
 #include "bench_scene.h"
 
+#include "sim/groom/direction_texel.h"
 #include "tests/support/test_heads.h"
 
 #include <algorithm>
@@ -42,26 +43,42 @@ sim::GroomInput sceneOf(int hairs, int nodes, bool allBasis)
     group.maps[sim::MapSlot::Colour] = uniform(3, {20000, 12000, 8000});
     group.maps[sim::MapSlot::Clump] = uniform(1, {20000});
     group.maps[sim::MapSlot::Gel] = uniform(1, {9000});
+    group.maps[sim::MapSlot::Direction] = uniform(2, sim::texelOfDirection({0.3F, -0.9F}));
     input.groups.push_back(std::move(group));
     input.maxHairs = std::max(hairs, input.maxHairs);
     return input;
 }
 
-sim::GroomInput dabbed(const sim::GroomInput& before, int number)
+namespace {
+
+sim::GroomInput withDab(const sim::GroomInput& before, sim::MapSlot map, int number, sim::Texel value)
 {
     // On the ball, a square of u x v around the equator covers side^2 * pi/2 of the area: 0.08 is one per cent.
     constexpr int kSide = static_cast<int>(0.08 * kMapSize);
     sim::GroomInput after = before;
-    auto length = std::make_shared<sim::TiledRaster>(*before.groups.front().maps[sim::MapSlot::Length]);
+    auto raster = std::make_shared<sim::TiledRaster>(*before.groups.front().maps[map]);
     const int x0 = 100 + number * 37 % 700;
     const int y0 = (kMapSize - kSide) / 2;
-    const auto value = static_cast<std::uint16_t>(30000 + number * 997 % 30000);
     for (int y = y0; y < y0 + kSide; ++y) {
         for (int x = x0; x < x0 + kSide; ++x)
-            length->setTexel(x, y, {value});
+            raster->setTexel(x, y, value);
     }
-    after.groups.front().maps[sim::MapSlot::Length] = std::move(length);
+    after.groups.front().maps[map] = std::move(raster);
     return after;
+}
+
+} // namespace
+
+sim::GroomInput dabbed(const sim::GroomInput& before, int number)
+{
+    return withDab(before, sim::MapSlot::Length, number, {static_cast<std::uint16_t>(30000 + number * 997 % 30000)});
+}
+
+sim::GroomInput combed(const sim::GroomInput& before, int number)
+{
+    const float turn = 0.7F * static_cast<float>(number);
+    return withDab(before, sim::MapSlot::Direction, number,
+                   sim::texelOfDirection(0.9F * glm::vec2(std::cos(turn), std::sin(turn))));
 }
 
 } // namespace hairpaint::bench

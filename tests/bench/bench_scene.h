@@ -12,4 +12,7 @@ namespace hairpaint::bench {
 /// The input after a dab on its length map that covers one per cent of the head.
 [[nodiscard]] sim::GroomInput dabbed(const sim::GroomInput& before, int number);
 
+/// The same on its direction map.
+[[nodiscard]] sim::GroomInput combed(const sim::GroomInput& before, int number);
+
 } // namespace hairpaint::bench

@@ -1,6 +1,7 @@
 // Foreign images through the real helper: every depth, alpha as it stands, damage refused.
 #include "model/files/image_map.h"
 #include "model/files/importer_client.h"
+#include "sim/groom/direction_texel.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/full_disk.h"
@@ -175,6 +176,8 @@ private Q_SLOTS:
                 sim::Texel texel{};
                 for (std::size_t c = 0; c < static_cast<std::size_t>(spec.valueChannels); ++c)
                     texel[c] = static_cast<std::uint16_t>(spec.texel == TexelKind::Index ? x / 128 : x * 257 - y);
+                if (spec.texel == TexelKind::Vector) // No longer than a vector can be.
+                    texel = sim::texelOfDirection(sim::directionOf(texel));
                 resolved.setTexel(x, y, texel);
             }
         const QString file = path(QStringLiteral("scale.png"));

@@ -76,11 +76,9 @@ inline model::Project makeSampleProject(int mapSize = 256, const std::vector<mod
         s.physics = {.damping = 3.3F,
                      .gravityScale = 0.9F,
                      .windScale = 1.7F,
-                     .body = 0.33F,
+                     .stiffnessM = 0.07F,
                      .friction = 0.66F,
-                     .volumeM = 0.0099F,
-                     .parting = 0.2F,
-                     .sweepBack = 0.9F};
+                     .volumeM = 0.0099F};
         s.material = {.widthM = 71e-6F,
                       .shine = 0.77F,
                       .roughness = 0.22F,

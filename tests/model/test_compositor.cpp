@@ -1,5 +1,6 @@
 // Resolving of layers: the arithmetic, and that only what differs is done again.
 #include "model/compositor.h"
+#include "sim/groom/direction_texel.h"
 #include "tests/model/uniform_layers.h"
 #include "tests/support/test_program.h"
 
@@ -60,6 +61,7 @@ private Q_SLOTS:
     void scalarsBlendAsTheTableSays_data();
     void scalarsBlendAsTheTableSays();
     void coloursBlendChannelByChannel();
+    void vectorsAreMixedByCoverageAndOpacity();
     void anIndexReplacesFromHalfCoverageOn_data();
     void anIndexReplacesFromHalfCoverageOn();
     void hiddenLayersDoNotShow();
@@ -132,6 +134,28 @@ void TestCompositor::coloursBlendChannelByChannel()
     QCOMPARE(resolveTexel(stack, 0, 0), (sim::Texel{0, 40000, 10000, 0}));
     stack.layers[1].blend = BlendMode::Normal;
     QCOMPARE(resolveTexel(stack, 0, 0), (sim::Texel{0, 65535, 32768, 0}));
+}
+
+void TestCompositor::vectorsAreMixedByCoverageAndOpacity()
+{
+    const auto layer = [](glm::vec2 direction, std::uint16_t coverage) {
+        sim::Texel texel = sim::texelOfDirection(direction);
+        texel[2] = coverage;
+        return texel;
+    };
+    MapStack stack = stackOf(MapKind::Direction, {layer({1.0F, 0.0F}, 65535), layer({0.0F, 0.8F}, 32768)});
+    const auto resolved = [&stack] { return sim::directionOf(resolveTexel(stack, 3, 4)); };
+    // The mean, as long as both are in the mean: hair turns, and does not stand up between.
+    QVERIFY(glm::distance(resolved(), 0.9F * glm::normalize(glm::vec2(0.5F, 0.4F))) < 1e-4F);
+    stack.layers[1].opacity = 0.5F;
+    QVERIFY(glm::distance(resolved(), 0.95F * glm::normalize(glm::vec2(0.75F, 0.2F))) < 1e-4F);
+    stack.layers[0].visible = false;
+    stack.layers[1].visible = false;
+    QVERIFY(resolved() == glm::vec2(0.0F));
+    // Where nothing is painted the head's own stream shows, of whatever size it is.
+    const auto natural = std::make_shared<const sim::TiledRaster>(512, 2, sim::texelOfDirection({0.0F, -0.5F}));
+    QVERIFY(glm::distance(sim::directionOf(resolveStack(stack, natural).texel(9, 9)), glm::vec2(0.0F, -0.5F)) < 1e-4F);
+    QCOMPARE(static_cast<int>(resolveStack(stack, natural).size()), stack.size);
 }
 
 void TestCompositor::anIndexReplacesFromHalfCoverageOn_data()

@@ -2,7 +2,9 @@
 #include "model/files/glb.h"
 #include "model/files/head_file.h"
 #include "model/files/json_fields.h"
+#include "sim/groom/direction_texel.h"
 #include "sim/skin/mesh_openings.h"
+#include "sim/skin/skin_frame.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
@@ -107,6 +109,37 @@ private Q_SLOTS:
 
         const Checked<std::shared_ptr<const Head>> old = builtInHead(QStringLiteral("bust-1"));
         QVERIFY(old && (*old)->shownMesh->marks.empty());
+    }
+
+    void hairGrowsAwayFromTheCrown_data()
+    {
+        QTest::addColumn<glm::vec3>("place");
+        QTest::addColumn<glm::vec3>("grows");
+        QTest::newRow("top") << glm::vec3(0.0F, 0.12F, 0.03F) << glm::vec3(0.0F, 0.0F, 1.0F);
+        QTest::newRow("hairline") << glm::vec3(0.0F, 0.0728F, 0.0748F) << glm::vec3(0.0F, -0.6F, 0.8F);
+        QTest::newRow("over the left ear") << glm::vec3(0.08F, 0.03F, 0.0F) << glm::vec3(0.0F, -1.0F, 0.0F);
+        QTest::newRow("over the right ear") << glm::vec3(-0.08F, 0.03F, 0.0F) << glm::vec3(0.0F, -1.0F, 0.0F);
+        QTest::newRow("nape") << glm::vec3(0.0F, -0.05F, -0.09F) << glm::vec3(0.0F, -1.0F, 0.0F);
+        QTest::newRow("cheek") << glm::vec3(0.05F, -0.06F, 0.07F) << glm::vec3(0.0F, -1.0F, 0.0F);
+    }
+    void hairGrowsAwayFromTheCrown()
+    {
+        QFETCH(glm::vec3, place);
+        QFETCH(glm::vec3, grows);
+        for (const char* name : {"bust-1", "bust-2"}) {
+            const std::shared_ptr<const Head> head = builtInHead(QString::fromLatin1(name)).value();
+            QVERIFY(head->naturalDirection != nullptr);
+            QCOMPARE(head->naturalDirection->channels(), 2);
+            const sim::SurfacePoint point = head->skin->nearest(place);
+            const glm::vec2 channels(head->naturalDirection->sampleBilinear(point.uv));
+            const glm::vec3 direction = sim::SkinFrame::at(point).toHd(sim::directionOfChannels(channels * 65535.0F));
+            QVERIFY2(glm::length(direction) > 0.5F && glm::dot(glm::normalize(direction), grows) > 0.8F,
+                     qPrintable(QStringLiteral("%1: %2 %3 %4")
+                                    .arg(QLatin1StringView(name))
+                                    .arg(direction.x)
+                                    .arg(direction.y)
+                                    .arg(direction.z)));
+        }
     }
 
     void theMarksAreSymmetric()

@@ -1,5 +1,7 @@
 // Images become layers through each map's scale, and maps become images that read back the same.
 #include "model/files/image_map.h"
+#include "model/texel_ops.h"
+#include "sim/groom/direction_texel.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -82,6 +84,40 @@ private Q_SLOTS:
         QVERIFY(layer);
         QCOMPARE(layer->size(), 512);
         QCOMPARE(static_cast<int>(layer->texel(511, 0)[0]), index);
+    }
+
+    void directionsAreReadFromANormalMap_data()
+    {
+        QTest::addColumn<std::vector<double>>("colour");
+        QTest::addColumn<glm::vec2>("direction");
+        QTest::newRow("the blue of normal maps") << std::vector<double>{0.5, 0.5, 1} << glm::vec2(0.0F);
+        QTest::newRow("to the right") << std::vector<double>{1, 0.5, 0.5} << glm::vec2(1.0F, 0.0F);
+        QTest::newRow("up the map") << std::vector<double>{0.5, 1, 0.5} << glm::vec2(0.0F, 1.0F);
+        QTest::newRow("half to the left") << std::vector<double>{0.25, 0.5, 0.933} << glm::vec2(-0.5F, 0.0F);
+        QTest::newRow("longer than can be") << std::vector<double>{0, 0, 0.5} << glm::vec2(-0.70711F, -0.70711F);
+        QTest::newRow("alpha is coverage") << std::vector<double>{0.5, 0, 0.5, 1} << glm::vec2(0.0F, -1.0F);
+    }
+    void directionsAreReadFromANormalMap()
+    {
+        QFETCH(std::vector<double>, colour);
+        QFETCH(glm::vec2, direction);
+        const auto layer = layerFromImage(flat(256, 256, colour), mapSpec(MapKind::Direction), false, 0);
+        QVERIFY(layer);
+        const sim::Texel texel = layer->texel(100, 30);
+        QVERIFY(glm::distance(sim::directionOf(texel), direction) < 1e-4F);
+        QCOMPARE(texel[2], std::uint16_t{65535});
+    }
+
+    void aDirectionIsWrittenAsAnOrdinaryNormalMap()
+    {
+        const MapSpec& spec = mapSpec(MapKind::Direction);
+        sim::TiledRaster resolved(256, 2, sim::texelOfDirection({0.6F, -0.48F}));
+        const ForeignImage image = imageFromMap(resolved, spec);
+        const auto coordinate = [&](std::size_t c) { return image.pixels[c] / 65535.0 * 2.0 - 1.0; };
+        QVERIFY(std::abs(coordinate(0) - 0.6) < 1e-4);
+        QVERIFY(std::abs(coordinate(1) + 0.48) < 1e-4);
+        QVERIFY(std::abs(coordinate(2) - 0.64) < 1e-4);
+        QCOMPARE(colourOfTexel(spec, spec.defaultValue, true), qRgb(128, 128, 255));
     }
 
     void greyIsTheValueItself_data()
@@ -202,6 +238,8 @@ private Q_SLOTS:
                     texel[c] = spec.texel == TexelKind::Index
                                    ? static_cast<std::uint16_t>((x / 8 + y) % static_cast<int>(spec.palette.size()))
                                    : static_cast<std::uint16_t>(x * 257 - y + static_cast<int>(c));
+                if (spec.texel == TexelKind::Vector) // No longer than a vector can be.
+                    texel = sim::texelOfDirection(sim::directionOf(texel));
                 resolved.setTexel(x, y, texel);
             }
         const auto back = layerFromImage(imageFromMap(resolved, spec), spec, false, 0);
@@ -209,7 +247,7 @@ private Q_SLOTS:
         for (int i = 0; i < 256 * 256; i += 13)
             for (std::size_t c = 0; c < static_cast<std::size_t>(spec.valueChannels); ++c)
                 QVERIFY(std::abs(back->texel(i % 256, i / 256)[c] - resolved.texel(i % 256, i / 256)[c]) <=
-                        (spec.texel == TexelKind::Scalar ? 1 : 0));
+                        (spec.texel == TexelKind::Scalar || spec.texel == TexelKind::Vector ? 1 : 0));
     }
 
     void paintedTexelsShowTheScale_data()

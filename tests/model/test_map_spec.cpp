@@ -33,7 +33,7 @@ void TestMapSpec::everyMapHasItsOwnIdAndLetter()
         letters.insert(spec.letterText());
         QCOMPARE(findMapSpec(QString::fromLatin1(spec.id)), &spec);
         QCOMPARE(spec.palette.empty(), spec.texel != TexelKind::Index);
-        QCOMPARE(spec.valueChannels, spec.texel == TexelKind::Colour ? 3 : 1);
+        QCOMPARE(spec.valueChannels, spec.texel == TexelKind::Colour ? 3 : spec.texel == TexelKind::Vector ? 2 : 1);
         QVERIFY(!spec.titleText().isEmpty());
         QVERIFY(!spec.follows || *spec.follows < spec.kind);
     }
@@ -54,6 +54,7 @@ void TestMapSpec::defaultsAreThoseOfTheDesign_data()
     QTest::newRow("no braid") << "braid" << 0;
     QTest::newRow("no clump") << "clump" << 0;
     QTest::newRow("no gel") << "gel" << 0;
+    QTest::newRow("upright") << "direction" << 32768;
 }
 
 void TestMapSpec::defaultsAreThoseOfTheDesign()

@@ -1,5 +1,8 @@
 // What a map shows where nothing is painted.
 #include "model/compositor.h"
+#include "model/preset.h"
+#include "sim/groom/direction_texel.h"
+#include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -32,6 +35,7 @@ private Q_SLOTS:
     void whereTheStartChangesOnlyThatIsResolvedAgain_data();
     void whereTheStartChangesOnlyThatIsResolvedAgain();
     void aStartIsAConstantAnotherMapOrTheHeads();
+    void unpaintedHairFollowsTheHeadsNaturalStream();
 };
 
 void TestMapStart::aMapStartsFromARasterWhereItHasOne()
@@ -112,6 +116,31 @@ void TestMapStart::aStartIsAConstantAnotherMapOrTheHeads()
     };
     QCOMPARE(startOf(spec, &head, resolved)->size(), 256);
     QVERIFY(startOf(spec, nullptr, resolved) == nullptr);
+}
+
+void TestMapStart::unpaintedHairFollowsTheHeadsNaturalStream()
+{
+    Project project = test::patchProject(1024);
+    Head head = *project.head;
+    head.naturalDirection = std::make_shared<const sim::TiledRaster>(512, 2, sim::texelOfDirection({0.0F, -0.5F}));
+    project.head = std::make_shared<const Head>(head);
+    sim::TiledRaster& layer = project.groups.front().map(MapKind::Direction).layers.front().raster;
+    sim::Texel combed = sim::texelOfDirection({0.8F, 0.0F});
+    combed[2] = 65535;
+    layer.setTexel(100, 200, combed);
+
+    Document document(project);
+    const LayerAddress at = test::firstLayer(document, MapKind::Direction);
+    const auto shown = document.resolved(at.group, at.map);
+    QCOMPARE(shown->size(), 1024);
+    QVERIFY(glm::distance(sim::directionOf(shown->texel(101, 200)), glm::vec2(0.0F, -0.5F)) < 1e-4F);
+    QCOMPARE(shown->texel(100, 200)[0], combed[0]);
+
+    // A style holds what was painted; the rest is the natural stream of whichever head it comes to.
+    const Preset style = presetFrom(document.project(), QStringLiteral("Style"));
+    const sim::TiledRaster& kept = style.groups.front().map(MapKind::Direction).layers.front().raster;
+    QCOMPARE(kept.texel(100, 200), combed);
+    QCOMPARE(kept.texel(101, 200)[2], std::uint16_t{0});
 }
 
 HAIRPAINT_TEST(TestMapStart, Core)

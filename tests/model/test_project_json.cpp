@@ -70,7 +70,7 @@ private Q_SLOTS:
         row("a preset's format", "format", QStringLiteral("hairpaint preset"));
         row("no version", "format_version", absent);
         row("version 0", "format_version", 0);
-        row("a version to come", "format_version", 2);
+        row("a version to come", "format_version", 3);
         row("no next id", "next_id", absent);
         row("a next id of 0", "next_id", 0);
         row("a next id above the limit", "next_id", 2'100'000'000);
@@ -105,7 +105,7 @@ private Q_SLOTS:
         row("a group with id 0", "groups/0/id", 0);
         row("a negative id", "groups/0/id", -3);
         row("an id with a fraction", "groups/0/id", 1.5);
-        row("an id that a layer has", "groups/0/id", 12);
+        row("an id that a layer has", "groups/0/id", 13);
         row("an id that is a text", "groups/0/id", QStringLiteral("1"));
         row("a name that is a number", "groups/0/name", 1);
         row("a name too long", "groups/0/name", longText);
@@ -151,7 +151,7 @@ private Q_SLOTS:
         };
         const Read length = [](const Project& p) { return p.groups.front().settings.greatestLengthM; };
         const Read nodes = [](const Project& p) { return static_cast<float>(p.groups.front().settings.nodesPerHair); };
-        const Read opacity = [](const Project& p) { return p.groups.front().maps.back()->layers.front().opacity; };
+        const Read opacity = [](const Project& p) { return p.groups.front().map(MapKind::Gel).layers.front().opacity; };
         const Read hairs = [](const Project& p) { return static_cast<float>(p.maxHairs); };
         row("a length of 1e300", "groups/0/settings/greatest_length_m", 1e300, length, 2.0F);
         row("a negative length", "groups/0/settings/greatest_length_m", -1.0, length, 0.001F);

@@ -6,7 +6,9 @@
 #include "model/heads/built_in_heads.h"
 #include "model/style_transfer.h"
 #include "model/uv_correspondence.h"
+#include "sim/groom/direction_texel.h"
 #include "sim/skin/landmark_search.h"
+#include "sim/skin/skin_frame.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/foreign_heads.h"
 #include "tests/support/test_program.h"
@@ -225,6 +227,58 @@ private Q_SLOTS:
         QCOMPARE(carried.layers.back().opacity, 0.5F);
         QCOMPARE(carried.layers.back().id, stack.layers.back().id);
         QVERIFY(carried.layers.front().raster.uniformValue() == (sim::Texel{12345, 65535}));
+    }
+
+    void hairLiesTheSameWayOnTheOtherHead_data() { foreignHeads(); }
+    void hairLiesTheSameWayOnTheOtherHead()
+    {
+        const test::ForeignHead foreign = foreignHead();
+        const std::shared_ptr<const Head> head = importedHead(foreign.mesh);
+        Project project = newProject();
+        project.groups = {makeGroup(project, QStringLiteral("Scalp"), 512)};
+        sim::TiledRaster& painted = project.groups.front().map(MapKind::Direction).layers.front().raster;
+        const heads::HeadRegions& regions = heads::builtInHeads().front()->regions;
+        const glm::vec3 wayHd = glm::normalize(glm::vec3(0.3F, -1.0F, -0.4F));
+        std::vector<std::pair<glm::vec3, glm::vec3>> places; // And where hair there goes to.
+        for (int y = 0; y < 512; ++y)
+            for (int x = 0; x < 512; ++x) {
+                const glm::vec2 uv((static_cast<float>(x) + 0.5F) / 512.0F,
+                                   1.0F - (static_cast<float>(y) + 0.5F) / 512.0F);
+                const std::optional<sim::SurfacePoint> point = builtInHead()->skin->atUv(uv);
+                if (!point)
+                    continue;
+                const sim::SkinFrame frame = sim::SkinFrame::at(*point);
+                const glm::vec2 along = frame.fromHd(wayHd);
+                sim::Texel texel = sim::texelOfDirection(along * (0.8F / glm::length(along)));
+                texel[2] = 65535;
+                painted.setTexel(x, y, texel);
+                if (x % 8 == 0 && y % 8 == 0 && glm::length(along) > 0.4F &&
+                    regions.scalpDistance(point->positionHd) > 0.01F)
+                    places.emplace_back(point->positionHd,
+                                        point->positionHd + 0.002F * glm::normalize(frame.toHd(along)));
+            }
+        const auto groups = carriedGroups(project.groups, builtInHead(), head);
+        const sim::TiledRaster& carried = groups->front().map(MapKind::Direction).layers.front().raster;
+        std::vector<float> offDeg;
+        for (const auto& [from, to] : places) {
+            const sim::SurfacePoint root = head->skin->nearest(foreign.place(from));
+            const sim::SkinFrame frame = sim::SkinFrame::at(root);
+            const glm::vec2 wanted = frame.fromHd(foreign.place(to) - foreign.place(from));
+            const glm::vec2 found = sim::directionOf(carried.sampleNearest(root.uv));
+            if (carried.sampleNearest(root.uv)[2] < 65535)
+                continue;
+            QVERIFY(std::abs(glm::length(found) - 0.8F) < 0.02F);
+            offDeg.push_back(glm::degrees(
+                std::acos(std::clamp(glm::dot(glm::normalize(found), glm::normalize(wanted)), -1.0F, 1.0F))));
+        }
+        std::ranges::sort(offDeg);
+        QVERIFY(offDeg.size() > 500);
+        const float most = offDeg[offDeg.size() * 95 / 100];
+        qInfo("of %zu places 95 %% are under %.1f degrees off", offDeg.size(), static_cast<double>(most));
+        // A scan is rough: its own skin leans by more.
+        QFETCH(bool, scan);
+        QVERIFY(most < (scan ? 30.0F : 5.0F));
+        QVERIFY(offDeg[offDeg.size() / 2] < (scan ? 12.0F : 2.0F));
     }
 
     void aKindOfBraidIsNeverMixed()

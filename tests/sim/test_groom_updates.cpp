@@ -2,6 +2,7 @@
 #include "groom_bytes.h"
 #include "sim/base/deterministic.h"
 #include "sim/base/parallel.h"
+#include "sim/groom/direction_texel.h"
 #include "sim/groom/groom.h"
 #include "tests/support/test_grooms.h"
 #include "tests/support/test_heads.h"
@@ -57,6 +58,8 @@ private Q_SLOTS:
     void nothingChangedIsTheSameGroom();
     void aDabRebuildsTheStrandsUnderItAndNoOthers_data();
     void aDabRebuildsTheStrandsUnderItAndNoOthers();
+    void aCombedDabRelaysTheStrandsThatCrossIt_data();
+    void aCombedDabRelaysTheStrandsThatCrossIt();
     void aDabSharesAllOtherChunks();
     void aColourMovesNoStrand();
     void whatOnlyBasisHairsReadRebuildsNoStrand();
@@ -90,8 +93,9 @@ void TestGroomUpdates::aDabRebuildsTheStrandsUnderItAndNoOthers_data()
     QTest::addColumn<float>("u");
     QTest::addColumn<float>("v");
     for (const MapRule& rule : kMapRules) {
-        // A braid may change within its region; what only basis hairs read rebuilds no strand.
-        if (rule.slot == MapSlot::Braid || (!rule.effect.hairs && !rule.effect.look))
+        // A braid may change within its region, a lay wherever hairs cross it; what only basis hairs read rebuilds no
+        // strand.
+        if (rule.slot == MapSlot::Braid || rule.slot == MapSlot::Direction || (!rule.effect.hairs && !rule.effect.look))
             continue;
         const std::size_t map = indexOf(rule.slot);
         QTest::addRow("map %zu, inside a tile", map) << rule.slot << 0.56F << 0.56F;
@@ -134,6 +138,58 @@ void TestGroomUpdates::aDabRebuildsTheStrandsUnderItAndNoOthers()
         }
     }
     QVERIFY(inside > 10U);
+}
+
+void TestGroomUpdates::aCombedDabRelaysTheStrandsThatCrossIt_data()
+{
+    QTest::addColumn<float>("clump");
+    QTest::addColumn<float>("lengthM");
+    QTest::newRow("short") << 0.0F << 0.02F;
+    QTest::newRow("long") << 0.0F << 0.20F;
+    QTest::newRow("clumped") << 0.5F << 0.06F;
+}
+
+void TestGroomUpdates::aCombedDabRelaysTheStrandsThatCrossIt()
+{
+    QFETCH(float, clump);
+    QFETCH(float, lengthM);
+    constexpr float kRadius = 0.04F;
+    const glm::vec2 centre(0.56F, 0.56F);
+    GroomInput input = startInput();
+    input.groups[0].settings.greatestLengthM = lengthM;
+    input.groups[0].maps[MapSlot::Clump] = uniformMap(clump);
+    input.groups[0].maps[MapSlot::Direction] = std::make_shared<TiledRaster>(512, 2, texelOfDirection({0.9F, 0.1F}));
+    GroomBuilder builder;
+    builder.setCollectSlots(true);
+    const auto before = builder.update(input).grooms[0];
+    auto& raster = input.groups[0].maps[MapSlot::Direction];
+    raster = withDab(raster, centre, kRadius, texelOfDirection({0.0F, -0.8F}));
+    const auto report = builder.update(input);
+    verifySame(*report.grooms[0], *GroomBuilder().update(input).grooms[0], QStringLiteral("combed"));
+
+    const std::set<std::uint32_t> rebuilt(report.rebuiltSlots.begin(), report.rebuiltSlots.end());
+    const RootSet& roots = *before->roots;
+    std::size_t rootedElsewhere = 0;
+    for (const std::uint32_t slot : rebuilt) {
+        // Some place along the hair, or along the one that it clumps to, is over the dab: a texel and a cell around it.
+        const auto crosses = [&](std::span<const float> positions, std::size_t strand) {
+            for (std::size_t node = 1; node < static_cast<std::size_t>(before->nodes); ++node)
+                for (int part = 0; part <= 8; ++part) {
+                    const glm::vec3 a = before->blocks().node(positions, strand, node - 1);
+                    const glm::vec3 b = before->blocks().node(positions, strand, node);
+                    const SurfacePoint under = roots.skin->nearest(a + (b - a) * (static_cast<float>(part) / 8.0F));
+                    if (glm::length(under.uv - centre) < kRadius + 0.02F)
+                        return true;
+                }
+            return false;
+        };
+        const StrandChunk& chunk = *before->chunks[chunkOf(slot)];
+        QVERIFY(crosses(chunk.restPositions, inChunk(slot)) ||
+                (clump > 0.0F && crosses(before->basis->restPositions, roots.neighbours[slot][0])));
+        rootedElsewhere += glm::length(roots.uv[slot] - centre) > kRadius + 0.01F ? 1 : 0;
+    }
+    QVERIFY(rootedElsewhere > 0);
+    QVERIFY(rebuilt.size() < before->hairCount / 4);
 }
 
 void TestGroomUpdates::aDabSharesAllOtherChunks()

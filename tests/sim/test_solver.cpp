@@ -94,6 +94,9 @@ private Q_SLOTS:
     void nothingExplodes_data();
     void nothingExplodes();
     void shortHairStandsAndLongHairHangs();
+    void aCantileverBendsAsElasticaDo_data();
+    void aCantileverBendsAsElasticaDo();
+    void eachTenthOfGelIsStiffer();
 };
 
 void TestSolver::aNodeFallsFreelyUntilItsSegmentIsTight()
@@ -340,6 +343,85 @@ void TestSolver::nothingExplodes()
     fall(hair, 12);
     for (std::size_t s = 0; s < tips.size(); ++s)
         QVERIFY(glm::distance(tips[s], nodeOf(hair, s, 7)) < 0.005F);
+}
+
+void TestSolver::aCantileverBendsAsElasticaDo_data()
+{
+    QTest::addColumn<float>("length");
+    QTest::addColumn<int>("nodes");
+    QTest::newRow("2 cm") << 0.02F << 8;
+    QTest::newRow("5 cm, as long as it carries itself") << 0.05F << 8;
+    QTest::newRow("10 cm") << 0.10F << 8;
+    QTest::newRow("10 cm, 24 nodes") << 0.10F << 24;
+    QTest::newRow("20 cm") << 0.20F << 16;
+}
+
+/// Tip of a horizontal elastica under its own weight, by shooting: angle'' = -(l - s) cos(angle) / stiffness^3, 0 at
+/// the root, without moment at the tip.
+glm::dvec2 elasticaTip(double length, double stiffness)
+{
+    constexpr int kParts = 4000;
+    const double step = length / kParts;
+    const double cube = stiffness * stiffness * stiffness;
+    const auto shoot = [&](double moment) {
+        double angle = 0.0;
+        glm::dvec2 place(0.0);
+        for (int i = 0; i < kParts; ++i) {
+            const double s = (i + 0.5) * step;
+            const double middle = angle + 0.5 * step * moment;
+            place += step * glm::dvec2(std::cos(middle), -std::sin(middle));
+            moment -= step * (length - s) * std::cos(middle) / cube;
+            angle = middle + 0.5 * step * moment;
+        }
+        return std::pair(moment, place);
+    };
+    double low = 0.0;
+    double high = 0.5 * length * length / cube;
+    for (int i = 0; i < 80; ++i) {
+        const double middle = 0.5 * (low + high);
+        (shoot(middle).first > 0.0 ? high : low) = middle;
+    }
+    return shoot(low).second;
+}
+
+void TestSolver::aCantileverBendsAsElasticaDo()
+{
+    QFETCH(float, length);
+    QFETCH(int, nodes);
+    PhysicsSettings physics = barePhysics();
+    physics.stiffnessM = 0.05F;
+    physics.damping = 6.0F;
+    GroupDynamics hair;
+    hair.setGroom(groomOf({{glm::vec3(0.0F), glm::vec3(1.0F, 0.0F, 0.0F), length}}, nodes, physics), {},
+                  WindField::calm({}));
+    hair.reset();
+    fall(hair, 1200);
+    const glm::vec3 tip = nodeOf(hair, 0, nodes - 1);
+    const glm::dvec2 wanted = elasticaTip(static_cast<double>(length), 0.05);
+    const double apart = glm::distance(wanted, glm::dvec2(tip));
+    QVERIFY2(apart < 0.04 * static_cast<double>(length),
+             qPrintable(QStringLiteral("%1 %2, not %3 %4").arg(tip.x).arg(tip.y).arg(wanted.x).arg(wanted.y)));
+}
+
+void TestSolver::eachTenthOfGelIsStiffer()
+{
+    float before = std::numeric_limits<float>::infinity();
+    for (int tenths = 0; tenths <= 10; ++tenths) {
+        PhysicsSettings physics = barePhysics();
+        physics.stiffnessM = 0.05F;
+        physics.damping = 3.0F;
+        GroupDynamics hair;
+        const float gel = static_cast<float>(tenths) / 10.0F;
+        hair.setGroom(groomOf({{glm::vec3(0.0F), glm::vec3(1.0F, 0.0F, 0.0F), 0.15F, gel}}, 8, physics), {},
+                      WindField::calm({}));
+        hair.reset();
+        fall(hair, 1200);
+        const float shift = glm::distance(nodeOf(hair, 0, 7), glm::vec3(0.15F, 0.0F, 0.0F));
+        QVERIFY2(shift <= 0.85F * before,
+                 qPrintable(QStringLiteral("%1: %2 after %3").arg(gel).arg(shift).arg(before)));
+        qInfo("gel %.1f: the tip gives way by %.2f mm", static_cast<double>(gel), static_cast<double>(shift) * 1e3);
+        before = shift;
+    }
 }
 
 void TestSolver::shortHairStandsAndLongHairHangs()

@@ -55,7 +55,7 @@ inline sim::PhysicsSettings barePhysics()
 {
     sim::PhysicsSettings physics;
     physics.damping = 0.0F;
-    physics.body = 0.0F;
+    physics.stiffnessM = 0.0F;
     physics.friction = 0.0F;
     physics.volumeM = 0.0F;
     return physics;
@@ -95,6 +95,8 @@ inline std::shared_ptr<sim::Groom> drawnGroomOf(const std::vector<HandStrand>& s
         auto chunk = std::make_shared<sim::StrandChunk>();
         chunk->styles.resize(sim::kChunkSlots);
         chunk->braidCentre.assign(sim::kChunkSlots, sim::kNoCentre);
+        chunk->clump.assign(sim::kChunkSlots, 0.0F);
+        chunk->ways.resize(sim::kChunkSlots);
         chunk->segmentLengths.assign(sim::kChunkSlots, 0.0F);
         chunk->restPositions.assign(groom->blocks().floatsFor(sim::kBlocksPerChunk), 0.0F);
         for (std::size_t slot = 0; slot < sim::kChunkSlots; ++slot) {

@@ -1,7 +1,9 @@
 // The 3D area driven by mouse, wheel and keys; its pictures come from an off-screen context.
 #include "head_fixture.h"
+#include "model/commands/commands.h"
 #include "tests/support/test_program.h"
 #include "view/head/head_camera.h"
+#include "view/head/head_overlay.h"
 #include "view/head/puff_gesture.h"
 #include "view/head_view.h"
 
@@ -9,6 +11,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -141,23 +144,41 @@ private Q_SLOTS:
         QVERIFY(wanted.back().first.azimuthRad > before.azimuthRad + 0.3F);
     }
 
-    void holdingHTurnsTheHead()
+    void theCollidersAreSeenAroundTheHeadAndGoWithIt()
     {
         HeadFixture f;
-        std::vector<sim::HeadPose> poses;
-        connect(&f.area, &view::HeadView::poseWanted, &f.area,
-                [&](const sim::HeadPose& pose) { poses.push_back(pose); });
-        QTest::keyPress(&f.area, Qt::Key_H);
-        f.drag(kMiddle, kMiddle + QPoint(80, 0));
-        QTest::keyRelease(&f.area, Qt::Key_H);
-        QVERIFY(!poses.empty());
-        const glm::vec3 face = poses.back().rotation * glm::vec3(0.0F, 0.0F, 1.0F);
-        QVERIFY(face.x > 0.3F);
-        QCOMPARE(f.editor.document.undoStack().count(), 0);
-        // Resetting the view turns it back.
-        f.area.resetCamera();
-        QTRY_VERIFY(glm::dot(poses.back().rotation * glm::vec3(0.0F, 0.0F, 1.0F), glm::vec3(0.0F, 0.0F, 1.0F)) >
-                    0.9999F);
+        const auto* overlay = f.area.findChild<view::HeadOverlay*>();
+        QVERIFY(overlay != nullptr);
+        const sim::Ellipsoid ellipsoid{.centreHd = {0.02F, 0.01F, 0.0F}, .semiAxesM = {0.05F, 0.08F, 0.06F}};
+        auto head = std::make_shared<model::Head>(*f.editor.document.project().head);
+        f.editor.document.push(model::setHeadCommand(f.editor.document, std::move(head), {ellipsoid}));
+        QVERIFY(overlay->colliders().empty());
+        QVERIFY(f.editor.state.setCollidersShown(true));
+        QCOMPARE(overlay->colliders().size(), std::size_t{3});
+        const auto touches = [&](glm::vec3 positionHd) {
+            const QPointF at = f.area.positionOf(positionHd).value_or(QPointF());
+            return std::ranges::count_if(overlay->colliders(), [at](const QPolygonF& ellipse) {
+                return std::ranges::any_of(ellipse, [at](QPointF p) { return QLineF(p, at).length() < 1e-2; });
+            });
+        };
+        // Two of the three ellipses meet at each end of each axis.
+        const auto endsAreTouched = [&] {
+            return touches({0.07F, 0.01F, 0.0F}) == 2 && touches({0.02F, 0.09F, 0.0F}) == 2 &&
+                   touches({0.02F, 0.01F, -0.06F}) == 2;
+        };
+        QVERIFY(endsAreTouched());
+        f.area.setView(rendering::StandardView::Left);
+        QTRY_VERIFY(!f.area.awake());
+        QVERIFY(endsAreTouched());
+        const auto frame = std::make_shared<sim::StrandFrame>(*f.frame());
+        frame->pose.rotation = glm::angleAxis(0.7F, glm::vec3(0.0F, 1.0F, 0.0F));
+        f.area.setFrame(frame);
+        QVERIFY(endsAreTouched());
+        f.editor.document.undo();
+        QVERIFY(overlay->colliders().empty());
+        f.editor.document.redo();
+        QVERIFY(f.editor.state.setCollidersShown(false));
+        QVERIFY(overlay->colliders().empty() && overlay->isHidden());
     }
 
     void aFastPointerBlowsAPuffAndASlowOneDoesNot()

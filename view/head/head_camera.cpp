@@ -13,7 +13,6 @@ constexpr float kOrbitRadPerPx = 0.0085F;
 constexpr float kTurnRadPerPx = 0.008F;
 constexpr float kNearestM = 0.06F;
 constexpr float kFarthestM = 5.0F;
-constexpr float kMostPitchRad = 1.2F;
 
 float aspectOf(QSizeF size)
 {
@@ -164,14 +163,15 @@ QPolygonF ringSeen(const sim::SurfacePoint& point, float radiusM, const renderin
     return ring;
 }
 
-sim::HeadPose turned(const sim::HeadPose& start, const rendering::Camera& camera, QPointF pixels)
+sim::NeckAngles turned(const sim::NeckAngles& start, const sim::Neck& neck, const rendering::Camera& camera,
+                       QPointF pixels)
 {
-    const float yaw = static_cast<float>(pixels.x()) * kTurnRadPerPx;
-    const float pitch = std::clamp(static_cast<float>(pixels.y()) * kTurnRadPerPx, -kMostPitchRad, kMostPitchRad);
-    sim::HeadPose pose = start;
-    pose.rotation = glm::normalize(glm::angleAxis(pitch, axesOf(camera).right) *
-                                   glm::angleAxis(yaw, glm::vec3(0.0F, 1.0F, 0.0F)) * start.rotation);
-    return pose;
+    // What is seen goes with the pointer, so from behind the face goes the other way; from the side it goes as in
+    // front.
+    constexpr float kFromBehind = -0.1F;
+    const float ahead = glm::dot(axesOf(camera).right, neck.acrossHd) < kFromBehind ? -1.0F : 1.0F;
+    return sim::withinReach({start.yawRad + static_cast<float>(pixels.x()) * kTurnRadPerPx,
+                             start.pitchRad + static_cast<float>(pixels.y()) * kTurnRadPerPx * ahead});
 }
 
 } // namespace hairpaint::view

@@ -1,6 +1,7 @@
 // Moving the 3D area's camera, and rays through its pixels. Pure functions.
 #pragma once
 
+#include "sim/motion/neck_motion.h"
 #include "sim/motion/strand_frame.h"
 #include "sim/skin/skin.h"
 #include "view/rendering/scene.h"
@@ -42,7 +43,8 @@ struct RayWo
 /// Between two cameras, the short way round; t 0..1.
 [[nodiscard]] rendering::Camera between(const rendering::Camera& from, const rendering::Camera& to, float t);
 
-/// The head turned by a drag: sideways about the world's up, up and down about the camera's own right.
-[[nodiscard]] sim::HeadPose turned(const sim::HeadPose& start, const rendering::Camera& camera, QPointF pixels);
+/// The head turned on its neck by a drag, as far as it goes: what the camera sees of it follows the pointer.
+[[nodiscard]] sim::NeckAngles turned(const sim::NeckAngles& start, const sim::Neck& neck,
+                                     const rendering::Camera& camera, QPointF pixels);
 
 } // namespace hairpaint::view

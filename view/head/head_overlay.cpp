@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hairpaint::view {
 
@@ -27,6 +28,26 @@ std::optional<QPointF> shownAt(QPointF uv, const sim::Skin& skin, const renderin
     if (glm::dot(pose.rotation * point->normalHd, camera.eyeWo() - positionWo) <= 0.0F)
         return std::nullopt;
     return project(camera, positionWo, size);
+}
+
+/// Where an ellipsoid is cut across one of its own axes through its centre; empty where a part lies behind the eye.
+QPolygonF ellipseSeen(const sim::Ellipsoid& ellipsoid, int axis, const rendering::Camera& camera,
+                      const sim::HeadPose& pose, QSizeF size)
+{
+    constexpr int kCorners = 64;
+    QPolygonF ellipse;
+    for (int i = 0; i <= kCorners; ++i) {
+        const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kCorners;
+        glm::vec3 own(0.0F);
+        own[(axis + 1) % 3] = std::cos(angle);
+        own[(axis + 2) % 3] = std::sin(angle);
+        const glm::vec3 positionHd = ellipsoid.centreHd + ellipsoid.rotation * (own * ellipsoid.semiAxesM);
+        const std::optional<QPointF> at = project(camera, inWorld(positionHd, pose), size);
+        if (!at)
+            return {};
+        ellipse.push_back(*at);
+    }
+    return ellipse;
 }
 
 } // namespace
@@ -83,6 +104,19 @@ void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, cons
     showIfNeeded();
 }
 
+void HeadOverlay::setColliders(const std::vector<sim::Ellipsoid>& colliders, const rendering::Camera& camera,
+                               const sim::HeadPose& pose)
+{
+    if (colliders.empty() && m_colliders.empty())
+        return;
+    m_colliders.clear();
+    for (const sim::Ellipsoid& collider : colliders)
+        for (int axis = 0; axis < 3; ++axis)
+            if (QPolygonF ellipse = ellipseSeen(collider, axis, camera, pose, QSizeF(size())); !ellipse.isEmpty())
+                m_colliders.push_back(std::move(ellipse));
+    showIfNeeded();
+}
+
 void HeadOverlay::setGhost(const QPolygonF& ring)
 {
     if (ring == m_ghost)
@@ -93,7 +127,8 @@ void HeadOverlay::setGhost(const QPolygonF& ring)
 
 void HeadOverlay::showIfNeeded()
 {
-    setVisible(!m_message.isEmpty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty());
+    setVisible(!m_message.isEmpty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
+               !m_colliders.empty());
     update();
 }
 
@@ -101,6 +136,11 @@ void HeadOverlay::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 110), 2.5), std::pair(m_theme.accent, 1.0)}) {
+        painter.setPen(QPen(colour, width));
+        for (const QPolygonF& ellipse : m_colliders)
+            painter.drawPolyline(ellipse);
+    }
     // White on dark, as the rings are: seen on hair and skin of every colour.
     for (const auto& [colour, width] :
          {std::pair(QColor(0, 0, 0, 170), 3.0), std::pair(QColor(255, 255, 255, 235), 1.5)}) {

@@ -1,7 +1,8 @@
-// What lies over the drawn head: the active tool's outlines, and a sentence where nothing can be drawn.
+// What lies over the drawn head: the active tool's outlines, the colliders, and a sentence where nothing can be drawn.
 #pragma once
 
 #include "model/tools/tool.h"
+#include "sim/skin/ellipsoid.h"
 #include "view/rendering/scene.h"
 #include "view/theme.h"
 
@@ -25,6 +26,12 @@ public:
     void setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
                    const rendering::Camera& camera, const sim::HeadPose& pose);
 
+    /// Three ellipses for each, as wire: the far half is seen, too. None: nothing is shown.
+    void setColliders(const std::vector<sim::Ellipsoid>& colliders, const rendering::Camera& camera,
+                      const sim::HeadPose& pose);
+    /// In this widget's coordinates.
+    [[nodiscard]] const std::vector<QPolygonF>& colliders() const { return m_colliders; }
+
     /// The brush's ring where the head hides it, in this widget's coordinates; empty where it is seen.
     void setGhost(const QPolygonF& ring);
     [[nodiscard]] const QPolygonF& ghost() const { return m_ghost; }
@@ -39,6 +46,7 @@ private:
     QString m_message;
     std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next two.
     QPolygonF m_handles;
+    std::vector<QPolygonF> m_colliders;
     QPolygonF m_ghost;
 };
 

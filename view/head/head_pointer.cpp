@@ -103,6 +103,8 @@ void HeadPointer::release(const PointerSample& sample)
     const QPointF moved = sample.position - m_pressed.position;
     if (drag == Drag::Stroke) {
         m_stroke.release(sample);
+    } else if (drag == Drag::Turn) {
+        m_turn.release();
     } else if (drag == Drag::Light && m_light != m_lightBefore) {
         Q_EMIT lightWanted(m_light, true);
     } else if (drag == Drag::Orbit && sample.button == Qt::RightButton && std::hypot(moved.x(), moved.y()) < kClickPx) {

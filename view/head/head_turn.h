@@ -1,16 +1,19 @@
-// The head's pose: turned by a drag, and back.
+// How the head is turned on its neck: by a drag, by a motion that it goes through, and back.
 #pragma once
 
-#include "sim/motion/strand_frame.h"
+#include "sim/motion/neck_motion.h"
 #include "view/rendering/scene.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QPointF>
-#include <QVariantAnimation>
+#include <QTimer>
+
+#include <optional>
 
 namespace hairpaint::view {
 
-/// GUI thread.
+/// Nobody's turning stays: what is let go comes back in about half a second, so that the hair swings. GUI thread.
 class HeadTurn : public QObject
 {
     Q_OBJECT
@@ -19,19 +22,37 @@ public:
 
     /// The one asked for last; the simulation follows.
     [[nodiscard]] const sim::HeadPose& pose() const { return m_pose; }
-    void press(); ///< A drag begins; ends turning back.
+    void setNeck(const sim::Neck& neck); ///< Of another head, or of one whose landmarks were moved.
+
+    void press(); ///< A drag begins; ends whatever motion there is.
     /// `pixels` since the drag's start.
     void drag(const rendering::Camera& camera, QPointF pixels);
-    void turnBack(); ///< To where it looks straight ahead, in a moment; nothing where nobody turned it.
-    [[nodiscard]] bool turningBack() const { return m_turningBack.state() == QAbstractAnimation::Running; }
+    void release(); ///< The head comes back.
+    /// Goes through a motion once, from however the head is turned now; nothing while it is held by a drag.
+    void play(sim::NeckMotion motion);
+    void turnBack(); ///< Ends a motion: the head comes back from where it is; nothing while it is held by a drag.
+    void setPaused(bool paused); ///< As the hair is: a motion and the way back wait.
+    /// Not while they wait.
+    [[nodiscard]] bool moving() const { return m_tick.isActive(); }
 
 Q_SIGNALS:
     void poseWanted(const hairpaint::sim::HeadPose& pose);
 
 private:
+    void onTick();
+    void start(std::optional<sim::NeckMotion> motion);
+    void setAngles(const sim::NeckAngles& angles);
+
+    sim::Neck m_neck;
+    sim::NeckAngles m_angles;
+    sim::NeckAngles m_before; ///< Where the drag, the motion or the way back began.
     sim::HeadPose m_pose;
-    sim::HeadPose m_before; ///< Where the drag or the turning back began.
-    QVariantAnimation m_turningBack;
+    std::optional<sim::NeckMotion> m_motion; ///< Added to the way back.
+    std::optional<double> m_seconds;         ///< Since the motion or the way back began; none where there is neither.
+    QElapsedTimer m_sinceTick;
+    QTimer m_tick;
+    bool m_paused = false;
+    bool m_held = false;
 };
 
 } // namespace hairpaint::view

@@ -1,6 +1,7 @@
 // The layers of the paint area.
 #include "view/paint/paint_canvas.h"
 
+#include "view/paint/field_hairs.h"
 #include "view/paint/uv_shading.h"
 
 #include <cmath>
@@ -36,7 +37,14 @@ void PaintCanvas::setBackdrop(BackdropPtr backdrop)
 QList<QRectF> PaintCanvas::setMap(std::shared_ptr<const sim::TiledRaster> raster, const model::MapSpec& spec,
                                   bool nightPaper)
 {
+    m_isField = raster != nullptr && spec.texel == model::TexelKind::Vector;
     return m_pyramid.setSource(std::move(raster), spec, nightPaper);
+}
+
+int PaintCanvas::reachPx() const
+{
+    constexpr int kSmooth = 2; ///< Of a picture that is drawn smaller.
+    return m_isField ? kFieldHairReachPx : kSmooth;
 }
 
 void PaintCanvas::invalidate()
@@ -49,6 +57,9 @@ void PaintCanvas::paint(QPainter& painter, const QRect& dirty, const Look& look)
     painter.fillRect(dirty, look.theme.window);
     const QTransform toWidget = look.transform.paperToWidget();
     m_pyramid.draw(painter, toWidget, visiblePaper(look.transform, dirty), look.devicePixelRatio);
+    if (m_isField)
+        drawFieldHairs(painter, dirty, look.transform, *m_pyramid.raster(),
+                       m_backdrop ? m_backdrop->shading : QImage());
     drawUpper(look);
     const double ratio = look.devicePixelRatio;
     painter.drawImage(QRectF(dirty), m_upper,

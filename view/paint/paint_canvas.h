@@ -1,4 +1,5 @@
-// What the paint area shows under rings and overlays: paper, painted map, the head's shading, wireframe, landmarks.
+// What the paint area shows under rings and overlays: paper, painted map, hairs over directions, the head's shading,
+// wireframe, landmarks.
 #pragma once
 
 #include "model/project.h"
@@ -37,6 +38,8 @@ public:
     /// Returns the parts of the paper that changed.
     QList<QRectF> setMap(std::shared_ptr<const sim::TiledRaster> raster, const model::MapSpec& spec, bool nightPaper);
     [[nodiscard]] const MapPyramid& pyramid() const { return m_pyramid; }
+    /// How far what is drawn of a texel may reach beyond it, px.
+    [[nodiscard]] int reachPx() const;
     void invalidate(); ///< The look changed.
 
     void paint(QPainter& painter, const QRect& dirty, const Look& look);
@@ -47,6 +50,7 @@ private:
     void drawLandmarks(QPainter& painter, const Look& look) const;
 
     MapPyramid m_pyramid;
+    bool m_isField = false; ///< A map of directions.
     BackdropPtr m_backdrop;
     QImage m_veil; ///< Of the backdrop's shading.
     std::vector<Landmark> m_landmarks;

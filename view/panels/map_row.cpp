@@ -17,7 +17,8 @@ MapRow::MapRow(model::MapKind map, QWidget* parent) : QAbstractButton(parent), m
     setCheckable(true);
     setAutoExclusive(true);
     setFocusPolicy(Qt::TabFocus);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setMaximumHeight(sizeHint().height());
     setAttribute(Qt::WA_Hover);
 }
 
@@ -28,7 +29,7 @@ void MapRow::setRange(const QString& range, int size)
     m_rangeAndSize = range.isEmpty() || texels.isEmpty() ? range + texels : range + QStringLiteral("  ·  ") + texels;
     setAccessibleDescription(m_rangeAndSize);
     const int number = static_cast<int>(m_map) + 1;
-    const QString name = number <= kDigits ? tr("%1 (%2)").arg(text()).arg(number) : text();
+    const QString name = number <= kDigits ? tr("%1 (%2)").arg(text()).arg(number % kDigits) : text();
     setToolTip(size > 0 ? tr("%1: %2 x %2 texels").arg(name).arg(size) : name);
     update();
 }

@@ -17,9 +17,9 @@ public:
     void setRange(const QString& range, int size);
     void setThumbnail(const QImage& thumbnail);
     [[nodiscard]] QSize sizeHint() const override { return {220, 28}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {220, kThumbnailSide + 1}; }
     static constexpr int kThumbnailSide = 24;
-    static constexpr int kDigits = 9; ///< Keys that choose a map.
+    static constexpr int kDigits = 10; ///< Keys that choose a map: 1 to 9, then 0.
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -107,13 +107,13 @@ void MapsPanel::keyPressEvent(QKeyEvent* event)
 {
     int wanted = -1;
     const int current = static_cast<int>(m_state.activeMap());
-    if (event->key() >= Qt::Key_1 && event->key() < Qt::Key_1 + std::min(model::kMapKindCount, MapRow::kDigits))
-        wanted = event->key() - Qt::Key_1;
+    if (event->key() >= Qt::Key_0 && event->key() <= Qt::Key_9)
+        wanted = (event->key() - Qt::Key_0 + MapRow::kDigits - 1) % MapRow::kDigits;
     else if (event->key() == Qt::Key_Up)
         wanted = std::max(current - 1, 0);
     else if (event->key() == Qt::Key_Down)
         wanted = std::min(current + 1, model::kMapKindCount - 1);
-    if (wanted < 0) {
+    if (wanted < 0 || wanted >= model::kMapKindCount) {
         QWidget::keyPressEvent(event);
         return;
     }

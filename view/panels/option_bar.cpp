@@ -151,6 +151,9 @@ void OptionBar::buildBrush()
     connect(m_size, &BarSlider::valueChanged, this, [this](double cm) {
         change([cm](ToolSettings& settings) { settings.brushSizeM = static_cast<float>(cm / kCm); });
     });
+    m_flatness = percentSlider(tr("Flatness"), this);
+    m_flatness->setDefaultValue(static_cast<double>(ToolSettings{}.flatness) * kPercent);
+    m_flatness->setToolTip(tr("How flat combed hair lies; pen pressure makes it less"));
     const auto bind = [this](BarSlider* slider, float ToolSettings::*field) {
         connect(slider, &BarSlider::valueChanged, this, [this, field](double percent) {
             change([&](ToolSettings& settings) { settings.*field = static_cast<float>(percent / kPercent); });
@@ -159,6 +162,7 @@ void OptionBar::buildBrush()
     bind(m_hardness, &ToolSettings::hardness);
     bind(m_opacity, &ToolSettings::opacity);
     bind(m_tolerance, &ToolSettings::fillTolerance);
+    bind(m_flatness, &ToolSettings::flatness);
 
     m_pressureBox = box(this);
     m_pressureSize = toggle(QStringLiteral("pressure-size"), tr("Pen pressure changes the size"), m_pressureBox);
@@ -175,7 +179,7 @@ void OptionBar::buildBrush()
             [this](bool on) { change([on](ToolSettings& settings) { settings.pressureOpacity = on; }); });
     m_pressureBox->layout()->addWidget(m_pressureSize);
     m_pressureBox->layout()->addWidget(m_pressureOpacity);
-    for (BarSlider* slider : {m_size, m_hardness, m_opacity, m_tolerance})
+    for (BarSlider* slider : {m_size, m_hardness, m_opacity, m_tolerance, m_flatness})
         m_row->addWidget(slider);
     m_row->addWidget(m_pressureBox);
 }
@@ -205,6 +209,12 @@ void OptionBar::buildKinds()
           {{QStringLiteral("gradient-linear"), tr("Linear gradient")},
            {QStringLiteral("gradient-radial"), tr("Radial gradient")}},
           [](ToolSettings& settings, int kind) { settings.gradient = static_cast<GradientKind>(kind); });
+    kinds(m_combBox, m_combs,
+          {{QStringLiteral("comb"), tr("Comb along the stroke")},
+           {QStringLiteral("comb-lift"), tr("Lift or lay, the way hair lies")},
+           {QStringLiteral("comb-smooth"), tr("Smooth")},
+           {QStringLiteral("comb-noise"), tr("Ruffle")}},
+          [](ToolSettings& settings, int kind) { settings.comb = static_cast<model::CombKind>(kind); });
 }
 
 void OptionBar::addSelectionAction(QAction* action)
@@ -241,6 +251,8 @@ void OptionBar::showOptions()
     m_shapeBox->setVisible(has(ToolOption::ShapeKind));
     m_gradientBox->setVisible(has(ToolOption::GradientKind));
     m_tolerance->setVisible(has(ToolOption::FillTolerance));
+    m_combBox->setVisible(has(ToolOption::CombKind));
+    m_flatness->setVisible(has(ToolOption::Flatness));
     m_revealed->setVisible(erases(m_state));
     m_selectionBox->setVisible(tool.id() == model::ToolId::Select);
     follow();
@@ -272,12 +284,16 @@ void OptionBar::follow()
     m_hardness->setValue(static_cast<double>(settings.hardness) * kPercent);
     m_opacity->setValue(static_cast<double>(settings.opacity) * kPercent);
     m_tolerance->setValue(static_cast<double>(settings.fillTolerance) * kPercent);
+    m_flatness->setValue(static_cast<double>(settings.flatness) * kPercent);
+    m_flatness->setEnabled(settings.comb == model::CombKind::Lay || settings.comb == model::CombKind::Lift);
     m_pressureSize->setChecked(settings.pressureSize);
     m_pressureOpacity->setChecked(settings.pressureOpacity);
     for (std::size_t i = 0; i < m_shapes.size(); ++i)
         m_shapes[i]->setChecked(i == static_cast<std::size_t>(settings.shape));
     for (std::size_t i = 0; i < m_gradients.size(); ++i)
         m_gradients[i]->setChecked(i == static_cast<std::size_t>(settings.gradient));
+    for (std::size_t i = 0; i < m_combs.size(); ++i)
+        m_combs[i]->setChecked(i == static_cast<std::size_t>(settings.comb));
 }
 
 void OptionBar::changeEvent(QEvent* event)

@@ -51,14 +51,17 @@ private:
     BarSlider* m_hardness = nullptr;
     BarSlider* m_opacity = nullptr;
     BarSlider* m_tolerance = nullptr;
+    BarSlider* m_flatness = nullptr;
     QWidget* m_pressureBox = nullptr;
     QToolButton* m_pressureSize = nullptr;
     QToolButton* m_pressureOpacity = nullptr;
     QWidget* m_shapeBox = nullptr;
     QWidget* m_gradientBox = nullptr;
+    QWidget* m_combBox = nullptr;
     QWidget* m_selectionBox = nullptr;
     std::vector<QToolButton*> m_shapes;
     std::vector<QToolButton*> m_gradients;
+    std::vector<QToolButton*> m_combs;
 };
 
 } // namespace hairpaint::view

@@ -66,9 +66,16 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
     m_hint->setFont(themeFont(TextRole::Status));
     m_hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     const model::MapSpec& density = model::mapSpec(model::MapKind::Density);
-    model::PaintValue most;
-    most.scalar = 1.0F;
-    m_value = makeNumber(this, tr("%1: %2").arg(density.titleText(), valueText({}, density, most)));
+    const model::MapSpec& direction = model::mapSpec(model::MapKind::Direction);
+    const model::PaintValue most{.scalar = 1.0F, .direction = {1.0F, -1e-3F}};
+    QString widest;
+    for (const model::MapSpec* spec : {&density, &direction}) {
+        const QString text = tr("%1: %2").arg(spec->titleText(), valueText({}, *spec, most));
+        const QFontMetrics status(themeFont(TextRole::Status));
+        if (status.horizontalAdvance(text) > status.horizontalAdvance(widest))
+            widest = text;
+    }
+    m_value = makeNumber(this, widest);
     m_hairs = makeNumber(this, tr("%1 of %Ln hairs", nullptr, 100000).arg(QLocale().toString(100000)));
     m_simulation = makeNumber(this, tr("%1 ms").arg(QStringLiteral("000.0")));
     m_simulation->setToolTip(tr("Time of one step of the simulation"));

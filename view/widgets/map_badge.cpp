@@ -16,7 +16,7 @@ constexpr int kLetter = 18;
 /// The map's colour, quietened so that white or black ink is read on it; maps that are colours themselves are grey.
 QColor groundOf(const model::MapSpec& spec, const Theme& theme)
 {
-    if (spec.texel == model::TexelKind::Colour)
+    if (spec.texel == model::TexelKind::Colour) // Those of vectors have one of their own.
         return mixed(theme.panel, theme.dimText, 0.7);
     return mixed(theme.panel, QColor::fromRgb(spec.scaleColour), theme.kind == ThemeKind::Dark ? 0.72 : 0.85);
 }

@@ -29,6 +29,9 @@ QString revealedText(const EditorState& state)
     if (spec.follows)
         return QCoreApplication::translate("RevealedText", "reveals the map %1")
             .arg(model::mapSpec(*spec.follows).titleText());
+    const model::Head* head = state.document().project().head.get();
+    if (spec.ofHead != nullptr && head != nullptr && spec.ofHead(*head) != nullptr)
+        return QCoreApplication::translate("RevealedText", "reveals how hair naturally lies");
     return QCoreApplication::translate("RevealedText", "reveals %1, the default")
         .arg(valueText(group->settings, spec, valueOfTexel(spec, spec.defaultValue)));
 }

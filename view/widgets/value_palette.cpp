@@ -1,4 +1,4 @@
-// The palettes of scalar, index and colour maps.
+// The palettes of scalar, index, colour and vector maps.
 #include "view/widgets/value_palette.h"
 
 #include "model/texel_ops.h"
@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 namespace hairpaint::view {
 
@@ -37,6 +38,9 @@ namespace {
 
 constexpr int kColourColumns = 10;
 constexpr int kScalarSwatches = 7;
+constexpr double kPercents = 100.0;
+constexpr double kDegrees = 180.0 / std::numbers::pi; ///< A radian.
+constexpr double kWholeTurnDeg = 360.0;
 
 /// Round numbers of the map's own unit from nothing to the greatest value.
 std::vector<double> roundSteps(const sim::GroupSettings& settings, MapKind map)
@@ -61,6 +65,21 @@ std::vector<double> roundSteps(const sim::GroupSettings& settings, MapKind map)
         steps.push_back((first + i) * step);
     steps.push_back(unit.maximum);
     return steps;
+}
+
+/// 0..360, from the map's right against the clock.
+double angleDeg(glm::vec2 direction)
+{
+    const double degrees = std::atan2(static_cast<double>(direction.y), static_cast<double>(direction.x)) * kDegrees;
+    return degrees < 0.0 ? degrees + kWholeTurnDeg : degrees;
+}
+
+/// Exact along the axes.
+glm::vec2 directionAt(double degrees, double flatness)
+{
+    const auto exact = [](double value) { return std::abs(value) < 1e-9 ? 0.0 : value; };
+    return {static_cast<float>(flatness * exact(std::cos(degrees / kDegrees))),
+            static_cast<float>(flatness * exact(std::sin(degrees / kDegrees)))};
 }
 
 /// Nobody could tell them apart.
@@ -101,6 +120,8 @@ void ValuePalette::rebuild()
     delete m_body;
     m_swatches.clear();
     m_slider = nullptr;
+    m_angle = nullptr;
+    m_flatness = nullptr;
     m_hex = nullptr;
     m_body = new QWidget(this);
     auto* column = new QVBoxLayout(m_body);
@@ -134,6 +155,9 @@ void ValuePalette::rebuild()
     case model::TexelKind::Colour:
         buildColour(*column);
         break;
+    case model::TexelKind::Vector:
+        buildVector(*column);
+        break;
     }
     layout()->addWidget(m_body);
 }
@@ -156,6 +180,12 @@ void ValuePalette::refresh()
     }
     if (m_slider != nullptr)
         m_slider->setValue(shownValue(m_state.activeSettings(), spec.kind, static_cast<double>(value.scalar)));
+    if (m_angle != nullptr) {
+        // Upright hair has no angle: the slider keeps the last one.
+        if (glm::length(value.direction) > 0.0F)
+            m_angle->setValue(angleDeg(value.direction));
+        m_flatness->setValue(kPercents * static_cast<double>(glm::length(value.direction)));
+    }
     if (m_hex != nullptr && !m_hex->hasFocus())
         m_hex->setText(value.colour.name());
 }
@@ -256,6 +286,46 @@ void ValuePalette::buildIndex(QVBoxLayout& layout)
         Swatch* swatch = addSwatch(value, name);
         swatch->setCaption(name);
         row->addWidget(swatch);
+    }
+    row->addStretch(1);
+    layout.addLayout(row);
+}
+
+void ValuePalette::buildVector(QVBoxLayout& layout)
+{
+    const auto slider = [&](const QString& label, double greatest, const QString& unit) {
+        auto* made = new BarSlider(label, m_body);
+        made->setRange(0.0, greatest);
+        made->setUnit(unit);
+        made->setMinimumWidth(260);
+        layout.addWidget(made);
+        connect(made, &BarSlider::valueChanged, this, [this] {
+            PaintValue value = edited(m_state.activeMap());
+            value.direction = directionAt(m_angle->value(), m_flatness->value() / kPercents);
+            setValue(value);
+        });
+        return made;
+    };
+    m_angle = slider(tr("Angle"), kWholeTurnDeg, QStringLiteral("°"));
+    m_flatness = slider(tr("Flatness"), kPercents, QStringLiteral("%"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    constexpr double kFlat = 0.9;
+    constexpr double kStepDeg = 45.0;
+    const auto add = [&](const QString& caption, const QString& name, glm::vec2 direction) {
+        PaintValue value;
+        value.direction = direction;
+        Swatch* swatch = addSwatch(value, name);
+        swatch->setCaption(caption);
+        row->addWidget(swatch);
+    };
+    const MapSpec& spec = model::mapSpec(m_state.activeMap());
+    add(QStringLiteral("·"), tr("Upright"), glm::vec2(0.0F));
+    // Arrows against the clock from the map's right.
+    for (int i = 0; const char16_t arrow : {u'→', u'↗', u'↑', u'↖', u'←', u'↙', u'↓', u'↘'}) {
+        PaintValue value;
+        value.direction = directionAt(kStepDeg * i++, kFlat);
+        add(QChar(arrow), valueText(m_state.activeSettings(), spec, value), value.direction);
     }
     row->addStretch(1);
     layout.addLayout(row);

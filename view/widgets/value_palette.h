@@ -1,4 +1,4 @@
-// Picks what the active map is painted with: numbers in the map's own unit, named kinds, or hair colours.
+// Picks what the active map is painted with: numbers in the map's own unit, named kinds, hair colours, or directions.
 #pragma once
 
 #include "view/editor_state.h"
@@ -40,6 +40,7 @@ private:
     void buildScalar(QVBoxLayout& layout);
     void buildIndex(QVBoxLayout& layout);
     void buildColour(QVBoxLayout& layout);
+    void buildVector(QVBoxLayout& layout);
     void chooseColour();
     Swatch* addSwatch(const model::PaintValue& value, const QString& name);
 
@@ -47,6 +48,8 @@ private:
     bool m_second = false;
     QWidget* m_body = nullptr;
     BarSlider* m_slider = nullptr;
+    BarSlider* m_angle = nullptr; ///< Of a vector, degrees.
+    BarSlider* m_flatness = nullptr;
     QLabel* m_title = nullptr;
     QLineEdit* m_hex = nullptr;
     std::vector<std::pair<Swatch*, model::PaintValue>> m_swatches;

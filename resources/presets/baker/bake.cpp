@@ -3,6 +3,7 @@
 
 #include "model/files/project_file.h"
 #include "model/heads/built_in_heads.h"
+#include "sim/groom/direction_texel.h"
 
 #include <cmath>
 
@@ -37,6 +38,14 @@ sim::Texel valueAt(const Style& style, const model::MapSpec& spec, const SkinPoi
         const QColor colour = style.colour(point);
         return {texelValue(colour.redF()), texelValue(colour.greenF()), texelValue(colour.blueF()), 65535};
     }
+    case model::MapKind::Direction: {
+        const std::optional<glm::vec3> along = style.direction ? style.direction(point) : std::nullopt;
+        if (!along)
+            return sim::texelOfDirection({}); // Not painted: as hair naturally lies.
+        sim::Texel texel = sim::texelOfDirection(point.frame.fromHd(*along));
+        texel[2] = 65535;
+        return texel;
+    }
     default:
         return spec.defaultValue; // Not painted.
     }
@@ -56,7 +65,8 @@ SkinPoints pointsOn(const sim::Skin& skin)
                 points[static_cast<std::size_t>(y) * kMapSize + static_cast<std::size_t>(x)] =
                     SkinPoint{.positionHd = point->positionHd,
                               .normalHd = point->normalHd,
-                              .scalpM = regions.scalpDistance(point->positionHd)};
+                              .scalpM = regions.scalpDistance(point->positionHd),
+                              .frame = sim::SkinFrame::at(*point)};
         }
     return points;
 }

@@ -1,4 +1,4 @@
-// The eight built-in styles.
+// The built-in styles.
 #include "styles.h"
 
 #include <algorithm>
@@ -30,6 +30,18 @@ ColourField plain(const QColor& colour)
     return [=](const SkinPoint&) { return colour; };
 }
 
+/// What a comb drawn in direction `wanted` leaves, lifted off the skin by what `flatness` says.
+glm::vec3 alongSkin(const SkinPoint& point, glm::vec3 wanted, float flatness)
+{
+    const glm::vec3 along = wanted - point.normalHd * glm::dot(wanted, point.normalHd);
+    return along * (flatness / std::max(std::sqrt(glm::dot(along, along)), 1e-6F));
+}
+
+DirectionField upright()
+{
+    return [](const SkinPoint&) { return std::optional(glm::vec3(0.0F)); };
+}
+
 /// Lengths (of a greatest `greatestM`) under which hair that falls over the head ends at height `endY`: the way down
 /// from the root, and the way over the crown for hair that grows on top.
 ScalarField endingAt(float endY, float greatestM, float shortestM)
@@ -41,14 +53,12 @@ ScalarField endingAt(float endY, float greatestM, float shortestM)
     };
 }
 
-sim::GroupSettings settings(float greatestLengthM, float body, float volumeM)
+sim::GroupSettings settings(float greatestLengthM, float stiffnessM, float volumeM)
 {
     sim::GroupSettings result;
     result.basisHairs = 16384; // Some 3,700 on the scalp, 4 mm apart.
-    result.physics.parting = 1.0F;
-    result.physics.sweepBack = 1.0F;
     result.greatestLengthM = greatestLengthM;
-    result.physics.body = body;
+    result.physics.stiffnessM = stiffnessM;
     result.physics.volumeM = volumeM;
     return result;
 }
@@ -58,7 +68,7 @@ Style longStraight()
     Style style{.id = "long-straight",
                 .name = QStringLiteral("Long straight"),
                 .tags = {QStringLiteral("long"), QStringLiteral("straight")},
-                .settings = settings(0.50F, 0.15F, 0.008F),
+                .settings = settings(0.50F, 0.05F, 0.008F),
                 .density = scalp(0.85F),
                 .length = endingAt(-0.26F, 0.50F, 0.12F),
                 .curl = constant(0.06F),
@@ -77,7 +87,7 @@ Style bob()
     Style style{.id = "bob",
                 .name = QStringLiteral("Bob"),
                 .tags = {QStringLiteral("medium"), QStringLiteral("straight")},
-                .settings = settings(0.25F, 0.17F, 0.010F),
+                .settings = settings(0.25F, 0.055F, 0.010F),
                 .density = {},
                 .length = endingAt(-0.085F, 0.25F, 0.10F),
                 .curl = constant(0.0F),
@@ -101,7 +111,7 @@ Style ringlets()
     Style style{.id = "ringlets",
                 .name = QStringLiteral("Ringlets"),
                 .tags = {QStringLiteral("medium"), QStringLiteral("curly")},
-                .settings = settings(0.30F, 0.20F, 0.020F),
+                .settings = settings(0.30F, 0.05F, 0.020F),
                 .density = scalp(0.75F),
                 .length = endingAt(-0.13F, 0.30F, 0.09F),
                 .curl = constant(0.66F),
@@ -120,7 +130,7 @@ Style afro()
     Style style{.id = "round-afro",
                 .name = QStringLiteral("Round afro"),
                 .tags = {QStringLiteral("short"), QStringLiteral("coily")},
-                .settings = settings(0.12F, 0.6F, 0.0F),
+                .settings = settings(0.12F, 0.10F, 0.0F),
                 .density = scalp(0.8F),
                 .length = {},
                 .curl = constant(0.9F),
@@ -138,6 +148,7 @@ Style afro()
         const float edge = 0.25F + 0.75F * smooth(0.0F, 0.045F, point.scalpM);
         return lengthM * edge / 0.12F;
     };
+    style.direction = upright();
     style.settings.greatestCurlRadiusM = 0.012F;
     style.settings.basisHairs = 8000;
     style.settings.material.shine = 0.25F;
@@ -149,7 +160,7 @@ Style twoPlaits()
     Style style{.id = "two-plaits",
                 .name = QStringLiteral("Two plaits"),
                 .tags = {QStringLiteral("long"), QStringLiteral("braided")},
-                .settings = settings(0.40F, 0.08F, 0.006F),
+                .settings = settings(0.40F, 0.04F, 0.006F),
                 .density = scalp(0.7F),
                 .length = constant(0.70F),
                 .curl = constant(0.0F),
@@ -175,7 +186,7 @@ Style mohawk()
     Style style{.id = "gelled-mohawk",
                 .name = QStringLiteral("Gelled mohawk"),
                 .tags = {QStringLiteral("short"), QStringLiteral("gelled")},
-                .settings = settings(0.15F, 0.5F, 0.0F),
+                .settings = settings(0.15F, 0.10F, 0.0F),
                 .density = scalp(0.8F),
                 .length = {},
                 .curl = constant(0.0F),
@@ -195,6 +206,9 @@ Style mohawk()
         return smooth(-0.001F, 0.005F, point.scalpM) * (0.55F + 0.4F * crest(point));
     };
     style.clump = [crest](const SkinPoint& point) { return 0.85F * crest(point); };
+    style.direction = [crest](const SkinPoint& point) {
+        return crest(point) > 0.0F ? std::optional(glm::vec3(0.0F)) : std::nullopt;
+    };
     style.colour = [crest](const SkinPoint& point) {
         return crest(point) > 0.5F ? QColor(0x18, 0x6E, 0x66) : QColor(0x2A, 0x22, 0x1E);
     };
@@ -207,7 +221,7 @@ Style splitDye()
     Style style{.id = "split-dye",
                 .name = QStringLiteral("Split dye"),
                 .tags = {QStringLiteral("medium"), QStringLiteral("wavy"), QStringLiteral("coloured")},
-                .settings = settings(0.34F, 0.14F, 0.014F),
+                .settings = settings(0.34F, 0.05F, 0.014F),
                 .density = {},
                 .length = endingAt(-0.155F, 0.34F, 0.09F),
                 .curl = constant(0.36F),
@@ -233,12 +247,12 @@ Style buzzCut()
     Style style{.id = "buzz-cut",
                 .name = QStringLiteral("Buzz cut"),
                 .tags = {QStringLiteral("short"), QStringLiteral("straight")},
-                .settings = settings(0.03F, 0.8F, 0.0F),
+                .settings = settings(0.03F, 0.06F, 0.0F),
                 .density = scalp(0.95F, 0.012F),
                 .length = {},
                 .curl = constant(0.0F),
                 .clump = constant(0.0F),
-                .gel = constant(1.0F),
+                .gel = constant(0.0F),
                 .braid = {},
                 .colour = plain(QColor(0x3A, 0x2B, 0x22))};
     // Faded toward the hairline, as clippers leave it.
@@ -252,11 +266,134 @@ Style buzzCut()
     return style;
 }
 
+/// 1 on top of the head, over the ridge where clippers stop.
+float topOf(const SkinPoint& point)
+{
+    return smooth(0.047F, 0.058F, point.positionHd.y + 0.10F * std::max(0.0F, -point.positionHd.z - 0.06F));
+}
+
+/// A fade: `shortestM` at the hairline, `ridgeM` under the ridge, `topM` over it.
+ScalarField faded(float shortestM, float ridgeM, const ScalarField& topM, float greatestM)
+{
+    return [=](const SkinPoint& point) {
+        const float side = shortestM + (ridgeM - shortestM) * smooth(0.005F, 0.05F, point.scalpM);
+        return (side + (topM(point) - side) * topOf(point)) / greatestM;
+    };
+}
+
+Style slickedUndercut()
+{
+    Style style{.id = "slicked-undercut",
+                .name = QStringLiteral("Slicked undercut"),
+                .tags = {QStringLiteral("short"), QStringLiteral("gelled")},
+                .settings = settings(0.15F, 0.05F, 0.004F),
+                .density = scalp(0.95F, 0.010F),
+                .length = faded(0.003F, 0.006F, constant(0.115F), 0.15F),
+                .curl = constant(0.0F),
+                .clump = {},
+                .gel = [](const SkinPoint& point) { return 0.5F * topOf(point); },
+                .braid = {},
+                .colour = plain(QColor(0x2C, 0x1D, 0x14)),
+                .direction = [](const SkinPoint& point) -> std::optional<glm::vec3> {
+                    if (topOf(point) <= 0.0F)
+                        return std::nullopt;
+                    return alongSkin(point, {-0.6F * point.positionHd.x / 0.06F * 0.2F, -0.15F, -1.0F}, 0.95F);
+                }};
+    style.clump = [](const SkinPoint& point) { return 0.45F * topOf(point); };
+    style.settings.nodesPerHair = 10;
+    style.settings.material.shine = 0.8F;
+    style.settings.material.roughness = 0.25F;
+    style.settings.material.tipAlpha = 0.7F;
+    return style;
+}
+
+Style quiff()
+{
+    const auto front = [](const SkinPoint& point) { return smooth(0.0F, 0.07F, point.positionHd.z); };
+    Style style{.id = "quiff",
+                .name = QStringLiteral("Quiff"),
+                .tags = {QStringLiteral("short"), QStringLiteral("gelled")},
+                .settings = settings(0.15F, 0.06F, 0.010F),
+                .density = scalp(0.95F, 0.010F),
+                .length = faded(
+                    0.004F, 0.014F, [front](const SkinPoint& point) { return 0.045F + 0.030F * front(point); }, 0.15F),
+                .curl = constant(0.0F),
+                .clump = {},
+                .gel = [front](const SkinPoint& point) { return topOf(point) * (0.35F + 0.35F * front(point)); },
+                .braid = {},
+                .colour = plain(QColor(0x5B, 0x3A, 0x22)),
+                .direction = [front](const SkinPoint& point) -> std::optional<glm::vec3> {
+                    if (topOf(point) <= 0.0F)
+                        return std::nullopt;
+                    // Up at the front, ever flatter behind it, and a little to one side.
+                    const float flatness = 0.92F - 0.40F * front(point);
+                    return alongSkin(point, {-0.25F, 0.0F, -1.0F}, flatness);
+                }};
+    style.clump = [](const SkinPoint& point) { return 0.4F * topOf(point); };
+    style.settings.nodesPerHair = 8;
+    style.settings.material.shine = 0.55F;
+    style.settings.material.tipAlpha = 0.7F;
+    return style;
+}
+
+Style sidePart()
+{
+    constexpr float kPartM = 0.030F; // On the head's left.
+    Style style{.id = "side-part",
+                .name = QStringLiteral("Side part"),
+                .tags = {QStringLiteral("short"), QStringLiteral("straight")},
+                .settings = settings(0.15F, 0.05F, 0.006F),
+                .density = {},
+                .length = faded(0.006F, 0.018F, constant(0.080F), 0.15F),
+                .curl = constant(0.02F),
+                .clump = constant(0.25F),
+                .gel = [](const SkinPoint& point) { return 0.35F * topOf(point); },
+                .braid = {},
+                .colour = plain(QColor(0x6B, 0x43, 0x25)),
+                .direction = [](const SkinPoint& point) -> std::optional<glm::vec3> {
+                    const float top = topOf(point);
+                    if (top <= 0.0F || point.positionHd.z < -0.06F)
+                        return std::nullopt;
+                    const bool wide = point.positionHd.x < kPartM;
+                    return alongSkin(point, {wide ? -1.0F : 1.0F, -0.3F, wide ? 0.15F : -0.35F}, 0.93F);
+                }};
+    style.density = [](const SkinPoint& point) {
+        const bool parted = topOf(point) > 0.0F && point.positionHd.z > -0.063F;
+        const float gap = parted ? smooth(0.0006F, 0.0016F, std::abs(point.positionHd.x - kPartM)) : 1.0F;
+        return 0.95F * smooth(-0.001F, 0.010F, point.scalpM) * gap;
+    };
+    style.settings.nodesPerHair = 10;
+    style.settings.material.shine = 0.6F;
+    style.settings.material.tipAlpha = 0.7F;
+    return style;
+}
+
+Style frenchCrop()
+{
+    Style style{.id = "french-crop",
+                .name = QStringLiteral("French crop"),
+                .tags = {QStringLiteral("short"), QStringLiteral("straight")},
+                .settings = settings(0.10F, 0.05F, 0.008F),
+                .density = scalp(0.95F, 0.010F),
+                .length = faded(0.003F, 0.009F, constant(0.042F), 0.10F),
+                .curl = constant(0.03F),
+                .clump = {},
+                .gel = constant(0.0F),
+                .braid = {},
+                .colour = plain(QColor(0x33, 0x24, 0x1C))};
+    style.clump = [](const SkinPoint& point) { return 0.5F * topOf(point); };
+    style.settings.greatestCurlRadiusM = 0.008F;
+    style.settings.nodesPerHair = 8;
+    style.settings.material.tipAlpha = 0.6F;
+    return style;
+}
+
 } // namespace
 
 std::vector<Style> builtInStyles()
 {
-    return {longStraight(), bob(), ringlets(), afro(), twoPlaits(), mohawk(), splitDye(), buzzCut()};
+    return {longStraight(), bob(),     ringlets(),        afro(),  twoPlaits(), mohawk(),
+            splitDye(),     buzzCut(), slickedUndercut(), quiff(), sidePart(),  frenchCrop()};
 }
 
 } // namespace hairpaint::presets

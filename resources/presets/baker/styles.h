@@ -3,6 +3,7 @@
 
 #include "model/map_spec.h"
 #include "sim/groom/group_settings.h"
+#include "sim/skin/skin_frame.h"
 
 #include <QColor>
 #include <QStringList>
@@ -10,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace hairpaint::presets {
@@ -20,9 +22,12 @@ struct SkinPoint
     glm::vec3 positionHd;
     glm::vec3 normalHd;
     float scalpM; ///< Distance inside the natural hairline; negative outside.
+    sim::SkinFrame frame;
 };
 
 using ScalarField = std::function<float(const SkinPoint&)>; ///< 0..1
+/// Along the skin, as long as the cosine of the angle to it; none where hair lies naturally.
+using DirectionField = std::function<std::optional<glm::vec3>(const SkinPoint&)>;
 using ColourField = std::function<QColor(const SkinPoint&)>;
 
 struct Style
@@ -34,6 +39,7 @@ struct Style
     ScalarField density, length, curl, clump, gel;
     ScalarField braid; ///< The palette's index; none where null.
     ColourField colour;
+    DirectionField direction = {}; ///< Naturally everywhere where null.
 };
 
 [[nodiscard]] std::vector<Style> builtInStyles(); ///< In the strip's order.

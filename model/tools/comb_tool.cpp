@@ -1,0 +1,314 @@
+// The comb: lays hair along the pointer's way over the skin, lifts it, smooths it or ruffles it.
+#include "model/compositor.h"
+#include "model/tools/brush_path.h"
+#include "model/tools/comb_field.h"
+#include "model/tools/live_edit.h"
+#include "model/tools/picker.h"
+#include "model/tools/skin_frames.h"
+#include "model/tools/tool_list.h"
+#include "sim/groom/direction_texel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr float kCombSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
+constexpr float kCombLeastStepTx = 0.5F;
+constexpr float kSmoothing = 0.25F; ///< Of the diameter: the way over which the direction follows the pointer.
+constexpr float kLeastSmoothingM = 0.002F;
+constexpr float kJumpM = 0.03F;             ///< Places further apart than this, and than the dabs, are no motion.
+constexpr float kSmoothReach = 0.2F;        ///< Of the diameter: from where neighbours are taken.
+constexpr float kRuffleRad = 0.9F;          ///< Noise turns by at most this,
+constexpr float kRuffleLength = 0.25F;      ///< and changes the length by at most this.
+constexpr float kRuffleCells = 512.0F;      ///< Places of noise along the layout's side.
+const glm::vec3 kAcross(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
+
+/// -1..1, the same for the same place.
+float noiseAt(int x, int y, std::uint32_t salt)
+{
+    std::uint32_t h =
+        static_cast<std::uint32_t>(x) * 0x8DA6B343U ^ static_cast<std::uint32_t>(y) * 0xD8163841U ^ salt * 0xCB1AB31FU;
+    h = (h ^ (h >> 15U)) * 0x2C1B3C6DU;
+    h = (h ^ (h >> 12U)) * 0x297A2D39U;
+    return static_cast<float>((h ^ (h >> 15U)) >> 8U) / 8388608.0F - 1.0F;
+}
+
+glm::vec2 turnedBy(glm::vec2 v, float angleRad)
+{
+    const float c = std::cos(angleRad);
+    const float s = std::sin(angleRad);
+    return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+class CombTool : public Tool
+{
+    Q_DECLARE_TR_FUNCTIONS(Tool)
+public:
+    [[nodiscard]] ToolId id() const override { return ToolId::Comb; }
+    [[nodiscard]] QString title() const override { return tr("Comb"); }
+    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_C; }
+    [[nodiscard]] QString hint() const override
+    {
+        return tr("Drag to lay hair along the stroke; Shift+click for a straight line from the last point");
+    }
+    [[nodiscard]] std::vector<ToolOption> options() const override
+    {
+        return {ToolOption::CombKind, ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity,
+                ToolOption::Flatness};
+    }
+    [[nodiscard]] bool hasRing() const override { return true; }
+    [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
+
+    void press(const ToolEvent& event, ToolContext& context) override;
+    void move(const ToolEvent& event, ToolContext& context) override
+    {
+        if (active())
+            combTo(event, context);
+    }
+    void release(const ToolEvent& event, ToolContext& context) override;
+    void cancel(ToolContext& /*context*/) override
+    {
+        m_edit.cancel();
+        drop();
+    }
+    void commit(ToolContext& /*context*/) override
+    {
+        m_edit.commit();
+        drop();
+    }
+    [[nodiscard]] bool active() const override { return m_edit.active(); }
+
+private:
+    void combTo(const ToolEvent& event, ToolContext& context);
+    void follow(const BrushSample& sample, const ToolContext& context);
+    void dab(const BrushSample& sample, const ToolContext& context);
+    void lay(const Dab& dab, glm::vec3 wayHd, const sim::SkinFrame& centre, const ToolSettings& settings,
+             float pressure);
+    [[nodiscard]] glm::vec2 along(glm::vec2 uv, glm::vec3 wayHd, const sim::SkinFrame& centre);
+    [[nodiscard]] glm::vec2 restyled(glm::vec2 uv, const ToolSettings& settings);
+    [[nodiscard]] glm::vec2 smoothed(glm::vec2 uv, glm::vec2 reachUv);
+    [[nodiscard]] glm::vec2 before(glm::vec2 uv) const;
+    void show();
+    void drop();
+
+    LiveEdit m_edit;
+    std::optional<StrokeBuffer> m_masks;
+    std::optional<CombField> m_field;
+    std::optional<BrushPath> m_path;
+    std::unique_ptr<SkinFrames> m_frames;             ///< Kept from stroke to stroke.
+    std::shared_ptr<const sim::TiledRaster> m_before; ///< The map as it was seen when the stroke began.
+    std::optional<ToolEvent> m_last;                  ///< Where the next straight line starts; kept between strokes.
+    std::optional<BrushSample> m_previous;            ///< The last place that lay on the skin.
+    bool m_waits = false;                             ///< That place has no dab yet: it is not known where it goes.
+    std::optional<glm::vec3> m_wayHd;                 ///< Unit: where the pointer goes, smoothed.
+    glm::vec2 m_reachUv{0.0F};                        ///< Of the dab that is laid.
+    std::uint16_t m_opacity = 65535;
+};
+
+void CombTool::press(const ToolEvent& event, ToolContext& context)
+{
+    if (picksInstead(event, context))
+        return;
+    const Head* head = context.document.project().head.get();
+    if (context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr || active())
+        return;
+    std::shared_ptr<const sim::TiledRaster> shown =
+        context.document.resolvedNow(context.target.group, context.target.map);
+    if (!m_edit.begin(context, title()))
+        return;
+    m_before = std::move(shown);
+    if (m_frames == nullptr || !m_frames->isOf(head->skin))
+        m_frames = std::make_unique<SkinFrames>(head->skin);
+    m_masks.emplace(m_edit.size());
+    m_field.emplace(m_edit.size());
+    m_path.emplace(head->skin.get(), context.settings.brushSizeM * kCombSpacing,
+                   kCombLeastStepTx / static_cast<float>(m_edit.size()));
+    m_opacity = unit16(context.settings.opacity);
+    m_previous.reset();
+    m_wayHd.reset();
+    m_waits = false;
+    if (event.modifiers.testFlag(Qt::ShiftModifier) && m_last && m_last->point) {
+        m_last->pressure = event.pressure;
+        m_path->standAt(*m_last);
+        m_previous = BrushSample{.uv = m_last->point->uv,
+                                 .point = m_last->point,
+                                 .metric = SkinMetric::at(*m_last->point),
+                                 .pressure = event.pressure};
+    }
+    combTo(event, context);
+}
+
+void CombTool::release(const ToolEvent& event, ToolContext& context)
+{
+    if (!active())
+        return;
+    // A pen's last event has no pressure left; it still says where the stroke ends.
+    ToolEvent end = event;
+    if (m_last)
+        end.pressure = m_last->pressure;
+    combTo(end, context);
+    commit(context);
+}
+
+void CombTool::drop()
+{
+    m_masks.reset();
+    m_field.reset();
+    m_path.reset();
+    m_before.reset();
+}
+
+void CombTool::combTo(const ToolEvent& event, ToolContext& context)
+{
+    m_path->moveTo(event, [&](const BrushSample& sample) { follow(sample, context); });
+    if (event.area == Area::Paint || event.point)
+        m_last = event;
+    show();
+}
+
+/// The first place waits until the second says where the stroke goes.
+void CombTool::follow(const BrushSample& sample, const ToolContext& context)
+{
+    if (!sample.point)
+        return m_previous.reset();
+    const ToolSettings& settings = context.settings;
+    if (settings.comb != CombKind::Lay) {
+        dab(sample, context);
+        return;
+    }
+    const glm::vec3 motionHd = m_previous ? sample.point->positionHd - m_previous->point->positionHd : glm::vec3(0.0F);
+    const float moved = glm::length(motionHd);
+    if (!m_previous || moved > std::max(kJumpM, settings.brushSizeM)) {
+        m_previous = sample;
+        m_wayHd.reset();
+        m_waits = true;
+        return;
+    }
+    if (moved < 1e-6F)
+        return;
+    const float smoothingM = std::max(kSmoothing * settings.brushSizeM, kLeastSmoothingM);
+    const glm::vec3 now = motionHd / moved;
+    glm::vec3 way = m_wayHd ? *m_wayHd + (now - *m_wayHd) * (1.0F - std::exp(-moved / smoothingM)) : now;
+    const float length = glm::length(way);
+    m_wayHd = length > 0.1F ? way / length : now; // Turned right back: no way in between.
+    if (std::exchange(m_waits, false))
+        dab(*m_previous, context);
+    m_previous = sample;
+    dab(sample, context);
+}
+
+void CombTool::dab(const BrushSample& sample, const ToolContext& context)
+{
+    const ToolSettings& settings = context.settings;
+    const int size = m_edit.size();
+    Dab dab = dabAt(sample.metric, sample.uv, 0.5F * settings.brushSizeM, size);
+    dab.hardness = settings.hardness;
+    const glm::vec3 wayHd = m_wayHd.value_or(glm::vec3(0.0F));
+    lay(dab, wayHd, sim::SkinFrame::at(*sample.point), settings, sample.pressure);
+    if (!context.mirror)
+        return;
+    const Head& head = *context.document.project().head;
+    const auto other = head.skin->mirrored(*sample.point);
+    if (!other)
+        return;
+    Dab twin = head.builtIn ? mirroredInU(dab, size)
+                            : dabAt(SkinMetric::at(*other), other->uv, 0.5F * settings.brushSizeM, size);
+    twin.hardness = dab.hardness;
+    lay(twin, wayHd * kAcross, sim::SkinFrame::at(*other), settings, sample.pressure);
+}
+
+void CombTool::lay(const Dab& dab, glm::vec3 wayHd, const sim::SkinFrame& centre, const ToolSettings& settings,
+                   float pressure)
+{
+    for (const sim::TexelRect& clip : m_edit.clips())
+        m_masks->add(dab, clip);
+    const auto size = static_cast<float>(m_edit.size());
+    m_reachUv = glm::vec2(kSmoothReach) / (size * glm::sqrt(glm::vec2(dab.a, dab.c)));
+    const float flatness = settings.flatness * std::clamp(pressure, 0.0F, 1.0F);
+    m_field->add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
+        const glm::vec2 uv((static_cast<float>(x) + 0.5F) / size, 1.0F - (static_cast<float>(y) + 0.5F) / size);
+        return settings.comb == CombKind::Lay ? along(uv, wayHd, centre) * flatness : restyled(uv, settings);
+    });
+}
+
+/// Unit, in the texel's frame. Off the skin, where hair never stands but values bleed in from, in the dab's.
+glm::vec2 CombTool::along(glm::vec2 uv, glm::vec3 wayHd, const sim::SkinFrame& centre)
+{
+    constexpr float kSteep = 0.1F;
+    const sim::SkinFrame frame = m_frames->at(uv).value_or(centre);
+    glm::vec2 way = frame.fromHd(wayHd);
+    if (glm::length(way) < kSteep)
+        way = centre.fromHd(wayHd);
+    const float length = glm::length(way);
+    return length > 0.0F ? way / length : glm::vec2(0.0F);
+}
+
+glm::vec2 CombTool::before(glm::vec2 uv) const
+{
+    constexpr float kGreatest = 65535.0F;
+    return sim::directionOfChannels(glm::vec2(m_before->sampleBilinear(uv)) * kGreatest);
+}
+
+/// What the modes that do not follow the pointer make of the hair that is there.
+glm::vec2 CombTool::restyled(glm::vec2 uv, const ToolSettings& settings)
+{
+    const glm::vec2 was = before(uv);
+    const float length = glm::length(was);
+    if (settings.comb == CombKind::Smooth)
+        return smoothed(uv, m_reachUv);
+    if (settings.comb == CombKind::Noise) {
+        const glm::ivec2 cell(glm::floor(uv * kRuffleCells));
+        const float stretched = std::clamp(length * (1.0F + kRuffleLength * noiseAt(cell.x, cell.y, 2)), 0.0F, 1.0F);
+        const glm::vec2 way = length > 0.0F ? was / length : glm::vec2(0.0F);
+        return turnedBy(way * stretched, kRuffleRad * noiseAt(cell.x, cell.y, 1));
+    }
+    return length > 1e-4F ? was * (settings.flatness / length) : was; // Upright hair has no way to lie.
+}
+
+glm::vec2 CombTool::smoothed(glm::vec2 uv, glm::vec2 reachUv)
+{
+    constexpr int kAround = 8;
+    constexpr float kTurn = 6.2831853F / kAround;
+    const std::optional<sim::SkinFrame> own = m_frames->at(uv);
+    const glm::vec2 was = before(uv);
+    if (!own)
+        return was;
+    glm::vec3 sum = own->toHd(was);
+    float lengths = glm::length(was);
+    float count = 1.0F;
+    for (int i = 0; i < kAround; ++i) {
+        const float angle = kTurn * static_cast<float>(i);
+        const glm::vec2 there = uv + reachUv * glm::vec2(std::cos(angle), std::sin(angle));
+        if (const std::optional<sim::SkinFrame> frame = m_frames->at(there)) {
+            const glm::vec2 beside = before(there);
+            sum += frame->toHd(beside);
+            lengths += glm::length(beside);
+            count += 1.0F;
+        }
+    }
+    // The mean way with the mean length: where hair turns, smoothing does not raise it.
+    const glm::vec2 mean = own->fromHd(sum) / count;
+    const float length = glm::length(mean);
+    return length > 1e-4F ? mean * (lengths / (count * length)) : mean;
+}
+
+void CombTool::show()
+{
+    m_edit.update(m_masks->takeDirty(), [this](int index, const sim::RasterTilePtr& before) {
+        const std::vector<std::uint16_t> values = m_field->values(index);
+        return paintTile(m_edit.spec(), before, *m_masks->mask(index), {.values = values.data(), .opacity = m_opacity});
+    });
+}
+
+} // namespace
+
+std::unique_ptr<Tool> makeCombTool()
+{
+    return std::make_unique<CombTool>();
+}
+
+} // namespace hairpaint::model

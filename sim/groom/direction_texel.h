@@ -1,0 +1,47 @@
+// How the direction map stores its vectors.
+#pragma once
+
+#include "sim/base/tiled_raster.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::sim {
+
+/// The way in which hair leaves the skin, projected on the tangent plane, in the frame of the root (SkinFrame). Its
+/// length is the cosine of the angle to the skin: 0 stands upright, 1 lies flat. Never longer than 1.
+using DirectionVector = glm::vec2;
+
+inline constexpr float kDirectionZero = 32768.0F; ///< What a channel stores for 0;
+inline constexpr float kDirectionOne = 32767.0F;  ///< and how far from it for 1.
+
+/// The same, scaled down where it is longer than 1.
+[[nodiscard]] inline DirectionVector shortened(DirectionVector direction)
+{
+    const float square = glm::dot(direction, direction);
+    return square > 1.0F ? direction / std::sqrt(square) : direction;
+}
+
+/// From the two channels, each 0..65535 and possibly between two steps.
+[[nodiscard]] inline DirectionVector directionOfChannels(glm::vec2 channels)
+{
+    return shortened(glm::clamp((channels - kDirectionZero) / kDirectionOne, -1.0F, 1.0F));
+}
+[[nodiscard]] inline DirectionVector directionOf(const Texel& texel)
+{
+    return directionOfChannels({static_cast<float>(texel[0]), static_cast<float>(texel[1])});
+}
+
+/// To the nearest step.
+[[nodiscard]] inline Texel texelOfDirection(DirectionVector direction)
+{
+    const auto stored = [](float value) {
+        return static_cast<std::uint16_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * kDirectionOne + kDirectionZero));
+    };
+    const DirectionVector kept = shortened(direction);
+    return {stored(kept.x), stored(kept.y), 0, 0};
+}
+
+} // namespace hairpaint::sim

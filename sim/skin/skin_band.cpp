@@ -1,0 +1,112 @@
+// Samples of the skin, spread to the cells around them.
+#include "sim/skin/skin_band.h"
+
+#include "sim/base/parallel.h"
+#include "sim/skin/mesh_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr float kCellM = 0.004F;
+constexpr float kMostCellsAcross = 256.0F; ///< Larger heads have larger cells.
+
+struct Seed
+{
+    std::uint32_t face = 0;
+    glm::vec3 barycentric{0.0F};
+    glm::vec3 positionHd{0.0F};
+};
+
+float square(glm::vec3 v)
+{
+    return glm::dot(v, v);
+}
+
+} // namespace
+
+SkinBand::SkinBand(const Skin& skin)
+{
+    const HeadMesh& mesh = skin.mesh();
+    const MeshBounds bounds = boundsOf(mesh);
+    const glm::vec3 size = bounds.size();
+    const float cellM = std::max(kCellM, std::max({size.x, size.y, size.z}) / kMostCellsAcross);
+    const int layers = static_cast<int>(std::ceil(kReachM / cellM));
+    m_perCell = 1.0F / cellM;
+    const float marginM = cellM * static_cast<float>(layers + 1);
+    m_originHd = bounds.least - marginM;
+    const glm::ivec3 cells = glm::ivec3((size + 2.0F * marginM) * m_perCell) + 1;
+    m_size = glm::vec3(cells);
+    m_columns = static_cast<std::size_t>(cells.x);
+    m_rows = static_cast<std::size_t>(cells.y);
+    m_index.assign(m_columns * m_rows * static_cast<std::size_t>(cells.z), kNone);
+
+    const auto cellOf = [&](glm::vec3 p) { return glm::ivec3((p - m_originHd) * m_perCell); };
+    const auto indexOfCell = [&](glm::ivec3 c) {
+        return (static_cast<std::size_t>(c.z) * m_rows + static_cast<std::size_t>(c.y)) * m_columns +
+               static_cast<std::size_t>(c.x);
+    };
+    const auto middleOf = [&](glm::ivec3 c) { return m_originHd + (glm::vec3(c) + 0.5F) * cellM; };
+
+    std::vector<Seed> seeds;
+    std::vector<glm::ivec3> filled; ///< [seeds]
+    for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
+        const glm::uvec3 t = mesh.triangles[face];
+        const glm::vec3 a = mesh.positionsHd[t.x];
+        const glm::vec3 b = mesh.positionsHd[t.y];
+        const glm::vec3 c = mesh.positionsHd[t.z];
+        const float longest = std::sqrt(std::max({square(b - a), square(c - b), square(a - c)}));
+        const int parts = std::max(static_cast<int>(std::ceil(longest * m_perCell * 2.0F)), 1);
+        for (int i = 0; i <= parts; ++i)
+            for (int j = 0; i + j <= parts; ++j) {
+                const glm::vec2 w = glm::vec2(i, j) / static_cast<float>(parts);
+                const glm::vec3 weights(1.0F - w.x - w.y, w.x, w.y);
+                const glm::vec3 p = a * weights.x + b * weights.y + c * weights.z;
+                const glm::ivec3 cell = cellOf(p);
+                std::uint32_t& index = m_index[indexOfCell(cell)];
+                if (index == kNone) {
+                    index = static_cast<std::uint32_t>(seeds.size());
+                    seeds.push_back({face, weights, p});
+                    filled.push_back(cell);
+                } else if (square(p - middleOf(cell)) < square(seeds[index].positionHd - middleOf(cell))) {
+                    seeds[index] = {face, weights, p};
+                }
+            }
+    }
+    // Layer by layer, each from the cells of the layer before alone, so that the order does not matter.
+    std::size_t layerBegin = 0;
+    for (int layer = 0; layer < layers; ++layer) {
+        const std::size_t layerEnd = filled.size();
+        for (std::size_t i = layerBegin; i < layerEnd; ++i) {
+            const glm::ivec3 cell = filled[i];
+            for (int n = 0; n < 27; ++n) {
+                const glm::ivec3 next = cell + glm::ivec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+                if (glm::any(glm::lessThan(next, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(next, cells)))
+                    continue;
+                std::uint32_t& index = m_index[indexOfCell(next)];
+                if (index == kNone) {
+                    index = static_cast<std::uint32_t>(seeds.size());
+                    seeds.push_back(seeds[i]);
+                    filled.push_back(next);
+                } else if (index >= layerEnd && square(seeds[i].positionHd - middleOf(next)) <
+                                                    square(seeds[index].positionHd - middleOf(next))) {
+                    seeds[index] = seeds[i];
+                }
+            }
+        }
+        layerBegin = layerEnd;
+    }
+    m_cells.resize(seeds.size());
+    parallelFor(seeds.size(), 2048, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const SurfacePoint point = skin.at(seeds[i].face, seeds[i].barycentric);
+            m_cells[i] = {point.positionHd, point.uv, SkinFrame::at(point)};
+        }
+    });
+}
+
+} // namespace hairpaint::sim

@@ -1,0 +1,170 @@
+// How hair lies on the bust, measured on exported curves: no spikes, close to the skin, and it stays where it is
+// combed.
+#include "model/files/head_file.h"
+#include "model/files/project_file.h"
+#include "sim/groom/direction_texel.h"
+#include "sim/skin/skin_frame.h"
+#include "tests/app/program.h"
+#include "tests/support/test_program.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace hairpaint;
+using namespace hairpaint::test;
+
+namespace {
+
+constexpr int kHairs = 4000;
+constexpr int kMapSize = 512;
+
+/// A texel for every place on the built-in head's skin that a map of kMapSize shows.
+template<typename ValueAt>
+void paint(sim::TiledRaster& raster, const ValueAt& valueAt)
+{
+    const sim::Skin& skin = *model::builtInHead()->skin;
+    for (int y = 0; y < kMapSize; ++y)
+        for (int x = 0; x < kMapSize; ++x) {
+            const glm::vec2 uv((static_cast<float>(x) + 0.5F) / kMapSize,
+                               1.0F - (static_cast<float>(y) + 0.5F) / kMapSize);
+            if (const auto point = skin.atUv(uv))
+                raster.setTexel(x, y, valueAt(*point));
+        }
+}
+
+} // namespace
+
+class TestLie : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+
+    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+
+    /// The scalp of "Buzz cut", straight hair of one length and gel, combed back or not at all.
+    [[nodiscard]] QString projectOf(float lengthM, float gel, bool combedBack) const
+    {
+        const QString file = path("lie.hairpaint");
+        const Outcome made = runProgram({QStringLiteral("new"), QStringLiteral("-o"), file, QStringLiteral("--preset"),
+                                         QStringLiteral("Buzz cut")});
+        if (!made.error.isEmpty())
+            return {};
+        model::Result<model::Project> project = model::loadProject(file);
+        if (!project)
+            return {};
+        model::HairGroup& group = project->groups.front();
+        group.settings.greatestLengthM = lengthM;
+        group.settings.nodesPerHair = 10;
+        const auto scalar = [&](model::MapKind kind, float value) {
+            model::MapStack& stack = group.map(kind);
+            const auto texel = static_cast<std::uint16_t>(65535.0F * value);
+            stack.layers.front().raster = sim::TiledRaster(stack.size, 2, {texel, 65535});
+        };
+        scalar(model::MapKind::Length, 1.0F);
+        scalar(model::MapKind::Gel, gel);
+        if (combedBack) {
+            model::MapStack& stack = group.map(model::MapKind::Direction);
+            stack.size = kMapSize;
+            stack.layers.front().raster = sim::TiledRaster(kMapSize, 3, {32768, 32768, 0});
+            paint(stack.layers.front().raster, [](const sim::SurfacePoint& point) {
+                const sim::SkinFrame frame = sim::SkinFrame::at(point);
+                const glm::vec2 back = frame.fromHd({0.0F, -0.2F, -1.0F});
+                sim::Texel texel = sim::texelOfDirection(back * (0.95F / std::max(glm::length(back), 1e-6F)));
+                texel[2] = 65535;
+                return texel;
+            });
+        }
+        return model::saveProject(*project, file, {}) ? file : QString();
+    }
+
+    [[nodiscard]] std::vector<std::vector<glm::vec3>> exported(const QString& project, const QStringList& more) const
+    {
+        const Outcome outcome =
+            runProgram(QStringList{QStringLiteral("export"), project, QStringLiteral("-o"), path("lie.hair"),
+                                   QStringLiteral("--hairs"), QString::number(kHairs)} +
+                       more);
+        return outcome.error.isEmpty() ? readHair(path("lie.hair")) : std::vector<std::vector<glm::vec3>>{};
+    }
+
+private Q_SLOTS:
+    void naturalHairHasNoSpikes();
+    void shortHairLiesCloseToTheSkin_data();
+    void shortHairLiesCloseToTheSkin();
+    void combedAndGelledHairStays_data();
+    void combedAndGelledHairStays();
+};
+
+void TestLie::naturalHairHasNoSpikes()
+{
+    const auto hairs = exported(projectOf(0.03F, 0.0F, false), {QStringLiteral("--settle"), QStringLiteral("2")});
+    QCOMPARE(hairs.size(), std::size_t{kHairs});
+    const glm::vec3 whorl(-0.006F, 0.105F, -0.05F);
+    int pairs = 0;
+    int apart = 0;
+    for (std::size_t i = 0; i < hairs.size(); ++i)
+        for (std::size_t j = i + 1; j < hairs.size(); ++j) {
+            if (glm::distance(hairs[i][0], hairs[j][0]) > 0.005F || glm::distance(hairs[i][0], whorl) < 0.025F)
+                continue;
+            const glm::vec3 a = glm::normalize(hairs[i][1] - hairs[i][0]);
+            const glm::vec3 b = glm::normalize(hairs[j][1] - hairs[j][0]);
+            ++pairs;
+            apart += glm::dot(a, b) < std::cos(glm::radians(25.0F)) ? 1 : 0;
+        }
+    QVERIFY(pairs > 4000);
+    QVERIFY2(apart < 0.05 * pairs, qPrintable(QStringLiteral("%1 of %2").arg(apart).arg(pairs)));
+}
+
+void TestLie::shortHairLiesCloseToTheSkin_data()
+{
+    QTest::addColumn<float>("lengthM");
+    for (const float lengthM : {0.01F, 0.03F, 0.05F})
+        QTest::addRow("%.0f cm", 100.0 * static_cast<double>(lengthM)) << lengthM;
+}
+
+void TestLie::shortHairLiesCloseToTheSkin()
+{
+    QFETCH(float, lengthM);
+    const auto hairs = exported(projectOf(lengthM, 0.0F, false), {QStringLiteral("--settle"), QStringLiteral("2")});
+    QCOMPARE(hairs.size(), std::size_t{kHairs});
+    const sim::DistanceGrid& grid = *model::builtInHead()->distances;
+    int points = 0;
+    int close = 0;
+    for (const auto& hair : hairs)
+        for (const glm::vec3& point : hair) {
+            const auto sample = grid.at(point);
+            ++points;
+            close += sample && sample->distanceM < 0.015F ? 1 : 0;
+        }
+    QVERIFY2(close > 0.9 * points, qPrintable(QStringLiteral("%1 of %2").arg(close).arg(points)));
+}
+
+void TestLie::combedAndGelledHairStays_data()
+{
+    QTest::addColumn<QStringList>("after");
+    QTest::newRow("ten seconds of still air") << QStringList{QStringLiteral("--settle"), QStringLiteral("10")};
+    QTest::newRow("a nod") << QStringList{QStringLiteral("--settle"), QStringLiteral("1"), QStringLiteral("--motion"),
+                                          QStringLiteral("nod")};
+}
+
+void TestLie::combedAndGelledHairStays()
+{
+    QFETCH(QStringList, after);
+    const QString file = projectOf(0.09F, 0.3F, true);
+    const auto combed = exported(file, {QStringLiteral("--settle"), QStringLiteral("0")});
+    const auto settled = exported(file, after);
+    QCOMPARE(combed.size(), std::size_t{kHairs});
+    QCOMPARE(settled.size(), combed.size());
+    std::vector<float> shifts;
+    for (std::size_t i = 0; i < combed.size(); ++i)
+        shifts.push_back(glm::distance(combed[i].back(), settled[i].back()));
+    std::ranges::sort(shifts);
+    const float most = shifts[shifts.size() * 99 / 100];
+    QVERIFY2(most < 0.03F, qPrintable(QString::number(most)));
+    QVERIFY(shifts.back() < 0.045F);
+}
+
+HAIRPAINT_TEST(TestLie, Core)
+#include "test_lie.moc"

@@ -1,0 +1,223 @@
+// The comb: what a stroke over the skin leaves in the direction map.
+#include "model/tools/tool.h"
+#include "sim/groom/direction_texel.h"
+#include "sim/skin/skin_frame.h"
+#include "tests/model/fixtures.h"
+#include "tests/support/test_program.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+using namespace hairpaint::test;
+
+namespace {
+
+constexpr float kRadiusM = 0.1F;
+
+struct Hairdresser
+{
+    Document document;
+    std::vector<std::unique_ptr<Tool>> tools = makeTools();
+    ToolSettings settings;
+    Selection selection;
+    bool mirror = false;
+    ToolId tool = ToolId::Comb;
+
+    explicit Hairdresser(sim::HeadMesh mesh, bool builtIn = false)
+        : document([&] {
+              Project project = patchProject(512);
+              project.head = headOf(std::move(mesh), builtIn);
+              return project;
+          }())
+    {
+        settings.hardness = 1.0F;
+        settings.pressureSize = false;
+        settings.brushSizeM = 0.03F;
+    }
+    [[nodiscard]] const sim::Skin& skin() { return *document.project().head->skin; }
+    ToolContext context()
+    {
+        return {.document = document,
+                .target = firstLayer(document, MapKind::Direction),
+                .settings = settings,
+                .selection = selection,
+                .mirror = mirror};
+    }
+    /// Over the head along these places, brought to the skin.
+    void stroke(const std::vector<glm::vec3>& wayHd, float pressure = 1.0F)
+    {
+        const auto found = std::ranges::find_if(tools, [this](const auto& one) { return one->id() == tool; });
+        ToolContext now = context();
+        const auto at = [&](glm::vec3 place) {
+            const sim::SurfacePoint point = skin().nearest(place);
+            return ToolEvent{.area = Area::Head, .uv = point.uv, .point = point, .pressure = pressure};
+        };
+        (*found)->press(at(wayHd.front()), now);
+        for (const glm::vec3& place : wayHd)
+            (*found)->move(at(place), now);
+        (*found)->release(at(wayHd.back()), now);
+    }
+    [[nodiscard]] const sim::TiledRaster& layer()
+    {
+        const LayerAddress at = context().target;
+        return document.project().layer(at.group, at.map, at.layer)->raster;
+    }
+    [[nodiscard]] sim::Texel texelAt(glm::vec3 placeHd) { return layer().sampleNearest(skin().nearest(placeHd).uv); }
+    /// The direction there, Hd.
+    [[nodiscard]] glm::vec3 directionAt(glm::vec3 placeHd)
+    {
+        const sim::SurfacePoint point = skin().nearest(placeHd);
+        return sim::SkinFrame::at(point).toHd(sim::directionOf(layer().sampleNearest(point.uv)));
+    }
+};
+
+glm::vec3 onBall(float longitude, float latitude)
+{
+    return kRadiusM * glm::vec3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
+                                std::cos(latitude) * std::cos(longitude));
+}
+
+float degreesBetween(glm::vec3 a, glm::vec3 b)
+{
+    return glm::degrees(std::acos(std::clamp(glm::dot(glm::normalize(a), glm::normalize(b)), -1.0F, 1.0F)));
+}
+
+} // namespace
+
+class TestComb : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void hairLiesAlongTheStroke_data()
+    {
+        QTest::addColumn<float>("from");
+        QTest::addColumn<float>("to");
+        QTest::addColumn<float>("rise");
+        QTest::newRow("over the face to the left") << -0.5F << 0.5F << 0.0F;
+        QTest::newRow("to the right") << 0.5F << -0.5F << 0.0F;
+        QTest::newRow("slanting up") << -0.4F << 0.4F << 0.6F;
+        QTest::newRow("across the seam at the back") << 2.7F << 3.6F << 0.0F;
+        QTest::newRow("across the seam, slanting down") << 3.6F << 2.7F << -0.5F;
+    }
+    void hairLiesAlongTheStroke()
+    {
+        QFETCH(float, from);
+        QFETCH(float, to);
+        QFETCH(float, rise);
+        Hairdresser comb(makeBallHead(96, kRadiusM));
+        std::vector<glm::vec3> way;
+        for (int i = 0; i <= 40; ++i) {
+            const float t = static_cast<float>(i) / 40.0F;
+            way.push_back(onBall(from + (to - from) * t, rise * (t - 0.5F)));
+        }
+        comb.stroke(way);
+        for (std::size_t i = 4; i + 4 < way.size(); ++i) {
+            QCOMPARE(comb.texelAt(way[i])[2], std::uint16_t{65535});
+            const glm::vec3 laid = comb.directionAt(way[i]);
+            const float off = degreesBetween(laid, way[i + 1] - way[i - 1]);
+            QVERIFY2(off < 5.0F, qPrintable(QStringLiteral("%1 degrees off at %2").arg(off).arg(i)));
+            QVERIFY(std::abs(glm::length(laid) - 0.9F) < 0.01F);
+        }
+        QCOMPARE(comb.document.undoStack().count(), 1);
+        QCOMPARE(comb.document.undoStack().text(0), QStringLiteral("Comb on Direction"));
+    }
+
+    void aBrushWideIsCombedTheSameWay()
+    {
+        Hairdresser comb(makeBallHead(96, kRadiusM));
+        comb.stroke({onBall(0.0F, 0.4F), onBall(0.0F, 0.1F), onBall(0.0F, -0.2F), onBall(0.0F, -0.4F)});
+        for (const float beside : {-0.012F, -0.006F, 0.006F, 0.012F}) {
+            const glm::vec3 place = onBall(beside / kRadiusM, 0.0F);
+            QVERIFY(degreesBetween(comb.directionAt(place), {0.0F, -1.0F, 0.0F}) < 5.0F);
+        }
+    }
+
+    void pressureIsFlatnessAndAClickCombsNothing()
+    {
+        Hairdresser comb(makePatchHead());
+        comb.stroke({{0.0F, 0.0F, 0.0F}});
+        QCOMPARE(comb.document.undoStack().count(), 0);
+        comb.stroke({{-0.04F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.04F, 0.0F, 0.0F}}, 0.5F);
+        QVERIFY(glm::distance(comb.directionAt(glm::vec3(0.0F)), glm::vec3(0.45F, 0.0F, 0.0F)) < 0.01F);
+    }
+
+    void turningBackCombsTheOtherWay()
+    {
+        Hairdresser comb(makePatchHead());
+        comb.stroke({{-0.04F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}, {-0.05F, 0.001F, 0.0F}});
+        const glm::vec3 laid = comb.directionAt(glm::vec3(0.0F));
+        QVERIFY(degreesBetween(laid, {-1.0F, 0.0F, 0.0F}) < 15.0F);
+        QVERIFY(glm::length(laid) > 0.85F);
+    }
+
+    void theOtherSideIsCombedInTheMirror_data()
+    {
+        QTest::addColumn<ToolId>("tool");
+        QTest::addColumn<bool>("builtIn");
+        for (const bool builtIn : {false, true}) {
+            for (const ToolId tool : {ToolId::Comb, ToolId::Brush, ToolId::Shape, ToolId::Gradient})
+                QTest::addRow("%s, %s", toolName(tool), builtIn ? "built-in" : "imported") << tool << builtIn;
+        }
+    }
+    void theOtherSideIsCombedInTheMirror()
+    {
+        QFETCH(ToolId, tool);
+        QFETCH(bool, builtIn);
+        Hairdresser comb(makeBallHead(96, kRadiusM), builtIn);
+        comb.mirror = true;
+        comb.tool = tool;
+        comb.settings.value(MapKind::Direction).direction = {0.5F, -0.6F};
+        comb.settings.secondValue(MapKind::Direction).direction = {0.6F, -0.7F};
+        comb.stroke({onBall(0.5F, 0.3F), onBall(0.6F, 0.0F), onBall(0.8F, -0.3F)});
+        const glm::vec3 place = onBall(0.6F, 0.0F);
+        const glm::vec3 mirrored(-1.0F, 1.0F, 1.0F);
+        const glm::vec3 own = comb.directionAt(place);
+        QVERIFY(glm::length(own) > 0.5F);
+        QVERIFY(glm::distance(comb.directionAt(place * mirrored), own * mirrored) < 0.02F);
+    }
+
+    void liftingKeepsTheWayAndNoiseAndSmoothingMeetInTheMiddle()
+    {
+        Hairdresser comb(makePatchHead());
+        const std::vector<glm::vec3> way{{-0.05F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}};
+        comb.stroke(way);
+        comb.settings.comb = CombKind::Lift;
+        comb.settings.flatness = 0.3F;
+        comb.stroke(way);
+        QVERIFY(glm::distance(comb.directionAt(glm::vec3(0.0F)), glm::vec3(0.3F, 0.0F, 0.0F)) < 0.01F);
+        const auto roughness = [&] {
+            float sum = 0.0F;
+            for (int i = -20; i <= 20; ++i)
+                sum += glm::distance(comb.directionAt({0.001F * static_cast<float>(i), 0.0F, 0.0F}),
+                                     glm::vec3(0.3F, 0.0F, 0.0F));
+            return sum / 41.0F;
+        };
+        QVERIFY(roughness() < 0.01F);
+        comb.settings.comb = CombKind::Noise;
+        comb.stroke(way);
+        const float ruffled = roughness();
+        QVERIFY(ruffled > 0.05F);
+        comb.settings.comb = CombKind::Smooth;
+        for (int pass = 0; pass < 3; ++pass)
+            comb.stroke(way);
+        QVERIFY(roughness() < 0.5F * ruffled);
+    }
+
+    void undoTakesItBackAndTheSelectionBoundsIt()
+    {
+        Hairdresser comb(makePatchHead());
+        comb.selection.setRectangle(QRectF(0.0, 0.0, 0.5, 1.0));
+        comb.stroke({{-0.05F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}});
+        QCOMPARE(comb.texelAt({0.01F, 0.0F, 0.0F})[2], std::uint16_t{0});
+        QCOMPARE(comb.texelAt({-0.01F, 0.0F, 0.0F})[2], std::uint16_t{65535});
+        comb.document.undo();
+        QVERIFY(comb.layer().uniformValue() == (sim::Texel{32768, 32768, 0, 0}));
+    }
+};
+
+HAIRPAINT_TEST(TestComb, Gui)
+#include "test_comb.moc"

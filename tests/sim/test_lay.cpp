@@ -1,0 +1,167 @@
+// Hair follows the painted direction over the head and leaves it where it should.
+#include "sim/groom/lay.h"
+#include "sim/groom/stream_raster.h"
+#include "sim/skin/natural_stream.h"
+#include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
+
+#include <QtTest>
+
+#include <array>
+#include <cmath>
+
+using namespace hairpaint::sim;
+using namespace hairpaint::test;
+
+namespace {
+
+constexpr float kBallM = 0.1F;
+constexpr std::size_t kNodes = 8;
+using Nodes = std::array<glm::vec3, kNodes>;
+
+/// A ball of a head whose hair has one direction in the frame of every root, and how hairs lie on it.
+class LaidBall
+{
+public:
+    explicit LaidBall(DirectionVector direction, float coatM = 0.004F, bool stream = false)
+        : m_skin(makeBallHead(96, kBallM)), m_band(std::make_shared<SkinBand>(m_skin)),
+          m_natural(stream ? streamRaster(m_skin, naturalStream(m_skin, std::nullopt)) : nullptr),
+          m_map(stream ? m_natural : std::make_shared<const TiledRaster>(256, 2, texelOfDirection(direction))),
+          m_field(m_band, m_natural, m_map), m_sampler(m_map), m_coatM(coatM)
+    {
+        if (m_natural)
+            m_naturalSampler.emplace(m_natural);
+    }
+
+    [[nodiscard]] Nodes lay(glm::vec3 at, float lengthM, float chance = 0.5F) const
+    {
+        const SurfacePoint point = m_skin.nearest(kBallM * glm::normalize(at));
+        Nodes nodes;
+        Lay(m_sampler, m_naturalSampler ? &*m_naturalSampler : nullptr, &m_field, m_coatM)
+            .lay({.positionHd = point.positionHd, .frame = SkinFrame::at(point), .uv = point.uv, .chance = chance},
+                 lengthM, nodes);
+        return nodes;
+    }
+    [[nodiscard]] SkinFrame frameAt(glm::vec3 at) const
+    {
+        return SkinFrame::at(m_skin.nearest(kBallM * glm::normalize(at)));
+    }
+
+private:
+    Skin m_skin;
+    std::shared_ptr<const SkinBand> m_band;
+    MapRaster m_natural;
+    MapRaster m_map;
+    LayField m_field;
+    MapSampler m_sampler;
+    std::optional<MapSampler> m_naturalSampler;
+    float m_coatM;
+};
+
+const glm::vec3 kSide(1.0F, 0.3F, 0.2F);
+
+} // namespace
+
+class TestLay : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void uprightHairIsStraight();
+    void hairLeavesTheSkinAtItsAngle_data();
+    void hairLeavesTheSkinAtItsAngle();
+    void flatHairFollowsTheHead_data();
+    void flatHairFollowsTheHead();
+    void hairLongerThanItsWayIsFree();
+    void fieldsThatStandHoldNothing();
+    void longHairFallsToItsSideWhereNobodyCombed();
+};
+
+void TestLay::uprightHairIsStraight()
+{
+    const LaidBall ball(DirectionVector(0.0F));
+    const Nodes nodes = ball.lay(kSide, 0.07F);
+    const glm::vec3 normal = ball.frameAt(kSide).normal;
+    for (std::size_t i = 0; i < kNodes; ++i)
+        QVERIFY(glm::distance(nodes[i], nodes[0] + normal * (0.01F * static_cast<float>(i))) < 1e-6F);
+}
+
+void TestLay::hairLeavesTheSkinAtItsAngle_data()
+{
+    QTest::addColumn<float>("flatness");
+    for (const float flatness : {0.1F, 0.3F, 0.5F, 0.7F, 0.9F})
+        QTest::addRow("%.1f", static_cast<double>(flatness)) << flatness;
+}
+
+void TestLay::hairLeavesTheSkinAtItsAngle()
+{
+    QFETCH(float, flatness);
+    const LaidBall ball({0.0F, -flatness}, 0.05F);
+    const Nodes nodes = ball.lay(kSide, 0.007F); // Too short to turn.
+    const SkinFrame frame = ball.frameAt(kSide);
+    const glm::vec3 first = (nodes[1] - nodes[0]) / glm::distance(nodes[1], nodes[0]);
+    QVERIFY(std::abs(glm::dot(first, frame.y) + flatness) < 0.12F);
+    QVERIFY(std::abs(glm::dot(first, frame.x)) < 0.02F);
+    QVERIFY(glm::dot(first, frame.normal) > 0.1F);
+}
+
+void TestLay::flatHairFollowsTheHead_data()
+{
+    QTest::addColumn<float>("lengthM");
+    QTest::addColumn<float>("chance");
+    for (const float lengthM : {0.01F, 0.03F, 0.07F, 0.15F})
+        for (const float chance : {0.0F, 1.0F})
+            QTest::addRow("%.0f cm, %.0f", 100.0 * static_cast<double>(lengthM), static_cast<double>(chance))
+                << lengthM << chance;
+}
+
+void TestLay::flatHairFollowsTheHead()
+{
+    QFETCH(float, lengthM);
+    QFETCH(float, chance);
+    const LaidBall ball({0.9F, 0.0F}, 0.006F);
+    const Nodes nodes = ball.lay(kSide, lengthM, chance);
+    for (std::size_t i = 1; i < kNodes; ++i) {
+        QVERIFY(std::abs(glm::distance(nodes[i - 1], nodes[i]) - lengthM / 7.0F) < 1e-5F);
+        const float heightM = glm::length(nodes[i]) - kBallM;
+        // Never in the head, and no higher than the coat with what a step leaves.
+        QVERIFY2(heightM > -0.0005F && heightM < 0.0095F, qPrintable(QString::number(heightM)));
+    }
+    // It turned with the ball: around the axis, as far as it is long.
+    const float turned = std::atan2(nodes[7].x, nodes[7].z) - std::atan2(nodes[0].x, nodes[0].z);
+    const float around = std::hypot(nodes[0].x, nodes[0].z);
+    QVERIFY2(std::abs(std::abs(turned) * around / lengthM - 0.93F) < 0.15F, qPrintable(QString::number(turned)));
+}
+
+void TestLay::hairLongerThanItsWayIsFree()
+{
+    const LaidBall ball({0.95F, 0.0F});
+    const Nodes nodes = ball.lay(kSide, 0.5F);
+    // Past Lay::kFurthestM it goes on straight.
+    for (std::size_t i = 5; i < kNodes; ++i)
+        QVERIFY(glm::distance(nodes[i] - nodes[i - 1], nodes[i - 1] - nodes[i - 2]) < 1e-5F);
+    QVERIFY(glm::length(nodes[7]) > 0.2F);
+}
+
+void TestLay::fieldsThatStandHoldNothing()
+{
+    const LaidBall ball({0.1F, 0.0F});
+    const Nodes nodes = ball.lay(kSide, 0.07F);
+    for (std::size_t i = 2; i < kNodes; ++i)
+        QVERIFY(glm::distance(nodes[i] - nodes[i - 1], nodes[1] - nodes[0]) < 1e-5F);
+}
+
+void TestLay::longHairFallsToItsSideWhereNobodyCombed()
+{
+    const LaidBall ball({}, 0.004F, true);
+    const glm::vec3 forehead(0.3F, 0.8F, 0.5F);
+    const auto goes = [&](float lengthM) {
+        const Nodes nodes = ball.lay(forehead, lengthM);
+        return (nodes[1] - nodes[0]) / glm::distance(nodes[1], nodes[0]);
+    };
+    QVERIFY(goes(0.03F).z > goes(0.03F).x); // As it grows: forward, away from the whorl on top.
+    QVERIFY(goes(0.30F).x > 0.7F);
+    QVERIFY(goes(0.30F).z < goes(0.30F).x);
+}
+
+HAIRPAINT_TEST(TestLay, Core)
+#include "test_lay.moc"

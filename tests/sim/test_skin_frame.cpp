@@ -1,0 +1,72 @@
+// The frame in which hair's direction is told, and how a map stores it.
+#include "sim/groom/map_sampler.h"
+#include "sim/skin/skin_frame.h"
+#include "tests/support/test_heads.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <random>
+
+using namespace hairpaint::sim;
+using namespace hairpaint::test;
+
+class TestSkinFrame : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void xGoesRightAndYUpTheMapHoweverItIsLaidOut_data()
+    {
+        QTest::addColumn<bool>("mirrored");
+        QTest::newRow("as seen from outside") << false;
+        QTest::newRow("mirrored on the skin") << true;
+    }
+    void xGoesRightAndYUpTheMapHoweverItIsLaidOut()
+    {
+        QFETCH(bool, mirrored);
+        HeadMesh mesh = makeBallHead();
+        if (mirrored)
+            for (glm::vec2& uv : mesh.uvs)
+                uv.x = 1.0F - uv.x;
+        const Skin skin(std::move(mesh));
+        for (const glm::vec2 uv : {glm::vec2(0.5F, 0.5F), glm::vec2(0.2F, 0.3F), glm::vec2(0.8F, 0.7F)}) {
+            const SurfacePoint point = *skin.atUv(uv);
+            const SkinFrame frame = SkinFrame::at(point);
+            QVERIFY(glm::dot(frame.x, glm::normalize(point.dPduHd)) > 0.99F);
+            QVERIFY(glm::dot(frame.y, glm::normalize(point.dPdvHd)) > 0.99F);
+            QVERIFY(std::abs(glm::dot(frame.x, frame.y)) < 1e-5F);
+            QVERIFY(std::abs(glm::dot(frame.y, frame.normal)) < 1e-5F);
+            const glm::vec2 direction(0.3F, -0.6F);
+            QVERIFY(glm::distance(frame.fromHd(frame.toHd(direction)), direction) < 1e-5F);
+        }
+    }
+
+    void whatIsStoredIsReadBackToHalfAStep()
+    {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<float> unit(-0.7F, 0.7F);
+        for (int i = 0; i < 1000; ++i) {
+            const glm::vec2 direction(unit(random), unit(random));
+            QVERIFY(glm::distance(directionOf(texelOfDirection(direction)), direction) < 1.0F / 32767.0F);
+        }
+        QCOMPARE(texelOfDirection({0.0F, 0.0F}), ruleOf(MapSlot::Direction).defaultValue);
+        QCOMPARE(directionOf(ruleOf(MapSlot::Direction).defaultValue), glm::vec2(0.0F));
+        QVERIFY(std::abs(glm::length(directionOf({65535, 65535})) - 1.0F) < 1e-5F);
+        QVERIFY(std::abs(glm::length(directionOf({0, 0})) - 1.0F) < 1e-5F);
+    }
+
+    void aSamplerReadsVectorsBetweenTexels()
+    {
+        auto raster = std::make_shared<TiledRaster>(256, 2, texelOfDirection({0.5F, 0.0F}));
+        QVERIFY(glm::distance(MapSampler(raster).vector({0.3F, 0.6F}), glm::vec2(0.5F, 0.0F)) < 1e-4F);
+        for (int y = 0; y < 256; ++y)
+            for (int x = 128; x < 256; ++x)
+                raster->setTexel(x, y, texelOfDirection({0.0F, -0.5F}));
+        const MapSampler sampler(raster);
+        QVERIFY(glm::distance(sampler.vector({0.5F, 0.4F}), glm::vec2(0.25F, -0.25F)) < 1e-4F);
+        QVERIFY(glm::distance(sampler.vector({0.9F, 0.4F}), glm::vec2(0.0F, -0.5F)) < 1e-4F);
+    }
+};
+
+HAIRPAINT_TEST(TestSkinFrame, None)
+#include "test_skin_frame.moc"
