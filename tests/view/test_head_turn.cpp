@@ -91,10 +91,13 @@ private Q_SLOTS:
         QCOMPARE(poses.size(), before);
         f.area.setHairPaused(false);
         QTRY_COMPARE_WITH_TIMEOUT(poses.back(), sim::HeadPose{}, kPatienceMs);
-        const std::size_t all = poses.size();
-        QVERIFY(all > before + 1);
-        QTest::qWait(50);
-        QCOMPARE(poses.size(), all);
+        QVERIFY(poses.size() > before + 1);
+        // The last poses may all be the same to the last bit.
+        for (std::size_t all = 0; all != poses.size();) {
+            all = poses.size();
+            QTest::qWait(200);
+        }
+        QCOMPARE(poses.back(), sim::HeadPose{});
         QCOMPARE(f.editor.document.undoStack().count(), 0);
     }
 
