@@ -81,7 +81,7 @@ float smoothStep(float from, float to, float x)
 }
 
 /// Hd, along the skin.
-glm::vec3 wayOf(const CombedPlace& place, const FormerCombing& combing)
+glm::vec3 combedAlong(const CombedPlace& place, const FormerCombing& combing)
 {
     const glm::vec3 n = place.frame.normal;
     const float up = std::clamp(n.y, 0.0F, 1.0F);
@@ -111,7 +111,7 @@ sim::TiledRaster painted(const HairGroup& group, const FormerCombing& combing, c
             const float loose = 1.0F - scalarAt(group.map(MapKind::Gel), x, y);
             const float flatness =
                 kFlattest * smoothStep(kStiffM, kLimpM, lengthM) * loose * loose * (1.0F - combing.body);
-            sim::Texel texel = sim::texelOfDirection(place.frame.fromHd(wayOf(place, combing)) * flatness);
+            sim::Texel texel = sim::texelOfDirection(place.frame.fromHd(combedAlong(place, combing)) * flatness);
             texel[2] = 65535;
             raster.setTexel(x, y, texel);
         }

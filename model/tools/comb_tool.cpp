@@ -86,9 +86,9 @@ private:
     void combTo(const ToolEvent& event, ToolContext& context);
     void follow(const BrushSample& sample, const ToolContext& context);
     void dab(const BrushSample& sample, const ToolContext& context);
-    void lay(const Dab& dab, glm::vec3 wayHd, const sim::SkinFrame& centre, const ToolSettings& settings,
+    void lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& centre, const ToolSettings& settings,
              float pressure);
-    [[nodiscard]] glm::vec2 along(glm::vec2 uv, glm::vec3 wayHd, const sim::SkinFrame& centre);
+    [[nodiscard]] glm::vec2 along(glm::vec2 uv, glm::vec3 strokeHd, const sim::SkinFrame& centre);
     [[nodiscard]] glm::vec2 restyled(glm::vec2 uv, const ToolSettings& settings);
     [[nodiscard]] glm::vec2 smoothed(glm::vec2 uv, glm::vec2 reachUv);
     [[nodiscard]] glm::vec2 before(glm::vec2 uv) const;
@@ -104,7 +104,7 @@ private:
     std::optional<ToolEvent> m_last;                  ///< Where the next straight line starts; kept between strokes.
     std::optional<BrushSample> m_previous;            ///< The last place that lay on the skin.
     bool m_waits = false;                             ///< That place has no dab yet: it is not known where it goes.
-    std::optional<glm::vec3> m_wayHd;                 ///< Unit: where the pointer goes, smoothed.
+    std::optional<glm::vec3> m_strokeHd;              ///< Unit: where the pointer goes, smoothed.
     glm::vec2 m_reachUv{0.0F};                        ///< Of the dab that is laid.
     std::uint16_t m_opacity = 65535;
 };
@@ -129,7 +129,7 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
                    kCombLeastStepTx / static_cast<float>(m_edit.size()));
     m_opacity = unit16(context.settings.opacity);
     m_previous.reset();
-    m_wayHd.reset();
+    m_strokeHd.reset();
     m_waits = false;
     if (event.modifiers.testFlag(Qt::ShiftModifier) && m_last && m_last->point) {
         m_last->pressure = event.pressure;
@@ -184,7 +184,7 @@ void CombTool::follow(const BrushSample& sample, const ToolContext& context)
     const float moved = glm::length(motionHd);
     if (!m_previous || moved > std::max(kJumpM, settings.brushSizeM)) {
         m_previous = sample;
-        m_wayHd.reset();
+        m_strokeHd.reset();
         m_waits = true;
         return;
     }
@@ -192,9 +192,9 @@ void CombTool::follow(const BrushSample& sample, const ToolContext& context)
         return;
     const float smoothingM = std::max(kSmoothing * settings.brushSizeM, kLeastSmoothingM);
     const glm::vec3 now = motionHd / moved;
-    glm::vec3 way = m_wayHd ? *m_wayHd + (now - *m_wayHd) * (1.0F - std::exp(-moved / smoothingM)) : now;
+    glm::vec3 way = m_strokeHd ? *m_strokeHd + (now - *m_strokeHd) * (1.0F - std::exp(-moved / smoothingM)) : now;
     const float length = glm::length(way);
-    m_wayHd = length > 0.1F ? way / length : now; // Turned right back: no way in between.
+    m_strokeHd = length > 0.1F ? way / length : now; // Turned right back: no way in between.
     if (std::exchange(m_waits, false))
         dab(*m_previous, context);
     m_previous = sample;
@@ -207,8 +207,8 @@ void CombTool::dab(const BrushSample& sample, const ToolContext& context)
     const int size = m_edit.size();
     Dab dab = dabAt(sample.metric, sample.uv, 0.5F * settings.brushSizeM, size);
     dab.hardness = settings.hardness;
-    const glm::vec3 wayHd = m_wayHd.value_or(glm::vec3(0.0F));
-    lay(dab, wayHd, sim::SkinFrame::at(*sample.point), settings, sample.pressure);
+    const glm::vec3 strokeHd = m_strokeHd.value_or(glm::vec3(0.0F));
+    lay(dab, strokeHd, sim::SkinFrame::at(*sample.point), settings, sample.pressure);
     if (!context.mirror)
         return;
     const Head& head = *context.document.project().head;
@@ -218,10 +218,10 @@ void CombTool::dab(const BrushSample& sample, const ToolContext& context)
     Dab twin = head.builtIn ? mirroredInU(dab, size)
                             : dabAt(SkinMetric::at(*other), other->uv, 0.5F * settings.brushSizeM, size);
     twin.hardness = dab.hardness;
-    lay(twin, wayHd * kAcross, sim::SkinFrame::at(*other), settings, sample.pressure);
+    lay(twin, strokeHd * kAcross, sim::SkinFrame::at(*other), settings, sample.pressure);
 }
 
-void CombTool::lay(const Dab& dab, glm::vec3 wayHd, const sim::SkinFrame& centre, const ToolSettings& settings,
+void CombTool::lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& centre, const ToolSettings& settings,
                    float pressure)
 {
     for (const sim::TexelRect& clip : m_edit.clips())
@@ -231,18 +231,18 @@ void CombTool::lay(const Dab& dab, glm::vec3 wayHd, const sim::SkinFrame& centre
     const float flatness = settings.flatness * std::clamp(pressure, 0.0F, 1.0F);
     m_field->add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
         const glm::vec2 uv((static_cast<float>(x) + 0.5F) / size, 1.0F - (static_cast<float>(y) + 0.5F) / size);
-        return settings.comb == CombKind::Lay ? along(uv, wayHd, centre) * flatness : restyled(uv, settings);
+        return settings.comb == CombKind::Lay ? along(uv, strokeHd, centre) * flatness : restyled(uv, settings);
     });
 }
 
 /// Unit, in the texel's frame. Off the skin, where hair never stands but values bleed in from, in the dab's.
-glm::vec2 CombTool::along(glm::vec2 uv, glm::vec3 wayHd, const sim::SkinFrame& centre)
+glm::vec2 CombTool::along(glm::vec2 uv, glm::vec3 strokeHd, const sim::SkinFrame& centre)
 {
     constexpr float kSteep = 0.1F;
     const sim::SkinFrame frame = m_frames->at(uv).value_or(centre);
-    glm::vec2 way = frame.fromHd(wayHd);
+    glm::vec2 way = frame.fromHd(strokeHd);
     if (glm::length(way) < kSteep)
-        way = centre.fromHd(wayHd);
+        way = centre.fromHd(strokeHd);
     const float length = glm::length(way);
     return length > 0.0F ? way / length : glm::vec2(0.0F);
 }

@@ -39,7 +39,7 @@ public:
             style.detail = StrandStyle{}.detail;
 
         const std::span<glm::vec3> nodes = std::span(m_buffer).first(m_nodes);
-        m_way = {};
+        m_pathBox = {};
         m_clump = 0.0F;
         std::uint32_t centre = kNoCentre;
         if (isDrawn && m_inputs.kinds[slot] != 0)
@@ -82,7 +82,7 @@ public:
     void clear(std::uint32_t slot)
     {
         std::ranges::fill(std::span(m_buffer).first(m_nodes), glm::vec3(0.0F));
-        m_way = {};
+        m_pathBox = {};
         m_clump = 0.0F;
         store(slot, StrandStyle{}, std::span(m_buffer).first(m_nodes), false, kNoCentre);
         m_chunk.hairs.reset(slot - m_firstSlot);
@@ -92,7 +92,7 @@ private:
     void includeAll(std::span<const glm::vec3> nodes)
     {
         for (const glm::vec3& node : nodes)
-            m_way.include(node);
+            m_pathBox.include(node);
     }
 
     void store(std::uint32_t slot, const StrandStyle& style, std::span<const glm::vec3> nodes, bool isDrawn,
@@ -102,7 +102,7 @@ private:
         m_chunk.hairs.set(local);
         m_chunk.drawn.set(local, isDrawn);
         m_chunk.styles[local] = style;
-        m_chunk.ways[local] = m_way;
+        m_chunk.pathBoxes[local] = m_pathBox;
         m_chunk.clump[local] = m_clump;
         m_chunk.braidCentre[local] = centre;
         m_chunk.segmentLengths[local] = style.lengthM / static_cast<float>(m_nodes - 1);
@@ -117,7 +117,7 @@ private:
     std::array<glm::vec3, kMostNodes> m_basisBuffer{};
     std::uint32_t m_laidBasis = kNoCentre; ///< Whose lay m_basisBuffer holds,
     float m_laidLengthM = 0.0F;            ///< and at which length.
-    WayBox m_way;
+    PathBox m_pathBox;
     float m_clump = 0.0F;
 };
 
@@ -125,7 +125,7 @@ std::shared_ptr<StrandChunk> emptyChunk(int nodes)
 {
     auto chunk = std::make_shared<StrandChunk>();
     chunk->styles.resize(kChunkSlots);
-    chunk->ways.resize(kChunkSlots);
+    chunk->pathBoxes.resize(kChunkSlots);
     chunk->clump.resize(kChunkSlots);
     chunk->restPositions.resize(StrandBlocks(nodes).floatsFor(kBlocksPerChunk));
     chunk->segmentLengths.resize(kChunkSlots);

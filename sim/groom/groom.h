@@ -47,7 +47,7 @@ struct StrandStyle
 };
 
 /// A box around places, Hd; around none of them at first.
-struct WayBox
+struct PathBox
 {
     glm::vec3 leastHd{1e9F};
     glm::vec3 greatestHd{-1e9F};
@@ -57,7 +57,7 @@ struct WayBox
         leastHd = glm::min(leastHd, placeHd);
         greatestHd = glm::max(greatestHd, placeHd);
     }
-    [[nodiscard]] bool meets(const WayBox& other) const
+    [[nodiscard]] bool meets(const PathBox& other) const
     {
         return glm::all(glm::lessThanEqual(leastHd, other.greatestHd)) &&
                glm::all(glm::greaterThanEqual(greatestHd, other.leastHd));
@@ -75,7 +75,7 @@ struct StrandChunk
                                        ///< where braided); 0 where no hair.
     std::vector<float>
         clump; ///< [kChunkSlots], 0..1: how far each hair lies on its nearest basis hair, and follows it.
-    std::vector<WayBox> ways; ///< [kChunkSlots]: around the lay of each hair, and of the hair that it clumps to.
+    std::vector<PathBox> pathBoxes; ///< [kChunkSlots]: around the lay of each hair, and of the hair that it clumps to.
     /// For braided hairs: index into basis hairs of the braid's centre, else kNoCentre.
     std::vector<std::uint32_t> braidCentre; ///< [kChunkSlots]
 };

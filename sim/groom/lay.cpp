@@ -55,13 +55,13 @@ void Lay::follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesH
     glm::vec3 direction =
         grown.alongHd * grown.flatness + root.frame.normal * std::sqrt(1.0F - grown.flatness * grown.flatness);
     bool lies = m_field != nullptr && grown.flatness > kStandsBelow;
-    float wayM = 0.0F;
+    float pathM = 0.0F;
     nodesHd[0] = root.positionHd;
     for (std::size_t i = 1; i < nodesHd.size(); ++i) {
         glm::vec3 place = nodesHd[i - 1];
         int left = steps;
         for (; left > 0 && lies; --left) {
-            const std::uint32_t index = wayM < kFurthestM ? m_field->indexAt(place) : SkinBand::kNone;
+            const std::uint32_t index = pathM < kFurthestM ? m_field->indexAt(place) : SkinBand::kNone;
             lies = index != SkinBand::kNone;
             if (!lies)
                 break;
@@ -71,7 +71,7 @@ void Lay::follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesH
             const Growth growth = cell.directions.of(falls);
             const float heightM = cell.heightM(place);
             // Nothing is laid inside the head.
-            if (wayM > 0.0F && heightM < kClearM && heightM > -SkinBand::kReachM)
+            if (pathM > 0.0F && heightM < kClearM && heightM > -SkinBand::kReachM)
                 place += cell.normalHd * (kClearM - heightM);
             lies = growth.flatness > kStandsBelow;
             const float sine = std::clamp((coatM - heightM) * perClimbM, -diving, kSteepest);
@@ -82,7 +82,7 @@ void Lay::follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesH
             const float square = glm::dot(direction, direction);
             direction *= 1.0F / std::sqrt(std::max(square, 1e-6F));
             place += direction * stepM;
-            wayM += stepM;
+            pathM += stepM;
         }
         place += direction * (stepM * static_cast<float>(left));
         const glm::vec3 edge = place - nodesHd[i - 1];

@@ -11,10 +11,10 @@ namespace hairpaint::sim {
 namespace {
 
 /// Around the cells that differ, with as much room as a step of the lay may leave its nodes' box by.
-WayBox boxOf(const LayField::Difference& difference)
+PathBox boxOf(const LayField::Difference& difference)
 {
     constexpr float kMarginM = 0.01F;
-    WayBox box;
+    PathBox box;
     for (const LayField::Cell& cell : difference.cells)
         box.include(cell.positionHd);
     box.leastHd -= SkinBand::kReachM + kMarginM;
@@ -32,7 +32,7 @@ void findRelaid(const LaidBefore& before, const LayField& field, const LayField:
     std::vector<std::uint8_t> marked(field.cellCount(), 0);
     for (const std::uint32_t index : difference.indices)
         marked[index] = 1;
-    const WayBox box = boxOf(difference);
+    const PathBox box = boxOf(difference);
     const Groom& groom = before.groom;
     const RootSet& roots = *groom.roots;
     const auto nodes = static_cast<std::size_t>(groom.nodes);
@@ -47,7 +47,7 @@ void findRelaid(const LaidBefore& before, const LayField& field, const LayField:
                 continue;
             for (std::size_t local = 0; local < kChunkSlots; ++local) {
                 const auto slot = static_cast<std::uint32_t>(index * kChunkSlots + local);
-                if (!chunk->hairs[local] || !chunk->ways[local].meets(box) || changed.hairs.contains(slot))
+                if (!chunk->hairs[local] || !chunk->pathBoxes[local].meets(box) || changed.hairs.contains(slot))
                     continue;
                 const float lengthM = chunk->styles[local].lengthM;
                 const std::uint32_t basis = roots.basisSlot[roots.neighbours[slot][0]];
@@ -61,10 +61,10 @@ void findRelaid(const LaidBefore& before, const LayField& field, const LayField:
         const std::uint32_t slot = roots.basisSlot[i];
         if (changed.basis.contains(slot))
             continue;
-        WayBox way;
+        PathBox path;
         for (std::size_t node = 0; node < nodes; ++node)
-            way.include(groom.blocks().node(groom.basis->restPositions, i, node));
-        if (way.meets(box) && crosses(slot, before.basisLengthM[i]))
+            path.include(groom.blocks().node(groom.basis->restPositions, i, node));
+        if (path.meets(box) && crosses(slot, before.basisLengthM[i]))
             changed.basis.insert(slot);
     }
 }
