@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace hairpaint::sim {
 
@@ -15,6 +16,15 @@ namespace {
 RootFrame rootFrame(const RootSet& roots, std::uint32_t slot)
 {
     return {roots.positionHd[slot], roots.normalHd[slot]};
+}
+
+/// How far two hairs of one length go the same way, 0..1: across a parting no lock gathers.
+float agreementOf(std::span<const glm::vec3> a, std::span<const glm::vec3> b)
+{
+    const glm::vec3 reachA = a.back() - a.front();
+    const glm::vec3 reachB = b.back() - b.front();
+    const float product = std::sqrt(glm::dot(reachA, reachA) * glm::dot(reachB, reachB));
+    return product > 0.0F ? std::clamp(2.0F * glm::dot(reachA, reachB) / product, 0.0F, 1.0F) : 0.0F;
 }
 
 /// Evaluates hairs into one chunk.
@@ -53,7 +63,7 @@ public:
             m_inputs.lay.lay(layRootOf(roots, slot, chance), style.lengthM, nodes);
             includeAll(nodes);
             const std::uint32_t basis = roots.basisSlot[roots.neighbours[slot][0]];
-            const float clump = basis == slot ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(uv);
+            float clump = basis == slot ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(uv);
             if (clump > 0.0F) {
                 const RootChance basisChance = chanceOf(roots.seed, roots.rankOfSlot[basis]);
                 const std::span<glm::vec3> basisNodes = std::span(m_basisBuffer).first(m_nodes);
@@ -63,6 +73,7 @@ public:
                 m_laidBasis = basis;
                 m_laidLengthM = style.lengthM;
                 includeAll(basisNodes);
+                clump *= agreementOf(nodes, basisNodes);
                 m_clump = clump;
                 clumpRest(basisNodes, clump, style.lengthM / static_cast<float>(m_nodes - 1), nodes);
                 // Hairs that lie together curl together: a ringlet is one curl of many hairs.

@@ -19,6 +19,7 @@ constexpr float kTurnM = 0.008F;        ///< Along which hair turns to another d
 constexpr float kStepM = 0.018F;        ///< Longest step over the skin.
 constexpr float kSteepest = 0.6F;       ///< Sine of the angle at which a hair goes back to the skin;
 constexpr float kSteepestOfLong = 0.2F; ///< of long hair, whose weight draws it straight past hollows such as the neck.
+constexpr float kMostPush = 0.5F;       ///< Of a step, out of the head.
 constexpr float kClearM = 0.0005F;      ///< Nothing is laid nearer to the skin.
 
 } // namespace
@@ -70,9 +71,10 @@ void Lay::follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesH
             const LayField::Cell& cell = (*m_field)[index];
             const Growth growth = cell.directions.of(falls);
             const float heightM = cell.heightM(place);
-            // Nothing is laid inside the head.
+            // Nothing is laid inside the head; stubble, whose steps are shorter than cells are flat, goes on all the
+            // same.
             if (pathM > 0.0F && heightM < kClearM && heightM > -SkinBand::kReachM)
-                place += cell.normalHd * (kClearM - heightM);
+                place += cell.normalHd * std::min(kClearM - heightM, kMostPush * stepM);
             lies = growth.flatness > kStandsBelow;
             const float sine = std::clamp((coatM - heightM) * perClimbM, -diving, kSteepest);
             const float sine2 = sine * sine;

@@ -16,6 +16,14 @@ namespace {
 constexpr std::size_t kDependentBlocksAtOnce = 8;
 constexpr std::size_t kBasisBlocksAtOnce = 64;
 
+/// By what a basis hair's displacements are divided: its length, but what stubble does in contact with the skin would
+/// be zigzags on long hair beside it.
+float scaleOf(float basisLengthM)
+{
+    constexpr float kStubbleM = 0.03F;
+    return std::max(basisLengthM, kStubbleM);
+}
+
 glm::vec3 inWorld(const RigidMotion& world, glm::vec3 p)
 {
     glm::vec3 q;
@@ -102,7 +110,7 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
                 const float length = basis.segmentLengths[block * kLanes + lane] * static_cast<float>(nodes - 1);
                 const bool solved = ((wanted >> lane) & 1U) != 0 && length > 0.0F;
-                const float perLength = solved ? 1.0F / length : 0.0F;
+                const float perLength = solved ? 1.0F / scaleOf(length) : 0.0F;
                 float* out = m_displacements.data() + (block * kLanes + lane) * nodes * kBasisFloats;
                 std::size_t at = groom.blocks().index(block * kLanes + lane, 0);
                 const std::size_t root = at;
@@ -133,7 +141,7 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
         const std::size_t basisIndex = chunk.styles->braidCentre[slot];
         groom.blocks().read(chunk.styles->restPositions, slot, std::span(rest).first(nodes));
         groom.blocks().read(basis.restPositions, basisIndex, std::span(centre).first(nodes));
-        const float length = basis.segmentLengths[basisIndex] * static_cast<float>(nodes - 1);
+        const float length = scaleOf(basis.segmentLengths[basisIndex] * static_cast<float>(nodes - 1));
         const float* displacement = m_displacements.data() + basisIndex * nodes * kBasisFloats;
         for (std::size_t i = 0; i < nodes; ++i, displacement += kBasisFloats)
             centre[i] += glm::vec3(displacement[0], displacement[1], displacement[2]) * length;
