@@ -33,7 +33,8 @@ class ChunkWriter
 public:
     ChunkWriter(const ChunkInputs& inputs, std::size_t chunkIndex, StrandChunk& chunk)
         : m_inputs(inputs), m_chunk(chunk), m_firstSlot(static_cast<std::uint32_t>(chunkIndex * kChunkSlots)),
-          m_nodes(static_cast<std::size_t>(inputs.settings.nodesPerHair))
+          m_nodes(static_cast<std::size_t>(inputs.settings.nodesPerHair)),
+          m_mostPassed(Lay::mostPassed(inputs.settings.nodesPerHair))
     {}
 
     void write(std::uint32_t slot, float density)
@@ -49,35 +50,30 @@ public:
             style.detail = StrandStyle{}.detail;
 
         const std::span<glm::vec3> nodes = std::span(m_buffer).first(m_nodes);
-        m_pathBox = {};
+        const std::span<std::uint32_t> passed =
+            std::span(m_chunk.passed).subspan((slot - m_firstSlot) * m_mostPassed, m_mostPassed);
         m_clump = 0.0F;
         std::uint32_t centre = kNoCentre;
         if (isDrawn && m_inputs.kinds[slot] != 0)
             centre = m_inputs.braids.centreOf(roots, slot, m_inputs.kinds[slot]);
         if (centre != kNoCentre) {
             const float centreLengthM = m_inputs.basisLengthM[centre];
+            std::ranges::fill(passed, SkinBand::kNone);
             const float scalpM =
                 braidRest(rootFrame(roots, slot), rootFrame(roots, roots.basisSlot[centre]), centreLengthM, nodes);
             applyBraid(settings, static_cast<BraidKind>(m_inputs.kinds[slot]), chance, scalpM, centreLengthM, style);
         } else {
-            m_inputs.lay.lay(layRootOf(roots, slot, chance), style.lengthM, nodes);
-            includeAll(nodes);
+            m_inputs.lay.lay(layRootOf(roots, slot, chance), style.lengthM, nodes, passed);
             const std::uint32_t basis = roots.basisSlot[roots.neighbours[slot][0]];
             float clump = basis == slot ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(uv);
             if (clump > 0.0F) {
-                const RootChance basisChance = chanceOf(roots.seed, roots.rankOfSlot[basis]);
-                const std::span<glm::vec3> basisNodes = std::span(m_basisBuffer).first(m_nodes);
-                // Neighbours are as often as not of one lock and one length.
-                if (basis != m_laidBasis || style.lengthM != m_laidLengthM)
-                    m_inputs.lay.lay(layRootOf(roots, basis, basisChance), style.lengthM, basisNodes);
-                m_laidBasis = basis;
-                m_laidLengthM = style.lengthM;
-                includeAll(basisNodes);
+                const std::span<const glm::vec3> basisNodes = basisRest(roots.neighbours[slot][0]);
                 clump *= agreementOf(nodes, basisNodes);
                 m_clump = clump;
-                clumpRest(basisNodes, clump, style.lengthM / static_cast<float>(m_nodes - 1), nodes);
+                clumpRest(basisNodes, m_inputs.basis.segmentLengths[m_basisRead], clump,
+                          style.lengthM / static_cast<float>(m_nodes - 1), nodes);
                 // Hairs that lie together curl together: a ringlet is one curl of many hairs.
-                const float basisPhase = basisChance.phase;
+                const float basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
                 style.phase = basisPhase + (style.phase - basisPhase) * (1.0F - clump);
             }
         }
@@ -93,17 +89,20 @@ public:
     void clear(std::uint32_t slot)
     {
         std::ranges::fill(std::span(m_buffer).first(m_nodes), glm::vec3(0.0F));
-        m_pathBox = {};
         m_clump = 0.0F;
         store(slot, StrandStyle{}, std::span(m_buffer).first(m_nodes), false, kNoCentre);
         m_chunk.hairs.reset(slot - m_firstSlot);
     }
 
 private:
-    void includeAll(std::span<const glm::vec3> nodes)
+    /// As it is laid; neighbours are as often as not of one lock.
+    std::span<const glm::vec3> basisRest(std::uint32_t basisIndex)
     {
-        for (const glm::vec3& node : nodes)
-            m_pathBox.include(node);
+        const std::span<glm::vec3> nodes = std::span(m_basisBuffer).first(m_nodes);
+        if (basisIndex != m_basisRead)
+            StrandBlocks(m_inputs.settings.nodesPerHair).read(m_inputs.basis.restPositions, basisIndex, nodes);
+        m_basisRead = basisIndex;
+        return nodes;
     }
 
     void store(std::uint32_t slot, const StrandStyle& style, std::span<const glm::vec3> nodes, bool isDrawn,
@@ -113,7 +112,6 @@ private:
         m_chunk.hairs.set(local);
         m_chunk.drawn.set(local, isDrawn);
         m_chunk.styles[local] = style;
-        m_chunk.pathBoxes[local] = m_pathBox;
         m_chunk.clump[local] = m_clump;
         m_chunk.braidCentre[local] = centre;
         m_chunk.segmentLengths[local] = style.lengthM / static_cast<float>(m_nodes - 1);
@@ -124,11 +122,10 @@ private:
     StrandChunk& m_chunk;
     std::uint32_t m_firstSlot;
     std::size_t m_nodes;
+    std::size_t m_mostPassed;
     std::array<glm::vec3, kMostNodes> m_buffer{};
     std::array<glm::vec3, kMostNodes> m_basisBuffer{};
-    std::uint32_t m_laidBasis = kNoCentre; ///< Whose lay m_basisBuffer holds,
-    float m_laidLengthM = 0.0F;            ///< and at which length.
-    PathBox m_pathBox;
+    std::uint32_t m_basisRead = kNoCentre; ///< Whose rest shape m_basisBuffer holds.
     float m_clump = 0.0F;
 };
 
@@ -136,7 +133,7 @@ std::shared_ptr<StrandChunk> emptyChunk(int nodes)
 {
     auto chunk = std::make_shared<StrandChunk>();
     chunk->styles.resize(kChunkSlots);
-    chunk->pathBoxes.resize(kChunkSlots);
+    chunk->passed.assign(kChunkSlots * Lay::mostPassed(nodes), SkinBand::kNone);
     chunk->clump.resize(kChunkSlots);
     chunk->restPositions.resize(StrandBlocks(nodes).floatsFor(kBlocksPerChunk));
     chunk->segmentLengths.resize(kChunkSlots);

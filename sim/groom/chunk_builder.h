@@ -20,6 +20,7 @@ struct ChunkInputs
     const RootSet& roots;
     const MapSamplers& maps;
     const Lay& lay;
+    const BasisStyles& basis;
     const BraidLayout& braids;
     std::span<const std::uint8_t> kinds; ///< [slots]
     std::span<const float> basisLengthM; ///< [basis hairs]

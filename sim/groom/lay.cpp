@@ -5,7 +5,6 @@
 #include "sim/groom/rest_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace hairpaint::sim {
@@ -37,9 +36,16 @@ Growth Lay::growthAt(const LayRoot& root, float falls) const
         .of(falls);
 }
 
-template<typename Sees>
-void Lay::follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesHd, const Sees& sees) const
+std::size_t Lay::mostPassed(int nodes)
 {
+    // Where a segment takes one step, one a segment; else steps are longer than half the longest.
+    constexpr auto kOfShortSteps = static_cast<std::size_t>(kFurthestM / (0.5F * kStepM)) + 2;
+    return std::max(static_cast<std::size_t>(nodes - 1), kOfShortSteps);
+}
+
+void Lay::lay(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesHd, std::span<std::uint32_t> passed) const
+{
+    std::ranges::fill(passed, SkinBand::kNone);
     const float falls = fallFraction(lengthM);
     const Growth grown = growthAt(root, falls);
     if (grown.flatness == 0.0F) {
@@ -57,6 +63,7 @@ void Lay::follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesH
         grown.alongHd * grown.flatness + root.frame.normal * std::sqrt(1.0F - grown.flatness * grown.flatness);
     bool lies = m_field != nullptr && grown.flatness > kStandsBelow;
     float pathM = 0.0F;
+    std::size_t passes = 0;
     nodesHd[0] = root.positionHd;
     for (std::size_t i = 1; i < nodesHd.size(); ++i) {
         glm::vec3 place = nodesHd[i - 1];
@@ -66,8 +73,8 @@ void Lay::follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesH
             lies = index != SkinBand::kNone;
             if (!lies)
                 break;
-            if (!sees(index))
-                return;
+            if (passes < passed.size())
+                passed[passes++] = index;
             const LayField::Cell& cell = (*m_field)[index];
             const Growth growth = cell.directions.of(falls);
             const float heightM = cell.heightM(place);
@@ -90,22 +97,6 @@ void Lay::follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesH
         const glm::vec3 edge = place - nodesHd[i - 1];
         nodesHd[i] = nodesHd[i - 1] + edge * (segmentM / std::sqrt(std::max(glm::dot(edge, edge), 1e-16F)));
     }
-}
-
-void Lay::lay(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesHd) const
-{
-    follow(root, lengthM, nodesHd, [](std::uint32_t) { return true; });
-}
-
-bool Lay::crosses(const LayRoot& root, float lengthM, std::size_t nodes, std::span<const std::uint8_t> marked) const
-{
-    std::array<glm::vec3, kMostNodes> nodesHd;
-    bool found = false;
-    follow(root, lengthM, std::span(nodesHd).first(nodes), [&](std::uint32_t index) {
-        found = marked[index] != 0;
-        return !found;
-    });
-    return found;
 }
 
 } // namespace hairpaint::sim

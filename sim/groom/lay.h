@@ -37,17 +37,15 @@ public:
     {}
 
     /// The skeleton of a hair of `lengthM`: nodes evenly spaced, root first. A direction of zero length gives a
-    /// straight line along the normal.
-    void lay(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesHd) const;
+    /// straight line along the normal. `passed` gets the cells of the field, by index, that this depends on beside the
+    /// root's own direction, and kNone behind them; mostPassed() of them, or none where nobody asks.
+    void lay(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesHd,
+             std::span<std::uint32_t> passed = {}) const;
 
-    /// Whether the lay of such a hair depends on one of the cells that are marked (by index), beside its root.
-    [[nodiscard]] bool crosses(const LayRoot& root, float lengthM, std::size_t nodes,
-                               std::span<const std::uint8_t> marked) const;
+    /// The most cells that a hair passes.
+    [[nodiscard]] static std::size_t mostPassed(int nodes);
 
 private:
-    /// Shows the index of every cell that is looked up, in order, to `sees`; ends early where it returns false.
-    template<typename Sees>
-    void follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesHd, const Sees& sees) const;
     [[nodiscard]] Growth growthAt(const LayRoot& root, float falls) const;
 
     const MapSampler& m_direction;

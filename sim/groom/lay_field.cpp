@@ -44,12 +44,8 @@ DirectionVector sampled(const TiledRaster& map, glm::vec2 uv)
 
 } // namespace
 
-Growth GrowthDirections::of(float falls) const
+Growth GrowthDirections::between(float falls) const
 {
-    if (falls <= 0.0F)
-        return grown;
-    if (falls >= 1.0F)
-        return fallen;
     const glm::vec3 before = grown.alongHd * grown.flatness;
     return growthOf(before + (fallen.alongHd * fallen.flatness - before) * falls);
 }

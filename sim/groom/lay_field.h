@@ -28,8 +28,14 @@ struct GrowthDirections
     Growth fallen; ///< Of long hair: where nobody combed, to its own side of the middle.
 
     /// `falls`: fallFraction() of the hair's length.
-    [[nodiscard]] Growth of(float falls) const;
+    [[nodiscard]] Growth of(float falls) const
+    {
+        return falls <= 0.0F ? grown : falls >= 1.0F ? fallen : between(falls);
+    }
     friend bool operator==(const GrowthDirections&, const GrowthDirections&) = default;
+
+private:
+    [[nodiscard]] Growth between(float falls) const;
 };
 
 /// How far hair of a length lies as it falls rather than as it grows, 0..1.
