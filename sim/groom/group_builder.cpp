@@ -107,8 +107,8 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
         const MapSamplers maps(input.maps);
         readKinds(maps, dirty.hairs);
         const std::optional<MapSampler> natural = samplerOf(head.natural);
-        const Lay lay(maps[MapSlot::Direction], natural ? &*natural : nullptr, head.band ? &*m_layField : nullptr,
-                      settings.physics.volumeM);
+        const LayInputs lay{maps[MapSlot::Direction], natural ? &*natural : nullptr, head.band ? &*m_layField : nullptr,
+                            settings.physics.volumeM};
         updateBasis(settings, maps, lay, dirty.basis);
         updateBraids(settings, dirty.hairs);
         updateClumped(maps[MapSlot::Clump], dirty.hairs);
@@ -171,7 +171,7 @@ BasisStyles& GroupBuilder::writableBasis()
     return *m_newBasis;
 }
 
-void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers& maps, const Lay& lay,
+void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
                                const SlotSet& dirty)
 {
     const RootSet& roots = *m_roots;
@@ -186,11 +186,27 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
     const std::size_t mostPassed = Lay::mostPassed(settings.nodesPerHair);
     m_passedByBasis.resize(roots.basisSlot.size() * mostPassed, SkinBand::kNone);
     parallelFor(roots.basisSlot.size(), kBasisGrain, [&](std::size_t begin, std::size_t end) {
+        Lay batch(lay, settings.nodesPerHair);
+        std::vector<std::size_t> added;
         std::array<glm::vec3, kMostNodes> buffer{};
         std::array<glm::vec3, kMostNodes> bufferBefore{};
         const std::span<glm::vec3> nodes = std::span(buffer).first(nodeCount);
         const std::span<glm::vec3> nodesBefore = std::span(bufferBefore).first(nodeCount);
         const StrandBlocks blocks(settings.nodesPerHair);
+        const auto store = [&] {
+            batch.lay();
+            for (std::size_t hair = 0; hair < added.size(); ++hair) {
+                const std::size_t i = added[hair];
+                batch.read(hair, nodes);
+                std::ranges::copy(batch.passed(hair),
+                                  m_passedByBasis.begin() + static_cast<std::ptrdiff_t>(i * mostPassed));
+                blocks.read(basis.restPositions, i, nodesBefore);
+                m_basisRelaid[i] = std::ranges::equal(nodes, nodesBefore) ? 0 : 1;
+                blocks.write(basis.restPositions, i, nodes);
+            }
+            batch.clear();
+            added.clear();
+        };
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t slot = roots.basisSlot[i];
             if (!dirty.contains(slot))
@@ -203,13 +219,12 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
                 m_basisChanged[i] = 1;
             }
             basis.segmentLengths[i] = lengthM / static_cast<float>(nodeCount - 1);
-            const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[slot]);
-            lay.lay(layRootOf(roots, slot, chance), lengthM, nodes,
-                    std::span(m_passedByBasis).subspan(i * mostPassed, mostPassed));
-            blocks.read(basis.restPositions, i, nodesBefore);
-            m_basisRelaid[i] = std::ranges::equal(nodes, nodesBefore) ? 0 : 1;
-            blocks.write(basis.restPositions, i, nodes);
+            batch.add(layRootOf(roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot])), lengthM);
+            added.push_back(i);
+            if (batch.isFull())
+                store();
         }
+        store();
     });
 }
 
@@ -262,7 +277,7 @@ void GroupBuilder::updateClumped(const MapSampler& clump, SlotSet& dirty) const
     });
 }
 
-void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const Lay& lay,
+void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
                                  const ChangedSlots& dirty, Groom& groom, SlotSet& rebuilt)
 {
     std::vector<std::size_t> stale;

@@ -20,11 +20,12 @@ public:
     }
 
     /// `passed`: up to the first kNone.
-    [[nodiscard]] bool anyOf(std::span<const std::uint32_t> passed) const
+    [[nodiscard]] bool anyOf(std::span<const std::int32_t> passed) const
     {
-        for (const std::uint32_t index : passed) {
-            if (index == SkinBand::kNone)
+        for (const std::int32_t cell : passed) {
+            if (cell == SkinBand::kNone)
                 return false;
+            const auto index = static_cast<std::size_t>(cell);
             if (((m_words[index / 64] >> (index % 64)) & 1U) != 0)
                 return true;
         }
@@ -37,7 +38,7 @@ private:
 
 } // namespace
 
-void findRelaid(const Groom& before, std::span<const std::uint32_t> passedByBasis, std::size_t cellCount,
+void findRelaid(const Groom& before, std::span<const std::int32_t> passedByBasis, std::size_t cellCount,
                 const LayField::Difference& difference, ChangedSlots& changed)
 {
     if (difference.indices.empty())

@@ -11,7 +11,7 @@ namespace hairpaint::sim {
 
 /// Adds the hairs, and basis hairs, whose lay passed a cell that differs, beside those at whose own roots the map does
 /// (MapChanges). `passedByBasis`: [basis hairs][Lay::mostPassed]. Uses parallelFor.
-void findRelaid(const Groom& before, std::span<const std::uint32_t> passedByBasis, std::size_t cellCount,
+void findRelaid(const Groom& before, std::span<const std::int32_t> passedByBasis, std::size_t cellCount,
                 const LayField::Difference& difference, ChangedSlots& changed);
 
 } // namespace hairpaint::sim
