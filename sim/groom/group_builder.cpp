@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace hairpaint::sim {
@@ -109,6 +110,8 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
         const std::optional<MapSampler> natural = samplerOf(head.natural);
         const LayInputs lay{maps[MapSlot::Direction], natural ? &*natural : nullptr, head.band ? &*m_layField : nullptr,
                             settings.physics.volumeM};
+        dirty.hairs.forEach(
+            [&](std::uint32_t slot) { dirty.basis.insert(roots->basisSlot[roots->neighbours[slot][0]]); });
         updateBasis(settings, maps, lay, dirty.basis);
         updateBraids(settings, dirty.hairs);
         updateClumped(maps[MapSlot::Clump], dirty.hairs);
@@ -141,6 +144,15 @@ void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_p
 {
     if (roots != m_roots) {
         m_roots = roots;
+        // Counted, summed up, filled in.
+        m_firstLed.assign(roots->basisSlot.size() + 1, 0);
+        for (const auto& neighbours : roots->neighbours)
+            ++m_firstLed[neighbours[0] + 1];
+        std::partial_sum(m_firstLed.begin(), m_firstLed.end(), m_firstLed.begin());
+        m_led.resize(roots->neighbours.size());
+        std::vector<std::uint32_t> next(m_firstLed.begin(), m_firstLed.end() - 1);
+        for (std::uint32_t slot = 0; slot < roots->neighbours.size(); ++slot)
+            m_led[next[roots->neighbours[slot][0]]++] = slot;
         m_changes.emplace(roots);
         m_changes->prepare(input.maps);
     }
@@ -169,6 +181,20 @@ BasisStyles& GroupBuilder::writableBasis()
     if (!m_newBasis)
         m_newBasis = std::make_shared<BasisStyles>(*m_basis);
     return *m_newBasis;
+}
+
+float GroupBuilder::basisLengthOf(std::size_t basisIndex, const GroupSettings& settings, const MapSampler& length) const
+{
+    constexpr float kMuchShorter = 0.5F;
+    const float own = length.scalar(m_roots->uv[m_roots->basisSlot[basisIndex]]);
+    if (length.isUniform())
+        return lengthOf(settings, own);
+    float longest = own;
+    for (std::uint32_t i = m_firstLed[basisIndex]; i < m_firstLed[basisIndex + 1]; ++i)
+        longest = std::max(longest, length.scalar(m_roots->uv[m_led[i]]));
+    const float longestM = lengthOf(settings, longest);
+    const float ownM = lengthOf(settings, own);
+    return ownM < kMuchShorter * longestM ? longestM : ownM;
 }
 
 void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
@@ -211,8 +237,7 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             const std::uint32_t slot = roots.basisSlot[i];
             if (!dirty.contains(slot))
                 continue;
-            const float lengthM =
-                std::max(lengthOf(settings, maps[MapSlot::Length].scalar(roots.uv[slot])), kShortestBasisM);
+            const float lengthM = std::max(basisLengthOf(i, settings, maps[MapSlot::Length]), kShortestBasisM);
             basis.gel[i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
             if (lengthM != m_basisLengthM[i]) {
                 m_basisLengthM[i] = lengthM;

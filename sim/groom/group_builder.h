@@ -38,6 +38,10 @@ private:
     void updateLay(const GroomInput::Group& input, const HeadLay& head, ChangedSlots& dirty);
     void startOver(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots);
     void readKinds(const MapSamplers& maps, const SlotSet& dirty);
+    /// A basis hair's own, or where that is much shorter than the longest of the hairs that it leads, theirs: what
+    /// hangs at the edge of a cut is not led by stubble.
+    [[nodiscard]] float basisLengthOf(std::size_t basisIndex, const GroupSettings& settings,
+                                      const MapSampler& length) const;
     void updateBasis(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
                      const SlotSet& dirty);
     void updateBraids(const GroupSettings& settings, SlotSet& dirty);
@@ -58,6 +62,8 @@ private:
     std::optional<LayField> m_layField;
     std::shared_ptr<const BasisStyles> m_basis;
     std::shared_ptr<BasisStyles> m_newBasis;      ///< While updating, once something differs.
+    std::vector<std::uint32_t> m_led;             ///< Slots by the basis hair nearest to them,
+    std::vector<std::uint32_t> m_firstLed;        ///< [basis hairs + 1] and where each one's begin.
     std::vector<float> m_basisLengthM;            ///< [basis hairs]
     std::vector<std::int32_t> m_passedByBasis;    ///< [basis hairs][Lay::mostPassed], as StrandChunk::passed.
     std::vector<std::uint8_t> m_basisChanged;     ///< [basis hairs]: those of another length, in this update.

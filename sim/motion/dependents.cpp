@@ -123,7 +123,7 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
                                          basis.restPositions[root + axis * StrandBlocks::kAxisStride]) *
                                         perLength;
                     }
-                    out[3] = 0.0F;
+                    out[kBasisLength] = length;
                     out[7] = 0.0F;
                 }
             }

@@ -17,7 +17,7 @@ constexpr float kAnywhereM = 1.0F;
 constexpr float kCarriedM = 0.08F; ///< Shorter hair holds its own shape,
 constexpr float kHangingM = 0.20F; ///< and longer hair does not.
 
-/// How much a neighbour counts beside the nearest, 0..1, by how differently its tip hangs.
+/// How much a neighbour counts beside the foremost, 0..1, by how differently its tip hangs.
 HWY_INLINE float agreement(const float* HWY_RESTRICT nearestTip, const float* HWY_RESTRICT tip)
 {
     const float x = tip[0] - nearestTip[0];
@@ -27,8 +27,16 @@ HWY_INLINE float agreement(const float* HWY_RESTRICT nearestTip, const float* HW
     return left > 0.0F ? left * left : 0.0F;
 }
 
+/// How much one of another length tells of how a hair of `length` moves, 0..1, never nothing.
+HWY_INLINE float likeness(float length, float basisLength)
+{
+    const float ratio = basisLength < length ? basisLength / length : length / basisLength;
+    const float square = ratio * ratio;
+    return square > 1e-4F ? square : 1e-4F;
+}
+
 /// Weighted mean of one slot's three basis hairs into mean: [nodes][2][kLanes][4], at its lane.
-HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float* HWY_RESTRICT mean)
+HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float length, float* HWY_RESTRICT mean)
 {
     const hn::CappedTag<float, 4> d4;
     const auto nodes = static_cast<std::size_t>(task.nodes);
@@ -38,16 +46,26 @@ HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float* HWY_
     const float* const second = task.displacements + basis[1] * nodes * kBasisFloats;
     const float* const third = task.displacements + basis[2] * nodes * kBasisFloats;
     const std::size_t tip = (nodes - 1) * kBasisFloats;
-    const float clump = task.clump[slot];
-    for (std::size_t k = 0; k < weight.size(); ++k)
-        weight[k] += ((k == 0 ? 1.0F : 0.0F) - weight[k]) * clump;
+    const std::array<const float*, 3> all{first, second, third};
+    for (std::size_t k = 0; k < all.size(); ++k)
+        weight[k] *= likeness(length, all[k][kBasisLength]);
+    const float clump = task.clump[slot] * likeness(length, first[kBasisLength]);
+    const float together = weight[0] + weight[1] + weight[2];
+    for (std::size_t k = 0; k < all.size(); ++k)
+        weight[k] += ((k == 0 ? together : 0.0F) - weight[k]) * clump;
     if (weight[1] != 0.0F || weight[2] != 0.0F) {
-        weight[1] *= agreement(first + tip, second + tip);
-        weight[2] *= agreement(first + tip, third + tip);
-        const float sum = weight[0] + weight[1] + weight[2];
-        const float scale = sum > 1e-6F ? 1.0F / sum : 0.0F;
+        std::size_t foremost = weight[1] > weight[0] ? 1 : 0;
+        foremost = weight[2] > weight[foremost] ? 2 : foremost;
+        float sum = 0.0F;
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            if (k != foremost)
+                weight[k] *= agreement(all[foremost] + tip, all[k] + tip);
+            sum += weight[k];
+        }
         for (float& w : weight)
-            w *= scale;
+            w *= 1.0F / sum;
+    } else {
+        weight[0] = 1.0F;
     }
     const auto w0 = hn::Set(d4, weight[0]);
     const auto w1 = hn::Set(d4, weight[1]);
@@ -163,7 +181,7 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
         }
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
             if (lanes[lane] > 0.0F)
-                gather(task, block * kLanes + lane, mean + lane * 4);
+                gather(task, block * kLanes + lane, lanes[lane] * static_cast<float>(task.nodes - 1), mean + lane * 4);
         }
         for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(d))
             placeStrands(d, task, mean + lane * 4, task.rest + first + lane, lanes + lane, task.out + first + lane);

@@ -62,6 +62,7 @@ private Q_SLOTS:
     void stillHairFallsAsleepAndWakes_data();
     void stillHairFallsAsleepAndWakes();
     void inputThatDiffersElsewhereLeavesHairAsleep();
+    void longHairAtTheEdgeOfACutHangs();
     void aHiddenGroupIsNotPlaced();
     void resetGivesTheRestShape();
     void rootsFollowTheHead();
@@ -294,6 +295,38 @@ void TestSimulation::inputThatDiffersElsewhereLeavesHairAsleep()
     input.colliders.front().semiAxesM *= 1.01F;
     simulation.setInput(input);
     QVERIFY(!simulation.asleep());
+}
+
+void TestSimulation::longHairAtTheEdgeOfACutHangs()
+{
+    /// Of the hair that stays long on the upper half: how far from the ball's axis its tips are, and how far above
+    /// their roots at most; m.
+    const auto reachOf = [](bool cut) {
+        GroomInput input = paintedBall(6000, 500);
+        if (cut) // A band of stubble, along whose edges the nearest basis hairs are short.
+            paintSquare(input.groups.front().maps[MapSlot::Length], {0.1F, 0.55F}, {0.9F, 0.7F}, 1000);
+        Simulation simulation;
+        simulation.setInput(input);
+        simulation.settle(3.0);
+        const StrandFrame frame = frameOf(simulation);
+        const Groom& groom = *frame.groups.front().groom;
+        glm::vec2 reach(-1.0F);
+        for (std::size_t slot = 0; slot < groom.roots->count(); ++slot) {
+            const std::vector<glm::vec3> nodes = nodesOf(frame, slot);
+            const float rootY = groom.roots->positionHd[slot].y;
+            if (nodes.empty() || groom.chunks[chunkOf(slot)]->styles[inChunk(slot)].lengthM < 0.18F || rootY < 0.0F ||
+                rootY > 0.09F)
+                continue;
+            const glm::vec3 tip = nodes.back();
+            reach = glm::max(reach, glm::vec2(glm::length(glm::vec2(tip.x, tip.z)), tip.y - rootY));
+        }
+        return reach;
+    };
+    const glm::vec2 uncut = reachOf(false);
+    const glm::vec2 cut = reachOf(true);
+    QVERIFY(uncut.y < 0.0F && cut.y < 0.0F);
+    // A shape is scaled from basis hairs of up to two times another length.
+    QVERIFY2(cut.x < uncut.x + 0.06F, qPrintable(QStringLiteral("%1 %2").arg(cut.x).arg(uncut.x)));
 }
 
 void TestSimulation::aHiddenGroupIsNotPlaced()
