@@ -19,6 +19,7 @@ struct Hover
     model::Area area = model::Area::Paint;
     glm::vec2 uv{0.0F};
     std::optional<sim::SurfacePoint> point;
+    float pixelM = model::ToolEvent{}.pixelM;
 };
 
 /// Lives on the GUI thread. Views read it and call its setters; each setter returns false and tells nothing where
@@ -38,7 +39,8 @@ public:
     [[nodiscard]] model::MapKind activeMap() const { return m_activeMap; }
     bool setActiveMap(model::MapKind map);
     /// The layer that tools paint on in the active map; kept per group and map; 0 where the map has none.
-    [[nodiscard]] model::Id activeLayer() const;
+    [[nodiscard]] model::Id activeLayer() const { return activeLayer(m_activeMap); }
+    [[nodiscard]] model::Id activeLayer(model::MapKind map) const; ///< The same of any map.
     bool setActiveLayer(model::Id layer);
     [[nodiscard]] model::LayerAddress target() const;
     /// The active group's settings; those of a new group where there is none.
@@ -106,6 +108,9 @@ private:
     void followAmounts(bool tell);
     /// Why the active tool can't start on the target; empty where it can.
     [[nodiscard]] QString refusal(bool picks) const;
+    [[nodiscard]] QString refusalOn(const model::HairGroup& group, model::MapKind map) const;
+    /// Why it can't change the other maps that it is set to change.
+    [[nodiscard]] QString refusalOnOthers() const;
     template<typename Call>
     void withTool(const Call& call);
 
@@ -113,6 +118,7 @@ private:
     std::vector<std::unique_ptr<model::Tool>> m_tools;
     std::size_t m_activeTool = 0;
     std::size_t m_previousTool = 0;
+    bool m_toolWorks = false;           ///< A change that is told meanwhile is the active tool's.
     model::LayerAddress m_strokeTarget; ///< Stays the same from press to release.
     model::ToolSettings m_toolSettings;
     model::ValueAmounts m_amounts;

@@ -369,7 +369,7 @@ bool HeadView::event(QEvent* event)
             return true;
         }
     }
-    return QWidget::event(event);
+    return PaintedArea::event(event);
 }
 
 void HeadView::keyPressEvent(QKeyEvent* event)

@@ -159,7 +159,8 @@ void HeadPointer::hoverAt(const PointerSample& sample)
 {
     const std::optional<sim::SurfacePoint> point = m_scene.skinAt(sample.position);
     if (point)
-        m_editor.setHover(Hover{.area = model::Area::Head, .uv = point->uv, .point = point});
+        m_editor.setHover(Hover{
+            .area = model::Area::Head, .uv = point->uv, .point = point, .pixelM = m_scene.pixelAt(point->positionHd)});
     else
         m_editor.setHover(std::nullopt);
 }

@@ -130,6 +130,14 @@ std::optional<sim::SurfacePoint> HeadScene::skinAt(QPointF position) const
     return skin()->pick(inHead(rayThrough(m_scene.camera, position, QSizeF(m_area.size())), shownPose()));
 }
 
+float HeadScene::pixelAt(glm::vec3 positionHd) const
+{
+    const rendering::Camera& camera = m_scene.camera;
+    const float distanceM = glm::distance(inWorld(positionHd, shownPose()), camera.eyeWo());
+    return 2.0F * distanceM * std::tan(0.5F * camera.fieldOfViewRad) /
+           std::max(static_cast<float>(m_area.height()), 1.0F);
+}
+
 std::optional<QPointF> HeadScene::positionOf(glm::vec3 positionHd) const
 {
     return project(m_scene.camera, inWorld(positionHd, shownPose()), QSizeF(m_area.size()));
