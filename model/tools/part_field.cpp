@@ -15,11 +15,14 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr float kFullReach = 0.45F;   ///< Of the reach: so far out the parting alone says how hair lies.
-constexpr float kEndFadeM = 0.035F;   ///< Past its ends a parting fades along this, or along its reach.
-constexpr float kBlurM = 0.003F;      ///< How near pieces of the curve count alike.
-constexpr float kFacesAway = -0.3F;   ///< Cosine between normals: the other side of something thin.
-constexpr float kLeastGapTx = 0.6F;   ///< Half a gap's width.
+constexpr float kFullReach = 0.6F;  ///< Of the reach: so far out the parting alone says how hair lies.
+constexpr float kPastEndM = 0.008F; ///< So far past its ends a parting still lays hair fully;
+constexpr float kEndFadeM = 0.04F;  ///< there, or at its reach, it ends.
+constexpr float kBackward = 0.35F;  ///< On top and at the forehead hair also lies back from the face, against 1 aside;
+constexpr float kOutward = 1.5F;    ///< past a parting's ends it turns on from them, where both sides meet.
+constexpr float kBlurM = 0.003F;    ///< How near pieces of the curve count alike.
+constexpr float kFacesAway = -0.3F; ///< Cosine between normals: the other side of something thin.
+constexpr float kLeastGapTx = 0.6F; ///< Half a gap's width.
 constexpr float kGapSoftness = 0.35F; ///< Of half its width.
 constexpr float kLeastSoftnessTx = 0.5F;
 constexpr float kOneIslandM = 0.02F; ///< Places further apart are no neighbours.
@@ -45,32 +48,36 @@ PartField::PartField(SkinFrames& frames, PartCurve curve, const PartLook& look)
         m_lowHd = glm::min(m_lowHd, sample.positionHd - m_look.reachM);
         m_highHd = glm::max(m_highHd, sample.positionHd + m_look.reachM);
     }
-    constexpr int kSide = SkinFrames::kTileSide;
-    const std::vector<int> tiles = tilesNear(frames.skin().mesh());
-    std::vector<Places*> places;
-    for (const int tile : tiles) {
-        // Fills the table, which one thread alone may.
-        (void)frames.place(tile % SkinFrames::kTilesAcross * kSide, tile / SkinFrames::kTilesAcross * kSide);
-        places.push_back(&m_tiles[tile]);
-    }
-    sim::parallelFor(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int left = tiles[i] % SkinFrames::kTilesAcross * kSide;
-            const int top = tiles[i] / SkinFrames::kTilesAcross * kSide;
-            places[i]->resize(std::size_t{kSide} * kSide);
-            auto place = places[i]->begin();
-            for (int y = top; y < top + kSide; ++y)
-                for (int x = left; x < left + kSide; ++x, ++place)
-                    if (const std::optional<SkinPlace>& skin = frames.place(x, y))
-                        *place = placeOf(*skin);
-        }
+    m_tiles.resize(std::size_t{kTilesAcross} * kTilesAcross);
+    const std::vector<int> near = tilesNear(frames.skin().mesh());
+    for (const int tile : near) // Fills the table, which one thread alone may.
+        (void)frames.place(tile % kTilesAcross * SkinFrames::kTileSide, tile / kTilesAcross * SkinFrames::kTileSide);
+    sim::parallelFor(near.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            fill(m_tiles[static_cast<std::size_t>(near[i])], near[i], frames);
     });
+}
+
+void PartField::fill(Tile& tile, int index, SkinFrames& frames) const
+{
+    const int left = index % kTilesAcross * SkinFrames::kTileSide;
+    const int top = index / kTilesAcross * SkinFrames::kTileSide;
+    tile.places.resize(std::size_t{kTileSide} * kTileSide);
+    tile.nearestM = std::numeric_limits<float>::max();
+    auto place = tile.places.begin();
+    for (int y = 0; y < kTileSide; ++y)
+        for (int x = 0; x < kTileSide; ++x, ++place)
+            if (const std::optional<SkinPlace>& skin = frames.place(left + x * kStride, top + y * kStride)) {
+                *place = placeOf(*skin);
+                if (*place)
+                    tile.nearestM = std::min(tile.nearestM, std::hypot((*place)->lateralM, (*place)->beyondM));
+            }
 }
 
 /// Tiles of SkinFrames into which a face of the mesh that comes into reach is unfolded.
 std::vector<int> PartField::tilesNear(const sim::HeadMesh& mesh) const
 {
-    constexpr int kAcross = SkinFrames::kTilesAcross;
+    constexpr int kAcross = kTilesAcross;
     std::array<bool, std::size_t{kAcross} * kAcross> marked{};
     for (const glm::uvec3& face : mesh.triangles) {
         const std::array corners{mesh.positionsHd[face.x], mesh.positionsHd[face.y], mesh.positionsHd[face.z]};
@@ -104,6 +111,11 @@ std::vector<int> PartField::tilesNear(const sim::HeadMesh& mesh) const
         if (marked.at(i))
             tiles.push_back(static_cast<int>(i));
     return tiles;
+}
+
+float PartField::endFadeM() const
+{
+    return std::min(kEndFadeM, m_look.reachM);
 }
 
 /// None out of reach.
@@ -145,10 +157,16 @@ std::optional<PartField::Place> PartField::placeOf(const SkinPlace& skin) const
     if (length <= 0.0F)
         return std::nullopt;
     Place place{.positionHd = skin.positionHd, .right = right / length, .frame = skin.frame};
+    glm::vec3 outHd(0.0F);
     if (piece == 0 && within <= 0.0F)
-        place.beyondM = std::max(-glm::dot(awayHd, a.tangentHd), 0.0F);
+        outHd = -a.tangentHd;
     else if (piece + 2 == samples.size() && within >= 1.0F)
-        place.beyondM = std::max(glm::dot(awayHd, b.tangentHd), 0.0F);
+        outHd = b.tangentHd;
+    place.beyondM = std::max(glm::dot(awayHd, outHd), 0.0F);
+    const float turned = kOutward * eased(0.0F, endFadeM(), place.beyondM);
+    const float combed = std::clamp(std::max(skin.frame.normal.y, skin.frame.normal.z), 0.0F, 1.0F);
+    const glm::vec2 back = skin.frame.fromHd({0.0F, 0.0F, -kBackward * combed});
+    place.shared = back - place.right * glm::dot(back, place.right) + skin.frame.fromHd(outHd) * turned;
     const glm::vec3 rightHd = glm::mix(a.rightHd(), b.rightHd(), within);
     const float sideM = std::sqrt(std::max(nearest - place.beyondM * place.beyondM, 0.0F));
     place.lateralM = std::copysign(sideM, glm::dot(awayHd, rightHd));
@@ -158,26 +176,27 @@ std::optional<PartField::Place> PartField::placeOf(const SkinPlace& skin) const
 
 const PartField::Place* PartField::entry(int x, int y) const
 {
-    constexpr int kSide = SkinFrames::kTileSide;
-    const auto tile = m_tiles.find(y / kSide * SkinFrames::kTilesAcross + x / kSide);
-    if (tile == m_tiles.end())
+    const Tile& tile = m_tiles[static_cast<std::size_t>(y / kTileSide * kTilesAcross + x / kTileSide)];
+    if (tile.places.empty())
         return nullptr;
-    const std::optional<Place>& place = tile->second[static_cast<std::size_t>(y % kSide * kSide + x % kSide)];
+    const std::optional<Place>& place =
+        tile.places[static_cast<std::size_t>(y % kTileSide * kTileSide + x % kTileSide)];
     return place ? &*place : nullptr;
 }
 
 /// Between the places around it that lie on its island; none out of reach.
 std::optional<PartField::Place> PartField::at(glm::vec2 uv) const
 {
-    constexpr auto kSize = static_cast<float>(SkinFrames::kSize);
-    const glm::vec2 onTable = glm::clamp(glm::vec2(uv.x, 1.0F - uv.y) * kSize - 0.5F, 0.0F, kSize - 1.0F);
+    constexpr float kPerUv = SkinFrames::kSize;
+    const glm::vec2 onTable =
+        glm::clamp((glm::vec2(uv.x, 1.0F - uv.y) * kPerUv - 0.5F) / static_cast<float>(kStride), 0.0F, kSize - 1.0F);
     const glm::ivec2 corner(glm::floor(onTable));
     const glm::vec2 fraction = onTable - glm::vec2(corner);
     std::array<std::pair<const Place*, float>, 4> around{};
     const Place* nearest = nullptr;
     float nearestWeight = 0.0F;
     for (int k = 0; k < 4; ++k) {
-        const glm::ivec2 there = glm::min(corner + glm::ivec2(k % 2, k / 2), SkinFrames::kSize - 1);
+        const glm::ivec2 there = glm::min(corner + glm::ivec2(k % 2, k / 2), kSize - 1);
         const float weight =
             (k % 2 == 0 ? 1.0F - fraction.x : fraction.x) * (k / 2 == 0 ? 1.0F - fraction.y : fraction.y);
         const Place* place = entry(there.x, there.y);
@@ -199,6 +218,7 @@ std::optional<PartField::Place> PartField::at(glm::vec2 uv) const
             (place->lateralM * nearest->lateralM < 0.0F && std::abs(nearest->lateralM) > kCloseM))
             continue;
         sum.right += place->right * weight;
+        sum.shared += place->shared * weight;
         sum.lateralM += place->lateralM * weight;
         sum.alongM += place->alongM * weight;
         sum.beyondM += place->beyondM * weight;
@@ -208,28 +228,41 @@ std::optional<PartField::Place> PartField::at(glm::vec2 uv) const
     if (weights <= 0.0F || length <= 0.0F)
         return *nearest;
     sum.right /= length;
+    sum.shared /= weights;
     sum.lateralM /= weights;
     sum.alongM /= weights;
     sum.beyondM /= weights;
     return sum;
 }
 
-std::vector<int> PartField::tiles(int size) const
+std::vector<int> PartField::tilesWithin(float distanceM, int size) const
 {
-    constexpr int kAcross = SkinFrames::kTilesAcross;
+    constexpr float kBetweenM = 0.005F; // Something may lie so much nearer than the places around it.
     const int across = size / kTile;
     std::vector<int> tiles;
-    for (int row = 0; row < across; ++row)
+    for (int row = 0; row < across && !m_tiles.empty(); ++row)
         for (int column = 0; column < across; ++column) {
-            // Of either table, the smaller tile lies in one of the larger.
+            // Of the map and the table, the one's smaller tile lies in the other's larger.
             bool any = false;
-            for (int y = row * kAcross / across; !any && y * across < (row + 1) * kAcross; ++y)
-                for (int x = column * kAcross / across; !any && x * across < (column + 1) * kAcross; ++x)
-                    any = m_tiles.contains(y * kAcross + x);
+            for (int y = row * kTilesAcross / across; !any && y * across < (row + 1) * kTilesAcross; ++y)
+                for (int x = column * kTilesAcross / across; !any && x * across < (column + 1) * kTilesAcross; ++x) {
+                    const Tile& tile = m_tiles[static_cast<std::size_t>(y * kTilesAcross + x)];
+                    any = !tile.places.empty() && tile.nearestM < distanceM + kBetweenM;
+                }
             if (any)
                 tiles.push_back(row * across + column);
         }
     return tiles;
+}
+
+std::vector<int> PartField::gapTiles(int size) const
+{
+    return m_look.gapM > 0.0F ? tilesWithin(2.0F * halfGapM(size) + m_look.zigzagM, size) : std::vector<int>();
+}
+
+float PartField::halfGapM(int size) const
+{
+    return std::max(0.5F * m_look.gapM, kLeastGapTx * m_curve.mPerUv() / static_cast<float>(size));
 }
 
 template<typename Visit>
@@ -253,13 +286,14 @@ PartField::LaidTile PartField::laid(int tileIndex, int size) const
 {
     LaidTile tile;
     tile.values.assign(sim::kTileTexels * 2, static_cast<std::uint16_t>(sim::kDirectionZero));
-    const float endFadeM = std::min(kEndFadeM, m_look.reachM);
     forTexels(tileIndex, size, [&](std::size_t texel, const Place& place) {
         const float outM = std::abs(place.lateralM);
         tile.mask.at(texel) = unit16((1.0F - eased(kFullReach * m_look.reachM, m_look.reachM, outM)) *
-                                     (1.0F - eased(0.0F, endFadeM, place.beyondM)));
+                                     (1.0F - eased(std::min(kPastEndM, 0.5F * endFadeM()), endFadeM(), place.beyondM)));
         const float side = place.lateralM < m_zigzag.at(place.alongM).lateralM ? -1.0F : 1.0F;
-        const sim::Texel stored = sim::texelOfDirection(place.right * (side * m_look.flatness));
+        const glm::vec2 way = place.right * side + place.shared;
+        const float length = std::max(glm::length(way), 1e-3F);
+        const sim::Texel stored = sim::texelOfDirection(way * (m_look.flatness / length));
         std::copy_n(stored.begin(), 2, tile.values.begin() + static_cast<std::ptrdiff_t>(2 * texel));
     });
     return tile;
@@ -269,7 +303,7 @@ StrokeBuffer::MaskTile PartField::gap(int tileIndex, int size) const
 {
     StrokeBuffer::MaskTile mask{};
     const float texelM = m_curve.mPerUv() / static_cast<float>(size);
-    const float halfM = std::max(0.5F * m_look.gapM, kLeastGapTx * texelM);
+    const float halfM = halfGapM(size);
     const float softM = std::max(kGapSoftness * halfM, kLeastSoftnessTx * texelM);
     forTexels(tileIndex, size, [&](std::size_t texel, const Place& place) {
         const Zigzag::Offset zigzag = m_zigzag.at(place.alongM);

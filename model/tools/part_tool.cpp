@@ -302,14 +302,13 @@ void PartTool::showLaid(const PartField& field)
         keepInside(m_edit.clips(), m_edit.before().tileRect(index), laid.mask);
         return paintTile(m_edit.spec(), before, laid.mask, {.values = laid.values.data()});
     };
-    showTiles(field.tiles(size), make, 0);
+    showTiles(field.laidTiles(size), make, 0);
 }
 
 /// No hair is painted over what other layers leave there; a layer that adds to them only loses its own.
 void PartTool::showGap(const PartField& field, const ToolContext& context)
 {
-    const bool wanted = context.settings.partGapM > 0.0F;
-    if (wanted && !m_density)
+    if (context.settings.partGapM > 0.0F && !m_density)
         m_density = m_edit.also(context, context.layer(MapKind::Density));
     if (!m_density)
         return;
@@ -321,7 +320,7 @@ void PartTool::showGap(const PartField& field, const ToolContext& context)
         keepInside(m_edit.clips(layer), m_edit.before(layer).tileRect(index), mask);
         return paintTile(m_edit.spec(layer), before, mask, none);
     };
-    showTiles(wanted ? field.tiles(size) : std::vector<int>(), make, layer);
+    showTiles(field.gapTiles(size), make, layer);
 }
 
 /// A curve on the layout, in as many pieces as it crosses islands.
