@@ -90,11 +90,11 @@ private:
 QString PartTool::hint() const
 {
     if (!active())
-        return tr("Click or drag along the parting; hair falls to both sides of it");
+        return tr("Click or drag along the part; hair falls to both sides of it");
     if (m_hovered)
         return tr("Drag the point, or double-click it to keep the part; Delete takes the point away");
     return m_points.size() < 2
-               ? tr("Click where the parting goes on; Esc leaves no trace")
+               ? tr("Click where the part goes on; Esc leaves no trace")
                : tr("Click to go on, drag points or the curve; Enter keeps the part, Esc leaves no trace");
 }
 
