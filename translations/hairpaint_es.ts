@@ -2367,7 +2367,7 @@
     <message>
         <source>%1: %2</source>
         <extracomment>%1: a map&apos;s name; %2: a sentence that says why nothing can be painted on it.</extracomment>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3083,7 +3083,7 @@
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished">mm</translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>How wide a line of skin shows; 0 leaves every hair</source>

@@ -58,7 +58,8 @@ model::ToolEvent toolEvent(const PointerSample& sample, const UvTransform& trans
                            .point = std::nullopt,
                            .pressure = sample.pressure,
                            .seconds = sample.seconds,
-                           .modifiers = sample.modifiers};
+                           .modifiers = sample.modifiers,
+                           .again = sample.again};
     if (project.head && project.head->skin)
         event.point = project.head->skin->atUv(uv);
     if (event.point)

@@ -15,7 +15,7 @@ namespace {
 constexpr float kGrabPx = 9.0F;              ///< So near to a point, or to the curve, a press takes hold of it.
 constexpr float kDrawnPointsM = 0.02F;       ///< Between points of a curve that is drawn by dragging.
 constexpr float kLastPointM = 0.006F;        ///< A drag's last piece is no shorter than this.
-constexpr double kDoubleClickSeconds = 0.45; ///< Between two presses.
+constexpr double kDoubleClickSeconds = 0.45; ///< Between two presses of a pen.
 constexpr float kJumpUv = 0.05F;             ///< Neighbours of the curve further apart lie on two islands.
 
 /// Points are added at the curve's end, or where the curve is pressed; they can be dragged as long as it is not kept.
@@ -135,7 +135,8 @@ void PartTool::press(const ToolEvent& event, ToolContext& context)
     const float withinM = kGrabPx * event.pixelM;
     if (const std::optional<std::size_t> point = pointNear(*event.point, withinM)) {
         const auto before = std::exchange(m_clicked, std::pair(*point, event.seconds));
-        if (before && before->first == *point && event.seconds - before->second < kDoubleClickSeconds) {
+        if (before && before->first == *point &&
+            (event.again || event.seconds - before->second < kDoubleClickSeconds)) {
             commit(context);
             return;
         }

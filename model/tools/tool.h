@@ -35,6 +35,7 @@ struct ToolEvent
     float pressure = 1.0F; ///< 0..1; 1 for a mouse.
     double seconds = 0.0;
     Qt::KeyboardModifiers modifiers = {};
+    bool again = false;     ///< The second press of a double click.
     float pixelM = 0.0005F; ///< How large one of the area's pixels is on the skin there.
 };
 

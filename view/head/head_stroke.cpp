@@ -82,7 +82,8 @@ model::ToolEvent HeadStroke::toolEvent(const PointerSample& sample, const std::o
                            .point = point,
                            .pressure = sample.pressure,
                            .seconds = sample.seconds,
-                           .modifiers = sample.modifiers};
+                           .modifiers = sample.modifiers,
+                           .again = sample.again};
     if (point)
         event.pixelM = m_scene.pixelAt(point->positionHd);
     return event;
