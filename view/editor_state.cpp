@@ -208,6 +208,21 @@ bool EditorState::setCollidersShown(bool shown)
     return setOption(m_collidersShown, shown);
 }
 
+std::optional<std::size_t> EditorState::chosenCollider() const
+{
+    const bool there = m_chosenCollider && *m_chosenCollider < m_document.project().ellipsoids.size();
+    return there && m_collidersShown ? m_chosenCollider : std::nullopt;
+}
+
+bool EditorState::setChosenCollider(std::optional<std::size_t> index)
+{
+    if (index == m_chosenCollider)
+        return false;
+    m_chosenCollider = index;
+    Q_EMIT viewOptionsChanged();
+    return true;
+}
+
 template<typename Call>
 void EditorState::withTool(const Call& call)
 {

@@ -67,6 +67,9 @@ public:
     /// The project's ellipsoids over the head.
     [[nodiscard]] bool collidersShown() const { return m_collidersShown; }
     bool setCollidersShown(bool shown);
+    /// The one of them that is edited; none while they are not shown.
+    [[nodiscard]] std::optional<std::size_t> chosenCollider() const;
+    bool setChosenCollider(std::optional<std::size_t> index);
 
     [[nodiscard]] const std::optional<Hover>& hover() const { return m_hover; }
     /// Where both areas draw the brush's rings: under the pointer, and the mirrored twin if there is one. Empty off the
@@ -92,7 +95,7 @@ Q_SIGNALS:
     void targetChanged(); ///< Active group, map or layer.
     void activeToolChanged();
     void toolSettingsChanged();
-    void viewOptionsChanged(); ///< Mirror, night paper, wireframe, colliders.
+    void viewOptionsChanged(); ///< Mirror, night paper, wireframe, colliders and the chosen one.
     void hoverChanged();
     void overlayChanged(); ///< The active tool's overlay or the selection.
     void refused(const QString& reason);
@@ -130,6 +133,7 @@ private:
     bool m_nightPaper = true;
     bool m_wireframe = true;
     bool m_collidersShown = false;
+    std::optional<std::size_t> m_chosenCollider;
     std::optional<Hover> m_hover;
 };
 

@@ -255,7 +255,7 @@ void TestTools::toolsHaveTheirOwnIdsKeysAndHints()
         QVERIFY(!tool->title().isEmpty());
         QVERIFY(!tool->hint().isEmpty());
     }
-    QCOMPARE(ids.join(QLatin1Char(' ')), QStringLiteral("brush eraser comb gradient fill shape select picker"));
+    QCOMPARE(ids.join(QLatin1Char(' ')), QStringLiteral("brush eraser comb part gradient fill shape select picker"));
     QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C G Shift+G U M I"));
 }
 

@@ -130,6 +130,11 @@ std::optional<sim::SurfacePoint> HeadScene::skinAt(QPointF position) const
     return skin()->pick(inHead(rayThrough(m_scene.camera, position, QSizeF(m_area.size())), shownPose()));
 }
 
+std::optional<sim::SurfacePoint> HeadScene::placeForCollider() const
+{
+    return m_brush ? m_brush : skinAt(QRectF(m_area.rect()).center());
+}
+
 float HeadScene::pixelAt(glm::vec3 positionHd) const
 {
     const rendering::Camera& camera = m_scene.camera;

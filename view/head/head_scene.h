@@ -40,6 +40,9 @@ public:
     /// A camera that sees where the brush was last, in whichever area; none before the brush was anywhere.
     [[nodiscard]] std::optional<rendering::Camera> cameraAtBrush() const;
 
+    /// Where the brush was last, or what the middle of the area shows; none off the head.
+    [[nodiscard]] std::optional<sim::SurfacePoint> placeForCollider() const;
+
     /// The document's head; null without one.
     [[nodiscard]] const sim::Skin* skin() const;
     [[nodiscard]] bool hasHead() const { return m_scene.head != nullptr; }
