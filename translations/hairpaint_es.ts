@@ -63,6 +63,17 @@
     </message>
 </context>
 <context>
+    <name>ColliderDrag</name>
+    <message>
+        <source>Size collider</source>
+        <translation>Cambiar tamaño del colisionador</translation>
+    </message>
+    <message>
+        <source>Move collider</source>
+        <translation>Mover colisionador</translation>
+    </message>
+</context>
+<context>
     <name>CommandLine</name>
     <message>
         <source>%1. Usage: hairpaint %2 %3</source>
@@ -1990,6 +2001,18 @@
         <source>Slowly to one side and the other, so that the hair swings</source>
         <translation>Despacio a un lado y al otro, para que el pelo oscile</translation>
     </message>
+    <message>
+        <source>Add &amp;collider here</source>
+        <translation>Añadir &amp;colisionador aquí</translation>
+    </message>
+    <message>
+        <source>Remove c&amp;ollider</source>
+        <translation>Quitar c&amp;olisionador</translation>
+    </message>
+    <message>
+        <source>An ellipsoid where the pointer was last on the head, which hair does not enter; eight at most</source>
+        <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; ocho como máximo</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HelpMenu</name>
@@ -2510,6 +2533,14 @@
     <message>
         <source>The hair can&apos;t be shown here: %1 Painting, saving and exporting work all the same.</source>
         <translation>El pelo no se puede mostrar aquí: %1 Pintar, guardar y exportar funcionan igualmente.</translation>
+    </message>
+    <message>
+        <source>Add collider</source>
+        <translation>Añadir colisionador</translation>
+    </message>
+    <message>
+        <source>Remove collider</source>
+        <translation>Quitar colisionador</translation>
     </message>
 </context>
 <context>

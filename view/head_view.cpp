@@ -184,9 +184,9 @@ void HeadView::addCollider()
 {
     constexpr float kRadiusM = 0.03F;
     const std::optional<sim::SurfacePoint> place = m_scene->placeForCollider();
-    if (!place)
-        return;
     std::vector<sim::Ellipsoid> all = m_state.document().project().ellipsoids;
+    if (!place || all.size() >= model::kMostEllipsoids)
+        return;
     all.push_back(
         {.centreHd = place->positionHd - 0.5F * kRadiusM * place->normalHd, .semiAxesM = glm::vec3(kRadiusM)});
     const std::size_t added = all.size() - 1;
