@@ -66,11 +66,11 @@
     <name>ColliderDrag</name>
     <message>
         <source>Size collider</source>
-        <translation>Cambiar tamaño del colisionador</translation>
+        <translation>Cambiar tamaño del elipsoide de colisión</translation>
     </message>
     <message>
         <source>Move collider</source>
-        <translation>Mover colisionador</translation>
+        <translation>Mover elipsoide de colisión</translation>
     </message>
 </context>
 <context>
@@ -2003,11 +2003,11 @@
     </message>
     <message>
         <source>Add &amp;collider here</source>
-        <translation>Añadir &amp;colisionador aquí</translation>
+        <translation>Añadir elipsoide de Añadir &amp;colisionador aquíamp;colisión aquí</translation>
     </message>
     <message>
         <source>Remove c&amp;ollider</source>
-        <translation>Quitar c&amp;olisionador</translation>
+        <translation>Quitar elipsoide de c&amp;olisión</translation>
     </message>
     <message>
         <source>An ellipsoid where the pointer was last on the head, which hair does not enter; eight at most</source>
@@ -2536,11 +2536,11 @@
     </message>
     <message>
         <source>Add collider</source>
-        <translation>Añadir colisionador</translation>
+        <translation>Añadir elipsoide de colisión</translation>
     </message>
     <message>
         <source>Remove collider</source>
-        <translation>Quitar colisionador</translation>
+        <translation>Quitar elipsoide de colisión</translation>
     </message>
 </context>
 <context>
