@@ -2003,7 +2003,7 @@
     </message>
     <message>
         <source>Add &amp;collider here</source>
-        <translation>Añadir elipsoide de Añadir &amp;colisionador aquíamp;colisión aquí</translation>
+        <translation>Añadir elipsoide de &amp;colisión aquí</translation>
     </message>
     <message>
         <source>Remove c&amp;ollider</source>

@@ -18,7 +18,7 @@ namespace {
 constexpr float kFullReach = 0.6F;  ///< Of the reach: so far out the parting alone says how hair lies.
 constexpr float kPastEndM = 0.008F; ///< So far past its ends a parting still lays hair fully;
 constexpr float kEndFadeM = 0.04F;  ///< there, or at its reach, it ends.
-constexpr float kBackward = 0.35F;  ///< On top and at the forehead hair also lies back from the face, against 1 aside;
+constexpr float kLaidBack = 0.35F;  ///< On top and at the forehead hair also lies back from the face, against 1 aside;
 constexpr float kOutward = 1.5F;    ///< past a parting's ends it turns on from them, where both sides meet.
 constexpr float kBlurM = 0.003F;    ///< How near pieces of the curve count alike.
 constexpr float kFacesAway = -0.3F; ///< Cosine between normals: the other side of something thin.
@@ -165,7 +165,7 @@ std::optional<PartField::Place> PartField::placeOf(const SkinPlace& skin) const
     place.beyondM = std::max(glm::dot(awayHd, outHd), 0.0F);
     const float turned = kOutward * eased(0.0F, endFadeM(), place.beyondM);
     const float combed = std::clamp(std::max(skin.frame.normal.y, skin.frame.normal.z), 0.0F, 1.0F);
-    const glm::vec2 back = skin.frame.fromHd({0.0F, 0.0F, -kBackward * combed});
+    const glm::vec2 back = skin.frame.fromHd({0.0F, 0.0F, -kLaidBack * combed});
     place.shared = back - place.right * glm::dot(back, place.right) + skin.frame.fromHd(outHd) * turned;
     const glm::vec3 rightHd = glm::mix(a.rightHd(), b.rightHd(), within);
     const float sideM = std::sqrt(std::max(nearest - place.beyondM * place.beyondM, 0.0F));

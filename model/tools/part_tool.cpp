@@ -149,6 +149,8 @@ void PartTool::press(const ToolEvent& event, ToolContext& context)
     if (near && near->distanceM < withinM) {
         m_hold = Hold::Point;
         m_held = near->point + 1;
+        m_moved = true; // It belongs to the same step wherever it is dragged.
+        m_clicked.reset();
         points.insert(points.begin() + static_cast<std::ptrdiff_t>(m_held), *event.point);
     } else {
         m_hold = Hold::Drawing;

@@ -382,6 +382,8 @@ private Q_SLOTS:
         QCOMPARE(part.handles().size(), qsizetype{4});
         const glm::vec2 second(part.handles()[1].x(), part.handles()[1].y());
         QVERIFY(glm::distance(second, part.skin().nearest(place + glm::vec3(-0.03F, 0.0F, 0.0F)).uv) < 0.001F);
+        part.document.undo(); // In one step.
+        QCOMPARE(part.handles().size(), qsizetype{3});
     }
 
     void aDragDrawsTheCurve()

@@ -63,8 +63,8 @@ public:
 
     /// The skin that a position of the area shows, hair ignored; none where the ray misses the head.
     [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
-    /// How large a pixel of the area is on skin there that faces the eye.
-    [[nodiscard]] float pixelAt(glm::vec3 positionHd) const;
+    /// How large a pixel of the area is on the skin there; not all of it where that is seen from the side.
+    [[nodiscard]] float pixelAt(const sim::SurfacePoint& point) const;
     /// Where a point of the head lies in the area; none behind the eye.
     [[nodiscard]] std::optional<QPointF> positionOf(glm::vec3 positionHd) const;
 

@@ -85,7 +85,7 @@ model::ToolEvent HeadStroke::toolEvent(const PointerSample& sample, const std::o
                            .modifiers = sample.modifiers,
                            .again = sample.again};
     if (point)
-        event.pixelM = m_scene.pixelAt(point->positionHd);
+        event.pixelM = m_scene.pixelAt(*point);
     return event;
 }
 
