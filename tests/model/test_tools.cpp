@@ -256,7 +256,7 @@ void TestTools::toolsHaveTheirOwnIdsKeysAndHints()
         QVERIFY(!tool->hint().isEmpty());
     }
     QCOMPARE(ids.join(QLatin1Char(' ')), QStringLiteral("brush eraser comb part gradient fill shape select picker"));
-    QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C G Shift+G U M I"));
+    QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C P G Shift+G U M I"));
 }
 
 void TestTools::eachEventTellsOnlyTheTilesItTouched()

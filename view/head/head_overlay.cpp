@@ -133,7 +133,7 @@ void HeadOverlay::paintEvent(QPaintEvent*)
     for (const QPolygonF& ellipse : m_chosen)
         painter.drawPolyline(ellipse);
     painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
-    painter.setBrush(m_theme.accent);
+    painter.setBrush(QColor(255, 255, 255, 235));
     for (const QPointF& end : m_chosenEnds)
         painter.drawRect(handleAt(end));
     painter.setBrush(Qt::NoBrush);
