@@ -2003,11 +2003,11 @@
     </message>
     <message>
         <source>Add &amp;collider here</source>
-        <translation>Añadir elipsoide de &amp;colisión aquí</translation>
+        <translation>Añadir &amp;elipsoide de colisión aquí</translation>
     </message>
     <message>
         <source>Remove c&amp;ollider</source>
-        <translation>Quitar elipsoide de c&amp;olisión</translation>
+        <translation>Quitar elip&amp;soide de colisión</translation>
     </message>
     <message>
         <source>An ellipsoid where the pointer was last on the head, which hair does not enter; eight at most</source>
