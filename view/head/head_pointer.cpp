@@ -173,8 +173,8 @@ void HeadPointer::hoverAt(const PointerSample& sample)
     updateCursor();
     const std::optional<sim::SurfacePoint> point = m_scene.skinAt(sample.position);
     if (point)
-        m_editor.setHover(Hover{
-            .area = model::Area::Head, .uv = point->uv, .point = point, .pixelM = m_scene.pixelAt(*point)});
+        m_editor.setHover(
+            Hover{.area = model::Area::Head, .uv = point->uv, .point = point, .pixelM = m_scene.pixelAt(*point)});
     else
         m_editor.setHover(std::nullopt);
 }
