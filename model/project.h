@@ -111,6 +111,8 @@ struct LightSettings
 
 inline constexpr int kMostHairs = 4'000'000; ///< A file may ask for this many.
 
+inline constexpr std::size_t kMostEllipsoids = 8; ///< That stand for a head in collisions.
+
 struct Project
 {
     Id nextId = 1;

@@ -286,6 +286,25 @@ sim::Texel turnedBetween(const sim::Texel& from, const sim::Texel& to, float fra
     return sim::texelOfDirection(length > kOpposed ? mean * (flatness / length) : mean);
 }
 
+void layVectors(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint& paint)
+{
+    for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel, layer += 3) {
+        const std::uint32_t fraction = mul16(mask[texel], paint.opacity);
+        if (fraction == 0)
+            continue;
+        const std::uint32_t after = layer[2] + mul16(65535U - layer[2], fraction);
+        sim::Texel value = paint.value;
+        if (paint.values != nullptr)
+            value = {paint.values[2 * texel], paint.values[2 * texel + 1], 0, 0};
+        if (fraction != after)
+            value = turnedBetween({layer[0], layer[1], 0, 0}, value,
+                                  static_cast<float>(fraction) / static_cast<float>(std::max(after, 1U)));
+        layer[0] = value[0];
+        layer[1] = value[1];
+        layer[2] = static_cast<std::uint16_t>(after);
+    }
+}
+
 void blendVectors(BlendMode /*mode*/, const std::uint16_t* layer, std::size_t layerStep, std::uint16_t opacity,
                   std::uint16_t* map, std::size_t count)
 {
@@ -403,7 +422,7 @@ constexpr std::array kOps{
              .greatest = anyNumber},
     TexelOps{.kind = TexelKind::Vector,
              .continuous = true,
-             .lay = layValues<2>,
+             .lay = layVectors,
              .erase = eraseValues<2>,
              .blend = blendVectors,
              .mix = mixValues<2>,

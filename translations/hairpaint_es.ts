@@ -63,6 +63,17 @@
     </message>
 </context>
 <context>
+    <name>ColliderDrag</name>
+    <message>
+        <source>Size collider</source>
+        <translation>Cambiar tamaño del elipsoide de colisión</translation>
+    </message>
+    <message>
+        <source>Move collider</source>
+        <translation>Mover elipsoide de colisión</translation>
+    </message>
+</context>
+<context>
     <name>CommandLine</name>
     <message>
         <source>%1. Usage: hairpaint %2 %3</source>
@@ -1603,6 +1614,26 @@
         <source>Drag to lay hair along the stroke; Shift+click for a straight line from the last point</source>
         <translation>Arrastra para tender el pelo a lo largo del trazo; Mayúsculas+clic traza una línea recta desde el último punto</translation>
     </message>
+    <message>
+        <source>Part</source>
+        <translation>Raya</translation>
+    </message>
+    <message>
+        <source>Drag the point, or double-click it to keep the part; Delete takes the point away</source>
+        <translation>Arrastra el punto, o haz doble clic en él para conservar la raya; Supr quita el punto</translation>
+    </message>
+    <message>
+        <source>Click to go on, drag points or the curve; Enter keeps the part, Esc leaves no trace</source>
+        <translation>Haz clic para seguir, arrastra los puntos o la curva; Intro conserva la raya, Esc no deja rastro</translation>
+    </message>
+    <message>
+        <source>Click or drag along the part; hair falls to both sides of it</source>
+        <translation>Haz clic o arrastra a lo largo de la raya; el pelo cae a ambos lados</translation>
+    </message>
+    <message>
+        <source>Click where the part goes on; Esc leaves no trace</source>
+        <translation>Haz clic donde sigue la raya; Esc no deja rastro</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ClipCommands</name>
@@ -1969,6 +2000,18 @@
     <message>
         <source>Slowly to one side and the other, so that the hair swings</source>
         <translation>Despacio a un lado y al otro, para que el pelo oscile</translation>
+    </message>
+    <message>
+        <source>Add &amp;collider here</source>
+        <translation>Añadir &amp;elipsoide de colisión aquí</translation>
+    </message>
+    <message>
+        <source>Remove c&amp;ollider</source>
+        <translation>Quitar elip&amp;soide de colisión</translation>
+    </message>
+    <message>
+        <source>An ellipsoid where the pointer was last on the head, which hair does not enter; eight at most</source>
+        <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; ocho como máximo</translation>
     </message>
 </context>
 <context>
@@ -2344,6 +2387,11 @@
         <source>%1 is painted with %2 now: this group&apos;s range ends there.</source>
         <translation>%1 se pinta ahora con %2: el rango de este grupo termina ahí.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: a map&apos;s name; %2: a sentence that says why nothing can be painted on it.</extracomment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::HairPanel</name>
@@ -2485,6 +2533,14 @@
     <message>
         <source>The hair can&apos;t be shown here: %1 Painting, saving and exporting work all the same.</source>
         <translation>El pelo no se puede mostrar aquí: %1 Pintar, guardar y exportar funcionan igualmente.</translation>
+    </message>
+    <message>
+        <source>Add collider</source>
+        <translation>Añadir elipsoide de colisión</translation>
+    </message>
+    <message>
+        <source>Remove collider</source>
+        <translation>Quitar elipsoide de colisión</translation>
     </message>
 </context>
 <context>
@@ -3043,6 +3099,34 @@
     <message>
         <source>Ruffle</source>
         <translation>Despeinar</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source>How far to either side the part lays hair</source>
+        <translation>Hasta dónde peina la raya el pelo a cada lado</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Hueco</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>How wide a line of skin shows; 0 leaves every hair</source>
+        <translation>Qué ancho de piel se ve; 0 deja todo el pelo</translation>
+    </message>
+    <message>
+        <source>Zigzag</source>
+        <translation>Zigzag</translation>
+    </message>
+    <message>
+        <source>How far the part runs to and fro; 0 leaves it straight</source>
+        <translation>Cuánto va y viene la raya; 0 la deja recta</translation>
     </message>
 </context>
 <context>

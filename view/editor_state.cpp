@@ -19,7 +19,8 @@ bool sameSettings(const model::ToolSettings& a, const model::ToolSettings& b)
     return a.brushSizeM == b.brushSizeM && a.hardness == b.hardness && a.opacity == b.opacity &&
            a.pressureSize == b.pressureSize && a.pressureOpacity == b.pressureOpacity &&
            a.fillTolerance == b.fillTolerance && a.shape == b.shape && a.gradient == b.gradient && a.comb == b.comb &&
-           a.flatness == b.flatness && a.values == b.values && a.secondValues == b.secondValues;
+           a.flatness == b.flatness && a.partReachM == b.partReachM && a.partGapM == b.partGapM &&
+           a.partZigzagM == b.partZigzagM && a.values == b.values && a.secondValues == b.secondValues;
 }
 
 /// The Length brush is ready with 15 cm.
@@ -74,17 +75,17 @@ bool EditorState::setActiveMap(MapKind map)
     return true;
 }
 
-model::Id EditorState::activeLayer() const
+model::Id EditorState::activeLayer(MapKind map) const
 {
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
-    if (group == nullptr || group->map(m_activeMap).layers.empty())
+    if (group == nullptr || group->map(map).layers.empty())
         return 0;
     for (const model::LayerAddress& address : m_activeLayers) {
-        if (address.group == m_activeGroup && address.map == m_activeMap &&
+        if (address.group == m_activeGroup && address.map == map &&
             m_document.project().layer(address.group, address.map, address.layer) != nullptr)
             return address.layer;
     }
-    return group->map(m_activeMap).layers.back().id;
+    return group->map(map).layers.back().id;
 }
 
 bool EditorState::setActiveLayer(model::Id layer)
@@ -140,6 +141,11 @@ bool EditorState::setToolSettings(const model::ToolSettings& settings)
     if (const sim::GroupSettings* group = knownSettings())
         m_amounts.takeChanges(*group, before, m_toolSettings);
     Q_EMIT toolSettingsChanged();
+    if (!activeTool().pending())
+        return true;
+    if (const QString reason = refusalOnOthers(); !reason.isEmpty())
+        Q_EMIT refused(reason);
+    withTool([](model::Tool& tool, model::ToolContext& toolContext) { tool.settingsChanged(toolContext); });
     return true;
 }
 
@@ -202,6 +208,21 @@ bool EditorState::setCollidersShown(bool shown)
     return setOption(m_collidersShown, shown);
 }
 
+std::optional<std::size_t> EditorState::chosenCollider() const
+{
+    const bool there = m_chosenCollider && *m_chosenCollider < m_document.project().ellipsoids.size();
+    return there && m_collidersShown ? m_chosenCollider : std::nullopt;
+}
+
+bool EditorState::setChosenCollider(std::optional<std::size_t> index)
+{
+    if (index == m_chosenCollider)
+        return false;
+    m_chosenCollider = index;
+    Q_EMIT viewOptionsChanged();
+    return true;
+}
+
 template<typename Call>
 void EditorState::withTool(const Call& call)
 {
@@ -209,7 +230,9 @@ void EditorState::withTool(const Call& call)
     const bool hadOverlay = !tool.overlay().empty();
     const model::ToolSettings before = m_toolSettings;
     model::ToolContext toolContext = context();
+    const bool worked = std::exchange(m_toolWorks, true);
     call(tool, toolContext);
+    m_toolWorks = worked;
     if (!sameSettings(before, m_toolSettings)) {
         if (const sim::GroupSettings* group = knownSettings())
             m_amounts.takeChanges(*group, before, m_toolSettings);
@@ -250,7 +273,7 @@ void EditorState::setHover(const std::optional<Hover>& hover)
         return;
     model::ToolEvent event{.area = model::Area::Head};
     if (hover)
-        event = {.area = hover->area, .uv = hover->uv, .point = hover->point};
+        event = {.area = hover->area, .uv = hover->uv, .point = hover->point, .pixelM = hover->pixelM};
     withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.hover(event, toolContext); });
 }
 
@@ -261,11 +284,28 @@ QString EditorState::refusal(bool picks) const
         return tr("There is no hair group to paint on; add one in the Hair panel.");
     if (picks || !activeTool().paints())
         return {};
-    const model::Layer* layer = m_document.project().layer(m_activeGroup, m_activeMap, activeLayer());
+    QString reason = refusalOn(*group, m_activeMap);
+    return reason.isEmpty() ? refusalOnOthers() : reason;
+}
+
+QString EditorState::refusalOnOthers() const
+{
+    const model::HairGroup* group = m_document.project().group(m_activeGroup);
+    for (const MapKind map : activeTool().alsoPaints(m_toolSettings)) {
+        if (const QString reason = group != nullptr ? refusalOn(*group, map) : QString(); !reason.isEmpty())
+            //: %1: a map's name; %2: a sentence that says why nothing can be painted on it.
+            return tr("%1: %2").arg(model::mapSpec(map).titleText(), reason);
+    }
+    return {};
+}
+
+QString EditorState::refusalOn(const model::HairGroup& group, MapKind map) const
+{
+    const model::Layer* layer = m_document.project().layer(group.id, map, activeLayer(map));
     if (layer == nullptr)
         return tr("This map has no layer to paint on; add one in the Layers panel.");
-    if (!group->visible)
-        return tr("“%1” is hidden; show the group to paint on it.").arg(model::shownName(group->name));
+    if (!group.visible)
+        return tr("“%1” is hidden; show the group to paint on it.").arg(model::shownName(group.name));
     if (!layer->visible)
         return tr("“%1” is hidden; show the layer to paint on it.").arg(model::shownName(layer->name));
     if (layer->locked)
@@ -336,9 +376,9 @@ bool EditorState::stroking() const
 
 void EditorState::onDocumentChanged(const Change& change)
 {
-    if (change.aspect == Change::Aspect::Texels && !change.preview &&
+    if (change.aspect == Change::Aspect::Texels && !change.preview && !m_toolWorks &&
         (change.group != m_activeGroup || change.map != m_activeMap)) {
-        // Painting only reaches the target, so this is an undo or an import: show what changed.
+        // What a tool paints is looked at already, so this is an undo or an import: show what changed.
         if (m_document.project().group(change.group) != nullptr) {
             m_activeGroup = change.group;
             m_activeMap = change.map;
@@ -371,7 +411,8 @@ model::ToolContext EditorState::context()
             .target = m_strokeTarget,
             .settings = m_toolSettings,
             .selection = m_selection,
-            .mirror = m_mirror};
+            .mirror = m_mirror,
+            .activeLayer = [this](MapKind map) { return activeLayer(map); }};
 }
 
 } // namespace hairpaint::view

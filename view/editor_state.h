@@ -19,6 +19,7 @@ struct Hover
     model::Area area = model::Area::Paint;
     glm::vec2 uv{0.0F};
     std::optional<sim::SurfacePoint> point;
+    float pixelM = model::ToolEvent{}.pixelM;
 };
 
 /// Lives on the GUI thread. Views read it and call its setters; each setter returns false and tells nothing where
@@ -38,7 +39,8 @@ public:
     [[nodiscard]] model::MapKind activeMap() const { return m_activeMap; }
     bool setActiveMap(model::MapKind map);
     /// The layer that tools paint on in the active map; kept per group and map; 0 where the map has none.
-    [[nodiscard]] model::Id activeLayer() const;
+    [[nodiscard]] model::Id activeLayer() const { return activeLayer(m_activeMap); }
+    [[nodiscard]] model::Id activeLayer(model::MapKind map) const; ///< The same of any map.
     bool setActiveLayer(model::Id layer);
     [[nodiscard]] model::LayerAddress target() const;
     /// The active group's settings; those of a new group where there is none.
@@ -65,6 +67,9 @@ public:
     /// The project's ellipsoids over the head.
     [[nodiscard]] bool collidersShown() const { return m_collidersShown; }
     bool setCollidersShown(bool shown);
+    /// The one of them that is edited; none while they are not shown.
+    [[nodiscard]] std::optional<std::size_t> chosenCollider() const;
+    bool setChosenCollider(std::optional<std::size_t> index);
 
     [[nodiscard]] const std::optional<Hover>& hover() const { return m_hover; }
     /// Where both areas draw the brush's rings: under the pointer, and the mirrored twin if there is one. Empty off the
@@ -90,7 +95,7 @@ Q_SIGNALS:
     void targetChanged(); ///< Active group, map or layer.
     void activeToolChanged();
     void toolSettingsChanged();
-    void viewOptionsChanged(); ///< Mirror, night paper, wireframe, colliders.
+    void viewOptionsChanged(); ///< Mirror, night paper, wireframe, colliders and the chosen one.
     void hoverChanged();
     void overlayChanged(); ///< The active tool's overlay or the selection.
     void refused(const QString& reason);
@@ -106,6 +111,9 @@ private:
     void followAmounts(bool tell);
     /// Why the active tool can't start on the target; empty where it can.
     [[nodiscard]] QString refusal(bool picks) const;
+    [[nodiscard]] QString refusalOn(const model::HairGroup& group, model::MapKind map) const;
+    /// Why it can't change the other maps that it is set to change.
+    [[nodiscard]] QString refusalOnOthers() const;
     template<typename Call>
     void withTool(const Call& call);
 
@@ -113,6 +121,7 @@ private:
     std::vector<std::unique_ptr<model::Tool>> m_tools;
     std::size_t m_activeTool = 0;
     std::size_t m_previousTool = 0;
+    bool m_toolWorks = false;           ///< A change that is told meanwhile is the active tool's.
     model::LayerAddress m_strokeTarget; ///< Stays the same from press to release.
     model::ToolSettings m_toolSettings;
     model::ValueAmounts m_amounts;
@@ -124,6 +133,7 @@ private:
     bool m_nightPaper = true;
     bool m_wireframe = true;
     bool m_collidersShown = false;
+    std::optional<std::size_t> m_chosenCollider;
     std::optional<Hover> m_hover;
 };
 

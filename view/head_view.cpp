@@ -1,6 +1,7 @@
 // The 3D area as a widget: its parts and children, its camera's flight, its drawing and its keys.
 #include "view/head_view.h"
 
+#include "model/commands/commands.h"
 #include "view/editor_state.h"
 #include "view/head/frame_pacer.h"
 #include "view/head/frame_presenter.h"
@@ -179,6 +180,32 @@ void HeadView::turnToBrush()
     animateTo(m_scene->cameraAtBrush());
 }
 
+void HeadView::addCollider()
+{
+    constexpr float kRadiusM = 0.03F;
+    const std::optional<sim::SurfacePoint> place = m_scene->placeForCollider();
+    std::vector<sim::Ellipsoid> all = m_state.document().project().ellipsoids;
+    if (!place || all.size() >= model::kMostEllipsoids)
+        return;
+    all.push_back(
+        {.centreHd = place->positionHd - 0.5F * kRadiusM * place->normalHd, .semiAxesM = glm::vec3(kRadiusM)});
+    const std::size_t added = all.size() - 1;
+    m_state.document().push(setEllipsoidsCommand(m_state.document(), std::move(all), tr("Add collider")));
+    m_state.setCollidersShown(true);
+    m_state.setChosenCollider(added);
+}
+
+void HeadView::removeCollider()
+{
+    const std::optional<std::size_t> chosen = m_state.chosenCollider();
+    if (!chosen)
+        return;
+    std::vector<sim::Ellipsoid> all = m_state.document().project().ellipsoids;
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(*chosen));
+    m_state.setChosenCollider(std::nullopt);
+    m_state.document().push(setEllipsoidsCommand(m_state.document(), std::move(all), tr("Remove collider")));
+}
+
 void HeadView::animateTo(const std::optional<rendering::Camera>& camera)
 {
     if (!camera)
@@ -273,8 +300,11 @@ void HeadView::onDocumentChanged(const model::Change& change)
         refreshHead();
         refreshOverlay(); // Its ellipsoids may be others while its mesh is the same.
     }
-    if (change.aspect == Aspect::Environment || change.aspect == Aspect::Everything)
+    if (change.aspect == Aspect::Environment || change.aspect == Aspect::Everything) {
         refreshEnvironment();
+        if (m_state.collidersShown())
+            refreshOverlay();
+    }
 }
 
 void HeadView::refreshHead()
@@ -311,7 +341,7 @@ void HeadView::refreshOverlay()
     m_overlay->setShapes(m_state.overlay(), m_scene->skin(), m_scene->camera(), m_scene->shownPose());
     m_overlay->setColliders(m_state.collidersShown() ? m_state.document().project().ellipsoids
                                                      : std::vector<sim::Ellipsoid>(),
-                            m_scene->camera(), m_scene->shownPose());
+                            m_state.chosenCollider(), m_scene->camera(), m_scene->shownPose());
     m_overlay->setGhost(m_scene->hiddenRing());
 }
 
@@ -369,7 +399,7 @@ bool HeadView::event(QEvent* event)
             return true;
         }
     }
-    return QWidget::event(event);
+    return PaintedArea::event(event);
 }
 
 void HeadView::keyPressEvent(QKeyEvent* event)

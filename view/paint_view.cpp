@@ -44,16 +44,26 @@ QPolygonF outlineOf(const model::Change& change, const model::Document& document
     return outline;
 }
 
-model::ToolEvent toolEvent(const PointerSample& sample, glm::vec2 uv, const model::Project& project)
+/// How large a pixel is on the skin there.
+float pixelAt(const sim::SurfacePoint& point, const UvTransform& transform)
 {
+    return 0.5F * (glm::length(point.dPduHd) + glm::length(point.dPdvHd)) / static_cast<float>(transform.pxPerPaper);
+}
+
+model::ToolEvent toolEvent(const PointerSample& sample, const UvTransform& transform, const model::Project& project)
+{
+    const glm::vec2 uv = transform.toUv(sample.position);
     model::ToolEvent event{.area = model::Area::Paint,
                            .uv = uv,
                            .point = std::nullopt,
                            .pressure = sample.pressure,
                            .seconds = sample.seconds,
-                           .modifiers = sample.modifiers};
+                           .modifiers = sample.modifiers,
+                           .again = sample.again};
     if (project.head && project.head->skin)
         event.point = project.head->skin->atUv(uv);
+    if (event.point)
+        event.pixelM = pixelAt(*event.point, transform);
     return event;
 }
 
@@ -332,7 +342,7 @@ void PaintView::pointerPressed(const PointerSample& sample)
     } else if (left) {
         hoverAt(sample);
         state.drag = State::Drag::Stroke;
-        state.editor.press(toolEvent(sample, uvAt(sample.position), state.editor.document().project()));
+        state.editor.press(toolEvent(sample, state.transform, state.editor.document().project()));
     }
     updateCursor();
 }
@@ -346,7 +356,7 @@ void PaintView::pointerMoved(const PointerSample& sample)
         break;
     case State::Drag::Stroke:
         hoverAt(sample);
-        state.editor.move(toolEvent(sample, uvAt(sample.position), state.editor.document().project()));
+        state.editor.move(toolEvent(sample, state.transform, state.editor.document().project()));
         break;
     case State::Drag::Pan:
         panBy(sample.position - state.last);
@@ -374,7 +384,7 @@ void PaintView::pointerReleased(const PointerSample& sample)
         return;
     const State::Drag drag = std::exchange(state.drag, State::Drag::None);
     if (drag == State::Drag::Stroke)
-        state.editor.release(toolEvent(sample, uvAt(sample.position), state.editor.document().project()));
+        state.editor.release(toolEvent(sample, state.transform, state.editor.document().project()));
     hoverAt(sample);
     updateCursor();
 }
@@ -386,6 +396,8 @@ void PaintView::hoverAt(const PointerSample& sample)
     const std::shared_ptr<const model::Head>& head = m_state->editor.document().project().head;
     if (head && head->skin)
         hover.point = head->skin->atUv(uv);
+    if (hover.point)
+        hover.pixelM = pixelAt(*hover.point, m_state->transform);
     m_state->editor.setHover(hover);
 }
 
@@ -436,7 +448,7 @@ bool PaintView::event(QEvent* event)
             return true;
         }
     }
-    return QWidget::event(event);
+    return PaintedArea::event(event);
 }
 
 void PaintView::keyPressEvent(QKeyEvent* event)

@@ -3,6 +3,7 @@
 
 #include "view/editor_state.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPointingDevice>
 #include <QTabletEvent>
@@ -31,6 +32,17 @@ void PaintedArea::mouseMoveEvent(QMouseEvent* event)
 void PaintedArea::mouseReleaseEvent(QMouseEvent* event)
 {
     pointerReleased(PointerSample::of(*event));
+}
+
+bool PaintedArea::event(QEvent* event)
+{
+    // What a tool waits to go on with is edited with this key, not the layer.
+    if (event->type() == QEvent::ShortcutOverride && m_editor.activeTool().pending() &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 void PaintedArea::tabletEvent(QTabletEvent* event)

@@ -28,6 +28,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void tabletEvent(QTabletEvent* event) override;
+    bool event(QEvent* event) override;
 
     virtual void pointerPressed(const PointerSample& sample) = 0;
     virtual void pointerMoved(const PointerSample& sample) = 0;

@@ -15,7 +15,8 @@ PointerSample PointerSample::of(const QMouseEvent& event)
             .buttons = event.buttons(),
             .modifiers = event.modifiers(),
             .pressure = 1.0F,
-            .seconds = static_cast<double>(event.timestamp()) / 1000.0};
+            .seconds = static_cast<double>(event.timestamp()) / 1000.0,
+            .again = event.type() == QEvent::MouseButtonDblClick};
 }
 
 PointerSample PointerSample::of(const QTabletEvent& event)

@@ -18,6 +18,7 @@ struct PointerSample
     Qt::KeyboardModifiers modifiers = Qt::NoModifier;
     float pressure = 1.0F; ///< 0..1
     double seconds = 0.0;
+    bool again = false; ///< The second press of a double click.
 
     [[nodiscard]] static PointerSample of(const QMouseEvent& event);
     [[nodiscard]] static PointerSample of(const QTabletEvent& event);

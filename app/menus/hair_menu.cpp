@@ -14,6 +14,7 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
     addSeparator();
     addSimulation(actions, session);
     addMotions(actions, session, head);
+    addColliders(actions, session, head);
     addSeparator();
     actions.add(*this,
                 {{"hair.addGroup", tr("&Add hair group…"), {}, [&sidebar] { sidebar.askWhatGrows(); }, "group-add"},
@@ -73,6 +74,25 @@ void HairMenu::addSimulation(ActionSet& actions, Session& session)
                          {Qt::SHIFT | Qt::Key_F8},
                          [&session] { session.resetHair(); },
                          "reset"}});
+}
+
+void HairMenu::addColliders(ActionSet& actions, Session& session, view::HeadView& head)
+{
+    actions.add(*this, {{.id = "hair.addCollider",
+                         .text = tr("Add &collider here"),
+                         .run = [&head] { head.addCollider(); },
+                         .enabled =
+                             [&session] {
+                                 const model::Project& project = session.document().project();
+                                 return project.head && project.ellipsoids.size() < model::kMostEllipsoids;
+                             }},
+                        {.id = "hair.removeCollider",
+                         .text = tr("Remove c&ollider"),
+                         .run = [&head] { head.removeCollider(); },
+                         .enabled = [&session] { return session.editor().chosenCollider().has_value(); }}});
+    actions.find(QLatin1StringView("hair.addCollider"))
+        ->setToolTip(
+            tr("An ellipsoid where the pointer was last on the head, which hair does not enter; eight at most"));
 }
 
 void HairMenu::addMotions(ActionSet& actions, Session& session, view::HeadView& head)

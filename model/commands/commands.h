@@ -69,7 +69,9 @@ struct LayerProperties
 [[nodiscard]] CommandPtr setLightCommand(Document& document, const LightSettings& light);
 [[nodiscard]] CommandPtr setBackgroundCommand(Document& document, QRgb background);
 [[nodiscard]] CommandPtr setSkinCommand(Document& document, SkinTone skin);
-/// What undo says of the first three, for edits that are shown before they are kept.
+[[nodiscard]] CommandPtr setEllipsoidsCommand(Document& document, std::vector<sim::Ellipsoid> ellipsoids,
+                                              const QString& text);
+/// What undo says of wind, light and background, for edits that are shown before they are kept.
 [[nodiscard]] QString windStepText();
 [[nodiscard]] QString lightStepText();
 [[nodiscard]] QString backgroundStepText();

@@ -73,10 +73,11 @@ struct EnvironmentPart
     LightSettings light;
     QRgb background = 0;
     SkinTone skin = SkinTone::Clay;
+    std::vector<sim::Ellipsoid> ellipsoids;
 
     static EnvironmentPart take(const Project& project, const Change& /*change*/)
     {
-        return {project.wind, project.light, project.background, project.skin};
+        return {project.wind, project.light, project.background, project.skin, project.ellipsoids};
     }
     void put(Project& project, const Change& /*change*/) const
     {
@@ -84,6 +85,7 @@ struct EnvironmentPart
         project.light = light;
         project.background = background;
         project.skin = skin;
+        project.ellipsoids = ellipsoids;
     }
     friend bool operator==(const EnvironmentPart&, const EnvironmentPart&) = default;
 };

@@ -69,6 +69,14 @@ CommandPtr setSkinCommand(Document& document, SkinTone skin)
                               [skin](Project& project) { project.skin = skin; });
 }
 
+CommandPtr setEllipsoidsCommand(Document& document, std::vector<sim::Ellipsoid> ellipsoids, const QString& text)
+{
+    if (ellipsoids.size() > kMostEllipsoids || !differs(document, &Project::ellipsoids, ellipsoids))
+        return nullptr;
+    return environmentCommand(
+        document, text, [ellipsoids = std::move(ellipsoids)](Project& project) { project.ellipsoids = ellipsoids; });
+}
+
 CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, std::vector<sim::Ellipsoid> ellipsoids,
                           std::optional<std::vector<HairGroup>> groups)
 {

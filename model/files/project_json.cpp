@@ -16,7 +16,6 @@ namespace hairpaint::model {
 namespace {
 
 constexpr int kDeepestJson = 32;
-constexpr qsizetype kMostEllipsoids = 8;
 constexpr qsizetype kMostTags = 32;
 constexpr float kFarthestLandmarkM = 1000.0F;
 
@@ -213,7 +212,7 @@ Checked<std::vector<sim::Ellipsoid>> parseEllipsoids(const QJsonValue& value)
     if (value.isUndefined())
         return ellipsoids;
     const QJsonArray array = value.toArray();
-    if (!value.isArray() || array.size() > kMostEllipsoids)
+    if (!value.isArray() || array.size() > qsizetype{kMostEllipsoids})
         return brokenKey("ellipsoids");
     QString problem;
     for (const QJsonValueConstRef item : array) {
@@ -298,7 +297,7 @@ Checked<QByteArray> projectToJson(const Project& project)
     for (sim::Ellipsoid ellipsoid : project.ellipsoids) {
         FieldWriter inner;
         visitEllipsoid(inner, ellipsoid);
-        if (ellipsoids.size() < kMostEllipsoids)
+        if (ellipsoids.size() < qsizetype{kMostEllipsoids})
             ellipsoids.append(inner.take());
     }
     root.insert(QStringLiteral("ellipsoids"), ellipsoids);

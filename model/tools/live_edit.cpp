@@ -8,6 +8,17 @@
 
 namespace hairpaint::model {
 
+namespace {
+
+/// Null where it is missing, hidden or locked.
+const Layer* paintableLayer(const Project& project, const LayerAddress& at)
+{
+    const Layer* layer = project.layer(at.group, at.map, at.layer);
+    return layer != nullptr && layer->visible && !layer->locked ? layer : nullptr;
+}
+
+} // namespace
+
 std::vector<sim::TexelRect> selectedTexels(const Selection& selection, int size)
 {
     if (selection.rectangles().empty())
@@ -30,6 +41,19 @@ bool contains(const std::vector<sim::TexelRect>& rects, int x, int y)
     return std::ranges::any_of(rects, [x, y](const sim::TexelRect& rect) {
         return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
     });
+}
+
+void keepInside(const std::vector<sim::TexelRect>& rects, const sim::TexelRect& tile, StrokeBuffer::MaskTile& mask)
+{
+    const bool whole =
+        std::ranges::any_of(rects, [&](const sim::TexelRect& rect) { return shared(rect, tile) == tile; });
+    if (whole)
+        return;
+    auto texel = mask.begin();
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x, ++texel)
+            if (!contains(rects, x, y))
+                *texel = 0;
 }
 
 sim::TexelRect shared(const sim::TexelRect& a, const sim::TexelRect& b)
@@ -59,44 +83,56 @@ bool LiveEdit::begin(const ToolContext& context, const QString& title, std::func
 {
     const LayerAddress& at = context.target;
     context.document.endEdit(); // It may be of this very layer.
-    const Layer* layer = context.document.committed().layer(at.group, at.map, at.layer);
-    if (layer == nullptr || !layer->visible || layer->locked)
+    if (paintableLayer(context.document.committed(), at) == nullptr)
         return false;
     m_session = context.document.begin({.text = actionText(title, at.map), .stepBack = std::move(stepBack)});
-    m_target = at;
-    m_before = layer->raster;
-    m_clips = selectedTexels(context.selection, m_before->size());
-    m_shown.clear();
-    return true;
+    m_layers.clear();
+    return also(context, at).has_value();
 }
 
-void LiveEdit::update(const std::vector<int>& tiles, const MakeTile& make)
+std::optional<std::size_t> LiveEdit::also(const ToolContext& context, const LayerAddress& address)
+{
+    const Layer* layer = paintableLayer(context.document.committed(), address);
+    if (layer == nullptr)
+        return std::nullopt;
+    m_layers.push_back({.address = address,
+                        .blend = layer->blend,
+                        .before = layer->raster,
+                        .clips = selectedTexels(context.selection, layer->raster.size())});
+    return m_layers.size() - 1;
+}
+
+void LiveEdit::update(const std::vector<int>& tiles, const MakeTile& make, std::size_t layer)
 {
     if (!active())
         return;
+    Edited& edited = m_layers[layer];
     LayerTiles changed;
     for (const int index : tiles) {
-        const sim::RasterTilePtr& before = m_before->tile(index);
+        const sim::RasterTilePtr& before = edited.before.tile(index);
         sim::RasterTilePtr tile = make(index, before);
-        const auto shown = m_shown.find(index);
-        if (tile == (shown == m_shown.end() ? before : shown->second))
+        const auto shown = edited.shown.find(index);
+        if (tile == (shown == edited.shown.end() ? before : shown->second))
             continue;
         changed.emplace_back(index, tile);
-        m_shown.insert_or_assign(index, std::move(tile));
+        edited.shown.insert_or_assign(index, std::move(tile));
     }
     if (!changed.empty())
-        m_session.previewTiles(m_target, changed);
+        m_session.previewTiles(edited.address, changed);
 }
 
-void LiveEdit::replace(const std::vector<int>& tiles, const MakeTile& make)
+void LiveEdit::replace(const std::vector<int>& tiles, const MakeTile& make, std::size_t layer)
 {
     std::vector<int> all = tiles;
-    for (const auto& [index, tile] : m_shown)
+    for (const auto& [index, tile] : m_layers[layer].shown)
         if (!std::ranges::binary_search(tiles, index))
             all.push_back(index);
-    update(all, [&](int index, const sim::RasterTilePtr& before) {
-        return std::ranges::binary_search(tiles, index) ? make(index, before) : before;
-    });
+    update(
+        all,
+        [&](int index, const sim::RasterTilePtr& before) {
+            return std::ranges::binary_search(tiles, index) ? make(index, before) : before;
+        },
+        layer);
 }
 
 } // namespace hairpaint::model

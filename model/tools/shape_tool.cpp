@@ -133,7 +133,7 @@ void ShapeTool::hover(const ToolEvent& event, ToolContext& /*context*/)
 
 bool ShapeTool::key(Qt::Key key, Qt::KeyboardModifiers /*modifiers*/, ToolContext& context)
 {
-    return key == Qt::Key_Backspace && pending() && stepBack(context);
+    return (key == Qt::Key_Backspace || key == Qt::Key_Delete) && pending() && stepBack(context);
 }
 
 bool ShapeTool::stepBack(const ToolContext& context)

@@ -9,21 +9,21 @@ namespace hairpaint::model {
 
 SkinFrames::SkinFrames(std::shared_ptr<const sim::Skin> skin) : m_skin(std::move(skin)) {}
 
-const std::optional<sim::SkinFrame>& SkinFrames::entry(int x, int y)
+const std::optional<SkinPlace>& SkinFrames::place(int x, int y)
 {
     const int left = x / kTileSide * kTileSide;
     const int top = y / kTileSide * kTileSide;
-    Frames& tile = m_tiles.at(static_cast<std::size_t>(top / kTileSide) * kTilesAcross +
+    Places& tile = m_tiles.at(static_cast<std::size_t>(top / kTileSide) * kTilesAcross +
                               static_cast<std::size_t>(left / kTileSide));
     if (tile.empty()) {
         tile.resize(std::size_t{kTileSide} * kTileSide);
-        auto frame = tile.begin();
+        auto entry = tile.begin();
         for (int row = top; row < top + kTileSide; ++row)
-            for (int column = left; column < left + kTileSide; ++column, ++frame) {
+            for (int column = left; column < left + kTileSide; ++column, ++entry) {
                 const glm::vec2 centre(static_cast<float>(column) + 0.5F, static_cast<float>(row) + 0.5F);
                 const glm::vec2 uv = centre / static_cast<float>(kSize);
                 if (const std::optional<sim::SurfacePoint> point = m_skin->atUv({uv.x, 1.0F - uv.y}))
-                    *frame = sim::SkinFrame::at(*point);
+                    *entry = SkinPlace{.frame = sim::SkinFrame::at(*point), .positionHd = point->positionHd};
             }
     }
     return tile[static_cast<std::size_t>(y - top) * kTileSide + static_cast<std::size_t>(x - left)];
@@ -31,23 +31,22 @@ const std::optional<sim::SkinFrame>& SkinFrames::entry(int x, int y)
 
 std::optional<sim::SkinFrame> SkinFrames::at(glm::vec2 uv)
 {
-    constexpr float kAlike = 0.8F; ///< Cosine between frames of one island.
-    const glm::vec2 place =
+    const glm::vec2 onTable =
         glm::clamp(glm::vec2(uv.x, 1.0F - uv.y) * static_cast<float>(kSize) - 0.5F, 0.0F, kSize - 1.0F);
-    const glm::ivec2 corner(glm::floor(place));
-    const glm::vec2 fraction = place - glm::vec2(corner);
+    const glm::ivec2 corner(glm::floor(onTable));
+    const glm::vec2 fraction = onTable - glm::vec2(corner);
     // The nearest place that has skin says which island it is.
     const sim::SkinFrame* nearest = nullptr;
     float nearestWeight = 0.0F;
     std::array<std::pair<const sim::SkinFrame*, float>, 4> around{};
     for (int k = 0; k < 4; ++k) {
         const glm::ivec2 at = glm::min(corner + glm::ivec2(k % 2, k / 2), kSize - 1);
-        const std::optional<sim::SkinFrame>& frame = entry(at.x, at.y);
+        const std::optional<SkinPlace>& there = place(at.x, at.y);
         const float weight =
             (k % 2 == 0 ? 1.0F - fraction.x : fraction.x) * (k / 2 == 0 ? 1.0F - fraction.y : fraction.y);
-        around[static_cast<std::size_t>(k)] = {frame ? &*frame : nullptr, weight};
-        if (frame && weight >= nearestWeight) {
-            nearest = &*frame;
+        around[static_cast<std::size_t>(k)] = {there ? &there->frame : nullptr, weight};
+        if (there && weight >= nearestWeight) {
+            nearest = &there->frame;
             nearestWeight = weight;
         }
     }

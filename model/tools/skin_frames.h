@@ -10,27 +10,37 @@
 
 namespace hairpaint::model {
 
+/// A place of the skin and how directions are told there.
+struct SkinPlace
+{
+    sim::SkinFrame frame;
+    glm::vec3 positionHd{0.0F};
+};
+
 /// A table of 512 places a side, filled a tile at a time as they are asked for, so that the first stroke on a head
 /// waits for nothing. One thread at a time.
 class SkinFrames
 {
 public:
+    static constexpr int kSize = 512;
+    static constexpr int kTileSide = 32;
+    static constexpr int kTilesAcross = kSize / kTileSide;
+    static constexpr float kAlike = 0.8F; ///< Cosine between frames of neighbours of one island.
+
     explicit SkinFrames(std::shared_ptr<const sim::Skin> skin);
 
     /// Between the table's places; none where there is no skin near.
     [[nodiscard]] std::optional<sim::SkinFrame> at(glm::vec2 uv);
+    /// The table's own places, row 0 at v = 1; none off the skin.
+    [[nodiscard]] const std::optional<SkinPlace>& place(int x, int y);
+    [[nodiscard]] const sim::Skin& skin() const { return *m_skin; }
     [[nodiscard]] bool isOf(const std::shared_ptr<const sim::Skin>& skin) const { return m_skin == skin; }
 
 private:
-    static constexpr int kSize = 512;
-    static constexpr int kTileSide = 32;
-    static constexpr int kTilesAcross = kSize / kTileSide;
-    using Frames = std::vector<std::optional<sim::SkinFrame>>; ///< [kTileSide][kTileSide], row 0 at v = 1.
-
-    [[nodiscard]] const std::optional<sim::SkinFrame>& entry(int x, int y);
+    using Places = std::vector<std::optional<SkinPlace>>; ///< [kTileSide][kTileSide]
 
     std::shared_ptr<const sim::Skin> m_skin;
-    std::array<Frames, std::size_t{kTilesAcross} * kTilesAcross> m_tiles; ///< Empty: not asked for yet.
+    std::array<Places, std::size_t{kTilesAcross} * kTilesAcross> m_tiles; ///< Empty: not asked for yet.
 };
 
 } // namespace hairpaint::model

@@ -10,6 +10,7 @@
 #include <QPolygonF>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,6 +35,8 @@ struct ToolEvent
     float pressure = 1.0F; ///< 0..1; 1 for a mouse.
     double seconds = 0.0;
     Qt::KeyboardModifiers modifiers = {};
+    bool again = false;     ///< The second press of a double click.
+    float pixelM = 0.0005F; ///< How large one of the area's pixels is on the skin there.
 };
 
 /// What is drawn over the areas while a tool is in use. uv space; closed where marked.
@@ -50,6 +53,7 @@ enum class ToolId : std::uint8_t
     Brush,
     Eraser,
     Comb,
+    Part,
     Gradient,
     Fill,
     Shape,
@@ -68,7 +72,11 @@ struct ToolContext
     LayerAddress target;    ///< The active layer.
     ToolSettings& settings; ///< Brush size, value, ...; tools may change them (the picker does).
     Selection& selection;
-    bool mirror = false; ///< Paint the reflected place too.
+    bool mirror = false;                         ///< Paint the reflected place too.
+    std::function<Id(MapKind)> activeLayer = {}; ///< Of the target's group, for each map; 0 where it has none.
+
+    /// The active layer of another map of the target's group; the top one where nobody says which it is.
+    [[nodiscard]] LayerAddress layer(MapKind map) const;
 };
 
 /// A small state machine. Painting tools work in an edit session (LiveEdit): one press..release, or one pending shape,
@@ -91,6 +99,8 @@ public:
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.
     [[nodiscard]] virtual std::optional<MapKind> map() const { return std::nullopt; }
+    /// Other maps that it changes too, as it is set: a layer of each must be there to be painted on.
+    [[nodiscard]] virtual std::vector<MapKind> alsoPaints(const ToolSettings& /*settings*/) const { return {}; }
     [[nodiscard]] virtual bool paints() const { return true; } ///< Needs a layer that can be painted on.
 
     virtual void press(const ToolEvent& event, ToolContext& context) = 0;
@@ -100,6 +110,8 @@ public:
     virtual void hover(const ToolEvent& /*event*/, ToolContext& /*context*/) {}
     /// A key pressed while the tool is in use; false leaves it to others.
     virtual bool key(Qt::Key /*key*/, Qt::KeyboardModifiers /*modifiers*/, ToolContext& /*context*/) { return false; }
+    /// What runs is to be as the settings now say.
+    virtual void settingsChanged(ToolContext& /*context*/) {}
     virtual void cancel(ToolContext& context) = 0;
     /// Ends a running action early, keeping it.
     virtual void commit(ToolContext& context) = 0;

@@ -7,8 +7,22 @@ namespace hairpaint::model {
 
 const char* toolName(ToolId id)
 {
-    static constexpr std::array kNames{"brush", "eraser", "comb", "gradient", "fill", "shape", "select", "picker"};
+    static constexpr std::array kNames{"brush", "eraser", "comb",   "part",  "gradient",
+                                       "fill",  "shape",  "select", "picker"};
     return kNames.at(static_cast<std::size_t>(id));
+}
+
+LayerAddress ToolContext::layer(MapKind map) const
+{
+    LayerAddress address{.group = target.group, .map = map};
+    if (map == target.map)
+        address.layer = target.layer;
+    else if (activeLayer != nullptr)
+        address.layer = activeLayer(map);
+    else if (const HairGroup* group = document.project().group(target.group);
+             group != nullptr && !group->map(map).layers.empty())
+        address.layer = group->map(map).layers.back().id;
+    return address;
 }
 
 std::vector<std::unique_ptr<Tool>> makeTools()
@@ -17,6 +31,7 @@ std::vector<std::unique_ptr<Tool>> makeTools()
     tools.push_back(makeBrushTool());
     tools.push_back(makeEraserTool());
     tools.push_back(makeCombTool());
+    tools.push_back(makePartTool());
     tools.push_back(makeGradientTool());
     tools.push_back(makeFillTool());
     tools.push_back(makeShapeTool());

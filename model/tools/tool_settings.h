@@ -18,7 +18,10 @@ enum class ToolOption : std::uint8_t
     GradientKind,
     FillTolerance,
     CombKind,
-    Flatness
+    Flatness,
+    PartReach,
+    PartGap,
+    Zigzag
 };
 enum class ShapeKind : std::uint8_t
 {
@@ -55,7 +58,10 @@ struct ToolSettings
     ShapeKind shape = ShapeKind::Ellipse;
     GradientKind gradient = GradientKind::Linear;
     CombKind comb = CombKind::Lay;
-    float flatness = 0.9F; ///< 0..1 of combed hair: 0 stands upright, 1 lies flat.
+    float flatness = 0.9F;    ///< 0..1 of combed hair: 0 stands upright, 1 lies flat.
+    float partReachM = 0.1F;  ///< 0.01..0.2 m to either side of a parting.
+    float partGapM = 0.001F;  ///< 0..0.01 m: the width in which a parting has no hair.
+    float partZigzagM = 0.0F; ///< 0..0.01 m: how far it leaves its curve.
     std::array<PaintValue, kMapKindCount> values = firstPaintValues(); ///< What each map is painted with.
     std::array<PaintValue, kMapKindCount> secondValues =
         secondPaintValues(); ///< What X swaps in; the far end of gradients.

@@ -111,6 +111,30 @@ private Q_SLOTS:
         QCOMPARE(m_window->session().document().undoStack().count(), steps);
     }
 
+    void aColliderIsRemovedAndAdded()
+    {
+        model::Document& document = m_window->session().document();
+        const std::vector<sim::Ellipsoid> before = document.project().ellipsoids;
+        QCOMPARE(before.size(), model::kMostEllipsoids);
+        const QAction* add = m_window->actions().find(QLatin1StringView("hair.addCollider"));
+        const QAction* remove = m_window->actions().find(QLatin1StringView("hair.removeCollider"));
+        QVERIFY(!add->isEnabled() && !remove->isEnabled());
+        trigger("view.colliders");
+        m_window->session().editor().setChosenCollider(1);
+        QVERIFY(remove->isEnabled());
+        trigger("hair.removeCollider");
+        QCOMPARE(document.project().ellipsoids.size(), before.size() - 1);
+        QVERIFY(add->isEnabled() && !remove->isEnabled());
+        trigger("hair.addCollider");
+        QCOMPARE(document.project().ellipsoids.size(), before.size());
+        QVERIFY(!add->isEnabled() && remove->isEnabled());
+        document.undo();
+        document.undo();
+        QVERIFY(document.project().ellipsoids == before);
+        m_window->session().editor().setChosenCollider(std::nullopt);
+        trigger("view.colliders");
+    }
+
     void aNameWithAnAmpersandIsReadWhole()
     {
         model::Document& document = m_window->session().document();

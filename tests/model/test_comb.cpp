@@ -154,6 +154,17 @@ private Q_SLOTS:
         QVERIFY(glm::length(laid) > 0.85F);
     }
 
+    void halfCombedHairTurnsAndDoesNotStandUp()
+    {
+        Hairdresser comb(makePatchHead());
+        comb.stroke({{-0.05F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}});
+        comb.settings.opacity = 0.5F;
+        comb.stroke({{0.0F, -0.05F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.0F, 0.05F, 0.0F}});
+        const glm::vec3 laid = comb.directionAt(glm::vec3(0.0F));
+        QVERIFY(degreesBetween(laid, {1.0F, 1.0F, 0.0F}) < 3.0F);
+        QVERIFY(std::abs(glm::length(laid) - 0.9F) < 0.01F);
+    }
+
     void theOtherSideIsCombedInTheMirror_data()
     {
         QTest::addColumn<ToolId>("tool");

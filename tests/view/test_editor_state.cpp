@@ -99,6 +99,33 @@ private Q_SLOTS:
         f.state.setActiveGroup(f.scalp().id);
         QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
     }
+
+    void aPartNeedsItsDensityLayerUnlessItLeavesNoGap()
+    {
+        Fixture f;
+        const auto press = [&f] { f.state.press({.uv = {0.5F, 0.5F}, .point = {}}); };
+        QSignalSpy refused(&f.state, &view::EditorState::refused);
+        f.state.setActiveTool(model::ToolId::Part);
+        press();
+        QCOMPARE(refused.count(), 0);
+        const model::MapStack& density = f.scalp().map(MapKind::Density);
+        const model::LayerAddress at{.group = f.scalp().id, .map = MapKind::Density, .layer = density.layers[0].id};
+        model::LayerProperties properties = propertiesOf(density.layers[0]);
+        properties.locked = true;
+        f.document.push(setLayerPropertiesCommand(f.document, at, properties, QStringLiteral("Lock")));
+        press();
+        QCOMPARE(refused.count(), 1);
+        QVERIFY(refused.last().front().toString().startsWith(QStringLiteral("Density: ")));
+        QVERIFY(refused.last().front().toString().contains(QStringLiteral("locked")));
+        model::ToolSettings settings = f.state.toolSettings();
+        settings.partGapM = 0.0F;
+        f.state.setToolSettings(settings);
+        press();
+        QCOMPARE(refused.count(), 1);
+        f.state.setActiveTool(model::ToolId::Comb);
+        press();
+        QCOMPARE(refused.count(), 1);
+    }
 };
 
 HAIRPAINT_TEST(TestEditorState, Widgets)

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <iterator>
 
 namespace hairpaint::view {
 
@@ -28,26 +28,6 @@ std::optional<QPointF> shownAt(QPointF uv, const sim::Skin& skin, const renderin
     if (glm::dot(pose.rotation * point->normalHd, camera.eyeWo() - positionWo) <= 0.0F)
         return std::nullopt;
     return project(camera, positionWo, size);
-}
-
-/// Where an ellipsoid is cut across one of its own axes through its centre; empty where a part lies behind the eye.
-QPolygonF ellipseSeen(const sim::Ellipsoid& ellipsoid, int axis, const rendering::Camera& camera,
-                      const sim::HeadPose& pose, QSizeF size)
-{
-    constexpr int kCorners = 64;
-    QPolygonF ellipse;
-    for (int i = 0; i <= kCorners; ++i) {
-        const float angle = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kCorners;
-        glm::vec3 own(0.0F);
-        own[(axis + 1) % 3] = std::cos(angle);
-        own[(axis + 2) % 3] = std::sin(angle);
-        const glm::vec3 positionHd = ellipsoid.centreHd + ellipsoid.rotation * (own * ellipsoid.semiAxesM);
-        const std::optional<QPointF> at = project(camera, inWorld(positionHd, pose), size);
-        if (!at)
-            return {};
-        ellipse.push_back(*at);
-    }
-    return ellipse;
 }
 
 } // namespace
@@ -104,16 +84,24 @@ void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, cons
     showIfNeeded();
 }
 
-void HeadOverlay::setColliders(const std::vector<sim::Ellipsoid>& colliders, const rendering::Camera& camera,
-                               const sim::HeadPose& pose)
+void HeadOverlay::setColliders(const std::vector<sim::Ellipsoid>& colliders, std::optional<std::size_t> chosen,
+                               const rendering::Camera& camera, const sim::HeadPose& pose)
 {
     if (colliders.empty() && m_colliders.empty())
         return;
+    const HeadSight sight{.camera = camera, .pose = pose, .size = QSizeF(size())};
     m_colliders.clear();
-    for (const sim::Ellipsoid& collider : colliders)
-        for (int axis = 0; axis < 3; ++axis)
-            if (QPolygonF ellipse = ellipseSeen(collider, axis, camera, pose, QSizeF(size())); !ellipse.isEmpty())
-                m_colliders.push_back(std::move(ellipse));
+    m_chosen.clear();
+    m_chosenEnds.clear();
+    for (std::size_t i = 0; i < colliders.size(); ++i) {
+        std::vector<QPolygonF> outlines = colliderOutlines(colliders[i], sight);
+        if (chosen == i)
+            m_chosen = outlines;
+        std::ranges::move(outlines, std::back_inserter(m_colliders));
+    }
+    for (int end = 0; chosen && *chosen < colliders.size() && end < kColliderEnds; ++end)
+        if (const auto at = project(camera, inWorld(colliderEnd(colliders[*chosen], end), pose), QSizeF(size())))
+            m_chosenEnds.push_back(*at);
     showIfNeeded();
 }
 
@@ -141,6 +129,14 @@ void HeadOverlay::paintEvent(QPaintEvent*)
         for (const QPolygonF& ellipse : m_colliders)
             painter.drawPolyline(ellipse);
     }
+    painter.setPen(QPen(m_theme.accent, 2.5));
+    for (const QPolygonF& ellipse : m_chosen)
+        painter.drawPolyline(ellipse);
+    painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
+    painter.setBrush(QColor(255, 255, 255, 235));
+    for (const QPointF& end : m_chosenEnds)
+        painter.drawRect(handleAt(end));
+    painter.setBrush(Qt::NoBrush);
     // White on dark, as the rings are: seen on hair and skin of every colour.
     for (const auto& [colour, width] :
          {std::pair(QColor(0, 0, 0, 170), 3.0), std::pair(QColor(255, 255, 255, 235), 1.5)}) {

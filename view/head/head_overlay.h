@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/tools/tool.h"
-#include "sim/skin/ellipsoid.h"
+#include "view/head/collider_shape.h"
 #include "view/rendering/scene.h"
 #include "view/theme.h"
 
@@ -26,9 +26,10 @@ public:
     void setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
                    const rendering::Camera& camera, const sim::HeadPose& pose);
 
-    /// Three ellipses for each, as wire: the far half is seen, too. None: nothing is shown.
-    void setColliders(const std::vector<sim::Ellipsoid>& colliders, const rendering::Camera& camera,
-                      const sim::HeadPose& pose);
+    /// Three ellipses for each, as wire: the far half is seen, too; the chosen one stands out, with its axes' ends.
+    /// None: nothing is shown.
+    void setColliders(const std::vector<sim::Ellipsoid>& colliders, std::optional<std::size_t> chosen,
+                      const rendering::Camera& camera, const sim::HeadPose& pose);
     /// In this widget's coordinates.
     [[nodiscard]] const std::vector<QPolygonF>& colliders() const { return m_colliders; }
 
@@ -47,6 +48,8 @@ private:
     std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next two.
     QPolygonF m_handles;
     std::vector<QPolygonF> m_colliders;
+    std::vector<QPolygonF> m_chosen; ///< The chosen one's ellipses among them,
+    QPolygonF m_chosenEnds;          ///< and the ends of its axes.
     QPolygonF m_ghost;
 };
 

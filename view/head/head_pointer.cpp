@@ -17,7 +17,7 @@ namespace hairpaint::view {
 
 HeadPointer::HeadPointer(EditorState& editor, const HeadScene& scene, HeadTurn& turn, QWidget& area)
     : m_editor(editor), m_scene(scene), m_turn(turn), m_area(area), m_keys({Qt::Key_Space, Qt::Key_H, Qt::Key_O}),
-      m_stroke(editor, scene), m_brushDrag(editor)
+      m_stroke(editor, scene), m_brushDrag(editor), m_colliders(editor, scene, area)
 {
     connect(&m_keys, &HeldKeys::changed, this, &HeadPointer::updateCursor);
 }
@@ -40,6 +40,8 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
     if (m_keys.holds(Qt::Key_H))
         return Drag::Turn;
     const bool alt = pressed.modifiers.testFlag(Qt::AltModifier);
+    if (!alt && m_colliders.press(pressed))
+        return Drag::Collider;
     return !alt && m_scene.skinAt(pressed.position) ? Drag::Stroke : Drag::Orbit;
 }
 
@@ -91,6 +93,9 @@ void HeadPointer::move(const PointerSample& sample)
         m_brushDrag.move(sample);
         Q_EMIT statusText(brushText(m_editor.toolSettings()));
         break;
+    case Drag::Collider:
+        m_colliders.move(sample);
+        break;
     }
 }
 
@@ -103,6 +108,8 @@ void HeadPointer::release(const PointerSample& sample)
     const QPointF moved = sample.position - m_pressed.position;
     if (drag == Drag::Stroke) {
         m_stroke.release(sample);
+    } else if (drag == Drag::Collider) {
+        m_colliders.release();
     } else if (drag == Drag::Turn) {
         m_turn.release();
     } else if (drag == Drag::Light && m_light != m_lightBefore) {
@@ -125,6 +132,11 @@ void HeadPointer::leave()
 
 bool HeadPointer::handleKey(Qt::Key key, Qt::KeyboardModifiers modifiers)
 {
+    if (key == Qt::Key_Escape && m_drag == Drag::Collider) {
+        m_drag = Drag::None;
+        m_colliders.cancel();
+        return true;
+    }
     if (m_editor.toolKey(key, modifiers)) {
         if (m_drag == Drag::Stroke && !m_editor.stroking())
             m_drag = Drag::None;
@@ -157,9 +169,12 @@ void HeadPointer::dragLight(QPointF pixels)
 
 void HeadPointer::hoverAt(const PointerSample& sample)
 {
+    m_overCollider = m_colliders.reaches(sample.position);
+    updateCursor();
     const std::optional<sim::SurfacePoint> point = m_scene.skinAt(sample.position);
     if (point)
-        m_editor.setHover(Hover{.area = model::Area::Head, .uv = point->uv, .point = point});
+        m_editor.setHover(
+            Hover{.area = model::Area::Head, .uv = point->uv, .point = point, .pixelM = m_scene.pixelAt(*point)});
     else
         m_editor.setHover(std::nullopt);
 }
@@ -188,6 +203,8 @@ void HeadPointer::updateCursor()
         shape = Qt::SizeAllCursor;
     else if (m_keys.holds(Qt::Key_Space) || m_keys.holds(Qt::Key_H))
         shape = Qt::OpenHandCursor;
+    else if (m_overCollider || m_drag == Drag::Collider)
+        shape = Qt::SizeAllCursor;
     else if (hover && hover->area == model::Area::Head)
         shape = Qt::CrossCursor; // Drawing may be slow, so the ring alone would lag behind the hand.
     if (m_area.cursor().shape() != shape)

@@ -1,8 +1,10 @@
-// What the pointer does over the 3D area: strokes, orbits, pans, turns the head or the light, changes the brush, blows.
+// What the pointer does over the 3D area: strokes, orbits, pans, turns the head or the light, changes the brush or a
+// collider, blows.
 #pragma once
 
 #include "model/project.h"
 #include "view/brush_drag.h"
+#include "view/head/collider_drag.h"
 #include "view/head/head_stroke.h"
 #include "view/head/puff_gesture.h"
 #include "view/held_keys.h"
@@ -60,7 +62,8 @@ private:
         Pan,
         Light,
         Turn,
-        Brush
+        Brush,
+        Collider
     };
 
     [[nodiscard]] Drag dragOf(const PointerSample& pressed);
@@ -75,6 +78,8 @@ private:
     HeldKeys m_keys;
     HeadStroke m_stroke;
     BrushDrag m_brushDrag;
+    ColliderDrag m_colliders;
+    bool m_overCollider = false;
     PuffGesture m_puffs;
 
     Drag m_drag = Drag::None;

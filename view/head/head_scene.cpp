@@ -130,6 +130,23 @@ std::optional<sim::SurfacePoint> HeadScene::skinAt(QPointF position) const
     return skin()->pick(inHead(rayThrough(m_scene.camera, position, QSizeF(m_area.size())), shownPose()));
 }
 
+std::optional<sim::SurfacePoint> HeadScene::placeForCollider() const
+{
+    return m_brush ? m_brush : skinAt(QRectF(m_area.rect()).center());
+}
+
+float HeadScene::pixelAt(const sim::SurfacePoint& point) const
+{
+    constexpr float kLeastCosine = 0.35F;
+    const rendering::Camera& camera = m_scene.camera;
+    const sim::HeadPose pose = shownPose();
+    const glm::vec3 toEye = camera.eyeWo() - inWorld(point.positionHd, pose);
+    const float distanceM = std::max(glm::length(toEye), 1e-3F);
+    const float cosine = glm::dot(pose.rotation * point.normalHd, toEye) / distanceM;
+    return 2.0F * distanceM * std::tan(0.5F * camera.fieldOfViewRad) /
+           (std::max(static_cast<float>(m_area.height()), 1.0F) * std::max(cosine, kLeastCosine));
+}
+
 std::optional<QPointF> HeadScene::positionOf(glm::vec3 positionHd) const
 {
     return project(m_scene.camera, inWorld(positionHd, shownPose()), QSizeF(m_area.size()));

@@ -40,6 +40,9 @@ public:
     /// A camera that sees where the brush was last, in whichever area; none before the brush was anywhere.
     [[nodiscard]] std::optional<rendering::Camera> cameraAtBrush() const;
 
+    /// Where the brush was last, or what the middle of the area shows; none off the head.
+    [[nodiscard]] std::optional<sim::SurfacePoint> placeForCollider() const;
+
     /// The document's head; null without one.
     [[nodiscard]] const sim::Skin* skin() const;
     [[nodiscard]] bool hasHead() const { return m_scene.head != nullptr; }
@@ -60,6 +63,8 @@ public:
 
     /// The skin that a position of the area shows, hair ignored; none where the ray misses the head.
     [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
+    /// How large a pixel of the area is on the skin there; not all of it where that is seen from the side.
+    [[nodiscard]] float pixelAt(const sim::SurfacePoint& point) const;
     /// Where a point of the head lies in the area; none behind the eye.
     [[nodiscard]] std::optional<QPointF> positionOf(glm::vec3 positionHd) const;
 

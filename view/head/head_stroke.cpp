@@ -77,12 +77,16 @@ model::ToolEvent HeadStroke::toolEvent(const PointerSample& sample, const std::o
 {
     if (point)
         m_lastUv = point->uv;
-    return {.area = model::Area::Head,
-            .uv = m_lastUv,
-            .point = point,
-            .pressure = sample.pressure,
-            .seconds = sample.seconds,
-            .modifiers = sample.modifiers};
+    model::ToolEvent event{.area = model::Area::Head,
+                           .uv = m_lastUv,
+                           .point = point,
+                           .pressure = sample.pressure,
+                           .seconds = sample.seconds,
+                           .modifiers = sample.modifiers,
+                           .again = sample.again};
+    if (point)
+        event.pixelM = m_scene.pixelAt(*point);
+    return event;
 }
 
 } // namespace hairpaint::view

@@ -65,8 +65,11 @@ void PaintOverlay::refreshOutlines()
         m_outlines.push_back({.uvOutline = m_flashed, .closed = true});
     std::vector<QPolygonF> outlines;
     const QTransform toWidget = m_transform.paperToWidget();
-    for (const model::OverlayShape& shape : m_outlines)
+    for (const model::OverlayShape& shape : m_outlines) {
         outlines.push_back(onWidget(shape.uvOutline, toWidget));
+        for (const QPointF& handle : onWidget(shape.uvHandles, toWidget))
+            outlines.emplace_back(handleAt(handle));
+    }
     m_area.update(m_outlinesBounds);
     m_outlinesBounds = boundsOf(outlines);
     m_area.update(m_outlinesBounds);

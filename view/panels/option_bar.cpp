@@ -30,6 +30,7 @@ using model::ToolSettings;
 namespace {
 
 constexpr double kCm = 100.0;
+constexpr double kMm = 1000.0;
 constexpr double kPercent = 100.0;
 constexpr int kSliderWidth = 160; ///< Where there is room.
 constexpr int kValueWidth = 240;
@@ -85,6 +86,7 @@ OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     m_row->addWidget(m_revealed);
     buildKinds();
     buildBrush();
+    buildParting();
     m_selectionBox = box(this);
     m_row->addWidget(m_selectionBox);
     m_row->addStretch(1);
@@ -184,6 +186,31 @@ void OptionBar::buildBrush()
     m_row->addWidget(m_pressureBox);
 }
 
+void OptionBar::buildParting()
+{
+    const auto make = [this](const QString& label, const QString& unit, double perMetre, float ToolSettings::*field) {
+        auto* slider = new BarSlider(label, this);
+        slider->setUnit(unit);
+        slider->setPreferredWidth(kSliderWidth);
+        connect(slider, &BarSlider::valueChanged, this, [this, field, perMetre](double shown) {
+            change([&](ToolSettings& settings) { settings.*field = static_cast<float>(shown / perMetre); });
+        });
+        slider->setDefaultValue(static_cast<double>(ToolSettings{}.*field) * perMetre);
+        m_row->addWidget(slider);
+        return slider;
+    };
+    m_reach = make(tr("Reach"), tr("cm"), kCm, &ToolSettings::partReachM);
+    m_reach->setRange(1.0, 20.0, 1);
+    m_reach->setHint(tr("How far to either side the part lays hair"));
+    m_gap = make(tr("Gap"), tr("mm"), kMm, &ToolSettings::partGapM);
+    m_gap->setRange(0.0, 10.0, 1);
+    m_gap->setExponent(2.0);
+    m_gap->setHint(tr("How wide a line of skin shows; 0 leaves every hair"));
+    m_zigzag = make(tr("Zigzag"), tr("mm"), kMm, &ToolSettings::partZigzagM);
+    m_zigzag->setRange(0.0, 10.0, 1);
+    m_zigzag->setHint(tr("How far the part runs to and fro; 0 leaves it straight"));
+}
+
 void OptionBar::buildKinds()
 {
     const auto kinds = [this](QWidget*& parent, std::vector<QToolButton*>& buttons,
@@ -253,6 +280,9 @@ void OptionBar::showOptions()
     m_tolerance->setVisible(has(ToolOption::FillTolerance));
     m_combBox->setVisible(has(ToolOption::CombKind));
     m_flatness->setVisible(has(ToolOption::Flatness));
+    m_reach->setVisible(has(ToolOption::PartReach));
+    m_gap->setVisible(has(ToolOption::PartGap));
+    m_zigzag->setVisible(has(ToolOption::Zigzag));
     m_revealed->setVisible(erases(m_state));
     m_selectionBox->setVisible(tool.id() == model::ToolId::Select);
     follow();
@@ -285,7 +315,11 @@ void OptionBar::follow()
     m_opacity->setValue(static_cast<double>(settings.opacity) * kPercent);
     m_tolerance->setValue(static_cast<double>(settings.fillTolerance) * kPercent);
     m_flatness->setValue(static_cast<double>(settings.flatness) * kPercent);
-    m_flatness->setEnabled(settings.comb == model::CombKind::Lay || settings.comb == model::CombKind::Lift);
+    m_flatness->setEnabled(!m_combBox->isVisibleTo(this) || settings.comb == model::CombKind::Lay ||
+                           settings.comb == model::CombKind::Lift);
+    m_reach->setValue(static_cast<double>(settings.partReachM) * kCm);
+    m_gap->setValue(static_cast<double>(settings.partGapM) * kMm);
+    m_zigzag->setValue(static_cast<double>(settings.partZigzagM) * kMm);
     m_pressureSize->setChecked(settings.pressureSize);
     m_pressureOpacity->setChecked(settings.pressureOpacity);
     for (std::size_t i = 0; i < m_shapes.size(); ++i)

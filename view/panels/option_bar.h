@@ -33,6 +33,7 @@ protected:
 private:
     void buildValue();
     void buildBrush();
+    void buildParting();
     void buildKinds();
     void showOptions();
     void follow();
@@ -52,6 +53,9 @@ private:
     BarSlider* m_opacity = nullptr;
     BarSlider* m_tolerance = nullptr;
     BarSlider* m_flatness = nullptr;
+    BarSlider* m_reach = nullptr;
+    BarSlider* m_gap = nullptr;
+    BarSlider* m_zigzag = nullptr;
     QWidget* m_pressureBox = nullptr;
     QToolButton* m_pressureSize = nullptr;
     QToolButton* m_pressureOpacity = nullptr;

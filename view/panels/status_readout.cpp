@@ -99,6 +99,10 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
         if (!m_message.isActive())
             follow();
     });
+    connect(&state, &EditorState::overlayChanged, this, [this] {
+        if (!m_message.isActive())
+            follow(); // A tool that runs says something else next.
+    });
     connect(&state, &EditorState::refused, this, [this](const QString& reason) { showMessage(reason, true); });
     connect(&state, &EditorState::told, this, [this](const QString& text) { showMessage(text, false); });
     follow();

@@ -1,0 +1,143 @@
+// Hermite pieces brought to the skin.
+#include "model/tools/part_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr float kSampleStepM = 0.003F;
+constexpr int kMostSteps = 100;          ///< Of one piece.
+constexpr float kSamePlaceM = 0.0005F;   ///< Points nearer than this are one.
+constexpr float kZigzagSharpness = 0.9F; ///< 0: a sine; 1: straight lines with corners.
+
+struct Knot
+{
+    sim::SurfacePoint point;
+    std::size_t index = 0;
+    glm::vec3 wayHd{0.0F}; ///< Unit, along the skin.
+};
+
+glm::vec3 alongSkin(glm::vec3 way, glm::vec3 normal)
+{
+    const glm::vec3 along = way - normal * glm::dot(way, normal);
+    const float length = glm::length(along);
+    return length > 1e-6F ? along / length : glm::vec3(0.0F);
+}
+
+/// Through a point as a parabola through it and both neighbours goes; at the ends as one through the next two does.
+void findWays(std::vector<Knot>& knots)
+{
+    const std::size_t last = knots.size() - 1;
+    const auto chord = [&](std::size_t i) { return knots[i + 1].point.positionHd - knots[i].point.positionHd; };
+    for (std::size_t i = 1; i < last; ++i) {
+        const float before = glm::length(chord(i - 1));
+        const float after = glm::length(chord(i));
+        knots[i].wayHd =
+            alongSkin(chord(i - 1) * (after / before) + chord(i) * (before / after), knots[i].point.normalHd);
+    }
+    for (const bool first : {true, false}) {
+        Knot& end = first ? knots.front() : knots.back();
+        const std::size_t inner = first ? 1 : last - 1;
+        const glm::vec3 way = glm::normalize(chord(first ? 0 : last - 1));
+        end.wayHd = alongSkin(last > 1 ? 2.0F * way - knots[inner].wayHd : way, end.point.normalHd);
+    }
+}
+
+} // namespace
+
+glm::vec3 PartCurve::Sample::rightHd() const
+{
+    return glm::cross(tangentHd, normalHd);
+}
+
+PartCurve::PartCurve(const sim::Skin& skin, std::span<const sim::SurfacePoint> points)
+{
+    std::vector<Knot> knots;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (knots.empty() || glm::distance(knots.back().point.positionHd, points[i].positionHd) > kSamePlaceM)
+            knots.push_back({.point = points[i], .index = i});
+    if (knots.size() < 2)
+        return;
+    findWays(knots);
+    const auto add = [this](const sim::SurfacePoint& point, std::size_t index) {
+        m_samples.push_back({.positionHd = point.positionHd,
+                             .normalHd = point.normalHd,
+                             .uv = point.uv,
+                             .mPerUv = 0.5F * (glm::length(point.dPduHd) + glm::length(point.dPdvHd)),
+                             .point = index});
+    };
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+        const Knot& from = knots[i];
+        const Knot& to = knots[i + 1];
+        const glm::vec3 chord = to.point.positionHd - from.point.positionHd;
+        const float chordM = glm::length(chord);
+        // As long as a circle's arc that turns as much between both ends.
+        const float half = 0.5F * std::acos(std::clamp(glm::dot(from.wayHd, to.wayHd), -1.0F, 1.0F));
+        const float arcM = chordM * (half > 0.01F ? half / std::sin(half) : 1.0F);
+        const int steps = std::clamp(static_cast<int>(std::ceil(arcM / kSampleStepM)), 1, kMostSteps);
+        add(from.point, from.index);
+        for (int k = 1; k < steps; ++k) {
+            const float t = static_cast<float>(k) / static_cast<float>(steps);
+            const float s = 1.0F - t;
+            const glm::vec3 place = from.point.positionHd * (s * s * (1.0F + 2.0F * t)) +
+                                    to.point.positionHd * (t * t * (1.0F + 2.0F * s)) +
+                                    (from.wayHd * (s * s * t) - to.wayHd * (t * t * s)) * arcM;
+            add(skin.nearest(place), from.index);
+        }
+    }
+    add(knots.back().point, knots.back().index);
+    for (std::size_t i = 0; i < m_samples.size(); ++i) {
+        const Sample& before = m_samples[i == 0 ? 0 : i - 1];
+        const Sample& after = m_samples[std::min(i + 1, m_samples.size() - 1)];
+        Sample& sample = m_samples[i];
+        if (i > 0)
+            sample.alongM = before.alongM + glm::distance(before.positionHd, sample.positionHd);
+        sample.tangentHd = alongSkin(after.positionHd - before.positionHd, sample.normalHd);
+    }
+}
+
+float PartCurve::mPerUv() const
+{
+    float sum = 0.0F;
+    for (const Sample& sample : m_samples)
+        sum += sample.mPerUv;
+    return m_samples.empty() ? 0.0F : sum / static_cast<float>(m_samples.size());
+}
+
+std::optional<PartCurve::Near> PartCurve::nearest(glm::vec3 positionHd) const
+{
+    std::optional<Near> found;
+    for (std::size_t i = 0; i + 1 < m_samples.size(); ++i) {
+        const glm::vec3 from = m_samples[i].positionHd;
+        const glm::vec3 piece = m_samples[i + 1].positionHd - from;
+        const float t =
+            std::clamp(glm::dot(positionHd - from, piece) / std::max(glm::dot(piece, piece), 1e-12F), 0.0F, 1.0F);
+        const float distanceM = glm::distance(positionHd, from + piece * t);
+        if (!found || distanceM < found->distanceM)
+            found = Near{.point = m_samples[i].point, .distanceM = distanceM};
+    }
+    return found;
+}
+
+Zigzag::Zigzag(float amplitudeM, float lengthM)
+    : m_amplitudeM(amplitudeM),
+      m_perM(std::numbers::pi_v<float> * std::max(std::round(lengthM / (0.5F * kWaveM)), 1.0F) /
+             std::max(lengthM, kSamePlaceM))
+{}
+
+Zigzag::Offset Zigzag::at(float alongM) const
+{
+    if (m_amplitudeM <= 0.0F)
+        return {};
+    const float scale = m_amplitudeM / std::asin(kZigzagSharpness);
+    const float sine = kZigzagSharpness * std::sin(m_perM * alongM);
+    const float cosine = kZigzagSharpness * std::cos(m_perM * alongM);
+    return {.lateralM = scale * std::asin(sine), .slope = scale * m_perM * cosine / std::sqrt(1.0F - sine * sine)};
+}
+
+} // namespace hairpaint::model

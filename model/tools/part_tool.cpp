@@ -1,0 +1,375 @@
+// The parting: a curve over the skin that can be edited until it is kept, with hair laid to both sides of it.
+#include "model/tools/live_edit.h"
+#include "model/tools/part_field.h"
+#include "model/tools/picker.h"
+#include "model/tools/tool_list.h"
+#include "sim/base/parallel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr float kGrabPx = 9.0F;              ///< So near to a point, or to the curve, a press takes hold of it.
+constexpr float kDrawnPointsM = 0.02F;       ///< Between points of a curve that is drawn by dragging.
+constexpr float kLastPointM = 0.006F;        ///< A drag's last piece is no shorter than this.
+constexpr double kDoubleClickSeconds = 0.45; ///< Between two presses of a pen.
+constexpr float kJumpUv = 0.05F;             ///< Neighbours of the curve further apart lie on two islands.
+
+/// Points are added at the curve's end, or where the curve is pressed; they can be dragged as long as it is not kept.
+/// Partings ignore mirror painting: one in the middle would be parted twice.
+class PartTool : public Tool
+{
+    Q_DECLARE_TR_FUNCTIONS(Tool)
+public:
+    [[nodiscard]] ToolId id() const override { return ToolId::Part; }
+    [[nodiscard]] QString title() const override { return tr("Part"); }
+    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_P; }
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] std::vector<ToolOption> options() const override
+    {
+        return {ToolOption::PartReach, ToolOption::Flatness, ToolOption::PartGap, ToolOption::Zigzag};
+    }
+    [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
+    [[nodiscard]] std::vector<MapKind> alsoPaints(const ToolSettings& settings) const override
+    {
+        return settings.partGapM > 0.0F ? std::vector{MapKind::Density} : std::vector<MapKind>();
+    }
+
+    void press(const ToolEvent& event, ToolContext& context) override;
+    void move(const ToolEvent& event, ToolContext& context) override;
+    void release(const ToolEvent& event, ToolContext& context) override;
+    void hover(const ToolEvent& event, ToolContext& context) override;
+    bool key(Qt::Key key, Qt::KeyboardModifiers modifiers, ToolContext& context) override;
+    void settingsChanged(ToolContext& context) override
+    {
+        if (active())
+            show(context);
+    }
+    void cancel(ToolContext& /*context*/) override { m_edit.cancel(); }
+    void commit(ToolContext& /*context*/) override { m_edit.commit(); }
+    [[nodiscard]] bool active() const override { return m_edit.active(); }
+    [[nodiscard]] bool pending() const override { return active() && m_hold == Hold::None; }
+    [[nodiscard]] std::vector<OverlayShape> overlay() const override;
+
+private:
+    using Points = std::vector<sim::SurfacePoint>;
+    enum class Hold
+    {
+        None,
+        Point,  ///< m_held follows the pointer.
+        Drawing ///< The curve goes on where the pointer goes.
+    };
+
+    bool begin(const ToolContext& context);
+    [[nodiscard]] std::optional<std::size_t> pointNear(const sim::SurfacePoint& place, float withinM) const;
+    void draw(const sim::SurfacePoint& place);
+    void change(Points points, const ToolContext& context);
+    bool stepBack(const ToolContext& context);
+    void show(const ToolContext& context);
+    void showTiles(const std::vector<int>& tiles, const LiveEdit::MakeTile& make, std::size_t layer);
+    void showLaid(const PartField& field);
+    void showGap(const PartField& field, const ToolContext& context);
+
+    LiveEdit m_edit;
+    std::optional<std::size_t> m_density; ///< Its layer's number in the edit, once there is one.
+    std::unique_ptr<SkinFrames> m_frames; ///< Kept from parting to parting.
+    Points m_points;
+    std::vector<Points> m_past; ///< What undo goes back to, the latest last.
+    PartCurve m_curve;
+    Hold m_hold = Hold::None;
+    std::size_t m_held = 0;
+    bool m_moved = false;                                    ///< Since the press.
+    std::optional<std::pair<std::size_t, double>> m_clicked; ///< The last press on a point, and when it was.
+    std::optional<sim::SurfacePoint> m_hover;                ///< Where a click would add a point.
+    std::optional<std::size_t> m_hovered;                    ///< The point under the pointer.
+};
+
+QString PartTool::hint() const
+{
+    if (!active())
+        return tr("Click or drag along the part; hair falls to both sides of it");
+    if (m_hovered)
+        return tr("Drag the point, or double-click it to keep the part; Delete takes the point away");
+    return m_points.size() < 2
+               ? tr("Click where the part goes on; Esc leaves no trace")
+               : tr("Click to go on, drag points or the curve; Enter keeps the part, Esc leaves no trace");
+}
+
+bool PartTool::begin(const ToolContext& context)
+{
+    const Head* head = context.document.project().head.get();
+    if (context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr)
+        return false;
+    // What the context refers to outlives the edit; the context itself does not.
+    if (!m_edit.begin(context, title(), [this, kept = ToolContext(context)] { return stepBack(kept); }))
+        return false;
+    m_edit.setText(title());
+    if (m_frames == nullptr || !m_frames->isOf(head->skin))
+        m_frames = std::make_unique<SkinFrames>(head->skin);
+    m_density.reset();
+    m_points.clear();
+    m_past.clear();
+    m_curve = {};
+    m_clicked.reset();
+    m_hovered.reset();
+    return true;
+}
+
+void PartTool::press(const ToolEvent& event, ToolContext& context)
+{
+    if (picksInstead(event, context) || !event.point || m_hold != Hold::None)
+        return;
+    m_hover.reset();
+    m_moved = false;
+    if (!active()) {
+        if (!begin(context))
+            return;
+        m_points = {*event.point};
+        m_hold = Hold::Drawing;
+        m_clicked = {0, event.seconds};
+        return;
+    }
+    const float withinM = kGrabPx * event.pixelM;
+    if (const std::optional<std::size_t> point = pointNear(*event.point, withinM)) {
+        const auto before = std::exchange(m_clicked, std::pair(*point, event.seconds));
+        if (before && before->first == *point &&
+            (event.again || event.seconds - before->second < kDoubleClickSeconds)) {
+            commit(context);
+            return;
+        }
+        m_hold = Hold::Point;
+        m_held = *point;
+        return;
+    }
+    Points points = m_points;
+    const std::optional<PartCurve::Near> near = m_curve.nearest(event.point->positionHd);
+    if (near && near->distanceM < withinM) {
+        m_hold = Hold::Point;
+        m_held = near->point + 1;
+        m_moved = true; // It belongs to the same step wherever it is dragged.
+        m_clicked.reset();
+        points.insert(points.begin() + static_cast<std::ptrdiff_t>(m_held), *event.point);
+    } else {
+        m_hold = Hold::Drawing;
+        points.push_back(*event.point);
+        m_clicked = {points.size() - 1, event.seconds};
+    }
+    change(std::move(points), context);
+}
+
+void PartTool::move(const ToolEvent& event, ToolContext& context)
+{
+    if (!active() || m_hold == Hold::None || !event.point)
+        return;
+    const sim::SurfacePoint& from = m_hold == Hold::Point ? m_points[m_held] : m_points.back();
+    if (!m_moved && glm::distance(from.positionHd, event.point->positionHd) < 0.5F * kGrabPx * event.pixelM)
+        return;
+    if (m_hold == Hold::Drawing) {
+        draw(*event.point);
+    } else {
+        if (!m_moved)
+            m_past.push_back(m_points);
+        m_points[m_held] = *event.point;
+    }
+    m_moved = true;
+    m_clicked.reset();
+    show(context);
+}
+
+/// The last point follows the pointer; now and then it stays and another one follows.
+void PartTool::draw(const sim::SurfacePoint& place)
+{
+    if (!m_moved)
+        m_points.push_back(place);
+    m_points.back() = place;
+    const sim::SurfacePoint& fixed = m_points[m_points.size() - 2];
+    if (glm::distance(fixed.positionHd, place.positionHd) > kDrawnPointsM)
+        m_points.push_back(place);
+}
+
+void PartTool::release(const ToolEvent& event, ToolContext& context)
+{
+    if (!active() || m_hold == Hold::None)
+        return;
+    if (m_moved)
+        move(event, context);
+    const Hold hold = std::exchange(m_hold, Hold::None);
+    if (hold != Hold::Drawing || !m_moved || m_points.size() < 3)
+        return;
+    // Where the drag ended just past a point, that is where it goes.
+    const sim::SurfacePoint last = m_points.back();
+    if (glm::distance(last.positionHd, m_points[m_points.size() - 2].positionHd) < kLastPointM) {
+        m_points.pop_back();
+        m_points.back() = last;
+        show(context);
+    }
+}
+
+void PartTool::hover(const ToolEvent& event, ToolContext& /*context*/)
+{
+    m_hover.reset();
+    m_hovered.reset();
+    if (!pending() || !event.point)
+        return;
+    const float withinM = kGrabPx * event.pixelM;
+    m_hovered = pointNear(*event.point, withinM);
+    const std::optional<PartCurve::Near> near = m_curve.nearest(event.point->positionHd);
+    if (!m_hovered && (!near || near->distanceM > withinM))
+        m_hover = event.point;
+}
+
+bool PartTool::key(Qt::Key key, Qt::KeyboardModifiers /*modifiers*/, ToolContext& context)
+{
+    if ((key != Qt::Key_Backspace && key != Qt::Key_Delete) || !pending())
+        return false;
+    if (m_points.size() < 2) {
+        cancel(context);
+        return true;
+    }
+    Points points = m_points;
+    const auto removed = static_cast<std::ptrdiff_t>(m_hovered.value_or(points.size() - 1));
+    points.erase(points.begin() + removed);
+    m_hovered.reset();
+    change(std::move(points), context);
+    return true;
+}
+
+std::optional<std::size_t> PartTool::pointNear(const sim::SurfacePoint& place, float withinM) const
+{
+    std::optional<std::size_t> found;
+    float nearestM = withinM;
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+        const float distanceM = glm::distance(m_points[i].positionHd, place.positionHd);
+        if (distanceM < nearestM) {
+            nearestM = distanceM;
+            found = i;
+        }
+    }
+    return found;
+}
+
+void PartTool::change(Points points, const ToolContext& context)
+{
+    m_past.push_back(std::exchange(m_points, std::move(points)));
+    show(context);
+}
+
+bool PartTool::stepBack(const ToolContext& context)
+{
+    if (m_past.empty())
+        return false;
+    m_points = std::move(m_past.back());
+    m_past.pop_back();
+    m_hold = Hold::None;
+    m_hovered.reset();
+    m_clicked.reset();
+    show(context);
+    return true;
+}
+
+void PartTool::show(const ToolContext& context)
+{
+    const ToolSettings& settings = context.settings;
+    m_curve = PartCurve(m_frames->skin(), m_points);
+    const PartField field(*m_frames, m_curve,
+                          {.reachM = settings.partReachM,
+                           .flatness = settings.flatness,
+                           .gapM = settings.partGapM,
+                           .zigzagM = settings.partZigzagM});
+    showLaid(field);
+    showGap(field, context);
+}
+
+/// Several threads make them.
+void PartTool::showTiles(const std::vector<int>& tiles, const LiveEdit::MakeTile& make, std::size_t layer)
+{
+    std::vector<sim::RasterTilePtr> made(tiles.size());
+    sim::parallelFor(tiles.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            made[i] = make(tiles[i], m_edit.before(layer).tile(tiles[i]));
+    });
+    const auto take = [&](int index, const sim::RasterTilePtr& /*before*/) {
+        return made[static_cast<std::size_t>(std::ranges::lower_bound(tiles, index) - tiles.begin())];
+    };
+    m_edit.replace(tiles, take, layer);
+}
+
+void PartTool::showLaid(const PartField& field)
+{
+    const int size = m_edit.size();
+    const auto make = [&](int index, const sim::RasterTilePtr& before) {
+        PartField::LaidTile laid = field.laid(index, size);
+        keepInside(m_edit.clips(), m_edit.before().tileRect(index), laid.mask);
+        return paintTile(m_edit.spec(), before, laid.mask, {.values = laid.values.data()});
+    };
+    showTiles(field.laidTiles(size), make, 0);
+}
+
+/// No hair is painted over what other layers leave there; a layer that adds to them only loses its own.
+void PartTool::showGap(const PartField& field, const ToolContext& context)
+{
+    if (context.settings.partGapM > 0.0F && !m_density)
+        m_density = m_edit.also(context, context.layer(MapKind::Density));
+    if (!m_density)
+        return;
+    const std::size_t layer = *m_density;
+    const int size = m_edit.size(layer);
+    const TilePaint none{.value = {}, .erase = m_edit.blend(layer) != BlendMode::Normal};
+    const auto make = [&](int index, const sim::RasterTilePtr& before) {
+        StrokeBuffer::MaskTile mask = field.gap(index, size);
+        keepInside(m_edit.clips(layer), m_edit.before(layer).tileRect(index), mask);
+        return paintTile(m_edit.spec(layer), before, mask, none);
+    };
+    showTiles(field.gapTiles(size), make, layer);
+}
+
+/// A curve on the layout, in as many pieces as it crosses islands.
+void addOutlines(const PartCurve& curve, std::size_t fromPoint, std::vector<OverlayShape>& shapes)
+{
+    QPolygonF piece;
+    glm::vec2 last(0.0F);
+    const auto close = [&] {
+        if (piece.size() > 1)
+            shapes.push_back({.uvOutline = piece, .closed = false});
+        piece.clear();
+    };
+    for (const PartCurve::Sample& sample : curve.samples()) {
+        if (sample.point < fromPoint)
+            continue;
+        if (!piece.isEmpty() && glm::distance(sample.uv, last) > kJumpUv)
+            close();
+        last = sample.uv;
+        piece << QPointF(last.x, last.y);
+    }
+    close();
+}
+
+std::vector<OverlayShape> PartTool::overlay() const
+{
+    if (!active())
+        return {};
+    std::vector<OverlayShape> shapes;
+    addOutlines(m_curve, 0, shapes);
+    if (m_hover && m_hold == Hold::None) {
+        Points points = m_points;
+        points.push_back(*m_hover);
+        addOutlines(PartCurve(m_frames->skin(), points), m_points.size() - 1, shapes);
+    }
+    OverlayShape handles{.uvOutline = {}, .closed = false};
+    for (const sim::SurfacePoint& point : m_points)
+        handles.uvHandles << QPointF(point.uv.x, point.uv.y);
+    shapes.push_back(std::move(handles));
+    return shapes;
+}
+
+} // namespace
+
+std::unique_ptr<Tool> makePartTool()
+{
+    return std::make_unique<PartTool>();
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,151 @@
+// The ellipsoids that hair does not enter, edited in the 3D area.
+#include "model/commands/commands.h"
+#include "tests/support/test_program.h"
+#include "tests/view/head_fixture.h"
+#include "view/head/head_overlay.h"
+
+#include <QUndoStack>
+
+using namespace hairpaint;
+using namespace hairpaint::test;
+
+namespace {
+
+/// Two ellipsoids in a ball, shown.
+struct ColliderFixture : HeadFixture
+{
+    ColliderFixture()
+    {
+        editor.document.push(setEllipsoidsCommand(editor.document,
+                                                  {{.centreHd = {0.0F, 0.0F, 0.0F}, .semiAxesM = {0.05F, 0.08F, 0.06F}},
+                                                   {.centreHd = {0.0F, -0.1F, 0.0F}, .semiAxesM = glm::vec3(0.03F)}},
+                                                  QStringLiteral("Add colliders")));
+        editor.document.undoStack().clear();
+        editor.state.setCollidersShown(true);
+    }
+    [[nodiscard]] const std::vector<sim::Ellipsoid>& all() { return editor.document.project().ellipsoids; }
+    [[nodiscard]] const sim::Ellipsoid& first() { return all().front(); }
+    [[nodiscard]] QUndoStack& stack() { return editor.document.undoStack(); }
+    [[nodiscard]] QPointF shown(glm::vec3 positionHd) { return area.positionOf(positionHd).value_or(QPointF()); }
+    /// An end of the first one's axis, on its outline.
+    [[nodiscard]] QPoint end(glm::vec3 axis) { return shown(first().centreHd + axis * first().semiAxesM).toPoint(); }
+};
+
+const glm::vec3 kRight(1.0F, 0.0F, 0.0F);
+const glm::vec3 kUp(0.0F, 1.0F, 0.0F);
+
+} // namespace
+
+class TestColliderDrag : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void anOutlineIsDraggedInThePlaneOfTheScreen()
+    {
+        ColliderFixture f;
+        const std::vector<sim::Ellipsoid> before = f.all();
+        const QPointF centre = f.shown(f.first().centreHd);
+        const QPoint from = f.end(kRight);
+        f.drag(from, from + QPoint(40, -25));
+        QVERIFY(f.editor.state.chosenCollider() == std::size_t{0});
+        const QPointF way = f.shown(f.first().centreHd) - centre;
+        QVERIFY(std::abs(way.x() - 40.0) < 1.0 && std::abs(way.y() + 25.0) < 1.0);
+        QVERIFY(f.first().semiAxesM == before.front().semiAxesM);
+        QVERIFY(f.all()[1] == before[1]);
+        QCOMPARE(f.stack().count(), 1);
+        QCOMPARE(f.stack().text(0), QStringLiteral("Move collider"));
+        f.editor.document.undo();
+        QVERIFY(f.all() == before);
+    }
+
+    void anAxisOfTheChosenOneIsDraggedByItsEnd_data()
+    {
+        QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
+        QTest::newRow("alone") << Qt::KeyboardModifiers();
+        QTest::newRow("with the others") << Qt::KeyboardModifiers(Qt::ShiftModifier);
+    }
+    void anAxisOfTheChosenOneIsDraggedByItsEnd()
+    {
+        QFETCH(Qt::KeyboardModifiers, modifiers);
+        ColliderFixture f;
+        const sim::Ellipsoid before = f.first();
+        QTest::mouseClick(&f.area, Qt::LeftButton, {}, f.end(kRight));
+        QCOMPARE(f.stack().count(), 0); // Only chosen.
+        const QPoint from = f.end(kUp);
+        f.drag(from, from - QPoint(0, 30), Qt::LeftButton, modifiers);
+        QVERIFY(std::abs(f.end(kUp).y() - (from.y() - 30)) <= 1);
+        QVERIFY(f.first().centreHd == before.centreHd);
+        const glm::vec3 grown = f.first().semiAxesM / before.semiAxesM;
+        QVERIFY(grown.y > 1.1F);
+        const float others = modifiers.testFlag(Qt::ShiftModifier) ? grown.y : 1.0F;
+        QVERIFY(std::abs(grown.x - others) < 1e-4F && std::abs(grown.z - others) < 1e-4F);
+        QCOMPARE(f.stack().text(0), QStringLiteral("Size collider"));
+    }
+
+    void withShiftTheOutlineSizesAll()
+    {
+        ColliderFixture f;
+        const sim::Ellipsoid before = f.first();
+        const QPoint from = f.end(kRight);
+        const QPoint centre = f.shown(before.centreHd).toPoint();
+        f.drag(from, centre + (from - centre) * 2, Qt::LeftButton, Qt::ShiftModifier);
+        QVERIFY(glm::distance(f.first().semiAxesM, 2.0F * before.semiAxesM) < 0.004F);
+        QVERIFY(f.first().centreHd == before.centreHd);
+    }
+
+    void escCancelsADrag()
+    {
+        ColliderFixture f;
+        const std::vector<sim::Ellipsoid> before = f.all();
+        const QPoint from = f.end(kRight);
+        QTest::mousePress(&f.area, Qt::LeftButton, {}, from);
+        f.move(from + QPoint(50, 0), Qt::LeftButton, {});
+        QVERIFY(f.all() != before);
+        QVERIFY(f.editor.document.groomInput().colliders == f.all()); // Hair hears of it.
+        QTest::keyClick(&f.area, Qt::Key_Escape);
+        QVERIFY(f.all() == before);
+        QTest::mouseRelease(&f.area, Qt::LeftButton, {}, from + QPoint(50, 0));
+        QCOMPARE(f.stack().count(), 0);
+        QVERIFY(f.all() == before);
+    }
+
+    void elsewhereAndWhileTheyAreHiddenToolsWorkAsEver()
+    {
+        ColliderFixture f;
+        const std::vector<sim::Ellipsoid> before = f.all();
+        const QPoint outline = f.end(kRight);
+        f.drag(kMiddle + QPoint(12, 14), kMiddle + QPoint(16, 20));
+        QCOMPARE(f.stack().count(), 1);
+        f.editor.state.setCollidersShown(false);
+        QVERIFY(!f.editor.state.chosenCollider());
+        f.drag(outline, outline + QPoint(10, 10));
+        QCOMPARE(f.stack().count(), 2);
+        QVERIFY(f.all() == before);
+        QVERIFY(f.stack().text(0).startsWith(QStringLiteral("Brush")));
+    }
+
+    void theyAreAddedAndRemoved()
+    {
+        ColliderFixture f;
+        f.area.removeCollider(); // None is chosen.
+        QCOMPARE(f.stack().count(), 0);
+        const QPoint place = kMiddle + QPoint(30, 10);
+        QTest::mouseMove(&f.area, place);
+        f.area.addCollider();
+        QCOMPARE(f.all().size(), std::size_t{3});
+        QVERIFY(f.editor.state.chosenCollider() == std::size_t{2});
+        QCOMPARE(f.stack().text(0), QStringLiteral("Add collider"));
+        f.area.removeCollider();
+        QCOMPARE(f.all().size(), std::size_t{2});
+        QVERIFY(!f.editor.state.chosenCollider());
+        QCOMPARE(f.stack().text(1), QStringLiteral("Remove collider"));
+        f.editor.document.undo();
+        QCOMPARE(f.all().size(), std::size_t{3});
+        for (int i = 0; i < 10; ++i)
+            f.area.addCollider();
+        QCOMPARE(f.all().size(), model::kMostEllipsoids); // A file holds no more.
+    }
+};
+
+HAIRPAINT_TEST(TestColliderDrag, Widgets)
+#include "test_collider_drag.moc"
