@@ -202,6 +202,11 @@ bool EditorState::setCollidersShown(bool shown)
     return setOption(m_collidersShown, shown);
 }
 
+bool EditorState::setDirectionsShown(bool shown)
+{
+    return setOption(m_directionsShown, shown);
+}
+
 template<typename Call>
 void EditorState::withTool(const Call& call)
 {

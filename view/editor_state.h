@@ -65,6 +65,9 @@ public:
     /// The project's ellipsoids over the head.
     [[nodiscard]] bool collidersShown() const { return m_collidersShown; }
     bool setCollidersShown(bool shown);
+    /// Short hairs on the head that tell the active direction map, while it is the active one.
+    [[nodiscard]] bool directionsShown() const { return m_directionsShown; }
+    bool setDirectionsShown(bool shown);
 
     [[nodiscard]] const std::optional<Hover>& hover() const { return m_hover; }
     /// Where both areas draw the brush's rings: under the pointer, and the mirrored twin if there is one. Empty off the
@@ -90,7 +93,7 @@ Q_SIGNALS:
     void targetChanged(); ///< Active group, map or layer.
     void activeToolChanged();
     void toolSettingsChanged();
-    void viewOptionsChanged(); ///< Mirror, night paper, wireframe, colliders.
+    void viewOptionsChanged(); ///< Mirror, night paper, wireframe, colliders, directions.
     void hoverChanged();
     void overlayChanged(); ///< The active tool's overlay or the selection.
     void refused(const QString& reason);
@@ -124,6 +127,7 @@ private:
     bool m_nightPaper = true;
     bool m_wireframe = true;
     bool m_collidersShown = false;
+    bool m_directionsShown = true;
     std::optional<Hover> m_hover;
 };
 

@@ -1,11 +1,14 @@
-// What lies over the drawn head: the active tool's outlines, the colliders, and a sentence where nothing can be drawn.
+// What lies over the drawn head: hairs that show directions, the active tool's outlines, the colliders, and a sentence
+// where nothing can be drawn.
 #pragma once
 
 #include "model/tools/tool.h"
 #include "sim/skin/ellipsoid.h"
 #include "view/rendering/scene.h"
+#include "view/tapered_hair.h"
 #include "view/theme.h"
 
+#include <QImage>
 #include <QWidget>
 
 #include <vector>
@@ -32,6 +35,10 @@ public:
     /// In this widget's coordinates.
     [[nodiscard]] const std::vector<QPolygonF>& colliders() const { return m_colliders; }
 
+    /// Hairs that show a direction map, in this widget's coordinates: faint, under everything else.
+    void setDirections(std::vector<HairSpine> hairs);
+    [[nodiscard]] const std::vector<HairSpine>& directions() const { return m_directions; }
+
     /// The brush's ring where the head hides it, in this widget's coordinates; empty where it is seen.
     void setGhost(const QPolygonF& ring);
     [[nodiscard]] const QPolygonF& ghost() const { return m_ghost; }
@@ -48,6 +55,8 @@ private:
     QPolygonF m_handles;
     std::vector<QPolygonF> m_colliders;
     QPolygonF m_ghost;
+    std::vector<HairSpine> m_directions;
+    QImage m_directionsPicture; ///< This widget is painted with every frame below it.
 };
 
 } // namespace hairpaint::view
