@@ -1,4 +1,4 @@
-// The comb: lays hair along the pointer's way over the skin, lifts it, smooths it or ruffles it.
+// The comb: lays hair along the pointer's way over the skin, lifts it, smooths it, ruffles it, or lays a whorl.
 #include "model/compositor.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/comb_field.h"
@@ -6,6 +6,7 @@
 #include "model/tools/picker.h"
 #include "model/tools/skin_frames.h"
 #include "model/tools/tool_list.h"
+#include "model/tools/whorl.h"
 #include "sim/groom/direction_texel.h"
 
 #include <algorithm>
@@ -66,7 +67,11 @@ public:
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override
     {
-        if (active())
+        if (!active())
+            return;
+        if (context.settings.comb == CombKind::Whorl)
+            stamp(event, context);
+        else
             combTo(event, context);
     }
     void release(const ToolEvent& event, ToolContext& context) override;
@@ -84,6 +89,8 @@ public:
 
 private:
     void combTo(const ToolEvent& event, ToolContext& context);
+    void stamp(const ToolEvent& event, const ToolContext& context);
+    void layWhorl(const Whorl& whorl, const ToolSettings& settings);
     void follow(const BrushSample& sample, const ToolContext& context);
     void dab(const BrushSample& sample, const ToolContext& context);
     void lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& centre, const ToolSettings& settings,
@@ -92,7 +99,8 @@ private:
     [[nodiscard]] glm::vec2 restyled(glm::vec2 uv, const ToolSettings& settings);
     [[nodiscard]] glm::vec2 smoothed(glm::vec2 uv, glm::vec2 reachUv);
     [[nodiscard]] glm::vec2 before(glm::vec2 uv) const;
-    void show();
+    [[nodiscard]] glm::vec2 uvOf(int x, int y) const;
+    [[nodiscard]] sim::RasterTilePtr painted(int tile, const sim::RasterTilePtr& before) const;
     void drop();
 
     LiveEdit m_edit;
@@ -131,6 +139,8 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
     m_previous.reset();
     m_strokeHd.reset();
     m_waits = false;
+    if (context.settings.comb == CombKind::Whorl)
+        return stamp(event, context);
     if (event.modifiers.testFlag(Qt::ShiftModifier) && m_last && m_last->point) {
         m_last->pressure = event.pressure;
         m_path->standAt(*m_last);
@@ -146,6 +156,8 @@ void CombTool::release(const ToolEvent& event, ToolContext& context)
 {
     if (!active())
         return;
+    if (context.settings.comb == CombKind::Whorl)
+        return commit(context);
     // A pen's last event has no pressure left; it still says where the stroke ends.
     ToolEvent end = event;
     if (m_last)
@@ -167,7 +179,51 @@ void CombTool::combTo(const ToolEvent& event, ToolContext& context)
     m_path->moveTo(event, [&](const BrushSample& sample) { follow(sample, context); });
     if (event.area == Area::Paint || event.point)
         m_last = event;
-    show();
+    m_edit.update(m_masks->takeDirty(),
+                  [this](int index, const sim::RasterTilePtr& tile) { return painted(index, tile); });
+}
+
+/// The whorl where the pointer is, and only there; off the skin where it was last.
+void CombTool::stamp(const ToolEvent& event, const ToolContext& context)
+{
+    if (!event.point)
+        return;
+    const ToolSettings& settings = context.settings;
+    m_masks.emplace(m_edit.size());
+    m_field.emplace(m_edit.size());
+    const Whorl whorl{.centre = *event.point, .radiusM = 0.5F * settings.brushSizeM, .flatness = settings.flatness};
+    layWhorl(whorl, settings);
+    // A whorl near the middle of the head is one.
+    if (context.mirror)
+        if (const auto other = context.document.project().head->skin->mirrored(*event.point);
+            other && glm::distance(other->positionHd, event.point->positionHd) > whorl.radiusM)
+            layWhorl({.centre = *other, .radiusM = whorl.radiusM, .flatness = whorl.flatness, .clockwise = false},
+                     settings);
+    m_edit.replace(m_masks->takeDirty(),
+                   [this](int index, const sim::RasterTilePtr& tile) { return painted(index, tile); });
+}
+
+void CombTool::layWhorl(const Whorl& whorl, const ToolSettings& settings)
+{
+    const int size = m_edit.size();
+    Dab dab = dabAt(SkinMetric::at(whorl.centre), whorl.centre.uv, whorl.radiusM, size);
+    dab.hardness = settings.hardness;
+    for (const sim::TexelRect& clip : m_edit.clips())
+        m_masks->add(dab, clip);
+    const sim::SkinFrame centre = sim::SkinFrame::at(whorl.centre);
+    m_field->add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
+        const glm::vec2 uv = uvOf(x, y);
+        const glm::vec3 directionHd = whorl.directionHd(uv - whorl.centre.uv);
+        const float length = glm::length(directionHd);
+        return length > 0.0F ? along(uv, directionHd / length, centre) * length : glm::vec2(0.0F);
+    });
+}
+
+/// The centre of a texel.
+glm::vec2 CombTool::uvOf(int x, int y) const
+{
+    const auto size = static_cast<float>(m_edit.size());
+    return {(static_cast<float>(x) + 0.5F) / size, 1.0F - (static_cast<float>(y) + 0.5F) / size};
 }
 
 /// The first place waits until the second says where the stroke goes.
@@ -230,7 +286,7 @@ void CombTool::lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& cen
     m_reachUv = glm::vec2(kSmoothReach) / (size * glm::sqrt(glm::vec2(dab.a, dab.c)));
     const float flatness = settings.flatness * std::clamp(pressure, 0.0F, 1.0F);
     m_field->add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
-        const glm::vec2 uv((static_cast<float>(x) + 0.5F) / size, 1.0F - (static_cast<float>(y) + 0.5F) / size);
+        const glm::vec2 uv = uvOf(x, y);
         return settings.comb == CombKind::Lay ? along(uv, strokeHd, centre) * flatness : restyled(uv, settings);
     });
 }
@@ -296,12 +352,10 @@ glm::vec2 CombTool::smoothed(glm::vec2 uv, glm::vec2 reachUv)
     return length > 1e-4F ? mean * (lengths / (count * length)) : mean;
 }
 
-void CombTool::show()
+sim::RasterTilePtr CombTool::painted(int tile, const sim::RasterTilePtr& before) const
 {
-    m_edit.update(m_masks->takeDirty(), [this](int index, const sim::RasterTilePtr& before) {
-        const std::vector<std::uint16_t> values = m_field->values(index);
-        return paintTile(m_edit.spec(), before, *m_masks->mask(index), {.values = values.data(), .opacity = m_opacity});
-    });
+    const std::vector<std::uint16_t> values = m_field->values(tile);
+    return paintTile(m_edit.spec(), before, *m_masks->mask(tile), {.values = values.data(), .opacity = m_opacity});
 }
 
 } // namespace

@@ -32,7 +32,8 @@ enum class CombKind : std::uint8_t
     Lay,    ///< Lays it along the stroke.
     Lift,   ///< Makes it as flat as asked for, the way it lies.
     Smooth, ///< As its neighbours lie.
-    Noise
+    Noise,
+    Whorl ///< Lays it in a spiral around the pointer.
 };
 enum class GradientKind : std::uint8_t
 {

@@ -213,7 +213,8 @@ void OptionBar::buildKinds()
           {{QStringLiteral("comb"), tr("Comb along the stroke")},
            {QStringLiteral("comb-lift"), tr("Lift or lay, the way hair lies")},
            {QStringLiteral("comb-smooth"), tr("Smooth")},
-           {QStringLiteral("comb-noise"), tr("Ruffle")}},
+           {QStringLiteral("comb-noise"), tr("Ruffle")},
+           {QStringLiteral("comb-whorl"), tr("Whorl: a spiral around the pointer")}},
           [](ToolSettings& settings, int kind) { settings.comb = static_cast<model::CombKind>(kind); });
 }
 
@@ -285,7 +286,7 @@ void OptionBar::follow()
     m_opacity->setValue(static_cast<double>(settings.opacity) * kPercent);
     m_tolerance->setValue(static_cast<double>(settings.fillTolerance) * kPercent);
     m_flatness->setValue(static_cast<double>(settings.flatness) * kPercent);
-    m_flatness->setEnabled(settings.comb == model::CombKind::Lay || settings.comb == model::CombKind::Lift);
+    m_flatness->setEnabled(settings.comb != model::CombKind::Smooth && settings.comb != model::CombKind::Noise);
     m_pressureSize->setChecked(settings.pressureSize);
     m_pressureOpacity->setChecked(settings.pressureOpacity);
     for (std::size_t i = 0; i < m_shapes.size(); ++i)
