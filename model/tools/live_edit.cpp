@@ -55,28 +55,19 @@ QString actionText(const QString& title, MapKind map)
     return QCoreApplication::translate("Tool", "%1 on %2").arg(title, mapSpec(map).titleText());
 }
 
-bool LiveEdit::begin(const ToolContext& context, const QString& title, std::function<bool()> stepBack)
+std::optional<LiveLayer> LiveLayer::of(const ToolContext& context, const LayerAddress& address)
 {
-    const LayerAddress& at = context.target;
-    context.document.endEdit(); // It may be of this very layer.
-    const Layer* layer = context.document.committed().layer(at.group, at.map, at.layer);
+    const Layer* layer = context.document.committed().layer(address.group, address.map, address.layer);
     if (layer == nullptr || !layer->visible || layer->locked)
-        return false;
-    m_session = context.document.begin({.text = actionText(title, at.map), .stepBack = std::move(stepBack)});
-    m_target = at;
-    m_before = layer->raster;
-    m_clips = selectedTexels(context.selection, m_before->size());
-    m_shown.clear();
-    return true;
+        return std::nullopt;
+    return LiveLayer(address, layer->raster, selectedTexels(context.selection, layer->raster.size()));
 }
 
-void LiveEdit::update(const std::vector<int>& tiles, const MakeTile& make)
+void LiveLayer::update(EditSession& session, const std::vector<int>& tiles, const MakeTile& make)
 {
-    if (!active())
-        return;
     LayerTiles changed;
     for (const int index : tiles) {
-        const sim::RasterTilePtr& before = m_before->tile(index);
+        const sim::RasterTilePtr& before = m_before.tile(index);
         sim::RasterTilePtr tile = make(index, before);
         const auto shown = m_shown.find(index);
         if (tile == (shown == m_shown.end() ? before : shown->second))
@@ -85,18 +76,42 @@ void LiveEdit::update(const std::vector<int>& tiles, const MakeTile& make)
         m_shown.insert_or_assign(index, std::move(tile));
     }
     if (!changed.empty())
-        m_session.previewTiles(m_target, changed);
+        session.previewTiles(m_address, changed);
 }
 
-void LiveEdit::replace(const std::vector<int>& tiles, const MakeTile& make)
+void LiveLayer::replace(EditSession& session, const std::vector<int>& tiles, const MakeTile& make)
 {
     std::vector<int> all = tiles;
     for (const auto& [index, tile] : m_shown)
         if (!std::ranges::binary_search(tiles, index))
             all.push_back(index);
-    update(all, [&](int index, const sim::RasterTilePtr& before) {
+    update(session, all, [&](int index, const sim::RasterTilePtr& before) {
         return std::ranges::binary_search(tiles, index) ? make(index, before) : before;
     });
+}
+
+bool LiveEdit::begin(const ToolContext& context, const QString& title, std::function<bool()> stepBack)
+{
+    context.document.endEdit(); // It may be of this very layer.
+    std::optional<LiveLayer> layer = LiveLayer::of(context, context.target);
+    if (!layer)
+        return false;
+    m_session =
+        context.document.begin({.text = actionText(title, context.target.map), .stepBack = std::move(stepBack)});
+    m_layer = std::move(layer);
+    return true;
+}
+
+void LiveEdit::update(const std::vector<int>& tiles, const MakeTile& make)
+{
+    if (active())
+        m_layer->update(m_session, tiles, make);
+}
+
+void LiveEdit::replace(const std::vector<int>& tiles, const MakeTile& make)
+{
+    if (active())
+        m_layer->replace(m_session, tiles, make);
 }
 
 } // namespace hairpaint::model
