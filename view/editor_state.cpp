@@ -19,7 +19,8 @@ bool sameSettings(const model::ToolSettings& a, const model::ToolSettings& b)
     return a.brushSizeM == b.brushSizeM && a.hardness == b.hardness && a.opacity == b.opacity &&
            a.pressureSize == b.pressureSize && a.pressureOpacity == b.pressureOpacity &&
            a.fillTolerance == b.fillTolerance && a.shape == b.shape && a.gradient == b.gradient && a.comb == b.comb &&
-           a.flatness == b.flatness && a.values == b.values && a.secondValues == b.secondValues;
+           a.flatness == b.flatness && a.holdGel == b.holdGel && a.values == b.values &&
+           a.secondValues == b.secondValues;
 }
 
 /// The Length brush is ready with 15 cm.
@@ -74,17 +75,17 @@ bool EditorState::setActiveMap(MapKind map)
     return true;
 }
 
-model::Id EditorState::activeLayer() const
+model::Id EditorState::activeLayer(MapKind map) const
 {
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
-    if (group == nullptr || group->map(m_activeMap).layers.empty())
+    if (group == nullptr || group->map(map).layers.empty())
         return 0;
     for (const model::LayerAddress& address : m_activeLayers) {
-        if (address.group == m_activeGroup && address.map == m_activeMap &&
+        if (address.group == m_activeGroup && address.map == map &&
             m_document.project().layer(address.group, address.map, address.layer) != nullptr)
             return address.layer;
     }
-    return group->map(m_activeMap).layers.back().id;
+    return group->map(map).layers.back().id;
 }
 
 bool EditorState::setActiveLayer(model::Id layer)
@@ -214,7 +215,9 @@ void EditorState::withTool(const Call& call)
     const bool hadOverlay = !tool.overlay().empty();
     const model::ToolSettings before = m_toolSettings;
     model::ToolContext toolContext = context();
+    const bool worked = std::exchange(m_toolWorks, true);
     call(tool, toolContext);
+    m_toolWorks = worked;
     if (!sameSettings(before, m_toolSettings)) {
         if (const sim::GroupSettings* group = knownSettings())
             m_amounts.takeChanges(*group, before, m_toolSettings);
@@ -261,12 +264,33 @@ void EditorState::setHover(const std::optional<Hover>& hover)
 
 QString EditorState::refusal(bool picks) const
 {
+    if (m_document.project().group(m_activeGroup) == nullptr)
+        return refusal(m_activeMap);
+    if (picks || !activeTool().paints())
+        return {};
+    QString reason = refusal(m_activeMap);
+    for (const MapKind map : activeTool().alsoPaints(m_toolSettings))
+        if (reason.isEmpty())
+            reason = refusal(map);
+    return reason;
+}
+
+bool EditorState::mayPaint(std::initializer_list<MapKind> maps)
+{
+    for (const MapKind map : maps)
+        if (const QString reason = refusal(map); !reason.isEmpty()) {
+            Q_EMIT refused(reason);
+            return false;
+        }
+    return true;
+}
+
+QString EditorState::refusal(MapKind map) const
+{
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
     if (group == nullptr)
         return tr("There is no hair group to paint on; add one in the Hair panel.");
-    if (picks || !activeTool().paints())
-        return {};
-    const model::Layer* layer = m_document.project().layer(m_activeGroup, m_activeMap, activeLayer());
+    const model::Layer* layer = m_document.project().layer(m_activeGroup, map, activeLayer(map));
     if (layer == nullptr)
         return tr("This map has no layer to paint on; add one in the Layers panel.");
     if (!group->visible)
@@ -343,8 +367,8 @@ void EditorState::onDocumentChanged(const Change& change)
 {
     if (change.aspect == Change::Aspect::Texels && !change.preview &&
         (change.group != m_activeGroup || change.map != m_activeMap)) {
-        // Painting only reaches the target, so this is an undo or an import: show what changed.
-        if (m_document.project().group(change.group) != nullptr) {
+        // Unless the tool in use paints on several maps, this is an undo or an import: show what changed.
+        if (!m_toolWorks && m_document.project().group(change.group) != nullptr) {
             m_activeGroup = change.group;
             m_activeMap = change.map;
             followAmounts(false);
@@ -376,7 +400,9 @@ model::ToolContext EditorState::context()
             .target = m_strokeTarget,
             .settings = m_toolSettings,
             .selection = m_selection,
-            .mirror = m_mirror};
+            .mirror = m_mirror,
+            .layerOf = [this](MapKind map) { return activeLayer(map); },
+            .hair = m_hair};
 }
 
 } // namespace hairpaint::view

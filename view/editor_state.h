@@ -38,7 +38,8 @@ public:
     [[nodiscard]] model::MapKind activeMap() const { return m_activeMap; }
     bool setActiveMap(model::MapKind map);
     /// The layer that tools paint on in the active map; kept per group and map; 0 where the map has none.
-    [[nodiscard]] model::Id activeLayer() const;
+    [[nodiscard]] model::Id activeLayer() const { return activeLayer(m_activeMap); }
+    [[nodiscard]] model::Id activeLayer(model::MapKind map) const; ///< Of another map of the active group.
     bool setActiveLayer(model::Id layer);
     [[nodiscard]] model::LayerAddress target() const;
     /// The active group's settings; those of a new group where there is none.
@@ -78,6 +79,12 @@ public:
     /// Tools with something pending hear of it too.
     void setHover(const std::optional<Hover>& hover);
 
+    /// The newest hair that is drawn, for tools that ask how it lies.
+    void setHair(std::shared_ptr<const sim::StrandFrame> hair) { m_hair = std::move(hair); }
+
+    /// Whether these maps of the active group can be painted on; where not, refused() says why.
+    bool mayPaint(std::initializer_list<model::MapKind> maps);
+    void tell(const QString& text) { Q_EMIT told(text); }
     /// Pointer events on the skin. press() does nothing where the target layer is missing, hidden or locked: refused()
     /// says why.
     void press(const model::ToolEvent& event);
@@ -107,6 +114,8 @@ private:
     [[nodiscard]] const sim::GroupSettings* knownSettings() const; ///< Null where there is no active group.
     /// Puts the amounts on the active group's range.
     void followAmounts(bool tell);
+    /// Why a map of the active group can't be painted on; empty where it can.
+    [[nodiscard]] QString refusal(model::MapKind map) const;
     /// Why the active tool can't start on the target; empty where it can.
     [[nodiscard]] QString refusal(bool picks) const;
     template<typename Call>
@@ -129,6 +138,8 @@ private:
     bool m_collidersShown = false;
     bool m_directionsShown = true;
     std::optional<Hover> m_hover;
+    std::shared_ptr<const sim::StrandFrame> m_hair;
+    bool m_toolWorks = false; ///< What changes is the active tool's doing.
 };
 
 } // namespace hairpaint::view

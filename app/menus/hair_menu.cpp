@@ -7,13 +7,21 @@ namespace hairpaint::app {
 
 HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, view::HeadView& head,
                    view::Sidebar& sidebar, WindowDialogs& dialogs, Exchange& exchange, Jobs& jobs, QWidget* parent)
-    : QMenu(title, parent), m_faceHair(session, jobs, *parent->window())
+    : QMenu(title, parent), m_faceHair(session, jobs, *parent->window()), m_holdHair(session, exchange, jobs)
 {
     addWeather(actions, session, head, dialogs);
     addSkin(actions, session);
     addSeparator();
     addSimulation(actions, session);
     addMotions(actions, session, head);
+    actions.add(*this, {{.id = "hair.hold",
+                         .text = tr("H&old as it lies now"),
+                         .keys = {Qt::SHIFT | Qt::Key_H},
+                         .run = [this] { m_holdHair.hold(); },
+                         .icon = "comb-hold"}});
+    actions.find(QLatin1StringView("hair.hold"))
+        ->setToolTip(tr("The selected hair of the active group stays as it lies at this moment: its directions are "
+                        "painted, with gel"));
     addSeparator();
     actions.add(*this,
                 {{"hair.addGroup", tr("&Add hair group…"), {}, [&sidebar] { sidebar.askWhatGrows(); }, "group-add"},

@@ -1,7 +1,9 @@
-// The comb: lays hair along the pointer's way over the skin, lifts it, smooths it, ruffles it, or lays a whorl.
+// The comb: lays hair along the pointer's way over the skin, lifts it, smooths it, ruffles it, lays a whorl, or holds
+// it.
 #include "model/compositor.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/comb_field.h"
+#include "model/tools/hold_stroke.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/picker.h"
 #include "model/tools/skin_frames.h"
@@ -58,18 +60,24 @@ public:
     }
     [[nodiscard]] std::vector<ToolOption> options() const override
     {
-        return {ToolOption::CombKind, ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity,
-                ToolOption::Flatness};
+        return {ToolOption::CombKind, ToolOption::Size,     ToolOption::Hardness,
+                ToolOption::Opacity,  ToolOption::Flatness, ToolOption::HoldGel};
     }
     [[nodiscard]] bool hasRing() const override { return true; }
     [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
+    [[nodiscard]] std::vector<MapKind> alsoPaints(const ToolSettings& settings) const override
+    {
+        return settings.comb == CombKind::Hold ? std::vector{MapKind::Gel} : std::vector<MapKind>();
+    }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override
     {
         if (!active())
             return;
-        if (context.settings.comb == CombKind::Whorl)
+        if (m_hold.active())
+            m_hold.moveTo(event, context);
+        else if (context.settings.comb == CombKind::Whorl)
             stamp(event, context);
         else
             combTo(event, context);
@@ -77,15 +85,17 @@ public:
     void release(const ToolEvent& event, ToolContext& context) override;
     void cancel(ToolContext& /*context*/) override
     {
+        m_hold.cancel();
         m_edit.cancel();
         drop();
     }
     void commit(ToolContext& /*context*/) override
     {
+        m_hold.commit();
         m_edit.commit();
         drop();
     }
-    [[nodiscard]] bool active() const override { return m_edit.active(); }
+    [[nodiscard]] bool active() const override { return m_edit.active() || m_hold.active(); }
 
 private:
     void combTo(const ToolEvent& event, ToolContext& context);
@@ -104,6 +114,7 @@ private:
     void drop();
 
     LiveEdit m_edit;
+    HoldStroke m_hold; ///< Runs in place of it.
     std::optional<StrokeBuffer> m_masks;
     std::optional<CombField> m_field;
     std::optional<BrushPath> m_path;
@@ -124,6 +135,11 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
     const Head* head = context.document.project().head.get();
     if (context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr || active())
         return;
+    if (context.settings.comb == CombKind::Hold) {
+        if (m_hold.begin(context))
+            m_hold.moveTo(event, context);
+        return;
+    }
     std::shared_ptr<const sim::TiledRaster> shown =
         context.document.resolvedNow(context.target.group, context.target.map);
     if (!m_edit.begin(context, title()))
@@ -156,7 +172,7 @@ void CombTool::release(const ToolEvent& event, ToolContext& context)
 {
     if (!active())
         return;
-    if (context.settings.comb == CombKind::Whorl)
+    if (m_hold.active() || context.settings.comb == CombKind::Whorl)
         return commit(context);
     // A pen's last event has no pressure left; it still says where the stroke ends.
     ToolEvent end = event;

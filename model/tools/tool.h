@@ -3,6 +3,7 @@
 
 #include "model/document.h"
 #include "model/tools/tool_settings.h"
+#include "sim/motion/strand_frame.h"
 #include "sim/skin/skin.h"
 
 #include <QCoreApplication>
@@ -10,6 +11,7 @@
 #include <QPolygonF>
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -69,6 +71,13 @@ struct ToolContext
     ToolSettings& settings; ///< Brush size, value, ...; tools may change them (the picker does).
     Selection& selection;
     bool mirror = false; ///< Paint the reflected place too.
+    /// The layer of another map of the target's group that is painted on, 0 where there is none; without it the
+    /// topmost.
+    std::function<Id(MapKind map)> layerOf = {};
+    std::shared_ptr<const sim::StrandFrame> hair = {}; ///< The newest that is drawn; null before there is any.
+
+    /// Where tools paint that edit another map than the target's.
+    [[nodiscard]] LayerAddress layer(MapKind map) const;
 };
 
 /// A small state machine. Painting tools work in an edit session (LiveEdit): one press..release, or one pending shape,
@@ -91,6 +100,8 @@ public:
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.
     [[nodiscard]] virtual std::optional<MapKind> map() const { return std::nullopt; }
+    /// Other maps that it paints on in the same step.
+    [[nodiscard]] virtual std::vector<MapKind> alsoPaints(const ToolSettings& /*settings*/) const { return {}; }
     [[nodiscard]] virtual bool paints() const { return true; } ///< Needs a layer that can be painted on.
 
     virtual void press(const ToolEvent& event, ToolContext& context) = 0;

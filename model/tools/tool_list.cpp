@@ -11,6 +11,17 @@ const char* toolName(ToolId id)
     return kNames.at(static_cast<std::size_t>(id));
 }
 
+LayerAddress ToolContext::layer(MapKind map) const
+{
+    Id id = 0;
+    const HairGroup* group = document.project().group(target.group);
+    if (layerOf)
+        id = layerOf(map);
+    else if (group != nullptr && !group->map(map).layers.empty())
+        id = group->map(map).layers.back().id;
+    return {.group = target.group, .map = map, .layer = id};
+}
+
 std::vector<std::unique_ptr<Tool>> makeTools()
 {
     std::vector<std::unique_ptr<Tool>> tools;

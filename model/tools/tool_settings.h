@@ -18,7 +18,8 @@ enum class ToolOption : std::uint8_t
     GradientKind,
     FillTolerance,
     CombKind,
-    Flatness
+    Flatness,
+    HoldGel
 };
 enum class ShapeKind : std::uint8_t
 {
@@ -33,7 +34,8 @@ enum class CombKind : std::uint8_t
     Lift,   ///< Makes it as flat as asked for, the way it lies.
     Smooth, ///< As its neighbours lie.
     Noise,
-    Whorl ///< Lays it in a spiral around the pointer.
+    Whorl, ///< Lays it in a spiral around the pointer.
+    Hold   ///< As it lies now, with gel.
 };
 enum class GradientKind : std::uint8_t
 {
@@ -57,6 +59,7 @@ struct ToolSettings
     GradientKind gradient = GradientKind::Linear;
     CombKind comb = CombKind::Lay;
     float flatness = 0.9F; ///< 0..1 of combed hair: 0 stands upright, 1 lies flat.
+    float holdGel = 0.5F;  ///< 0..1: hair that is held as it lies gets at least so much gel.
     std::array<PaintValue, kMapKindCount> values = firstPaintValues(); ///< What each map is painted with.
     std::array<PaintValue, kMapKindCount> secondValues =
         secondPaintValues(); ///< What X swaps in; the far end of gradients.

@@ -52,6 +52,7 @@ private:
     BarSlider* m_opacity = nullptr;
     BarSlider* m_tolerance = nullptr;
     BarSlider* m_flatness = nullptr;
+    BarSlider* m_holdGel = nullptr;
     QWidget* m_pressureBox = nullptr;
     QToolButton* m_pressureSize = nullptr;
     QToolButton* m_pressureOpacity = nullptr;
