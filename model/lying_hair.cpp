@@ -11,7 +11,7 @@ namespace {
 constexpr float kAlongM = 0.02F;
 constexpr float kAlongPart = 1.0F / 3.0F;
 constexpr float kEnoughHairs = 6.0F; ///< A cell with so many needs no coarser one.
-constexpr int kCoarsestCells = 32;
+constexpr int kCoarsestCells = 16;
 
 /// The place `alongM` along a polyline; its end where that is nearer.
 glm::vec3 placeAlong(std::span<const glm::vec3> nodes, float alongM)
@@ -88,6 +88,21 @@ void fillUp(Sums& fine, const Sums& coarse)
         }
 }
 
+std::vector<float> nearCells(const Sums& sums)
+{
+    std::vector<float> near(sums.cells.size());
+    for (int y = 0; y < sums.side; ++y)
+        for (int x = 0; x < sums.side; ++x)
+            for (int k = 0; k < 9; ++k) {
+                const int besideX = std::clamp(x + k % 3 - 1, 0, sums.side - 1);
+                const int besideY = std::clamp(y + k / 3 - 1, 0, sums.side - 1);
+                if (sums.cell(besideX, besideY).w > 0.0F)
+                    near[static_cast<std::size_t>(y) * static_cast<std::size_t>(sums.side) +
+                         static_cast<std::size_t>(x)] = 1.0F;
+            }
+    return near;
+}
+
 } // namespace
 
 std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadPose& pose)
@@ -123,14 +138,29 @@ LyingField::LyingField(std::span<const LyingHair> hairs)
         Sums::around(kCells, hair.uv, [&](glm::ivec2 at, float weight) {
             levels.front().cell(at.x, at.y) += glm::vec4(hair.direction, glm::length(hair.direction), 1.0F) * weight;
         });
-    while (levels.back().side > kCoarsestCells)
+    while (levels.back().side > kCoarsestCells) {
+        if (levels.back().side == kNearCells)
+            m_near = nearCells(levels.back());
         levels.push_back(coarser(levels.back()));
+    }
     for (std::size_t i = levels.size() - 1; i-- > 0;)
         fillUp(levels[i], levels[i + 1]);
     const Sums& sums = levels.front();
     m_cells.reserve(sums.cells.size());
     for (const glm::vec4& sum : sums.cells)
         m_cells.push_back(sum.w > 0.0F ? glm::vec3(sum) / sum.w : glm::vec3(0.0F, 0.0F, -1.0F));
+}
+
+float LyingField::nearness(glm::vec2 uv) const
+{
+    float sum = 0.0F;
+    float weights = 0.0F;
+    Sums::around(kNearCells, uv, [&](glm::ivec2 at, float weight) {
+        sum += weight * m_near[static_cast<std::size_t>(at.y) * kNearCells + static_cast<std::size_t>(at.x)];
+        weights += weight;
+    });
+    const float near = weights > 0.0F ? sum / weights : 0.0F;
+    return near * near * (3.0F - 2.0F * near);
 }
 
 std::optional<glm::vec2> LyingField::at(glm::vec2 uv) const

@@ -28,12 +28,16 @@ class LyingField
 public:
     explicit LyingField(std::span<const LyingHair> hairs);
 
-    /// None further than about 1/30 of the layout from every hair.
+    /// None far from every hair, where nearness() is 0, too.
     [[nodiscard]] std::optional<glm::vec2> at(glm::vec2 uv) const;
+    /// 1 where there is hair, falling to 0 over 1/64 of the layout's side around it.
+    [[nodiscard]] float nearness(glm::vec2 uv) const;
 
 private:
     static constexpr int kCells = 512; ///< A side.
-    std::vector<glm::vec3> m_cells;    ///< Mean direction and mean length; a length below 0: no hair is near.
+    static constexpr int kNearCells = 64;
+    std::vector<float> m_near;      ///< [kNearCells][kNearCells]: 1 where a hair is in the cell or in one beside it.
+    std::vector<glm::vec3> m_cells; ///< Mean direction and mean length; a length below 0: no hair is near.
 };
 
 } // namespace hairpaint::model

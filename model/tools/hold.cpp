@@ -14,10 +14,10 @@ namespace hairpaint::model {
 
 namespace {
 
-/// Lays what `valueAt(uv, x, y, values)` writes, through the mask, where it returns true.
+/// Lays what `valueAt(uv, texel, values)` writes, through the mask, near hair and where it returns true.
 template<typename ValueAt>
-sim::RasterTilePtr heldTile(const MapSpec& spec, int mapSize, int tileIndex, const sim::RasterTilePtr& before,
-                            const HoldPaint& paint, const ValueAt& valueAt)
+sim::RasterTilePtr heldTile(const LyingField& field, const MapSpec& spec, int mapSize, int tileIndex,
+                            const sim::RasterTilePtr& before, const HoldPaint& paint, const ValueAt& valueAt)
 {
     const int tilesAcross = mapSize / kTile;
     const glm::ivec2 first(tileIndex % tilesAcross * kTile, tileIndex / tilesAcross * kTile);
@@ -32,9 +32,11 @@ sim::RasterTilePtr heldTile(const MapSpec& spec, int mapSize, int tileIndex, con
             if (wanted == 0)
                 continue;
             const glm::vec2 place = (glm::vec2(first + glm::ivec2(x, y)) + 0.5F) / static_cast<float>(mapSize);
-            if (!valueAt(glm::vec2(place.x, 1.0F - place.y), first + glm::ivec2(x, y), &values[texel * channels]))
+            const glm::vec2 uv(place.x, 1.0F - place.y);
+            const float near = field.nearness(uv);
+            if (near == 0.0F || !valueAt(uv, first + glm::ivec2(x, y), &values[texel * channels]))
                 continue;
-            mask[texel] = wanted;
+            mask[texel] = near == 1.0F ? wanted : static_cast<std::uint16_t>(near * static_cast<float>(wanted));
             any = true;
         }
     return any ? paintTile(spec, before, mask, {.values = values.data(), .opacity = paint.opacity}) : before;
@@ -45,7 +47,7 @@ sim::RasterTilePtr heldTile(const MapSpec& spec, int mapSize, int tileIndex, con
 sim::RasterTilePtr heldDirection(const LyingField& field, int mapSize, int tileIndex, const sim::RasterTilePtr& before,
                                  const HoldPaint& paint)
 {
-    return heldTile(mapSpec(MapKind::Direction), mapSize, tileIndex, before, paint,
+    return heldTile(field, mapSpec(MapKind::Direction), mapSize, tileIndex, before, paint,
                     [&](glm::vec2 uv, glm::ivec2, std::uint16_t* values) {
                         const std::optional<glm::vec2> direction = field.at(uv);
                         if (!direction)
@@ -60,10 +62,8 @@ sim::RasterTilePtr heldGel(const LyingField& field, const sim::TiledRaster& show
                            const sim::RasterTilePtr& before, const HoldPaint& paint)
 {
     const std::uint16_t leastStored = unit16(least);
-    return heldTile(mapSpec(MapKind::Gel), shown.size(), tileIndex, before, paint,
-                    [&](glm::vec2 uv, glm::ivec2 at, std::uint16_t* values) {
-                        if (!field.at(uv))
-                            return false;
+    return heldTile(field, mapSpec(MapKind::Gel), shown.size(), tileIndex, before, paint,
+                    [&](glm::vec2, glm::ivec2 at, std::uint16_t* values) {
                         values[0] = leastStored;
                         return shown.texel(at.x, at.y)[0] < leastStored;
                     });
