@@ -305,7 +305,7 @@ QString EditorState::refusal(MapKind map) const
 void EditorState::press(const model::ToolEvent& event)
 {
     // With Ctrl every painting tool picks the value under the pointer.
-    const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().hasRing();
+    const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().picksWithCtrl();
     if (const std::optional<MapKind> map = activeTool().map())
         setActiveMap(*map);
     // Somebody else's edit ends before it is asked what there is to paint on.

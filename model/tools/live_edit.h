@@ -57,6 +57,7 @@ public:
 
     void update(const std::vector<int>& tiles, const MakeTile& make);
     void replace(const std::vector<int>& tiles, const MakeTile& make);
+    [[nodiscard]] const LiveLayer& layer() const { return *m_layer; }
     /// For other layers that the same step edits.
     [[nodiscard]] EditSession& session() { return m_session; }
 

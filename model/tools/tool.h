@@ -25,6 +25,14 @@ enum class Area : std::uint8_t
     Head
 };
 
+/// A place on a drawn hair.
+struct GrabbedHair
+{
+    sim::SurfacePoint root;
+    glm::vec3 positionHd{0.0F};
+    float alongM = 0.0F; ///< From the root, along the hair; above 0.
+};
+
 /// One pointer event, made alike by the paint area and the 3D area.
 struct ToolEvent
 {
@@ -36,6 +44,10 @@ struct ToolEvent
     float pressure = 1.0F; ///< 0..1; 1 for a mouse.
     double seconds = 0.0;
     Qt::KeyboardModifiers modifiers = {};
+    /// In the 3D area, for tools that grab: the hair that was pressed on,
+    std::optional<GrabbedHair> grabbed = {};
+    /// and where the pointer has taken it since, as far from the camera as it was.
+    std::optional<glm::vec3> targetHd = {};
 };
 
 /// What is drawn over the areas while a tool is in use. uv space; closed where marked.
@@ -52,6 +64,7 @@ enum class ToolId : std::uint8_t
     Brush,
     Eraser,
     Comb,
+    Grab,
     Gradient,
     Fill,
     Shape,
@@ -100,6 +113,9 @@ public:
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.
     [[nodiscard]] virtual std::optional<MapKind> map() const { return std::nullopt; }
+    [[nodiscard]] virtual bool picksWithCtrl() const { return hasRing(); } ///< Ctrl+click takes the value there.
+    /// In the 3D area it takes hold of hair, and of nothing else.
+    [[nodiscard]] virtual bool grabs() const { return false; }
     /// Other maps that it paints on in the same step.
     [[nodiscard]] virtual std::vector<MapKind> alsoPaints(const ToolSettings& /*settings*/) const { return {}; }
     [[nodiscard]] virtual bool paints() const { return true; } ///< Needs a layer that can be painted on.

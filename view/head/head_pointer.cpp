@@ -40,6 +40,10 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
     if (m_keys.holds(Qt::Key_H))
         return Drag::Turn;
     const bool alt = pressed.modifiers.testFlag(Qt::AltModifier);
+    if (!alt && m_editor.activeTool().grabs()) {
+        m_grabbed = m_scene.hairAt(pressed.position);
+        return m_grabbed ? Drag::Stroke : Drag::Orbit;
+    }
     return !alt && m_scene.skinAt(pressed.position) ? Drag::Stroke : Drag::Orbit;
 }
 
@@ -50,6 +54,7 @@ void HeadPointer::press(const PointerSample& sample)
     m_puffs.interrupt();
     m_pressed = sample;
     m_cameraBefore = m_scene.camera();
+    m_grabbed.reset();
     m_drag = dragOf(sample);
     if (m_drag == Drag::Light) {
         m_lightBefore = m_light = m_editor.document().project().light;
@@ -57,7 +62,7 @@ void HeadPointer::press(const PointerSample& sample)
         m_turn.press();
     } else if (m_drag == Drag::Stroke) {
         hoverAt(sample);
-        m_stroke.press(sample);
+        m_stroke.press(sample, m_grabbed);
     }
     updateCursor();
 }
@@ -68,7 +73,7 @@ void HeadPointer::move(const PointerSample& sample)
     switch (m_drag) {
     case Drag::None:
         hoverAt(sample);
-        if (sample.buttons == Qt::NoButton)
+        if (sample.buttons == Qt::NoButton && !m_editor.activeTool().grabs())
             blowAt(sample);
         break;
     case Drag::Stroke:
@@ -157,6 +162,11 @@ void HeadPointer::dragLight(QPointF pixels)
 
 void HeadPointer::hoverAt(const PointerSample& sample)
 {
+    // While hair is held, the ring says which roots go along.
+    if (m_drag == Drag::Stroke && m_grabbed) {
+        m_editor.setHover(Hover{.area = model::Area::Head, .uv = m_grabbed->root.uv, .point = m_grabbed->root});
+        return;
+    }
     const std::optional<sim::SurfacePoint> point = m_scene.skinAt(sample.position);
     if (point)
         m_editor.setHover(Hover{.area = model::Area::Head, .uv = point->uv, .point = point});

@@ -33,9 +33,10 @@ PointerSample between(const PointerSample& from, const PointerSample& to, double
 
 } // namespace
 
-void HeadStroke::press(const PointerSample& sample)
+void HeadStroke::press(const PointerSample& sample, const std::optional<model::GrabbedHair>& grabbed)
 {
     m_at = sample;
+    m_grabbed = grabbed;
     m_editor.press(toolEvent(sample, m_scene.skinAt(sample.position)));
 }
 
@@ -44,6 +45,8 @@ void HeadStroke::move(const PointerSample& sample)
     if (!m_editor.stroking())
         return;
     const PointerSample from = std::exchange(m_at, sample);
+    if (m_grabbed)
+        return m_editor.move(toolEvent(sample, m_scene.skinAt(sample.position)));
     const QPointF moved = sample.position - from.position;
     const int steps = std::clamp(static_cast<int>(std::hypot(moved.x(), moved.y()) / kProbePx), 1, kMostProbes);
     PointerSample last = from;
@@ -77,12 +80,17 @@ model::ToolEvent HeadStroke::toolEvent(const PointerSample& sample, const std::o
 {
     if (point)
         m_lastUv = point->uv;
+    std::optional<glm::vec3> targetHd;
+    if (m_grabbed)
+        targetHd = m_scene.besideHd(m_grabbed->positionHd, sample.position);
     return {.area = model::Area::Head,
             .uv = m_lastUv,
             .point = point,
             .pressure = sample.pressure,
             .seconds = sample.seconds,
-            .modifiers = sample.modifiers};
+            .modifiers = sample.modifiers,
+            .grabbed = m_grabbed,
+            .targetHd = targetHd};
 }
 
 } // namespace hairpaint::view
