@@ -255,8 +255,8 @@ void TestTools::toolsHaveTheirOwnIdsKeysAndHints()
         QVERIFY(!tool->title().isEmpty());
         QVERIFY(!tool->hint().isEmpty());
     }
-    QCOMPARE(ids.join(QLatin1Char(' ')), QStringLiteral("brush eraser comb gradient fill shape select picker"));
-    QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C G Shift+G U M I"));
+    QCOMPARE(ids.join(QLatin1Char(' ')), QStringLiteral("brush eraser comb grab gradient fill shape select picker"));
+    QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C Y G Shift+G U M I"));
 }
 
 void TestTools::eachEventTellsOnlyTheTilesItTouched()
