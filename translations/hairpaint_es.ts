@@ -1086,6 +1086,17 @@
     </message>
 </context>
 <context>
+    <name>HoldHair</name>
+    <message>
+        <source>Holding the hair</source>
+        <translation>Fijando el pelo</translation>
+    </message>
+    <message>
+        <source>There is no hair to hold in this group.</source>
+        <translation>No hay pelo que fijar en este grupo.</translation>
+    </message>
+</context>
+<context>
     <name>Landmarks</name>
     <message>
         <source>crown</source>
@@ -1603,6 +1614,18 @@
         <source>Drag to lay hair along the stroke; Shift+click for a straight line from the last point</source>
         <translation>Arrastra para tender el pelo a lo largo del trazo; Mayúsculas+clic traza una línea recta desde el último punto</translation>
     </message>
+    <message>
+        <source>Grab</source>
+        <translation>Agarrar</translation>
+    </message>
+    <message>
+        <source>Press on hair and drag it where it should go; with Ctrl it grows or shrinks to the pointer</source>
+        <translation>Pulsa en el pelo y arrástralo adonde deba ir; con Ctrl crece o se acorta hasta el puntero</translation>
+    </message>
+    <message>
+        <source>Hold as it lies</source>
+        <translation>Fijar como está</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ClipCommands</name>
@@ -1970,6 +1993,14 @@
         <source>Slowly to one side and the other, so that the hair swings</source>
         <translation>Despacio a un lado y al otro, para que el pelo oscile</translation>
     </message>
+    <message>
+        <source>H&amp;old as it lies now</source>
+        <translation>Fi&amp;jar como está ahora</translation>
+    </message>
+    <message>
+        <source>Paints directions and gel so that the active group&apos;s hair, inside the selection if there is one, stays as it lies now</source>
+        <translation>Pinta direcciones y gel para que el pelo del grupo activo, dentro de la selección si la hay, quede como está ahora</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HelpMenu</name>
@@ -2247,6 +2278,10 @@
     <message>
         <source>Show &amp;colliders</source>
         <translation>Mostrar &amp;elipsoides de colisión</translation>
+    </message>
+    <message>
+        <source>Show d&amp;irections</source>
+        <translation>Mostrar &amp;direcciones</translation>
     </message>
 </context>
 <context>
@@ -3043,6 +3078,22 @@
     <message>
         <source>Ruffle</source>
         <translation>Despeinar</translation>
+    </message>
+    <message>
+        <source>Gel at least</source>
+        <translation>Gel mínimo</translation>
+    </message>
+    <message>
+        <source>The gel that keeps held hair as it lies</source>
+        <translation>El gel que mantiene el pelo fijado como está</translation>
+    </message>
+    <message>
+        <source>Whorl: a spiral around the pointer</source>
+        <translation>Remolino: una espiral alrededor del puntero</translation>
+    </message>
+    <message>
+        <source>Hold as it lies now, with gel</source>
+        <translation>Fijar como está ahora, con gel</translation>
     </message>
 </context>
 <context>

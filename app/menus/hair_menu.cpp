@@ -20,8 +20,8 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
                          .run = [this] { m_holdHair.hold(); },
                          .icon = "comb-hold"}});
     actions.find(QLatin1StringView("hair.hold"))
-        ->setToolTip(tr("The selected hair of the active group stays as it lies at this moment: its directions are "
-                        "painted, with gel"));
+        ->setToolTip(tr("Paints directions and gel so that the active group's hair, inside the selection if there is "
+                        "one, stays as it lies now"));
     addSeparator();
     actions.add(*this,
                 {{"hair.addGroup", tr("&Add hair group…"), {}, [&sidebar] { sidebar.askWhatGrows(); }, "group-add"},
