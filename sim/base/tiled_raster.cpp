@@ -147,14 +147,16 @@ void TiledRaster::compact(int tileIndex)
         setUniform(tileIndex, *value);
 }
 
-Texel TiledRaster::texel(int x, int y) const
+const std::uint16_t* TiledRaster::channelsAt(int x, int y) const
 {
     const RasterTile& tile = *m_tiles[static_cast<std::size_t>(tileIndexAt(x, y))];
-    if (tile.isUniform())
-        return tile.uniform;
+    return tile.isUniform() ? tile.uniform.data() : tile.pixels.data() + texelOffset(x, y, m_channels);
+}
+
+Texel TiledRaster::texel(int x, int y) const
+{
     Texel value{};
-    std::copy_n(tile.pixels.begin() + static_cast<std::ptrdiff_t>(texelOffset(x, y, m_channels)), m_channels,
-                value.begin());
+    std::copy_n(channelsAt(x, y), m_channels, value.begin());
     return value;
 }
 
@@ -170,33 +172,35 @@ glm::ivec2 TiledRaster::footprint(glm::vec2 uv, int size)
     return {f.x0, f.y0};
 }
 
+std::array<const std::uint16_t*, 4> TiledRaster::corners(glm::ivec2 first, glm::ivec2 last) const
+{
+    if (first.x / kTile != last.x / kTile || first.y / kTile != last.y / kTile)
+        return {channelsAt(first.x, first.y), channelsAt(last.x, first.y), channelsAt(first.x, last.y),
+                channelsAt(last.x, last.y)};
+    const RasterTile& tile = *m_tiles[static_cast<std::size_t>(tileIndexAt(first.x, first.y))];
+    if (tile.isUniform())
+        return {tile.uniform.data(), tile.uniform.data(), tile.uniform.data(), tile.uniform.data()};
+    const std::uint16_t* upper = tile.pixels.data() + texelOffset(first.x, first.y, m_channels);
+    const std::uint16_t* lower = tile.pixels.data() + texelOffset(first.x, last.y, m_channels);
+    const std::ptrdiff_t right = last.x > first.x ? m_channels : 0;
+    return {upper, upper + right, lower, lower + right};
+}
+
 glm::vec4 TiledRaster::sampleBilinear(glm::vec2 uv) const
 {
     const Footprint f(uv, m_size);
-    const Texel a = texel(f.x0, f.y0);
-    const Texel b = texel(f.x1, f.y0);
-    const Texel c = texel(f.x0, f.y1);
-    const Texel d = texel(f.x1, f.y1);
+    const auto [a, b, c, d] = corners({f.x0, f.y0}, {f.x1, f.y1});
     glm::vec4 value(0.0F);
-    for (int channel = 0; channel < m_channels; ++channel) {
-        const auto i = static_cast<std::size_t>(channel);
-        value[channel] = f.blend(a[i], b[i], c[i], d[i]);
-    }
+    for (int i = 0; i < m_channels; ++i)
+        value[i] = f.blend(a[i], b[i], c[i], d[i]);
     return value;
 }
 
 float TiledRaster::sampleScalar(glm::vec2 uv) const
 {
     const Footprint f(uv, m_size);
-    if (f.x0 / kTile != f.x1 / kTile || f.y0 / kTile != f.y1 / kTile)
-        return f.blend(texel(f.x0, f.y0)[0], texel(f.x1, f.y0)[0], texel(f.x0, f.y1)[0], texel(f.x1, f.y1)[0]);
-    const RasterTile& tile = *m_tiles[static_cast<std::size_t>(tileIndexAt(f.x0, f.y0))];
-    if (tile.isUniform())
-        return static_cast<float>(tile.uniform[0]) / 65535.0F;
-    const std::uint16_t* upper = tile.pixels.data() + texelOffset(f.x0, f.y0, m_channels);
-    const std::uint16_t* lower = tile.pixels.data() + texelOffset(f.x0, f.y1, m_channels);
-    const std::ptrdiff_t right = f.x1 > f.x0 ? m_channels : 0;
-    return f.blend(upper[0], upper[right], lower[0], lower[right]);
+    const auto [a, b, c, d] = corners({f.x0, f.y0}, {f.x1, f.y1});
+    return f.blend(*a, *b, *c, *d);
 }
 
 Texel TiledRaster::sampleNearest(glm::vec2 uv) const

@@ -96,6 +96,10 @@ public:
     friend bool operator==(const TiledRaster& a, const TiledRaster& b); ///< By texels.
 
 private:
+    [[nodiscard]] const std::uint16_t* channelsAt(int x, int y) const; ///< Of one texel.
+    /// The same of four neighbours: first, to its right, below it, last.
+    [[nodiscard]] std::array<const std::uint16_t*, 4> corners(glm::ivec2 first, glm::ivec2 last) const;
+
     int m_size;
     int m_channels;
     int m_tilesAcross;

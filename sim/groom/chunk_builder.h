@@ -19,7 +19,8 @@ struct ChunkInputs
     const GroupSettings& settings;
     const RootSet& roots;
     const MapSamplers& maps;
-    const Lay& lay;
+    const LayInputs& lay;
+    const BasisStyles& basis;
     const BraidLayout& braids;
     std::span<const std::uint8_t> kinds; ///< [slots]
     std::span<const float> basisLengthM; ///< [basis hairs]

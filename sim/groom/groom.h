@@ -46,24 +46,6 @@ struct StrandStyle
     std::uint8_t wisp = 0; ///< 0..2
 };
 
-/// A box around places, Hd; around none of them at first.
-struct PathBox
-{
-    glm::vec3 leastHd{1e9F};
-    glm::vec3 greatestHd{-1e9F};
-
-    void include(glm::vec3 placeHd)
-    {
-        leastHd = glm::min(leastHd, placeHd);
-        greatestHd = glm::max(greatestHd, placeHd);
-    }
-    [[nodiscard]] bool meets(const PathBox& other) const
-    {
-        return glm::all(glm::lessThanEqual(leastHd, other.greatestHd)) &&
-               glm::all(glm::greaterThanEqual(greatestHd, other.leastHd));
-    }
-};
-
 /// 1024 slots. Hd, m.
 struct StrandChunk
 {
@@ -75,7 +57,7 @@ struct StrandChunk
                                        ///< where braided); 0 where no hair.
     std::vector<float>
         clump; ///< [kChunkSlots], 0..1: how far each hair lies on its nearest basis hair, and follows it.
-    std::vector<PathBox> pathBoxes; ///< [kChunkSlots]: around the lay of each hair, and of the hair that it clumps to.
+    std::vector<std::int32_t> passed; ///< [kChunkSlots][Lay::mostPassed]: what each hair's lay depends on.
     /// For braided hairs: index into basis hairs of the braid's centre, else kNoCentre.
     std::vector<std::uint32_t> braidCentre; ///< [kChunkSlots]
 };

@@ -107,10 +107,11 @@ GroupBuilder::Result GroupBuilder::update(const GroomInput::Group& input, const 
         const MapSamplers maps(input.maps);
         readKinds(maps, dirty.hairs);
         const std::optional<MapSampler> natural = samplerOf(head.natural);
-        const Lay lay(maps[MapSlot::Direction], natural ? &*natural : nullptr, head.band ? &*m_layField : nullptr,
-                      settings.physics.volumeM);
+        const LayInputs lay{maps[MapSlot::Direction], natural ? &*natural : nullptr, head.band ? &*m_layField : nullptr,
+                            settings.physics.volumeM};
         updateBasis(settings, maps, lay, dirty.basis);
         updateBraids(settings, dirty.hairs);
+        updateClumped(maps[MapSlot::Clump], dirty.hairs);
         rebuildChunks(settings, maps, lay, dirty, *groom, result.rebuilt);
         updateWanted(*groom);
     }
@@ -131,14 +132,8 @@ void GroupBuilder::updateLay(const GroomInput::Group& input, const HeadLay& head
         return;
     }
     const LayField::Difference difference = m_layField->differenceTo(direction);
-    if (m_groom && !difference.indices.empty()) {
-        const MapSampler directionBefore(m_input.maps[MapSlot::Direction]);
-        const MapSampler clumpBefore(m_input.maps[MapSlot::Clump]);
-        const std::optional<MapSampler> natural = samplerOf(head.natural);
-        const Lay before(directionBefore, natural ? &*natural : nullptr, &*m_layField,
-                         m_groom->settings.physics.volumeM);
-        findRelaid({*m_groom, clumpBefore, before, m_basisLengthM}, *m_layField, difference, dirty);
-    }
+    if (m_groom)
+        findRelaid(*m_groom, m_passedByBasis, m_layField->cellCount(), difference, dirty);
     m_layField->apply(difference);
 }
 
@@ -176,19 +171,42 @@ BasisStyles& GroupBuilder::writableBasis()
     return *m_newBasis;
 }
 
-void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers& maps, const Lay& lay,
+void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
                                const SlotSet& dirty)
 {
     const RootSet& roots = *m_roots;
     m_basisChanged.assign(roots.basisSlot.size(), 0);
+    m_basisRelaid.assign(roots.basisSlot.size(), 0);
     const auto anyDirty = std::any_of(roots.basisSlot.begin(), roots.basisSlot.end(),
                                       [&](std::uint32_t slot) { return dirty.contains(slot); });
     if (!anyDirty)
         return;
     BasisStyles& basis = writableBasis();
     const auto nodeCount = static_cast<std::size_t>(settings.nodesPerHair);
+    const std::size_t mostPassed = Lay::mostPassed(settings.nodesPerHair);
+    m_passedByBasis.resize(roots.basisSlot.size() * mostPassed, SkinBand::kNone);
     parallelFor(roots.basisSlot.size(), kBasisGrain, [&](std::size_t begin, std::size_t end) {
-        std::array<glm::vec3, kMostNodes> nodes{};
+        Lay batch(lay, settings.nodesPerHair);
+        std::vector<std::size_t> added;
+        std::array<glm::vec3, kMostNodes> buffer{};
+        std::array<glm::vec3, kMostNodes> bufferBefore{};
+        const std::span<glm::vec3> nodes = std::span(buffer).first(nodeCount);
+        const std::span<glm::vec3> nodesBefore = std::span(bufferBefore).first(nodeCount);
+        const StrandBlocks blocks(settings.nodesPerHair);
+        const auto store = [&] {
+            batch.lay();
+            for (std::size_t hair = 0; hair < added.size(); ++hair) {
+                const std::size_t i = added[hair];
+                batch.read(hair, nodes);
+                std::ranges::copy(batch.passed(hair),
+                                  m_passedByBasis.begin() + static_cast<std::ptrdiff_t>(i * mostPassed));
+                blocks.read(basis.restPositions, i, nodesBefore);
+                m_basisRelaid[i] = std::ranges::equal(nodes, nodesBefore) ? 0 : 1;
+                blocks.write(basis.restPositions, i, nodes);
+            }
+            batch.clear();
+            added.clear();
+        };
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t slot = roots.basisSlot[i];
             if (!dirty.contains(slot))
@@ -201,10 +219,12 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
                 m_basisChanged[i] = 1;
             }
             basis.segmentLengths[i] = lengthM / static_cast<float>(nodeCount - 1);
-            const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[slot]);
-            lay.lay(layRootOf(roots, slot, chance), lengthM, std::span(nodes).first(nodeCount));
-            StrandBlocks(settings.nodesPerHair).write(basis.restPositions, i, std::span(nodes).first(nodeCount));
+            batch.add(layRootOf(roots, slot, chanceOf(roots.seed, roots.rankOfSlot[slot])), lengthM);
+            added.push_back(i);
+            if (batch.isFull())
+                store();
         }
+        store();
     });
 }
 
@@ -237,14 +257,35 @@ void GroupBuilder::updateBraids(const GroupSettings& settings, SlotSet& dirty)
     m_kindOfBasis = std::move(kindOfBasis);
 }
 
-void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const Lay& lay,
+void GroupBuilder::updateClumped(const MapSampler& clump, SlotSet& dirty) const
+{
+    if (!m_groom || std::ranges::find(m_basisRelaid, 1) == m_basisRelaid.end())
+        return;
+    const RootSet& roots = *m_roots;
+    parallelFor(m_groom->chunks.size(), 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t index = begin; index < end; ++index) {
+            const StrandChunk* chunk = m_groom->chunks[index].get();
+            if (chunk == nullptr)
+                continue;
+            for (std::size_t local = 0; local < kChunkSlots; ++local) {
+                const auto slot = static_cast<std::uint32_t>(index * kChunkSlots + local);
+                if (chunk->hairs[local] && m_basisRelaid[roots.neighbours[slot][0]] != 0 &&
+                    roots.basisSlot[roots.neighbours[slot][0]] != slot && clump.scalar(roots.uv[slot]) > 0.0F)
+                    dirty.insert(slot);
+            }
+        }
+    });
+}
+
+void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
                                  const ChangedSlots& dirty, Groom& groom, SlotSet& rebuilt)
 {
     std::vector<std::size_t> stale;
     for (std::size_t chunk = 0; chunk < dirty.hairs.chunkCount(); ++chunk)
         if (!dirty.hairs.chunkEmpty(chunk) || !dirty.look.chunkEmpty(chunk))
             stale.push_back(chunk);
-    const ChunkInputs inputs{settings, *m_roots, maps, lay, m_braids, m_kinds, m_basisLengthM};
+    const ChunkInputs inputs{settings, *m_roots, maps,          lay, m_newBasis ? *m_newBasis : *m_basis,
+                             m_braids, m_kinds,  m_basisLengthM};
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
     parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)

@@ -38,9 +38,12 @@ private:
     void updateLay(const GroomInput::Group& input, const HeadLay& head, ChangedSlots& dirty);
     void startOver(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots);
     void readKinds(const MapSamplers& maps, const SlotSet& dirty);
-    void updateBasis(const GroupSettings& settings, const MapSamplers& maps, const Lay& lay, const SlotSet& dirty);
+    void updateBasis(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
+                     const SlotSet& dirty);
     void updateBraids(const GroupSettings& settings, SlotSet& dirty);
-    void rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const Lay& lay,
+    /// Adds the hairs that clump to a basis hair that lies otherwise.
+    void updateClumped(const MapSampler& clump, SlotSet& dirty) const;
+    void rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
                        const ChangedSlots& dirty, Groom& groom, SlotSet& rebuilt);
     void countDependents(const StrandChunk* chunk, std::size_t chunkIndex, const SlotSet& slots, std::uint32_t one);
     void updateWanted(Groom& groom);
@@ -56,7 +59,9 @@ private:
     std::shared_ptr<const BasisStyles> m_basis;
     std::shared_ptr<BasisStyles> m_newBasis;      ///< While updating, once something differs.
     std::vector<float> m_basisLengthM;            ///< [basis hairs]
-    std::vector<std::uint8_t> m_basisChanged;     ///< [basis hairs], in this update.
+    std::vector<std::int32_t> m_passedByBasis;    ///< [basis hairs][Lay::mostPassed], as StrandChunk::passed.
+    std::vector<std::uint8_t> m_basisChanged;     ///< [basis hairs]: those of another length, in this update.
+    std::vector<std::uint8_t> m_basisRelaid;      ///< [basis hairs]: those that lie otherwise.
     std::vector<std::uint32_t> m_drawnDependents; ///< [basis hairs]: drawn hairs that follow each.
     std::vector<std::uint8_t> m_kinds;            ///< [slots], the braid map.
     std::vector<std::uint8_t> m_kindOfBasis;      ///< [basis hairs]: what m_braids was made from.

@@ -1,111 +1,95 @@
-// The path of a hair over the head, step by step.
+// The hairs' constants into lanes.
 #include "sim/groom/lay.h"
 
-#include "sim/groom/group_settings.h"
 #include "sim/groom/rest_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace hairpaint::sim {
-
-namespace {
-
-constexpr float kStandsBelow = 0.15F; ///< A field less flat than this holds no hair to the head;
-constexpr float kLiesFrom = 0.45F;    ///< one flatter than this does, fully.
-constexpr float kPerLyingRange = 1.0F / (kLiesFrom - kStandsBelow);
-constexpr float kTurnM = 0.008F;        ///< Along which hair turns to another direction.
-constexpr float kStepM = 0.018F;        ///< Longest step over the skin.
-constexpr float kSteepest = 0.6F;       ///< Sine of the angle at which a hair goes back to the skin;
-constexpr float kSteepestOfLong = 0.2F; ///< of long hair, whose weight draws it straight past hollows such as the neck.
-constexpr float kMostPush = 0.5F;       ///< Of a step, out of the head.
-constexpr float kClearM = 0.0005F;      ///< Nothing is laid nearer to the skin.
-
-} // namespace
 
 bool isUpright(const MapSampler& direction)
 {
     return direction.isUniform() && direction.vector(glm::vec2(0.5F)) == DirectionVector(0.0F);
 }
 
-Growth Lay::growthAt(const LayRoot& root, float falls) const
+std::size_t Lay::mostPassed(int nodes)
 {
-    const DirectionVector natural = m_natural != nullptr ? m_natural->vector(root.uv) : DirectionVector(0.0F);
-    return growthDirections(m_direction.vector(root.uv), m_natural != nullptr ? &natural : nullptr, root.positionHd,
-                            root.frame)
-        .of(falls);
+    // Where a segment takes one step, one a segment; else steps are longer than half the longest.
+    constexpr auto kOfShortSteps = static_cast<std::size_t>(kFurthestLayM / (0.5F * kLongestLayStepM)) + 2;
+    static_assert(kOfShortSteps <= kMostPassed && kMostNodes - 1 <= static_cast<int>(kMostPassed));
+    return std::max(static_cast<std::size_t>(nodes - 1), kOfShortSteps);
 }
 
-template<typename Sees>
-void Lay::follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesHd, const Sees& sees) const
+void Lay::add(const LayRoot& root, float lengthM)
 {
     const float falls = fallFraction(lengthM);
-    const Growth grown = growthAt(root, falls);
-    if (grown.flatness == 0.0F) {
-        straightRest({root.positionHd, root.frame.normal}, lengthM, nodesHd);
+    const DirectionVector painted = m_inputs.direction.vector(root.uv);
+    const DirectionVector natural =
+        m_inputs.natural != nullptr ? m_inputs.natural->vector(root.uv) : DirectionVector(0.0F);
+    const glm::vec3 growth =
+        growthDirections(painted, m_inputs.natural != nullptr ? &natural : nullptr, root.positionHd, root.frame)
+            .of(falls);
+    const float square = std::min(glm::dot(growth, growth), 1.0F);
+    const glm::vec3 direction = growth + root.frame.normal * std::sqrt(1.0F - square);
+    const float segmentM = lengthM / static_cast<float>(m_nodes - 1);
+    const std::size_t lane = m_count++;
+    for (int axis = 0; axis < 3; ++axis) {
+        m_lanes.rootHd[static_cast<std::size_t>(axis)][lane] = root.positionHd[axis];
+        m_lanes.directionHd[static_cast<std::size_t>(axis)][lane] = direction[axis];
+    }
+    m_lanes.segmentM[lane] = segmentM;
+    m_lanes.steps[lane] = std::max(std::ceil(segmentM / kLongestLayStepM), 1.0F);
+    m_lanes.falls[lane] = falls;
+    m_lanes.coatM[lane] = std::min(m_inputs.coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance);
+    m_lanes.lies[lane] = square > kStandsBelow * kStandsBelow ? 1.0F : 0.0F;
+    m_isUpright[lane] = square == 0.0F;
+}
+
+void Lay::lay()
+{
+    if (m_count == 0)
         return;
-    }
-    const float segmentM = lengthM / static_cast<float>(nodesHd.size() - 1);
-    const int steps = std::max(static_cast<int>(std::ceil(segmentM / kStepM)), 1);
-    const float stepM = segmentM / static_cast<float>(steps);
-    const float perClimbM = 1.0F / std::max(stepM, kTurnM);
-    const float diving = kSteepest + (kSteepestOfLong - kSteepest) * falls;
-    const float turning = stepM / (stepM + kTurnM);
-    const float coatM = std::min(m_coatM, 0.001F + 0.12F * lengthM) * (0.3F + 0.7F * root.chance);
-    glm::vec3 direction =
-        grown.alongHd * grown.flatness + root.frame.normal * std::sqrt(1.0F - grown.flatness * grown.flatness);
-    bool lies = m_field != nullptr && grown.flatness > kStandsBelow;
-    float pathM = 0.0F;
-    nodesHd[0] = root.positionHd;
-    for (std::size_t i = 1; i < nodesHd.size(); ++i) {
-        glm::vec3 place = nodesHd[i - 1];
-        int left = steps;
-        for (; left > 0 && lies; --left) {
-            const std::uint32_t index = pathM < kFurthestM ? m_field->indexAt(place) : SkinBand::kNone;
-            lies = index != SkinBand::kNone;
-            if (!lies)
-                break;
-            if (!sees(index))
-                return;
-            const LayField::Cell& cell = (*m_field)[index];
-            const Growth growth = cell.directions.of(falls);
-            const float heightM = cell.heightM(place);
-            // Nothing is laid inside the head; stubble, whose steps are shorter than cells are flat, goes on all the
-            // same.
-            if (pathM > 0.0F && heightM < kClearM && heightM > -SkinBand::kReachM)
-                place += cell.normalHd * std::min(kClearM - heightM, kMostPush * stepM);
-            lies = growth.flatness > kStandsBelow;
-            const float sine = std::clamp((coatM - heightM) * perClimbM, -diving, kSteepest);
-            const float sine2 = sine * sine;
-            const float cosine = 1.0F - sine2 * (0.5F + 0.125F * sine2);
-            const float follows = std::clamp((growth.flatness - kStandsBelow) * kPerLyingRange, 0.0F, 1.0F) * turning;
-            direction += (growth.alongHd * cosine + cell.normalHd * sine - direction) * follows;
-            const float square = glm::dot(direction, direction);
-            direction *= 1.0F / std::sqrt(std::max(square, 1e-6F));
-            place += direction * stepM;
-            pathM += stepM;
+    // Lanes of nobody do as the first.
+    for (std::size_t lane = m_count; lane < kLanes; ++lane) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            m_lanes.rootHd[axis][lane] = m_lanes.rootHd[axis][0];
+            m_lanes.directionHd[axis][lane] = m_lanes.directionHd[axis][0];
         }
-        place += direction * (stepM * static_cast<float>(left));
-        const glm::vec3 edge = place - nodesHd[i - 1];
-        nodesHd[i] = nodesHd[i - 1] + edge * (segmentM / std::sqrt(std::max(glm::dot(edge, edge), 1e-16F)));
+        m_lanes.segmentM[lane] = m_lanes.segmentM[0];
+        m_lanes.steps[lane] = m_lanes.steps[0];
+        m_lanes.falls[lane] = m_lanes.falls[0];
+        m_lanes.coatM[lane] = m_lanes.coatM[0];
+        m_lanes.lies[lane] = m_lanes.lies[0];
     }
+    std::ranges::fill(m_passed, SkinBand::kNone);
+    LayTask task{.lanes = &m_lanes,
+                 .nodes = m_nodes,
+                 .nodesHd = m_nodesHd.data(),
+                 .passed = m_passed.data(),
+                 .mostPassed = kMostPassed};
+    if (m_inputs.field != nullptr) {
+        task.grid = m_inputs.field->band()->grid();
+        task.cells = m_inputs.field->cells();
+    }
+    layLanes(task);
 }
 
-void Lay::lay(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesHd) const
+void Lay::read(std::size_t hair, std::span<glm::vec3> nodesHd) const
 {
-    follow(root, lengthM, nodesHd, [](std::uint32_t) { return true; });
+    StrandBlocks(m_nodes).read(m_nodesHd, hair, nodesHd);
+    if (!m_isUpright[hair])
+        return;
+    const auto of = [hair](const std::array<LayLanes::Row, 3>& rows) {
+        return glm::vec3(rows[0][hair], rows[1][hair], rows[2][hair]);
+    };
+    straightRest({of(m_lanes.rootHd), of(m_lanes.directionHd)},
+                 m_lanes.segmentM[hair] * static_cast<float>(m_nodes - 1), nodesHd);
 }
 
-bool Lay::crosses(const LayRoot& root, float lengthM, std::size_t nodes, std::span<const std::uint8_t> marked) const
+std::span<const std::int32_t> Lay::passed(std::size_t hair) const
 {
-    std::array<glm::vec3, kMostNodes> nodesHd;
-    bool found = false;
-    follow(root, lengthM, std::span(nodesHd).first(nodes), [&](std::uint32_t index) {
-        found = marked[index] != 0;
-        return !found;
-    });
-    return found;
+    return std::span(m_passed).subspan(hair * kMostPassed, mostPassed(m_nodes));
 }
 
 } // namespace hairpaint::sim

@@ -1,10 +1,12 @@
-// How a hair lies without gravity: along the painted direction over the head, then free.
+// How hairs lie without gravity: along the painted direction over the head, then free.
 #pragma once
 
+#include "sim/groom/group_settings.h"
 #include "sim/groom/lay_field.h"
 #include "sim/groom/map_sampler.h"
 #include "sim/skin/skin_frame.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,37 +25,46 @@ struct LayRoot
 /// Whether a direction map lets every hair stand along its normal.
 [[nodiscard]] bool isUpright(const MapSampler& direction);
 
-/// Lays hairs by one group's direction map. Immutable; any thread. Must not outlive what it is made from.
+/// By what one group's hairs are laid.
+struct LayInputs
+{
+    const MapSampler& direction;
+    const MapSampler* natural = nullptr; ///< The head's stream; null where it has none.
+    const LayField* field = nullptr;     ///< Of that map; null where isUpright(direction).
+    float coatM = 0.0F;                  ///< Thickness of the coat.
+};
+
+/// Lays up to kLanes hairs at once. How one lies does not depend on the others. One thread; must not outlive its
+/// inputs.
 class Lay
 {
 public:
-    /// A hair lies along the head no further than this, m.
-    static constexpr float kFurthestM = 0.16F;
+    Lay(const LayInputs& inputs, int nodes) : m_inputs(inputs), m_nodes(nodes) {}
 
-    /// `natural`: the head's stream, null where it has none. `field`: of that map; null where isUpright(direction).
-    /// `coatM`: thickness of the coat.
-    Lay(const MapSampler& direction, const MapSampler* natural, const LayField* field, float coatM)
-        : m_direction(direction), m_natural(natural), m_field(field), m_coatM(coatM)
-    {}
+    void clear() { m_count = 0; }
+    [[nodiscard]] bool isFull() const { return m_count == kLanes; }
+    void add(const LayRoot& root, float lengthM); ///< Where it is not full.
+    void lay();                                   ///< All that were added since clear().
 
-    /// The skeleton of a hair of `lengthM`: nodes evenly spaced, root first. A direction of zero length gives a
+    /// The skeleton of the `hair`th that was added: nodes evenly spaced, root first. A direction of zero length gives a
     /// straight line along the normal.
-    void lay(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesHd) const;
+    void read(std::size_t hair, std::span<glm::vec3> nodesHd) const;
+    /// The field's cells that it depends on, beside its root's own direction; SkinBand::kNone behind them.
+    [[nodiscard]] std::span<const std::int32_t> passed(std::size_t hair) const;
 
-    /// Whether the lay of such a hair depends on one of the cells that are marked (by index), beside its root.
-    [[nodiscard]] bool crosses(const LayRoot& root, float lengthM, std::size_t nodes,
-                               std::span<const std::uint8_t> marked) const;
+    /// The length of passed().
+    [[nodiscard]] static std::size_t mostPassed(int nodes);
 
 private:
-    /// Shows the index of every cell that is looked up, in order, to `sees`; ends early where it returns false.
-    template<typename Sees>
-    void follow(const LayRoot& root, float lengthM, std::span<glm::vec3> nodesHd, const Sees& sees) const;
-    [[nodiscard]] Growth growthAt(const LayRoot& root, float falls) const;
+    static constexpr std::size_t kMostPassed = 32;
 
-    const MapSampler& m_direction;
-    const MapSampler* m_natural;
-    const LayField* m_field;
-    float m_coatM;
+    LayInputs m_inputs;
+    int m_nodes;
+    std::size_t m_count = 0;
+    LayLanes m_lanes;
+    std::array<bool, kLanes> m_isUpright{};
+    std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_nodesHd; ///< Written where read.
+    std::array<std::int32_t, std::size_t{kLanes} * kMostPassed> m_passed;
 };
 
 } // namespace hairpaint::sim

@@ -1,72 +1,64 @@
-// The hairs near the cells that differ, then those that really pass there.
+// The hairs that passed where the field differs.
 #include "sim/groom/lay_changes.h"
 
 #include "sim/base/parallel.h"
-#include "sim/groom/strand_style.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace hairpaint::sim {
 
 namespace {
 
-/// Around the cells that differ, with as much room as a step of the lay may leave its nodes' box by.
-PathBox boxOf(const LayField::Difference& difference)
+/// One bit a cell.
+class CellSet
 {
-    constexpr float kMarginM = 0.01F;
-    PathBox box;
-    for (const LayField::Cell& cell : difference.cells)
-        box.include(cell.positionHd);
-    box.leastHd -= SkinBand::kReachM + kMarginM;
-    box.greatestHd += SkinBand::kReachM + kMarginM;
-    return box;
-}
+public:
+    CellSet(std::size_t cells, std::span<const std::uint32_t> indices) : m_words(cells / 64 + 1, 0)
+    {
+        for (const std::uint32_t index : indices)
+            m_words[index / 64] |= std::uint64_t{1} << (index % 64);
+    }
+
+    /// `passed`: up to the first kNone.
+    [[nodiscard]] bool anyOf(std::span<const std::int32_t> passed) const
+    {
+        for (const std::int32_t cell : passed) {
+            if (cell == SkinBand::kNone)
+                return false;
+            const auto index = static_cast<std::size_t>(cell);
+            if (((m_words[index / 64] >> (index % 64)) & 1U) != 0)
+                return true;
+        }
+        return false;
+    }
+
+private:
+    std::vector<std::uint64_t> m_words;
+};
 
 } // namespace
 
-void findRelaid(const LaidBefore& before, const LayField& field, const LayField::Difference& difference,
-                ChangedSlots& changed)
+void findRelaid(const Groom& before, std::span<const std::int32_t> passedByBasis, std::size_t cellCount,
+                const LayField::Difference& difference, ChangedSlots& changed)
 {
     if (difference.indices.empty())
         return;
-    std::vector<std::uint8_t> marked(field.cellCount(), 0);
-    for (const std::uint32_t index : difference.indices)
-        marked[index] = 1;
-    const PathBox box = boxOf(difference);
-    const Groom& groom = before.groom;
-    const RootSet& roots = *groom.roots;
-    const auto nodes = static_cast<std::size_t>(groom.nodes);
-    const auto crosses = [&](std::uint32_t slot, float lengthM) {
-        const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[slot]);
-        return before.lay.crosses(layRootOf(roots, slot, chance), lengthM, nodes, marked);
-    };
-    parallelFor(groom.chunks.size(), 1, [&](std::size_t begin, std::size_t end) {
+    const CellSet differ(cellCount, difference.indices);
+    const std::size_t most = Lay::mostPassed(before.nodes);
+    const RootSet& roots = *before.roots;
+    parallelFor(before.chunks.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t index = begin; index < end; ++index) {
-            const StrandChunk* chunk = groom.chunks[index].get();
+            const StrandChunk* chunk = before.chunks[index].get();
             if (chunk == nullptr)
                 continue;
-            for (std::size_t local = 0; local < kChunkSlots; ++local) {
-                const auto slot = static_cast<std::uint32_t>(index * kChunkSlots + local);
-                if (!chunk->hairs[local] || !chunk->pathBoxes[local].meets(box) || changed.hairs.contains(slot))
-                    continue;
-                const float lengthM = chunk->styles[local].lengthM;
-                const std::uint32_t basis = roots.basisSlot[roots.neighbours[slot][0]];
-                if (crosses(slot, lengthM) ||
-                    (basis != slot && before.clump.scalar(roots.uv[slot]) > 0.0F && crosses(basis, lengthM)))
-                    changed.hairs.insert(slot);
-            }
+            for (std::size_t local = 0; local < kChunkSlots; ++local)
+                if (chunk->hairs[local] && differ.anyOf(std::span(chunk->passed).subspan(local * most, most)))
+                    changed.hairs.insert(static_cast<std::uint32_t>(index * kChunkSlots + local));
         }
     });
-    for (std::size_t i = 0; i < roots.basisSlot.size(); ++i) {
-        const std::uint32_t slot = roots.basisSlot[i];
-        if (changed.basis.contains(slot))
-            continue;
-        PathBox path;
-        for (std::size_t node = 0; node < nodes; ++node)
-            path.include(groom.blocks().node(groom.basis->restPositions, i, node));
-        if (path.meets(box) && crosses(slot, before.basisLengthM[i]))
-            changed.basis.insert(slot);
-    }
+    for (std::size_t i = 0; i < roots.basisSlot.size(); ++i)
+        if (differ.anyOf(passedByBasis.subspan(i * most, most)))
+            changed.basis.insert(roots.basisSlot[i]);
 }
 
 } // namespace hairpaint::sim

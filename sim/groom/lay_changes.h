@@ -9,18 +9,9 @@
 
 namespace hairpaint::sim {
 
-/// What hairs lay by before.
-struct LaidBefore
-{
-    const Groom& groom;
-    const MapSampler& clump;
-    const Lay& lay;
-    std::span<const float> basisLengthM; ///< [basis hairs]
-};
-
-/// Adds the hairs, and basis hairs, whose way crosses a cell that differs: exactly those, found by following the old
-/// map, beside those at whose own roots it differs (MapChanges). `field` as it was. Uses parallelFor.
-void findRelaid(const LaidBefore& before, const LayField& field, const LayField::Difference& difference,
-                ChangedSlots& changed);
+/// Adds the hairs, and basis hairs, whose lay passed a cell that differs, beside those at whose own roots the map does
+/// (MapChanges). `passedByBasis`: [basis hairs][Lay::mostPassed]. Uses parallelFor.
+void findRelaid(const Groom& before, std::span<const std::int32_t> passedByBasis, std::size_t cellCount,
+                const LayField::Difference& difference, ChangedSlots& changed);
 
 } // namespace hairpaint::sim

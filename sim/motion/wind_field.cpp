@@ -105,7 +105,7 @@ StepForces WindField::nextStep(const HeadPose& from, const HeadPose& to)
         const glm::vec3 windHd = directionToHead(to, m_wind.velocity * (everywhere * kStep));
         const float speed = std::sqrt(glm::dot(windHd, windHd));
         forces.wind = toArray(windHd);
-        forces.gust = 0.6F * m_wind.gustiness;
+        forces.gust = 0.8F * m_wind.gustiness;
         const glm::vec3 across = acrossOf(windHd);
         const glm::vec3 third = glm::cross(windHd, across) / std::max(speed, 1e-12F);
         const float swirl = m_wind.turbulence * speed;

@@ -67,13 +67,14 @@ SkinBand::SkinBand(const Skin& skin)
                 const glm::vec3 weights(1.0F - w.x - w.y, w.x, w.y);
                 const glm::vec3 p = a * weights.x + b * weights.y + c * weights.z;
                 const glm::ivec3 cell = cellOf(p);
-                std::uint32_t& index = m_index[indexOfCell(cell)];
+                std::int32_t& index = m_index[indexOfCell(cell)];
                 if (index == kNone) {
-                    index = static_cast<std::uint32_t>(seeds.size());
+                    index = static_cast<std::int32_t>(seeds.size());
                     seeds.push_back({face, weights, p});
                     filled.push_back(cell);
-                } else if (square(p - middleOf(cell)) < square(seeds[index].positionHd - middleOf(cell))) {
-                    seeds[index] = {face, weights, p};
+                } else if (square(p - middleOf(cell)) <
+                           square(seeds[static_cast<std::size_t>(index)].positionHd - middleOf(cell))) {
+                    seeds[static_cast<std::size_t>(index)] = {face, weights, p};
                 }
             }
     }
@@ -87,14 +88,15 @@ SkinBand::SkinBand(const Skin& skin)
                 const glm::ivec3 next = cell + glm::ivec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
                 if (glm::any(glm::lessThan(next, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(next, cells)))
                     continue;
-                std::uint32_t& index = m_index[indexOfCell(next)];
+                std::int32_t& index = m_index[indexOfCell(next)];
                 if (index == kNone) {
-                    index = static_cast<std::uint32_t>(seeds.size());
+                    index = static_cast<std::int32_t>(seeds.size());
                     seeds.push_back(seeds[i]);
                     filled.push_back(next);
-                } else if (index >= layerEnd && square(seeds[i].positionHd - middleOf(next)) <
-                                                    square(seeds[index].positionHd - middleOf(next))) {
-                    seeds[index] = seeds[i];
+                } else if (static_cast<std::size_t>(index) >= layerEnd &&
+                           square(seeds[i].positionHd - middleOf(next)) <
+                               square(seeds[static_cast<std::size_t>(index)].positionHd - middleOf(next))) {
+                    seeds[static_cast<std::size_t>(index)] = seeds[i];
                 }
             }
         }

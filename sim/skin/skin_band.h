@@ -16,7 +16,17 @@ class SkinBand
 public:
     static constexpr float kReachM = 0.014F;
 
-    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+    static constexpr std::int32_t kNone = -1;
+
+    /// Which cell a place is in: (place - origin) * perCell, each axis cut to a whole number, and kNone where that is
+    /// out of the grid or the cell is too far from the skin.
+    struct Grid
+    {
+        const std::int32_t* indices = nullptr; ///< [z][y][x] of cells().
+        glm::vec3 originHd{0.0F};
+        glm::vec3 size{0.0F}; ///< Of the grid, in cells.
+        float perCell = 0.0F; ///< 1/m
+    };
 
     struct Cell
     {
@@ -28,20 +38,7 @@ public:
     /// Uses parallelFor; about 50 ms for a bust.
     explicit SkinBand(const Skin& skin);
 
-    /// Of the cell that a place is in; kNone further away.
-    [[nodiscard]] std::uint32_t indexAt(glm::vec3 placeHd) const
-    {
-        const glm::vec3 cell = (placeHd - m_originHd) * m_perCell;
-        // False for what is not a number.
-        if (!(cell.x >= 0.0F && cell.y >= 0.0F && cell.z >= 0.0F && cell.x < m_size.x && cell.y < m_size.y &&
-              cell.z < m_size.z))
-            return kNone;
-        const std::size_t index =
-            (static_cast<std::size_t>(cell.z) * m_rows + static_cast<std::size_t>(cell.y)) * m_columns +
-            static_cast<std::size_t>(cell.x);
-        return m_index[index];
-    }
-
+    [[nodiscard]] Grid grid() const { return {m_index.data(), m_originHd, m_size, m_perCell}; }
     [[nodiscard]] std::span<const Cell> cells() const { return m_cells; }
 
 private:
@@ -50,7 +47,7 @@ private:
     float m_perCell = 0.0F;
     std::size_t m_columns = 0;
     std::size_t m_rows = 0;
-    std::vector<std::uint32_t> m_index; ///< [z][y][x]
+    std::vector<std::int32_t> m_index; ///< [z][y][x]
     std::vector<Cell> m_cells;
 };
 

@@ -25,7 +25,7 @@ HWY_INLINE hn::Vec<D> waveSin(D d, hn::Vec<D> x)
     return hn::Add(hn::Mul(hn::Sub(hn::Mul(a, hn::Abs(a)), a), hn::Set(d, 0.225F)), a);
 }
 
-/// The air around one strand: the wind's strength there, and its two waves of turbulence.
+/// The air around one strand: the wind there, and its two waves of turbulence.
 template<class D>
 struct StrandAir
 {
@@ -34,17 +34,19 @@ struct StrandAir
 };
 
 template<class D>
-HWY_INLINE StrandAir<D> airAround(D d, const GroupGains& gains, const StepForces& step, const float* HWY_RESTRICT lanes)
+HWY_INLINE StrandAir<D> airAround(D d, const StepForces& step, const float* HWY_RESTRICT lanes)
 {
     const auto quarter = hn::Set(d, 1.5707963F);
     const auto gustWave = waveSin(d, hn::Sub(hn::LoadU(d, lanes + kPhaseGust * kLanes), hn::Set(d, step.phaseGust)));
     const auto half = hn::Set(d, 0.5F);
     const auto lull = hn::Mul(hn::Set(d, step.gust), hn::Sub(half, hn::Mul(half, gustWave)));
-    const auto strength = hn::Mul(hn::Set(d, gains.windScale), hn::Sub(hn::Set(d, 1.0F), lull));
+    const auto exposure = hn::LoadU(d, lanes + kExposure * kLanes);
+    const auto strength = hn::Mul(exposure, hn::Sub(hn::Set(d, 1.0F), lull));
     const auto a = hn::Sub(hn::LoadU(d, lanes + kPhaseA * kLanes), hn::Set(d, step.phaseA));
     const auto b = hn::Sub(hn::LoadU(d, lanes + kPhaseB * kLanes), hn::Set(d, step.phaseB));
-    return {scale(set3(d, step.wind), strength), waveSin(d, a), waveSin(d, hn::Add(a, quarter)), waveSin(d, b),
-            waveSin(d, hn::Add(b, quarter))};
+    const auto wave = [&](hn::Vec<D> phase) { return hn::Mul(waveSin(d, phase), exposure); };
+    return {scale(set3(d, step.wind), strength), wave(a), wave(hn::Add(a, quarter)), wave(b),
+            wave(hn::Add(b, quarter))};
 }
 
 /// Velocity of the air at one node, m a step.
@@ -56,8 +58,8 @@ HWY_INLINE Vec3<hn::Vec<D>> airAt(D d, const StrandAir<D>& air, const GroupGains
                                hn::Mul(air.cosA, hn::Set(d, gains.waveASin[node])));
     const auto waveB = hn::Add(hn::Mul(air.sinB, hn::Set(d, gains.waveBCos[node])),
                                hn::Mul(air.cosB, hn::Set(d, gains.waveBSin[node])));
-    auto wind = addScaled(air.wind, set3(d, step.swirlA), hn::Mul(waveA, hn::Set(d, gains.windScale)));
-    wind = addScaled(wind, set3(d, step.swirlB), hn::Mul(waveB, hn::Set(d, gains.windScale)));
+    auto wind = addScaled(air.wind, set3(d, step.swirlA), waveA);
+    wind = addScaled(wind, set3(d, step.swirlB), waveB);
     for (int i = 0; i < step.puffCount; ++i) {
         const PuffForces& puff = step.puffs[static_cast<std::size_t>(i)];
         const auto away = sub(p, set3(d, puff.centre));
@@ -109,7 +111,7 @@ HWY_INLINE void predict(D d, const GroupGains& gains, const StepForces& step, co
     const Vec3<V> gravity = scale(set3(d, step.gravity), hn::Set(d, gains.gravityScale));
     StrandAir<D> air{};
     if (step.windy)
-        air = airAround(d, gains, step, lanes);
+        air = airAround(d, step, lanes);
 
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0F);

@@ -26,8 +26,9 @@ enum LaneField : std::uint8_t
     kPhaseGust, ///< Of the wind's waves at this root, rad, 0..2 pi.
     kPhaseA,
     kPhaseB,
-    kStill,   ///< Steps without motion; kUnwanted where no hair is solved.
-    kMiddleX, ///< Where the middle node was when the hair last moved, Hd, m;
+    kExposure, ///< Fraction of the wind's strength.
+    kStill,    ///< Steps without motion; kUnwanted where no hair is solved.
+    kMiddleX,  ///< Where the middle node was when the hair last moved, Hd, m;
     kMiddleY,
     kMiddleZ,
     kTipX, ///< and the tip.
@@ -82,7 +83,6 @@ struct GroupGains
     int nodes = 0;
     float drag = 1.0F; ///< Factor of the velocity.
     float gravityScale = 1.0F;
-    float windScale = 1.0F;
     float windGain = 0.0F;                    ///< Fraction of the relative velocity of the air taken over in a step.
     float frictionKeep = 1.0F;                ///< Fraction of the tangential motion kept in contact.
     float stickSlope2 = 0.0F;                 ///< Contact sticks while (tangential/normal motion)^2 is below.

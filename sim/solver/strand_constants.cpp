@@ -39,7 +39,6 @@ GroupGains gainsOf(const PhysicsSettings& physics, int nodes)
     gains.nodes = nodes;
     gains.drag = expDet(-std::clamp(physics.damping, 0.0F, 60.0F) * kStep);
     gains.gravityScale = physics.gravityScale;
-    gains.windScale = physics.windScale;
     gains.windGain = 1.0F - expDet(-kWindRate * kStep);
     gains.frictionKeep = 1.0F - rescaled(physics.friction);
     const float slope = physics.friction / std::max(1.0F - physics.friction, 1e-3F); // 0.5 holds on 45 degrees
@@ -111,10 +110,11 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     state.field(basisIndex, kLieX) = lie.x;
     state.field(basisIndex, kLieY) = lie.y;
     state.field(basisIndex, kLieZ) = lie.z;
-    const WindPhases phases = windPhases(rest[0], hash);
+    const WindPhases phases = windPhases(rest[0], hash, basis.height[basisIndex]);
     state.field(basisIndex, kPhaseGust) = phases.gust;
     state.field(basisIndex, kPhaseA) = phases.a;
     state.field(basisIndex, kPhaseB) = phases.b;
+    state.field(basisIndex, kExposure) = phases.exposure * physics.windScale;
     // A held shape keeps out every node; hair that falls anyway only what stands at the root.
     const std::span<const glm::vec3> clear =
         std::span(rest).first(hold > kHeldShape ? nodes : std::min<std::size_t>(nodes, 2));

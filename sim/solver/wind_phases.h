@@ -1,4 +1,4 @@
-// The waves of gusts and turbulence in space: how far each strand and each node lags behind.
+// Gusts and turbulence in space: how far each lock, each strand of it and each node lags behind.
 #pragma once
 
 #include "sim/solver/solver_layout.h"
@@ -10,14 +10,17 @@ namespace hairpaint::sim {
 /// A phase as the kernel takes it, 0..2 pi.
 [[nodiscard]] float wrappedPhase(float phaseRad);
 
-/// By how much gusts and the two waves of turbulence lag at a root, 0..2 pi.
+/// How the moving air meets a strand.
 struct WindPhases
 {
-    float gust = 0.0F;
+    float gust = 0.0F; ///< By how much gusts and the two waves of turbulence lag, 0..2 pi.
     float a = 0.0F;
     float b = 0.0F;
+    float exposure = 1.0F; ///< Fraction of the wind's strength that gets to it; about 1 on average.
 };
-[[nodiscard]] WindPhases windPhases(glm::vec3 rootHd, float hash01);
+/// Strands that grow within a few centimetres of each other make a lock, which the air moves as one. `hash01` is the
+/// strand's own; `height` its place in the coat, 0..1: what lies deeper is sheltered.
+[[nodiscard]] WindPhases windPhases(glm::vec3 rootHd, float hash01, float height);
 
 /// The phases by which the two waves of turbulence lag at a node, as tables.
 void setWaveTables(GroupGains& gains);

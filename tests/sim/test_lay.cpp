@@ -36,10 +36,16 @@ public:
     [[nodiscard]] Nodes lay(glm::vec3 at, float lengthM, float chance = 0.5F) const
     {
         const SurfacePoint point = m_skin.nearest(kBallM * glm::normalize(at));
+        Lay lay({.direction = m_sampler,
+                 .natural = m_naturalSampler ? &*m_naturalSampler : nullptr,
+                 .field = &m_field,
+                 .coatM = m_coatM},
+                kNodes);
+        lay.add({.positionHd = point.positionHd, .frame = SkinFrame::at(point), .uv = point.uv, .chance = chance},
+                lengthM);
+        lay.lay();
         Nodes nodes;
-        Lay(m_sampler, m_naturalSampler ? &*m_naturalSampler : nullptr, &m_field, m_coatM)
-            .lay({.positionHd = point.positionHd, .frame = SkinFrame::at(point), .uv = point.uv, .chance = chance},
-                 lengthM, nodes);
+        lay.read(0, nodes);
         return nodes;
     }
     [[nodiscard]] SkinFrame frameAt(glm::vec3 at) const

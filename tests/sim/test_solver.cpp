@@ -93,6 +93,8 @@ private Q_SLOTS:
     void windBendsHairTheWayItBlows();
     void nothingExplodes_data();
     void nothingExplodes();
+    void tenMinutesOfStormAndShakingStretchNothing();
+    void gustsReachEachLockInItsOwnTime();
     void shortHairStandsAndLongHairHangs();
     void aCantileverBendsAsElasticaDo_data();
     void aCantileverBendsAsElasticaDo();
@@ -280,7 +282,9 @@ void TestSolver::windBendsHairTheWayItBlows()
 {
     PhysicsSettings physics = barePhysics();
     physics.damping = 2.0F;
-    const HandStrand strand{glm::vec3(0.0F), glm::vec3(0.0F, -1.0F, 0.0F), 0.3F};
+    // On top of the coat, where nothing shelters it.
+    const HandStrand strand{
+        .rootHd = glm::vec3(0.0F), .directionHd = glm::vec3(0.0F, -1.0F, 0.0F), .lengthM = 0.3F, .height = 1.0F};
     GroupDynamics hair;
     hair.setGroom(groomOf({strand}, 6, physics), {}, WindField::calm({}));
     WindField air;
@@ -422,6 +426,59 @@ void TestSolver::eachTenthOfGelIsStiffer()
         qInfo("gel %.1f: the tip gives way by %.2f mm", static_cast<double>(gel), static_cast<double>(shift) * 1e3);
         before = shift;
     }
+}
+
+void TestSolver::tenMinutesOfStormAndShakingStretchNothing()
+{
+    GroupDynamics hair;
+    hair.setGroom(groomOf(ballStrands(16, 0.3F), 8, PhysicsSettings{}), ballCollider(), WindField::calm({}));
+    WindField air;
+    HeadPose pose;
+    constexpr int kSteps = 10 * 60 * 120;
+    for (int i = 0; i < kSteps; ++i) {
+        const float seconds = static_cast<float>(i) / 120.0F;
+        if (i % 600 == 0) // From another side every five seconds.
+            air.setWind({true, 25.0F * glm::vec3(std::sin(seconds), 0.3F, std::cos(seconds)), 1.0F, 1.0F});
+        const HeadPose before = pose;
+        pose.rotation = glm::angleAxis(1.3F * std::sin(12.0F * seconds), glm::vec3(0.0F, 1.0F, 0.0F)) *
+                        glm::angleAxis(0.7F * std::sin(9.0F * seconds), glm::vec3(1.0F, 0.0F, 0.0F));
+        pose.positionWo = 0.2F * glm::vec3(std::sin(7.0F * seconds), std::sin(11.0F * seconds), 0.0F);
+        const StepForces forces = air.nextStep(before, pose);
+        hair.step(std::span(&forces, 1));
+        // Where something is not a number the error is none that is less.
+        if (i % 60 == 0)
+            QVERIFY(worstLengthError(hair) < 0.01F);
+    }
+}
+
+void TestSolver::gustsReachEachLockInItsOwnTime()
+{
+    // Pairs of hairs: two beside each other, one some way off.
+    constexpr float kBesideM = 0.002F;
+    constexpr float kApartM = 0.06F;
+    constexpr std::size_t kPairs = 12;
+    std::vector<HandStrand> strands;
+    for (std::size_t pair = 0; pair < kPairs; ++pair)
+        for (const float offsetM : {0.0F, kBesideM, kApartM})
+            strands.push_back({.rootHd = {0.013F * static_cast<float>(pair) + offsetM, 1.0F, 0.0F},
+                               .directionHd = {0.0F, -1.0F, 0.0F},
+                               .lengthM = 0.3F});
+    GroupDynamics hair;
+    hair.setGroom(groomOf(strands, 8, PhysicsSettings{}), {}, WindField::calm({}));
+    WindField air;
+    air.setWind({true, glm::vec3(0.0F, 0.0F, 4.0F), 1.0F, 0.5F});
+    float beside = 0.0F;
+    float apart = 0.0F;
+    for (int i = 0; i < 1200; ++i) {
+        const StepForces forces = air.nextStep({}, {});
+        hair.step(std::span(&forces, 1));
+        for (std::size_t first = 0; first < strands.size(); first += 3) {
+            const float z = nodeOf(hair, first, 7).z;
+            beside += std::abs(z - nodeOf(hair, first + 1, 7).z);
+            apart += std::abs(z - nodeOf(hair, first + 2, 7).z);
+        }
+    }
+    QVERIFY2(apart > 2.5F * beside, qPrintable(QStringLiteral("%1 %2").arg(apart).arg(beside)));
 }
 
 void TestSolver::shortHairStandsAndLongHairHangs()

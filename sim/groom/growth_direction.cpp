@@ -1,0 +1,53 @@
+// What is painted or natural, and where long hair falls that nobody has combed.
+#include "sim/groom/growth_direction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr float kShortFallM = 0.08F; ///< Shorter hair lies as it grows, whatever it weighs;
+constexpr float kLongFallM = 0.20F;  ///< longer hair falls to its side.
+
+/// How long hair that nobody has combed falls: to its own side of the middle and a little back from the face.
+glm::vec3 fallDirection(glm::vec3 positionHd, glm::vec3 normal)
+{
+    constexpr float kSideways = 2.4F; // Against 1 for down, on top and at the forehead.
+    constexpr float kBackward = 1.1F;
+    constexpr float kMiddleM = 0.004F; // Where both sides meet.
+    constexpr float kFlatness = 0.977F;
+    const float front = std::clamp(normal.z, 0.0F, 1.0F);
+    const float combing = std::max(std::clamp(normal.y, 0.0F, 1.0F), front);
+    const float side = std::clamp(positionHd.x / kMiddleM, -1.0F, 1.0F);
+    const glm::vec3 wanted(kSideways * combing * side, 0.9F * front - 1.0F, -kBackward * combing);
+    const glm::vec3 along = wanted - normal * glm::dot(wanted, normal);
+    const float square = glm::dot(along, along);
+    return square > 1e-12F ? along * (kFlatness / std::sqrt(square)) : glm::vec3(kFlatness, 0.0F, 0.0F);
+}
+
+} // namespace
+
+float fallFraction(float lengthM)
+{
+    const float t = std::clamp((lengthM - kShortFallM) / (kLongFallM - kShortFallM), 0.0F, 1.0F);
+    return t * t * (3.0F - 2.0F * t);
+}
+
+GrowthDirections growthDirections(DirectionVector painted, const DirectionVector* natural, glm::vec3 positionHd,
+                                  const SkinFrame& frame)
+{
+    const glm::vec3 grown = frame.toHd(painted);
+    GrowthDirections directions{.grownHd = grown, .fallenHd = grown};
+    if (natural == nullptr)
+        return directions;
+    // Where the map shows something else than the stream, somebody has combed.
+    constexpr float kCombed = 0.03F;
+    const float uncombed = 1.0F - glm::length(painted - *natural) / kCombed;
+    if (uncombed > 0.0F)
+        directions.fallenHd += (fallDirection(positionHd, frame.normal) - grown) * uncombed;
+    return directions;
+}
+
+} // namespace hairpaint::sim

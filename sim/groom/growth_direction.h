@@ -1,0 +1,27 @@
+// In which direction hair grows at a place on the head, by how long it is.
+#pragma once
+
+#include "sim/groom/direction_texel.h"
+#include "sim/skin/skin_frame.h"
+
+namespace hairpaint::sim {
+
+/// Along the skin, Hd; the length is the cosine of the angle to the skin, 0 where hair stands upright, at most 1.
+struct GrowthDirections
+{
+    glm::vec3 grownHd{0.0F};  ///< As painted, or natural.
+    glm::vec3 fallenHd{0.0F}; ///< Of long hair: where nobody combed, to its own side of the middle.
+
+    /// `falls`: fallFraction() of the hair's length.
+    [[nodiscard]] glm::vec3 of(float falls) const { return grownHd + (fallenHd - grownHd) * falls; }
+    friend bool operator==(const GrowthDirections&, const GrowthDirections&) = default;
+};
+
+/// How far hair of a length lies as it falls rather than as it grows, 0..1.
+[[nodiscard]] float fallFraction(float lengthM);
+
+/// Of what the map and the head's natural stream (null where there is none) hold for a place on the skin.
+[[nodiscard]] GrowthDirections growthDirections(DirectionVector painted, const DirectionVector* natural,
+                                                glm::vec3 positionHd, const SkinFrame& frame);
+
+} // namespace hairpaint::sim

@@ -1,0 +1,53 @@
+// The paths of kLanes hairs over the head at once, step by step.
+#pragma once
+
+#include "sim/base/strand_blocks.h"
+#include "sim/groom/growth_direction.h"
+#include "sim/skin/skin_band.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace hairpaint::sim {
+
+inline constexpr float kLongestLayStepM = 0.018F;
+inline constexpr float kFurthestLayM = 0.16F; ///< A hair lies along the head no further than this.
+inline constexpr float kStandsBelow = 0.15F;  ///< A field less flat than this holds no hair to the head.
+
+/// What a field holds for a cell of the band.
+struct LayCell
+{
+    glm::vec3 normalHd{0.0F}; ///< Of the skin, unit.
+    float skinM = 0.0F;       ///< Where the skin is along it, taken as flat here.
+    GrowthDirections directions;
+};
+
+/// Constants of kLanes hairs. Hd, m.
+struct LayLanes
+{
+    using Row = std::array<float, kLanes>;
+    std::array<Row, 3> rootHd{};
+    std::array<Row, 3> directionHd{}; ///< In which it leaves the skin; unit.
+    Row segmentM{};
+    Row steps{}; ///< In a segment.
+    Row falls{}; ///< fallFraction()
+    Row coatM{}; ///< Height at which it lies.
+    Row lies{};  ///< 1 where it lies on the head at first, else 0.
+};
+
+/// `nodesHd` [nodes][3][kLanes]; `passed` [kLanes][mostPassed] gets indices of cells, in order. Without cells all hairs
+/// are straight. Neither allocates nor throws; the same bytes with every instruction set.
+struct LayTask
+{
+    SkinBand::Grid grid = {};
+    const LayCell* cells = nullptr;
+    const LayLanes* lanes = nullptr;
+    int nodes = 0;
+    float* nodesHd = nullptr;
+    std::int32_t* passed = nullptr;
+    std::size_t mostPassed = 0;
+};
+void layLanes(const LayTask& task);
+
+} // namespace hairpaint::sim
