@@ -264,42 +264,51 @@ void EditorState::setHover(const std::optional<Hover>& hover)
 
 QString EditorState::refusal(bool picks) const
 {
-    if (m_document.project().group(m_activeGroup) == nullptr)
-        return refusal(m_activeMap);
-    if (picks || !activeTool().paints())
-        return {};
-    QString reason = refusal(m_activeMap);
-    for (const MapKind map : activeTool().alsoPaints(m_toolSettings))
-        if (reason.isEmpty())
-            reason = refusal(map);
-    return reason;
-}
-
-bool EditorState::mayPaint(std::initializer_list<MapKind> maps)
-{
-    for (const MapKind map : maps)
-        if (const QString reason = refusal(map); !reason.isEmpty()) {
-            Q_EMIT refused(reason);
-            return false;
-        }
-    return true;
-}
-
-QString EditorState::refusal(MapKind map) const
-{
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
     if (group == nullptr)
         return tr("There is no hair group to paint on; add one in the Hair panel.");
-    const model::Layer* layer = m_document.project().layer(m_activeGroup, map, activeLayer(map));
+    if (picks || !activeTool().paints())
+        return {};
+    QString reason = refusalOn(*group, m_activeMap);
+    return reason.isEmpty() ? refusalOnOthers() : reason;
+}
+
+QString EditorState::refusalOnOthers() const
+{
+    const model::HairGroup* group = m_document.project().group(m_activeGroup);
+    for (const MapKind map : activeTool().alsoPaints(m_toolSettings)) {
+        if (const QString reason = group != nullptr ? refusalOn(*group, map) : QString(); !reason.isEmpty())
+            //: %1: a map's name; %2: a sentence that says why nothing can be painted on it.
+            return tr("%1: %2").arg(model::mapSpec(map).titleText(), reason);
+    }
+    return {};
+}
+
+QString EditorState::refusalOn(const model::HairGroup& group, MapKind map) const
+{
+    const model::Layer* layer = m_document.project().layer(group.id, map, activeLayer(map));
     if (layer == nullptr)
         return tr("This map has no layer to paint on; add one in the Layers panel.");
-    if (!group->visible)
-        return tr("“%1” is hidden; show the group to paint on it.").arg(model::shownName(group->name));
+    if (!group.visible)
+        return tr("“%1” is hidden; show the group to paint on it.").arg(model::shownName(group.name));
     if (!layer->visible)
         return tr("“%1” is hidden; show the layer to paint on it.").arg(model::shownName(layer->name));
     if (layer->locked)
         return tr("“%1” is locked; unlock the layer to paint on it.").arg(model::shownName(layer->name));
     return {};
+}
+
+bool EditorState::mayPaint(std::initializer_list<MapKind> maps)
+{
+    const model::HairGroup* group = m_document.project().group(m_activeGroup);
+    QString reason = group == nullptr ? refusal(false) : QString();
+    for (const MapKind map : maps)
+        if (reason.isEmpty())
+            if (const QString onMap = refusalOn(*group, map); !onMap.isEmpty())
+                reason = tr("%1: %2").arg(model::mapSpec(map).titleText(), onMap);
+    if (!reason.isEmpty())
+        Q_EMIT refused(reason);
+    return reason.isEmpty();
 }
 
 void EditorState::press(const model::ToolEvent& event)
@@ -365,10 +374,10 @@ bool EditorState::stroking() const
 
 void EditorState::onDocumentChanged(const Change& change)
 {
-    if (change.aspect == Change::Aspect::Texels && !change.preview &&
+    if (change.aspect == Change::Aspect::Texels && !change.preview && !m_toolWorks &&
         (change.group != m_activeGroup || change.map != m_activeMap)) {
-        // Unless the tool in use paints on several maps, this is an undo or an import: show what changed.
-        if (!m_toolWorks && m_document.project().group(change.group) != nullptr) {
+        // What a tool paints is looked at already, so this is an undo or an import: show what changed.
+        if (m_document.project().group(change.group) != nullptr) {
             m_activeGroup = change.group;
             m_activeMap = change.map;
             followAmounts(false);
@@ -401,7 +410,7 @@ model::ToolContext EditorState::context()
             .settings = m_toolSettings,
             .selection = m_selection,
             .mirror = m_mirror,
-            .layerOf = [this](MapKind map) { return activeLayer(map); },
+            .activeLayer = [this](MapKind map) { return activeLayer(map); },
             .hair = m_hair};
 }
 

@@ -39,7 +39,7 @@ public:
     bool setActiveMap(model::MapKind map);
     /// The layer that tools paint on in the active map; kept per group and map; 0 where the map has none.
     [[nodiscard]] model::Id activeLayer() const { return activeLayer(m_activeMap); }
-    [[nodiscard]] model::Id activeLayer(model::MapKind map) const; ///< Of another map of the active group.
+    [[nodiscard]] model::Id activeLayer(model::MapKind map) const; ///< The same of any map.
     bool setActiveLayer(model::Id layer);
     [[nodiscard]] model::LayerAddress target() const;
     /// The active group's settings; those of a new group where there is none.
@@ -114,10 +114,11 @@ private:
     [[nodiscard]] const sim::GroupSettings* knownSettings() const; ///< Null where there is no active group.
     /// Puts the amounts on the active group's range.
     void followAmounts(bool tell);
-    /// Why a map of the active group can't be painted on; empty where it can.
-    [[nodiscard]] QString refusal(model::MapKind map) const;
     /// Why the active tool can't start on the target; empty where it can.
     [[nodiscard]] QString refusal(bool picks) const;
+    [[nodiscard]] QString refusalOn(const model::HairGroup& group, model::MapKind map) const;
+    /// Why it can't change the other maps that it is set to change.
+    [[nodiscard]] QString refusalOnOthers() const;
     template<typename Call>
     void withTool(const Call& call);
 
@@ -125,6 +126,7 @@ private:
     std::vector<std::unique_ptr<model::Tool>> m_tools;
     std::size_t m_activeTool = 0;
     std::size_t m_previousTool = 0;
+    bool m_toolWorks = false;           ///< A change that is told meanwhile is the active tool's.
     model::LayerAddress m_strokeTarget; ///< Stays the same from press to release.
     model::ToolSettings m_toolSettings;
     model::ValueAmounts m_amounts;
@@ -139,7 +141,6 @@ private:
     bool m_directionsShown = true;
     std::optional<Hover> m_hover;
     std::shared_ptr<const sim::StrandFrame> m_hair;
-    bool m_toolWorks = false; ///< What changes is the active tool's doing.
 };
 
 } // namespace hairpaint::view

@@ -68,13 +68,13 @@ public:
     [[nodiscard]] bool active() const override { return m_edit.active(); }
 
 private:
-    [[nodiscard]] StrokeBuffer masksFor(const LiveLayer& layer, const ToolSettings& settings) const;
+    [[nodiscard]] StrokeBuffer masksFor(std::size_t layer, const ToolSettings& settings) const;
     void layDirections(glm::vec3 wayHd, std::optional<float> flatness, const ToolSettings& settings);
     void layLengths(float factor, const sim::GroupSettings& group, const ToolSettings& settings);
     void drop();
 
-    LiveEdit m_edit;                                        ///< Of the direction layer.
-    std::optional<LiveLayer> m_length;                      ///< None where it can't be painted on.
+    LiveEdit m_edit;                     ///< Of the direction layer.
+    std::optional<std::size_t> m_length; ///< That layer's number in it; none where it can't be painted on.
     std::shared_ptr<const sim::TiledRaster> m_lengthBefore; ///< As it was seen.
     std::vector<Held> m_held;
     std::optional<StrokeBuffer> m_masks, m_lengthMasks;
@@ -96,7 +96,7 @@ void GrabTool::press(const ToolEvent& event, ToolContext& context)
         context.document.resolvedNow(context.target.group, MapKind::Length);
     if (!m_edit.begin(context, title()))
         return;
-    m_edit.session().setText(title());
+    m_edit.setText(title());
     const sim::SurfacePoint root = onHead ? event.grabbed->root : *event.point;
     m_startHd = onHead ? event.grabbed->positionHd : root.positionHd;
     m_alongM = onHead ? event.grabbed->alongM : 0.0F;
@@ -108,9 +108,9 @@ void GrabTool::press(const ToolEvent& event, ToolContext& context)
             m_held.push_back({.root = *other, .across = kOverTheMiddle});
     if (m_frames == nullptr || !m_frames->isOf(head->skin))
         m_frames = std::make_unique<SkinFrames>(head->skin);
-    m_masks.emplace(masksFor(m_edit.layer(), context.settings));
+    m_masks.emplace(masksFor(0, context.settings));
     m_tiles = m_masks->takeDirty();
-    m_length = onHead ? LiveLayer::of(context, context.layer(MapKind::Length)) : std::nullopt;
+    m_length = onHead ? m_edit.also(context, context.layer(MapKind::Length)) : std::nullopt;
     if (m_length) {
         m_lengthBefore = std::move(length);
         m_lengthMasks.emplace(masksFor(*m_length, context.settings));
@@ -139,17 +139,18 @@ void GrabTool::move(const ToolEvent& event, ToolContext& context)
     if (event.modifiers.testFlag(Qt::ControlModifier) && inTheAir)
         layLengths(distanceM / m_alongM, group->settings, settings);
     else
-        m_length->replace(m_edit.session(), {}, {});
+        m_edit.replace({}, {}, *m_length);
 }
 
 /// Around what is held, by the brush.
-StrokeBuffer GrabTool::masksFor(const LiveLayer& layer, const ToolSettings& settings) const
+StrokeBuffer GrabTool::masksFor(std::size_t layer, const ToolSettings& settings) const
 {
-    StrokeBuffer masks(layer.size());
+    const int size = m_edit.size(layer);
+    StrokeBuffer masks(size);
     for (const Held& held : m_held) {
-        Dab dab = dabAt(SkinMetric::at(held.root), held.root.uv, 0.5F * settings.brushSizeM, layer.size());
+        Dab dab = dabAt(SkinMetric::at(held.root), held.root.uv, 0.5F * settings.brushSizeM, size);
         dab.hardness = settings.hardness;
-        for (const sim::TexelRect& clip : layer.clips())
+        for (const sim::TexelRect& clip : m_edit.clips(layer))
             masks.add(dab, clip);
     }
     return masks;
@@ -186,7 +187,7 @@ void GrabTool::layDirections(glm::vec3 wayHd, std::optional<float> flatness, con
 void GrabTool::layLengths(float factor, const sim::GroupSettings& group, const ToolSettings& settings)
 {
     const float rangeM = std::max(group.greatestLengthM - group.shortestLengthM, 1e-6F);
-    m_length->update(m_edit.session(), m_lengthTiles, [&](int index, const sim::RasterTilePtr& before) {
+    const auto lengthened = [&](int index, const sim::RasterTilePtr& before) {
         std::vector<std::uint16_t> values(sim::kTileTexels);
         const sim::TexelRect rect = m_lengthBefore->tileRect(index);
         std::size_t texel = 0;
@@ -196,9 +197,10 @@ void GrabTool::layLengths(float factor, const sim::GroupSettings& group, const T
                 const float lengthM = (group.shortestLengthM + rangeM * value) * factor;
                 values[texel] = unit16(std::clamp((lengthM - group.shortestLengthM) / rangeM, 0.0F, 1.0F));
             }
-        return paintTile(m_length->spec(), before, *m_lengthMasks->mask(index),
+        return paintTile(m_edit.spec(*m_length), before, *m_lengthMasks->mask(index),
                          {.values = values.data(), .opacity = unit16(settings.opacity)});
-    });
+    };
+    m_edit.update(m_lengthTiles, lengthened, *m_length);
 }
 
 void GrabTool::drop()

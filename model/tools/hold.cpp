@@ -71,21 +71,6 @@ sim::RasterTilePtr heldGel(const LyingField& field, const sim::TiledRaster& show
 
 namespace {
 
-/// Which texels of a tile lie in `clips`; null: all of them do.
-std::unique_ptr<StrokeBuffer::MaskTile> clipMask(const sim::TexelRect& rect, const std::vector<sim::TexelRect>& clips)
-{
-    if (std::ranges::any_of(clips, [&rect](const sim::TexelRect& clip) {
-            return clip.x0 <= rect.x0 && clip.y0 <= rect.y0 && clip.x1 >= rect.x1 && clip.y1 >= rect.y1;
-        }))
-        return nullptr;
-    auto mask = std::make_unique<StrokeBuffer::MaskTile>();
-    std::size_t texel = 0;
-    for (int y = rect.y0; y < rect.y1; ++y)
-        for (int x = rect.x0; x < rect.x1; ++x, ++texel)
-            (*mask)[texel] = contains(clips, x, y) ? 65535 : 0;
-    return mask;
-}
-
 using MakeHeld =
     std::function<sim::RasterTilePtr(int tileIndex, const sim::RasterTilePtr& before, const HoldPaint& paint)>;
 
@@ -101,9 +86,10 @@ std::optional<LayerEdit> heldLayer(const HoldRequest::Target& target, const Make
         const std::size_t some = std::min(kTilesBetween, tiles.size() - done);
         sim::parallelFor(some, 4, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = done + begin; i < done + end; ++i) {
-                const std::unique_ptr<StrokeBuffer::MaskTile> mask =
-                    clipMask(target.layer.tileRect(tiles[i]), target.clips);
-                edit.after[i] = {tiles[i], make(tiles[i], target.layer.tile(tiles[i]), {.mask = mask.get()})};
+                StrokeBuffer::MaskTile mask;
+                mask.fill(65535);
+                keepInside(target.clips, target.layer.tileRect(tiles[i]), mask);
+                edit.after[i] = {tiles[i], make(tiles[i], target.layer.tile(tiles[i]), {.mask = &mask})};
             }
         });
     }

@@ -30,13 +30,13 @@ bool HoldStroke::begin(const ToolContext& context)
     std::shared_ptr<const sim::TiledRaster> shownGel = context.document.resolvedNow(context.target.group, MapKind::Gel);
     if (hairs.empty() || !m_edit.begin(context, {}))
         return false;
-    m_edit.session().setText(holdStepText());
-    m_gel = LiveLayer::of(context, context.layer(MapKind::Gel));
+    m_edit.setText(holdStepText());
+    m_gel = m_edit.also(context, context.layer(MapKind::Gel));
     m_field.emplace(hairs);
     m_shownGel = std::move(shownGel);
     m_masks.emplace(m_edit.size());
     if (m_gel)
-        m_gelMasks.emplace(m_gel->size());
+        m_gelMasks.emplace(m_edit.size(*m_gel));
     m_path.emplace(head->skin.get(), context.settings.brushSizeM * kHoldSpacing,
                    kHoldLeastStepTx / static_cast<float>(m_edit.size()));
     return true;
@@ -60,7 +60,7 @@ void HoldStroke::dab(const BrushSample& sample, const ToolContext& context)
         };
         onMap(*m_masks, m_edit.size(), m_edit.clips());
         if (m_gel)
-            onMap(*m_gelMasks, m_gel->size(), m_gel->clips());
+            onMap(*m_gelMasks, m_edit.size(*m_gel), m_edit.clips(*m_gel));
     };
     add(sample.metric, sample.uv);
     if (context.mirror && sample.point)
@@ -75,11 +75,15 @@ void HoldStroke::show(const ToolContext& context)
         return heldDirection(*m_field, m_edit.size(), index, before,
                              {.mask = m_masks->mask(index), .opacity = opacity});
     });
-    if (m_gel && active())
-        m_gel->update(m_edit.session(), m_gelMasks->takeDirty(), [&](int index, const sim::RasterTilePtr& before) {
+    if (!m_gel || !active())
+        return;
+    m_edit.update(
+        m_gelMasks->takeDirty(),
+        [&](int index, const sim::RasterTilePtr& before) {
             return heldGel(*m_field, *m_shownGel, context.settings.holdGel, index, before,
                            {.mask = m_gelMasks->mask(index), .opacity = opacity});
-        });
+        },
+        *m_gel);
 }
 
 void HoldStroke::cancel()

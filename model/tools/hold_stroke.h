@@ -25,8 +25,8 @@ private:
     void show(const ToolContext& context);
     void drop();
 
-    LiveEdit m_edit; ///< Of the direction layer.
-    std::optional<LiveLayer> m_gel;
+    LiveEdit m_edit;                  ///< Of the direction layer.
+    std::optional<std::size_t> m_gel; ///< The gel layer's number in it.
     std::optional<LyingField> m_field;
     std::shared_ptr<const sim::TiledRaster> m_shownGel;
     std::optional<StrokeBuffer> m_masks, m_gelMasks;

@@ -8,6 +8,17 @@
 
 namespace hairpaint::model {
 
+namespace {
+
+/// Null where it is missing, hidden or locked.
+const Layer* paintableLayer(const Project& project, const LayerAddress& at)
+{
+    const Layer* layer = project.layer(at.group, at.map, at.layer);
+    return layer != nullptr && layer->visible && !layer->locked ? layer : nullptr;
+}
+
+} // namespace
+
 std::vector<sim::TexelRect> selectedTexels(const Selection& selection, int size)
 {
     if (selection.rectangles().empty())
@@ -30,6 +41,19 @@ bool contains(const std::vector<sim::TexelRect>& rects, int x, int y)
     return std::ranges::any_of(rects, [x, y](const sim::TexelRect& rect) {
         return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
     });
+}
+
+void keepInside(const std::vector<sim::TexelRect>& rects, const sim::TexelRect& tile, StrokeBuffer::MaskTile& mask)
+{
+    const bool whole =
+        std::ranges::any_of(rects, [&](const sim::TexelRect& rect) { return shared(rect, tile) == tile; });
+    if (whole)
+        return;
+    auto texel = mask.begin();
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x, ++texel)
+            if (!contains(rects, x, y))
+                *texel = 0;
 }
 
 sim::TexelRect shared(const sim::TexelRect& a, const sim::TexelRect& b)
@@ -55,63 +79,60 @@ QString actionText(const QString& title, MapKind map)
     return QCoreApplication::translate("Tool", "%1 on %2").arg(title, mapSpec(map).titleText());
 }
 
-std::optional<LiveLayer> LiveLayer::of(const ToolContext& context, const LayerAddress& address)
-{
-    const Layer* layer = context.document.committed().layer(address.group, address.map, address.layer);
-    if (layer == nullptr || !layer->visible || layer->locked)
-        return std::nullopt;
-    return LiveLayer(address, layer->raster, selectedTexels(context.selection, layer->raster.size()));
-}
-
-void LiveLayer::update(EditSession& session, const std::vector<int>& tiles, const MakeTile& make)
-{
-    LayerTiles changed;
-    for (const int index : tiles) {
-        const sim::RasterTilePtr& before = m_before.tile(index);
-        sim::RasterTilePtr tile = make(index, before);
-        const auto shown = m_shown.find(index);
-        if (tile == (shown == m_shown.end() ? before : shown->second))
-            continue;
-        changed.emplace_back(index, tile);
-        m_shown.insert_or_assign(index, std::move(tile));
-    }
-    if (!changed.empty())
-        session.previewTiles(m_address, changed);
-}
-
-void LiveLayer::replace(EditSession& session, const std::vector<int>& tiles, const MakeTile& make)
-{
-    std::vector<int> all = tiles;
-    for (const auto& [index, tile] : m_shown)
-        if (!std::ranges::binary_search(tiles, index))
-            all.push_back(index);
-    update(session, all, [&](int index, const sim::RasterTilePtr& before) {
-        return std::ranges::binary_search(tiles, index) ? make(index, before) : before;
-    });
-}
-
 bool LiveEdit::begin(const ToolContext& context, const QString& title, std::function<bool()> stepBack)
 {
+    const LayerAddress& at = context.target;
     context.document.endEdit(); // It may be of this very layer.
-    std::optional<LiveLayer> layer = LiveLayer::of(context, context.target);
-    if (!layer)
+    if (paintableLayer(context.document.committed(), at) == nullptr)
         return false;
-    m_session =
-        context.document.begin({.text = actionText(title, context.target.map), .stepBack = std::move(stepBack)});
-    m_layer = std::move(layer);
-    return true;
+    m_session = context.document.begin({.text = actionText(title, at.map), .stepBack = std::move(stepBack)});
+    m_layers.clear();
+    return also(context, at).has_value();
 }
 
-void LiveEdit::update(const std::vector<int>& tiles, const MakeTile& make)
+std::optional<std::size_t> LiveEdit::also(const ToolContext& context, const LayerAddress& address)
 {
-    if (active())
-        m_layer->update(m_session, tiles, make);
+    const Layer* layer = paintableLayer(context.document.committed(), address);
+    if (layer == nullptr)
+        return std::nullopt;
+    m_layers.push_back({.address = address,
+                        .blend = layer->blend,
+                        .before = layer->raster,
+                        .clips = selectedTexels(context.selection, layer->raster.size())});
+    return m_layers.size() - 1;
 }
 
-void LiveEdit::replace(const std::vector<int>& tiles, const MakeTile& make)
+void LiveEdit::update(const std::vector<int>& tiles, const MakeTile& make, std::size_t layer)
 {
-    if (active())
-        m_layer->replace(m_session, tiles, make);
+    if (!active())
+        return;
+    Edited& edited = m_layers[layer];
+    LayerTiles changed;
+    for (const int index : tiles) {
+        const sim::RasterTilePtr& before = edited.before.tile(index);
+        sim::RasterTilePtr tile = make(index, before);
+        const auto shown = edited.shown.find(index);
+        if (tile == (shown == edited.shown.end() ? before : shown->second))
+            continue;
+        changed.emplace_back(index, tile);
+        edited.shown.insert_or_assign(index, std::move(tile));
+    }
+    if (!changed.empty())
+        m_session.previewTiles(edited.address, changed);
+}
+
+void LiveEdit::replace(const std::vector<int>& tiles, const MakeTile& make, std::size_t layer)
+{
+    std::vector<int> all = tiles;
+    for (const auto& [index, tile] : m_layers[layer].shown)
+        if (!std::ranges::binary_search(tiles, index))
+            all.push_back(index);
+    update(
+        all,
+        [&](int index, const sim::RasterTilePtr& before) {
+            return std::ranges::binary_search(tiles, index) ? make(index, before) : before;
+        },
+        layer);
 }
 
 } // namespace hairpaint::model

@@ -83,13 +83,11 @@ struct ToolContext
     LayerAddress target;    ///< The active layer.
     ToolSettings& settings; ///< Brush size, value, ...; tools may change them (the picker does).
     Selection& selection;
-    bool mirror = false; ///< Paint the reflected place too.
-    /// The layer of another map of the target's group that is painted on, 0 where there is none; without it the
-    /// topmost.
-    std::function<Id(MapKind map)> layerOf = {};
+    bool mirror = false;                               ///< Paint the reflected place too.
+    std::function<Id(MapKind)> activeLayer = {};       ///< Of the target's group, for each map; 0 where it has none.
     std::shared_ptr<const sim::StrandFrame> hair = {}; ///< The newest that is drawn; null before there is any.
 
-    /// Where tools paint that edit another map than the target's.
+    /// The active layer of another map of the target's group; the top one where nobody says which it is.
     [[nodiscard]] LayerAddress layer(MapKind map) const;
 };
 
@@ -116,7 +114,7 @@ public:
     [[nodiscard]] virtual bool picksWithCtrl() const { return hasRing(); } ///< Ctrl+click takes the value there.
     /// In the 3D area it takes hold of hair, and of nothing else.
     [[nodiscard]] virtual bool grabs() const { return false; }
-    /// Other maps that it paints on in the same step.
+    /// Other maps that it changes too, as it is set: a layer of each must be there to be painted on.
     [[nodiscard]] virtual std::vector<MapKind> alsoPaints(const ToolSettings& /*settings*/) const { return {}; }
     [[nodiscard]] virtual bool paints() const { return true; } ///< Needs a layer that can be painted on.
 

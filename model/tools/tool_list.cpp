@@ -14,13 +14,15 @@ const char* toolName(ToolId id)
 
 LayerAddress ToolContext::layer(MapKind map) const
 {
-    Id id = 0;
-    const HairGroup* group = document.project().group(target.group);
-    if (layerOf)
-        id = layerOf(map);
-    else if (group != nullptr && !group->map(map).layers.empty())
-        id = group->map(map).layers.back().id;
-    return {.group = target.group, .map = map, .layer = id};
+    LayerAddress address{.group = target.group, .map = map};
+    if (map == target.map)
+        address.layer = target.layer;
+    else if (activeLayer != nullptr)
+        address.layer = activeLayer(map);
+    else if (const HairGroup* group = document.project().group(target.group);
+             group != nullptr && !group->map(map).layers.empty())
+        address.layer = group->map(map).layers.back().id;
+    return address;
 }
 
 std::vector<std::unique_ptr<Tool>> makeTools()
