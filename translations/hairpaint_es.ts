@@ -2379,6 +2379,11 @@
         <source>%1 is painted with %2 now: this group&apos;s range ends there.</source>
         <translation>%1 se pinta ahora con %2: el rango de este grupo termina ahí.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: a map&apos;s name; %2: a sentence that says why nothing can be painted on it.</extracomment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::HairPanel</name>
