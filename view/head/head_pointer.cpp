@@ -162,12 +162,14 @@ void HeadPointer::dragLight(QPointF pixels)
 
 void HeadPointer::hoverAt(const PointerSample& sample)
 {
-    // While hair is held, the ring says which roots go along.
-    if (m_drag == Drag::Stroke && m_grabbed) {
-        m_editor.setHover(Hover{.area = model::Area::Head, .uv = m_grabbed->root.uv, .point = m_grabbed->root});
-        return;
-    }
-    const std::optional<sim::SurfacePoint> point = m_scene.skinAt(sample.position);
+    // Where hair is grabbed, or can be, the ring says which roots go along.
+    std::optional<sim::SurfacePoint> point;
+    if (m_drag == Drag::Stroke && m_grabbed)
+        point = m_grabbed->root;
+    else if (const auto hair = m_editor.activeTool().grabs() ? m_scene.hairAt(sample.position) : std::nullopt)
+        point = hair->root;
+    else
+        point = m_scene.skinAt(sample.position);
     if (point)
         m_editor.setHover(Hover{.area = model::Area::Head, .uv = point->uv, .point = point});
     else
