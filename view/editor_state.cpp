@@ -314,7 +314,7 @@ bool EditorState::mayPaint(std::initializer_list<MapKind> maps)
 void EditorState::press(const model::ToolEvent& event)
 {
     // With Ctrl every painting tool picks the value under the pointer.
-    const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().picksWithCtrl();
+    const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().picksWithCtrl(event.area);
     if (const std::optional<MapKind> map = activeTool().map())
         setActiveMap(*map);
     // Somebody else's edit ends before it is asked what there is to paint on.

@@ -4,6 +4,7 @@
 #include "model/tools/comb_field.h"
 #include "model/tools/dab_shape.h"
 #include "model/tools/live_edit.h"
+#include "model/tools/picker.h"
 #include "model/tools/skin_frames.h"
 #include "model/tools/tool_list.h"
 #include "sim/groom/direction_texel.h"
@@ -42,7 +43,8 @@ public:
         return {ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity};
     }
     [[nodiscard]] bool hasRing() const override { return true; }
-    [[nodiscard]] bool picksWithCtrl() const override { return false; }
+    /// On hair it says that the length follows, too.
+    [[nodiscard]] bool picksWithCtrl(Area area) const override { return area == Area::Paint; }
     [[nodiscard]] bool grabs() const override { return true; }
     [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
 
@@ -87,6 +89,8 @@ private:
 
 void GrabTool::press(const ToolEvent& event, ToolContext& context)
 {
+    if (picksWithCtrl(event.area) && picksInstead(event, context))
+        return;
     const Head* head = context.document.project().head.get();
     const bool onHead = event.area == Area::Head;
     if (active() || context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr ||

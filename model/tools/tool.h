@@ -111,7 +111,8 @@ public:
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.
     [[nodiscard]] virtual std::optional<MapKind> map() const { return std::nullopt; }
-    [[nodiscard]] virtual bool picksWithCtrl() const { return hasRing(); } ///< Ctrl+click takes the value there.
+    /// Ctrl+click takes the value there.
+    [[nodiscard]] virtual bool picksWithCtrl(Area /*area*/) const { return hasRing(); }
     /// In the 3D area it takes hold of hair, and of nothing else.
     [[nodiscard]] virtual bool grabs() const { return false; }
     /// Other maps that it changes too, as it is set: a layer of each must be there to be painted on.
