@@ -154,6 +154,8 @@ sim::GroomInput Document::groomInput() const
         input.skin = shown.head->skin;
         input.distances = shown.head->distances;
         input.naturalDirection = shown.head->naturalDirection;
+        if (shown.head->landmarks)
+            input.neck = sim::neckOf(shown.head->landmarks, shown.head->skin->mesh());
     }
     input.colliders = shown.ellipsoids;
     input.seed = shown.seed;

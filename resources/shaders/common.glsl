@@ -17,6 +17,9 @@ layout(std140, binding = 0) uniform Frame
     vec4 gridSize;          // Area in m2 of a voxel of either grid, seen along z; samples that a metre covers at 1 m.
     vec4 background[2];     // sRGB as encoded: in the middle of the picture, and how much it rises to the top.
     vec4 ringWo[2];         // Centre; w: radius, 0 where there is no ring.
+    vec4 neckTurn;          // From the head's frame to the shoulders': x, y, z, w of a quaternion; w >= 0.
+    vec4 neckPivotHd;       // What it turns about; w: height above which nothing does.
+    vec4 neckReach;         // How much of the turn a metre further down takes part.
     vec4 skin[3];           // Linear colours of skin, lips, lids; w: how far light scatters, depth of grain, sheen; 0..1.
 };
 

@@ -7,12 +7,22 @@ out vec3 placeWo;
 out vec3 normalWo;
 out vec4 marks;
 
+vec3 turnedBy(vec4 q, vec3 p)
+{
+    return p + 2.0 * cross(q.xyz, cross(q.xyz, p) + q.w * p);
+}
+
 void main()
 {
-    vec4 place = woFromHd * vec4(positionHd, 1.0);
+    // The shoulders stay while the head turns: back by what has turned too much. As pushOutOfBust in
+    // strand_kernel_inl.h.
+    float below = smoothstep(0.0, 1.0, (neckPivotHd.w - positionHd.y) * neckReach.x);
+    vec4 turn = normalize(mix(vec4(0.0, 0.0, 0.0, 1.0), neckTurn, below));
+    vec4 back = vec4(-turn.xyz, turn.w);
+    vec4 place = woFromHd * vec4(turnedBy(back, positionHd - neckPivotHd.xyz) + neckPivotHd.xyz, 1.0);
     placeHd = positionHd;
     placeWo = place.xyz;
-    normalWo = mat3(woFromHd) * normalHd;
+    normalWo = mat3(woFromHd) * turnedBy(back, normalHd);
     marks = skinMarks;
     gl_Position = projectionFromWo * place;
 }

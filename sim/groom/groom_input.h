@@ -5,6 +5,7 @@
 #include "sim/groom/map_slot.h"
 #include "sim/skin/distance_grid.h"
 #include "sim/skin/ellipsoid.h"
+#include "sim/skin/neck.h"
 #include "sim/skin/skin.h"
 
 #include <cstdint>
@@ -27,6 +28,7 @@ struct GroomInput
     std::shared_ptr<const Skin> skin;
     std::vector<Ellipsoid> colliders;
     std::shared_ptr<const DistanceGrid> distances; ///< To the skin; null: the colliders alone keep hair out of it.
+    Neck neck;                                     ///< Shoulders on which hair grows turn with the head all the same.
     MapRaster naturalDirection; ///< How hair grows where nobody combed it; null where that is not known.
     std::vector<Group> groups;
     std::uint64_t seed = 1;

@@ -166,7 +166,7 @@ void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const Rigi
 }
 
 void Dependents::write(const Groom& groom, const StrandState& state, const ColliderSet& colliders, float fraction,
-                       const HeadPose& pose, GroupFrame& frame)
+                       const HeadPose& pose, const Neck& neck, GroupFrame& frame)
 {
     const std::size_t chunkFloats = groom.blocks().floatsFor(kBlocksPerChunk);
     frame.positions.resize(static_cast<std::size_t>(groom.packedChunks) * chunkFloats);
@@ -178,6 +178,7 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
     common.displacements = m_displacements.data();
     common.colliders = &colliders;
     common.world = worldOfHead(pose);
+    common.neck = neckTurn(neck, pose);
     parallelFor(m_placed.size() * kBlocksPerChunk, kDependentBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
         for (std::size_t at = begin; at < end;) {
             const std::size_t index = m_placed[at / kBlocksPerChunk];

@@ -4,6 +4,7 @@
 #include "sim/base/aligned_floats.h"
 #include "sim/groom/groom.h"
 #include "sim/motion/strand_frame.h"
+#include "sim/skin/neck.h"
 #include "sim/solver/solver_layout.h"
 #include "sim/solver/strand_state.h"
 
@@ -21,7 +22,7 @@ public:
 
     /// Fills frame.positions for this moment: `fraction` 0 is the step before, 1 the present one.
     void write(const Groom& groom, const StrandState& state, const ColliderSet& colliders, float fraction,
-               const HeadPose& pose, GroupFrame& frame);
+               const HeadPose& pose, const Neck& neck, GroupFrame& frame);
 
 private:
     struct Chunk

@@ -225,14 +225,14 @@ void GroupDynamics::step(std::span<const StepForces> steps)
     m_awake = windy || std::any_of(m_state.awake.begin(), m_state.awake.end(), [](std::uint8_t a) { return a != 0; });
 }
 
-void GroupDynamics::write(GroupFrame& frame, float fraction, const HeadPose& pose) const
+void GroupDynamics::write(GroupFrame& frame, float fraction, const HeadPose& pose, const Neck& neck) const
 {
     frame.groom = m_groom;
     if (!m_groom->visible) {
         frame.positions.clear();
         return;
     }
-    m_dependents.write(*m_groom, m_state, m_colliders, fraction, pose, frame);
+    m_dependents.write(*m_groom, m_state, m_colliders, fraction, pose, neck, frame);
 }
 
 } // namespace hairpaint::sim

@@ -55,6 +55,21 @@ RigidMotion inertialMotion(const HeadPose& from, const HeadPose& to)
     return rigid(glm::mat3_cast(normalised(turn)), offset);
 }
 
+NeckTurn neckTurn(const Neck& neck, const HeadPose& pose)
+{
+    constexpr float kStraight = 1e-6F;
+    const glm::vec3 axis(pose.rotation.x, pose.rotation.y, pose.rotation.z);
+    if (!neck.hasShoulders() || glm::dot(axis, axis) < kStraight * kStraight)
+        return {};
+    const glm::quat turn = pose.rotation.w < 0.0F ? -pose.rotation : pose.rotation;
+    return {.turned = true,
+            .pivot = {neck.pivotHd.x, neck.pivotHd.y, neck.pivotHd.z},
+            .turn = {turn.x, turn.y, turn.z, turn.w},
+            .headY = neck.headY,
+            .perTwistM = 1.0F / (neck.headY - neck.shouldersY),
+            .shouldersY = neck.shouldersY};
+}
+
 RigidMotion worldOfHead(const HeadPose& pose)
 {
     return rigid(glm::mat3_cast(pose.rotation), pose.positionWo);

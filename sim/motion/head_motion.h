@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/motion/strand_frame.h"
+#include "sim/skin/neck.h"
 #include "sim/solver/solver_layout.h"
 
 namespace hairpaint::sim {
@@ -12,6 +13,9 @@ namespace hairpaint::sim {
 /// Where a point at rest in the world goes in the head's own frame, when the head moves. A head that is carried off
 /// faster than hair can follow (18 m/s or 30 rad/s) takes its hair along: no motion.
 [[nodiscard]] RigidMotion inertialMotion(const HeadPose& from, const HeadPose& to);
+
+/// The same for the shoulders, that do not turn with the head; none where the neck has none.
+[[nodiscard]] NeckTurn neckTurn(const Neck& neck, const HeadPose& pose);
 
 /// From the head's frame to the world.
 [[nodiscard]] RigidMotion worldOfHead(const HeadPose& pose);

@@ -2,22 +2,13 @@
 #pragma once
 
 #include "sim/motion/strand_frame.h"
-#include "sim/skin/head_landmarks.h"
-#include "sim/skin/head_mesh.h"
+#include "sim/skin/neck.h"
 
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
 namespace hairpaint::sim {
-
-/// What the head turns about. Hd, which is Wo while the head looks straight ahead; m.
-struct Neck
-{
-    glm::vec3 pivotHd{0.0F};
-    glm::vec3 acrossHd{1.0F, 0.0F, 0.0F}; ///< Unit length, level, toward the head's own left.
-    friend bool operator==(const Neck&, const Neck&) = default;
-};
 
 /// All 0: it looks straight ahead.
 struct NeckAngles
@@ -39,9 +30,6 @@ inline constexpr float kMostYawRad = 1.3962634F;   ///< 80 degrees to either sid
 inline constexpr float kMostPitchRad = 0.7853982F; ///< 45 degrees up and down.
 inline constexpr double kReturnSeconds = 1.0;      ///< After it a head that was let go looks straight ahead.
 
-/// The neck's base by the landmarks; without them below the mesh's top by as much as people have, or at its base where
-/// that is higher.
-[[nodiscard]] Neck neckOf(const std::optional<HeadLandmarks>& landmarks, const HeadMesh& mesh);
 [[nodiscard]] HeadPose poseOn(const Neck& neck, const NeckAngles& angles);
 /// The nearest that a neck does. Numbers that are not finite count as 0.
 [[nodiscard]] NeckAngles withinReach(const NeckAngles& angles);

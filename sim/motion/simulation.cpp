@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 
 namespace hairpaint::sim {
 
@@ -17,6 +18,22 @@ constexpr int kMostStepsAtOnce = 8;
 /// Sums of frame times fall a hair short of whole steps.
 constexpr double kRounding = 1e-6;
 
+/// Whether any hair stands lower than that on the head.
+bool growsBelow(std::span<const std::shared_ptr<const Groom>> grooms, float heightY)
+{
+    return std::ranges::any_of(grooms, [heightY](const std::shared_ptr<const Groom>& groom) {
+        for (std::size_t index = 0; index < groom->chunks.size(); ++index) {
+            if (groom->chunks[index] == nullptr)
+                continue;
+            for (std::size_t local = 0; local < kChunkSlots; ++local)
+                if (groom->chunks[index]->hairs[local] &&
+                    groom->roots->positionHd[index * kChunkSlots + local].y < heightY)
+                    return true;
+        }
+        return false;
+    });
+}
+
 } // namespace
 
 struct Simulation::State
@@ -25,6 +42,7 @@ struct Simulation::State
     ColliderSet colliders;
     std::vector<std::unique_ptr<GroupDynamics>> groups;
     WindField air;
+    Neck neck;
     HeadPose pose;         ///< At the present step,
     HeadPose poseBefore;   ///< the one before,
     HeadPose poseWanted;   ///< and as last set.
@@ -58,7 +76,9 @@ void Simulation::State::run(int count)
         for (int i = 0; i < batch; ++i) {
             poseBefore = pose;
             pose = mixPoses(start, poseWanted, static_cast<float>(done + i + 1) / static_cast<float>(count));
-            steps[static_cast<std::size_t>(i)] = air.nextStep(poseBefore, pose);
+            StepForces& step = steps[static_cast<std::size_t>(i)];
+            step = air.nextStep(poseBefore, pose);
+            step.neck = neckTurn(neck, pose);
         }
         for (auto& group : groups)
             group->step(std::span(steps).first(static_cast<std::size_t>(batch)));
@@ -81,7 +101,11 @@ void Simulation::setInput(const GroomInput& input)
     s.revision = input.revision;
     s.preview = input.preview;
     s.colliders = prepareColliders(input.colliders, input.distances);
-    const StepForces calm = WindField::calm(s.pose);
+    s.neck = input.neck;
+    if (s.neck.hasShoulders() && growsBelow(report.grooms, s.neck.headY))
+        s.neck.shouldersY = s.neck.headY;
+    StepForces calm = WindField::calm(s.pose);
+    calm.neck = neckTurn(s.neck, s.pose);
     std::vector<std::unique_ptr<GroupDynamics>> groups;
     groups.reserve(report.grooms.size());
     for (const std::shared_ptr<const Groom>& groom : report.grooms) {
@@ -156,12 +180,13 @@ void Simulation::writeFrame(StrandFrame& frame) const
     const bool atPresent = s.asleep();
     const float moment = atPresent ? 1.0F : fraction;
     frame.pose = atPresent ? s.pose : mixPoses(s.poseBefore, s.pose, moment);
+    frame.neck = s.neck;
     frame.groups.resize(s.groups.size());
     frame.hairCount = 0;
     frame.basisCount = 0;
     frame.limit = HairLimit::None;
     for (std::size_t i = 0; i < s.groups.size(); ++i) {
-        s.groups[i]->write(frame.groups[i], moment, frame.pose);
+        s.groups[i]->write(frame.groups[i], moment, frame.pose, s.neck);
         const Groom& groom = *s.groups[i]->groom();
         frame.hairCount += groom.hairCount;
         frame.basisCount += groom.basisCount;

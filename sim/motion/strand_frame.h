@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/groom/groom.h"
+#include "sim/skin/neck.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -33,6 +34,7 @@ struct StrandFrame
 {
     std::vector<GroupFrame> groups;
     HeadPose pose;
+    Neck neck; ///< Whose shoulders do not turn with the head.
     double simulatedSeconds = 0.0;
     double stepMilliseconds = 0.0; ///< Time that the last step took, all groups.
     std::size_t hairCount = 0;

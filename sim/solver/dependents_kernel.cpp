@@ -74,11 +74,12 @@ HWY_INLINE bool collide(D d, const DependentsTask& task, const float* HWY_RESTRI
     bool any = false;
     const auto furthest = hn::Set(d, kAnywhereM);
     for (int c = 0; c < task.colliders->count; ++c)
-        any |= pushOut(d, task.colliders->items[static_cast<std::size_t>(c)],
+        any |= pushOut(d, task.colliders->items[static_cast<std::size_t>(c)], task.neck,
                        hn::LoadU(d, lanes + (kDependentScale + c) * kLanes), furthest, p, contact);
     if (task.colliders->skin.values != nullptr)
-        any |= pushSegmentOutOfSkin(d, task.colliders->skin, hn::LoadU(d, lanes + kDependentClearance * kLanes),
-                                    furthest, first, parent, p, contact);
+        any |=
+            pushSegmentOutOfSkin(d, task.colliders->skin, task.neck, hn::LoadU(d, lanes + kDependentClearance * kLanes),
+                                 furthest, first, parent, p, contact);
     return any;
 }
 

@@ -37,7 +37,8 @@ struct DependentsTask
     const float* rest = nullptr;                              ///< [kBlocksPerChunk][nodes][3][kLanes]
     const float* lanes = nullptr;                             ///< [kBlocksPerChunk][kDependentRows][kLanes]
     const ColliderSet* colliders = nullptr;
-    RigidMotion world;    ///< From the head's frame.
+    RigidMotion world; ///< From the head's frame.
+    NeckTurn neck;
     float* out = nullptr; ///< As `rest`; zeros where nothing is drawn.
 };
 

@@ -243,16 +243,16 @@ HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RES
 
 /// Keeps a node outside every ellipsoid, and it and its segment outside the skin; true where any lane was inside one.
 template<class D>
-HWY_INLINE bool collide(D d, const ColliderSet& colliders, const float* HWY_RESTRICT lanes, bool first,
-                        const Vec3<hn::Vec<D>>& parent, Vec3<hn::Vec<D>>& p, Contact<D>& contact)
+HWY_INLINE bool collide(D d, const ColliderSet& colliders, const NeckTurn& neck, const float* HWY_RESTRICT lanes,
+                        bool first, const Vec3<hn::Vec<D>>& parent, Vec3<hn::Vec<D>>& p, Contact<D>& contact)
 {
     bool any = false;
     for (int c = 0; c < colliders.count; ++c)
-        any |= pushOut(d, colliders.items[static_cast<std::size_t>(c)], hn::LoadU(d, lanes + (kScale + c) * kLanes),
-                       hn::Set(d, kFastestLeaveM), p, contact);
+        any |= pushOut(d, colliders.items[static_cast<std::size_t>(c)], neck,
+                       hn::LoadU(d, lanes + (kScale + c) * kLanes), hn::Set(d, kFastestLeaveM), p, contact);
     if (colliders.skin.values != nullptr)
-        any |= pushSegmentOutOfSkin(d, colliders.skin, hn::Set(d, kSkinClearanceM), hn::Set(d, kFastestLeaveM), first,
-                                    parent, p, contact);
+        any |= pushSegmentOutOfSkin(d, colliders.skin, neck, hn::Set(d, kSkinClearanceM), hn::Set(d, kFastestLeaveM),
+                                    first, parent, p, contact);
     return any;
 }
 
@@ -327,11 +327,11 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
         const Vec3<V> start = load3(d, current + offset);
         Vec3<V> placed = atLength(d, parent, load3(d, p + offset), length, lie);
         Contact<D> contact = noContact(d);
-        if (collide(d, colliders, lanes, i == 1, parent, placed, contact)) {
+        if (collide(d, colliders, step.neck, lanes, i == 1, parent, placed, contact)) {
             placed = rubbed(d, gains, contact, start, placed);
             placed = choose(contact.touched, atLength(d, parent, placed, length, lie), placed);
             Contact<D> second = noContact(d);
-            if (collide(d, colliders, lanes, i == 1, parent, placed, second))
+            if (collide(d, colliders, step.neck, lanes, i == 1, parent, placed, second))
                 placed = choose(second.touched, atLength(d, parent, placed, length, lie), placed);
         }
         // Whatever went wrong (not a number, far away), the node goes back to where it was styled.

@@ -60,10 +60,22 @@ struct PuffForces
     float inverseRadius2 = 0.0F; ///< 1/m2
 };
 
+/// How far the head is turned on its neck: skin below it lies elsewhere than in the head's own frame.
+struct NeckTurn
+{
+    bool turned = false; ///< Else the rest means nothing.
+    std::array<float, 3> pivot{};
+    std::array<float, 4> turn{0.0F, 0.0F, 0.0F, 1.0F}; ///< x, y, z, w >= 0: from the head's frame to the shoulders'.
+    float headY = 0.0F;                                ///< From here down the neck twists,
+    float perTwistM = 0.0F;                            ///< by so much of it a metre, up to
+    float shouldersY = 0.0F;                           ///< here.
+};
+
 /// What acts on every strand in one step. Hd, metres a step.
 struct StepForces
 {
     RigidMotion toNewHead; ///< From the head's frame a step ago to the present one.
+    NeckTurn neck;         ///< At the step's end.
     std::array<float, 3> gravity{};
     bool windy = false; ///< Any wind or puff: nothing sleeps.
     std::array<float, 3> wind{};

@@ -154,16 +154,113 @@ HWY_INLINE bool pushOutOfSkin(D d, const SkinField& skin, hn::Vec<D> clearance, 
     return true;
 }
 
+template<class V>
+struct Turn
+{
+    Vec3<V> v;
+    V w;
+};
+
+template<class V>
+HWY_INLINE Vec3<V> cross(const Vec3<V>& a, const Vec3<V>& b)
+{
+    return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)), hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+            hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+
+template<class V>
+HWY_INLINE Vec3<V> turnedBy(const Turn<V>& q, const Vec3<V>& p)
+{
+    const Vec3<V> half = cross(q.v, addScaled(cross(q.v, p), p, q.w));
+    return add(p, add(half, half));
+}
+
+/// The whole turn from the head's frame to the shoulders'.
+template<class D>
+HWY_INLINE Turn<hn::Vec<D>> wholeTurn(D d, const NeckTurn& neck)
+{
+    return {{hn::Set(d, neck.turn[0]), hn::Set(d, neck.turn[1]), hn::Set(d, neck.turn[2])}, hn::Set(d, neck.turn[3])};
+}
+
+/// As much of it as skin at height y takes part in.
+template<class D>
+HWY_INLINE Turn<hn::Vec<D>> turnAt(D d, const NeckTurn& neck, hn::Vec<D> y)
+{
+    using V = hn::Vec<D>;
+    const V one = hn::Set(d, 1.0F);
+    const V t =
+        hn::Min(hn::Max(hn::Mul(hn::Sub(hn::Set(d, neck.headY), y), hn::Set(d, neck.perTwistM)), hn::Zero(d)), one);
+    const V s = hn::Mul(hn::Mul(t, t), hn::Sub(hn::Set(d, 3.0F), hn::Add(t, t)));
+    const Turn<V> whole = wholeTurn(d, neck);
+    const Vec3<V> v = scale(whole.v, s);
+    const V w = hn::Add(hn::Sub(one, s), hn::Mul(s, whole.w));
+    const V perLength = hn::Div(one, hn::Sqrt(hn::Add(dot(v, v), hn::Mul(w, w))));
+    return {scale(v, perLength), hn::Mul(w, perLength)};
+}
+
+/// `push`, which takes p and a contact as the skin knows them, for skin that is turned by `turn` about the neck.
+template<class D, class Push>
+HWY_INLINE bool pushTurned(D d, const NeckTurn& neck, const Turn<hn::Vec<D>>& turn, Vec3<hn::Vec<D>>& p,
+                           Contact<D>& contact, const Push& push)
+{
+    using V = hn::Vec<D>;
+    const Vec3<V> pivot = set3(d, neck.pivot);
+    const Vec3<V> place = add(turnedBy(turn, sub(p, pivot)), pivot);
+    Vec3<V> out = place;
+    Contact<D> own = noContact(d);
+    if (!push(out, own))
+        return false;
+    const V zero = hn::Zero(d);
+    const Turn<V> back{sub(Vec3<V>{zero, zero, zero}, turn.v), turn.w};
+    p = choose(own.touched, add(p, turnedBy(back, sub(out, place))), p);
+    contact.normal = choose(own.touched, turnedBy(back, own.normal), contact.normal);
+    contact.normal2 = hn::IfThenElse(own.touched, own.normal2, contact.normal2);
+    contact.depth2 = hn::IfThenElse(own.touched, own.depth2, contact.depth2);
+    contact.touched = hn::Or(contact.touched, own.touched);
+    return true;
+}
+
+/// pushOut() for an ellipsoid of the head or, below the neck, of the shoulders.
+template<class D>
+HWY_INLINE bool pushOut(D d, const Collider& collider, const NeckTurn& neck, hn::Vec<D> scale2, hn::Vec<D> furthest,
+                        Vec3<hn::Vec<D>>& p, Contact<D>& contact)
+{
+    if (HWY_LIKELY(!neck.turned) || collider.centre[1] > neck.shouldersY)
+        return pushOut(d, collider, scale2, furthest, p, contact);
+    return pushTurned(d, neck, wholeTurn(d, neck), p, contact, [&](Vec3<hn::Vec<D>>& place, Contact<D>& own) {
+        return pushOut(d, collider, scale2, furthest, place, own);
+    });
+}
+
+/// pushOutOfSkin() for a bust whose shoulders do not turn with the head.
+template<class D>
+HWY_INLINE bool pushOutOfBust(D d, const SkinField& skin, const NeckTurn& neck, hn::Vec<D> clearance,
+                              hn::Vec<D> furthest, Vec3<hn::Vec<D>>& p, Contact<D>& contact)
+{
+    using V = hn::Vec<D>;
+    if (HWY_LIKELY(!neck.turned))
+        return pushOutOfSkin(d, skin, clearance, furthest, p, contact);
+    // By how much the skin there is turned depends on its own height: found from the shoulders', then again.
+    const V pivotY = hn::Set(d, neck.pivot[1]);
+    const Vec3<V> fromPivot = sub(p, set3(d, neck.pivot));
+    const V whole = hn::Add(turnedBy(wholeTurn(d, neck), fromPivot).y, pivotY);
+    const V once = hn::Add(turnedBy(turnAt(d, neck, whole), fromPivot).y, pivotY);
+    return pushTurned(d, neck, turnAt(d, neck, once), p, contact, [&](Vec3<V>& place, Contact<D>& own) {
+        return pushOutOfSkin(d, skin, clearance, furthest, place, own);
+    });
+}
+
 /// The same for the places of the segment from p's parent, which p moves by moving further; `first`: of the strand.
 template<class D>
-HWY_INLINE bool pushSegmentOutOfSkin(D d, const SkinField& skin, hn::Vec<D> clearance, hn::Vec<D> furthest, bool first,
-                                     const Vec3<hn::Vec<D>>& parent, Vec3<hn::Vec<D>>& p, Contact<D>& contact)
+HWY_INLINE bool pushSegmentOutOfSkin(D d, const SkinField& skin, const NeckTurn& neck, hn::Vec<D> clearance,
+                                     hn::Vec<D> furthest, bool first, const Vec3<hn::Vec<D>>& parent,
+                                     Vec3<hn::Vec<D>>& p, Contact<D>& contact)
 {
-    bool any = pushOutOfSkin(d, skin, clearance, furthest, p, contact);
+    bool any = pushOutOfBust(d, skin, neck, clearance, furthest, p, contact);
     for (std::size_t i = 1; i < kSegmentParts.size() && !first; ++i) {
         const Vec3<hn::Vec<D>> place = addScaled(parent, sub(p, parent), hn::Set(d, kSegmentParts[i]));
         Vec3<hn::Vec<D>> out = place;
-        if (!pushOutOfSkin(d, skin, clearance, furthest, out, contact))
+        if (!pushOutOfBust(d, skin, neck, clearance, furthest, out, contact))
             continue;
         p = addScaled(p, sub(out, place), hn::Set(d, 1.0F / kSegmentParts[i]));
         any = true;

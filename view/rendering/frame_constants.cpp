@@ -1,6 +1,8 @@
 // Derives matrices, grids and depth keys from the scene.
 #include "view/rendering/frame_constants.h"
 
+#include "sim/motion/head_motion.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -82,6 +84,10 @@ FrameConstants frameConstants(const Scene& scene, const Target& target)
     c.woFromProjection = glm::inverse(c.projectionFromWo);
     const sim::HeadPose pose = scene.hair ? scene.hair->pose : sim::HeadPose{};
     c.woFromHd = glm::translate(glm::mat4(1.0F), pose.positionWo) * glm::mat4_cast(pose.rotation);
+    const sim::NeckTurn neck = scene.hair ? sim::neckTurn(scene.hair->neck, pose) : sim::NeckTurn{};
+    c.neckTurn = glm::vec4(neck.turn[0], neck.turn[1], neck.turn[2], neck.turn[3]);
+    c.neckPivotHd = glm::vec4(neck.pivot[0], neck.pivot[1], neck.pivot[2], neck.headY);
+    c.neckReach = glm::vec4(neck.perTwistM, 0.0F, 0.0F, 0.0F);
     c.eyeWo = glm::vec4(scene.camera.eyeWo(), 1.0F);
     const glm::vec3 light = glm::length(scene.light.directionWo) > 0.0F ? glm::normalize(scene.light.directionWo)
                                                                         : glm::vec3(0.0F, 1.0F, 0.0F);

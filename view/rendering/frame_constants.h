@@ -23,6 +23,9 @@ struct FrameConstants
     glm::vec4 gridSize;
     std::array<glm::vec4, 2> background;
     std::array<glm::vec4, 2> ringWo;
+    glm::vec4 neckTurn;
+    glm::vec4 neckPivotHd;
+    glm::vec4 neckReach;
     std::array<glm::vec4, 3> skin;
     friend bool operator==(const FrameConstants&, const FrameConstants&) = default;
 };
