@@ -2281,7 +2281,7 @@
     </message>
     <message>
         <source>Show d&amp;irections</source>
-        <translation>Mostrar &amp;direcciones</translation>
+        <translation>Mo&amp;strar direcciones</translation>
     </message>
 </context>
 <context>
