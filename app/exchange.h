@@ -40,6 +40,8 @@ public:
     void renameStyle(const QString& path); ///< Asks for the name.
     void deleteStyle(const QString& path);
     void applyStyleFrom(const QString& path);
+    /// The hair of the document as it is, waited for; null where that was cancelled or there is no memory for it.
+    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair();
 
 Q_SIGNALS:
     void headDialogMade(QDialog& dialog); ///< About to be shown.
@@ -54,8 +56,6 @@ private:
     /// One undo step. The hairstyle is carried to the new head, or its maps stay as they lie.
     void replaceHead(const std::shared_ptr<const model::Head>& head, std::vector<sim::Ellipsoid> ellipsoids,
                      bool carriesHair);
-    /// The hair of the document as it is, waited for; null where that was cancelled or there is no memory for it.
-    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair();
     /// Has a file written with progress, and tells of it.
     void write(const QString& path, const Work<void>& work);
     /// The chosen path with `suffix` added where it has none; empty where cancelled.

@@ -263,6 +263,7 @@ void MainWindow::dropEvent(QDropEvent* event)
 void MainWindow::lookAt(std::optional<model::MapKind> map)
 {
     m_session.lookAt(map);
+    m_workspace->headView().setLookedAt(map);
     const model::HairGroup* group = m_session.document().project().group(m_session.editor().activeGroup());
     if (map && group != nullptr)
         m_workspace->legend().showMap(model::mapSpec(*map), group->settings);

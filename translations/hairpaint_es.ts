@@ -1097,6 +1097,17 @@
     </message>
 </context>
 <context>
+    <name>HoldHair</name>
+    <message>
+        <source>Holding the hair</source>
+        <translation>Fijando el pelo</translation>
+    </message>
+    <message>
+        <source>There is no hair to hold in this group.</source>
+        <translation>No hay pelo que fijar en este grupo.</translation>
+    </message>
+</context>
+<context>
     <name>Landmarks</name>
     <message>
         <source>crown</source>
@@ -1634,6 +1645,18 @@
         <source>Click where the part goes on; Esc leaves no trace</source>
         <translation>Haz clic donde sigue la raya; Esc no deja rastro</translation>
     </message>
+    <message>
+        <source>Grab</source>
+        <translation>Agarrar</translation>
+    </message>
+    <message>
+        <source>Press on hair and drag it where it should go; with Ctrl it grows or shrinks to the pointer</source>
+        <translation>Pulsa en el pelo y arrástralo adonde deba ir; con Ctrl crece o se acorta hasta el puntero</translation>
+    </message>
+    <message>
+        <source>Hold as it lies</source>
+        <translation>Fijar como está</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ClipCommands</name>
@@ -2013,6 +2036,14 @@
         <source>An ellipsoid where the pointer was last on the head, which hair does not enter; eight at most</source>
         <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; ocho como máximo</translation>
     </message>
+    <message>
+        <source>H&amp;old as it lies now</source>
+        <translation>Fi&amp;jar como está ahora</translation>
+    </message>
+    <message>
+        <source>Paints directions and gel so that the active group&apos;s hair, inside the selection if there is one, stays as it lies now</source>
+        <translation>Pinta direcciones y gel para que el pelo del grupo activo, dentro de la selección si la hay, quede como está ahora</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HelpMenu</name>
@@ -2290,6 +2321,10 @@
     <message>
         <source>Show &amp;colliders</source>
         <translation>Mostrar &amp;elipsoides de colisión</translation>
+    </message>
+    <message>
+        <source>Show d&amp;irections</source>
+        <translation>Mo&amp;strar direcciones</translation>
     </message>
 </context>
 <context>
@@ -3127,6 +3162,22 @@
     <message>
         <source>How far the part runs to and fro; 0 leaves it straight</source>
         <translation>Cuánto va y viene la raya; 0 la deja recta</translation>
+    </message>
+    <message>
+        <source>Gel at least</source>
+        <translation>Gel mínimo</translation>
+    </message>
+    <message>
+        <source>The gel that keeps held hair as it lies</source>
+        <translation>El gel que mantiene el pelo fijado como está</translation>
+    </message>
+    <message>
+        <source>Whorl: a spiral around the pointer</source>
+        <translation>Remolino: una espiral alrededor del puntero</translation>
+    </message>
+    <message>
+        <source>Hold as it lies now, with gel</source>
+        <translation>Fijar como está ahora, con gel</translation>
     </message>
 </context>
 <context>

@@ -20,7 +20,8 @@ bool sameSettings(const model::ToolSettings& a, const model::ToolSettings& b)
            a.pressureSize == b.pressureSize && a.pressureOpacity == b.pressureOpacity &&
            a.fillTolerance == b.fillTolerance && a.shape == b.shape && a.gradient == b.gradient && a.comb == b.comb &&
            a.flatness == b.flatness && a.partReachM == b.partReachM && a.partGapM == b.partGapM &&
-           a.partZigzagM == b.partZigzagM && a.values == b.values && a.secondValues == b.secondValues;
+           a.partZigzagM == b.partZigzagM && a.holdGel == b.holdGel && a.values == b.values &&
+           a.secondValues == b.secondValues;
 }
 
 /// The Length brush is ready with 15 cm.
@@ -223,6 +224,11 @@ bool EditorState::setChosenCollider(std::optional<std::size_t> index)
     return true;
 }
 
+bool EditorState::setDirectionsShown(bool shown)
+{
+    return setOption(m_directionsShown, shown);
+}
+
 template<typename Call>
 void EditorState::withTool(const Call& call)
 {
@@ -313,10 +319,23 @@ QString EditorState::refusalOn(const model::HairGroup& group, MapKind map) const
     return {};
 }
 
+bool EditorState::mayPaint(std::initializer_list<MapKind> maps)
+{
+    const model::HairGroup* group = m_document.project().group(m_activeGroup);
+    QString reason = group == nullptr ? refusal(false) : QString();
+    for (const MapKind map : maps)
+        if (reason.isEmpty())
+            if (const QString onMap = refusalOn(*group, map); !onMap.isEmpty())
+                reason = tr("%1: %2").arg(model::mapSpec(map).titleText(), onMap);
+    if (!reason.isEmpty())
+        Q_EMIT refused(reason);
+    return reason.isEmpty();
+}
+
 void EditorState::press(const model::ToolEvent& event)
 {
     // With Ctrl every painting tool picks the value under the pointer.
-    const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().hasRing();
+    const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().picksWithCtrl(event.area);
     if (const std::optional<MapKind> map = activeTool().map())
         setActiveMap(*map);
     // Somebody else's edit ends before it is asked what there is to paint on.
@@ -412,7 +431,8 @@ model::ToolContext EditorState::context()
             .settings = m_toolSettings,
             .selection = m_selection,
             .mirror = m_mirror,
-            .activeLayer = [this](MapKind map) { return activeLayer(map); }};
+            .activeLayer = [this](MapKind map) { return activeLayer(map); },
+            .hair = m_hair};
 }
 
 } // namespace hairpaint::view

@@ -70,6 +70,9 @@ public:
     /// The one of them that is edited; none while they are not shown.
     [[nodiscard]] std::optional<std::size_t> chosenCollider() const;
     bool setChosenCollider(std::optional<std::size_t> index);
+    /// Short hairs on the head that tell the active direction map, while it is the active one.
+    [[nodiscard]] bool directionsShown() const { return m_directionsShown; }
+    bool setDirectionsShown(bool shown);
 
     [[nodiscard]] const std::optional<Hover>& hover() const { return m_hover; }
     /// Where both areas draw the brush's rings: under the pointer, and the mirrored twin if there is one. Empty off the
@@ -80,6 +83,12 @@ public:
     /// Tools with something pending hear of it too.
     void setHover(const std::optional<Hover>& hover);
 
+    /// The newest hair that is drawn, for tools that ask how it lies.
+    void setHair(std::shared_ptr<const sim::StrandFrame> hair) { m_hair = std::move(hair); }
+
+    /// Whether these maps of the active group can be painted on; where not, refused() says why.
+    bool mayPaint(std::initializer_list<model::MapKind> maps);
+    void tell(const QString& text) { Q_EMIT told(text); }
     /// Pointer events on the skin. press() does nothing where the target layer is missing, hidden or locked: refused()
     /// says why.
     void press(const model::ToolEvent& event);
@@ -95,7 +104,7 @@ Q_SIGNALS:
     void targetChanged(); ///< Active group, map or layer.
     void activeToolChanged();
     void toolSettingsChanged();
-    void viewOptionsChanged(); ///< Mirror, night paper, wireframe, colliders and the chosen one.
+    void viewOptionsChanged(); ///< Mirror, night paper, wireframe, directions, colliders and the chosen one.
     void hoverChanged();
     void overlayChanged(); ///< The active tool's overlay or the selection.
     void refused(const QString& reason);
@@ -134,7 +143,9 @@ private:
     bool m_wireframe = true;
     bool m_collidersShown = false;
     std::optional<std::size_t> m_chosenCollider;
+    bool m_directionsShown = true;
     std::optional<Hover> m_hover;
+    std::shared_ptr<const sim::StrandFrame> m_hair;
 };
 
 } // namespace hairpaint::view

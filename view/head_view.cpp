@@ -3,6 +3,7 @@
 
 #include "model/commands/commands.h"
 #include "view/editor_state.h"
+#include "view/head/direction_hairs.h"
 #include "view/head/frame_pacer.h"
 #include "view/head/frame_presenter.h"
 #include "view/head/gl_presenter.h"
@@ -27,7 +28,8 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
     : PaintedArea(state, parent), m_state(state), m_overlay(new HeadOverlay(theme, this)),
       m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_turn(std::make_unique<HeadTurn>()),
       m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
-      m_pointer(std::make_unique<HeadPointer>(state, *m_scene, *m_turn, *this)), m_pacer(std::make_unique<FramePacer>())
+      m_pointer(std::make_unique<HeadPointer>(state, *m_scene, *m_turn, *this)),
+      m_pacer(std::make_unique<FramePacer>()), m_directions(std::make_unique<DirectionHairs>())
 {
     constexpr int kFlightMs = 240;
     setObjectName(QStringLiteral("headArea"));
@@ -70,6 +72,9 @@ void HeadView::connectParts()
         refreshOverlay();
     });
     connect(&m_state, &EditorState::overlayChanged, this, &HeadView::refreshOverlay);
+    m_directionsTimer.setSingleShot(true);
+    connect(&m_directionsTimer, &QTimer::timeout, this, &HeadView::refreshDirections);
+    connect(&m_state, &EditorState::targetChanged, &m_directionsTimer, qOverload<>(&QTimer::start));
 
     connect(m_turn.get(), &HeadTurn::poseWanted, this, &HeadView::poseWanted);
     connect(m_pointer.get(), &HeadPointer::cameraWanted, this, &HeadView::setCamera);
@@ -305,6 +310,8 @@ void HeadView::onDocumentChanged(const model::Change& change)
         if (m_state.collidersShown())
             refreshOverlay();
     }
+    if (change.aspect != Aspect::Environment && change.aspect != Aspect::Settings)
+        m_directionsTimer.start();
 }
 
 void HeadView::refreshHead()
@@ -343,6 +350,27 @@ void HeadView::refreshOverlay()
                                                      : std::vector<sim::Ellipsoid>(),
                             m_state.chosenCollider(), m_scene->camera(), m_scene->shownPose());
     m_overlay->setGhost(m_scene->hiddenRing());
+    m_directionsTimer.start();
+}
+
+void HeadView::refreshDirections()
+{
+    DirectionField field;
+    const bool wanted = m_state.directionsShown() && m_state.activeMap() == model::MapKind::Direction;
+    if (wanted || m_lookedAt == model::MapKind::Direction) {
+        const model::Document& document = m_state.document();
+        field = {.direction = document.resolved(m_state.activeGroup(), model::MapKind::Direction),
+                 .density = document.resolved(m_state.activeGroup(), model::MapKind::Density)};
+    }
+    const std::shared_ptr<const model::Head>& head = m_state.document().project().head;
+    m_overlay->setDirections(m_directions->seen(head ? head->skin : nullptr, field, m_scene->camera(),
+                                                m_scene->shownPose(), QSizeF(m_overlay->size())));
+}
+
+void HeadView::setLookedAt(std::optional<model::MapKind> map)
+{
+    m_lookedAt = map;
+    m_directionsTimer.start();
 }
 
 void HeadView::refreshSigns()

@@ -13,6 +13,7 @@
 #include "view/theme.h"
 
 #include <QImage>
+#include <QTimer>
 #include <QVariantAnimation>
 
 #include <memory>
@@ -24,6 +25,7 @@ struct Change;
 
 namespace hairpaint::view {
 
+class DirectionHairs;
 class FramePacer;
 class FramePresenter;
 class HeadOverlay;
@@ -69,6 +71,9 @@ public:
     /// Whether a still picture is being made finer just now.
     [[nodiscard]] bool refining() const;
 
+    /// The hair shows that map's colours at present; none: its own. Of the direction map the directions are shown, too.
+    void setLookedAt(std::optional<model::MapKind> map);
+
     [[nodiscard]] QSize sizeHint() const override;
 
 public Q_SLOTS:
@@ -112,6 +117,7 @@ private:
     void refreshEnvironment();
     void refreshRings();
     void refreshOverlay();
+    void refreshDirections();
     void refreshSigns();
     void cameraMoved();
     void animateTo(const std::optional<rendering::Camera>& camera);
@@ -132,6 +138,9 @@ private:
     std::unique_ptr<HeadScene> m_scene;
     std::unique_ptr<HeadPointer> m_pointer;
     std::unique_ptr<FramePacer> m_pacer;
+    std::unique_ptr<DirectionHairs> m_directions;
+    QTimer m_directionsTimer; ///< Zero: however much changes, they are found once.
+    std::optional<model::MapKind> m_lookedAt;
     Stillness m_stillness;
     QVariantAnimation m_flight; ///< Of the camera.
     bool m_paused = false;

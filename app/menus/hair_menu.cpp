@@ -7,7 +7,7 @@ namespace hairpaint::app {
 
 HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, view::HeadView& head,
                    view::Sidebar& sidebar, WindowDialogs& dialogs, Exchange& exchange, Jobs& jobs, QWidget* parent)
-    : QMenu(title, parent), m_faceHair(session, jobs, *parent->window())
+    : QMenu(title, parent), m_faceHair(session, jobs, *parent->window()), m_holdHair(session, exchange, jobs)
 {
     addWeather(actions, session, head, dialogs);
     addSkin(actions, session);
@@ -15,6 +15,14 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
     addSimulation(actions, session);
     addMotions(actions, session, head);
     addColliders(actions, session, head);
+    actions.add(*this, {{.id = "hair.hold",
+                         .text = tr("H&old as it lies now"),
+                         .keys = {Qt::SHIFT | Qt::Key_H},
+                         .run = [this] { m_holdHair.hold(); },
+                         .icon = "comb-hold"}});
+    actions.find(QLatin1StringView("hair.hold"))
+        ->setToolTip(tr("Paints directions and gel so that the active group's hair, inside the selection if there is "
+                        "one, stays as it lies now"));
     addSeparator();
     actions.add(*this,
                 {{"hair.addGroup", tr("&Add hair group…"), {}, [&sidebar] { sidebar.askWhatGrows(); }, "group-add"},

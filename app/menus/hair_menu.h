@@ -4,6 +4,7 @@
 #include "app/action_set.h"
 #include "app/exchange.h"
 #include "app/face_hair.h"
+#include "app/hold_hair.h"
 #include "app/window_dialogs.h"
 #include "view/head_view.h"
 #include "view/panels/sidebar.h"
@@ -28,6 +29,7 @@ private:
     void addMotions(ActionSet& actions, Session& session, view::HeadView& head);
 
     FaceHair m_faceHair;
+    HoldHair m_holdHair;
 };
 
 } // namespace hairpaint::app

@@ -1,11 +1,14 @@
-// The comb: lays hair along the pointer's way over the skin, lifts it, smooths it or ruffles it.
+// The comb: lays hair along the pointer's way over the skin, lifts it, smooths it, ruffles it, lays a whorl, or holds
+// it.
 #include "model/compositor.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/comb_field.h"
+#include "model/tools/hold_stroke.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/picker.h"
 #include "model/tools/skin_frames.h"
 #include "model/tools/tool_list.h"
+#include "model/tools/whorl.h"
 #include "sim/groom/direction_texel.h"
 
 #include <algorithm>
@@ -57,33 +60,47 @@ public:
     }
     [[nodiscard]] std::vector<ToolOption> options() const override
     {
-        return {ToolOption::CombKind, ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity,
-                ToolOption::Flatness};
+        return {ToolOption::CombKind, ToolOption::Size,     ToolOption::Hardness,
+                ToolOption::Opacity,  ToolOption::Flatness, ToolOption::HoldGel};
     }
     [[nodiscard]] bool hasRing() const override { return true; }
     [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
+    [[nodiscard]] std::vector<MapKind> alsoPaints(const ToolSettings& settings) const override
+    {
+        return settings.comb == CombKind::Hold ? std::vector{MapKind::Gel} : std::vector<MapKind>();
+    }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override
     {
-        if (active())
+        if (!active())
+            return;
+        if (m_hold.active())
+            m_hold.moveTo(event, context);
+        else if (context.settings.comb == CombKind::Whorl)
+            stamp(event, context);
+        else
             combTo(event, context);
     }
     void release(const ToolEvent& event, ToolContext& context) override;
     void cancel(ToolContext& /*context*/) override
     {
+        m_hold.cancel();
         m_edit.cancel();
         drop();
     }
     void commit(ToolContext& /*context*/) override
     {
+        m_hold.commit();
         m_edit.commit();
         drop();
     }
-    [[nodiscard]] bool active() const override { return m_edit.active(); }
+    [[nodiscard]] bool active() const override { return m_edit.active() || m_hold.active(); }
 
 private:
     void combTo(const ToolEvent& event, ToolContext& context);
+    void stamp(const ToolEvent& event, const ToolContext& context);
+    void layWhorl(const Whorl& whorl, const ToolSettings& settings);
     void follow(const BrushSample& sample, const ToolContext& context);
     void dab(const BrushSample& sample, const ToolContext& context);
     void lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& centre, const ToolSettings& settings,
@@ -92,10 +109,12 @@ private:
     [[nodiscard]] glm::vec2 restyled(glm::vec2 uv, const ToolSettings& settings);
     [[nodiscard]] glm::vec2 smoothed(glm::vec2 uv, glm::vec2 reachUv);
     [[nodiscard]] glm::vec2 before(glm::vec2 uv) const;
-    void show();
+    [[nodiscard]] glm::vec2 uvOf(int x, int y) const;
+    [[nodiscard]] sim::RasterTilePtr painted(int tile, const sim::RasterTilePtr& before) const;
     void drop();
 
     LiveEdit m_edit;
+    HoldStroke m_hold; ///< Runs in place of it.
     std::optional<StrokeBuffer> m_masks;
     std::optional<CombField> m_field;
     std::optional<BrushPath> m_path;
@@ -116,6 +135,11 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
     const Head* head = context.document.project().head.get();
     if (context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr || active())
         return;
+    if (context.settings.comb == CombKind::Hold) {
+        if (m_hold.begin(context))
+            m_hold.moveTo(event, context);
+        return;
+    }
     std::shared_ptr<const sim::TiledRaster> shown =
         context.document.resolvedNow(context.target.group, context.target.map);
     if (!m_edit.begin(context, title()))
@@ -131,6 +155,8 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
     m_previous.reset();
     m_strokeHd.reset();
     m_waits = false;
+    if (context.settings.comb == CombKind::Whorl)
+        return stamp(event, context);
     if (event.modifiers.testFlag(Qt::ShiftModifier) && m_last && m_last->point) {
         m_last->pressure = event.pressure;
         m_path->standAt(*m_last);
@@ -146,6 +172,8 @@ void CombTool::release(const ToolEvent& event, ToolContext& context)
 {
     if (!active())
         return;
+    if (m_hold.active() || context.settings.comb == CombKind::Whorl)
+        return commit(context);
     // A pen's last event has no pressure left; it still says where the stroke ends.
     ToolEvent end = event;
     if (m_last)
@@ -167,7 +195,51 @@ void CombTool::combTo(const ToolEvent& event, ToolContext& context)
     m_path->moveTo(event, [&](const BrushSample& sample) { follow(sample, context); });
     if (event.area == Area::Paint || event.point)
         m_last = event;
-    show();
+    m_edit.update(m_masks->takeDirty(),
+                  [this](int index, const sim::RasterTilePtr& tile) { return painted(index, tile); });
+}
+
+/// The whorl where the pointer is, and only there; off the skin where it was last.
+void CombTool::stamp(const ToolEvent& event, const ToolContext& context)
+{
+    if (!event.point)
+        return;
+    const ToolSettings& settings = context.settings;
+    m_masks.emplace(m_edit.size());
+    m_field.emplace(m_edit.size());
+    const Whorl whorl{.centre = *event.point, .radiusM = 0.5F * settings.brushSizeM, .flatness = settings.flatness};
+    layWhorl(whorl, settings);
+    // A whorl near the middle of the head is one.
+    if (context.mirror)
+        if (const auto other = context.document.project().head->skin->mirrored(*event.point);
+            other && glm::distance(other->positionHd, event.point->positionHd) > whorl.radiusM)
+            layWhorl({.centre = *other, .radiusM = whorl.radiusM, .flatness = whorl.flatness, .clockwise = false},
+                     settings);
+    m_edit.replace(m_masks->takeDirty(),
+                   [this](int index, const sim::RasterTilePtr& tile) { return painted(index, tile); });
+}
+
+void CombTool::layWhorl(const Whorl& whorl, const ToolSettings& settings)
+{
+    const int size = m_edit.size();
+    Dab dab = dabAt(SkinMetric::at(whorl.centre), whorl.centre.uv, whorl.radiusM, size);
+    dab.hardness = settings.hardness;
+    for (const sim::TexelRect& clip : m_edit.clips())
+        m_masks->add(dab, clip);
+    const sim::SkinFrame centre = sim::SkinFrame::at(whorl.centre);
+    m_field->add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
+        const glm::vec2 uv = uvOf(x, y);
+        const glm::vec3 directionHd = whorl.directionHd(uv - whorl.centre.uv);
+        const float length = glm::length(directionHd);
+        return length > 0.0F ? along(uv, directionHd / length, centre) * length : glm::vec2(0.0F);
+    });
+}
+
+/// The centre of a texel.
+glm::vec2 CombTool::uvOf(int x, int y) const
+{
+    const auto size = static_cast<float>(m_edit.size());
+    return {(static_cast<float>(x) + 0.5F) / size, 1.0F - (static_cast<float>(y) + 0.5F) / size};
 }
 
 /// The first place waits until the second says where the stroke goes.
@@ -230,7 +302,7 @@ void CombTool::lay(const Dab& dab, glm::vec3 strokeHd, const sim::SkinFrame& cen
     m_reachUv = glm::vec2(kSmoothReach) / (size * glm::sqrt(glm::vec2(dab.a, dab.c)));
     const float flatness = settings.flatness * std::clamp(pressure, 0.0F, 1.0F);
     m_field->add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
-        const glm::vec2 uv((static_cast<float>(x) + 0.5F) / size, 1.0F - (static_cast<float>(y) + 0.5F) / size);
+        const glm::vec2 uv = uvOf(x, y);
         return settings.comb == CombKind::Lay ? along(uv, strokeHd, centre) * flatness : restyled(uv, settings);
     });
 }
@@ -296,12 +368,10 @@ glm::vec2 CombTool::smoothed(glm::vec2 uv, glm::vec2 reachUv)
     return length > 1e-4F ? mean * (lengths / (count * length)) : mean;
 }
 
-void CombTool::show()
+sim::RasterTilePtr CombTool::painted(int tile, const sim::RasterTilePtr& before) const
 {
-    m_edit.update(m_masks->takeDirty(), [this](int index, const sim::RasterTilePtr& before) {
-        const std::vector<std::uint16_t> values = m_field->values(index);
-        return paintTile(m_edit.spec(), before, *m_masks->mask(index), {.values = values.data(), .opacity = m_opacity});
-    });
+    const std::vector<std::uint16_t> values = m_field->values(tile);
+    return paintTile(m_edit.spec(), before, *m_masks->mask(tile), {.values = values.data(), .opacity = m_opacity});
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "model/document.h"
 #include "model/tools/tool_settings.h"
+#include "sim/motion/strand_frame.h"
 #include "sim/skin/skin.h"
 
 #include <QCoreApplication>
@@ -24,6 +25,14 @@ enum class Area : std::uint8_t
     Head
 };
 
+/// A place on a drawn hair.
+struct GrabbedHair
+{
+    sim::SurfacePoint root;
+    glm::vec3 positionHd{0.0F};
+    float alongM = 0.0F; ///< From the root, along the hair; above 0.
+};
+
 /// One pointer event, made alike by the paint area and the 3D area.
 struct ToolEvent
 {
@@ -37,6 +46,10 @@ struct ToolEvent
     Qt::KeyboardModifiers modifiers = {};
     bool again = false;     ///< The second press of a double click.
     float pixelM = 0.0005F; ///< How large one of the area's pixels is on the skin there.
+    /// In the 3D area, for tools that grab: the hair that was pressed on,
+    std::optional<GrabbedHair> grabbed = {};
+    /// and where the pointer has taken it since, as far from the camera as it was.
+    std::optional<glm::vec3> targetHd = {};
 };
 
 /// What is drawn over the areas while a tool is in use. uv space; closed where marked.
@@ -54,6 +67,7 @@ enum class ToolId : std::uint8_t
     Eraser,
     Comb,
     Part,
+    Grab,
     Gradient,
     Fill,
     Shape,
@@ -72,8 +86,9 @@ struct ToolContext
     LayerAddress target;    ///< The active layer.
     ToolSettings& settings; ///< Brush size, value, ...; tools may change them (the picker does).
     Selection& selection;
-    bool mirror = false;                         ///< Paint the reflected place too.
-    std::function<Id(MapKind)> activeLayer = {}; ///< Of the target's group, for each map; 0 where it has none.
+    bool mirror = false;                               ///< Paint the reflected place too.
+    std::function<Id(MapKind)> activeLayer = {};       ///< Of the target's group, for each map; 0 where it has none.
+    std::shared_ptr<const sim::StrandFrame> hair = {}; ///< The newest that is drawn; null before there is any.
 
     /// The active layer of another map of the target's group; the top one where nobody says which it is.
     [[nodiscard]] LayerAddress layer(MapKind map) const;
@@ -99,6 +114,10 @@ public:
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.
     [[nodiscard]] virtual std::optional<MapKind> map() const { return std::nullopt; }
+    /// Ctrl+click takes the value there.
+    [[nodiscard]] virtual bool picksWithCtrl(Area /*area*/) const { return hasRing(); }
+    /// In the 3D area it takes hold of hair, and of nothing else.
+    [[nodiscard]] virtual bool grabs() const { return false; }
     /// Other maps that it changes too, as it is set: a layer of each must be there to be painted on.
     [[nodiscard]] virtual std::vector<MapKind> alsoPaints(const ToolSettings& /*settings*/) const { return {}; }
     [[nodiscard]] virtual bool paints() const { return true; } ///< Needs a layer that can be painted on.

@@ -7,8 +7,8 @@ namespace hairpaint::model {
 
 const char* toolName(ToolId id)
 {
-    static constexpr std::array kNames{"brush", "eraser", "comb",   "part",  "gradient",
-                                       "fill",  "shape",  "select", "picker"};
+    static constexpr std::array kNames{"brush",    "eraser", "comb",  "part",   "grab",
+                                       "gradient", "fill",   "shape", "select", "picker"};
     return kNames.at(static_cast<std::size_t>(id));
 }
 
@@ -32,6 +32,7 @@ std::vector<std::unique_ptr<Tool>> makeTools()
     tools.push_back(makeEraserTool());
     tools.push_back(makeCombTool());
     tools.push_back(makePartTool());
+    tools.push_back(makeGrabTool());
     tools.push_back(makeGradientTool());
     tools.push_back(makeFillTool());
     tools.push_back(makeShapeTool());

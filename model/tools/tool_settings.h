@@ -21,7 +21,8 @@ enum class ToolOption : std::uint8_t
     Flatness,
     PartReach,
     PartGap,
-    Zigzag
+    Zigzag,
+    HoldGel
 };
 enum class ShapeKind : std::uint8_t
 {
@@ -35,7 +36,9 @@ enum class CombKind : std::uint8_t
     Lay,    ///< Lays it along the stroke.
     Lift,   ///< Makes it as flat as asked for, the way it lies.
     Smooth, ///< As its neighbours lie.
-    Noise
+    Noise,
+    Whorl, ///< Lays it in a spiral around the pointer.
+    Hold   ///< As it lies now, with gel.
 };
 enum class GradientKind : std::uint8_t
 {
@@ -62,6 +65,7 @@ struct ToolSettings
     float partReachM = 0.1F;  ///< 0.01..0.2 m to either side of a parting.
     float partGapM = 0.001F;  ///< 0..0.01 m: the width in which a parting has no hair.
     float partZigzagM = 0.0F; ///< 0..0.01 m: how far it leaves its curve.
+    float holdGel = 0.5F;     ///< 0..1: hair that is held as it lies gets at least so much gel.
     std::array<PaintValue, kMapKindCount> values = firstPaintValues(); ///< What each map is painted with.
     std::array<PaintValue, kMapKindCount> secondValues =
         secondPaintValues(); ///< What X swaps in; the far end of gradients.

@@ -111,7 +111,14 @@ std::vector<std::size_t> GroupDynamics::takeStrands(const Groom& before, std::sp
                 if (change == StrandChange::Shape) {
                     const float lengthBefore = m_state.field(strand, kSegmentLength);
                     setStrandConstants(m_state, now, strand, m_colliders);
-                    m_state.rescaleStrand(strand, m_state.field(strand, kSegmentLength) / lengthBefore);
+                    std::array<glm::vec3, kMostNodes> restBefore;
+                    std::array<glm::vec3, kMostNodes> restNow;
+                    const auto nodes = static_cast<std::size_t>(now.nodes);
+                    before.blocks().read(before.basis->restPositions, static_cast<std::size_t>(was),
+                                         std::span(restBefore).first(nodes));
+                    now.blocks().read(now.basis->restPositions, strand, std::span(restNow).first(nodes));
+                    const float length = m_state.field(strand, kSegmentLength);
+                    m_state.reshapeStrand(strand, restBefore, restNow, length / lengthBefore, length);
                 }
             }
         }

@@ -17,7 +17,7 @@ class GroupDynamics
 {
 public:
     /// Strands that stay keep their motion to the last bit; new ones start hanging still under `calm` (gravity alone);
-    /// those whose length differs are stretched along their shape; any other difference wakes the strand. The groom and
+    /// those whose rest shape differs go along with it; any other difference wakes the strand. The groom and
     /// colliders of before leave everything as it is.
     void setGroom(std::shared_ptr<const Groom> groom, const ColliderSet& colliders, const StepForces& calm);
     /// Every strand to its rest shape, without speed.

@@ -26,7 +26,7 @@ public:
     Simulation& operator=(const Simulation&) = delete;
 
     /// Rebuilds what differs. Strands that stay keep their motion; those that are new start hanging still, those whose
-    /// length changed are stretched or shrunk along their shape. A new skin starts everything from rest.
+    /// length or lay changed go along with it. A new skin starts everything from rest.
     void setInput(const GroomInput& input);
     void setWind(const Wind& wind);
     void setPose(const HeadPose& pose);

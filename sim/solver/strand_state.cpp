@@ -1,6 +1,8 @@
 // Strands in blocks of lanes.
 #include "sim/solver/strand_state.h"
 
+#include <cmath>
+
 namespace hairpaint::sim {
 
 void StrandState::resize(int nodeCount, std::size_t blockCount)
@@ -49,12 +51,21 @@ void StrandState::stopStrand(std::size_t strand)
     }
 }
 
-void StrandState::rescaleStrand(std::size_t strand, float factor)
+void StrandState::reshapeStrand(std::size_t strand, std::span<const glm::vec3> beforeHd,
+                                std::span<const glm::vec3> afterHd, float factor, float segmentM)
 {
-    const glm::vec3 rootHd = shape().node(now(), strand, 0);
-    for (AlignedFloats* array : {&positions[0], &positions[1], &previous})
-        for (std::size_t node = 1; node < static_cast<std::size_t>(nodes); ++node)
-            shape().setNode(*array, strand, node, rootHd + (shape().node(*array, strand, node) - rootHd) * factor);
+    glm::vec3 parent = shape().node(now(), strand, 0);
+    for (std::size_t node = 1; node < static_cast<std::size_t>(nodes); ++node) {
+        const glm::vec3 was = shape().node(now(), strand, node);
+        const glm::vec3 edge = afterHd[node] + (was - beforeHd[node]) * factor - parent;
+        const float square = glm::dot(edge, edge);
+        const glm::vec3 straight = afterHd[node] - afterHd[node - 1];
+        const glm::vec3 place = parent + (square > 1e-12F ? edge * (segmentM / std::sqrt(square)) : straight);
+        for (AlignedFloats* array : {&previous, &before()})
+            shape().setNode(*array, strand, node, place + (shape().node(*array, strand, node) - was) * factor);
+        shape().setNode(now(), strand, node, place);
+        parent = place;
+    }
     wakeStrand(strand);
 }
 

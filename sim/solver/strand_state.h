@@ -39,8 +39,10 @@ struct StrandState
     void placeStrand(std::size_t strand, std::span<const glm::vec3> nodesHd);
     /// Without speed where it is.
     void stopStrand(std::size_t strand);
-    /// Larger or smaller by `factor` about its root, speed as well.
-    void rescaleStrand(std::size_t strand, float factor);
+    /// As far from another rest shape as it was from that before, times `factor`; with segments of `segmentM`. Speed is
+    /// kept, times `factor`.
+    void reshapeStrand(std::size_t strand, std::span<const glm::vec3> beforeHd, std::span<const glm::vec3> afterHd,
+                       float factor, float segmentM);
     void wakeStrand(std::size_t strand);
 
 private:

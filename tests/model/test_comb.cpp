@@ -218,6 +218,96 @@ private Q_SLOTS:
         QVERIFY(roughness() < 0.5F * ruffled);
     }
 
+    void aWhorlTurnsClockwiseOutwardAndStandsInTheMiddle_data()
+    {
+        QTest::addColumn<float>("longitude");
+        QTest::addColumn<float>("latitude");
+        QTest::newRow("front") << 0.4F << 0.1F;
+        QTest::newRow("behind the top") << 2.6F << 0.6F;
+    }
+    void aWhorlTurnsClockwiseOutwardAndStandsInTheMiddle()
+    {
+        QFETCH(float, longitude);
+        QFETCH(float, latitude);
+        Hairdresser comb(makeBallHead(96, kRadiusM));
+        comb.settings.comb = CombKind::Whorl;
+        comb.settings.brushSizeM = 0.04F;
+        const glm::vec3 centre = onBall(longitude, latitude);
+        comb.stroke({centre});
+        QCOMPARE(comb.document.undoStack().count(), 1);
+        QCOMPARE(comb.document.undoStack().text(0), QStringLiteral("Comb on Direction"));
+        QVERIFY(glm::length(comb.directionAt(centre)) < 0.1F);
+        const glm::vec3 normal = glm::normalize(centre);
+        const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0.0F, 1.0F, 0.0F), normal));
+        const glm::vec3 up = glm::cross(normal, right);
+        for (int i = 0; i < 12; ++i) {
+            const float angle = 0.5236F * static_cast<float>(i);
+            const glm::vec3 outward = right * std::cos(angle) + up * std::sin(angle);
+            const glm::vec3 laid = comb.directionAt(centre + outward * 0.017F);
+            QVERIFY2(glm::dot(laid, outward) > 0.3F, qPrintable(QString::number(i)));
+            // Whoever looks at the head from outside sees the hand of a clock go from up to the right.
+            QVERIFY2(glm::dot(glm::cross(outward, laid), normal) < -0.3F, qPrintable(QString::number(i)));
+            QVERIFY(glm::length(laid) > 0.7F);
+            QVERIFY(glm::length(comb.directionAt(centre + outward * 0.007F)) < 0.5F);
+        }
+        comb.document.undo();
+        QVERIFY(comb.layer().uniformValue() == (sim::Texel{32768, 32768, 0, 0}));
+    }
+
+    void theOtherSidesWhorlTurnsTheOtherWayAndOneInTheMiddleIsAlone_data()
+    {
+        QTest::addColumn<bool>("builtIn");
+        QTest::newRow("imported") << false;
+        QTest::newRow("built-in") << true;
+    }
+    void theOtherSidesWhorlTurnsTheOtherWayAndOneInTheMiddleIsAlone()
+    {
+        QFETCH(bool, builtIn);
+        Hairdresser comb(makeBallHead(96, kRadiusM), builtIn);
+        comb.mirror = true;
+        comb.settings.comb = CombKind::Whorl;
+        comb.stroke({onBall(0.6F, 0.0F)});
+        const glm::vec3 mirrored(-1.0F, 1.0F, 1.0F);
+        for (const glm::vec3 place : {onBall(0.7F, 0.0F), onBall(0.6F, 0.1F), onBall(0.5F, -0.05F)}) {
+            const glm::vec3 own = comb.directionAt(place);
+            QVERIFY(glm::length(own) > 0.3F);
+            QVERIFY(glm::distance(comb.directionAt(place * mirrored), own * mirrored) < 0.05F);
+        }
+        comb.document.undo();
+        comb.stroke({onBall(0.02F, 0.0F)});
+        const glm::vec3 above = comb.directionAt(onBall(0.02F, 0.12F));
+        const glm::vec3 below = comb.directionAt(onBall(0.02F, -0.12F));
+        QVERIFY(above.x > 0.3F);
+        QVERIFY(below.x < -0.3F);
+    }
+
+    void aWhorlGoesWithThePointerUntilItIsLetGo()
+    {
+        Hairdresser comb(makePatchHead());
+        comb.settings.comb = CombKind::Whorl;
+        comb.stroke({{-0.05F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.05F, 0.02F, 0.0F}});
+        QCOMPARE(comb.document.undoStack().count(), 1);
+        QCOMPARE(comb.texelAt({-0.05F, 0.0F, 0.0F})[2], std::uint16_t{0});
+        QCOMPARE(comb.texelAt({0.0F, 0.0F, 0.0F})[2], std::uint16_t{0});
+        QCOMPARE(comb.texelAt({0.05F, 0.02F, 0.0F})[2], std::uint16_t{65535});
+    }
+
+    void aWhorlCanBeCalledOff()
+    {
+        Hairdresser comb(makePatchHead());
+        comb.settings.comb = CombKind::Whorl;
+        const auto tool = std::ranges::find_if(comb.tools, [](const auto& one) { return one->id() == ToolId::Comb; });
+        ToolContext context = comb.context();
+        const sim::SurfacePoint point = comb.skin().nearest(glm::vec3(0.0F));
+        (*tool)->press({.area = Area::Head, .uv = point.uv, .point = point}, context);
+        QVERIFY((*tool)->active());
+        const auto shown = comb.document.resolved(context.target.group, MapKind::Direction);
+        QVERIFY(shown->uniformValue() == std::nullopt);
+        (*tool)->cancel(context);
+        QCOMPARE(comb.document.undoStack().count(), 0);
+        QVERIFY(comb.layer().uniformValue() == (sim::Texel{32768, 32768, 0, 0}));
+    }
+
     void undoTakesItBackAndTheSelectionBoundsIt()
     {
         Hairdresser comb(makePatchHead());

@@ -255,8 +255,9 @@ void TestTools::toolsHaveTheirOwnIdsKeysAndHints()
         QVERIFY(!tool->title().isEmpty());
         QVERIFY(!tool->hint().isEmpty());
     }
-    QCOMPARE(ids.join(QLatin1Char(' ')), QStringLiteral("brush eraser comb part gradient fill shape select picker"));
-    QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C P G Shift+G U M I"));
+    QCOMPARE(ids.join(QLatin1Char(' ')),
+             QStringLiteral("brush eraser comb part grab gradient fill shape select picker"));
+    QCOMPARE(keys.join(QLatin1Char(' ')), QStringLiteral("B E C P Y G Shift+G U M I"));
 }
 
 void TestTools::eachEventTellsOnlyTheTilesItTouched()

@@ -15,7 +15,8 @@ namespace hairpaint::view {
 namespace {
 
 constexpr double kStepUv = 1.0 / 128.0;
-constexpr int kMostSteps = 64; ///< Between two corners.
+constexpr int kMostSteps = 64;             ///< Between two corners.
+constexpr double kDirectionsOpacity = 0.6; ///< Hair is seen below.
 
 /// Where a place of the map shows; none off the skin or on the far side.
 std::optional<QPointF> shownAt(QPointF uv, const sim::Skin& skin, const rendering::Camera& camera,
@@ -113,10 +114,30 @@ void HeadOverlay::setGhost(const QPolygonF& ring)
     showIfNeeded();
 }
 
+void HeadOverlay::setDirections(std::vector<HairSpine> hairs)
+{
+    if (hairs.empty() && m_directions.empty())
+        return;
+    m_directions = std::move(hairs);
+    m_directionsPicture = QImage();
+    if (!m_directions.empty()) {
+        const double ratio = devicePixelRatioF();
+        m_directionsPicture = QImage((QSizeF(size()) * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
+        m_directionsPicture.setDevicePixelRatio(ratio);
+        m_directionsPicture.fill(Qt::transparent);
+        QPainter painter(&m_directionsPicture);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        for (const HairSpine& hair : m_directions)
+            drawTaperedHair(painter, hair);
+    }
+    showIfNeeded();
+}
+
 void HeadOverlay::showIfNeeded()
 {
-    setVisible(!m_message.isEmpty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
-               !m_colliders.empty());
+    setVisible(!m_message.isEmpty() || !m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() ||
+               !m_ghost.isEmpty() || !m_colliders.empty());
     update();
 }
 
@@ -124,6 +145,11 @@ void HeadOverlay::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (!m_directions.empty()) {
+        painter.setOpacity(kDirectionsOpacity);
+        painter.drawImage(QPointF(), m_directionsPicture);
+        painter.setOpacity(1.0);
+    }
     for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 110), 2.5), std::pair(m_theme.accent, 1.0)}) {
         painter.setPen(QPen(colour, width));
         for (const QPolygonF& ellipse : m_colliders)

@@ -1,11 +1,14 @@
-// What lies over the drawn head: the active tool's outlines, the colliders, and a sentence where nothing can be drawn.
+// What lies over the drawn head: hairs that show directions, the active tool's outlines, the colliders, and a sentence
+// where nothing can be drawn.
 #pragma once
 
 #include "model/tools/tool.h"
 #include "view/head/collider_shape.h"
 #include "view/rendering/scene.h"
+#include "view/tapered_hair.h"
 #include "view/theme.h"
 
+#include <QImage>
 #include <QWidget>
 
 #include <vector>
@@ -33,6 +36,10 @@ public:
     /// In this widget's coordinates.
     [[nodiscard]] const std::vector<QPolygonF>& colliders() const { return m_colliders; }
 
+    /// Hairs that show a direction map, in this widget's coordinates: faint, under everything else.
+    void setDirections(std::vector<HairSpine> hairs);
+    [[nodiscard]] const std::vector<HairSpine>& directions() const { return m_directions; }
+
     /// The brush's ring where the head hides it, in this widget's coordinates; empty where it is seen.
     void setGhost(const QPolygonF& ring);
     [[nodiscard]] const QPolygonF& ghost() const { return m_ghost; }
@@ -51,6 +58,8 @@ private:
     std::vector<QPolygonF> m_chosen; ///< The chosen one's ellipses among them,
     QPolygonF m_chosenEnds;          ///< and the ends of its axes.
     QPolygonF m_ghost;
+    std::vector<HairSpine> m_directions;
+    QImage m_directionsPicture; ///< This widget is painted with every frame below it.
 };
 
 } // namespace hairpaint::view

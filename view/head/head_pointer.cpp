@@ -42,6 +42,10 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
     const bool alt = pressed.modifiers.testFlag(Qt::AltModifier);
     if (!alt && m_colliders.press(pressed))
         return Drag::Collider;
+    if (!alt && m_editor.activeTool().grabs()) {
+        m_grabbed = m_scene.hairAt(pressed.position);
+        return m_grabbed ? Drag::Stroke : Drag::Orbit;
+    }
     return !alt && m_scene.skinAt(pressed.position) ? Drag::Stroke : Drag::Orbit;
 }
 
@@ -52,6 +56,7 @@ void HeadPointer::press(const PointerSample& sample)
     m_puffs.interrupt();
     m_pressed = sample;
     m_cameraBefore = m_scene.camera();
+    m_grabbed.reset();
     m_drag = dragOf(sample);
     if (m_drag == Drag::Light) {
         m_lightBefore = m_light = m_editor.document().project().light;
@@ -59,7 +64,7 @@ void HeadPointer::press(const PointerSample& sample)
         m_turn.press();
     } else if (m_drag == Drag::Stroke) {
         hoverAt(sample);
-        m_stroke.press(sample);
+        m_stroke.press(sample, m_grabbed);
     }
     updateCursor();
 }
@@ -70,7 +75,7 @@ void HeadPointer::move(const PointerSample& sample)
     switch (m_drag) {
     case Drag::None:
         hoverAt(sample);
-        if (sample.buttons == Qt::NoButton)
+        if (sample.buttons == Qt::NoButton && !m_editor.activeTool().grabs())
             blowAt(sample);
         break;
     case Drag::Stroke:
@@ -171,7 +176,14 @@ void HeadPointer::hoverAt(const PointerSample& sample)
 {
     m_overCollider = m_colliders.reaches(sample.position);
     updateCursor();
-    const std::optional<sim::SurfacePoint> point = m_scene.skinAt(sample.position);
+    // Where hair is grabbed, or can be, the ring says which roots go along.
+    std::optional<sim::SurfacePoint> point;
+    if (m_drag == Drag::Stroke && m_grabbed)
+        point = m_grabbed->root;
+    else if (const auto hair = m_editor.activeTool().grabs() ? m_scene.hairAt(sample.position) : std::nullopt)
+        point = hair->root;
+    else
+        point = m_scene.skinAt(sample.position);
     if (point)
         m_editor.setHover(
             Hover{.area = model::Area::Head, .uv = point->uv, .point = point, .pixelM = m_scene.pixelAt(*point)});

@@ -84,6 +84,7 @@ private:
 
     Drag m_drag = Drag::None;
     PointerSample m_pressed;
+    std::optional<model::GrabbedHair> m_grabbed; ///< By the press, where the tool grabs.
     rendering::Camera m_cameraBefore;
     model::LightSettings m_lightBefore;
     model::LightSettings m_light; ///< While it is dragged.

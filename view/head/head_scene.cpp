@@ -2,6 +2,7 @@
 #include "view/head/head_scene.h"
 
 #include "view/editor_state.h"
+#include "view/head/hair_pick.h"
 #include "view/head/head_camera.h"
 #include "view/head/head_turn.h"
 #include "view/head/stage.h"
@@ -10,6 +11,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <limits>
 
 namespace hairpaint::view {
 
@@ -145,6 +147,27 @@ float HeadScene::pixelAt(const sim::SurfacePoint& point) const
     const float cosine = glm::dot(pose.rotation * point.normalHd, toEye) / distanceM;
     return 2.0F * distanceM * std::tan(0.5F * camera.fieldOfViewRad) /
            (std::max(static_cast<float>(m_area.height()), 1.0F) * std::max(cosine, kLeastCosine));
+}
+
+std::optional<model::GrabbedHair> HeadScene::hairAt(QPointF position) const
+{
+    if (!m_scene.hair || !isOnHead(*m_scene.hair))
+        return std::nullopt;
+    float furthestM = std::numeric_limits<float>::max();
+    const glm::vec3 eyeWo = m_scene.camera.eyeWo();
+    if (const std::optional<sim::SurfacePoint> skin = skinAt(position))
+        furthestM =
+            glm::dot(inWorld(skin->positionHd, shownPose()) - eyeWo, glm::normalize(m_scene.camera.targetWo - eyeWo));
+    return hairNear(position, *m_scene.hair, m_editor.activeGroup(), m_scene.camera, QSizeF(m_area.size()), furthestM);
+}
+
+glm::vec3 HeadScene::besideHd(glm::vec3 positionHd, QPointF position) const
+{
+    const sim::RayHd ray = inHead(rayThrough(m_scene.camera, position, QSizeF(m_area.size())), shownPose());
+    const glm::vec3 eyeWo = m_scene.camera.eyeWo();
+    const glm::vec3 viewHd = glm::conjugate(shownPose().rotation) * glm::normalize(m_scene.camera.targetWo - eyeWo);
+    const float depthM = glm::dot(positionHd - ray.originHd, viewHd);
+    return ray.originHd + ray.directionHd * (depthM / glm::dot(ray.directionHd, viewHd));
 }
 
 std::optional<QPointF> HeadScene::positionOf(glm::vec3 positionHd) const

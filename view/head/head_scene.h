@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/project.h"
+#include "model/tools/tool.h"
 #include "sim/motion/strand_frame.h"
 #include "sim/skin/skin.h"
 #include "view/rendering/scene.h"
@@ -65,6 +66,10 @@ public:
     [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
     /// How large a pixel of the area is on the skin there; not all of it where that is seen from the side.
     [[nodiscard]] float pixelAt(const sim::SurfacePoint& point) const;
+    /// The active group's hair that a position of the area shows; none where none is near.
+    [[nodiscard]] std::optional<model::GrabbedHair> hairAt(QPointF position) const;
+    /// Where a position of the area lies that is as far away as a point of the head.
+    [[nodiscard]] glm::vec3 besideHd(glm::vec3 positionHd, QPointF position) const;
     /// Where a point of the head lies in the area; none behind the eye.
     [[nodiscard]] std::optional<QPointF> positionOf(glm::vec3 positionHd) const;
 

@@ -33,9 +33,10 @@ PointerSample between(const PointerSample& from, const PointerSample& to, double
 
 } // namespace
 
-void HeadStroke::press(const PointerSample& sample)
+void HeadStroke::press(const PointerSample& sample, const std::optional<model::GrabbedHair>& grabbed)
 {
     m_at = sample;
+    m_grabbed = grabbed;
     m_editor.press(toolEvent(sample, m_scene.skinAt(sample.position)));
 }
 
@@ -44,6 +45,8 @@ void HeadStroke::move(const PointerSample& sample)
     if (!m_editor.stroking())
         return;
     const PointerSample from = std::exchange(m_at, sample);
+    if (m_grabbed)
+        return m_editor.move(toolEvent(sample, m_scene.skinAt(sample.position)));
     const QPointF moved = sample.position - from.position;
     const int steps = std::clamp(static_cast<int>(std::hypot(moved.x(), moved.y()) / kProbePx), 1, kMostProbes);
     PointerSample last = from;
@@ -83,9 +86,12 @@ model::ToolEvent HeadStroke::toolEvent(const PointerSample& sample, const std::o
                            .pressure = sample.pressure,
                            .seconds = sample.seconds,
                            .modifiers = sample.modifiers,
-                           .again = sample.again};
+                           .again = sample.again,
+                           .grabbed = m_grabbed};
     if (point)
         event.pixelM = m_scene.pixelAt(*point);
+    if (m_grabbed)
+        event.targetHd = m_scene.besideHd(m_grabbed->positionHd, sample.position);
     return event;
 }
 

@@ -1,4 +1,4 @@
-// A stroke of the active tool over the head's skin.
+// A stroke of the active tool over the head's skin, or with hair in the hand.
 #pragma once
 
 #include "model/tools/tool.h"
@@ -18,8 +18,9 @@ class HeadStroke
 public:
     HeadStroke(EditorState& editor, const HeadScene& scene) : m_editor(editor), m_scene(scene) {}
 
-    void press(const PointerSample& sample); ///< Where there is skin.
-    void move(const PointerSample& sample);  ///< Nothing where the tool has ended the stroke.
+    /// Where there is skin, or with hair in the hand.
+    void press(const PointerSample& sample, const std::optional<model::GrabbedHair>& grabbed);
+    void move(const PointerSample& sample); ///< Nothing where the tool has ended the stroke.
     void release(const PointerSample& sample);
 
 private:
@@ -30,6 +31,7 @@ private:
     const HeadScene& m_scene;
     PointerSample m_at; ///< Where the stroke got to.
     glm::vec2 m_lastUv{0.0F};
+    std::optional<model::GrabbedHair> m_grabbed; ///< It goes where the pointer goes, over skin and beside it.
 };
 
 } // namespace hairpaint::view

@@ -2,8 +2,8 @@
 #include "view/paint/field_hairs.h"
 
 #include "sim/groom/direction_texel.h"
+#include "view/tapered_hair.h"
 
-#include <array>
 #include <cmath>
 
 namespace hairpaint::view {
@@ -11,11 +11,6 @@ namespace hairpaint::view {
 namespace {
 
 constexpr double kSpacingPx = 11.0; ///< To twice that, by the zoom.
-constexpr double kLengthPx = 19.0;  ///< Of hair that lies flat.
-constexpr double kRootPx = 1.1;     ///< Half a hair's width at its root,
-constexpr double kBendPx = 0.7;     ///< and in its middle; its tip is a point.
-constexpr double kShadowPx = 0.9;   ///< A dark edge, so that a hair is seen on every colour.
-constexpr double kLeastPx = 3.0;    ///< Shorter hairs are dots.
 
 /// A place within a cell, 0..1: not at its edges, where two hairs would meet. The same for the same cell.
 double jitter(int column, int row, std::uint32_t salt)
@@ -46,15 +41,8 @@ public:
     void draw(QPointF rootPaper)
     {
         const QPointF root = m_toWidget.map(rootPaper);
-        const QPointF first = wayAt(root);
-        const double length = std::hypot(first.x(), first.y());
-        if (length < kLeastPx) {
-            dot(root);
-            return;
-        }
-        const QPointF middle = root + first * 0.5;
-        const QPointF then = wayAt(middle);
-        hair({root, middle, middle + then * 0.5});
+        const QPointF middle = root + wayAt(root) * 0.5;
+        drawTaperedHair(m_painter, {root, middle, middle + wayAt(middle) * 0.5});
     }
 
 private:
@@ -68,37 +56,9 @@ private:
         const QPointF paper(static_cast<double>(direction.x), -static_cast<double>(direction.y));
         const QPointF origin = m_toWidget.map(QPointF(0.0, 0.0));
         const QPointF onWidget = m_toWidget.map(paper) - origin;
-        return onWidget * (kLengthPx / scale());
+        return onWidget * (kTaperedHairPx / scale());
     }
     [[nodiscard]] double scale() const { return std::sqrt(std::abs(m_toWidget.determinant())); }
-
-    void dot(QPointF at)
-    {
-        m_painter.setBrush(kDark);
-        m_painter.drawEllipse(at, kRootPx + kShadowPx, kRootPx + kShadowPx);
-        m_painter.setBrush(kLight);
-        m_painter.drawEllipse(at, kRootPx, kRootPx);
-    }
-
-    void hair(const std::array<QPointF, 3>& spine)
-    {
-        const auto outline = [&spine](double more) {
-            const QPointF way = spine[2] - spine[0];
-            const double length = std::max(std::hypot(way.x(), way.y()), 1e-3);
-            const QPointF side(-way.y() / length, way.x() / length);
-            return std::array<QPointF, 5>{spine[0] + side * (kRootPx + more), spine[1] + side * (kBendPx + more),
-                                          spine[2] + way * (more / length), spine[1] - side * (kBendPx + more),
-                                          spine[0] - side * (kRootPx + more)};
-        };
-        for (const auto& [colour, more] : {std::pair(kDark, kShadowPx), std::pair(kLight, 0.0)}) {
-            const std::array<QPointF, 5> polygon = outline(more);
-            m_painter.setBrush(colour);
-            m_painter.drawPolygon(polygon.data(), static_cast<int>(polygon.size()));
-        }
-    }
-
-    static constexpr QColor kDark{10, 12, 30, 110};
-    static constexpr QColor kLight{255, 255, 255, 215};
 
     QPainter& m_painter;
     const sim::TiledRaster& m_map;

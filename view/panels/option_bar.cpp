@@ -156,6 +156,9 @@ void OptionBar::buildBrush()
     m_flatness = percentSlider(tr("Flatness"), this);
     m_flatness->setDefaultValue(static_cast<double>(ToolSettings{}.flatness) * kPercent);
     m_flatness->setToolTip(tr("How flat combed hair lies; pen pressure makes it less"));
+    m_holdGel = percentSlider(tr("Gel at least"), this);
+    m_holdGel->setDefaultValue(static_cast<double>(ToolSettings{}.holdGel) * kPercent);
+    m_holdGel->setToolTip(tr("The gel that keeps held hair as it lies"));
     const auto bind = [this](BarSlider* slider, float ToolSettings::*field) {
         connect(slider, &BarSlider::valueChanged, this, [this, field](double percent) {
             change([&](ToolSettings& settings) { settings.*field = static_cast<float>(percent / kPercent); });
@@ -165,6 +168,7 @@ void OptionBar::buildBrush()
     bind(m_opacity, &ToolSettings::opacity);
     bind(m_tolerance, &ToolSettings::fillTolerance);
     bind(m_flatness, &ToolSettings::flatness);
+    bind(m_holdGel, &ToolSettings::holdGel);
 
     m_pressureBox = box(this);
     m_pressureSize = toggle(QStringLiteral("pressure-size"), tr("Pen pressure changes the size"), m_pressureBox);
@@ -181,7 +185,7 @@ void OptionBar::buildBrush()
             [this](bool on) { change([on](ToolSettings& settings) { settings.pressureOpacity = on; }); });
     m_pressureBox->layout()->addWidget(m_pressureSize);
     m_pressureBox->layout()->addWidget(m_pressureOpacity);
-    for (BarSlider* slider : {m_size, m_hardness, m_opacity, m_tolerance, m_flatness})
+    for (BarSlider* slider : {m_size, m_hardness, m_opacity, m_tolerance, m_flatness, m_holdGel})
         m_row->addWidget(slider);
     m_row->addWidget(m_pressureBox);
 }
@@ -240,7 +244,9 @@ void OptionBar::buildKinds()
           {{QStringLiteral("comb"), tr("Comb along the stroke")},
            {QStringLiteral("comb-lift"), tr("Lift or lay, the way hair lies")},
            {QStringLiteral("comb-smooth"), tr("Smooth")},
-           {QStringLiteral("comb-noise"), tr("Ruffle")}},
+           {QStringLiteral("comb-noise"), tr("Ruffle")},
+           {QStringLiteral("comb-whorl"), tr("Whorl: a spiral around the pointer")},
+           {QStringLiteral("comb-hold"), tr("Hold as it lies now, with gel")}},
           [](ToolSettings& settings, int kind) { settings.comb = static_cast<model::CombKind>(kind); });
 }
 
@@ -279,7 +285,6 @@ void OptionBar::showOptions()
     m_gradientBox->setVisible(has(ToolOption::GradientKind));
     m_tolerance->setVisible(has(ToolOption::FillTolerance));
     m_combBox->setVisible(has(ToolOption::CombKind));
-    m_flatness->setVisible(has(ToolOption::Flatness));
     m_reach->setVisible(has(ToolOption::PartReach));
     m_gap->setVisible(has(ToolOption::PartGap));
     m_zigzag->setVisible(has(ToolOption::Zigzag));
@@ -315,11 +320,17 @@ void OptionBar::follow()
     m_opacity->setValue(static_cast<double>(settings.opacity) * kPercent);
     m_tolerance->setValue(static_cast<double>(settings.fillTolerance) * kPercent);
     m_flatness->setValue(static_cast<double>(settings.flatness) * kPercent);
-    m_flatness->setEnabled(!m_combBox->isVisibleTo(this) || settings.comb == model::CombKind::Lay ||
-                           settings.comb == model::CombKind::Lift);
     m_reach->setValue(static_cast<double>(settings.partReachM) * kCm);
     m_gap->setValue(static_cast<double>(settings.partGapM) * kMm);
     m_zigzag->setValue(static_cast<double>(settings.partZigzagM) * kMm);
+    m_holdGel->setValue(static_cast<double>(settings.holdGel) * kPercent);
+    const std::vector<ToolOption> options = m_state.activeTool().options();
+    const auto has = [&options](ToolOption option) { return std::ranges::find(options, option) != options.end(); };
+    const bool holds = has(ToolOption::HoldGel) && settings.comb == model::CombKind::Hold;
+    m_flatness->setVisible(has(ToolOption::Flatness) && !holds);
+    m_holdGel->setVisible(holds);
+    m_flatness->setEnabled(!has(ToolOption::CombKind) ||
+                           (settings.comb != model::CombKind::Smooth && settings.comb != model::CombKind::Noise));
     m_pressureSize->setChecked(settings.pressureSize);
     m_pressureOpacity->setChecked(settings.pressureOpacity);
     for (std::size_t i = 0; i < m_shapes.size(); ++i)

@@ -56,6 +56,7 @@ private:
     BarSlider* m_reach = nullptr;
     BarSlider* m_gap = nullptr;
     BarSlider* m_zigzag = nullptr;
+    BarSlider* m_holdGel = nullptr;
     QWidget* m_pressureBox = nullptr;
     QToolButton* m_pressureSize = nullptr;
     QToolButton* m_pressureOpacity = nullptr;

@@ -1,0 +1,64 @@
+// Copies of what is painted on go to a job with the newest hair.
+#include "app/hold_hair.h"
+
+#include "model/files/sentences.h"
+#include "model/tools/hold.h"
+#include "model/tools/live_edit.h"
+
+#include <algorithm>
+
+namespace hairpaint::app {
+
+using model::MapKind;
+
+void HoldHair::hold()
+{
+    view::EditorState& editor = m_session.editor();
+    editor.commitStroke();
+    if (!editor.mayPaint({MapKind::Direction, MapKind::Gel}))
+        return;
+    const std::shared_ptr<const sim::StrandFrame> hair = m_exchange.currentHair();
+    if (hair == nullptr)
+        return;
+    auto result = held(hair);
+    if (!result)
+        return;
+    if (!*result)
+        return editor.tell(result->error().message);
+    model::Document& document = m_session.document();
+    document.push(model::paintCommand(document, std::move(**result), model::holdStepText()));
+}
+
+std::optional<model::Result<std::vector<model::LayerEdit>>>
+HoldHair::held(const std::shared_ptr<const sim::StrandFrame>& hair)
+{
+    using Edits = std::vector<model::LayerEdit>;
+    view::EditorState& editor = m_session.editor();
+    model::Document& document = m_session.document();
+    const auto target = [&](MapKind map) {
+        const model::LayerAddress address{.group = editor.activeGroup(), .map = map, .layer = editor.activeLayer(map)};
+        const model::Layer* layer = document.committed().layer(address.group, address.map, address.layer);
+        return model::HoldRequest::Target{.address = address,
+                                          .layer = layer->raster,
+                                          .clips = model::selectedTexels(editor.selection(), layer->raster.size())};
+    };
+    const model::HoldRequest request{.direction = target(MapKind::Direction),
+                                     .gel = target(MapKind::Gel),
+                                     .shownGel = document.resolvedNow(editor.activeGroup(), MapKind::Gel),
+                                     .leastGel = editor.toolSettings().holdGel};
+    return m_jobs.await<Edits>(
+        tr("Holding the hair"), [&hair, &request](const model::Progress& progress) -> model::Result<Edits> {
+            const auto group = std::ranges::find_if(hair->groups, [&request](const sim::GroupFrame& one) {
+                return one.groom != nullptr && one.groom->groupId == request.direction.address.group;
+            });
+            std::vector<model::LyingHair> hairs;
+            if (group != hair->groups.end())
+                hairs = model::lyingHairs(*group, hair->pose);
+            if (hairs.empty())
+                return model::failure(tr("There is no hair to hold in this group."));
+            std::optional<Edits> edits = model::holdHair(model::LyingField(hairs), request, progress);
+            return edits ? model::Result<Edits>(std::move(*edits)) : model::cancelled({});
+        });
+}
+
+} // namespace hairpaint::app

@@ -1,0 +1,226 @@
+// Grab: hair that is taken hold of goes where the pointer goes.
+#include "model/compositor.h"
+#include "model/texel_math.h"
+#include "model/tools/comb_field.h"
+#include "model/tools/dab_shape.h"
+#include "model/tools/live_edit.h"
+#include "model/tools/picker.h"
+#include "model/tools/skin_frames.h"
+#include "model/tools/tool_list.h"
+#include "sim/groom/direction_texel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr float kStillM = 0.001F;                  ///< A pointer that moved less has not moved.
+const glm::vec3 kOverTheMiddle(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
+
+/// One place of the skin whose hair goes along, and the way in which it goes.
+struct Held
+{
+    sim::SurfacePoint root;
+    glm::vec3 across{1.0F}; ///< What reflects the pointer's way into this one's.
+};
+
+class GrabTool : public Tool
+{
+    Q_DECLARE_TR_FUNCTIONS(Tool)
+public:
+    [[nodiscard]] ToolId id() const override { return ToolId::Grab; }
+    [[nodiscard]] QString title() const override { return tr("Grab"); }
+    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_Y; }
+    [[nodiscard]] QString hint() const override
+    {
+        return tr("Press on hair and drag it where it should go; with Ctrl it grows or shrinks to the pointer");
+    }
+    [[nodiscard]] std::vector<ToolOption> options() const override
+    {
+        return {ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity};
+    }
+    [[nodiscard]] bool hasRing() const override { return true; }
+    /// On hair it says that the length follows, too.
+    [[nodiscard]] bool picksWithCtrl(Area area) const override { return area == Area::Paint; }
+    [[nodiscard]] bool grabs() const override { return true; }
+    [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
+
+    void press(const ToolEvent& event, ToolContext& context) override;
+    void move(const ToolEvent& event, ToolContext& context) override;
+    void release(const ToolEvent& event, ToolContext& context) override
+    {
+        if (!active())
+            return;
+        move(event, context);
+        commit(context);
+    }
+    void cancel(ToolContext& /*context*/) override
+    {
+        m_edit.cancel();
+        drop();
+    }
+    void commit(ToolContext& /*context*/) override
+    {
+        m_edit.commit();
+        drop();
+    }
+    [[nodiscard]] bool active() const override { return m_edit.active(); }
+
+private:
+    [[nodiscard]] StrokeBuffer masksFor(std::size_t layer, const ToolSettings& settings) const;
+    void layDirections(glm::vec3 wayHd, std::optional<float> flatness, const ToolSettings& settings);
+    void layLengths(float factor, const sim::GroupSettings& group, const ToolSettings& settings);
+    void drop();
+
+    LiveEdit m_edit;                     ///< Of the direction layer.
+    std::optional<std::size_t> m_length; ///< That layer's number in it; none where it can't be painted on.
+    std::shared_ptr<const sim::TiledRaster> m_lengthBefore; ///< As it was seen.
+    std::vector<Held> m_held;
+    std::optional<StrokeBuffer> m_masks, m_lengthMasks;
+    std::vector<int> m_tiles, m_lengthTiles; ///< That those masks touch.
+    std::unique_ptr<SkinFrames> m_frames;    ///< Kept from drag to drag.
+    glm::vec3 m_startHd{0.0F};
+    float m_alongM = 0.0F; ///< Of the place that was taken hold of, from the root; 0 in the paint area.
+    bool m_moved = false;
+};
+
+void GrabTool::press(const ToolEvent& event, ToolContext& context)
+{
+    if (picksWithCtrl(event.area) && picksInstead(event, context))
+        return;
+    const Head* head = context.document.project().head.get();
+    const bool onHead = event.area == Area::Head;
+    if (active() || context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr ||
+        !(onHead ? event.grabbed.has_value() : event.point.has_value()))
+        return;
+    std::shared_ptr<const sim::TiledRaster> length =
+        context.document.resolvedNow(context.target.group, MapKind::Length);
+    if (!m_edit.begin(context, title()))
+        return;
+    m_edit.setText(title());
+    const sim::SurfacePoint root = onHead ? event.grabbed->root : *event.point;
+    m_startHd = onHead ? event.grabbed->positionHd : root.positionHd;
+    m_alongM = onHead ? event.grabbed->alongM : 0.0F;
+    m_moved = false;
+    m_held = {{.root = root}};
+    if (context.mirror)
+        if (const auto other = head->skin->mirrored(root);
+            other && glm::distance(other->positionHd, root.positionHd) > 0.5F * context.settings.brushSizeM)
+            m_held.push_back({.root = *other, .across = kOverTheMiddle});
+    if (m_frames == nullptr || !m_frames->isOf(head->skin))
+        m_frames = std::make_unique<SkinFrames>(head->skin);
+    m_masks.emplace(masksFor(0, context.settings));
+    m_tiles = m_masks->takeDirty();
+    m_length = onHead ? m_edit.also(context, context.layer(MapKind::Length)) : std::nullopt;
+    if (m_length) {
+        m_lengthBefore = std::move(length);
+        m_lengthMasks.emplace(masksFor(*m_length, context.settings));
+        m_lengthTiles = m_lengthMasks->takeDirty();
+    }
+}
+
+void GrabTool::move(const ToolEvent& event, ToolContext& context)
+{
+    const std::optional<glm::vec3> target = event.targetHd ? event.targetHd
+                                            : event.point  ? std::optional(event.point->positionHd)
+                                                           : std::nullopt;
+    if (!active() || !target)
+        return;
+    m_moved = m_moved || glm::distance(*target, m_startHd) > kStillM;
+    const glm::vec3 way = *target - m_held.front().root.positionHd;
+    const float distanceM = glm::length(way);
+    if (!m_moved || distanceM < kStillM)
+        return;
+    const ToolSettings& settings = context.settings;
+    const bool inTheAir = m_alongM > 0.0F;
+    layDirections(way / distanceM, inTheAir ? std::nullopt : std::optional(settings.flatness), settings);
+    const HairGroup* group = context.document.project().group(context.target.group);
+    if (!active() || !m_length || group == nullptr)
+        return;
+    if (event.modifiers.testFlag(Qt::ControlModifier) && inTheAir)
+        layLengths(distanceM / m_alongM, group->settings, settings);
+    else
+        m_edit.replace({}, {}, *m_length);
+}
+
+/// Around what is held, by the brush.
+StrokeBuffer GrabTool::masksFor(std::size_t layer, const ToolSettings& settings) const
+{
+    const int size = m_edit.size(layer);
+    StrokeBuffer masks(size);
+    for (const Held& held : m_held) {
+        Dab dab = dabAt(SkinMetric::at(held.root), held.root.uv, 0.5F * settings.brushSizeM, size);
+        dab.hardness = settings.hardness;
+        for (const sim::TexelRect& clip : m_edit.clips(layer))
+            masks.add(dab, clip);
+    }
+    return masks;
+}
+
+/// All go the same way as the hair that is held, `flatness` aside, each in the frame of its root.
+void GrabTool::layDirections(glm::vec3 wayHd, std::optional<float> flatness, const ToolSettings& settings)
+{
+    const int size = m_edit.size();
+    CombField field(size);
+    for (const Held& held : m_held) {
+        const glm::vec3 ownHd = wayHd * held.across;
+        const sim::SkinFrame centre = sim::SkinFrame::at(held.root);
+        const Dab dab = dabAt(SkinMetric::at(held.root), held.root.uv, 0.5F * settings.brushSizeM, size);
+        field.add(dab, [&](int x, int y) -> std::optional<glm::vec2> {
+            const glm::vec2 place = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
+            const sim::SkinFrame frame = m_frames->at({place.x, 1.0F - place.y}).value_or(centre);
+            const glm::vec2 inPlane = frame.fromHd(ownHd);
+            const float length = glm::length(inPlane);
+            // What would go into the head lies flat on it.
+            const bool intoTheHead = glm::dot(ownHd, frame.normal) < 0.0F;
+            const float wanted = flatness.value_or(intoTheHead ? 1.0F : length);
+            return length > 1e-4F ? inPlane * (wanted / length) : glm::vec2(0.0F);
+        });
+    }
+    const std::uint16_t opacity = unit16(settings.opacity);
+    m_edit.update(m_tiles, [&](int index, const sim::RasterTilePtr& before) {
+        const std::vector<std::uint16_t> values = field.values(index);
+        return paintTile(m_edit.spec(), before, *m_masks->mask(index), {.values = values.data(), .opacity = opacity});
+    });
+}
+
+/// As long as before times `factor`, as far as the map goes.
+void GrabTool::layLengths(float factor, const sim::GroupSettings& group, const ToolSettings& settings)
+{
+    const float rangeM = std::max(group.greatestLengthM - group.shortestLengthM, 1e-6F);
+    const auto lengthened = [&](int index, const sim::RasterTilePtr& before) {
+        std::vector<std::uint16_t> values(sim::kTileTexels);
+        const sim::TexelRect rect = m_lengthBefore->tileRect(index);
+        std::size_t texel = 0;
+        for (int y = rect.y0; y < rect.y1; ++y)
+            for (int x = rect.x0; x < rect.x1; ++x, ++texel) {
+                const float value = static_cast<float>(m_lengthBefore->texel(x, y)[0]) / 65535.0F;
+                const float lengthM = (group.shortestLengthM + rangeM * value) * factor;
+                values[texel] = unit16(std::clamp((lengthM - group.shortestLengthM) / rangeM, 0.0F, 1.0F));
+            }
+        return paintTile(m_edit.spec(*m_length), before, *m_lengthMasks->mask(index),
+                         {.values = values.data(), .opacity = unit16(settings.opacity)});
+    };
+    m_edit.update(m_lengthTiles, lengthened, *m_length);
+}
+
+void GrabTool::drop()
+{
+    m_length.reset();
+    m_lengthBefore.reset();
+    m_masks.reset();
+    m_lengthMasks.reset();
+    m_held.clear();
+}
+
+} // namespace
+
+std::unique_ptr<Tool> makeGrabTool()
+{
+    return std::make_unique<GrabTool>();
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,181 @@
+// Tools of the real window that work with the hair that is drawn: holding it as it lies, grabbing it, and the hairs
+// that tell its directions.
+#include "model/files/preset_file.h"
+#include "model/lying_hair.h"
+#include "model/preset.h"
+#include "sim/groom/direction_texel.h"
+#include "tests/app/window_fixture.h"
+#include "tests/support/test_program.h"
+#include "view/head/head_overlay.h"
+
+#include <algorithm>
+
+namespace hairpaint::app {
+
+class TestWindowHair : public QObject, private WindowFixture
+{
+    Q_OBJECT
+private:
+    void openWithStyle(const char* id)
+    {
+        model::Project project = model::newProject();
+        const auto preset = model::loadPreset(QStringLiteral(":/presets/%1.hairpreset").arg(QLatin1StringView(id)));
+        QVERIFY(preset.has_value());
+        model::applyPreset(project, *preset);
+        openWindow(std::move(project));
+        awaitNewestHair();
+        QVERIFY(hairs() > 500);
+    }
+    [[nodiscard]] std::shared_ptr<const sim::TiledRaster> map(model::MapKind kind)
+    {
+        return session().document().resolved(editor().activeGroup(), kind);
+    }
+    [[nodiscard]] glm::vec2 directionAt(glm::vec2 uv)
+    {
+        return sim::directionOf(map(model::MapKind::Direction)->sampleNearest(uv));
+    }
+    [[nodiscard]] QAction& action(const char* id) { return *m_window->actions().find(QLatin1StringView(id)); }
+
+private Q_SLOTS:
+    void initTestCase() { prepareApplication(); }
+    void cleanup() { m_window.reset(); }
+
+    void hairThatTheWindBlewIsHeldAsItLies()
+    {
+        openWithStyle("bob");
+        const std::shared_ptr<const sim::StrandFrame> still = session().frame();
+        session().changeWind({.enabled = true, .velocity = {12.0F, 0.0F, -4.0F}}, true);
+        const auto blown = [&] {
+            const auto before = model::lyingHairs(still->groups.front(), still->pose);
+            const auto now = model::lyingHairs(session().frame()->groups.front(), session().frame()->pose);
+            double turned = 0.0;
+            for (std::size_t i = 0; i < std::min(before.size(), now.size()); ++i)
+                turned += static_cast<double>(glm::distance(before[i].direction, now[i].direction));
+            return turned / static_cast<double>(before.size());
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(blown() > 0.05, kPatienceMs);
+        session().setPaused(true); // So that what is held is what is compared with.
+        const auto directions = map(model::MapKind::Direction);
+        const auto gel = map(model::MapKind::Gel);
+        const int steps = stack().count();
+        key(Qt::Key_H, Qt::ShiftModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(stack().count(), steps + 1, kPatienceMs);
+        QCOMPARE(stack().undoText(), QStringLiteral("Hold as it lies"));
+        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+
+        const model::LyingField field(model::lyingHairs(session().frame()->groups.front(), session().frame()->pose));
+        for (const glm::vec2 uv : {glm::vec2(0.45F, 0.5F), glm::vec2(0.55F, 0.55F), glm::vec2(0.5F, 0.6F)}) {
+            const std::optional<glm::vec2> lies = field.at(uv);
+            QVERIFY(lies && glm::distance(directionAt(uv), *lies) < 0.1F);
+            QVERIFY(map(model::MapKind::Gel)->sampleScalar(uv) > 0.49F);
+        }
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(*map(model::MapKind::Direction) == *directions);
+        QVERIFY(*map(model::MapKind::Gel) == *gel);
+    }
+
+    void withoutHairNothingIsHeldAndALockedLayerSaysSo()
+    {
+        openWindow(model::newProject());
+        awaitNewestHair();
+        QStringList told;
+        connect(&editor(), &view::EditorState::told, this, [&told](const QString& text) { told << text; });
+        connect(&editor(), &view::EditorState::refused, this, [&told](const QString& text) { told << text; });
+        action("hair.hold").trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(told.size(), 1, kPatienceMs);
+        QCOMPARE(told.front(), QStringLiteral("There is no hair to hold in this group."));
+        model::Document& document = session().document();
+        const model::LayerAddress gel{.group = editor().activeGroup(),
+                                      .map = model::MapKind::Gel,
+                                      .layer = editor().activeLayer(model::MapKind::Gel)};
+        model::LayerProperties locked = model::propertiesOf(*document.project().layer(gel.group, gel.map, gel.layer));
+        locked.locked = true;
+        document.push(model::setLayerPropertiesCommand(document, gel, locked, QStringLiteral("lock")));
+        action("hair.hold").trigger();
+        QVERIFY(told.size() == 2 && told.back().contains(QStringLiteral("locked")));
+        QCOMPARE(stack().count(), 1);
+    }
+
+    void theCombHoldsUnderItsDabs()
+    {
+        openWithStyle("bob");
+        key(Qt::Key_C);
+        model::ToolSettings settings = editor().toolSettings();
+        settings.comb = model::CombKind::Hold;
+        settings.holdGel = 0.8F;
+        editor().setToolSettings(settings);
+        QCOMPARE(map(model::MapKind::Gel)->sampleScalar({0.5F, 0.5F}), 0.0F);
+        drag(m_window->paintView(), paintPoint(0.47F, 0.5F), paintPoint(0.53F, 0.5F));
+        QCOMPARE(stack().count(), 1);
+        QCOMPARE(stack().undoText(), QStringLiteral("Hold as it lies"));
+        QVERIFY(map(model::MapKind::Gel)->sampleScalar({0.5F, 0.5F}) > 0.79F);
+        QCOMPARE(map(model::MapKind::Gel)->sampleScalar({0.5F, 0.6F}), 0.0F);
+        QCOMPARE(editor().activeMap(), model::MapKind::Direction); // Not the other one that changed.
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(map(model::MapKind::Gel)->sampleScalar({0.5F, 0.5F}), 0.0F);
+    }
+
+    void hairThatIsSeenIsGrabbedWithTheMouse_data()
+    {
+        QTest::addColumn<bool>("ctrl");
+        QTest::newRow("its direction") << false;
+        QTest::newRow("with Ctrl its length, too") << true;
+    }
+    void hairThatIsSeenIsGrabbedWithTheMouse()
+    {
+        QFETCH(bool, ctrl);
+        openWithStyle("quiff");
+        session().setPaused(true);
+        key(Qt::Key_Y);
+        QCOMPARE(editor().activeTool().id(), model::ToolId::Grab);
+        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+        view::HeadView& head = m_window->headView();
+        QTRY_VERIFY_WITH_TIMEOUT(head.skinAt(QRectF(head.rect()).center()).has_value(), kPatienceMs);
+        const auto directions = map(model::MapKind::Direction);
+        const auto lengths = map(model::MapKind::Length);
+        // Above the forehead there is hair.
+        const auto [area, from] = onHead(0.52F, 0.44F);
+        const QPoint to = from + QPoint(90, -60);
+        const auto send = [area = area](QEvent::Type type, QPoint at, bool withCtrl) {
+            QMouseEvent event(type, at, area->mapToGlobal(at),
+                              type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+                              type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton,
+                              withCtrl ? Qt::ControlModifier : Qt::NoModifier);
+            QApplication::sendEvent(area, &event);
+        };
+        send(QEvent::MouseButtonPress, from, false);
+        QVERIFY(editor().stroking());
+        for (int i = 1; i <= 10; ++i)
+            send(QEvent::MouseMove, from + (to - from) * i / 10, ctrl);
+        QVERIFY(!(*map(model::MapKind::Direction) == *directions));
+        send(QEvent::MouseButtonRelease, to, ctrl);
+        QCOMPARE(stack().count(), 1);
+        QCOMPARE(stack().undoText(), QStringLiteral("Grab"));
+        QCOMPARE(*map(model::MapKind::Length) == *lengths, !ctrl);
+        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(*map(model::MapKind::Direction) == *directions);
+        QVERIFY(*map(model::MapKind::Length) == *lengths);
+    }
+
+    void aKeyShowsAndHidesTheDirectionsOnTheHead()
+    {
+        openWindow(model::newProject());
+        const auto* overlay = m_window->headView().findChild<view::HeadOverlay*>();
+        key(Qt::Key_0);
+        QTRY_VERIFY_WITH_TIMEOUT(!overlay->directions().empty(), kPatienceMs);
+        QVERIFY(action("view.directions").isChecked());
+        key(Qt::Key_D, Qt::ShiftModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(overlay->directions().empty(), kPatienceMs);
+        QVERIFY(!action("view.directions").isChecked());
+        key(Qt::Key_D, Qt::ShiftModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(!overlay->directions().empty(), kPatienceMs);
+        key(Qt::Key_2);
+        QTRY_VERIFY_WITH_TIMEOUT(overlay->directions().empty(), kPatienceMs);
+    }
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestWindowHair, Widgets)
+#include "test_window_hair.moc"

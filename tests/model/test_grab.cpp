@@ -1,0 +1,213 @@
+// Grab: what dragging hair leaves in the direction map and the length map.
+#include "sim/groom/direction_texel.h"
+#include "sim/skin/skin_frame.h"
+#include "tests/model/tool_studio.h"
+#include "tests/support/test_program.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+using namespace hairpaint::test;
+
+namespace {
+
+const QString kGrab = QStringLiteral("grab");
+constexpr float kAlongM = 0.05F;
+
+/// A studio whose hair stands on a patch of 20 cm in the plane z = 0.
+struct Hand : Studio
+{
+    explicit Hand(Project project = filledPatch(MapKind::Length, 26214)) : Studio(std::move(project)) // 0.4
+    {
+        map = MapKind::Direction;
+        settings.hardness = 1.0F;
+        settings.brushSizeM = 0.04F;
+    }
+    [[nodiscard]] ToolEvent event(glm::vec3 rootHd, glm::vec3 targetHd, Qt::KeyboardModifiers modifiers = {})
+    {
+        const sim::SurfacePoint root = document.project().head->skin->nearest(rootHd);
+        return {
+            .area = Area::Head,
+            .uv = root.uv,
+            .modifiers = modifiers,
+            .grabbed =
+                GrabbedHair{.root = root, .positionHd = root.positionHd + root.normalHd * kAlongM, .alongM = kAlongM},
+            .targetHd = targetHd};
+    }
+    /// Takes hold of hair that stands 5 cm up, and takes it there.
+    void take(glm::vec3 rootHd, glm::vec3 targetHd, Qt::KeyboardModifiers modifiers = {})
+    {
+        ToolContext now = context();
+        const ToolEvent start = event(rootHd, targetHd);
+        ToolEvent held = start;
+        held.targetHd = start.grabbed->positionHd;
+        tool(kGrab).press(held, now);
+        held.targetHd = (start.grabbed->positionHd + targetHd) * 0.5F;
+        tool(kGrab).move(held, now);
+        tool(kGrab).move(event(rootHd, targetHd, modifiers), now);
+    }
+    void letGo(glm::vec3 rootHd, glm::vec3 targetHd, Qt::KeyboardModifiers modifiers = {})
+    {
+        ToolContext now = context();
+        tool(kGrab).release(event(rootHd, targetHd, modifiers), now);
+    }
+    [[nodiscard]] glm::vec3 directionAt(glm::vec3 placeHd)
+    {
+        const sim::SurfacePoint point = document.project().head->skin->nearest(placeHd);
+        return sim::SkinFrame::at(point).toHd(sim::directionOf(shown()->sampleNearest(point.uv)));
+    }
+    [[nodiscard]] float lengthAt(glm::vec3 placeHd)
+    {
+        return document.resolved(context().target.group, MapKind::Length)
+            ->sampleScalar(document.project().head->skin->nearest(placeHd).uv);
+    }
+};
+
+const glm::vec3 kRoot(0.01F, 0.02F, 0.0F);
+
+} // namespace
+
+class TestGrab : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void hairGoesTowardThePointer_data()
+    {
+        QTest::addColumn<float>("x");
+        QTest::addColumn<float>("y");
+        QTest::addColumn<float>("z");
+        QTest::addColumn<float>("length");
+        QTest::newRow("half flat to the right") << 0.04F << 0.0F << 0.03F << 0.8F;
+        QTest::newRow("steeply up") << 0.0F << 0.03F << 0.04F << 0.6F;
+        QTest::newRow("flat") << -0.05F << 0.0F << 0.0F << 1.0F;
+        QTest::newRow("into the head: flat on it") << 0.03F << 0.0F << -0.03F << 1.0F;
+    }
+    void hairGoesTowardThePointer()
+    {
+        QFETCH(float, x);
+        QFETCH(float, y);
+        QFETCH(float, z);
+        QFETCH(float, length);
+        Hand hand;
+        const glm::vec3 target = kRoot + glm::vec3(x, y, z);
+        hand.take(kRoot, target);
+        const glm::vec3 wanted = glm::normalize(glm::vec3(x, y, 0.0F)) * length;
+        // Live, before it is let go, and all that the brush reaches.
+        QCOMPARE(hand.document.undoStack().count(), 0);
+        for (const glm::vec3 beside : {glm::vec3(0.0F), glm::vec3(0.015F, 0.0F, 0.0F), glm::vec3(0.0F, -0.015F, 0.0F)})
+            QVERIFY(glm::distance(hand.directionAt(kRoot + beside), wanted) < 0.02F);
+        QCOMPARE(hand.directionAt(kRoot + glm::vec3(0.025F, 0.0F, 0.0F)), glm::vec3(0.0F));
+        hand.letGo(kRoot, target);
+        QCOMPARE(hand.document.undoStack().count(), 1);
+        QCOMPARE(hand.document.undoStack().undoText(), QStringLiteral("Grab"));
+        QVERIFY(glm::distance(hand.directionAt(kRoot), wanted) < 0.02F);
+        QCOMPARE(hand.lengthAt(kRoot), hand.lengthAt({-0.08F, -0.08F, 0.0F}));
+        hand.document.undo();
+        QCOMPARE(hand.directionAt(kRoot), glm::vec3(0.0F));
+    }
+
+    void aClickChangesNothing()
+    {
+        Hand hand;
+        const glm::vec3 where = kRoot + glm::vec3(0.0F, 0.0F, kAlongM);
+        hand.take(kRoot, where);
+        hand.letGo(kRoot, where);
+        QCOMPARE(hand.document.undoStack().count(), 0);
+    }
+
+    void withCtrlItIsAsLongAsThePointerIsAway_data()
+    {
+        QTest::addColumn<float>("factor");
+        QTest::addColumn<float>("wanted");
+        QTest::newRow("shorter") << 0.5F << 0.2F;
+        QTest::newRow("longer") << 1.5F << 0.6F;
+        QTest::newRow("longer than the map goes") << 4.0F << 1.0F;
+    }
+    void withCtrlItIsAsLongAsThePointerIsAway()
+    {
+        QFETCH(float, factor);
+        QFETCH(float, wanted);
+        Hand hand;
+        const glm::vec3 target = kRoot + glm::vec3(factor * kAlongM, 0.0F, 0.0F);
+        hand.take(kRoot, target, Qt::ControlModifier);
+        QVERIFY(std::abs(hand.lengthAt(kRoot) - wanted) < 0.01F);
+        // Let go of Ctrl, and it is as long as it was.
+        ToolContext now = hand.context();
+        hand.tool(kGrab).move(hand.event(kRoot, target), now);
+        QVERIFY(std::abs(hand.lengthAt(kRoot) - 0.4F) < 0.001F);
+        hand.letGo(kRoot, target, Qt::ControlModifier);
+        QVERIFY(std::abs(hand.lengthAt(kRoot) - wanted) < 0.01F);
+        QVERIFY(std::abs(hand.lengthAt({-0.05F, 0.0F, 0.0F}) - 0.4F) < 0.001F);
+        QCOMPARE(hand.document.undoStack().count(), 1);
+        hand.document.undo();
+        QVERIFY(std::abs(hand.lengthAt(kRoot) - 0.4F) < 0.001F);
+        QCOMPARE(hand.directionAt(kRoot), glm::vec3(0.0F));
+    }
+
+    void theShortestHairCountsInTheLength()
+    {
+        Project project = filledPatch(MapKind::Length, 32768); // Half of what lies between.
+        project.groups.front().settings.shortestLengthM = 0.1F;
+        project.groups.front().settings.greatestLengthM = 0.3F;
+        Hand hand(std::move(project));
+        hand.take(kRoot, kRoot + glm::vec3(1.25F * kAlongM, 0.0F, 0.0F), Qt::ControlModifier);
+        QVERIFY(std::abs(hand.lengthAt(kRoot) - 0.75F) < 0.01F); // 25 cm.
+    }
+
+    void escapeLeavesNoTrace()
+    {
+        Hand hand;
+        hand.take(kRoot, kRoot + glm::vec3(0.1F, 0.0F, 0.0F), Qt::ControlModifier);
+        ToolContext now = hand.context();
+        hand.tool(kGrab).cancel(now);
+        QCOMPARE(hand.document.undoStack().count(), 0);
+        QCOMPARE(hand.directionAt(kRoot), glm::vec3(0.0F));
+        QVERIFY(std::abs(hand.lengthAt(kRoot) - 0.4F) < 0.001F);
+    }
+
+    void theOtherSideGoesTheOtherWay_data()
+    {
+        QTest::addColumn<bool>("mirror");
+        QTest::newRow("mirrored") << true;
+        QTest::newRow("not") << false;
+    }
+    void theOtherSideGoesTheOtherWay()
+    {
+        QFETCH(bool, mirror);
+        Hand hand;
+        hand.mirror = mirror;
+        const glm::vec3 root(0.05F, 0.02F, 0.0F);
+        hand.take(root, root + glm::vec3(0.04F, 0.0F, 0.03F));
+        QVERIFY(glm::distance(hand.directionAt(root), glm::vec3(0.8F, 0.0F, 0.0F)) < 0.02F);
+        const glm::vec3 other(mirror ? -0.8F : 0.0F, 0.0F, 0.0F);
+        QVERIFY(glm::distance(hand.directionAt({-0.05F, 0.02F, 0.0F}), other) < 0.02F);
+    }
+
+    void onThePaperItLaysHairTowardThePointer()
+    {
+        Hand hand;
+        hand.settings.flatness = 0.7F;
+        hand.press(kGrab, 0.5F, 0.5F);
+        hand.move(kGrab, 0.5F, 0.7F, 1.0F, Qt::ControlModifier);
+        hand.release(kGrab, 0.5F, 0.7F);
+        QVERIFY(glm::distance(hand.directionAt(glm::vec3(0.0F)), glm::vec3(0.0F, 0.7F, 0.0F)) < 0.02F);
+        QCOMPARE(hand.directionAt({0.0F, 0.04F, 0.0F}), glm::vec3(0.0F));
+        QCOMPARE(hand.document.undoStack().count(), 1);
+    }
+
+    void besideHairThereIsNothingToGrab()
+    {
+        Hand hand;
+        ToolContext now = hand.context();
+        ToolEvent event = hand.event(kRoot, kRoot);
+        event.grabbed.reset();
+        hand.tool(kGrab).press(event, now);
+        QVERIFY(!hand.tool(kGrab).active());
+    }
+};
+
+HAIRPAINT_TEST(TestGrab, Gui)
+#include "test_grab.moc"
