@@ -2037,7 +2037,7 @@
         <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; ocho como máximo</translation>
     </message>
     <message>
-        <source>H&amp;old as it lies now</source>
+        <source>Hol&amp;d as it lies now</source>
         <translation>Fi&amp;jar como está ahora</translation>
     </message>
     <message>

@@ -16,7 +16,7 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
     addMotions(actions, session, head);
     addColliders(actions, session, head);
     actions.add(*this, {{.id = "hair.hold",
-                         .text = tr("H&old as it lies now"),
+                         .text = tr("Hol&d as it lies now"),
                          .keys = {Qt::SHIFT | Qt::Key_H},
                          .run = [this] { m_holdHair.hold(); },
                          .icon = "comb-hold"}});

@@ -3,6 +3,7 @@
 #include "model/compositor.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/comb_field.h"
+#include "model/tools/fallen_hair.h"
 #include "model/tools/hold_stroke.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/picker.h"
@@ -108,9 +109,8 @@ private:
     [[nodiscard]] glm::vec2 along(glm::vec2 uv, glm::vec3 strokeHd, const sim::SkinFrame& centre);
     [[nodiscard]] glm::vec2 restyled(glm::vec2 uv, const ToolSettings& settings);
     [[nodiscard]] glm::vec2 smoothed(glm::vec2 uv, glm::vec2 reachUv);
-    [[nodiscard]] glm::vec2 before(glm::vec2 uv) const;
     [[nodiscard]] glm::vec2 uvOf(int x, int y) const;
-    [[nodiscard]] sim::RasterTilePtr painted(int tile, const sim::RasterTilePtr& before) const;
+    [[nodiscard]] sim::RasterTilePtr painted(int tile, const sim::RasterTilePtr& before);
     void drop();
 
     LiveEdit m_edit;
@@ -118,13 +118,13 @@ private:
     std::optional<StrokeBuffer> m_masks;
     std::optional<CombField> m_field;
     std::optional<BrushPath> m_path;
-    std::unique_ptr<SkinFrames> m_frames;             ///< Kept from stroke to stroke.
-    std::shared_ptr<const sim::TiledRaster> m_before; ///< The map as it was seen when the stroke began.
-    std::optional<ToolEvent> m_last;                  ///< Where the next straight line starts; kept between strokes.
-    std::optional<BrushSample> m_previous;            ///< The last place that lay on the skin.
-    bool m_waits = false;                             ///< That place has no dab yet: it is not known where it goes.
-    std::optional<glm::vec3> m_strokeHd;              ///< Unit: where the pointer goes, smoothed.
-    glm::vec2 m_reachUv{0.0F};                        ///< Of the dab that is laid.
+    std::unique_ptr<SkinFrames> m_frames;  ///< Kept from stroke to stroke.
+    std::optional<FallenHair> m_before;    ///< How hair lay when the stroke began.
+    std::optional<ToolEvent> m_last;       ///< Where the next straight line starts; kept between strokes.
+    std::optional<BrushSample> m_previous; ///< The last place that lay on the skin.
+    bool m_waits = false;                  ///< That place has no dab yet: it is not known where it goes.
+    std::optional<glm::vec3> m_strokeHd;   ///< Unit: where the pointer goes, smoothed.
+    glm::vec2 m_reachUv{0.0F};             ///< Of the dab that is laid.
     std::uint16_t m_opacity = 65535;
 };
 
@@ -140,13 +140,11 @@ void CombTool::press(const ToolEvent& event, ToolContext& context)
             m_hold.moveTo(event, context);
         return;
     }
-    std::shared_ptr<const sim::TiledRaster> shown =
-        context.document.resolvedNow(context.target.group, context.target.map);
     if (!m_edit.begin(context, title()))
         return;
-    m_before = std::move(shown);
     if (m_frames == nullptr || !m_frames->isOf(head->skin))
         m_frames = std::make_unique<SkinFrames>(head->skin);
+    m_before.emplace(context, *m_frames, m_edit.size());
     m_masks.emplace(m_edit.size());
     m_field.emplace(m_edit.size());
     m_path.emplace(head->skin.get(), context.settings.brushSizeM * kCombSpacing,
@@ -319,16 +317,10 @@ glm::vec2 CombTool::along(glm::vec2 uv, glm::vec3 strokeHd, const sim::SkinFrame
     return length > 0.0F ? way / length : glm::vec2(0.0F);
 }
 
-glm::vec2 CombTool::before(glm::vec2 uv) const
-{
-    constexpr float kGreatest = 65535.0F;
-    return sim::directionOfChannels(glm::vec2(m_before->sampleBilinear(uv)) * kGreatest);
-}
-
 /// What the modes that do not follow the pointer make of the hair that is there.
 glm::vec2 CombTool::restyled(glm::vec2 uv, const ToolSettings& settings)
 {
-    const glm::vec2 was = before(uv);
+    const glm::vec2 was = m_before->at(uv);
     const float length = glm::length(was);
     if (settings.comb == CombKind::Smooth)
         return smoothed(uv, m_reachUv);
@@ -346,7 +338,7 @@ glm::vec2 CombTool::smoothed(glm::vec2 uv, glm::vec2 reachUv)
     constexpr int kAround = 8;
     constexpr float kTurn = 6.2831853F / kAround;
     const std::optional<sim::SkinFrame> own = m_frames->at(uv);
-    const glm::vec2 was = before(uv);
+    const glm::vec2 was = m_before->at(uv);
     if (!own)
         return was;
     glm::vec3 sum = own->toHd(was);
@@ -356,7 +348,7 @@ glm::vec2 CombTool::smoothed(glm::vec2 uv, glm::vec2 reachUv)
         const float angle = kTurn * static_cast<float>(i);
         const glm::vec2 there = uv + reachUv * glm::vec2(std::cos(angle), std::sin(angle));
         if (const std::optional<sim::SkinFrame> frame = m_frames->at(there)) {
-            const glm::vec2 beside = before(there);
+            const glm::vec2 beside = m_before->at(there);
             sum += frame->toHd(beside);
             lengths += glm::length(beside);
             count += 1.0F;
@@ -368,10 +360,13 @@ glm::vec2 CombTool::smoothed(glm::vec2 uv, glm::vec2 reachUv)
     return length > 1e-4F ? mean * (lengths / (count * length)) : mean;
 }
 
-sim::RasterTilePtr CombTool::painted(int tile, const sim::RasterTilePtr& before) const
+sim::RasterTilePtr CombTool::painted(int tile, const sim::RasterTilePtr& before)
 {
     const std::vector<std::uint16_t> values = m_field->values(tile);
-    return paintTile(m_edit.spec(), before, *m_masks->mask(tile), {.values = values.data(), .opacity = m_opacity});
+    const StrokeBuffer::MaskTile& mask = *m_masks->mask(tile);
+    m_before->look(tile);
+    return paintTile(m_edit.spec(), m_before->under(tile, before, mask), mask,
+                     {.values = values.data(), .opacity = m_opacity});
 }
 
 } // namespace

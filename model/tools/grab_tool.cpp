@@ -3,6 +3,7 @@
 #include "model/texel_math.h"
 #include "model/tools/comb_field.h"
 #include "model/tools/dab_shape.h"
+#include "model/tools/fallen_hair.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/picker.h"
 #include "model/tools/skin_frames.h"
@@ -82,6 +83,7 @@ private:
     std::optional<StrokeBuffer> m_masks, m_lengthMasks;
     std::vector<int> m_tiles, m_lengthTiles; ///< That those masks touch.
     std::unique_ptr<SkinFrames> m_frames;    ///< Kept from drag to drag.
+    std::optional<FallenHair> m_before;      ///< How hair lay when the drag began.
     glm::vec3 m_startHd{0.0F};
     float m_alongM = 0.0F; ///< Of the place that was taken hold of, from the root; 0 in the paint area.
     bool m_moved = false;
@@ -112,6 +114,7 @@ void GrabTool::press(const ToolEvent& event, ToolContext& context)
             m_held.push_back({.root = *other, .across = kOverTheMiddle});
     if (m_frames == nullptr || !m_frames->isOf(head->skin))
         m_frames = std::make_unique<SkinFrames>(head->skin);
+    m_before.emplace(context, *m_frames, m_edit.size());
     m_masks.emplace(masksFor(0, context.settings));
     m_tiles = m_masks->takeDirty();
     m_length = onHead ? m_edit.also(context, context.layer(MapKind::Length)) : std::nullopt;
@@ -183,7 +186,10 @@ void GrabTool::layDirections(glm::vec3 wayHd, std::optional<float> flatness, con
     const std::uint16_t opacity = unit16(settings.opacity);
     m_edit.update(m_tiles, [&](int index, const sim::RasterTilePtr& before) {
         const std::vector<std::uint16_t> values = field.values(index);
-        return paintTile(m_edit.spec(), before, *m_masks->mask(index), {.values = values.data(), .opacity = opacity});
+        const StrokeBuffer::MaskTile& mask = *m_masks->mask(index);
+        m_before->look(index);
+        return paintTile(m_edit.spec(), m_before->under(index, before, mask), mask,
+                         {.values = values.data(), .opacity = opacity});
     });
 }
 
@@ -211,6 +217,7 @@ void GrabTool::drop()
 {
     m_length.reset();
     m_lengthBefore.reset();
+    m_before.reset();
     m_masks.reset();
     m_lengthMasks.reset();
     m_held.clear();

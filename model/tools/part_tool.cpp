@@ -1,4 +1,5 @@
 // The parting: a curve over the skin that can be edited until it is kept, with hair laid to both sides of it.
+#include "model/tools/fallen_hair.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/part_field.h"
 #include "model/tools/picker.h"
@@ -76,6 +77,7 @@ private:
     LiveEdit m_edit;
     std::optional<std::size_t> m_density; ///< Its layer's number in the edit, once there is one.
     std::unique_ptr<SkinFrames> m_frames; ///< Kept from parting to parting.
+    std::optional<FallenHair> m_before;   ///< How hair lay before this one.
     Points m_points;
     std::vector<Points> m_past; ///< What undo goes back to, the latest last.
     PartCurve m_curve;
@@ -109,6 +111,7 @@ bool PartTool::begin(const ToolContext& context)
     m_edit.setText(title());
     if (m_frames == nullptr || !m_frames->isOf(head->skin))
         m_frames = std::make_unique<SkinFrames>(head->skin);
+    m_before.emplace(context, *m_frames, m_edit.size());
     m_density.reset();
     m_points.clear();
     m_past.clear();
@@ -303,9 +306,13 @@ void PartTool::showLaid(const PartField& field)
     const auto make = [&](int index, const sim::RasterTilePtr& before) {
         PartField::LaidTile laid = field.laid(index, size);
         keepInside(m_edit.clips(), m_edit.before().tileRect(index), laid.mask);
-        return paintTile(m_edit.spec(), before, laid.mask, {.values = laid.values.data()});
+        return paintTile(m_edit.spec(), m_before->under(index, before, laid.mask), laid.mask,
+                         {.values = laid.values.data()});
     };
-    showTiles(field.laidTiles(size), make, 0);
+    const std::vector<int> tiles = field.laidTiles(size);
+    for (const int tile : tiles)
+        m_before->look(tile);
+    showTiles(tiles, make, 0);
 }
 
 /// No hair is painted over what other layers leave there; a layer that adds to them only loses its own.
