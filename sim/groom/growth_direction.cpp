@@ -8,8 +8,10 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr float kShortFallM = 0.08F; ///< Shorter hair lies as it grows, whatever it weighs;
-constexpr float kLongFallM = 0.20F;  ///< longer hair falls to its side.
+constexpr float kShortFallM = 0.08F;   ///< Shorter hair lies as it grows, whatever it weighs;
+constexpr float kOpposed = 0.02F;      ///< Nearer to each other's opposite there is no way between.
+constexpr float kLeastFlatness = 0.5F; ///< Of hair that nobody has combed.
+constexpr float kLongFallM = 0.20F;    ///< longer hair falls to its side.
 
 /// How long hair that nobody has combed falls: to its own side of the middle and a little back from the face.
 glm::vec3 fallDirection(glm::vec3 positionHd, glm::vec3 normal)
@@ -27,7 +29,29 @@ glm::vec3 fallDirection(glm::vec3 positionHd, glm::vec3 normal)
     return square > 1e-12F ? along * (kFlatness / std::sqrt(square)) : glm::vec3(kFlatness, 0.0F, 0.0F);
 }
 
+/// What grows at the middle of a whorl still leans to one side: a single upright hair would be an antenna. As flat as
+/// that; where the vector tells no side, to where long hair falls.
+glm::vec3 atLeast(float flatness, glm::vec3 grown, glm::vec3 falls)
+{
+    constexpr float kTellsNoSide = 0.02F;
+    const float length2 = glm::dot(grown, grown);
+    if (length2 >= flatness * flatness)
+        return grown;
+    const glm::vec3 leaning = grown + falls * kTellsNoSide;
+    return leaning * (flatness / std::max(std::sqrt(glm::dot(leaning, leaning)), 1e-6F));
+}
+
 } // namespace
+
+glm::vec3 GrowthDirections::of(float falls) const
+{
+    const glm::vec3 mean = grownHd + (fallenHd - grownHd) * falls;
+    if (falls <= 0.0F || falls >= 1.0F)
+        return mean;
+    const float grown = std::sqrt(glm::dot(grownHd, grownHd));
+    const float flatness = grown + (std::sqrt(glm::dot(fallenHd, fallenHd)) - grown) * falls;
+    return mean * (flatness / std::max(std::sqrt(glm::dot(mean, mean)), kOpposed * flatness + 1e-6F));
+}
 
 float fallFraction(float lengthM)
 {
@@ -45,8 +69,11 @@ GrowthDirections growthDirections(DirectionVector painted, const DirectionVector
     // Where the map shows something else than the stream, somebody has combed.
     constexpr float kCombed = 0.03F;
     const float uncombed = 1.0F - glm::length(painted - *natural) / kCombed;
-    if (uncombed > 0.0F)
-        directions.fallenHd += (fallDirection(positionHd, frame.normal) - grown) * uncombed;
+    if (uncombed <= 0.0F)
+        return directions;
+    const glm::vec3 falls = fallDirection(positionHd, frame.normal);
+    directions.grownHd = atLeast(kLeastFlatness * uncombed, grown, falls);
+    directions.fallenHd += (falls - grown) * uncombed;
     return directions;
 }
 

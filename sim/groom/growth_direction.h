@@ -12,8 +12,9 @@ struct GrowthDirections
     glm::vec3 grownHd{0.0F};  ///< As painted, or natural.
     glm::vec3 fallenHd{0.0F}; ///< Of long hair: where nobody combed, to its own side of the middle.
 
-    /// `falls`: fallFraction() of the hair's length.
-    [[nodiscard]] glm::vec3 of(float falls) const { return grownHd + (fallenHd - grownHd) * falls; }
+    /// `falls`: fallFraction() of the hair's length. Hair between the two turns from one to the other; their mean alone
+    /// would stand where they are opposed.
+    [[nodiscard]] glm::vec3 of(float falls) const;
     friend bool operator==(const GrowthDirections&, const GrowthDirections&) = default;
 };
 

@@ -45,6 +45,19 @@ HWY_INLINE hn::Vec<DI> cellsAt(D d, const SkinBand::Grid& grid, const Vec3<hn::V
     return hn::IfThenElse(hn::RebindMask(di, inside), hn::GatherIndex(di, grid.indices, index), hn::Set(di, -1));
 }
 
+/// GrowthDirections::of().
+template<class D>
+HWY_INLINE Vec3<hn::Vec<D>> turned(D d, const Vec3<hn::Vec<D>>& grown, const Vec3<hn::Vec<D>>& fallen, hn::Vec<D> falls)
+{
+    using V = hn::Vec<D>;
+    const Vec3<V> mean = addScaled(grown, sub(fallen, grown), falls);
+    const V flat = hn::Sqrt(dot(grown, grown));
+    const V flatness = hn::Add(flat, hn::Mul(hn::Sub(hn::Sqrt(dot(fallen, fallen)), flat), falls));
+    const V length = hn::Sqrt(dot(mean, mean));
+    const V least = hn::Add(hn::Mul(flatness, hn::Set(d, 0.02F)), hn::Set(d, 1e-6F));
+    return scale(mean, hn::Div(flatness, hn::Max(length, least)));
+}
+
 /// Lanes lane..lane + Lanes(d).
 template<class D>
 HWY_INLINE void layFrom(D d, const LayTask& task, std::size_t lane)
@@ -103,7 +116,7 @@ HWY_INLINE void layFrom(D d, const LayTask& task, std::size_t lane)
                 const V height = hn::Sub(dot(place, normal), gathered(3));
                 Vec3<V> growth = gathered3(4);
                 if (anyFalls)
-                    growth = addScaled(growth, sub(gathered3(7), growth), falls);
+                    growth = turned(d, growth, gathered3(7), falls);
 
                 // Nothing is laid inside the head; stubble, whose steps are shorter than cells are flat, goes on all
                 // the same.
@@ -124,9 +137,9 @@ HWY_INLINE void layFrom(D d, const LayTask& task, std::size_t lane)
                     hn::Mul(hn::Min(hn::Max(hn::Mul(flat, hn::Set(d, kPerLyingRange)), zero), one), turning);
                 const V perFlatness = hn::Div(cosine, hn::Max(flatness, hn::Set(d, 1e-6F)));
                 const Vec3<V> wanted = addScaled(scale(growth, perFlatness), normal, sine);
-                Vec3<V> turned = addScaled(direction, sub(wanted, direction), follows);
-                turned = scale(turned, hn::Div(one, hn::Sqrt(hn::Max(dot(turned, turned), hn::Set(d, 1e-6F)))));
-                direction = choose(held, turned, direction);
+                Vec3<V> next = addScaled(direction, sub(wanted, direction), follows);
+                next = scale(next, hn::Div(one, hn::Sqrt(hn::Max(dot(next, next), hn::Set(d, 1e-6F)))));
+                direction = choose(held, next, direction);
                 path = hn::Add(path, hn::IfThenElseZero(held, step));
                 held = hn::And(held, hn::Gt(flat, zero));
             }

@@ -110,7 +110,11 @@ float strandScale(const Collider& collider, std::span<const glm::vec3> restHd, f
     // A root far outside belongs to another part of the head: there the ellipsoid keeps its size.
     if (restHd.empty() || collider.radius2(restHd.front()) > kLargestLift * kLargestLift)
         scale = std::min(scale, 1.0F);
-    return scale + growthM / collider.meanAxisM;
+    const float grown = scale + growthM / collider.meanAxisM;
+    if (restHd.size() < 2)
+        return grown;
+    // What bends a hair up at its root all the time would make it flutter.
+    return std::clamp(std::sqrt(collider.radius2(restHd[1])), scale, grown);
 }
 
 namespace {

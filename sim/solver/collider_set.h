@@ -55,7 +55,7 @@ struct ColliderSet
 
 /// How much the ellipsoid is scaled for one strand. It passes through the strand's own root where the root lies near
 /// it, since the ellipsoid only follows the skin roughly; no node of `restHd` (root first) is inside; and then it is
-/// grown by `growthM`, the strand's height in the coat.
+/// grown by `growthM`, the strand's height in the coat, as far as the second node lies outside.
 [[nodiscard]] float strandScale(const Collider& collider, std::span<const glm::vec3> restHd, float growthM);
 
 /// Where on a segment, from its parent, strands are kept out of the skin; of the first one only at its end.

@@ -1,6 +1,8 @@
 // Dependent hairs: interpolated displacement, restored lengths, pushed out of the head.
 #include "sim/solver/dependents_kernel.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/solver/dependents_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -35,8 +37,9 @@ HWY_INLINE float likeness(float length, float basisLength)
     return square > 1e-4F ? square : 1e-4F;
 }
 
-/// Weighted mean of one slot's three basis hairs into mean: [nodes][2][kLanes][4], at its lane.
-HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float length, float* HWY_RESTRICT mean)
+/// Weighted mean of one slot's three basis hairs into mean: [nodes][2][kLanes][4], at its lane. `rest`: its own nodes.
+HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float length, const float* HWY_RESTRICT rest,
+                       float* HWY_RESTRICT mean)
 {
     const hn::CappedTag<float, 4> d4;
     const auto nodes = static_cast<std::size_t>(task.nodes);
@@ -47,8 +50,13 @@ HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float lengt
     const float* const third = task.displacements + basis[2] * nodes * kBasisFloats;
     const std::size_t tip = (nodes - 1) * kBasisFloats;
     const std::array<const float*, 3> all{first, second, third};
+    // From the root to the tip, by the length: a hair that lies to another side is none to follow.
+    const float* const ownTip = rest + static_cast<std::size_t>(task.nodes - 1) * StrandBlocks::kNodeStride;
+    const std::array<float, 3> reach{(ownTip[0] - rest[0]) / length, (ownTip[kLanes] - rest[kLanes]) / length,
+                                     (ownTip[2 * kLanes] - rest[2 * kLanes]) / length};
     for (std::size_t k = 0; k < all.size(); ++k)
-        weight[k] *= likeness(length, all[k][kBasisLength]);
+        weight[k] *=
+            likeness(length, all[k][kBasisLength]) * std::max(agreement(reach.data(), all[k] + tip + 4), 1e-3F);
     const float clump = task.clump[slot] * likeness(length, first[kBasisLength]);
     const float together = weight[0] + weight[1] + weight[2];
     for (std::size_t k = 0; k < all.size(); ++k)
@@ -181,7 +189,8 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
         }
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
             if (lanes[lane] > 0.0F)
-                gather(task, block * kLanes + lane, lanes[lane] * static_cast<float>(task.nodes - 1), mean + lane * 4);
+                gather(task, block * kLanes + lane, lanes[lane] * static_cast<float>(task.nodes - 1),
+                       task.rest + first + lane, mean + lane * 4);
         }
         for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(d))
             placeStrands(d, task, mean + lane * 4, task.rest + first + lane, lanes + lane, task.out + first + lane);
