@@ -12,12 +12,6 @@ namespace {
 
 constexpr int kTileSide = sim::TiledRaster::kTileSize;
 
-glm::vec2 vectorAt(const sim::TiledRaster& map, glm::vec2 uv)
-{
-    constexpr float kGreatest = 65535.0F;
-    return sim::directionOfChannels(glm::vec2(map.sampleBilinear(uv)) * kGreatest);
-}
-
 } // namespace
 
 FallenHair::FallenHair(const ToolContext& context, SkinFrames& frames, int size)
@@ -33,7 +27,7 @@ FallenHair::FallenHair(const ToolContext& context, SkinFrames& frames, int size)
 
 glm::vec2 FallenHair::toldAt(glm::vec2 uv) const
 {
-    return m_direction ? vectorAt(*m_direction, uv) : glm::vec2(0.0F);
+    return m_direction ? sim::directionAt(*m_direction, uv) : glm::vec2(0.0F);
 }
 
 glm::vec2 FallenHair::at(glm::vec2 uv)
@@ -56,7 +50,7 @@ std::optional<glm::vec2> FallenHair::fallenAt(glm::vec2 uv)
     if (!place)
         return std::nullopt;
     const glm::vec2 told = toldAt(uv);
-    const glm::vec2 natural = vectorAt(*m_natural, uv);
+    const glm::vec2 natural = sim::directionAt(*m_natural, uv);
     const glm::vec3 lies = sim::growthDirections(told, &natural, place->positionHd, place->frame).of(falls);
     const glm::vec2 inFrame = place->frame.fromHd(lies);
     return glm::length(inFrame - told) > kOtherwise ? std::optional(inFrame) : std::nullopt;

@@ -203,6 +203,17 @@ float TiledRaster::sampleScalar(glm::vec2 uv) const
     return f.blend(*a, *b, *c, *d);
 }
 
+TiledRaster::Neighbours TiledRaster::neighbours(glm::vec2 uv) const
+{
+    const Footprint f(uv, m_size);
+    const std::array<const std::uint16_t*, 4> channels = corners({f.x0, f.y0}, {f.x1, f.y1});
+    Neighbours found{.weights = {(1.0F - f.fractionX) * (1.0F - f.fractionY), f.fractionX * (1.0F - f.fractionY),
+                                 (1.0F - f.fractionX) * f.fractionY, f.fractionX * f.fractionY}};
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        std::copy_n(channels[i], m_channels, found.texels[i].begin());
+    return found;
+}
+
 Texel TiledRaster::sampleNearest(glm::vec2 uv) const
 {
     const auto size = static_cast<float>(m_size);

@@ -83,6 +83,13 @@ public:
     [[nodiscard]] glm::vec4 sampleBilinear(glm::vec2 uv) const;
     /// The first channel of sampleBilinear.
     [[nodiscard]] float sampleScalar(glm::vec2 uv) const;
+    /// The four texels that sampleBilinear() mixes.
+    struct Neighbours
+    {
+        std::array<Texel, 4> texels{};
+        std::array<float, 4> weights{}; ///< Sum to 1.
+    };
+    [[nodiscard]] Neighbours neighbours(glm::vec2 uv) const;
     [[nodiscard]] Texel sampleNearest(glm::vec2 uv) const;
     /// The upper left one of the four texels that sampleBilinear reads; the others are its neighbours.
     /// sampleNearest reads one of them.

@@ -34,6 +34,28 @@ inline constexpr float kDirectionOne = 32767.0F;  ///< and how far from it for 1
     return directionOfChannels({static_cast<float>(texel[0]), static_cast<float>(texel[1])});
 }
 
+/// Of a direction map between its texels: hair turns from one to the next; the mean of their vectors alone would make
+/// it stand where they are opposed, as to both sides of a parting.
+[[nodiscard]] inline DirectionVector directionAt(const TiledRaster& map, glm::vec2 uv)
+{
+    constexpr float kOpposed = 0.02F; // Nearer to each other's opposite there is no way between.
+    const TiledRaster::Neighbours around = map.neighbours(uv);
+    const Texel& first = around.texels[0];
+    if (around.texels[1] == first && around.texels[2] == first && around.texels[3] == first)
+        return directionOf(first);
+    DirectionVector mean(0.0F);
+    float flatness = 0.0F;
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < around.texels.size(); ++i) {
+        const DirectionVector one = directionOf(around.texels[i]);
+        mean += one * around.weights[i];
+        flatness += std::sqrt(glm::dot(one, one)) * around.weights[i];
+        nearest = around.weights[i] > around.weights[nearest] ? i : nearest;
+    }
+    const float length = std::sqrt(glm::dot(mean, mean));
+    return length > kOpposed * flatness ? mean * (flatness / length) : directionOf(around.texels[nearest]);
+}
+
 /// To the nearest step.
 [[nodiscard]] inline Texel texelOfDirection(DirectionVector direction)
 {

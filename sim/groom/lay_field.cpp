@@ -9,12 +9,6 @@ namespace {
 
 constexpr std::size_t kCellGrain = 4096;
 
-DirectionVector sampled(const TiledRaster& map, glm::vec2 uv)
-{
-    constexpr float kGreatest = 65535.0F;
-    return directionOfChannels(glm::vec2(map.sampleBilinear(uv)) * kGreatest);
-}
-
 } // namespace
 
 LayField::LayField(std::shared_ptr<const SkinBand> band, MapRaster natural, const MapRaster& direction)
@@ -29,10 +23,10 @@ LayField::LayField(std::shared_ptr<const SkinBand> band, MapRaster natural, cons
 LayCell LayField::cellFrom(std::uint32_t index, const TiledRaster& direction) const
 {
     const SkinBand::Cell& place = m_band->cells()[index];
-    const DirectionVector natural = m_natural ? sampled(*m_natural, place.uv) : DirectionVector(0.0F);
-    return {
-        place.frame.normal, glm::dot(place.positionHd, place.frame.normal),
-        growthDirections(sampled(direction, place.uv), m_natural ? &natural : nullptr, place.positionHd, place.frame)};
+    const DirectionVector natural = m_natural ? directionAt(*m_natural, place.uv) : DirectionVector(0.0F);
+    return {place.frame.normal, glm::dot(place.positionHd, place.frame.normal),
+            growthDirections(directionAt(direction, place.uv), m_natural ? &natural : nullptr, place.positionHd,
+                             place.frame)};
 }
 
 const TileIndex& LayField::tilesFor(int rasterSize)

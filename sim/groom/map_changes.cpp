@@ -2,6 +2,7 @@
 #include "sim/groom/map_changes.h"
 
 #include "sim/base/parallel.h"
+#include "sim/groom/direction_texel.h"
 
 #include <algorithm>
 
@@ -66,6 +67,7 @@ void MapChanges::find(const GroupMaps& before, const GroupMaps& after, ChangedSl
 {
     const auto nearest = [](const TiledRaster& map, glm::vec2 uv) { return map.sampleNearest(uv); };
     const auto scalar = [](const TiledRaster& map, glm::vec2 uv) { return map.sampleScalar(uv); };
+    const auto direction = [](const TiledRaster& map, glm::vec2 uv) { return directionAt(map, uv); };
     const auto channels = [](const TiledRaster& map, glm::vec2 uv) { return map.sampleBilinear(uv); };
     for (const MapRule& rule : kMapRules) {
         const MapRaster& was = before[rule.slot];
@@ -79,6 +81,8 @@ void MapChanges::find(const GroupMaps& before, const GroupMaps& after, ChangedSl
             continue;
         if (rule.sampling == MapSampling::Nearest)
             compare(rule, nearest, *was, *is, changed);
+        else if (rule.slot == MapSlot::Direction)
+            compare(rule, direction, *was, *is, changed);
         else if (rule.channels == 1)
             compare(rule, scalar, *was, *is, changed);
         else

@@ -28,10 +28,9 @@ public:
         return m_uniform ? m_uniformValue : m_raster->sampleBilinear(uv);
     }
     /// Of the direction map, in the frame of the root at uv.
-    [[nodiscard]] glm::vec2 vector(glm::vec2 uv) const
+    [[nodiscard]] DirectionVector vector(glm::vec2 uv) const
     {
-        constexpr float kGreatest = 65535.0F;
-        return directionOfChannels(glm::vec2(channels(uv)) * kGreatest);
+        return m_uniform ? directionOf(*m_uniform) : directionAt(*m_raster, uv);
     }
     [[nodiscard]] std::uint16_t index(glm::vec2 uv) const
     {

@@ -93,12 +93,6 @@ private:
     float m_pxPerClipW;
 };
 
-glm::vec2 toldDirection(const sim::TiledRaster& direction, glm::vec2 uv)
-{
-    constexpr float kGreatest = 65535.0F;
-    return sim::directionOfChannels(glm::vec2(direction.sampleBilinear(uv)) * kGreatest);
-}
-
 } // namespace
 
 void DirectionHairs::takeSkin(const std::shared_ptr<const sim::Skin>& skin)
@@ -150,8 +144,8 @@ std::vector<HairSpine> DirectionHairs::seen(const std::shared_ptr<const sim::Ski
             const float up = std::sqrt(std::max(0.0F, 1.0F - glm::dot(direction, direction)));
             return (root.frame.toHd(direction) + root.frame.normal * up) * halfM;
         };
-        const glm::vec2 first = toldDirection(*field.direction, root.point.uv);
-        const glm::vec2 then = toldDirection(*field.direction, root.point.uv + root.uvPerM * (first * halfM));
+        const glm::vec2 first = sim::directionAt(*field.direction, root.point.uv);
+        const glm::vec2 then = sim::directionAt(*field.direction, root.point.uv + root.uvPerM * (first * halfM));
         const glm::vec3 middleHd = root.point.positionHd + halfFrom(first);
         const std::optional<Picture::Place> middle = picture.placeOf(middleHd);
         const std::optional<Picture::Place> tip = picture.placeOf(middleHd + halfFrom(then));
