@@ -82,7 +82,7 @@ HWY_INLINE void layFrom(D d, const LayTask& task, std::size_t lane)
         hn::Sub(zero, hn::Add(hn::Set(d, kSteepest), hn::Mul(falls, hn::Set(d, kSteepestOfLong - kSteepest))));
     const V turning = hn::Div(step, hn::Add(step, hn::Set(d, kTurnM)));
     const V push = hn::Mul(step, hn::Set(d, kMostPush));
-    const float mostSteps = hn::GetLane(hn::MaxOfLanes(d, steps));
+    const int mostSteps = static_cast<int>(hn::GetLane(hn::MaxOfLanes(d, steps)));
     const bool anyFalls = !hn::AllTrue(d, hn::Eq(falls, zero));
 
     HWY_ALIGN std::int32_t found[kLanes];
@@ -94,8 +94,8 @@ HWY_INLINE void layFrom(D d, const LayTask& task, std::size_t lane)
     store3(d, place, task.nodesHd + lane);
     for (int node = 1; node < task.nodes; ++node) {
         const Vec3<V> parent = place;
-        for (float k = 0.0F; k < mostSteps; k += 1.0F) {
-            const M inStep = hn::Lt(hn::Set(d, k), steps);
+        for (int k = 0; k < mostSteps; ++k) {
+            const M inStep = hn::Lt(hn::Set(d, static_cast<float>(k)), steps);
             M held = hn::And(hn::And(lies, inStep), hn::Lt(path, hn::Set(d, kFurthestLayM)));
             if (!hn::AllFalse(d, held)) {
                 const auto cell = cellsAt(d, task.grid, place, held);

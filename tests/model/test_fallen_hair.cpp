@@ -60,7 +60,8 @@ private Q_SLOTS:
                                static_cast<int>((1.0F - uv.y) * static_cast<float>(size)));
         constexpr int kSide = sim::TiledRaster::kTileSize;
         const int tile = texel.y / kSide * studio.layer().tilesAcross() + texel.x / kSide;
-        const auto inTile = static_cast<std::size_t>(texel.y % kSide * kSide + texel.x % kSide);
+        const std::size_t inTile =
+            static_cast<std::size_t>(texel.y % kSide) * kSide + static_cast<std::size_t>(texel.x % kSide);
         StrokeBuffer::MaskTile mask{};
         mask[inTile] = 1;
         const sim::RasterTilePtr before = studio.layer().tile(tile);
