@@ -33,11 +33,11 @@ public:
         const auto [column, row] = cellOf(at);
         if (column < 1 || row < 1 || column >= m_columns - 1 || row >= m_rows - 1)
             return false;
-        if (m_cells[static_cast<std::size_t>(row * m_columns + column)])
+        if (m_cells[indexOf(column, row)])
             return false;
         for (int y = row - 1; y <= row + 1; ++y)
             for (int x = column - 1; x <= column + 1; ++x)
-                if (const std::optional<QPointF>& there = m_cells[static_cast<std::size_t>(y * m_columns + x)];
+                if (const std::optional<QPointF>& there = m_cells[indexOf(x, y)];
                     there && std::hypot(there->x() - at.x(), there->y() - at.y()) < m_apartPx)
                     return false;
         return true;
@@ -45,10 +45,14 @@ public:
     void take(QPointF at)
     {
         const auto [column, row] = cellOf(at);
-        m_cells[static_cast<std::size_t>(row * m_columns + column)] = at;
+        m_cells[indexOf(column, row)] = at;
     }
 
 private:
+    [[nodiscard]] std::size_t indexOf(int column, int row) const
+    {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(m_columns) + static_cast<std::size_t>(column);
+    }
     /// One cell is a margin.
     [[nodiscard]] std::pair<int, int> cellOf(QPointF at) const
     {
