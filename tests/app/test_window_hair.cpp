@@ -54,7 +54,14 @@ private Q_SLOTS:
             return turned / static_cast<double>(before.size());
         };
         QTRY_VERIFY_WITH_TIMEOUT(blown() > 0.05, kPatienceMs);
-        session().setPaused(true); // So that what is held is what is compared with.
+        // So that what is held is what is compared with: no frame is on its way any more.
+        session().setPaused(true);
+        std::uint64_t number = 0;
+        do {
+            number = session().frame()->number;
+            QTest::qWait(200);
+        } while (session().frame()->number != number);
+        const model::LyingField field(model::lyingHairs(session().frame()->groups.front(), session().frame()->pose));
         const auto directions = map(model::MapKind::Direction);
         const auto gel = map(model::MapKind::Gel);
         const int steps = stack().count();
@@ -63,7 +70,6 @@ private Q_SLOTS:
         QCOMPARE(stack().undoText(), QStringLiteral("Hold as it lies"));
         QCOMPARE(editor().activeMap(), model::MapKind::Direction);
 
-        const model::LyingField field(model::lyingHairs(session().frame()->groups.front(), session().frame()->pose));
         for (const glm::vec2 uv : {glm::vec2(0.45F, 0.5F), glm::vec2(0.55F, 0.55F), glm::vec2(0.5F, 0.6F)}) {
             const std::optional<glm::vec2> lies = field.at(uv);
             QVERIFY(lies && glm::distance(directionAt(uv), *lies) < 0.1F);
