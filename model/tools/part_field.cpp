@@ -15,6 +15,12 @@ namespace hairpaint::model {
 
 namespace {
 
+/// In rows of `across`.
+std::size_t indexOf(int column, int row, int across)
+{
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(across) + static_cast<std::size_t>(column);
+}
+
 constexpr float kFullReach = 0.6F;  ///< Of the reach: so far out the parting alone says how hair lies.
 constexpr float kPastEndM = 0.008F; ///< So far past its ends a parting still lays hair fully;
 constexpr float kEndFadeM = 0.04F;  ///< there, or at its reach, it ends.
@@ -104,7 +110,7 @@ std::vector<int> PartField::tilesNear(const sim::HeadMesh& mesh) const
         const glm::ivec2 last = tileOf({highUv.x, lowUv.y});
         for (int row = first.y; row <= last.y; ++row)
             for (int column = first.x; column <= last.x; ++column)
-                marked.at(static_cast<std::size_t>(row * kAcross + column)) = true;
+                marked.at(indexOf(column, row, kAcross)) = true;
     }
     std::vector<int> tiles;
     for (std::size_t i = 0; i < marked.size(); ++i)
@@ -176,11 +182,10 @@ std::optional<PartField::Place> PartField::placeOf(const SkinPlace& skin) const
 
 const PartField::Place* PartField::entry(int x, int y) const
 {
-    const Tile& tile = m_tiles[static_cast<std::size_t>(y / kTileSide * kTilesAcross + x / kTileSide)];
+    const Tile& tile = m_tiles[indexOf(x / kTileSide, y / kTileSide, kTilesAcross)];
     if (tile.places.empty())
         return nullptr;
-    const std::optional<Place>& place =
-        tile.places[static_cast<std::size_t>(y % kTileSide * kTileSide + x % kTileSide)];
+    const std::optional<Place>& place = tile.places[indexOf(x % kTileSide, y % kTileSide, kTileSide)];
     return place ? &*place : nullptr;
 }
 
@@ -246,7 +251,7 @@ std::vector<int> PartField::tilesWithin(float distanceM, int size) const
             bool any = false;
             for (int y = row * kTilesAcross / across; !any && y * across < (row + 1) * kTilesAcross; ++y)
                 for (int x = column * kTilesAcross / across; !any && x * across < (column + 1) * kTilesAcross; ++x) {
-                    const Tile& tile = m_tiles[static_cast<std::size_t>(y * kTilesAcross + x)];
+                    const Tile& tile = m_tiles[indexOf(x, y, kTilesAcross)];
                     any = !tile.places.empty() && tile.nearestM < distanceM + kBetweenM;
                 }
             if (any)
@@ -270,8 +275,10 @@ void PartField::forTexels(int tileIndex, int size, const Visit& visit) const
 {
     const int across = size / kTile;
     const float step = 1.0F / static_cast<float>(size);
-    const auto left = static_cast<float>(tileIndex % across * kTile);
-    const auto top = static_cast<float>(tileIndex / across * kTile);
+    const int leftTx = tileIndex % across * kTile;
+    const int topTx = tileIndex / across * kTile;
+    const auto left = static_cast<float>(leftTx);
+    const auto top = static_cast<float>(topTx);
     std::size_t texel = 0;
     for (int y = 0; y < kTile; ++y)
         for (int x = 0; x < kTile; ++x, ++texel) {
