@@ -76,6 +76,9 @@ Style longStraight()
                 .gel = constant(0.0F),
                 .braid = {},
                 .colour = plain(QColor(0x4E, 0x30, 0x1D))};
+    // Its slight wave keeps its length where hair is cut short.
+    style.settings.turnsMode = sim::TurnsMode::PerLength;
+    style.settings.turnsPerLengthM = 0.40F;
     style.settings.greatestCurlRadiusM = 0.010F;
     style.settings.nodesPerHair = 12;
     style.settings.material.shine = 0.6F;
