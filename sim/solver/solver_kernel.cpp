@@ -188,11 +188,15 @@ HWY_INLINE void predict(D d, const GroupGains& gains, const StepForces& step, co
     }
 }
 
+constexpr int kRestorePasses = 4;
+constexpr float kFirstOrder = 0.01F; ///< Fraction of a squared length up to which one pass restores it.
+
 /// Equation 4 and algorithm 2 for all segments at once: nodes move along their segments by tensions that, to first
 /// order, give every segment its length again. One row of three diagonals a segment, so that a pull at the tip is felt
-/// at the root within the step and no momentum is made.
+/// at the root within the step and no momentum is made. Moves the strands of `which` alone; returns those of them that
+/// were further from their lengths than first order is good for.
 template<class D>
-HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RESTRICT p)
+HWY_INLINE hn::Mask<D> restoreLengthsOnce(D d, int nodes, hn::Vec<D> length, hn::Mask<D> which, float* HWY_RESTRICT p)
 {
     using V = hn::Vec<D>;
     const V zero = hn::Zero(d);
@@ -208,6 +212,7 @@ HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RES
     Vec3<V> edgeBefore{zero, zero, zero};
     V pivot = zero;
     V side = zero;
+    V furthest = zero;
     for (int i = 1; i <= last; ++i) {
         const auto node = static_cast<std::size_t>(i);
         const Vec3<V> child = load3(d, p + node * StrandBlocks::kNodeStride);
@@ -218,7 +223,9 @@ HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RES
         const V whole =
             hn::Sub(hn::Mul(hn::Set(d, inverseMass(i) + inverseMass(i - 1)), edge2), hn::Mul(first, beside));
         pivot = hn::Div(one, hn::Max(whole, tiny));
-        side = hn::Sub(hn::Mul(half, hn::Sub(square, edge2)), hn::Mul(first, side));
+        const V missing = hn::Sub(square, edge2);
+        furthest = hn::Max(furthest, hn::Abs(missing));
+        side = hn::Sub(hn::Mul(half, missing), hn::Mul(first, side));
         hn::StoreU(first, d, rows + (2 * node) * kLanes);
         hn::StoreU(hn::Mul(side, pivot), d, rows + (2 * node + 1) * kLanes);
         parent = child;
@@ -235,10 +242,20 @@ HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RES
         tension = hn::Sub(hn::LoadU(d, rows + (2 * node + 1) * kLanes), hn::Mul(first, tension));
         first = hn::LoadU(d, rows + (2 * node) * kLanes);
         const Vec3<V> pull = scale(sub(child, parent), tension);
-        store3(d, addScaled(child, sub(pull, pullBelow), hn::Set(d, inverseMass(i))), at);
+        store3(d, choose(which, addScaled(child, sub(pull, pullBelow), hn::Set(d, inverseMass(i))), child), at);
         pullBelow = pull;
         child = parent;
     }
+    return hn::And(which, hn::Gt(furthest, hn::Mul(square, hn::Set(d, kFirstOrder))));
+}
+
+/// As often as it takes. Stiffness, which knows nothing of lengths, moves nodes far along a strand that is kept from a
+/// sharply bent rest shape; what was not put right there went round as motion without end.
+template<class D>
+HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, hn::Mask<D> which, float* HWY_RESTRICT p)
+{
+    for (int pass = 0; pass < kRestorePasses && !hn::AllFalse(d, which); ++pass)
+        which = restoreLengthsOnce(d, nodes, length, which, p);
 }
 
 /// Keeps a node outside every ellipsoid, and it and its segment outside the skin; true where any lane was inside one.
@@ -311,7 +328,7 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
     const V length = hn::LoadU(d, lanes + kSegmentLength * kLanes);
 
     predict(d, gains, step, rest, current, previous, lanes, p);
-    restoreLengths(d, gains.nodes, length, p);
+    restoreLengths(d, gains.nodes, length, moving, p);
 
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0F);

@@ -99,6 +99,7 @@ private Q_SLOTS:
     void aCantileverBendsAsElasticaDo_data();
     void aCantileverBendsAsElasticaDo();
     void eachTenthOfGelIsStiffer();
+    void hairThatIsLaidInSharpTurnsComesToRest();
 };
 
 void TestSolver::aNodeFallsFreelyUntilItsSegmentIsTight()
@@ -425,6 +426,42 @@ void TestSolver::eachTenthOfGelIsStiffer()
                  qPrintable(QStringLiteral("%1: %2 after %3").arg(gel).arg(shift).arg(before)));
         qInfo("gel %.1f: the tip gives way by %.2f mm", static_cast<double>(gel), static_cast<double>(shift) * 1e3);
         before = shift;
+    }
+}
+
+void TestSolver::hairThatIsLaidInSharpTurnsComesToRest()
+{
+    constexpr int kNodes = 12;
+    constexpr float kSegmentM = 0.011F;
+    const std::vector<HandStrand> strands(
+        96, HandStrand{.directionHd = {0.0F, -1.0F, 0.0F}, .lengthM = kSegmentM * static_cast<float>(kNodes - 1)});
+    auto groom = groomOf(strands, kNodes, PhysicsSettings{});
+    auto basis = std::make_shared<BasisStyles>(*groom->basis);
+    for (std::size_t i = 0; i < strands.size(); ++i) {
+        // Turned by 100 degrees and back, at another two nodes and about another axis for each.
+        const float turn = static_cast<float>(i) * 2.3999632F;
+        const std::size_t there = 2 + i % 5;
+        const std::size_t back = there + 1 + i % 4;
+        const glm::vec3 along(0.6F * std::sin(turn), 0.8F, 0.6F * std::cos(turn));
+        const glm::vec3 aside(std::cos(turn), 0.0F, -std::sin(turn));
+        glm::vec3 place(0.0F);
+        for (std::size_t node = 1; node < kNodes; ++node) {
+            place += kSegmentM * (node > there && node <= back ? aside : along);
+            groom->blocks().setNode(basis->restPositions, i, node, place);
+        }
+    }
+    groom->basis = basis;
+    GroupDynamics hair;
+    hair.setGroom(groom, {}, WindField::calm({}));
+    hair.reset();
+    fall(hair, 120 * 10);
+    std::vector<glm::vec3> tips;
+    for (std::size_t i = 0; i < strands.size(); ++i)
+        tips.push_back(nodeOf(hair, i, kNodes - 1));
+    for (int k = 0; k < 30; ++k) {
+        fall(hair, 2);
+        for (std::size_t i = 0; i < strands.size(); ++i)
+            QVERIFY2(glm::distance(tips[i], nodeOf(hair, i, kNodes - 1)) < 1e-3F, qPrintable(QString::number(i)));
     }
 }
 
