@@ -100,6 +100,7 @@ private Q_SLOTS:
     void aCantileverBendsAsElasticaDo();
     void eachTenthOfGelIsStiffer();
     void hairThatIsLaidInSharpTurnsComesToRest();
+    void coilsBounceAndComeToRestAtTheirLength();
 };
 
 void TestSolver::aNodeFallsFreelyUntilItsSegmentIsTight()
@@ -463,6 +464,51 @@ void TestSolver::hairThatIsLaidInSharpTurnsComesToRest()
         for (std::size_t i = 0; i < strands.size(); ++i)
             QVERIFY2(glm::distance(tips[i], nodeOf(hair, i, kNodes - 1)) < 1e-3F, qPrintable(QString::number(i)));
     }
+}
+
+void TestSolver::coilsBounceAndComeToRestAtTheirLength()
+{
+    constexpr int kNodes = 9;
+    constexpr float kLengthM = 0.24F;
+    constexpr float kGives = 0.06F;
+    const HandStrand straight{.directionHd = {0.0F, -1.0F, 0.0F}, .lengthM = kLengthM};
+    HandStrand coil = straight;
+    coil.rootHd = {0.05F, 0.0F, 0.0F};
+    coil.give = kGives;
+    GroupDynamics hair;
+    hair.setGroom(groomOf({straight, coil}, kNodes, PhysicsSettings{}), {}, WindField::calm({}));
+    hair.reset();
+    fall(hair, 120 * 3);
+    const auto reach = [&hair](std::size_t strand) {
+        return glm::distance(nodeOf(hair, strand, 0), nodeOf(hair, strand, kNodes - 1));
+    };
+    QVERIFY(std::abs(reach(0) / kLengthM - 1.0F) < 1e-3F);
+    QVERIFY2(std::abs(reach(1) / kLengthM - 1.0F) < 2e-3F, qPrintable(QString::number(reach(1))));
+
+    // The head drops by 3 cm within an eighth of a second and stops.
+    StepForces step = WindField::calm({});
+    step.toNewHead.identity = false;
+    step.toNewHead.offset = {0.0F, 0.03F / 15.0F, 0.0F};
+    for (int i = 0; i < 15; ++i)
+        hair.step(std::span(&step, 1));
+    float shortest = 1.0F;
+    float longest = 0.0F;
+    int turnsOfSign = 0;
+    bool wasLonger = false;
+    for (int i = 0; i < 120; ++i) {
+        fall(hair, 1);
+        QVERIFY(reach(0) / kLengthM < 1.001F);
+        const float fraction = reach(1) / kLengthM - 1.0F;
+        QVERIFY(std::abs(fraction) < kGives + 1e-3F || fraction < 0.0F); // a slack one is bent
+        shortest = std::min(shortest, fraction);
+        longest = std::max(longest, fraction);
+        turnsOfSign += i > 0 && (fraction > 0.0F) != wasLonger ? 1 : 0;
+        wasLonger = fraction > 0.0F;
+    }
+    QVERIFY2(longest > 0.015F, qPrintable(QString::number(longest)));
+    QVERIFY2(turnsOfSign >= 4, qPrintable(QString::number(turnsOfSign))); // it swings
+    fall(hair, 120 * 3);
+    QVERIFY2(std::abs(reach(1) / kLengthM - 1.0F) < 2e-3F, qPrintable(QString::number(reach(1))));
 }
 
 void TestSolver::tenMinutesOfStormAndShakingStretchNothing()
