@@ -2233,6 +2233,26 @@
         <source>Restoring unsaved work</source>
         <translation>Recuperando el trabajo sin guardar</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is open in another window. What is saved in one of them would replace what was saved in the other.</source>
+        <translation>«%1» está abierto en otra ventana. Lo que se guarde en una de ellas reemplazaría lo guardado en la otra.</translation>
+    </message>
+    <message>
+        <source>&amp;Open anyway</source>
+        <translation>&amp;Abrir de todos modos</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was changed by another program since it was opened or saved here. Replacing it would lose those changes.</source>
+        <translation>Otro programa cambió «%1» desde que se abrió o guardó aquí. Reemplazarlo haría perder esos cambios.</translation>
+    </message>
+    <message>
+        <source>&amp;Save under another name...</source>
+        <translation>&amp;Guardar con otro nombre...</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Reemplazar</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::RecoveryDialog</name>
