@@ -303,6 +303,22 @@
         <source>--motion is for films; give --frames too</source>
         <translation>--motion es para películas; dé también --frames</translation>
     </message>
+    <message>
+        <source>--%1 is given nothing</source>
+        <translation>--%1 no recibe nada</translation>
+    </message>
+    <message>
+        <source>--%1 takes a whole number from 1 to %2, not &apos;%3&apos;</source>
+        <translation>--%1 toma un número entero de 1 a %2, no «%3»</translation>
+    </message>
+    <message>
+        <source>What was asked for could not be printed; check where standard output leads.</source>
+        <translation>No se pudo imprimir lo pedido; compruebe adónde lleva la salida estándar.</translation>
+    </message>
+    <message>
+        <source>A project&apos;s name ends in .hairpaint, not in .%1</source>
+        <translation>El nombre de un proyecto termina en .hairpaint, no en .%1</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
