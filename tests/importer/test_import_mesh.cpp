@@ -209,6 +209,18 @@ private Q_SLOTS:
         QVERIFY(!mesh && mesh.error().message.contains(QStringLiteral("uv")));
     }
 
+    void aPipeThatAModelNamesIsNotWaitedFor()
+    {
+#ifdef Q_OS_UNIX
+        const QString model = written(QStringLiteral("pipe.obj"), "mtllib pipe.mtl\n" + kQuad + "f 1/1 2/2 3/3 4/4\n");
+        const QByteArray pipe = QFile::encodeName(QFileInfo(model).absolutePath() + QStringLiteral("/pipe.mtl"));
+        QCOMPARE(::mkfifo(pipe.constData(), 0600), 0);
+        const auto mesh = m_client.readMesh(model); // Would end with the helper's time.
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        QCOMPARE(mesh->triangles.size(), 2U);
+#endif
+    }
+
     void uvsOfOtherTilesAreMovedIntoTheUnitSquare_data()
     {
         QTest::addColumn<glm::vec2>("offset");
