@@ -12,6 +12,10 @@
 
 #include <limits>
 
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
+
 using namespace hairpaint;
 using namespace hairpaint::model;
 
