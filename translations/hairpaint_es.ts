@@ -3378,6 +3378,14 @@
         <source>Maps go from white to their colour instead of from black. Exported images always do.</source>
         <translation>Los mapas van del blanco a su color y no desde el negro. Las imágenes exportadas siempre van así.</translation>
     </message>
+    <message>
+        <source>Keep &amp;earlier versions</source>
+        <translation>Conservar versiones &amp;anteriores</translation>
+    </message>
+    <message>
+        <source>Saving a project leaves the last three beside it, as Name~1, Name~2 and Name~3; 1 is the newest.</source>
+        <translation>Al guardar un proyecto quedan a su lado los tres últimos, como Nombre~1, Nombre~2 y Nombre~3; el 1 es el más reciente.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::Section</name>
