@@ -23,18 +23,16 @@ enum DependentRow : std::uint8_t
 inline constexpr std::size_t kDependentStride = std::size_t{kDependentRows} * kLanes;
 
 inline constexpr std::size_t kBasisFloats = 8;
-inline constexpr std::size_t kBasisLength = 3; ///< Index of the length in them.
 
 /// One chunk's worth of dependents. Hd, m, but `out`, which is in the world.
 struct DependentsTask
 {
     int nodes = 0;
-    /// [basis hairs][nodes][kBasisFloats]: the node's displacement from its rest position, the basis hair's length and
-    /// the rest position from the root; displacement and position by that length.
+    /// [basis hairs][nodes][kBasisFloats]: the node's displacement from its rest position and, from the fifth on, the
+    /// rest position from the root; both by the basis hair's length.
     const float* displacements = nullptr;
     const std::array<std::uint32_t, 3>* neighbours = nullptr; ///< [kChunkSlots], indices of basis hairs.
-    const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], sums of 1.
-    const float* clump = nullptr;                             ///< [kChunkSlots], 0..1.
+    const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], in any unit.
     const float* rest = nullptr;                              ///< [kBlocksPerChunk][nodes][3][kLanes]
     const float* lanes = nullptr;                             ///< [kBlocksPerChunk][kDependentRows][kLanes]
     const ColliderSet* colliders = nullptr;
@@ -44,11 +42,10 @@ struct DependentsTask
 };
 
 /// Blocks begin..end of the chunk. A node's displacement is the weighted mean of its basis hairs' at the same node;
-/// neighbours that hang to another side than the foremost (across a parting), or are of another length (at the edge of
-/// a cut), count less, and the nearest counts the more the closer a hair clumps to it. What a hair's own rest shape has
-/// of its own beside theirs is forgotten where they have moved far: two hairs of which one is laid over the ear hang
-/// side by side. Then segment lengths are restored from root to tip, outside ellipsoids and skin. Neither allocates nor
-/// throws; the same bytes with every instruction set.
+/// neighbours that hang to another side than the foremost (across a parting) count less. What a hair's own rest shape
+/// has of its own beside theirs is forgotten where they have moved far: two hairs of which one is laid over the ear
+/// hang side by side. Then segment lengths are restored from root to tip, outside ellipsoids and skin. Neither
+/// allocates nor throws; the same bytes with every instruction set.
 void placeDependents(const DependentsTask& task, std::size_t begin, std::size_t end);
 
 } // namespace hairpaint::sim
