@@ -67,8 +67,8 @@ constexpr std::array kFaceGroups{
               [](const heads::HeadRegions& regions, const glm::vec3& place) { return regions.beardDistance(place); },
               [](const heads::HeadRegions& regions, const glm::vec3& place) {
                   const float inside = regions.beardDistance(place);
-                  return Growth{.density = faded(-0.001F, 0.006F, inside),
-                                .length = 0.10F + 0.16F * faded(0.0F, 0.015F, inside)};
+                  return Growth{.density = faded(-0.003F, 0.0015F, inside),
+                                .length = 0.12F + 0.14F * faded(0.0F, 0.010F, inside)};
               }},
 };
 
