@@ -137,7 +137,8 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
     chunk.braided.clear();
     if (!chunk.styles || !groom.roots)
         return;
-    chunk.lanes.assign(kBlocksPerChunk * kDependentStride, 0.0F);
+    const std::size_t rows = dependentRows(colliders);
+    chunk.lanes.assign(kBlocksPerChunk * rows * kLanes, 0.0F);
     chunk.weights.resize(kChunkSlots);
     const StrandChunk& styles = *chunk.styles;
     const std::size_t firstSlot = index * kChunkSlots;
@@ -145,7 +146,7 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
         if (!styles.drawn[slot] || firstSlot + slot >= groom.roots->neighbours.size())
             continue;
         const auto row = [&](int number) -> float& {
-            return chunk.lanes[rowIndex(slot, static_cast<std::size_t>(number), kDependentRows)];
+            return chunk.lanes[rowIndex(slot, static_cast<std::size_t>(number), rows)];
         };
         const float segment = styles.segmentLengths[slot];
         row(kDependentSegment) = segment;

@@ -29,7 +29,7 @@ private:
     struct Chunk
     {
         std::shared_ptr<const StrandChunk> styles;
-        AlignedFloats lanes;                                          ///< [kBlocksPerChunk][kDependentRows][kLanes]
+        AlignedFloats lanes;                                          ///< [kBlocksPerChunk][dependentRows][kLanes]
         std::vector<std::uint16_t> braided;                           ///< Slots within the chunk that are drawn.
         std::vector<std::array<float, RootSet::kNeighbours>> weights; ///< [kChunkSlots] of the basis hairs it follows.
     };

@@ -141,11 +141,12 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
 {
     const hn::CappedTag<float, kLanes> d;
     const auto nodes = static_cast<std::size_t>(task.nodes);
+    const std::size_t laneStride = dependentRows(*task.colliders) * kLanes;
     HWY_ALIGN float mean[std::size_t{kMostNodes} * 2 * kLanes * 4];
     for (std::size_t i = 0; i < nodes * 2 * kLanes * 4; ++i)
         mean[i] = 0.0F;
     for (std::size_t block = begin; block < end; ++block) {
-        const float* const lanes = task.lanes + block * kDependentStride;
+        const float* const lanes = task.lanes + block * laneStride;
         const std::size_t first = StrandBlocks(task.nodes).floatsFor(block);
         bool any = false;
         for (std::size_t lane = 0; lane < kLanes; ++lane)

@@ -17,10 +17,12 @@ enum DependentRow : std::uint8_t
     kDependentClumpX,    ///< From the root to that of the nearest basis hair, by the clump. Hd, m.
     kDependentClumpY,
     kDependentClumpZ,
-    kDependentScale, ///< [kMaxColliders] rows: squared scale of each collider.
-    kDependentRows = kDependentScale + kMaxColliders
+    kDependentScale ///< A row for each collider: its squared scale.
 };
-inline constexpr std::size_t kDependentStride = std::size_t{kDependentRows} * kLanes;
+[[nodiscard]] constexpr std::size_t dependentRows(const ColliderSet& colliders)
+{
+    return std::size_t{kDependentScale} + static_cast<std::size_t>(colliders.count);
+}
 
 inline constexpr std::size_t kBasisFloats = 8;
 
@@ -34,7 +36,7 @@ struct DependentsTask
     const std::array<std::uint32_t, 3>* neighbours = nullptr; ///< [kChunkSlots], indices of basis hairs.
     const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], in any unit.
     const float* rest = nullptr;                              ///< [kBlocksPerChunk][nodes][3][kLanes]
-    const float* lanes = nullptr;                             ///< [kBlocksPerChunk][kDependentRows][kLanes]
+    const float* lanes = nullptr;                             ///< [kBlocksPerChunk][dependentRows(colliders)][kLanes]
     const ColliderSet* colliders = nullptr;
     RigidMotion world; ///< From the head's frame.
     NeckTurn neck;

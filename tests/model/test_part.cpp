@@ -122,8 +122,8 @@ private Q_SLOTS:
         part.document.push(setLayerPropertiesCommand(part.document, at, properties, QString()));
         part.settings.partGapM = 0.004F;
         part.partPatch();
-        QCOMPARE(part.texelAt(MapKind::Density, glm::vec3(0.0F))[1], std::uint16_t{0});
-        QCOMPARE(part.texelAt(MapKind::Density, {0.01F, 0.0F, 0.0F})[1], std::uint16_t{65535});
+        QCOMPARE(part.texelAt(glm::vec3(0.0F), MapKind::Density)[1], std::uint16_t{0});
+        QCOMPARE(part.texelAt({0.01F, 0.0F, 0.0F}, MapKind::Density)[1], std::uint16_t{65535});
     }
 
     void aZigzagRunsToAndFro()
