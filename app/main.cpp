@@ -3,6 +3,7 @@
 #include "app/languages.h"
 #include "app/library.h"
 #include "app/main_window.h"
+#include "app/recovery/termination.h"
 #include "app/settings.h"
 #include "model/files/sentences.h"
 #include "view/head_view.h"
@@ -135,9 +136,19 @@ int runEditor(int argc, char** argv)
     hairpaint::app::MainWindow window(std::move(project), path);
     logFirstHair(window, sinceStart);
     window.show();
-    if (arguments.size() > 1)
-        QMetaObject::invokeMethod(
-            &window, [&window, file = arguments.at(1)] { window.openFile(file); }, Qt::QueuedConnection);
+    const hairpaint::app::Termination termination;
+    QObject::connect(&termination, &hairpaint::app::Termination::wanted, &window, [&window] {
+        window.keepWork();
+        QCoreApplication::exit();
+    });
+    QMetaObject::invokeMethod(
+        &window,
+        [&window, file = arguments.value(1)] {
+            window.offerUnsavedWork();
+            if (!file.isEmpty())
+                window.openFile(file);
+        },
+        Qt::QueuedConnection);
     return QApplication::exec();
 }
 

@@ -125,6 +125,25 @@ bool ProjectFiles::openPath(const QString& path)
     return taken;
 }
 
+bool ProjectFiles::restore(const model::RecoveredWork& work)
+{
+    const model::JournalState& state = work.steps.at(work.current);
+    std::optional<model::Result<model::ResolvedMaps>> maps = m_jobs.await<model::ResolvedMaps>(
+        tr("Restoring unsaved work"), [&state](const model::Progress&) -> model::Result<model::ResolvedMaps> {
+            return model::ResolvedMaps(state.project);
+        });
+    if (!maps)
+        return false;
+    if (!*maps) {
+        complain(maps->error().message);
+        return false;
+    }
+    m_encoded = model::makeEncodedLayers();
+    m_session.document().restore(work, std::move(**maps));
+    setPath(state.path);
+    return true;
+}
+
 bool ProjectFiles::save()
 {
     return m_path.isEmpty() ? saveAs() : saveTo(m_path);

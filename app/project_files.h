@@ -33,6 +33,8 @@ public:
     bool newBaldProject(); ///< With an empty group; false where the user wants to keep what is open.
     void open();           ///< Asks for the file.
     bool openPath(const QString& path);
+    /// What a journal kept takes the place of the project that is open, which nobody has changed.
+    bool restore(const model::RecoveredWork& work);
     bool save();
     bool saveAs();
     /// Offers to save; false where the user wants to stay.

@@ -682,6 +682,18 @@
         <source>Parting and sweep back</source>
         <translation>Raya y peinado hacia atrás</translation>
     </message>
+    <message>
+        <source>what it holds is damaged</source>
+        <translation>lo que contiene está dañado</translation>
+    </message>
+    <message>
+        <source>it can&apos;t take the place of the one before</source>
+        <translation>no puede ocupar el lugar del anterior</translation>
+    </message>
+    <message>
+        <source>an earlier part of it could not be written</source>
+        <translation>no se pudo escribir una parte anterior</translation>
+    </message>
 </context>
 <context>
     <name>GroupSchema</name>
@@ -1460,6 +1472,21 @@
     </message>
 </context>
 <context>
+    <name>Recovery</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sin título</translation>
+    </message>
+    <message>
+        <source>Looking for unsaved work</source>
+        <translation>Buscando trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Dibujando la imagen</translation>
+    </message>
+</context>
+<context>
     <name>Rendering</name>
     <message>
         <source>EGL is not installed.</source>
@@ -2076,6 +2103,13 @@
     </message>
 </context>
 <context>
+    <name>hairpaint::app::Journal</name>
+    <message>
+        <source>its folder can&apos;t be written to</source>
+        <translation>no se puede escribir en su carpeta</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::app::MainWindow</name>
     <message>
         <source>&amp;File</source>
@@ -2116,6 +2150,10 @@
     <message>
         <source>Drawing the picture</source>
         <translation>Dibujando la imagen</translation>
+    </message>
+    <message>
+        <source>Restoring unsaved work</source>
+        <translation>Recuperando el trabajo sin guardar</translation>
     </message>
 </context>
 <context>
@@ -2190,6 +2228,60 @@
     <message>
         <source>Starting a new project</source>
         <translation>Empezando un proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>Restoring unsaved work</source>
+        <translation>Recuperando el trabajo sin guardar</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::RecoveryDialog</name>
+    <message>
+        <source>today, %1</source>
+        <translation>hoy, %1</translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation>ayer, %1</translation>
+    </message>
+    <message>
+        <source>Never saved</source>
+        <translation>Nunca guardado</translation>
+    </message>
+    <message numerus="yes">
+        <source>Last changed %1, %n step(s) to undo</source>
+        <translation>
+            <numerusform>Último cambio: %1; %n paso para deshacer</numerusform>
+            <numerusform>Último cambio: %1; %n pasos para deshacer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>Hair Paint ended before this was saved. Restoring brings it back with its undo steps; the project&apos;s file stays as it is until you save.</source>
+        <translation>Hair Paint terminó antes de guardar esto. Al recuperarlo vuelve con sus pasos de deshacer; el archivo del proyecto queda como está hasta que guarde.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Recuperar</translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation>A&amp;hora no</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Descartar</translation>
+    </message>
+    <message>
+        <source>It is offered again at the next start</source>
+        <translation>Se vuelve a ofrecer en el próximo inicio</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved work on &apos;%1&apos;? This can&apos;t be undone.</source>
+        <translation>¿Descartar el trabajo sin guardar en «%1»? No se puede deshacer.</translation>
     </message>
 </context>
 <context>
@@ -3344,6 +3436,14 @@
     <message>
         <source>%1. Erasing %2</source>
         <translation>%1. Borrar %2</translation>
+    </message>
+    <message>
+        <source>▲ Not saved, no safety copy</source>
+        <translation>▲ Sin guardar y sin copia de seguridad</translation>
+    </message>
+    <message>
+        <source>A crash would lose what is not saved: the program&apos;s own copy of it failed.</source>
+        <translation>Un fallo haría perder lo que no está guardado: la copia propia del programa no se pudo hacer.</translation>
     </message>
 </context>
 <context>

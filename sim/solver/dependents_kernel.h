@@ -25,13 +25,14 @@ enum DependentRow : std::uint8_t
 }
 
 inline constexpr std::size_t kBasisFloats = 8;
+inline constexpr std::size_t kBasisStretch = 7; ///< Index in them of the fraction by which it is longer now.
 
 /// One chunk's worth of dependents. Hd, m, but `out`, which is in the world.
 struct DependentsTask
 {
     int nodes = 0;
-    /// [basis hairs][nodes][kBasisFloats]: the node's displacement from its rest position and, from the fifth on, the
-    /// rest position from the root; both by the basis hair's length.
+    /// [basis hairs][nodes][kBasisFloats]: the node's displacement from its rest position, nothing, the rest position
+    /// from the root and how much longer the basis hair is; displacement and position by its length.
     const float* displacements = nullptr;
     const std::array<std::uint32_t, 3>* neighbours = nullptr; ///< [kChunkSlots], indices of basis hairs.
     const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], in any unit.

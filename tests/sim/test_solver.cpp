@@ -99,6 +99,8 @@ private Q_SLOTS:
     void aCantileverBendsAsElasticaDo_data();
     void aCantileverBendsAsElasticaDo();
     void eachTenthOfGelIsStiffer();
+    void hairThatIsLaidInSharpTurnsComesToRest();
+    void coilsBounceAndComeToRestAtTheirLength();
 };
 
 void TestSolver::aNodeFallsFreelyUntilItsSegmentIsTight()
@@ -426,6 +428,87 @@ void TestSolver::eachTenthOfGelIsStiffer()
         qInfo("gel %.1f: the tip gives way by %.2f mm", static_cast<double>(gel), static_cast<double>(shift) * 1e3);
         before = shift;
     }
+}
+
+void TestSolver::hairThatIsLaidInSharpTurnsComesToRest()
+{
+    constexpr int kNodes = 12;
+    constexpr float kSegmentM = 0.011F;
+    const std::vector<HandStrand> strands(
+        96, HandStrand{.directionHd = {0.0F, -1.0F, 0.0F}, .lengthM = kSegmentM * static_cast<float>(kNodes - 1)});
+    auto groom = groomOf(strands, kNodes, PhysicsSettings{});
+    auto basis = std::make_shared<BasisStyles>(*groom->basis);
+    for (std::size_t i = 0; i < strands.size(); ++i) {
+        // Turned by 100 degrees and back, at another two nodes and about another axis for each.
+        const float turn = static_cast<float>(i) * 2.3999632F;
+        const std::size_t there = 2 + i % 5;
+        const std::size_t back = there + 1 + i % 4;
+        const glm::vec3 along(0.6F * std::sin(turn), 0.8F, 0.6F * std::cos(turn));
+        const glm::vec3 aside(std::cos(turn), 0.0F, -std::sin(turn));
+        glm::vec3 place(0.0F);
+        for (std::size_t node = 1; node < kNodes; ++node) {
+            place += kSegmentM * (node > there && node <= back ? aside : along);
+            groom->blocks().setNode(basis->restPositions, i, node, place);
+        }
+    }
+    groom->basis = basis;
+    GroupDynamics hair;
+    hair.setGroom(groom, {}, WindField::calm({}));
+    hair.reset();
+    fall(hair, 120 * 10);
+    std::vector<glm::vec3> tips;
+    for (std::size_t i = 0; i < strands.size(); ++i)
+        tips.push_back(nodeOf(hair, i, kNodes - 1));
+    for (int k = 0; k < 30; ++k) {
+        fall(hair, 2);
+        for (std::size_t i = 0; i < strands.size(); ++i)
+            QVERIFY2(glm::distance(tips[i], nodeOf(hair, i, kNodes - 1)) < 1e-3F, qPrintable(QString::number(i)));
+    }
+}
+
+void TestSolver::coilsBounceAndComeToRestAtTheirLength()
+{
+    constexpr int kNodes = 9;
+    constexpr float kLengthM = 0.24F;
+    constexpr float kGives = 0.06F;
+    const HandStrand straight{.directionHd = {0.0F, -1.0F, 0.0F}, .lengthM = kLengthM};
+    HandStrand coil = straight;
+    coil.rootHd = {0.05F, 0.0F, 0.0F};
+    coil.give = kGives;
+    GroupDynamics hair;
+    hair.setGroom(groomOf({straight, coil}, kNodes, PhysicsSettings{}), {}, WindField::calm({}));
+    hair.reset();
+    fall(hair, 120 * 3);
+    const auto reach = [&hair](std::size_t strand) {
+        return glm::distance(nodeOf(hair, strand, 0), nodeOf(hair, strand, kNodes - 1));
+    };
+    QVERIFY(std::abs(reach(0) / kLengthM - 1.0F) < 1e-3F);
+    QVERIFY2(std::abs(reach(1) / kLengthM - 1.0F) < 2e-3F, qPrintable(QString::number(reach(1))));
+
+    // The head drops by 3 cm within an eighth of a second and stops.
+    StepForces step = WindField::calm({});
+    step.toNewHead.identity = false;
+    step.toNewHead.offset = {0.0F, 0.03F / 15.0F, 0.0F};
+    for (int i = 0; i < 15; ++i)
+        hair.step(std::span(&step, 1));
+    float shortest = 1.0F;
+    float longest = 0.0F;
+    int turnsOfSign = 0;
+    bool wasLonger = false;
+    for (int i = 0; i < 120; ++i) {
+        fall(hair, 1);
+        QVERIFY(reach(0) / kLengthM < 1.001F);
+        const float fraction = reach(1) / kLengthM - 1.0F;
+        QVERIFY(std::abs(fraction) < kGives + 1e-3F || fraction < 0.0F); // a slack one is bent
+        shortest = std::min(shortest, fraction);
+        longest = std::max(longest, fraction);
+        turnsOfSign += i > 0 && (fraction > 0.0F) != wasLonger ? 1 : 0;
+        wasLonger = fraction > 0.0F;
+    }
+    QVERIFY2(longest > 0.015F, qPrintable(QString::number(longest)));
+    QVERIFY2(turnsOfSign >= 4, qPrintable(QString::number(turnsOfSign))); // it swings
+    fall(hair, 120 * 3);
+    QVERIFY2(std::abs(reach(1) / kLengthM - 1.0F) < 2e-3F, qPrintable(QString::number(reach(1))));
 }
 
 void TestSolver::tenMinutesOfStormAndShakingStretchNothing()
