@@ -135,7 +135,7 @@ QString CombTool::hintFor(const ToolSettings& settings) const
     case CombKind::Lay:
         break;
     case CombKind::Lift:
-        return tr("Drag over hair to make it lie as flat, or stand as steep, as the option says; it keeps its way");
+        return tr("Drag over hair to lay it as flat, or to lift it as far, as Flatness says; its direction stays");
     case CombKind::Smooth:
         return tr("Drag over hair to lay it as its neighbours lie");
     case CombKind::Noise:
