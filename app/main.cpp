@@ -31,13 +31,13 @@ void describeApplication()
     QCoreApplication::setApplicationVersion(QStringLiteral(HAIRPAINT_VERSION));
 }
 
-void printHelp()
+ExitCode printHelp()
 {
     QString text = CommandLine::tr("hairpaint [PROJECT]\n    opens the editor") + QLatin1Char('\n');
     for (const Command& command : hairpaint::app::commands())
         text += hairpaint::app::helpOf(command, false);
     text += CommandLine::tr("hairpaint COMMAND --help\n    tells what each option does") + QLatin1Char('\n');
-    hairpaint::app::printOut(text);
+    return hairpaint::app::printOut(text);
 }
 
 /// The program as it was called, for sentences that tell what to type.
@@ -65,12 +65,11 @@ int runCommandLine(int argc, char** argv)
     if (const Command* command = hairpaint::app::findCommand(first))
         return static_cast<int>(run(*command, arguments.mid(2)));
     if (first == QLatin1String("--version")) {
-        hairpaint::app::printOut(QStringLiteral("Hair Paint %1\n").arg(QCoreApplication::applicationVersion()));
-        return 0;
+        return static_cast<int>(
+            hairpaint::app::printOut(QStringLiteral("Hair Paint %1\n").arg(QCoreApplication::applicationVersion())));
     }
     if (first == QLatin1String("--help") || first == QLatin1String("-h")) {
-        printHelp();
-        return 0;
+        return static_cast<int>(printHelp());
     }
     (void)hairpaint::app::failed(
         {CommandLine::tr("There is no option %1; %2 --help lists those there are.").arg(first, calledAs())});

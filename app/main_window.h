@@ -7,7 +7,7 @@
 #include "app/live_preferences.h"
 #include "app/physical_keys.h"
 #include "app/project_files.h"
-#include "app/recovery/journal.h"
+#include "app/background/journal.h"
 #include "app/session.h"
 #include "app/settings.h"
 #include "app/window_dialogs.h"

@@ -314,6 +314,22 @@
         <source>--motion is for films; give --frames too</source>
         <translation>--motion es para películas; dé también --frames</translation>
     </message>
+    <message>
+        <source>--%1 is given nothing</source>
+        <translation>--%1 no recibe nada</translation>
+    </message>
+    <message>
+        <source>--%1 takes a whole number from 1 to %2, not &apos;%3&apos;</source>
+        <translation>--%1 toma un número entero de 1 a %2, no «%3»</translation>
+    </message>
+    <message>
+        <source>What was asked for could not be printed; check where standard output leads.</source>
+        <translation>No se pudo imprimir lo pedido; compruebe adónde lleva la salida estándar.</translation>
+    </message>
+    <message>
+        <source>A project&apos;s name ends in .hairpaint, not in .%1</source>
+        <translation>El nombre de un proyecto termina en .hairpaint, no en .%1</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -2263,6 +2279,26 @@
     <message>
         <source>Restoring unsaved work</source>
         <translation>Recuperando el trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is open in another window. What is saved in one of them would replace what was saved in the other.</source>
+        <translation>«%1» está abierto en otra ventana. Lo que se guarde en una de ellas reemplazaría lo guardado en la otra.</translation>
+    </message>
+    <message>
+        <source>&amp;Open anyway</source>
+        <translation>&amp;Abrir de todos modos</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was changed by another program since it was opened or saved here. Replacing it would lose those changes.</source>
+        <translation>Otro programa cambió «%1» desde que se abrió o guardó aquí. Reemplazarlo haría perder esos cambios.</translation>
+    </message>
+    <message>
+        <source>&amp;Save under another name...</source>
+        <translation>&amp;Guardar con otro nombre...</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Reemplazar</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/background/jobs.h"
-#include "app/recovery/journal_folder.h"
+#include "app/background/journal_folder.h"
 #include "model/journal/journal_state.h"
 
 #include <optional>

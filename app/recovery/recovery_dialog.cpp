@@ -22,6 +22,14 @@ constexpr int kSpacing = 12;
 constexpr int kWidth = 520;
 constexpr int kMostShown = 4;
 
+/// The same picture where the row is chosen, which would tint it.
+QIcon iconOf(const QPixmap& picture)
+{
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected);
+    return icon;
+}
+
 QString dayOf(const QDateTime& time)
 {
     const QLocale locale;
@@ -58,16 +66,16 @@ RecoveryDialog::RecoveryDialog(const std::vector<UnsavedWork>& offers, std::func
     m_list->setTextElideMode(Qt::ElideMiddle);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setAccessibleName(windowTitle());
-    QImage blank(kPicture, QImage::Format_ARGB32_Premultiplied);
+    QPixmap blank(kPicture);
     blank.fill(Qt::transparent);
     for (std::size_t i = 0; i < offers.size(); ++i) {
-        auto* item = new QListWidgetItem(QIcon(QPixmap::fromImage(blank)), textOf(offers[i]), m_list);
+        auto* item = new QListWidgetItem(iconOf(blank), textOf(offers[i]), m_list);
         item->setData(Qt::UserRole, static_cast<int>(i));
         item->setToolTip(model::shownPath(offers[i].path));
     }
     m_list->setCurrentRow(0);
     const int rows = std::min(m_list->count(), kMostShown);
-    m_list->setMinimumHeight(rows * (kPicture.height() + kSpacing) + kSpacing);
+    m_list->setFixedHeight(rows * (kPicture.height() + kSpacing) + kSpacing);
 
     auto* buttons = new QDialogButtonBox;
     QPushButton* restore = buttons->addButton(tr("&Restore"), QDialogButtonBox::AcceptRole);
@@ -99,7 +107,7 @@ void RecoveryDialog::setPicture(std::size_t index, const QImage& picture)
     for (int row = 0; row < m_list->count(); ++row)
         if (m_list->item(row)->data(Qt::UserRole).toInt() == static_cast<int>(index))
             m_list->item(row)->setIcon(
-                QIcon(QPixmap::fromImage(picture.scaled(kPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation))));
+                iconOf(QPixmap::fromImage(picture.scaled(kPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation))));
 }
 
 void RecoveryDialog::discardChosen()

@@ -1,8 +1,10 @@
 // Journals: what comes back after a crash at any byte, what a state costs, and the history's steps.
 #include "model/files/atomic_file.h"
+#include "model/files/head_file.h"
 #include "model/journal/journal_reader.h"
 #include "model/journal/journal_writer.h"
 #include "tests/model/archive_maker.h"
+#include "tests/model/fixtures.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
@@ -10,7 +12,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
 #include <random>
+
+#ifdef Q_OS_UNIX
+#include <csignal>
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -62,6 +71,7 @@ private Q_SLOTS:
     void aDabCostsATile();
     void aFileThatGrewIsWrittenAnew();
     void aFullDiskStopsItAndLosesNothing();
+    void aWriterThatIsKilledLosesNothingItHasAcknowledged();
 };
 
 void TestJournal::whatWasAppendedComesBack()
@@ -242,6 +252,60 @@ void TestJournal::aFullDiskStopsItAndLosesNothing()
     JournalWriter another(file());
     QVERIFY(another.append(stateAt(project, 2, 2)));
     QCOMPARE(difference(recovered()->steps.front().project, project), QString());
+#endif
+}
+
+void TestJournal::aWriterThatIsKilledLosesNothingItHasAcknowledged()
+{
+#ifdef Q_OS_UNIX
+    const int kills = qEnvironmentVariableIntValue("HAIRPAINT_JOURNAL_KILLS") > 0
+                          ? qEnvironmentVariableIntValue("HAIRPAINT_JOURNAL_KILLS")
+                          : 40;
+    constexpr qint64 kLeastRewrite = 60'000; // So that many are killed while it is written anew.
+    std::mt19937 random(5);
+    Project start = patchProject(256);
+    start.head = builtInHead();
+    int rewritten = 0;
+    int lastStep = 0;
+    for (int turn = 0; turn < kills; ++turn) {
+        QFile::remove(file());
+        std::array<int, 2> ends{};
+        QCOMPARE(::pipe(ends.data()), 0);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            Project project = start;
+            JournalWriter writer(file(), kLeastRewrite);
+            for (std::int32_t step = 0;; ++step) {
+                dab(project, MapKind::Length, step);
+                project.seed = static_cast<std::uint64_t>(step);
+                if (!writer.append(stateAt(project, step, step)) || ::write(ends[1], &step, sizeof step) < 0)
+                    ::_exit(1);
+            }
+        }
+        ::close(ends[1]);
+        std::int32_t acknowledged = -1;
+        const auto wanted = static_cast<std::int32_t>(random() % 60);
+        while (acknowledged<wanted&& ::read(ends[0], &acknowledged, sizeof acknowledged)> 0) {
+        }
+        ::usleep(static_cast<useconds_t>(random() % 4000));
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        while (::read(ends[0], &acknowledged, sizeof acknowledged) > 0) {
+        }
+        ::close(ends[0]);
+        const auto work = recovered();
+        QVERIFY(work);
+        const JournalState& state = work->steps[work->current];
+        QVERIFY2(state.index >= acknowledged, qPrintable(QStringLiteral("%1 %2").arg(state.index).arg(acknowledged)));
+        Project truth = start;
+        for (int step = 0; step <= state.index; ++step)
+            dab(truth, MapKind::Length, step);
+        truth.seed = static_cast<std::uint64_t>(state.index);
+        QCOMPARE(difference(state.project, truth), QString());
+        rewritten += QFileInfo::exists(file() + QStringLiteral(".new")) ? 1 : 0;
+        lastStep = std::max(lastStep, state.index);
+    }
+    qInfo("%d kills, %d of them while the file was written anew, up to step %d", kills, rewritten, lastStep);
 #endif
 }
 

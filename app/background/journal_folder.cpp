@@ -1,5 +1,5 @@
 // Folders and their locks.
-#include "app/recovery/journal_folder.h"
+#include "app/background/journal_folder.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,5 +1,5 @@
 // From the document's steps to the writer's thread.
-#include "app/recovery/journal.h"
+#include "app/background/journal.h"
 
 #include "model/guarded.h"
 #include "model/journal/journal_writer.h"

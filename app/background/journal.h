@@ -1,7 +1,7 @@
 // Keeps the journal of the open document: see model/journal.
 #pragma once
 
-#include "app/recovery/journal_folder.h"
+#include "app/background/journal_folder.h"
 #include "model/document.h"
 #include "model/journal/journal_state.h"
 
