@@ -15,7 +15,7 @@ constexpr float kAlongM = 0.02F;
 constexpr float kAlongPart = 1.0F / 3.0F;
 constexpr std::size_t kFurtherHairs = 4000;
 constexpr std::size_t kFurtherGrain = 64;
-constexpr float kCloseM = 0.015F;    ///< So far over the skin hair is laid.
+constexpr float kOverSkinM = 0.015F;    ///< So far over the skin hair is laid.
 constexpr float kEnoughHairs = 6.0F; ///< A cell with so many needs no coarser one.
 constexpr int kCoarsestCells = 16;
 
@@ -162,7 +162,7 @@ std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::H
                 const glm::vec3 wayHd = toHead * (nodes[node + 1] - nodes[node - 1]);
                 const float length = glm::length(wayHd);
                 const sim::SurfacePoint under = roots.skin->nearest(placeHd);
-                if (length > 1e-6F && glm::distance(under.positionHd, placeHd) < kCloseM)
+                if (length > 1e-6F && glm::distance(under.positionHd, placeHd) < kOverSkinM)
                     found[i * most + node] =
                         LyingHair{.uv = under.uv, .direction = sim::SkinFrame::at(under).fromHd(wayHd / length)};
             }
