@@ -335,9 +335,12 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
         const StrandChunk* is = groom.chunks[i].get();
         if (was == is)
             continue;
-        // Subtracting modulo 2^32: one of -1 takes a dependent away.
-        countDependents(was, i, rebuilt, ~0U);
-        countDependents(is, i, rebuilt, 1U);
+        // Most often they follow whom they followed.
+        if (was == nullptr || is == nullptr || was->drawn != is->drawn || was->braidCentre != is->braidCentre) {
+            // Subtracting modulo 2^32: one of -1 takes a dependent away.
+            countDependents(was, i, rebuilt, ~0U);
+            countDependents(is, i, rebuilt, 1U);
+        }
         groom.hairCount += (is != nullptr ? is->hairs.count() : 0) - (was != nullptr ? was->hairs.count() : 0);
         groom.drawnCount += (is != nullptr ? is->drawn.count() : 0) - (was != nullptr ? was->drawn.count() : 0);
     }
