@@ -74,6 +74,17 @@
     </message>
 </context>
 <context>
+    <name>ColliderEdit</name>
+    <message>
+        <source>Add collider</source>
+        <translation>Añadir elipsoide de colisión</translation>
+    </message>
+    <message>
+        <source>Remove collider</source>
+        <translation>Quitar elipsoide de colisión</translation>
+    </message>
+</context>
+<context>
     <name>CommandLine</name>
     <message>
         <source>%1. Usage: hairpaint %2 %3</source>
@@ -1700,6 +1711,26 @@
         <source>Hold as it lies</source>
         <translation>Fijar como está</translation>
     </message>
+    <message>
+        <source>Drag over hair to lay it as flat, or to lift it as far, as Flatness says; its direction stays</source>
+        <translation>Arrastra sobre el pelo para tumbarlo o levantarlo tanto como diga Inclinación; la dirección no cambia</translation>
+    </message>
+    <message>
+        <source>Drag over hair to lay it as its neighbours lie</source>
+        <translation>Arrastra sobre el pelo para que caiga como el de alrededor</translation>
+    </message>
+    <message>
+        <source>Drag over hair to ruffle it</source>
+        <translation>Arrastra sobre el pelo para despeinarlo</translation>
+    </message>
+    <message>
+        <source>Press where hair is to turn in a whorl as large as the ring; drag to move it</source>
+        <translation>Pulsa donde el pelo deba girar en un remolino del tamaño del anillo; arrastra para moverlo</translation>
+    </message>
+    <message>
+        <source>Drag over hair to hold it as it lies now, with at least that much gel</source>
+        <translation>Arrastra sobre el pelo para fijarlo como está ahora, con al menos ese gel</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ClipCommands</name>
@@ -2076,16 +2107,16 @@
         <translation>Quitar elip&amp;soide de colisión</translation>
     </message>
     <message>
-        <source>An ellipsoid where the pointer was last on the head, which hair does not enter; eight at most</source>
-        <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; ocho como máximo</translation>
-    </message>
-    <message>
         <source>Hol&amp;d as it lies now</source>
         <translation>Fi&amp;jar como está ahora</translation>
     </message>
     <message>
         <source>Paints directions and gel so that the active group&apos;s hair, inside the selection if there is one, stays as it lies now</source>
         <translation>Pinta direcciones y gel para que el pelo del grupo activo, dentro de la selección si la hay, quede como está ahora</translation>
+    </message>
+    <message>
+        <source>An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most</source>
+        <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; %1 como máximo</translation>
     </message>
 </context>
 <context>
@@ -2696,14 +2727,6 @@
     <message>
         <source>The hair can&apos;t be shown here: %1 Painting, saving and exporting work all the same.</source>
         <translation>El pelo no se puede mostrar aquí: %1 Pintar, guardar y exportar funcionan igualmente.</translation>
-    </message>
-    <message>
-        <source>Add collider</source>
-        <translation>Añadir elipsoide de colisión</translation>
-    </message>
-    <message>
-        <source>Remove collider</source>
-        <translation>Quitar elipsoide de colisión</translation>
     </message>
 </context>
 <context>
