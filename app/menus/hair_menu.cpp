@@ -30,7 +30,10 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
                   .text = tr("&Brows and lashes"),
                   .run = [this] { m_faceHair.toggle(); },
                   .on = [this] { return m_faceHair.shown(); }},
-                 {"hair.removeGroup", tr("Remo&ve hair group"), {}, [&sidebar] { sidebar.hair().removeGroup(); }}});
+                 {.id = "hair.removeGroup",
+                  .text = tr("Remo&ve hair group"),
+                  .run = [&sidebar] { sidebar.hair().removeGroup(); },
+                  .enabled = [&session] { return session.document().committed().groups.size() > 1; }}});
     addSeparator();
     actions.add(*this, {{"hair.saveStyle", tr("&Save style…"), {}, [&exchange] { exchange.saveStyle(); }}});
 }

@@ -59,6 +59,7 @@ struct LayerProperties
 /// there is nothing to add.
 [[nodiscard]] CommandPtr addFaceHairCommand(Document& document, std::vector<HairGroup> groups);
 [[nodiscard]] CommandPtr showFaceHairCommand(Document& document, bool visible);
+/// Null for the last one: there is always one to paint in.
 [[nodiscard]] CommandPtr removeGroupCommand(Document& document, Id group);
 [[nodiscard]] CommandPtr renameGroupCommand(Document& document, Id group, const QString& name);
 /// Null where it stays in its place; `newPosition` is counted from the first.

@@ -73,6 +73,9 @@ CommandPtr showFaceHairCommand(Document& document, bool visible)
 
 CommandPtr removeGroupCommand(Document& document, Id group)
 {
+    document.endEdit();
+    if (document.committed().groups.size() <= 1)
+        return nullptr;
     return groupsCommand(document, group, Commands::tr("Remove group \"%1\"").arg(nameOf(document, group)),
                          [group](Project& project) {
                              std::erase_if(project.groups, [group](const HairGroup& one) { return one.id == group; });

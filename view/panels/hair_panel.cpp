@@ -251,7 +251,7 @@ void HairPanel::rebuildGroups()
 void HairPanel::follow()
 {
     const model::HairGroup* shown = group();
-    m_remove->setEnabled(shown != nullptr);
+    m_remove->setEnabled(shown != nullptr && m_groups->count() > 1);
     for (QWidget* section : m_settings)
         section->setEnabled(shown != nullptr);
     if (shown == nullptr)

@@ -1,0 +1,188 @@
+// Somebody who knows nothing clicks, drags and types at random: nothing may break, and undo leads all the way back.
+#include "tests/app/window_fixture.h"
+#include "tests/support/test_program.h"
+#include "view/panels/sidebar.h"
+
+#include <QAbstractSlider>
+#include <QDialog>
+#include <QMenu>
+
+#include <array>
+#include <random>
+
+namespace hairpaint::app {
+
+namespace {
+
+/// Closes whatever asks for something; leaves dialogs that show how far work is.
+class Closer : public QObject
+{
+public:
+    Closer() { startTimer(10); }
+
+protected:
+    void timerEvent(QTimerEvent* /*event*/) override
+    {
+        if (QWidget* popup = QApplication::activePopupWidget())
+            QMetaObject::invokeMethod(popup, &QWidget::close, Qt::QueuedConnection);
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (dialog != nullptr && dialog->inherits("QMessageBox"))
+            QMetaObject::invokeMethod(
+                dialog, [dialog] { dialog->done(QDialog::Rejected); }, Qt::QueuedConnection);
+        else if (dialog != nullptr && (dialog->inherits("QFileDialog") || dialog->inherits("QColorDialog")))
+            QMetaObject::invokeMethod(dialog, &QDialog::reject, Qt::QueuedConnection);
+    }
+};
+
+/// So many, or as the environment says: HAIRPAINT_MONKEY_ACTIONS=100000 HAIRPAINT_MONKEY_SEED=7.
+int fromEnvironment(const char* name, int otherwise)
+{
+    const int value = qEnvironmentVariableIntValue(name);
+    return value > 0 ? value : otherwise;
+}
+
+} // namespace
+
+class TestMonkey : public QObject, private WindowFixture
+{
+    Q_OBJECT
+private:
+    std::mt19937 m_random;
+
+    unsigned below(unsigned count) { return static_cast<unsigned>(m_random() % count); }
+
+    QPoint pointIn(const QWidget& area)
+    {
+        return {static_cast<int>(below(static_cast<unsigned>(area.width()))),
+                static_cast<int>(below(static_cast<unsigned>(area.height())))};
+    }
+
+    Qt::KeyboardModifiers modifiers()
+    {
+        constexpr std::array<Qt::KeyboardModifier, 6> kOften{Qt::NoModifier,      Qt::NoModifier,    Qt::NoModifier,
+                                                             Qt::ControlModifier, Qt::ShiftModifier, Qt::AltModifier};
+        return kOften[below(kOften.size())];
+    }
+
+    void dragSomewhere(QWidget& area)
+    {
+        const std::array<Qt::MouseButton, 5> buttons{Qt::LeftButton, Qt::LeftButton, Qt::LeftButton, Qt::RightButton,
+                                                     Qt::MiddleButton};
+        const Qt::MouseButton button = buttons[below(buttons.size())];
+        const Qt::KeyboardModifiers held = modifiers();
+        QWidget* const target =
+            area.childAt(area.rect().center()) != nullptr && below(2) == 0 ? area.childAt(area.rect().center()) : &area;
+        QTest::mousePress(target, button, held, pointIn(*target));
+        for (unsigned i = 0; i < below(6); ++i)
+            QTest::mouseMove(target, pointIn(*target));
+        if (below(20) == 0)
+            QTest::keyClick(&m_window->paintView(), Qt::Key_Z, Qt::ControlModifier); // In the middle of it.
+        QTest::mouseRelease(target, button, held, pointIn(*target));
+    }
+
+    void pressSomeKey()
+    {
+        // No file is opened, saved or left by keys: their dialogs belong to other tests.
+        constexpr std::array kKeys{
+            Qt::Key_B,      Qt::Key_E,      Qt::Key_C,        Qt::Key_G,   Qt::Key_U,           Qt::Key_M,
+            Qt::Key_I,      Qt::Key_P,      Qt::Key_Y,        Qt::Key_X,   Qt::Key_H,           Qt::Key_W,
+            Qt::Key_1,      Qt::Key_2,      Qt::Key_3,        Qt::Key_4,   Qt::Key_5,           Qt::Key_6,
+            Qt::Key_7,      Qt::Key_8,      Qt::Key_9,        Qt::Key_0,   Qt::Key_Space,       Qt::Key_Escape,
+            Qt::Key_Return, Qt::Key_Delete, Qt::Key_Left,     Qt::Key_Tab, Qt::Key_BracketLeft, Qt::Key_BracketRight,
+            Qt::Key_F2,     Qt::Key_F8,     Qt::Key_Backspace};
+        key(kKeys[below(kKeys.size())]);
+    }
+
+    void triggerSomething()
+    {
+        constexpr std::array kActions{
+            "edit.undo",       "edit.undo",        "edit.undo",      "edit.redo",        "edit.redo",
+            "edit.cut",        "edit.copy",        "edit.paste",     "edit.clear",       "edit.all",
+            "edit.none",       "edit.invert",      "edit.mirror",    "map.addLayer",     "map.removeLayer",
+            "map.layerUp",     "map.layerDown",    "hair.wind",      "hair.pause",       "hair.reset",
+            "hair.nod",        "hair.shake",       "hair.turn",      "hair.addCollider", "hair.removeCollider",
+            "hair.face",       "hair.removeGroup", "hair.hold",      "view.both",        "view.head",
+            "view.paint",      "view.swap",        "view.panels",    "view.wireframe",   "view.night",
+            "view.colliders",  "view.directions",  "look.front",     "look.back",        "look.top",
+            "tool.swapValues", "tool.smaller",     "tool.larger",    "view.fit",         "view.home",
+            "edit.duplicate",  "file.newBald",     "hair.windDialog"};
+        const char* id = kActions[below(kActions.size())];
+        if (QLatin1StringView(id) == QLatin1StringView("file.newBald") && below(20) != 0)
+            return;
+        if (QAction* action = m_window->actions().find(QLatin1StringView(id)); action != nullptr && action->isEnabled())
+            action->trigger();
+    }
+
+    void clickSomeStyle()
+    {
+        auto* strip = m_window->findChild<view::StyleStrip*>();
+        if (strip->isVisible())
+            QTest::mouseClick(strip->childAt(strip->rect().center()) != nullptr ? strip->childAt(strip->rect().center())
+                                                                                : strip,
+                              Qt::LeftButton, {}, QPoint(static_cast<int>(below(800)), 30));
+    }
+
+    void act()
+    {
+        switch (below(10)) {
+        case 0:
+        case 1:
+        case 2:
+            return dragSomewhere(m_window->paintView());
+        case 3:
+        case 4:
+            return dragSomewhere(m_window->headView());
+        case 5:
+        case 6:
+            return pressSomeKey();
+        case 7:
+        case 8:
+            return triggerSomething();
+        default:
+            break;
+        }
+        if (below(12) == 0)
+            clickSomeStyle();
+        else if (auto* sidebar = m_window->findChild<view::Sidebar*>(); sidebar->isVisible())
+            QTest::mouseClick(sidebar->childAt(pointIn(*sidebar)) != nullptr ? sidebar->childAt(pointIn(*sidebar))
+                                                                             : sidebar,
+                              Qt::LeftButton, {}, QPoint(10, 5));
+    }
+
+private Q_SLOTS:
+    void initTestCase() { prepareApplication(); }
+    void cleanup() { m_window.reset(); }
+
+    void randomActionsBreakNothing()
+    {
+        const int actions = fromEnvironment("HAIRPAINT_MONKEY_ACTIONS", 400);
+        m_random.seed(static_cast<unsigned>(fromEnvironment("HAIRPAINT_MONKEY_SEED", 1)));
+        openWindow(model::newProject());
+        const Closer closer;
+        for (int i = 0; i < actions; ++i) {
+            act();
+            if (i % 8 == 0)
+                QCoreApplication::processEvents();
+        }
+        m_window->findChild<view::StyleStrip*>()->setFocus();
+        model::Document& document = session().document();
+        document.settle();
+        const auto saved =
+            model::saveProject(document.committed(), m_folder.filePath(QStringLiteral("first.hairpaint")), {});
+        QVERIFY2(saved, saved ? "" : qPrintable(saved.error().message));
+        const QByteArray after = savedBytes("after.hairpaint");
+        QVERIFY(model::loadProject(m_folder.filePath(QStringLiteral("after.hairpaint"))));
+        const int steps = stack().index();
+        while (document.canUndo() && stack().index() > 0)
+            document.undo();
+        while (stack().index() < steps)
+            document.redo();
+        QVERIFY(savedBytes("again.hairpaint") == after);
+        qInfo("%d actions, %d steps", actions, steps);
+    }
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestMonkey, Widgets)
+#include "test_monkey.moc"
