@@ -1,0 +1,84 @@
+// Sixteen strands side by side, as the kernels of the software renderer take and give them.
+#pragma once
+
+#include "view/rendering/light/hair_light.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hairpaint::rendering {
+
+inline constexpr std::size_t kBlockLanes = 16;
+inline constexpr int kMostCurveSegments = 256;
+using LaneRow = std::array<float, kBlockLanes>;
+
+/// What is known of the strands. A lane without a strand has width 0.
+struct alignas(64) StrandBlock
+{
+    int nodes = 2;
+    bool anyBraid = false;
+    bool anyCurl = false;
+    bool anyFrame = false; ///< Curled or braided: the frame along the skeleton matters.
+    LaneRow turns;
+    LaneRow curlRadiusM; ///< 0 where there is no curl.
+    LaneRow phase;
+    LaneRow width; ///< Multiple of the group's.
+    LaneRow variation;
+    std::array<LaneRow, 3> rootColour; ///< sRGB as encoded, 0..1.
+    std::array<LaneRow, 3> tipColour;
+    std::array<float, 3 * kBlockLanes> tangentWo; ///< Of the root.
+    LaneRow braid;                                ///< sim::BraidKind
+    LaneRow wisp;
+    LaneRow braidRadiusM;
+    LaneRow braidStart;
+    LaneRow braidTurns;
+    LaneRow wispX;
+    LaneRow wispY;
+    std::vector<float> nodesWo; ///< [nodes][3][kBlockLanes]
+};
+
+/// What all strands of a group share in one picture.
+struct StrandView
+{
+    glm::mat4 projectionFromWo{1.0F};
+    std::array<glm::mat4, 2> gridFromWo{};
+    std::array<const float*, 2> opacity{}; ///< [side][side][side] toward the light, the eye.
+    int gridSide = 0;
+    glm::vec2 sizeSp{0.0F};   ///< The picture, samples.
+    float samplesPerM = 0.0F; ///< That a metre covers at a distance of 1 m.
+    float groupWidthM = 0.0F; ///< Diameter of a hair whose width is 1.
+    float widening = 1.0F;    ///< 1 / fraction of the hairs drawn.
+    float rootAlpha = 1.0F;
+    float tipAlpha = 1.0F;
+    float variationScale = 0.0F;
+    float nearestM = 0.0F; ///< Depths run from here, in 16 bits;
+    float depthsPerM = 0.0F;
+    float toleranceSp = 0.25F; ///< How far a drawn curve may lie beside the true one.
+    HairLighting lighting;
+};
+
+/// Points of sixteen strands, projected and lit. Rows [point][kBlockLanes].
+struct StrandPoints
+{
+    std::vector<float> pointsWo;       ///< [point][3][kBlockLanes]
+    std::vector<float> x;              ///< Samples, right.
+    std::vector<float> y;              ///< Samples, up.
+    std::vector<float> depth;          ///< 0..65535
+    std::vector<float> width;          ///< Samples covered across the segment's main direction; 0 where it is not seen.
+    std::vector<std::uint32_t> colour; ///< Square roots of the linear colour, 10 bits each from the lowest: r, g, b.
+    void resize(std::size_t points);
+};
+
+/// Segments that the bend of the block's strands needs at this size.
+[[nodiscard]] int segmentsFor(const StrandView& view, const StrandBlock& block);
+/// Fills `points` with segments + 1 of each strand.
+void drawnPoints(const StrandView& view, const StrandBlock& block, int segments, StrandPoints& points);
+
+/// A place's hair toward the light or the eye, as the kernels look it up. For tests.
+inline constexpr float kUndrawnCoverings = 10.0F;
+
+} // namespace hairpaint::rendering
