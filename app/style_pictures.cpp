@@ -45,8 +45,8 @@ void keep(const QImage& picture, const QString& path)
 
 QImage drawStyle(const model::Preset& preset, const model::Progress& progress)
 {
-    const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
-    return maker ? stylePicture(preset, **maker, progress) : QImage();
+    PictureMaker maker;
+    return stylePicture(preset, maker, progress);
 }
 
 QImage pictureOfFile(const QString& path, const StylePictures::Draw& draw, const model::Progress& progress)

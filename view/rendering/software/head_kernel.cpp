@@ -66,6 +66,8 @@ HWY_INLINE void rasterTriangle(const HeadBand& band, std::uint32_t number, BandS
     const float perArea = 1.0F / (area * turn);
     // 1/distance is linear on the picture.
     const float weights[3] = {a.perDistance * perArea, b.perDistance * perArea, c.perDistance * perArea};
+    const float farthest = std::min({a.perDistance, b.perDistance, c.perDistance});
+    const float nearestCorner = std::max({a.perDistance, b.perDistance, c.perDistance});
     for (int y = low; y <= high; ++y)
         for (int x = left; x <= right; ++x) {
             const auto dx = static_cast<float>(x - left);
@@ -86,8 +88,9 @@ HWY_INLINE void rasterTriangle(const HeadBand& band, std::uint32_t number, BandS
                 continue;
             float per = 0.0F;
             for (int i = 0; i < 3; ++i)
-                per += std::max(sides[i].a * (dx + 0.5F) + sides[i].b * (dy + 0.5F) + sides[i].c, 0.0F) * weights[i];
-            const float distance = 1.0F / std::max(per, 1e-6F);
+                per += (sides[i].a * (dx + 0.5F) + sides[i].b * (dy + 0.5F) + sides[i].c) * weights[i];
+            // Where the triangle covers a sample's rim only, its middle lies outside.
+            const float distance = 1.0F / std::clamp(per, farthest, nearestCorner);
             const std::size_t at = static_cast<std::size_t>(y - band.firstRow) * static_cast<std::size_t>(band.width) +
                                    static_cast<std::size_t>(x);
             float& nearest = band.distancesM[static_cast<std::size_t>(y) * static_cast<std::size_t>(band.width) +
