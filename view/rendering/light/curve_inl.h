@@ -76,8 +76,8 @@ HWY_INLINE BraidOffset braidedOffset(const StrandBlock& block, std::size_t lane,
             sinOf(select(isTwist, angle, angle * Lanes(2.0F))) * scale + loaded(block.wispY.data() + lane) * wispR};
 }
 
-/// Writes segments + 1 points [point][3][kMostLanes] of the lanes from `lane` on, Wo.
-HWY_INLINE void evaluateCurves(const StrandBlock& block, int segments, std::size_t lane, float* pointsWo)
+/// Writes spans.total + 1 points [point][3][kMostLanes] of the lanes from `lane` on, Wo.
+HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spans, std::size_t lane, float* pointsWo)
 {
     constexpr std::size_t kRow = 3 * kMostLanes;
     const float* nodesWo = block.nodesWo.data() + lane;
@@ -94,19 +94,19 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, int segments, std::size
     Triple<Lanes> reference = lastTangent;
     if (block.anyFrame)
         reference = across(rootTangent, lastTangent);
-    const float inverse = 1.0F / static_cast<float>(segments);
-    for (int j = 0; j <= segments; ++j) {
-        const float s = static_cast<float>(j) * inverse;
-        const float u = s * static_cast<float>(nodes - 1);
-        const int segment = std::min(static_cast<int>(u), nodes - 2);
-        while (k < segment) {
+    const float perSpan = 1.0F / static_cast<float>(nodes - 1);
+    for (int j = 0, first = 0; j <= spans.total; ++j) {
+        if (j - first == spans.of[static_cast<std::size_t>(k)] && k + 2 < nodes) {
+            first = j;
             ++k;
             p0 = p1;
             p1 = p2;
             p2 = p3;
             p3 = k + 2 < nodes ? node(k + 2) : p2 + p2 - p1;
         }
-        const Lanes t(u - static_cast<float>(k));
+        const float along = static_cast<float>(j - first) / static_cast<float>(spans.of[static_cast<std::size_t>(k)]);
+        const float s = (static_cast<float>(k) + along) * perSpan;
+        const Lanes t(along);
         const Triple<Lanes> c1 = (p2 - p0) * Lanes(0.5F);
         const Triple<Lanes> c2 = p0 - p1 * Lanes(2.5F) + p2 * Lanes(2.0F) - p3 * Lanes(0.5F);
         const Triple<Lanes> c3 = (p3 - p0) * Lanes(0.5F) + (p1 - p2) * Lanes(1.5F);

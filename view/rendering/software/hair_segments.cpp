@@ -27,6 +27,7 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
     block.phase[lane] = style.phase;
     block.width[lane] = style.width;
     block.variation[lane] = style.variation;
+    block.order[lane] = style.detail;
     for (unsigned c = 0; c < 3; ++c) {
         block.rootColour[c][lane] = byteOf(style.rootColour, 8 * c);
         block.tipColour[c][lane] = byteOf(style.tipColour, 8 * c);
@@ -40,6 +41,29 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
     block.wispY[lane] = style.wispOffset.y;
     block.anyCurl = block.anyCurl || curled;
     block.anyBraid = block.anyBraid || braided;
+}
+
+/// Thinner hairs are drawn by fewer, as much wider ones while the picture moves, samples.
+constexpr float kThinnestDrawn = 0.3F;
+
+/// The fraction of a group's hairs that are wide enough to be told apart, each on its own.
+float fractionThatTells(const sim::StrandMaterial& material, const FrameConstants& constants)
+{
+    constexpr float kHeadM = 0.12F; ///< Hair is about so much nearer than the head's middle.
+    const float distanceM =
+        std::max(glm::distance(glm::vec3(constants.eyeWo), glm::vec3(constants.headWo)) - kHeadM, 0.05F);
+    const float width = material.widthM * constants.gridSize.z / distanceM;
+    return std::clamp(width / kThinnestDrawn, 1.0F / 64.0F, 1.0F);
+}
+
+/// In steps, so that lists are not made anew whenever the camera moves a little.
+float listedDetail(float fraction)
+{
+    constexpr float kStep = 1.189207F; // Four an octave.
+    float listed = 1.0F;
+    while (listed > fraction * (1.0F + kFadingPart) * kStep)
+        listed /= kStep;
+    return listed;
 }
 
 /// What threads keep from block to block.
@@ -72,6 +96,7 @@ void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const
         setStyle(block, lane, groom.style(slot));
         if (lane >= slots.size())
             block.width[lane] = 0.0F;
+
         const float* from = group.positions.data() + layout.index(groom.frameStrand(slot), 0);
         float* to = block.nodesWo.data() + lane;
         for (std::size_t row = 0; row < nodes * 3; ++row)
@@ -91,7 +116,7 @@ static_assert(kBlockLanes == sim::kLanes);
 } // namespace
 
 void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants,
-                         float detail)
+                         float detail, bool fine)
 {
     m_frame = frame;
     m_groups.clear();
@@ -119,16 +144,17 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         if (!group.groom || !group.groom->visible || group.groom->packedChunks == 0)
             continue;
         StrandList& list = m_lists[group.groom->groupId];
-        list.update(group.groom, detail);
+        const float fraction = fine ? detail : detail * fractionThatTells(group.groom->settings.material, constants);
+        list.update(group.groom, fine ? detail : listedDetail(fraction));
         if (list.slots().empty())
             continue;
-        m_groups.push_back({.frame = &group, .list = &list, .view = {}, .chunkOfPacked = {}});
-        sources.push_back({.group = &group, .slots = list.slots()});
+        m_groups.push_back({.frame = &group, .list = &list, .view = {}, .fraction = fraction});
+        sources.push_back({.group = &group, .slots = list.slots(), .detail = list.detail()});
         m_hairs += list.slots().size();
     }
     if (m_groups.empty())
         return;
-    m_grids.fill(sources, constants, detail);
+    m_grids.fill(sources, constants);
     const std::size_t wanted = m_hairs / kWantedBatches / kBlockLanes * kBlockLanes;
     const std::size_t batchStrands = std::clamp(wanted, kLeastBatch, kMostBatch);
     for (std::size_t g = 0; g < m_groups.size(); ++g) {
@@ -141,13 +167,15 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .sizeSp = glm::vec2(constants.target),
                       .samplesPerM = constants.gridSize.z,
                       .groupWidthM = material.widthM,
-                      .widening = 1.0F / detail,
+                      .fraction = group.fraction,
                       .rootAlpha = material.rootAlpha,
                       .tipAlpha = material.tipAlpha,
                       .variationScale = material.colourVariation,
                       .nearestM = m_nearestM,
                       .depthsPerM = m_depthsPerM,
-                      .toleranceSp = 0.25F,
+                      .toleranceSp = fine ? 0.2F : 0.4F,
+                      .undrawnCoverings = fine ? 10.0F : 7.0F,
+                      .deepFraction = fine ? 1.0F : 0.25F,
                       .lighting = {.eyeWo = glm::vec3(constants.eyeWo),
                                    .lightWo = glm::vec3(constants.lightWo),
                                    .lightColour = glm::vec3(constants.lightColour),
@@ -176,10 +204,10 @@ void HairSegments::drawBatch(std::size_t number)
     for (std::size_t first = piece.first; first < piece.end; first += kBlockLanes) {
         const std::size_t lanes = std::min(kBlockLanes, piece.end - first);
         fillBlock(scratch.block, *group.frame, group.list->slots().subspan(first, lanes), m_turnWoFromHd);
-        const int segments = segmentsFor(group.view, scratch.block);
+        const SpanSegments segments = segmentsFor(group.view, scratch.block);
         drawnPoints(group.view, scratch.block, segments, scratch.points);
-        batch.add(m_tiles, scratch.points, segments, lanes);
-        all += static_cast<std::size_t>(segments) * lanes;
+        batch.add(m_tiles, scratch.points, segments.total, lanes);
+        all += static_cast<std::size_t>(segments.total) * lanes;
     }
     batch.sort(m_tiles);
     m_batchSegments[number] = all;

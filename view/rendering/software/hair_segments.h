@@ -16,8 +16,10 @@ namespace hairpaint::rendering {
 class HairSegments
 {
 public:
-    /// Chooses the strands, fills the opacity grids and cuts the strands into batches.
-    void begin(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants, float detail);
+    /// Chooses the strands, fills the opacity grids and cuts the strands into batches. Unless `fine`, hair that is half
+    /// hidden is drawn by fewer strands.
+    void begin(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants, float detail,
+               bool fine);
     /// How many batches there are; each can be drawn on its own, on any thread.
     [[nodiscard]] std::size_t batchCount() const { return m_batchCount; }
     void drawBatch(std::size_t batch);
@@ -36,7 +38,7 @@ private:
         const sim::GroupFrame* frame;
         const StrandList* list;
         StrandView view;
-        std::vector<std::uint32_t> chunkOfPacked;
+        float fraction; ///< Of its hairs that are drawn.
     };
     struct Piece
     {

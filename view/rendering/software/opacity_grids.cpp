@@ -38,7 +38,7 @@ void addTo(std::uint32_t* voxels, glm::vec3 place, std::uint32_t area)
 
 } // namespace
 
-void OpacityGrids::fill(std::span<const Source> sources, const FrameConstants& constants, float detail)
+void OpacityGrids::fill(std::span<const Source> sources, const FrameConstants& constants)
 {
     for (std::vector<std::uint32_t>& voxels : m_voxels)
         voxels.resize(2 * kVoxelsOfGrid, 0);
@@ -47,17 +47,17 @@ void OpacityGrids::fill(std::span<const Source> sources, const FrameConstants& c
     sim::parallelFor(kParts, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t part = begin; part < end; ++part)
             for (const Source& source : sources)
-                splat(source, constants, detail, part);
+                splat(source, constants, part);
     });
     sum(constants);
 }
 
-void OpacityGrids::splat(const Source& source, const FrameConstants& constants, float detail, std::size_t part)
+void OpacityGrids::splat(const Source& source, const FrameConstants& constants, std::size_t part)
 {
     std::uint32_t* voxels = m_voxels.at(part).data();
     const sim::Groom& groom = *source.group->groom;
     const std::size_t step = std::max<std::size_t>(1, source.slots.size() / kSplatStrands);
-    const float weight = groom.settings.material.widthM * static_cast<float>(step) / (detail * kVoxelAreaM2);
+    const float weight = groom.settings.material.widthM * static_cast<float>(step) / (source.detail * kVoxelAreaM2);
     const auto nodes = static_cast<std::size_t>(groom.nodes);
     const sim::StrandBlocks layout = groom.blocks();
     for (std::size_t i = part * step; i < source.slots.size(); i += kParts * step) {

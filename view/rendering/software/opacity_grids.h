@@ -15,18 +15,19 @@ namespace hairpaint::rendering {
 class OpacityGrids
 {
 public:
-    /// Strands of one group: `slots` of `group`, of which every `step`-th stands for all.
+    /// Strands of one group.
     struct Source
     {
         const sim::GroupFrame* group;
         std::span<const std::uint32_t> slots;
+        float detail; ///< The fraction of the group's hairs that these are.
     };
-    void fill(std::span<const Source> sources, const FrameConstants& constants, float detail);
+    void fill(std::span<const Source> sources, const FrameConstants& constants);
     /// [kGridSide][kGridSide][kGridSide] floats, z running away from the light (0) or the eye (1).
     [[nodiscard]] const float* grid(std::size_t which) const { return m_opacity.at(which).data(); }
 
 private:
-    void splat(const Source& source, const FrameConstants& constants, float detail, std::size_t part);
+    void splat(const Source& source, const FrameConstants& constants, std::size_t part);
     void sum(const FrameConstants& constants);
 
     static constexpr std::size_t kParts = 4; ///< That are splatted side by side.

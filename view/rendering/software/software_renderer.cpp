@@ -82,7 +82,7 @@ void SoftwareRenderer::State::prepare(const Scene& scene, const Quality& quality
     picture.constants = frameConstants(scene, picture.target);
     const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
     head.update(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, picture.constants);
-    hair.begin(scene.hair, picture.constants, detail);
+    hair.begin(scene.hair, picture.constants, detail, quality.samples > 1);
     drawn.resize(static_cast<std::size_t>(picture.target.width) * static_cast<std::size_t>(picture.target.height) * 4);
     underWay = picture;
 }

@@ -13,7 +13,9 @@
 namespace hairpaint::rendering {
 
 inline constexpr std::size_t kBlockLanes = 16;
-inline constexpr int kMostCurveSegments = 256;
+inline constexpr int kMostNodes = 32;
+inline constexpr int kMostOfSpan = 32;
+inline constexpr float kFadingPart = 0.15F; ///< Of the drawn hairs: more that thin out instead of vanishing.
 using LaneRow = std::array<float, kBlockLanes>;
 
 /// What is known of the strands. A lane without a strand has width 0.
@@ -28,6 +30,7 @@ struct alignas(64) StrandBlock
     LaneRow phase;
     LaneRow width; ///< Multiple of the group's.
     LaneRow variation;
+    LaneRow order;                     ///< 0..1: hairs of a low one stand for the others where not all are drawn.
     std::array<LaneRow, 3> rootColour; ///< sRGB as encoded, 0..1.
     std::array<LaneRow, 3> tipColour;
     std::array<float, 3 * kBlockLanes> tangentWo; ///< Of the root.
@@ -51,20 +54,32 @@ struct StrandView
     glm::vec2 sizeSp{0.0F};   ///< The picture, samples.
     float samplesPerM = 0.0F; ///< That a metre covers at a distance of 1 m.
     float groupWidthM = 0.0F; ///< Diameter of a hair whose width is 1.
-    float widening = 1.0F;    ///< 1 / fraction of the hairs drawn.
+    float fraction = 1.0F;    ///< Of the hairs that are drawn, as much wider.
     float rootAlpha = 1.0F;
     float tipAlpha = 1.0F;
     float variationScale = 0.0F;
     float nearestM = 0.0F; ///< Depths run from here, in 16 bits;
     float depthsPerM = 0.0F;
     float toleranceSp = 0.25F; ///< How far a drawn curve may lie beside the true one.
+    /// Coverings of hair in front, seen by the eye, from which on nothing is drawn.
+    float undrawnCoverings = 10.0F;
+    /// Of those, the fraction that is left where others hide them by half and more; 1 where all are drawn.
+    float deepFraction = 1.0F;
     HairLighting lighting;
+};
+
+/// In how many segments each span between nodes is drawn.
+struct SpanSegments
+{
+    std::array<int, kMostNodes> of{};
+    int total = 0;
 };
 
 /// Points of sixteen strands, projected and lit. Rows [point][kBlockLanes].
 struct StrandPoints
 {
     std::vector<float> pointsWo;       ///< [point][3][kBlockLanes]
+    std::vector<float> fraction;       ///< Of the strand, [point].
     std::vector<float> x;              ///< Samples, right.
     std::vector<float> y;              ///< Samples, up.
     std::vector<float> depth;          ///< 0..65535
@@ -74,11 +89,8 @@ struct StrandPoints
 };
 
 /// Segments that the bend of the block's strands needs at this size.
-[[nodiscard]] int segmentsFor(const StrandView& view, const StrandBlock& block);
+[[nodiscard]] SpanSegments segmentsFor(const StrandView& view, const StrandBlock& block);
 /// Fills `points` with segments + 1 of each strand.
-void drawnPoints(const StrandView& view, const StrandBlock& block, int segments, StrandPoints& points);
-
-/// A place's hair toward the light or the eye, as the kernels look it up. For tests.
-inline constexpr float kUndrawnCoverings = 10.0F;
+void drawnPoints(const StrandView& view, const StrandBlock& block, const SpanSegments& segments, StrandPoints& points);
 
 } // namespace hairpaint::rendering

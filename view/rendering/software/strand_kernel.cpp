@@ -18,6 +18,8 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 /// Coverings of hair in front, seen by the eye: from where on strands stay as thin as they are.
 constexpr float kHiddenFrom = 3.0F;
 constexpr float kHiddenTo = 10.0F;
+constexpr float kDeepFrom = 0.7F; ///< Coverings: from where on fewer hairs are drawn for all, and as few as may be.
+constexpr float kDeepTo = 2.5F;
 constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
 constexpr float kMostSlant = 1.42F;
 constexpr float kNearestDrawnM = 0.01F;
@@ -38,45 +40,54 @@ HWY_INLINE Lanes biggest(Lanes a)
     return Lanes(hn::MaxOfLanes(Tag(), a.v));
 }
 
-int segmentsForAll(const StrandView& view, const StrandBlock& block)
+void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegments& segments)
 {
     constexpr std::size_t kRow = 3 * kMostLanes;
-    Lanes bend(0.0F);
-    Lanes turnSegments(0.0F);
+    std::array<float, kMostNodes> bendAt{}; // Samples, at each node.
+    float turnSegments = 0.0F;
     for (std::size_t lane = 0; lane < kMostLanes; lane += hn::Lanes(Tag())) {
         const float* nodes = block.nodesWo.data() + lane;
         const Yes there = loaded(block.width.data() + lane) > Lanes(0.0F);
-        Lanes nearest(1e9F);
-        Lanes square(0.0F);
-        for (int k = 0; k < block.nodes; ++k) {
-            const Triple<Lanes> here = loaded3(nodes + static_cast<std::size_t>(k) * kRow);
-            nearest = least(nearest, projected(view.projectionFromWo, here, 1.0F).z);
-            if (k == 0 || k + 1 == block.nodes)
-                continue;
-            const Triple<Lanes> second = loaded3(nodes + static_cast<std::size_t>(k - 1) * kRow) - here - here +
-                                         loaded3(nodes + static_cast<std::size_t>(k + 1) * kRow);
-            square = most(square, dot(second, second));
+        Triple<Lanes> before = loaded3(nodes);
+        Triple<Lanes> here = loaded3(nodes + kRow);
+        const auto perM = [&](const Triple<Lanes>& place) {
+            return Lanes(view.samplesPerM) /
+                   most(projected(view.projectionFromWo, place, 1.0F).z, Lanes(kNearestDrawnM));
+        };
+        for (int k = 1; k + 1 < block.nodes; ++k) {
+            const Triple<Lanes> after = loaded3(nodes + static_cast<std::size_t>(k + 1) * kRow);
+            const Triple<Lanes> second = before - here - here + after;
+            const Lanes bend = root(dot(second, second)) * perM(here);
+            float& most = bendAt.at(static_cast<std::size_t>(k));
+            most = std::max(most, hn::GetLane(biggest(select(there, bend, Lanes(0.0F))).v));
+            before = here;
+            here = after;
         }
-        const Lanes perM = Lanes(view.samplesPerM) / most(nearest, Lanes(kNearestDrawnM));
-        bend = most(bend, select(there, root(square) * perM, Lanes(0.0F)));
         if (block.anyFrame) {
             // The chord of an nth of a circle lies r (pi/n)^2 / 2 inside it.
-            const Lanes curl = root(loaded(block.curlRadiusM.data() + lane) * perM * Lanes(0.5F / view.toleranceSp));
-            Lanes wanted = loaded(block.turns.data() + lane) * clamped(curl * Lanes(3.1416F), 6.0F, 24.0F);
-            wanted = select(loaded(block.curlRadiusM.data() + lane) > Lanes(0.0F), wanted, Lanes(0.0F));
-            const Lanes braid = root(loaded(block.braidRadiusM.data() + lane) * perM * Lanes(0.5F / view.toleranceSp));
+            const Lanes scale = perM(before) * Lanes(0.5F / view.toleranceSp);
+            const Lanes curlR = loaded(block.curlRadiusM.data() + lane);
+            Lanes wanted =
+                loaded(block.turns.data() + lane) * clamped(root(curlR * scale) * Lanes(3.1416F), 4.0F, 24.0F);
+            wanted = select(curlR > Lanes(0.0F), wanted, Lanes(0.0F));
+            const Lanes braid = root(loaded(block.braidRadiusM.data() + lane) * scale);
             const Lanes plaited = loaded(block.braidTurns.data() + lane) *
                                   clamped(braid * Lanes(2.0F * 3.1416F), 16.0F, 48.0F) /
                                   most(Lanes(1.0F) - loaded(block.braidStart.data() + lane), Lanes(0.1F));
             wanted = most(wanted, select(loaded(block.braid.data() + lane) > Lanes(0.5F), plaited, Lanes(0.0F)));
-            turnSegments = most(turnSegments, select(there, wanted, Lanes(0.0F)));
+            turnSegments = std::max(turnSegments, hn::GetLane(biggest(select(there, wanted, Lanes(0.0F))).v));
         }
     }
-    // A span of a curve with second difference d lies d/8 beside its chord, a quarter of that with half of it.
-    const float perSpan = std::ceil(std::sqrt(hn::GetLane(biggest(bend).v) / (8.0F * view.toleranceSp)));
-    const float spans = static_cast<float>(block.nodes - 1) * std::clamp(perSpan, 1.0F, 16.0F);
-    const float wanted = std::max(spans, std::ceil(hn::GetLane(biggest(turnSegments).v)));
-    return static_cast<int>(std::min(wanted, static_cast<float>(kMostCurveSegments)));
+    const int spans = block.nodes - 1;
+    const float turnsOfSpan = std::ceil(turnSegments / static_cast<float>(spans));
+    segments.total = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(spans); ++k) {
+        // A span of a curve with second difference d lies d/8 beside its chord, a quarter of that with half of it.
+        const float bend = std::max(bendAt.at(k), bendAt.at(k + 1));
+        const float wanted = std::max(std::ceil(std::sqrt(bend / (8.0F * view.toleranceSp))), turnsOfSpan);
+        segments.of.at(k) = static_cast<int>(std::clamp(wanted, 1.0F, static_cast<float>(kMostOfSpan)));
+        segments.total += segments.of.at(k);
+    }
 }
 
 /// Square root of the linear colour in 10 bits.
@@ -85,13 +96,28 @@ HWY_INLINE Ints tenBits(Lanes linear)
     return hn::ConvertTo(IntTag(), (root(clamped(linear, 0.0F, 1.0F)) * Lanes(1023.0F) + Lanes(0.5F)).v);
 }
 
-void pointsOfLanes(const StrandView& view, const StrandBlock& block, int segments, std::size_t lane, StrandPoints& out)
+/// How much wider a hair is drawn where it stands for others: those that come late thin out to nothing, over a part of
+/// the others, so that none appears or goes at once.
+HWY_INLINE Lanes wideningOf(const StrandView& view, Lanes order, Lanes towardEye)
 {
+    if (view.deepFraction >= 1.0F)
+        return mixed(Lanes(1.0F / view.fraction), Lanes(1.0F), smoothStep(kHiddenFrom, kHiddenTo, towardEye));
+    const Lanes fraction = mixed(Lanes(view.fraction), Lanes(view.fraction * view.deepFraction),
+                                 smoothStep(kDeepFrom, kDeepTo, towardEye));
+    const Lanes kept = clamped((Lanes(1.0F + kFadingPart) - order / fraction) * Lanes(1.0F / kFadingPart), 0.0F, 1.0F);
+    return kept / least(fraction * Lanes(1.0F + 0.5F * kFadingPart), Lanes(1.0F));
+}
+
+void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanSegments& spans, std::size_t lane,
+                   StrandPoints& out)
+{
+    const int segments = spans.total;
     constexpr std::size_t kRow = 3 * kMostLanes;
     const IntTag di;
-    evaluateCurves(block, segments, lane, out.pointsWo.data());
+    evaluateCurves(block, spans, lane, out.pointsWo.data());
     const Lanes own = loaded(block.width.data() + lane) * Lanes(view.groupWidthM * view.samplesPerM);
     const Lanes variation = loaded(block.variation.data() + lane) * Lanes(view.variationScale);
+    const Lanes order = loaded(block.order.data() + lane);
     const Lanes lightness = exp2Of(variation * Lanes(3.0F));
     const auto colourOf = [&](const std::array<LaneRow, 3>& rows) {
         return Triple<Lanes>{linearFromSrgb(loaded(rows[0].data() + lane)),
@@ -120,7 +146,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, int segment
 
         const Lanes towardEye = opacityAt(view.opacity[1], view.gridSide, inGrid(view.gridFromWo[1], here, before));
         const Yes seen =
-            (clip.z > Lanes(kNearestDrawnM)) & (Lanes(kUndrawnCoverings) > towardEye) & (own > Lanes(0.0F));
+            (clip.z > Lanes(kNearestDrawnM)) & (Lanes(view.undrawnCoverings) > towardEye) & (own > Lanes(0.0F));
         if (!any(seen)) {
             stored(Lanes(0.0F), out.width.data() + row);
             hn::StoreU(hn::Zero(di), di, reinterpret_cast<std::int32_t*>(out.colour.data()) + row);
@@ -129,7 +155,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, int segment
             continue;
         }
         const Lanes towardLight = opacityAt(view.opacity[0], view.gridSide, inGrid(view.gridFromWo[0], here, before));
-        const float s = static_cast<float>(j) / static_cast<float>(segments);
+        const float s = out.fraction[static_cast<std::size_t>(j)];
         const Triple<Lanes> tangent = unit(next - last);
 
         // Thickness is measured across the walk's main direction, so slanted strands need more.
@@ -141,8 +167,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, int segment
         const Lanes slant = root((squareX + squareY) / most(most(squareX, squareY), Lanes(1e-20F)));
         const float alpha = view.rootAlpha + (view.tipAlpha - view.rootAlpha) * s * s;
         const Lanes ownWidth = own * perW;
-        // Hair that other hair hides needs no widening.
-        const Lanes widening = mixed(Lanes(view.widening), Lanes(1.0F), smoothStep(kHiddenFrom, kHiddenTo, towardEye));
+        const Lanes widening = wideningOf(view, order, towardEye);
         const Lanes width =
             least(ownWidth * widening * Lanes(alpha), Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
@@ -158,7 +183,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, int segment
     }
 }
 
-void pointsOfAll(const StrandView& view, const StrandBlock& block, int segments, StrandPoints& out)
+void pointsOfAll(const StrandView& view, const StrandBlock& block, const SpanSegments& segments, StrandPoints& out)
 {
     for (std::size_t lane = 0; lane < kMostLanes; lane += hn::Lanes(Tag()))
         pointsOfLanes(view, block, segments, lane, out);
@@ -175,22 +200,32 @@ HWY_EXPORT(pointsOfAll);
 
 void StrandPoints::resize(std::size_t points)
 {
-    if (x.size() >= points * kBlockLanes)
+    if (fraction.size() >= points)
         return;
     pointsWo.resize(points * 3 * kBlockLanes);
     for (std::vector<float>* row : {&x, &y, &depth, &width})
         row->resize(points * kBlockLanes);
     colour.resize(points * kBlockLanes);
+    fraction.resize(points);
 }
 
-int segmentsFor(const StrandView& view, const StrandBlock& block)
+SpanSegments segmentsFor(const StrandView& view, const StrandBlock& block)
 {
-    return HWY_DYNAMIC_DISPATCH(segmentsForAll)(view, block);
+    SpanSegments segments;
+    HWY_DYNAMIC_DISPATCH(segmentsForAll)(view, block, segments);
+    return segments;
 }
 
-void drawnPoints(const StrandView& view, const StrandBlock& block, int segments, StrandPoints& points)
+void drawnPoints(const StrandView& view, const StrandBlock& block, const SpanSegments& segments, StrandPoints& points)
 {
-    points.resize(static_cast<std::size_t>(segments) + 1);
+    points.resize(static_cast<std::size_t>(segments.total) + 1);
+    const float perSpan = 1.0F / static_cast<float>(block.nodes - 1);
+    std::size_t point = 0;
+    for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(block.nodes); ++k)
+        for (int j = 0; j < segments.of.at(k); ++j)
+            points.fraction[point++] =
+                (static_cast<float>(k) + static_cast<float>(j) / static_cast<float>(segments.of.at(k))) * perSpan;
+    points.fraction[point] = 1.0F;
     HWY_DYNAMIC_DISPATCH(pointsOfAll)(view, block, segments, points);
 }
 

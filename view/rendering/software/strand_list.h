@@ -16,7 +16,7 @@ class StrandList
 public:
     void update(const std::shared_ptr<const sim::Groom>& groom, float detail);
     [[nodiscard]] std::span<const std::uint32_t> slots() const { return m_slots; }
-    [[nodiscard]] const sim::Groom& groom() const { return *m_groom; }
+    [[nodiscard]] float detail() const { return m_detail; }
 
 private:
     std::shared_ptr<const sim::Groom> m_groom;

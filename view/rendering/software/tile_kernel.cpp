@@ -8,6 +8,7 @@
 #include "view/rendering/light/lanes_inl.h"
 #include <algorithm>
 #include <cmath>
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 #include <utility>
 
@@ -16,93 +17,221 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 
 /// Hair that lies flat dips into the skin here and there; it is shown all the same.
 constexpr float kSkinDepthM = 0.015F;
-constexpr float kOpaque = 0.004F; ///< Less that is left to see through is nothing.
+constexpr float kOpaque = 0.02F; ///< Less that is left to see through is nothing.
 
 /// Colour from 10 bits each, linear; the fourth is -1, so that adding it takes from what is left to see through.
 HWY_INLINE Quad colourOf(std::uint32_t bits)
 {
     constexpr std::uint32_t kMask = 0x3FFU;
     constexpr float kUnit = 1.0F / 1023.0F;
-    const float r = static_cast<float>(bits & kMask) * kUnit;
-    const float g = static_cast<float>((bits >> 10U) & kMask) * kUnit;
-    const float b = static_cast<float>((bits >> 20U) & kMask) * kUnit;
-    HWY_ALIGN const float values[4] = {r * r, g * g, b * b, -1.0F};
-    return quadOf(values);
+    HWY_ALIGN const float values[4] = {static_cast<float>(static_cast<std::int32_t>(bits & kMask)) * kUnit,
+                                       static_cast<float>(static_cast<std::int32_t>((bits >> 10U) & kMask)) * kUnit,
+                                       static_cast<float>(static_cast<std::int32_t>((bits >> 20U) & kMask)) * kUnit,
+                                       1.0F};
+    HWY_ALIGN static constexpr float kSigns[4] = {1.0F, 1.0F, 1.0F, -1.0F};
+    const Quad root = quadOf(values);
+    return root * root * quadOf(kSigns);
 }
 
-/// Walks a segment along its main direction; a sample gets as much of it as the strand covers, by a filter one sample
-/// wide and never narrower than a tent over two. Returns how many samples became opaque.
-template<bool kSteep, bool kHead>
-HWY_INLINE int layOne(const TileTask& task, const ScreenSegment& segment, const float* headDepth, float* light)
+/// A segment as it lies in the tile, along its main direction from the lower end on.
+struct Walk
 {
-    float main0 = (kSteep ? segment.y0 - static_cast<float>(task.y0) : segment.x0 - static_cast<float>(task.x0));
-    float main1 = (kSteep ? segment.y1 - static_cast<float>(task.y0) : segment.x1 - static_cast<float>(task.x0));
-    float across0 = (kSteep ? segment.x0 - static_cast<float>(task.x0) : segment.y0 - static_cast<float>(task.y0));
-    float across1 = (kSteep ? segment.x1 - static_cast<float>(task.x0) : segment.y1 - static_cast<float>(task.y0));
-    float width0 = static_cast<float>(segment.width0) * kWidthUnit;
-    float width1 = static_cast<float>(segment.width1) * kWidthUnit;
-    float depth0 = segment.depth0;
-    float depth1 = segment.depth1;
-    std::uint32_t bits0 = segment.colour0;
-    std::uint32_t bits1 = segment.colour1;
-    if (main0 > main1) {
-        std::swap(main0, main1);
-        std::swap(across0, across1);
-        std::swap(width0, width1);
-        std::swap(depth0, depth1);
-        std::swap(bits0, bits1);
-    }
-    const int mainEnd = kSteep ? task.height : task.width;
-    const int acrossEnd = kSteep ? task.width : task.height;
-    // Samples whose middle lies in main0..main1.
-    const auto cut = [](float place) { return static_cast<int>(std::clamp(place, -1.0F, 64.0F) + 1.5F) - 1; };
-    const int begin = std::max(cut(main0), 0);
-    const int end = std::min(cut(main1), mainEnd);
-    if (begin >= end)
-        return 0;
-    const float inverse = 1.0F / std::max(main1 - main0, 1e-6F);
-    const float slope = (across1 - across0) * inverse;
-    const float wider = (width1 - width0) * inverse;
-    const float deeper = (depth1 - depth0) * inverse;
-    const Quad colour0 = colourOf(bits0);
-    const Quad bluer = colourOf(bits1) - colour0;
-    int closed = 0;
-    for (int i = begin; i < end; ++i) {
-        const float along = static_cast<float>(i) + 0.5F - main0;
-        const float middle = across0 + slope * along;
-        const float width = width0 + wider * along;
-        const float solid = width > 1.0F ? width : 1.0F;
-        const float gain = width > 1.0F ? 1.0F : width;
-        const float half = (solid + 1.0F) * 0.5F;
-        if (!(middle + half > 0.0F && middle - half < static_cast<float>(kTileSp)))
-            continue;
-        int first = static_cast<int>(middle - half + 64.5F) - 64;
-        int last = static_cast<int>(middle + half + 64.5F) - 64;
-        first = first > 0 ? first : 0;
-        last = last < acrossEnd ? last : acrossEnd;
-        for (int k = first; k < last; ++k) {
-            const int at = kSteep ? i * kTileSp + k : k * kTileSp + i;
-            float* sample = light + 4 * static_cast<std::ptrdiff_t>(at);
-            const float left = sample[3];
-            if (left < kOpaque)
-                continue;
-            const float aside = std::abs(static_cast<float>(k) + 0.5F - middle);
-            const float reach = half - aside;
-            float cover = gain * (reach < 1.0F ? (reach > 0.0F ? reach : 0.0F) : 1.0F);
-            if constexpr (kHead) {
-                if (depth0 + deeper * along > headDepth[at]) {
-                    const std::size_t head = static_cast<std::size_t>(kSteep ? i : k) * task.headStride +
-                                             static_cast<std::size_t>(kSteep ? k : i);
-                    cover *= 1.0F - static_cast<float>(task.head[head].cover) * (1.0F / 65535.0F);
-                }
-            }
-            const float weight = cover * left;
-            const Quad colour = colour0 + bluer * quadOf(along * inverse);
-            stored(quadOf(sample) + colour * quadOf(weight), sample);
-            closed += left - weight < kOpaque ? 1 : 0;
+    float main0, main1, across0, across1, width0, width1, depth0, depth1;
+    std::uint32_t bits0, bits1;
+};
+
+template<bool kSteep>
+HWY_INLINE Walk walkOf(const TileTask& task, const ScreenSegment& segment)
+{
+    const auto x = static_cast<float>(task.x0);
+    const auto y = static_cast<float>(task.y0);
+    const float m0 = kSteep ? segment.y0 - y : segment.x0 - x;
+    const float m1 = kSteep ? segment.y1 - y : segment.x1 - x;
+    const float a0 = kSteep ? segment.x0 - x : segment.y0 - y;
+    const float a1 = kSteep ? segment.x1 - x : segment.y1 - y;
+    const float w0 = static_cast<float>(segment.width0) * kWidthUnit;
+    const float w1 = static_cast<float>(segment.width1) * kWidthUnit;
+    if (m0 > m1)
+        return {m1,
+                m0,
+                a1,
+                a0,
+                w1,
+                w0,
+                static_cast<float>(segment.depth1),
+                static_cast<float>(segment.depth0),
+                segment.colour1,
+                segment.colour0};
+    return {m0,
+            m1,
+            a0,
+            a1,
+            w0,
+            w1,
+            static_cast<float>(segment.depth0),
+            static_cast<float>(segment.depth1),
+            segment.colour0,
+            segment.colour1};
+}
+
+/// What layOne() works on.
+struct Canvas
+{
+    const TileTask& task;
+    TileSamples& samples;
+    int open; ///< Samples of the tile that are not opaque yet.
+};
+
+/// A sample has just become opaque.
+HWY_INLINE void close(Canvas& canvas, int x, int y)
+{
+    --canvas.open;
+    --canvas.samples.open[static_cast<std::size_t>(y / kCellSp)][static_cast<std::size_t>(x / kCellSp)];
+}
+
+/// Part of a strand's cover that counts where the head may lie in front.
+HWY_INLINE float coverBeforeHead(const Canvas& canvas, int x, int y, float depth, float cover)
+{
+    if (depth <= canvas.samples.headDepth[static_cast<std::size_t>(inTile(x, y))])
+        return cover;
+    if (x < 0 || y < 0 || x >= canvas.task.width || y >= canvas.task.height)
+        return 0.0F;
+    const std::size_t at = static_cast<std::size_t>(y) * canvas.task.headStride + static_cast<std::size_t>(x);
+    return cover * (1.0F - static_cast<float>(canvas.task.head[at].cover) * (1.0F / 65535.0F));
+}
+
+/// What a walk's values are at a place along its main direction, and how they go on from sample to sample.
+struct Pace
+{
+    float middle, width, depth;
+    Quad colour;
+};
+
+/// Whether all cells that the walk may touch between two places along its main direction are opaque.
+template<bool kSteep>
+HWY_INLINE bool isClosed(const Canvas& canvas, int cell, float from, float to, float reach)
+{
+    const float low = std::min(from, to) - reach;
+    const float high = std::max(from, to) + reach;
+    if (!(high > 0.0F && low < static_cast<float>(kTileSp)))
+        return true;
+    const int first = std::max(static_cast<int>(low), 0) / kCellSp;
+    const int last = std::min(static_cast<int>(high), kTileSp - 1) / kCellSp;
+    for (int c = first; c <= last; ++c)
+        if (canvas.samples
+                .open[static_cast<std::size_t>(kSteep ? cell : c)][static_cast<std::size_t>(kSteep ? c : cell)] != 0)
+            return false;
+    return true;
+}
+
+/// One step of a strand that is thinner than a sample: a tent over the two that are nearest.
+template<bool kSteep, bool kHead>
+HWY_INLINE void layThin(Canvas& canvas, int i, const Pace& at)
+{
+    constexpr int kNext = kSteep ? 1 : kTileRow; // To the second of the two.
+    const int k = static_cast<int>(at.middle + 64.5F) - 65;
+    if (static_cast<unsigned>(k + 1) > static_cast<unsigned>(kTileSp))
+        return;
+    const int index = kSteep ? inTile(k, i) : inTile(i, k);
+    float* first = canvas.samples.light.data() + 4 * static_cast<std::ptrdiff_t>(index);
+    float* second = first + 4 * static_cast<std::ptrdiff_t>(kNext);
+    const float left0 = first[3];
+    const float left1 = second[3];
+    if (left0 + left1 < kOpaque)
+        return;
+    float cover1 = at.width * (at.middle - 0.5F - static_cast<float>(k));
+    float cover0 = at.width - cover1;
+    if constexpr (kHead) {
+        const float* depths = canvas.samples.headDepth.data() + index;
+        if (at.depth > std::min(depths[0], depths[kNext])) {
+            const int x = kSteep ? k : i;
+            const int y = kSteep ? i : k;
+            cover0 = coverBeforeHead(canvas, x, y, at.depth, cover0);
+            cover1 = coverBeforeHead(canvas, x + (kSteep ? 1 : 0), y + (kSteep ? 0 : 1), at.depth, cover1);
         }
     }
-    return closed;
+    const float weight0 = cover0 * left0;
+    const float weight1 = cover1 * left1;
+    stored(quadOf(first) + at.colour * quadOf(weight0), first);
+    stored(quadOf(second) + at.colour * quadOf(weight1), second);
+    if (HWY_UNLIKELY(std::min(left0 - weight0, left1 - weight1) < kOpaque)) {
+        const int x = kSteep ? k : i;
+        const int y = kSteep ? i : k;
+        if (left0 >= kOpaque && left0 - weight0 < kOpaque)
+            close(canvas, x, y);
+        if (left1 >= kOpaque && left1 - weight1 < kOpaque)
+            close(canvas, x + (kSteep ? 1 : 0), y + (kSteep ? 0 : 1));
+    }
+}
+
+/// One step of any strand: its cover by a filter one sample wide.
+template<bool kSteep, bool kHead>
+HWY_INLINE void layWide(Canvas& canvas, int i, const Pace& at)
+{
+    const float gain = std::min(at.width, 1.0F);
+    const float half = (std::max(at.width, 1.0F) + 1.0F) * 0.5F;
+    const int first = static_cast<int>(std::clamp(at.middle - half, 0.0F, 64.0F) + 0.5F);
+    const int last = static_cast<int>(std::clamp(at.middle + half, 0.0F, static_cast<float>(kTileSp)) + 0.5F);
+    for (int k = first; k < std::min(last, kTileSp); ++k) {
+        const int x = kSteep ? k : i;
+        const int y = kSteep ? i : k;
+        float* sample = canvas.samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(x, y));
+        const float left = sample[3];
+        if (left < kOpaque)
+            continue;
+        float cover = gain * std::clamp(half - std::abs(static_cast<float>(k) + 0.5F - at.middle), 0.0F, 1.0F);
+        if constexpr (kHead)
+            cover = coverBeforeHead(canvas, x, y, at.depth, cover);
+        const float weight = cover * left;
+        stored(quadOf(sample) + at.colour * quadOf(weight), sample);
+        if (left - weight < kOpaque)
+            close(canvas, x, y);
+    }
+}
+
+/// Walks a segment; a sample gets as much of it as the strand covers. Cells that are opaque already are stepped over.
+template<bool kSteep, bool kHead>
+HWY_INLINE void layOne(Canvas& canvas, const ScreenSegment& segment)
+{
+    const Walk walk = walkOf<kSteep>(canvas.task, segment);
+    const int mainEnd = kSteep ? canvas.task.height : canvas.task.width;
+    // Samples whose middle lies in main0..main1.
+    const auto cut = [](float place) { return static_cast<int>(std::clamp(place, -1.0F, 64.0F) + 1.5F) - 1; };
+    const int begin = std::max(cut(walk.main0), 0);
+    const int end = std::min(cut(walk.main1), mainEnd);
+    if (begin >= end)
+        return;
+    const float inverse = 1.0F / std::max(walk.main1 - walk.main0, 1e-6F);
+    const Quad colour0 = colourOf(walk.bits0);
+    const Pace step{.middle = (walk.across1 - walk.across0) * inverse,
+                    .width = (walk.width1 - walk.width0) * inverse,
+                    .depth = (walk.depth1 - walk.depth0) * inverse,
+                    .colour = (colourOf(walk.bits1) - colour0) * quadOf(inverse)};
+    const float widest = std::max(walk.width0, walk.width1);
+    const bool thin = widest <= 1.0F;
+    const float reach = (std::max(widest, 1.0F) + 1.0F) * 0.5F;
+    for (int chunk = begin; chunk < end;) {
+        const int cell = chunk / kCellSp;
+        const int chunkEnd = std::min((cell + 1) * kCellSp, end);
+        const float along = static_cast<float>(chunk) + 0.5F - walk.main0;
+        Pace at{.middle = walk.across0 + step.middle * along,
+                .width = walk.width0 + step.width * along,
+                .depth = walk.depth0 + step.depth * along,
+                .colour = colour0 + step.colour * quadOf(along)};
+        const float last = at.middle + step.middle * static_cast<float>(chunkEnd - 1 - chunk);
+        if (!isClosed<kSteep>(canvas, cell, at.middle, last, reach))
+            for (int i = chunk; i < chunkEnd; ++i) {
+                if (thin)
+                    layThin<kSteep, kHead>(canvas, i, at);
+                else
+                    layWide<kSteep, kHead>(canvas, i, at);
+                at.middle += step.middle;
+                at.width += step.width;
+                at.depth += step.depth;
+                at.colour = at.colour + step.colour;
+            }
+        chunk = chunkEnd;
+    }
 }
 
 /// Sorts by depth, equals in the order in which they came.
@@ -130,40 +259,52 @@ void sortByDepth(TileSamples& samples)
         samples.sorted[samples.buckets[(entry.depth - nearest) >> shift]++] = entry;
 }
 
-void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
+void clearTile(const TileTask& task, TileSamples& samples)
 {
     HWY_ALIGN const float clear[4] = {0.0F, 0.0F, 0.0F, 1.0F};
-    const Quad nothing = quadOf(clear);
-    for (std::size_t i = 0; i < samples.light.size(); i += 4)
-        stored(nothing, samples.light.data() + i);
+    std::ranges::fill(samples.light, 0.0F); // Around the tile nothing can be seen through.
+    for (auto& row : samples.open)
+        row.fill(0);
+    for (int y = 0; y < task.height; ++y) {
+        for (int x = 0; x < task.width; ++x)
+            stored(quadOf(clear), samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(x, y)));
+        for (int x = 0; x < task.width; x += kCellSp)
+            samples.open[static_cast<std::size_t>(y / kCellSp)][static_cast<std::size_t>(x / kCellSp)] +=
+                std::min(kCellSp, task.width - x);
+    }
+}
+
+void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
+{
+    clearTile(task, samples);
     if (samples.entries.empty())
         return;
     sortByDepth(samples);
     float nearestHead = 1e9F;
-    if (task.anyHead)
+    if (task.anyHead) {
+        samples.headDepth.fill(1e9F);
         for (int y = 0; y < task.height; ++y)
             for (int x = 0; x < task.width; ++x) {
                 const float distanceM =
                     task.headDistanceM[static_cast<std::size_t>(y) * task.headStride + static_cast<std::size_t>(x)];
                 const float depth = (distanceM + kSkinDepthM - task.nearestM) * task.depthsPerM;
-                samples.headDepth.at(static_cast<std::size_t>(y * kTileSp + x)) = depth;
+                samples.headDepth.at(static_cast<std::size_t>(inTile(x, y))) = depth;
                 nearestHead = std::min(nearestHead, depth);
             }
-    int open = task.width * task.height;
-    for (const TileEntry& entry : samples.sorted) {
+    }
+    Canvas canvas{.task = task, .samples = samples, .open = task.width * task.height};
+    constexpr std::size_t kAhead = 8;
+    for (std::size_t i = 0; i < samples.sorted.size() && canvas.open > 0; ++i) {
+        const TileEntry& ahead = samples.sorted[std::min(i + kAhead, samples.sorted.size() - 1)];
+        hwy::Prefetch(&segments[ahead.batch][ahead.segment]);
+        const TileEntry& entry = samples.sorted[i];
         const ScreenSegment& segment = segments[entry.batch][entry.segment];
         const bool steep = std::abs(segment.y1 - segment.y0) > std::abs(segment.x1 - segment.x0);
         const bool head = static_cast<float>(std::max(segment.depth0, segment.depth1)) > nearestHead;
-        float* light = samples.light.data();
-        const float* headDepth = samples.headDepth.data();
         if (head)
-            open -= steep ? layOne<true, true>(task, segment, headDepth, light)
-                          : layOne<false, true>(task, segment, headDepth, light);
+            steep ? layOne<true, true>(canvas, segment) : layOne<false, true>(canvas, segment);
         else
-            open -= steep ? layOne<true, false>(task, segment, headDepth, light)
-                          : layOne<false, false>(task, segment, headDepth, light);
-        if (open <= 0)
-            break;
+            steep ? layOne<true, false>(canvas, segment) : layOne<false, false>(canvas, segment);
     }
 }
 
@@ -182,6 +323,9 @@ HWY_INLINE Quad sampleOf(const float* light, const HeadSample* head, float shade
         const float cover = static_cast<float>(head->cover) * kUnit;
         behind = background + (quadOf(skin) - background) * quadOf(cover);
     }
+    // What is opaque shows nothing behind; what it lacks is the hair's own.
+    if (light[3] < kOpaque)
+        return quadOf(light) * quadOf(1.0F / (1.0F - light[3]));
     return quadOf(light) + behind * quadOf(light[3]);
 }
 
@@ -233,7 +377,7 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
             Quad sum = quadOf(0.0F);
             for (int sy = py * resolve.samplesY; sy < (py + 1) * resolve.samplesY; ++sy)
                 for (int sx = px * resolve.samplesX; sx < (px + 1) * resolve.samplesX; ++sx) {
-                    const float* light = samples.light.data() + 4 * static_cast<std::ptrdiff_t>(sy * kTileSp + sx);
+                    const float* light = samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(sx, sy));
                     const HeadSample* head = nullptr;
                     if (task.anyHead) {
                         head =

@@ -19,15 +19,26 @@ struct HeadSample
     std::uint16_t cover = 0; ///< How much of the sample it covers.
 };
 
-/// Samples of a tile; rows of kTileSp from the lowest on. Kept by each thread.
+inline constexpr int kTileRow = kTileSp + 2; ///< A tile's samples with one more around it, which is never seen.
+inline constexpr int kCellSp = 8;            ///< Samples across a cell of a tile.
+inline constexpr int kCells = kTileSp / kCellSp;
+
+/// Where a sample of the tile is.
+[[nodiscard]] constexpr int inTile(int x, int y)
+{
+    return (y + 1) * kTileRow + x + 1;
+}
+
+/// Samples of a tile; rows of kTileRow from the lowest on. Kept by each thread.
 struct TileSamples
 {
     /// Linear light of hair so far, and what is left to see through.
-    alignas(64) std::array<float, 4UL * kTileSp * kTileSp> light;
+    alignas(64) std::array<float, 4UL * kTileRow * kTileRow> light;
+    std::array<std::array<int, kCells>, kCells> open; ///< Samples of a cell that are not opaque yet, by row.
     std::vector<TileEntry> entries;
     std::vector<TileEntry> sorted;
     std::array<std::uint32_t, 2048> buckets;
-    std::array<float, 1UL * kTileSp * kTileSp> headDepth; ///< As segments have it, behind the skin.
+    std::array<float, 1UL * kTileRow * kTileRow> headDepth; ///< As segments have it, behind the skin.
 };
 
 struct TileTask
