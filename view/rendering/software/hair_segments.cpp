@@ -44,7 +44,7 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
 }
 
 /// Thinner hairs are drawn by fewer, as much wider ones while the picture moves, samples.
-constexpr float kThinnestDrawn = 0.3F;
+constexpr float kThinnestDrawn = 0.4F;
 
 /// The fraction of a group's hairs that are wide enough to be told apart, each on its own.
 float fractionThatTells(const sim::StrandMaterial& material, const FrameConstants& constants)
@@ -173,8 +173,8 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .variationScale = material.colourVariation,
                       .nearestM = m_nearestM,
                       .depthsPerM = m_depthsPerM,
-                      .toleranceSp = fine ? 0.2F : 0.4F,
-                      .undrawnCoverings = fine ? 10.0F : 7.0F,
+                      .toleranceSp = fine ? 0.2F : 0.5F,
+                      .undrawnCoverings = fine ? 10.0F : 5.5F,
                       .deepFraction = fine ? 1.0F : 0.25F,
                       .lighting = {.eyeWo = glm::vec3(constants.eyeWo),
                                    .lightWo = glm::vec3(constants.lightWo),

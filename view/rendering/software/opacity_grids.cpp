@@ -10,7 +10,7 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr float kVoxelAreaM2 = 1e-9F;       ///< Hair's area that one unit of a voxel stands for.
-constexpr std::size_t kSplatStrands = 8192; ///< About as many are enough for a smooth grid.
+constexpr std::size_t kSplatStrands = 6144; ///< About as many are enough for a smooth grid.
 constexpr std::size_t kVoxelsOfGrid = static_cast<std::size_t>(kGridSide) * kGridSide * kGridSide;
 
 std::uint32_t hashOf(std::uint32_t x)

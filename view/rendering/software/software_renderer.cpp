@@ -19,6 +19,8 @@ namespace {
 constexpr int kMostSide = 8192;
 constexpr std::size_t kBatchesAStep = 4;
 constexpr std::size_t kTilesAStep = 64;
+constexpr float kCoarseOpaque = 0.04F; ///< What is left to see through then is nothing.
+constexpr float kFineOpaque = 0.01F;
 constexpr int kCoarseShadeCell = 4; ///< Pixels.
 constexpr int kFineShadeCell = 2;   ///< Of pictures with several samples a pixel.
 
@@ -154,6 +156,7 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
     const std::size_t corner = static_cast<std::size_t>(task.y0) * task.headStride + static_cast<std::size_t>(task.x0);
     task.headDistanceM = head.distancesM().data() + corner;
     task.head = head.samples().data() + corner;
+    task.opaque = picture.target.samples.x > 1 ? kFineOpaque : kCoarseOpaque;
     task.nearestM = hair.nearestM();
     task.depthsPerM = hair.depthsPerM();
     samples.entries.clear();

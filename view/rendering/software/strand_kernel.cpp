@@ -18,8 +18,8 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 /// Coverings of hair in front, seen by the eye: from where on strands stay as thin as they are.
 constexpr float kHiddenFrom = 3.0F;
 constexpr float kHiddenTo = 10.0F;
-constexpr float kDeepFrom = 0.7F; ///< Coverings: from where on fewer hairs are drawn for all, and as few as may be.
-constexpr float kDeepTo = 2.5F;
+constexpr float kDeepFrom = 0.3F; ///< Coverings: from where on fewer hairs are drawn for all, and as few as may be.
+constexpr float kDeepTo = 1.6F;
 constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
 constexpr float kMostSlant = 1.42F;
 constexpr float kNearestDrawnM = 0.01F;
@@ -79,7 +79,7 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
         }
     }
     const int spans = block.nodes - 1;
-    const float turnsOfSpan = std::ceil(turnSegments / static_cast<float>(spans));
+    const float turnsOfSpan = std::floor(turnSegments / static_cast<float>(spans) + 0.6F);
     segments.total = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(spans); ++k) {
         // A span of a curve with second difference d lies d/8 beside its chord, a quarter of that with half of it.

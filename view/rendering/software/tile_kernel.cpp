@@ -17,7 +17,6 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 
 /// Hair that lies flat dips into the skin here and there; it is shown all the same.
 constexpr float kSkinDepthM = 0.015F;
-constexpr float kOpaque = 0.02F; ///< Less that is left to see through is nothing.
 
 /// Colour from 10 bits each, linear; the fourth is -1, so that adding it takes from what is left to see through.
 HWY_INLINE Quad colourOf(std::uint32_t bits)
@@ -137,7 +136,7 @@ HWY_INLINE void layThin(Canvas& canvas, int i, const Pace& at)
     float* second = first + 4 * static_cast<std::ptrdiff_t>(kNext);
     const float left0 = first[3];
     const float left1 = second[3];
-    if (left0 + left1 < kOpaque)
+    if (left0 + left1 < canvas.task.opaque)
         return;
     float cover1 = at.width * (at.middle - 0.5F - static_cast<float>(k));
     float cover0 = at.width - cover1;
@@ -154,12 +153,12 @@ HWY_INLINE void layThin(Canvas& canvas, int i, const Pace& at)
     const float weight1 = cover1 * left1;
     stored(quadOf(first) + at.colour * quadOf(weight0), first);
     stored(quadOf(second) + at.colour * quadOf(weight1), second);
-    if (HWY_UNLIKELY(std::min(left0 - weight0, left1 - weight1) < kOpaque)) {
+    if (HWY_UNLIKELY(std::min(left0 - weight0, left1 - weight1) < canvas.task.opaque)) {
         const int x = kSteep ? k : i;
         const int y = kSteep ? i : k;
-        if (left0 >= kOpaque && left0 - weight0 < kOpaque)
+        if (left0 >= canvas.task.opaque && left0 - weight0 < canvas.task.opaque)
             close(canvas, x, y);
-        if (left1 >= kOpaque && left1 - weight1 < kOpaque)
+        if (left1 >= canvas.task.opaque && left1 - weight1 < canvas.task.opaque)
             close(canvas, x + (kSteep ? 1 : 0), y + (kSteep ? 0 : 1));
     }
 }
@@ -177,14 +176,14 @@ HWY_INLINE void layWide(Canvas& canvas, int i, const Pace& at)
         const int y = kSteep ? i : k;
         float* sample = canvas.samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(x, y));
         const float left = sample[3];
-        if (left < kOpaque)
+        if (left < canvas.task.opaque)
             continue;
         float cover = gain * std::clamp(half - std::abs(static_cast<float>(k) + 0.5F - at.middle), 0.0F, 1.0F);
         if constexpr (kHead)
             cover = coverBeforeHead(canvas, x, y, at.depth, cover);
         const float weight = cover * left;
         stored(quadOf(sample) + at.colour * quadOf(weight), sample);
-        if (left - weight < kOpaque)
+        if (left - weight < canvas.task.opaque)
             close(canvas, x, y);
     }
 }
@@ -309,7 +308,7 @@ void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
 }
 
 /// Of one sample, linear, with what lies behind the hair.
-HWY_INLINE Quad sampleOf(const float* light, const HeadSample* head, float shade, Quad background)
+HWY_INLINE Quad sampleOf(const float* light, const HeadSample* head, float shade, Quad background, float opaque)
 {
     Quad behind = background;
     if (head != nullptr && head->cover > 0) {
@@ -324,7 +323,7 @@ HWY_INLINE Quad sampleOf(const float* light, const HeadSample* head, float shade
         behind = background + (quadOf(skin) - background) * quadOf(cover);
     }
     // What is opaque shows nothing behind; what it lacks is the hair's own.
-    if (light[3] < kOpaque)
+    if (light[3] < opaque)
         return quadOf(light) * quadOf(1.0F / (1.0F - light[3]));
     return quadOf(light) + behind * quadOf(light[3]);
 }
@@ -356,8 +355,24 @@ HWY_INLINE float shadeAt(const ResolveTask& resolve, int x, int y)
     return low + (high - low) * fy;
 }
 
+/// Encoded sRGB of the square root of a linear colour.
+struct SrgbTable
+{
+    static constexpr int kSteps = 4095;
+    std::array<std::uint8_t, kSteps + 1> bytes;
+    SrgbTable()
+    {
+        for (int i = 0; i <= kSteps; ++i) {
+            const float root = static_cast<float>(i) * (1.0F / kSteps);
+            bytes.at(static_cast<std::size_t>(i)) =
+                static_cast<std::uint8_t>(least(fastSrgb(root * root), 1.0F) * 255.0F + 0.5F);
+        }
+    }
+};
+
 void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamples& samples, std::uint8_t* pixels)
 {
+    static const SrgbTable table;
     const float perPixel = 1.0F / static_cast<float>(resolve.samplesX * resolve.samplesY);
     for (int py = 0; py < task.height / resolve.samplesY; ++py) {
         const int row = resolve.firstPixelY + py;
@@ -387,7 +402,7 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
                         bare = bare && head->cover == 0;
                     }
                     bare = bare && light[3] == 1.0F;
-                    sum = sum + sampleOf(light, head, shade, background);
+                    sum = sum + sampleOf(light, head, shade, background, task.opaque);
                 }
             if (bare) {
                 out[0] = byte(srgb.x);
@@ -396,19 +411,12 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
                 out[3] = 255;
                 continue;
             }
-            const Quad c = most(least(sum * quadOf(perPixel), quadOf(1.0F)), quadOf(0.0F));
-            // As fastSrgb.
-            const Quad s1 = root(c);
-            const Quad s2 = root(s1);
-            const Quad s3 = root(s2);
-            const Quad curve = s1 * quadOf(0.662002687F) + s2 * quadOf(0.684122060F) - s3 * quadOf(0.323583601F) -
-                               c * quadOf(0.0225411470F);
-            const Quad encoded = least(most(curve, least(c, quadOf(0.0031F)) * quadOf(12.92F)), quadOf(1.0F));
+            // The square root spreads dark tones, so that a table tells neighbouring bytes apart.
+            const Quad shown = root(most(least(sum * quadOf(perPixel), quadOf(1.0F)), quadOf(0.0F)));
             HWY_ALIGN float result[4];
-            stored(encoded, result);
-            out[0] = byte(result[0]);
-            out[1] = byte(result[1]);
-            out[2] = byte(result[2]);
+            stored(shown * quadOf(static_cast<float>(SrgbTable::kSteps)) + quadOf(0.5F), result);
+            for (int c = 0; c < 3; ++c)
+                out[c] = table.bytes[static_cast<std::size_t>(static_cast<std::int32_t>(result[c]))];
             out[3] = 255;
         }
     }

@@ -51,6 +51,7 @@ struct TileTask
     const float* headDistanceM = nullptr; ///< Of the corner; huge where there is no head.
     const HeadSample* head = nullptr;     ///< Of the corner.
     std::size_t headStride = 0;           ///< From a row to the one above.
+    float opaque = 0.02F;                 ///< Less that is left to see through is nothing.
     float nearestM = 0.0F;                ///< Where the segments' depths begin;
     float depthsPerM = 0.0F;
 };
