@@ -23,8 +23,8 @@ void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int se
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const std::size_t a = row + lane;
             const std::size_t b = a + kBlockLanes;
-            const float w0 = points.width[a] / kWidthUnit;
-            const float w1 = points.width[b] / kWidthUnit;
+            const float w0 = points.width[a] * (1.0F / kWidthUnit);
+            const float w1 = points.width[b] * (1.0F / kWidthUnit);
             if (std::max(w0, w1) < kLeastUnits)
                 continue;
             const float x0 = points.x[a];
@@ -46,8 +46,8 @@ void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int se
                                .y1 = y1,
                                .depth0 = static_cast<std::uint16_t>(points.depth[a]),
                                .depth1 = static_cast<std::uint16_t>(points.depth[b]),
-                               .width0 = static_cast<std::uint16_t>(std::min(w0, kMostUnits)),
-                               .width1 = static_cast<std::uint16_t>(std::min(w1, kMostUnits)),
+                               .width0 = static_cast<std::uint16_t>(std::min(w0 + 0.5F, kMostUnits)),
+                               .width1 = static_cast<std::uint16_t>(std::min(w1 + 0.5F, kMostUnits)),
                                .colour0 = colour0,
                                .colour1 = colour1});
         }

@@ -9,7 +9,7 @@
 namespace hairpaint::rendering {
 
 inline constexpr int kTileSp = 32;                  ///< Samples across a tile.
-inline constexpr float kWidthUnit = 1.0F / 1024.0F; ///< Samples that a unit of a segment's width stands for.
+inline constexpr float kWidthUnit = 1.0F / 1900.0F; ///< Samples that a unit of a segment's width stands for.
 
 /// From one point of a strand to the next. Samples; x right, y up.
 struct ScreenSegment
