@@ -174,7 +174,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .nearestM = m_nearestM,
                       .depthsPerM = m_depthsPerM,
                       .toleranceSp = fine ? 0.2F : 0.5F,
-                      .undrawnCoverings = fine ? 10.0F : 5.5F,
+                      .undrawnCoverings = fine ? 16.0F : 5.5F,
                       .deepFraction = fine ? 1.0F : 0.25F,
                       .lighting = {.eyeWo = glm::vec3(constants.eyeWo),
                                    .lightWo = glm::vec3(constants.lightWo),
