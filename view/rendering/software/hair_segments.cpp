@@ -144,7 +144,8 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         if (!group.groom || !group.groom->visible || group.groom->packedChunks == 0)
             continue;
         StrandList& list = m_lists[group.groom->groupId];
-        const float fraction = fine ? detail : detail * fractionThatTells(group.groom->settings.material, constants);
+        const float fraction =
+            fine ? detail : std::min(detail, fractionThatTells(group.groom->settings.material, constants));
         list.update(group.groom, fine ? detail : listedDetail(fraction));
         if (list.slots().empty())
             continue;
