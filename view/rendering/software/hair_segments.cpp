@@ -59,7 +59,7 @@ float fractionThatTells(const sim::StrandMaterial& material, const FrameConstant
 /// In steps, so that lists are not made anew whenever the camera moves a little.
 float listedDetail(float fraction)
 {
-    constexpr float kStep = 1.189207F; // Four an octave.
+    constexpr float kStep = 1.0905077F; // Eight an octave.
     float listed = 1.0F;
     while (listed > fraction * (1.0F + kFadingPart) * kStep)
         listed /= kStep;
@@ -176,7 +176,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .depthsPerM = m_depthsPerM,
                       .toleranceSp = fine ? 0.2F : 0.5F,
                       .undrawnCoverings = fine ? 16.0F : 5.5F,
-                      .deepFraction = fine ? 1.0F : 0.25F,
+                      .deepFraction = fine ? 1.0F : 0.4F,
                       .lighting = {.eyeWo = glm::vec3(constants.eyeWo),
                                    .lightWo = glm::vec3(constants.lightWo),
                                    .lightColour = glm::vec3(constants.lightColour),

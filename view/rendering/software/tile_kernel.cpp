@@ -136,7 +136,7 @@ HWY_INLINE void layThin(Canvas& canvas, int i, const Pace& at)
     float* second = first + 4 * static_cast<std::ptrdiff_t>(kNext);
     const float left0 = first[3];
     const float left1 = second[3];
-    if (left0 + left1 < canvas.task.opaque)
+    if (std::max(left0, left1) < canvas.task.opaque)
         return;
     float cover1 = at.width * (at.middle - 0.5F - static_cast<float>(k));
     float cover0 = at.width - cover1;
