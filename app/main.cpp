@@ -3,6 +3,7 @@
 #include "app/languages.h"
 #include "app/library.h"
 #include "app/main_window.h"
+#include "app/recovery/termination.h"
 #include "app/settings.h"
 #include "model/files/sentences.h"
 #include "view/head_view.h"
@@ -30,13 +31,13 @@ void describeApplication()
     QCoreApplication::setApplicationVersion(QStringLiteral(HAIRPAINT_VERSION));
 }
 
-void printHelp()
+ExitCode printHelp()
 {
     QString text = CommandLine::tr("hairpaint [PROJECT]\n    opens the editor") + QLatin1Char('\n');
     for (const Command& command : hairpaint::app::commands())
         text += hairpaint::app::helpOf(command, false);
     text += CommandLine::tr("hairpaint COMMAND --help\n    tells what each option does") + QLatin1Char('\n');
-    hairpaint::app::printOut(text);
+    return hairpaint::app::printOut(text);
 }
 
 /// The program as it was called, for sentences that tell what to type.
@@ -64,12 +65,11 @@ int runCommandLine(int argc, char** argv)
     if (const Command* command = hairpaint::app::findCommand(first))
         return static_cast<int>(run(*command, arguments.mid(2)));
     if (first == QLatin1String("--version")) {
-        hairpaint::app::printOut(QStringLiteral("Hair Paint %1\n").arg(QCoreApplication::applicationVersion()));
-        return 0;
+        return static_cast<int>(
+            hairpaint::app::printOut(QStringLiteral("Hair Paint %1\n").arg(QCoreApplication::applicationVersion())));
     }
     if (first == QLatin1String("--help") || first == QLatin1String("-h")) {
-        printHelp();
-        return 0;
+        return static_cast<int>(printHelp());
     }
     (void)hairpaint::app::failed(
         {CommandLine::tr("There is no option %1; %2 --help lists those there are.").arg(first, calledAs())});
@@ -135,9 +135,19 @@ int runEditor(int argc, char** argv)
     hairpaint::app::MainWindow window(std::move(project), path);
     logFirstHair(window, sinceStart);
     window.show();
-    if (arguments.size() > 1)
-        QMetaObject::invokeMethod(
-            &window, [&window, file = arguments.at(1)] { window.openFile(file); }, Qt::QueuedConnection);
+    const hairpaint::app::Termination termination;
+    QObject::connect(&termination, &hairpaint::app::Termination::wanted, &window, [&window] {
+        window.keepWork();
+        QCoreApplication::exit();
+    });
+    QMetaObject::invokeMethod(
+        &window,
+        [&window, file = arguments.value(1)] {
+            window.offerUnsavedWork();
+            if (!file.isEmpty())
+                window.openFile(file);
+        },
+        Qt::QueuedConnection);
     return QApplication::exec();
 }
 

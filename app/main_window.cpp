@@ -13,6 +13,7 @@
 #include "app/menus/tools_menu.h"
 #include "app/menus/view_menu.h"
 #include "app/picture.h"
+#include "app/recovery/recovery.h"
 #include "app/style_strip_controller.h"
 #include "app/workspace.h"
 #include "view/head_view.h"
@@ -60,8 +61,9 @@ ProjectFiles::Picture thumbnailOf(rendering::Scene scene)
 
 MainWindow::MainWindow(model::Project project, const QString& path, QWidget* parent)
     : QMainWindow(parent), m_session(std::move(project)), m_jobs(*this), m_files(m_session, m_settings, m_jobs, *this),
-      m_exchange(m_session, m_settings, m_jobs, *this), m_actions(m_settings, *this), m_preferences(m_settings),
-      m_clipCommands(m_session), m_dialogs(*this, m_session.editor(), m_actions, m_preferences)
+      m_journal(m_session.document(), JournalFolder::root()), m_exchange(m_session, m_settings, m_jobs, *this),
+      m_actions(m_settings, *this), m_preferences(m_settings), m_clipCommands(m_session),
+      m_dialogs(*this, m_session.editor(), m_actions, m_preferences)
 {
     setAcceptDrops(true);
     setMinimumSize(kSmallestWindow);
@@ -202,9 +204,31 @@ void MainWindow::connectFiles()
     m_files.setThumbnailMaker([this] { return thumbnailOf(m_workspace->headView().pictureScene()); });
     m_exchange.setSceneSource([this] { return m_workspace->headView().pictureScene(); });
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
+    connect(&m_files, &ProjectFiles::pathChanged, this, [this] { m_journal.setPath(m_files.path()); });
+    view::StatusReadout& status = m_workspace->status();
+    connect(&m_journal, &Journal::stopped, &status, &view::StatusReadout::setUnprotected);
+    connect(&m_journal, &Journal::resumed, &status, [&status] { status.setUnprotected({}); });
     connect(&m_exchange, &Exchange::headDialogMade, this,
             [this](QDialog& dialog) { m_dialogs.addHelpKey(dialog, view::HelpDialog::Topic::HeadImport); });
     connect(&m_preferences, &LivePreferences::changed, this, &MainWindow::applyPreferences);
+}
+
+void MainWindow::offerUnsavedWork()
+{
+    const std::optional<RestoredWork> restored = askForUnsavedWork(JournalFolder::root(), m_jobs, *this);
+    if (!restored || !m_files.restore(restored->work))
+        return;
+    m_journal.takeOver(restored->work);
+    // Only now is it nowhere else.
+    if (m_jobs.awaitUntil(tr("Restoring unsaved work"), [this] { return m_journal.idle(); }) && !m_journal.isStopped())
+        restored->folder->remove();
+}
+
+void MainWindow::keepWork()
+{
+    m_session.document().settle(); // A stroke under way is work too.
+    m_journal.flush();
+    m_settings.setWindowGeometry(saveGeometry());
 }
 
 void MainWindow::openFile(const QString& path)
@@ -231,6 +255,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         event->ignore();
         return;
     }
+    m_journal.discard();
     m_settings.setWindowGeometry(saveGeometry());
     event->accept();
 }

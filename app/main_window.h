@@ -7,6 +7,7 @@
 #include "app/live_preferences.h"
 #include "app/physical_keys.h"
 #include "app/project_files.h"
+#include "app/background/journal.h"
 #include "app/session.h"
 #include "app/settings.h"
 #include "app/window_dialogs.h"
@@ -37,6 +38,11 @@ public:
     [[nodiscard]] ActionSet& actions() { return m_actions; }
     [[nodiscard]] view::PaintView& paintView();
     [[nodiscard]] view::HeadView& headView();
+
+    /// Asks what becomes of work that windows which are gone left unsaved; nothing happens where there is none.
+    void offerUnsavedWork();
+    /// Before the program ends without asking: all that was done is in the journal when it returns.
+    void keepWork();
 
     /// Opens a project, applies a style, imports a mesh or an image: whatever the file is.
     void openFile(const QString& path);
@@ -72,6 +78,7 @@ private:
     Session m_session;
     Jobs m_jobs;
     ProjectFiles m_files;
+    Journal m_journal;
     Exchange m_exchange;
     ActionSet m_actions;
     LivePreferences m_preferences;

@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QUndoStack>
 
 namespace hairpaint::app {
@@ -30,7 +31,7 @@ ProjectFiles::ProjectFiles(Session& session, Settings& settings, Jobs& jobs, QWi
 
 QString ProjectFiles::displayName() const
 {
-    return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).completeBaseName();
+    return path().isEmpty() ? tr("Untitled") : QFileInfo(path()).completeBaseName();
 }
 
 void ProjectFiles::setThumbnailMaker(std::function<Picture()> maker)
@@ -40,7 +41,7 @@ void ProjectFiles::setThumbnailMaker(std::function<Picture()> maker)
 
 void ProjectFiles::setPath(const QString& path)
 {
-    m_path = path;
+    m_file.set(path);
     if (!path.isEmpty()) {
         m_settings.addRecentFile(QFileInfo(path).absoluteFilePath());
         m_settings.setLastFolder(QFileInfo(path).absolutePath());
@@ -104,9 +105,40 @@ void ProjectFiles::open()
         openPath(path);
 }
 
+bool ProjectFiles::mayOpenTwice(const QString& path)
+{
+    if (QFileInfo(path) == QFileInfo(this->path()) || !OpenFile::isOpenElsewhere(path))
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Open project"),
+                    tr("'%1' is open in another window. What is saved in one of them would replace what was saved in "
+                       "the other.")
+                        .arg(QFileInfo(path).completeBaseName()),
+                    QMessageBox::Cancel, &m_window);
+    const QPushButton* open = box.addButton(tr("&Open anyway"), QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == open;
+}
+
+ProjectFiles::Outside ProjectFiles::askAboutOutside()
+{
+    QMessageBox box(QMessageBox::Warning, tr("Save project"),
+                    tr("'%1' was changed by another program since it was opened or saved here. Replacing it would lose "
+                       "those changes.")
+                        .arg(displayName()),
+                    QMessageBox::Cancel, &m_window);
+    const QPushButton* other = box.addButton(tr("&Save under another name..."), QMessageBox::AcceptRole);
+    const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == replace ? Outside::Replace
+           : box.clickedButton() == other ? Outside::SaveAs
+                                          : Outside::Stop;
+}
+
 bool ProjectFiles::openPath(const QString& path)
 {
-    if (!mayDiscard())
+    if (!mayOpenTwice(path) || !mayDiscard())
         return false;
     const auto encoded = model::makeEncodedLayers();
     bool unreadable = false;
@@ -125,16 +157,42 @@ bool ProjectFiles::openPath(const QString& path)
     return taken;
 }
 
+bool ProjectFiles::restore(const model::RecoveredWork& work)
+{
+    const model::JournalState& state = work.steps.at(work.current);
+    std::optional<model::Result<model::ResolvedMaps>> maps = m_jobs.await<model::ResolvedMaps>(
+        tr("Restoring unsaved work"), [&state](const model::Progress&) -> model::Result<model::ResolvedMaps> {
+            return model::ResolvedMaps(state.project);
+        });
+    if (!maps)
+        return false;
+    if (!*maps) {
+        complain(maps->error().message);
+        return false;
+    }
+    m_encoded = model::makeEncodedLayers();
+    m_session.document().restore(work, std::move(**maps));
+    setPath(state.path);
+    return true;
+}
+
 bool ProjectFiles::save()
 {
-    return m_path.isEmpty() ? saveAs() : saveTo(m_path);
+    if (path().isEmpty())
+        return saveAs();
+    if (m_file.changedOutside()) {
+        const Outside answer = askAboutOutside();
+        if (answer != Outside::Replace)
+            return answer == Outside::SaveAs && saveAs();
+    }
+    return saveTo(path());
 }
 
 bool ProjectFiles::saveAs()
 {
     const QString suggested =
-        m_path.isEmpty() ? m_settings.lastFolder() + QLatin1Char('/') + displayName() + QStringLiteral(".hairpaint")
-                         : m_path;
+        path().isEmpty() ? m_settings.lastFolder() + QLatin1Char('/') + displayName() + QStringLiteral(".hairpaint")
+                         : path();
     const QString path = askSavePath(m_window, {.title = tr("Save project"),
                                                 .suggestedPath = suggested,
                                                 .filter = tr("Hair Paint projects (*.hairpaint)"),

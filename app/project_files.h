@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/background/jobs.h"
+#include "app/open_file.h"
 #include "app/session.h"
 #include "app/settings.h"
 #include "model/files/project_file.h"
@@ -21,7 +22,7 @@ class ProjectFiles : public QObject
 public:
     ProjectFiles(Session& session, Settings& settings, Jobs& jobs, QWidget& window);
 
-    [[nodiscard]] const QString& path() const { return m_path; } ///< Empty: never saved.
+    [[nodiscard]] const QString& path() const { return m_file.path(); } ///< Empty: never saved.
     [[nodiscard]] QString displayName() const;
     /// Draws the picture that files are saved with, on a thread of the jobs'; made anew for each file, on this one.
     using Picture = std::function<QImage(const model::Progress&)>;
@@ -33,6 +34,8 @@ public:
     bool newBaldProject(); ///< With an empty group; false where the user wants to keep what is open.
     void open();           ///< Asks for the file.
     bool openPath(const QString& path);
+    /// What a journal kept takes the place of the project that is open, which nobody has changed.
+    bool restore(const model::RecoveredWork& work);
     bool save();
     bool saveAs();
     /// Offers to save; false where the user wants to stay.
@@ -48,13 +51,22 @@ private:
     bool take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
               const Work<model::Project>& read);
     bool saveTo(const QString& path);
+    /// Asks before this window saves over what another one does, or another program has done.
+    [[nodiscard]] bool mayOpenTwice(const QString& path);
+    enum class Outside
+    {
+        Replace,
+        SaveAs,
+        Stop
+    };
+    [[nodiscard]] Outside askAboutOutside();
     void complain(const QString& message);
 
     Session& m_session;
     Settings& m_settings;
     Jobs& m_jobs;
     QWidget& m_window;
-    QString m_path;
+    OpenFile m_file;
     std::function<Picture()> m_thumbnail;
     std::shared_ptr<model::EncodedLayers> m_encoded;
 };

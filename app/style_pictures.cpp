@@ -43,6 +43,19 @@ void keep(const QImage& picture, const QString& path)
         folder.remove(old);
 }
 
+/// After two calm seconds.
+QImage settledPicture(model::Project project, PictureMaker& maker, const model::Progress& progress)
+{
+    project.wind.enabled = false;
+    SettledHair hair(project, kStepSeconds);
+    for (int step = 1; step < kSteps; ++step) {
+        if (progress && !progress(static_cast<double>(step) / kSteps))
+            return {};
+        hair.advance(kStepSeconds);
+    }
+    return stylePicture(project, hair.frame(), maker, progress);
+}
+
 QImage drawStyle(const model::Preset& preset, const model::Progress& progress)
 {
     PictureMaker maker;
@@ -76,14 +89,13 @@ QImage stylePicture(const model::Preset& preset, PictureMaker& maker, const mode
     if (!carried)
         return {};
     model::applyPreset(project, *carried);
-    project.wind.enabled = false;
-    SettledHair hair(project, kStepSeconds);
-    for (int step = 1; step < kSteps; ++step) {
-        if (progress && !progress(static_cast<double>(step) / kSteps))
-            return {};
-        hair.advance(kStepSeconds);
-    }
-    return stylePicture(project, hair.frame(), maker, progress);
+    return settledPicture(std::move(project), maker, progress);
+}
+
+QImage projectPicture(const model::Project& project, const model::Progress& progress)
+{
+    const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
+    return maker ? settledPicture(project, **maker, progress) : QImage();
 }
 
 QImage stylePicture(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame, PictureMaker& maker,

@@ -22,6 +22,8 @@ class PictureMaker;
 /// A project's hair at a moment, framed in the same way; null where nothing can be drawn.
 [[nodiscard]] QImage stylePicture(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
                                   PictureMaker& maker, const model::Progress& progress = {});
+/// The same of a project that nobody works on. Any thread.
+[[nodiscard]] QImage projectPicture(const model::Project& project, const model::Progress& progress = {});
 
 /// One style after the other. The styles' own files are only read: a picture is kept under what the file holds, so that
 /// another style of that name never gets it. Where there is no OpenGL, or the file can't be read or changes meanwhile,

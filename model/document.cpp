@@ -2,6 +2,7 @@
 // shown.
 #include "model/document.h"
 
+#include "model/commands/restored_step.h"
 #include "model/commands/undo_budget.h"
 #include "model/content_budget.h"
 #include "model/running_edit.h"
@@ -117,6 +118,18 @@ void Document::replace(Project project, ResolvedMaps resolved)
     tell(Change{}, false);
     if (ended)
         Q_EMIT editEnded();
+}
+
+void Document::restore(const RecoveredWork& work, ResolvedMaps resolved)
+{
+    replace(work.steps.at(work.current).project, std::move(resolved));
+    const auto dormant = std::make_shared<bool>(true);
+    for (std::size_t i = 1; i < work.steps.size(); ++i)
+        push(std::make_unique<RestoredStep>(*this, work.steps[i].step, work.steps[i - 1].project, work.steps[i].project,
+                                            dormant));
+    m_state->undoStack.setIndex(static_cast<int>(work.current));
+    m_state->undoStack.resetClean();
+    *dormant = false;
 }
 
 std::shared_ptr<const sim::TiledRaster> Document::resolved(Id group, MapKind map) const

@@ -3,6 +3,7 @@
 
 #include "model/change.h"
 #include "model/edit_session.h"
+#include "model/journal/journal_state.h"
 #include "model/map_resolver.h"
 #include "model/project.h"
 #include "model/resolved_maps.h"
@@ -41,6 +42,9 @@ public:
     void replace(Project project);
     /// The same with its maps resolved already, on another thread.
     void replace(Project project, ResolvedMaps resolved);
+    /// Puts back what a journal kept, with the steps of its history; it counts as modified. `resolved`: the maps of the
+    /// work's current step, which there must be.
+    void restore(const RecoveredWork& work, ResolvedMaps resolved);
 
     /// The map with all visible layers (and a running edit's preview) applied: `spec.valueChannels` channels. It lags
     /// behind while resolving().

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>hairpaint::app::RecoveryDialog</name>
+    <message numerus="yes">
+        <source>Last changed %1, %n step(s) to undo</source>
+        <translation>
+            <numerusform>Last changed %1, %n step to undo</numerusform>
+            <numerusform>Last changed %1, %n steps to undo</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::HeadImportDialog</name>
     <message numerus="yes">
         <source>%Ln triangles. %1 cm is no usual height for a head, a bust or a body: check the unit and the axis.</source>

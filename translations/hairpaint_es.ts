@@ -303,6 +303,22 @@
         <source>--motion is for films; give --frames too</source>
         <translation>--motion es para películas; dé también --frames</translation>
     </message>
+    <message>
+        <source>--%1 is given nothing</source>
+        <translation>--%1 no recibe nada</translation>
+    </message>
+    <message>
+        <source>--%1 takes a whole number from 1 to %2, not &apos;%3&apos;</source>
+        <translation>--%1 toma un número entero de 1 a %2, no «%3»</translation>
+    </message>
+    <message>
+        <source>What was asked for could not be printed; check where standard output leads.</source>
+        <translation>No se pudo imprimir lo pedido; compruebe adónde lleva la salida estándar.</translation>
+    </message>
+    <message>
+        <source>A project&apos;s name ends in .hairpaint, not in .%1</source>
+        <translation>El nombre de un proyecto termina en .hairpaint, no en .%1</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -681,6 +697,18 @@
     <message>
         <source>Parting and sweep back</source>
         <translation>Raya y peinado hacia atrás</translation>
+    </message>
+    <message>
+        <source>what it holds is damaged</source>
+        <translation>lo que contiene está dañado</translation>
+    </message>
+    <message>
+        <source>it can&apos;t take the place of the one before</source>
+        <translation>no puede ocupar el lugar del anterior</translation>
+    </message>
+    <message>
+        <source>an earlier part of it could not be written</source>
+        <translation>no se pudo escribir una parte anterior</translation>
     </message>
 </context>
 <context>
@@ -1452,6 +1480,21 @@
     </message>
 </context>
 <context>
+    <name>Recovery</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sin título</translation>
+    </message>
+    <message>
+        <source>Looking for unsaved work</source>
+        <translation>Buscando trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Dibujando la imagen</translation>
+    </message>
+</context>
+<context>
     <name>Rendering</name>
     <message>
         <source>EGL is not installed.</source>
@@ -2068,6 +2111,13 @@
     </message>
 </context>
 <context>
+    <name>hairpaint::app::Journal</name>
+    <message>
+        <source>its folder can&apos;t be written to</source>
+        <translation>no se puede escribir en su carpeta</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::app::MainWindow</name>
     <message>
         <source>&amp;File</source>
@@ -2108,6 +2158,10 @@
     <message>
         <source>Drawing the picture</source>
         <translation>Dibujando la imagen</translation>
+    </message>
+    <message>
+        <source>Restoring unsaved work</source>
+        <translation>Recuperando el trabajo sin guardar</translation>
     </message>
 </context>
 <context>
@@ -2182,6 +2236,80 @@
     <message>
         <source>Starting a new project</source>
         <translation>Empezando un proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>Restoring unsaved work</source>
+        <translation>Recuperando el trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is open in another window. What is saved in one of them would replace what was saved in the other.</source>
+        <translation>«%1» está abierto en otra ventana. Lo que se guarde en una de ellas reemplazaría lo guardado en la otra.</translation>
+    </message>
+    <message>
+        <source>&amp;Open anyway</source>
+        <translation>&amp;Abrir de todos modos</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was changed by another program since it was opened or saved here. Replacing it would lose those changes.</source>
+        <translation>Otro programa cambió «%1» desde que se abrió o guardó aquí. Reemplazarlo haría perder esos cambios.</translation>
+    </message>
+    <message>
+        <source>&amp;Save under another name...</source>
+        <translation>&amp;Guardar con otro nombre...</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Reemplazar</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::RecoveryDialog</name>
+    <message>
+        <source>today, %1</source>
+        <translation>hoy, %1</translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation>ayer, %1</translation>
+    </message>
+    <message>
+        <source>Never saved</source>
+        <translation>Nunca guardado</translation>
+    </message>
+    <message numerus="yes">
+        <source>Last changed %1, %n step(s) to undo</source>
+        <translation>
+            <numerusform>Último cambio: %1; %n paso para deshacer</numerusform>
+            <numerusform>Último cambio: %1; %n pasos para deshacer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>Hair Paint ended before this was saved. Restoring brings it back with its undo steps; the project&apos;s file stays as it is until you save.</source>
+        <translation>Hair Paint terminó antes de guardar esto. Al recuperarlo vuelve con sus pasos de deshacer; el archivo del proyecto queda como está hasta que guarde.</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Recuperar</translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation>A&amp;hora no</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Descartar</translation>
+    </message>
+    <message>
+        <source>It is offered again at the next start</source>
+        <translation>Se vuelve a ofrecer en el próximo inicio</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved work on &apos;%1&apos;? This can&apos;t be undone.</source>
+        <translation>¿Descartar el trabajo sin guardar en «%1»? No se puede deshacer.</translation>
     </message>
 </context>
 <context>
@@ -3339,6 +3467,14 @@
     <message>
         <source>%1. Erasing %2</source>
         <translation>%1. Borrar %2</translation>
+    </message>
+    <message>
+        <source>▲ Not saved, no safety copy</source>
+        <translation>▲ Sin guardar y sin copia de seguridad</translation>
+    </message>
+    <message>
+        <source>A crash would lose what is not saved: the program&apos;s own copy of it failed.</source>
+        <translation>Un fallo haría perder lo que no está guardado: la copia propia del programa no se pudo hacer.</translation>
     </message>
 </context>
 <context>

@@ -91,7 +91,12 @@ QString projectIn(const QStringList& arguments)
 
 void printError(const QString& text)
 {
-    const QByteArray line = text.simplified().toUtf8() + '\n';
+    // One line, whatever names hold, and nothing that a terminal would obey.
+    QString shown = text.trimmed();
+    std::ranges::replace_if(
+        shown, [](QChar c) { return c.category() == QChar::Other_Control || c == QChar::LineSeparator; },
+        QChar(QLatin1Char(' ')));
+    const QByteArray line = shown.toUtf8() + '\n';
     std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
 }
 
@@ -124,8 +129,7 @@ QString helpOf(const Command& command, bool options)
 ExitCode run(const Command& command, const QStringList& arguments)
 {
     if (arguments.contains(QLatin1String("--help")) || arguments.contains(QLatin1String("-h"))) {
-        printOut(helpOf(command, true));
-        return ExitCode::Done;
+        return printOut(helpOf(command, true));
     }
     const auto about = [&arguments] { return model::shownPath(projectIn(arguments)); };
     try {
@@ -165,6 +169,12 @@ std::optional<QStringList> parse(QCommandLineParser& parser, const char* command
         (void)wrongUsage(command, problem);
         return std::nullopt;
     }
+    for (const QString& option : parser.optionNames()) {
+        if (parser.values(option).contains(QString())) {
+            (void)wrongUsage(command, CommandLine::tr("--%1 is given nothing").arg(option));
+            return std::nullopt;
+        }
+    }
     const QStringList found = parser.positionalArguments();
     if (found.size() != positionals) {
         (void)wrongUsage(command, positionals == 0 ? CommandLine::tr("No file name belongs here")
@@ -187,6 +197,22 @@ std::optional<double> numberOption(const QCommandLineParser& parser, const char*
                                   .arg(option)
                                   .arg(least)
                                   .arg(most, 0, 'g', 10)
+                                  .arg(parser.value(option)));
+    return std::nullopt;
+}
+
+std::optional<std::int64_t> countOption(const QCommandLineParser& parser, const char* command, const QString& option,
+                                        std::int64_t fallback, std::int64_t most)
+{
+    if (!parser.isSet(option))
+        return fallback;
+    bool isNumber = false;
+    const std::int64_t value = parser.value(option).toLongLong(&isNumber);
+    if (isNumber && value >= 1 && value <= most)
+        return value;
+    (void)wrongUsage(command, CommandLine::tr("--%1 takes a whole number from 1 to %2, not '%3'")
+                                  .arg(option)
+                                  .arg(most)
                                   .arg(parser.value(option)));
     return std::nullopt;
 }
@@ -227,8 +253,7 @@ std::optional<std::optional<std::size_t>> hairsOption(const QCommandLineParser& 
     const QString option = QStringLiteral("hairs");
     if (!parser.isSet(option))
         return std::optional<std::size_t>();
-    const std::optional<double> count =
-        numberOption(parser, command, option, 0.0, 1.0, static_cast<double>(model::kMostHairs));
+    const std::optional<std::int64_t> count = countOption(parser, command, option, 1, model::kMostHairs);
     if (!count)
         return std::nullopt;
     return static_cast<std::size_t>(*count);
@@ -248,11 +273,14 @@ model::Result<void> checkOutput(const QString& output, const QStringList& inputs
     return {};
 }
 
-void printOut(const QString& text)
+ExitCode printOut(const QString& text)
 {
     const QByteArray bytes = text.toUtf8();
-    std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stdout);
-    std::fflush(stdout);
+    const auto size = static_cast<std::size_t>(bytes.size());
+    const bool isWhole = std::fwrite(bytes.constData(), 1, size, stdout) == size;
+    if (std::fflush(stdout) == 0 && isWhole)
+        return ExitCode::Done;
+    return failed({CommandLine::tr("What was asked for could not be printed; check where standard output leads.")});
 }
 
 } // namespace hairpaint::app

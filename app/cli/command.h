@@ -72,6 +72,9 @@ ExitCode wrongUsage(const char* command, const QString& problem);
 /// nonsense.
 [[nodiscard]] std::optional<double> numberOption(const QCommandLineParser& parser, const char* command,
                                                  const QString& option, double fallback, double least, double most);
+/// The same for a count: digits alone.
+[[nodiscard]] std::optional<std::int64_t> countOption(const QCommandLineParser& parser, const char* command,
+                                                      const QString& option, std::int64_t fallback, std::int64_t most);
 /// --wind X,Y,Z in m/s: no value inside where it is not given; none (with the usage printed) where it is nonsense.
 [[nodiscard]] std::optional<std::optional<glm::vec3>> windOption(const QCommandLineParser& parser, const char* command);
 /// --motion NAME, likewise.
@@ -82,6 +85,7 @@ ExitCode wrongUsage(const char* command, const QString& problem);
                                                                     const char* command);
 /// Fails, before any work is done, where `output` can't be written or is one of `inputs`.
 [[nodiscard]] model::Result<void> checkOutput(const QString& output, const QStringList& inputs);
-void printOut(const QString& text);
+/// On standard output; Failed, with a line on standard error, where it takes no more.
+ExitCode printOut(const QString& text);
 
 } // namespace hairpaint::app

@@ -142,8 +142,7 @@ ExitCode runInfo(const QStringList& arguments)
     const sim::GroomBuilder::Report report = builder.update(document.groomInput());
     const QJsonObject info = describe(document.project(), report.grooms);
     const std::uint64_t seed = document.project().seed;
-    printOut(parser.isSet(QStringLiteral("json")) ? asJson(info, seed) : asText(info, seed));
-    return ExitCode::Done;
+    return printOut(parser.isSet(QStringLiteral("json")) ? asJson(info, seed) : asText(info, seed));
 }
 
 ExitCode runPresets(const QStringList& arguments)
@@ -164,8 +163,7 @@ ExitCode runPresets(const QStringList& arguments)
         text += QStringLiteral("%1\t%2\t%3\n")
                     .arg(model::shownName(entry.name), model::shownName(entry.folder), tags.join(QStringLiteral(", ")));
     }
-    printOut(parser.isSet(QStringLiteral("json")) ? QString::fromUtf8(QJsonDocument(list).toJson()) : text);
-    return ExitCode::Done;
+    return printOut(parser.isSet(QStringLiteral("json")) ? QString::fromUtf8(QJsonDocument(list).toJson()) : text);
 }
 
 } // namespace hairpaint::app

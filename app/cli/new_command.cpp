@@ -33,6 +33,8 @@ std::optional<MapArgument> parseMapArgument(const QString& argument)
     QString kind = argument.left(equals);
     result.image = argument.mid(equals + 1);
     if (const qsizetype slash = kind.lastIndexOf(QLatin1Char('/')); slash >= 0) {
+        if (slash == 0)
+            return std::nullopt; // A group without a name would be taken for none at all.
         result.group = kind.left(slash);
         kind = kind.mid(slash + 1);
     }
@@ -94,6 +96,9 @@ ExitCode runNew(const QStringList& arguments)
     const QString output = parser.value(QStringLiteral("o"));
     if (output.isEmpty())
         return wrongUsage(kName, CommandLine::tr("-o and the project's name are needed"));
+    if (const QString suffix = QFileInfo(output).suffix();
+        !suffix.isEmpty() && suffix.compare(QLatin1String("hairpaint"), Qt::CaseInsensitive) != 0)
+        return wrongUsage(kName, CommandLine::tr("A project's name ends in .hairpaint, not in .%1").arg(suffix));
 
     std::vector<MapArgument> maps;
     for (const QString& argument : parser.values(QStringLiteral("map"))) {
@@ -103,9 +108,8 @@ ExitCode runNew(const QStringList& arguments)
         maps.push_back(*map);
     }
     model::Project project = model::newProject();
-    const std::optional<double> maxCandidates =
-        numberOption(parser, kName, kMaxCandidates, static_cast<double>(project.maxHairs), 1.0,
-                     static_cast<double>(model::kMostHairs));
+    const std::optional<std::int64_t> maxCandidates =
+        countOption(parser, kName, kMaxCandidates, project.maxHairs, model::kMostHairs);
     if (!maxCandidates)
         return ExitCode::WrongUsage;
     project.maxHairs = static_cast<int>(*maxCandidates);

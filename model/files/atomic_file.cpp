@@ -4,6 +4,9 @@
 #include <QFileInfo>
 #include <QStorageInfo>
 
+#include <filesystem>
+#include <system_error>
+
 #ifdef Q_OS_UNIX
 #include <cerrno>
 #include <unistd.h>
@@ -92,6 +95,22 @@ Checked<void> AtomicFile::commit()
     if (!m_file.commit())
         return refuse(writeProblem(m_file));
     return {};
+}
+
+Checked<void> flushToDisk(QFileDevice& file)
+{
+    if (!file.flush())
+        return refuse(writeProblem(file));
+    if (const QString problem = syncProblem(file); !problem.isEmpty())
+        return refuse(problem);
+    return {};
+}
+
+bool replaceFile(const QString& from, const QString& to)
+{
+    std::error_code problem;
+    std::filesystem::rename(from.toStdU16String(), to.toStdU16String(), problem);
+    return !problem;
 }
 
 Checked<void> writeFile(const QString& path, QByteArrayView bytes)

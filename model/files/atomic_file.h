@@ -32,6 +32,11 @@ private:
 /// All of a file at once.
 [[nodiscard]] Checked<void> writeFile(const QString& path, QByteArrayView bytes);
 
+/// Everything written to an open file lies on its disk when this returns well.
+[[nodiscard]] Checked<void> flushToDisk(QFileDevice& file);
+/// Puts one file in the place of another, which is never missing nor half meanwhile.
+[[nodiscard]] bool replaceFile(const QString& from, const QString& to);
+
 /// Why the last write to `file` failed, as a clause.
 [[nodiscard]] QString writeProblem(const QFileDevice& file);
 

@@ -60,6 +60,7 @@ std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
     basis->restPositions.resize(StrandBlocks(nodes).floatsFor(blocks));
     basis->segmentLengths.resize(blocks * kLanes);
     basis->gel.resize(blocks * kLanes);
+    basis->give.resize(blocks * kLanes);
     basis->height.resize(blocks * kLanes);
     basis->wanted.resize(blocks);
     float crownY = -std::numeric_limits<float>::max();
@@ -239,6 +240,11 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
                 continue;
             const float lengthM = std::max(basisLengthOf(i, settings, maps[MapSlot::Length]), kShortestBasisM);
             basis.gel[i] = maps[MapSlot::Gel].scalar(roots.uv[slot]);
+            const float curl = m_kinds[slot] == 0 ? maps[MapSlot::Curl].scalar(roots.uv[slot]) : 0.0F;
+            basis.give[i] =
+                curl > 0.0F
+                    ? giveOf(coilOf(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]), lengthM), lengthM)
+                    : 0.0F;
             if (lengthM != m_basisLengthM[i]) {
                 m_basisLengthM[i] = lengthM;
                 m_basisChanged[i] = 1;

@@ -113,17 +113,37 @@ float curlRadiusOf(const GroupSettings& settings, float value)
     return settings.greatestCurlRadiusM * fraction;
 }
 
+Coil coilOf(const GroupSettings& settings, float curl, float curlSize, float lengthM)
+{
+    Coil coil;
+    coil.turns = turnsOfCurl(curl, settings.steppedTurns);
+    if (settings.turnsMode == TurnsMode::PerLength)
+        coil.turns *= lengthM / std::max(settings.turnsPerLengthM, 1e-3F);
+    // A coil is no wider than its turns are apart, and where the first half turn is not complete it eases in.
+    if (coil.turns > 0.0F)
+        coil.radiusM =
+            std::min(curlRadiusOf(settings, curlSize), lengthM / coil.turns) * std::min(coil.turns * 2.0F, 1.0F);
+    return coil;
+}
+
+float giveOf(const Coil& coil, float lengthM)
+{
+    // The fibre, sqrt(length^2 + winding^2), grows by a hundredth while the turns keep their radius; a straight hair's
+    // hundredth is none that is seen.
+    constexpr float kFibreGrowth = 0.02F; // of its square
+    constexpr float kAmongOthers = 0.1F;  // tight coils hold on to each other
+    const float slope = glm::two_pi<float>() * coil.turns * coil.radiusM / std::max(lengthM, 1e-4F);
+    const float free = std::sqrt(1.0F + kFibreGrowth * (1.0F + slope * slope)) - std::sqrt(1.0F + kFibreGrowth);
+    return std::min(free, kAmongOthers);
+}
+
 StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance, float detail)
 {
     StrandStyle style;
     style.lengthM = lengthOf(settings, values.length);
-    style.turns = turnsOfCurl(values.curl, settings.steppedTurns);
-    if (settings.turnsMode == TurnsMode::PerLength)
-        style.turns *= style.lengthM / std::max(settings.turnsPerLengthM, 1e-3F);
-    // A coil is no wider than its turns are apart, and where the first half turn is not complete it eases in.
-    if (style.turns > 0.0F)
-        style.curlRadiusM = std::min(curlRadiusOf(settings, values.curlSize), style.lengthM / style.turns) *
-                            std::min(style.turns * 2.0F, 1.0F);
+    const Coil coil = coilOf(settings, values.curl, values.curlSize, style.lengthM);
+    style.turns = coil.turns;
+    style.curlRadiusM = coil.radiusM;
     style.phase = chance.phase;
     setColours(values.colours, style);
     style.detail = detail;

@@ -41,6 +41,18 @@ struct RootChance
 /// Of the curl-size map's value, m: exactly half of the greatest where nothing is painted.
 [[nodiscard]] float curlRadiusOf(const GroupSettings& settings, float value);
 
+/// What equation 1 is given.
+struct Coil
+{
+    float turns = 0.0F; ///< Over the whole hair.
+    float radiusM = 0.0F;
+};
+/// Of the values of curl and curl size for a hair of a length.
+[[nodiscard]] Coil coilOf(const GroupSettings& settings, float curl, float curlSize, float lengthM);
+/// By what fraction of its length a coil may stretch and shorten, so that its fibre stretches by no more than 1 %;
+/// 0 where straight.
+[[nodiscard]] float giveOf(const Coil& coil, float lengthM);
+
 /// Of the length map's value, m.
 [[nodiscard]] float lengthOf(const GroupSettings& settings, float value);
 

@@ -110,6 +110,7 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
                 const float length = basis.segmentLengths[block * kLanes + lane] * static_cast<float>(nodes - 1);
                 const bool solved = ((wanted >> lane) & 1U) != 0 && length > 0.0F;
+                const float stretch = state.field(block * kLanes + lane, kStretch);
                 const float perLength = solved ? 1.0F / scaleOf(length) : 0.0F;
                 float* out = m_displacements.data() + (block * kLanes + lane) * nodes * kBasisFloats;
                 std::size_t at = groom.blocks().index(block * kLanes + lane, 0);
@@ -124,7 +125,7 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
                                         perLength;
                     }
                     out[kBasisLength] = length;
-                    out[7] = 0.0F;
+                    out[kBasisStretch] = stretch;
                 }
             }
         }

@@ -142,8 +142,10 @@ HWY_INLINE void placeStrands(D d, const DependentsTask& task, const float* HWY_R
         Vec3<V> displacement;
         Vec3<V> shape;
         V unused;
+        V stretch;
         hn::LoadInterleaved4(d, mean + (2 * node) * kLanes * 4, displacement.x, displacement.y, displacement.z, unused);
-        hn::LoadInterleaved4(d, mean + (2 * node + 1) * kLanes * 4, shape.x, shape.y, shape.z, unused);
+        hn::LoadInterleaved4(d, mean + (2 * node + 1) * kLanes * 4, shape.x, shape.y, shape.z, stretch);
+        const V stretched = hn::Add(segment, hn::Mul(segment, stretch));
         const Vec3<V> styled = load3(d, rest + offset);
         // How its basis hairs lie, at its own root or, clumped, at the nearest one's.
         const float s = static_cast<float>(i) / static_cast<float>(task.nodes - 1);
@@ -155,13 +157,13 @@ HWY_INLINE void placeStrands(D d, const DependentsTask& task, const float* HWY_R
         const V strays2 = hn::Mul(hn::Mul(dot(own, own), straying), hn::Set(d, 9.0F / (s * s)));
         const V strays = hn::Max(zero, hn::Mul(hn::Sub(strays2, hn::Set(d, 0.25F)), hn::Set(d, 4.0F / 3.0F)));
         const Vec3<V> laid = sub(styled, scale(own, hn::Min(one, hn::Add(moved2, strays))));
-        Vec3<V> p = atLength(d, parent, addScaled(laid, displacement, length), segment, sub(styled, parentRest));
+        Vec3<V> p = atLength(d, parent, addScaled(laid, displacement, length), stretched, sub(styled, parentRest));
         // Again out of the skin, since restoring the length may lead back in.
         for (int pass = 0; pass < (task.colliders->skin.values != nullptr ? 2 : 1); ++pass) {
             Contact<D> contact = noContact(d);
             if (!collide(d, task, lanes, i == 1, parent, p, contact))
                 break;
-            p = choose(contact.touched, atLength(d, parent, p, segment, sub(styled, parentRest)), p);
+            p = choose(contact.touched, atLength(d, parent, p, stretched, sub(styled, parentRest)), p);
         }
         store3(d, choose(drawn, task.world.identity ? p : moved(d, task.world, p), nothing), out + offset);
         parent = p;

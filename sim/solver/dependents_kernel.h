@@ -23,14 +23,15 @@ enum DependentRow : std::uint8_t
 inline constexpr std::size_t kDependentStride = std::size_t{kDependentRows} * kLanes;
 
 inline constexpr std::size_t kBasisFloats = 8;
-inline constexpr std::size_t kBasisLength = 3; ///< Index of the length in them.
+inline constexpr std::size_t kBasisLength = 3;  ///< Index of the length in them,
+inline constexpr std::size_t kBasisStretch = 7; ///< and of the fraction by which it is longer now.
 
 /// One chunk's worth of dependents. Hd, m, but `out`, which is in the world.
 struct DependentsTask
 {
     int nodes = 0;
-    /// [basis hairs][nodes][kBasisFloats]: the node's displacement from its rest position, the basis hair's length and
-    /// the rest position from the root; displacement and position by that length.
+    /// [basis hairs][nodes][kBasisFloats]: the node's displacement from its rest position, the basis hair's length,
+    /// the rest position from the root and how much longer it is; displacement and position by that length.
     const float* displacements = nullptr;
     const std::array<std::uint32_t, 3>* neighbours = nullptr; ///< [kChunkSlots], indices of basis hairs.
     const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], sums of 1.

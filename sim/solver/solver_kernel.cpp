@@ -188,11 +188,16 @@ HWY_INLINE void predict(D d, const GroupGains& gains, const StepForces& step, co
     }
 }
 
+constexpr int kRestorePasses = 4;
+constexpr float kFirstOrder = 0.01F; ///< Fraction of a squared length up to which one pass restores it.
+
 /// Equation 4 and algorithm 2 for all segments at once: nodes move along their segments by tensions that, to first
 /// order, give every segment its length again. One row of three diagonals a segment, so that a pull at the tip is felt
-/// at the root within the step and no momentum is made.
+/// at the root within the step and no momentum is made. Moves the strands of `which` alone; returns those of them that
+/// were further from their lengths than first order is good for. Adds the root's tension to `load`.
 template<class D>
-HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RESTRICT p)
+HWY_INLINE hn::Mask<D> restoreLengthsOnce(D d, int nodes, hn::Vec<D> length, hn::Mask<D> which, hn::Vec<D>& load,
+                                          float* HWY_RESTRICT p)
 {
     using V = hn::Vec<D>;
     const V zero = hn::Zero(d);
@@ -208,6 +213,7 @@ HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RES
     Vec3<V> edgeBefore{zero, zero, zero};
     V pivot = zero;
     V side = zero;
+    V furthest = zero;
     for (int i = 1; i <= last; ++i) {
         const auto node = static_cast<std::size_t>(i);
         const Vec3<V> child = load3(d, p + node * StrandBlocks::kNodeStride);
@@ -218,7 +224,9 @@ HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RES
         const V whole =
             hn::Sub(hn::Mul(hn::Set(d, inverseMass(i) + inverseMass(i - 1)), edge2), hn::Mul(first, beside));
         pivot = hn::Div(one, hn::Max(whole, tiny));
-        side = hn::Sub(hn::Mul(half, hn::Sub(square, edge2)), hn::Mul(first, side));
+        const V missing = hn::Sub(square, edge2);
+        furthest = hn::Max(furthest, hn::Abs(missing));
+        side = hn::Sub(hn::Mul(half, missing), hn::Mul(first, side));
         hn::StoreU(first, d, rows + (2 * node) * kLanes);
         hn::StoreU(hn::Mul(side, pivot), d, rows + (2 * node + 1) * kLanes);
         parent = child;
@@ -235,10 +243,59 @@ HWY_INLINE void restoreLengths(D d, int nodes, hn::Vec<D> length, float* HWY_RES
         tension = hn::Sub(hn::LoadU(d, rows + (2 * node + 1) * kLanes), hn::Mul(first, tension));
         first = hn::LoadU(d, rows + (2 * node) * kLanes);
         const Vec3<V> pull = scale(sub(child, parent), tension);
-        store3(d, addScaled(child, sub(pull, pullBelow), hn::Set(d, inverseMass(i))), at);
+        store3(d, choose(which, addScaled(child, sub(pull, pullBelow), hn::Set(d, inverseMass(i))), child), at);
         pullBelow = pull;
         child = parent;
     }
+    load = hn::Add(load, hn::IfThenElseZero(which, tension));
+    return hn::And(which, hn::Gt(furthest, hn::Mul(square, hn::Set(d, kFirstOrder))));
+}
+
+/// As often as it takes. Stiffness, which knows nothing of lengths, moves nodes far along a strand that is kept from a
+/// sharply bent rest shape; what was not put right there went round as motion without end. Returns the root's tension.
+template<class D>
+HWY_INLINE hn::Vec<D> restoreLengths(D d, int nodes, hn::Vec<D> length, hn::Mask<D> which, float* HWY_RESTRICT p)
+{
+    hn::Vec<D> load = hn::Zero(d);
+    for (int pass = 0; pass < kRestorePasses && !hn::AllFalse(d, which); ++pass)
+        which = restoreLengthsOnce(d, nodes, length, which, load, p);
+    return load;
+}
+
+/// A coil is a spring: where its load differs from what it bore of late, it swings about another length. One degree of
+/// freedom a strand, so that it adds nothing to what the nodes' lengths cost. `pull`: the root's tension, by the
+/// length.
+template<class D>
+HWY_INLINE void swing(D d, int nodes, hn::Mask<D> which, hn::Vec<D> pull, float* HWY_RESTRICT lanes)
+{
+    using V = hn::Vec<D>;
+    constexpr auto kStep = static_cast<float>(kStepSeconds);
+    constexpr float kRate = 25.0F;         // rad/s: four times a second
+    constexpr float kDamping = 0.12F;      // of the critical one
+    constexpr float kOfLateS = 0.7F;       // over which a load becomes what it bore
+    constexpr float kWeightsToGive = 0.5F; // more, or less, stretch or shorten it by kGive
+    const V give = hn::LoadU(d, lanes + kGive * kLanes);
+    const hn::Mask<D> gives = hn::And(which, hn::Gt(give, hn::Zero(d)));
+    if (hn::AllFalse(d, gives))
+        return;
+    const float weight = (static_cast<float>(nodes) - 1.5F) * 9.81F * kStep * kStep;
+    const V load = hn::Min(hn::Max(hn::Mul(pull, hn::Set(d, -1.0F / weight)), hn::Set(d, -4.0F)), hn::Set(d, 6.0F));
+    const V known = hn::LoadU(d, lanes + kLoad * kLanes);
+    const V late = hn::IfThenElse(hn::Lt(known, hn::Set(d, kUnwanted)), known, load);
+    const V more = hn::Sub(load, late);
+    const V stretch = hn::LoadU(d, lanes + kStretch * kLanes);
+    const V speed = hn::LoadU(d, lanes + kStretchSpeed * kLanes);
+    const V target = hn::Mul(give, hn::Mul(more, hn::Set(d, 1.0F / kWeightsToGive)));
+    V faster = hn::Mul(hn::Sub(target, stretch), hn::Set(d, kRate * kRate * kStep));
+    faster = hn::Sub(faster, hn::Mul(speed, hn::Set(d, 2.0F * kDamping * kRate * kStep)));
+    const V speedNow = hn::Add(speed, faster);
+    const V free = hn::Add(stretch, hn::Mul(speedNow, hn::Set(d, kStep)));
+    const V stretchNow = hn::Min(hn::Max(free, hn::Sub(hn::Zero(d), give)), give);
+    const hn::Mask<D> atEnd = hn::Ne(free, stretchNow); // and where it is not a number
+    hn::StoreU(hn::IfThenElse(gives, stretchNow, stretch), d, lanes + kStretch * kLanes);
+    hn::StoreU(hn::IfThenElse(gives, hn::IfThenZeroElse(atEnd, speedNow), speed), d, lanes + kStretchSpeed * kLanes);
+    hn::StoreU(hn::IfThenElse(gives, hn::Add(late, hn::Mul(more, hn::Set(d, kStep / kOfLateS))), late), d,
+               lanes + kLoad * kLanes);
 }
 
 /// Keeps a node outside every ellipsoid, and it and its segment outside the skin; true where any lane was inside one.
@@ -308,10 +365,12 @@ HWY_INLINE void stepStrands(D d, const GroupGains& gains, const ColliderSet& col
     const V stillBefore = hn::LoadU(d, lanes + kStill * kLanes);
     const V asleepFrom = hn::Set(d, step.windy ? kUnwanted : kStillSteps);
     const hn::Mask<D> moving = hn::Lt(stillBefore, asleepFrom);
-    const V length = hn::LoadU(d, lanes + kSegmentLength * kLanes);
+    const V ownLength = hn::LoadU(d, lanes + kSegmentLength * kLanes);
+    const V length = hn::Add(ownLength, hn::Mul(ownLength, hn::LoadU(d, lanes + kStretch * kLanes)));
 
     predict(d, gains, step, rest, current, previous, lanes, p);
-    restoreLengths(d, gains.nodes, length, p);
+    const V tension = restoreLengths(d, gains.nodes, length, moving, p);
+    swing(d, gains.nodes, moving, hn::Mul(tension, length), lanes);
 
     const V zero = hn::Zero(d);
     const V one = hn::Set(d, 1.0F);

@@ -26,9 +26,13 @@ enum LaneField : std::uint8_t
     kPhaseGust, ///< Of the wind's waves at this root, rad, 0..2 pi.
     kPhaseA,
     kPhaseB,
-    kExposure, ///< Fraction of the wind's strength.
-    kStill,    ///< Steps without motion; kUnwanted where no hair is solved.
-    kMiddleX,  ///< Where the middle node was when the hair last moved, Hd, m;
+    kExposure,     ///< Fraction of the wind's strength.
+    kGive,         ///< Fraction of its length by which the strand stretches and shortens; 0: not at all.
+    kStretch,      ///< Fraction by which it is longer now, -kGive..kGive,
+    kStretchSpeed, ///< and by how much more a second.
+    kLoad,         ///< What it bore of late, in its own weights; kUnwanted: it has just come.
+    kStill,        ///< Steps without motion; kUnwanted where no hair is solved.
+    kMiddleX,      ///< Where the middle node was when the hair last moved, Hd, m;
     kMiddleY,
     kMiddleZ,
     kTipX, ///< and the tip.

@@ -115,6 +115,9 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     state.field(basisIndex, kPhaseA) = phases.a;
     state.field(basisIndex, kPhaseB) = phases.b;
     state.field(basisIndex, kExposure) = phases.exposure * physics.windScale;
+    state.field(basisIndex, kGive) = basis.give[basisIndex] / (1.0F + hold);
+    state.field(basisIndex, kStretch) =
+        std::clamp(state.field(basisIndex, kStretch), -state.field(basisIndex, kGive), state.field(basisIndex, kGive));
     // A held shape keeps out every node; hair that falls anyway only what stands at the root.
     const std::span<const glm::vec3> clear =
         std::span(rest).first(hold > kHeldShape ? nodes : std::min<std::size_t>(nodes, 2));

@@ -39,6 +39,8 @@ void StrandState::placeStrand(std::size_t strand, std::span<const glm::vec3> nod
 {
     for (AlignedFloats* array : {&positions[0], &positions[1], &previous})
         shape().write(*array, strand, nodesHd);
+    field(strand, kStretch) = field(strand, kStretchSpeed) = 0.0F;
+    field(strand, kLoad) = kUnwanted;
     wakeStrand(strand);
 }
 

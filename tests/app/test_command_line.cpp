@@ -9,6 +9,11 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#ifdef Q_OS_LINUX
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
 #include <cmath>
 
 using namespace hairpaint::test;
@@ -104,6 +109,12 @@ private Q_SLOTS:
         row("render p.hairpaint -o p.png --motion nod");
         row("export p.hairpaint -o p.hair --motion bow");
         row("--nonsense");
+        row("new -o p.hairpaint --max-candidates 1e3");
+        row("export p.hairpaint -o p.hair --hairs 2.5");
+        row("new -o p.hairpaint --map /density=x.png");
+        row("new -o p.png");
+        row("new -o p.hairpaint --head ");
+        row("new -o p.hairpaint --preset ");
     }
 
     void wrongUsageEndsWithTwo()
@@ -111,6 +122,31 @@ private Q_SLOTS:
         QFETCH(QStringList, arguments);
         const Outcome outcome = runProgram(arguments);
         QCOMPARE(outcome.code, 2);
+        QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
+    }
+
+    void whatCannotBePrintedFails()
+    {
+#ifdef Q_OS_LINUX
+        for (const char* arguments : {"presets", "--version", "--help", "new --help"}) {
+            const Outcome outcome = runProgram(QString::fromLatin1(arguments).split(QLatin1Char(' ')), [] {
+                const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
+                ::dup2(full, STDOUT_FILENO);
+            });
+            QCOMPARE(outcome.code, 1);
+            QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
+        }
+#endif
+    }
+
+    void namesReachATerminalTamed()
+    {
+        const QString name = QStringLiteral("two  spaces \x1b[31mred\x07.hairpaint");
+        const Outcome outcome = runProgram({QStringLiteral("info"), path("x").chopped(1) + name});
+        QCOMPARE(outcome.code, 1);
+        QVERIFY2(outcome.error.contains(QStringLiteral("two  spaces")), qPrintable(outcome.error));
+        QVERIFY(!outcome.error.contains(QChar(0x1b)));
+        QVERIFY(!outcome.error.contains(QChar(0x07)));
         QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
     }
 

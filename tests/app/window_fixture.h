@@ -129,6 +129,8 @@ protected:
     {
         QStandardPaths::setTestModeEnabled(true);
         SettingsStore().clear();
+        for (const auto& folder : JournalFolder::abandoned(JournalFolder::root()))
+            folder->remove(); // Of windows that tests before left without closing them.
         // A display can carry the QOpenGLWidget, also where OpenGL is software.
         if (QGuiApplication::platformName() == QLatin1String("xcb")) {
             view::Preferences preferences;

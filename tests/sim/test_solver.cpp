@@ -4,7 +4,7 @@
 #include "sim/motion/head_motion.h"
 #include "sim/motion/simulation.h"
 #include "sim/motion/wind_field.h"
-#include "tests/support/hand_made_groom.h"
+#include "tests/sim/hanging_hair.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -20,26 +20,6 @@ using namespace hairpaint::test;
 namespace {
 
 constexpr auto kStep = static_cast<float>(kStepSeconds);
-
-ColliderSet ballCollider(float radiusM = 0.1F)
-{
-    const std::vector<Ellipsoid> ball{{glm::vec3(0.0F), glm::vec3(radiusM), glm::quat(1.0F, 0.0F, 0.0F, 0.0F)}};
-    return prepareColliders(ball);
-}
-
-glm::vec3 nodeOf(const GroupDynamics& hair, std::size_t strand, int node)
-{
-    const StrandState& state = hair.state();
-    return state.shape().node(state.now(), strand, static_cast<std::size_t>(node));
-}
-
-/// Steps of a world in which only gravity acts.
-void fall(GroupDynamics& hair, int steps)
-{
-    const StepForces calm = WindField::calm({});
-    for (int i = 0; i < steps; ++i)
-        hair.step(std::span(&calm, 1));
-}
 
 /// Strands over the upper half of a ball of 0.1 m, evenly by the golden angle, pointing along the normal.
 std::vector<HandStrand> ballStrands(std::size_t count, float lengthM)
@@ -95,10 +75,6 @@ private Q_SLOTS:
     void nothingExplodes();
     void tenMinutesOfStormAndShakingStretchNothing();
     void gustsReachEachLockInItsOwnTime();
-    void shortHairStandsAndLongHairHangs();
-    void aCantileverBendsAsElasticaDo_data();
-    void aCantileverBendsAsElasticaDo();
-    void eachTenthOfGelIsStiffer();
 };
 
 void TestSolver::aNodeFallsFreelyUntilItsSegmentIsTight()
@@ -349,85 +325,6 @@ void TestSolver::nothingExplodes()
         QVERIFY(glm::distance(tips[s], nodeOf(hair, s, 7)) < 0.005F);
 }
 
-void TestSolver::aCantileverBendsAsElasticaDo_data()
-{
-    QTest::addColumn<float>("length");
-    QTest::addColumn<int>("nodes");
-    QTest::newRow("2 cm") << 0.02F << 8;
-    QTest::newRow("5 cm, as long as it carries itself") << 0.05F << 8;
-    QTest::newRow("10 cm") << 0.10F << 8;
-    QTest::newRow("10 cm, 24 nodes") << 0.10F << 24;
-    QTest::newRow("20 cm") << 0.20F << 16;
-}
-
-/// Tip of a horizontal elastica under its own weight, by shooting: angle'' = -(l - s) cos(angle) / stiffness^3, 0 at
-/// the root, without moment at the tip.
-glm::dvec2 elasticaTip(double length, double stiffness)
-{
-    constexpr int kParts = 4000;
-    const double step = length / kParts;
-    const double cube = stiffness * stiffness * stiffness;
-    const auto shoot = [&](double moment) {
-        double angle = 0.0;
-        glm::dvec2 place(0.0);
-        for (int i = 0; i < kParts; ++i) {
-            const double s = (i + 0.5) * step;
-            const double middle = angle + 0.5 * step * moment;
-            place += step * glm::dvec2(std::cos(middle), -std::sin(middle));
-            moment -= step * (length - s) * std::cos(middle) / cube;
-            angle = middle + 0.5 * step * moment;
-        }
-        return std::pair(moment, place);
-    };
-    double low = 0.0;
-    double high = 0.5 * length * length / cube;
-    for (int i = 0; i < 80; ++i) {
-        const double middle = 0.5 * (low + high);
-        (shoot(middle).first > 0.0 ? high : low) = middle;
-    }
-    return shoot(low).second;
-}
-
-void TestSolver::aCantileverBendsAsElasticaDo()
-{
-    QFETCH(float, length);
-    QFETCH(int, nodes);
-    PhysicsSettings physics = barePhysics();
-    physics.stiffnessM = 0.05F;
-    physics.damping = 6.0F;
-    GroupDynamics hair;
-    hair.setGroom(groomOf({{glm::vec3(0.0F), glm::vec3(1.0F, 0.0F, 0.0F), length}}, nodes, physics), {},
-                  WindField::calm({}));
-    hair.reset();
-    fall(hair, 1200);
-    const glm::vec3 tip = nodeOf(hair, 0, nodes - 1);
-    const glm::dvec2 wanted = elasticaTip(static_cast<double>(length), 0.05);
-    const double apart = glm::distance(wanted, glm::dvec2(tip));
-    QVERIFY2(apart < 0.04 * static_cast<double>(length),
-             qPrintable(QStringLiteral("%1 %2, not %3 %4").arg(tip.x).arg(tip.y).arg(wanted.x).arg(wanted.y)));
-}
-
-void TestSolver::eachTenthOfGelIsStiffer()
-{
-    float before = std::numeric_limits<float>::infinity();
-    for (int tenths = 0; tenths <= 10; ++tenths) {
-        PhysicsSettings physics = barePhysics();
-        physics.stiffnessM = 0.05F;
-        physics.damping = 3.0F;
-        GroupDynamics hair;
-        const float gel = static_cast<float>(tenths) / 10.0F;
-        hair.setGroom(groomOf({{glm::vec3(0.0F), glm::vec3(1.0F, 0.0F, 0.0F), 0.15F, gel}}, 8, physics), {},
-                      WindField::calm({}));
-        hair.reset();
-        fall(hair, 1200);
-        const float shift = glm::distance(nodeOf(hair, 0, 7), glm::vec3(0.15F, 0.0F, 0.0F));
-        QVERIFY2(shift <= 0.85F * before,
-                 qPrintable(QStringLiteral("%1: %2 after %3").arg(gel).arg(shift).arg(before)));
-        qInfo("gel %.1f: the tip gives way by %.2f mm", static_cast<double>(gel), static_cast<double>(shift) * 1e3);
-        before = shift;
-    }
-}
-
 void TestSolver::tenMinutesOfStormAndShakingStretchNothing()
 {
     GroupDynamics hair;
@@ -479,21 +376,6 @@ void TestSolver::gustsReachEachLockInItsOwnTime()
         }
     }
     QVERIFY2(apart > 2.5F * beside, qPrintable(QStringLiteral("%1 %2").arg(apart).arg(beside)));
-}
-
-void TestSolver::shortHairStandsAndLongHairHangs()
-{
-    const glm::vec3 root(0.1F, 0.0F, 0.0F);
-    const glm::vec3 out(1.0F, 0.0F, 0.0F);
-    GroupDynamics hair;
-    hair.setGroom(groomOf({{root, out, 0.01F}, {root, out, 0.4F}}, 8, PhysicsSettings{}), ballCollider(),
-                  WindField::calm({}));
-    fall(hair, 240);
-    const glm::vec3 shortWay = nodeOf(hair, 0, 7) - root;
-    const glm::vec3 longWay = nodeOf(hair, 1, 7) - root;
-    QVERIFY(shortWay.x > 0.9F * 0.01F);
-    QVERIFY(longWay.y < -0.9F * 0.4F);
-    QVERIFY2(longWay.x < 0.1F * 0.4F, qPrintable(QString::number(longWay.x)));
 }
 
 HAIRPAINT_TEST(TestSolver, None)

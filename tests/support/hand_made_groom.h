@@ -23,6 +23,7 @@ struct HandStrand
     float gel = 0.0F;
     float height = 0.0F;
     bool wanted = true;
+    float give = 0.0F;
 };
 
 inline std::shared_ptr<sim::BasisStyles> basisOf(const std::vector<HandStrand>& strands, int nodes)
@@ -33,6 +34,7 @@ inline std::shared_ptr<sim::BasisStyles> basisOf(const std::vector<HandStrand>& 
     basis->restPositions.assign(sim::StrandBlocks(nodes).floatsFor(blocks), 0.0F);
     basis->segmentLengths.assign(blocks * sim::kLanes, 0.0F);
     basis->gel.assign(blocks * sim::kLanes, 0.0F);
+    basis->give.assign(blocks * sim::kLanes, 0.0F);
     basis->height.assign(blocks * sim::kLanes, 0.0F);
     basis->wanted.assign(blocks, 0U);
     for (std::size_t i = 0; i < strands.size(); ++i) {
@@ -40,6 +42,7 @@ inline std::shared_ptr<sim::BasisStyles> basisOf(const std::vector<HandStrand>& 
         const float segment = strand.lengthM / static_cast<float>(nodes - 1);
         basis->segmentLengths[i] = segment;
         basis->gel[i] = strand.gel;
+        basis->give[i] = strand.give;
         basis->height[i] = strand.height;
         if (strand.wanted)
             sim::insertLane(basis->wanted, i);

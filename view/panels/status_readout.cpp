@@ -132,8 +132,21 @@ void StatusReadout::setPaused(bool paused)
 
 void StatusReadout::setSaved(Saved saved)
 {
+    m_savedState = saved;
+    if (saved == Saved::No && !m_unprotected.isEmpty()) {
+        m_saved->setText(tr("▲ Not saved, no safety copy"));
+        m_saved->setToolTip(tr("A crash would lose what is not saved: the program's own copy of it failed.") +
+                            QLatin1Char('\n') + m_unprotected);
+        return;
+    }
     m_saved->setText(saved == Saved::No ? tr("● Not saved") : saved == Saved::Yes ? tr("✓ Saved") : QString());
     m_saved->setToolTip(saved == Saved::No ? tr("Changes that no file holds yet; Ctrl+S saves them") : QString());
+}
+
+void StatusReadout::setUnprotected(const QString& reason)
+{
+    m_unprotected = reason;
+    setSaved(m_savedState);
 }
 
 QString StatusReadout::savedText() const

@@ -30,6 +30,8 @@ public:
     };
     void setSaved(Saved saved);
     [[nodiscard]] QString savedText() const;
+    /// Why what is not saved would be lost in a crash; empty where it would not.
+    void setUnprotected(const QString& reason);
     void setFramesPerSecond(double frames); ///< Zero, where nothing is drawn, shows nothing.
     /// Instead of the tool's hint, for `milliseconds`; errors are marked as such.
     void showMessage(const QString& text, bool error = false, int milliseconds = 6000);
@@ -48,6 +50,8 @@ private:
     QLabel* m_frames = nullptr;
     QTimer m_message;
     bool m_paused = false;
+    Saved m_savedState = Saved::NothingToSave;
+    QString m_unprotected;
 };
 
 } // namespace hairpaint::view

@@ -1,0 +1,200 @@
+// From the document's steps to the writer's thread.
+#include "app/background/journal.h"
+
+#include "model/guarded.h"
+#include "model/journal/journal_writer.h"
+
+#include <QDateTime>
+#include <QUndoStack>
+
+#include <utility>
+
+namespace hairpaint::app {
+
+namespace {
+
+constexpr std::size_t kMostWaiting = 16; ///< Steps that are made faster than the disk takes them are left out.
+
+} // namespace
+
+Journal::Journal(model::Document& document, QString root, QObject* parent)
+    : QObject(parent), m_document(document), m_root(std::move(root)),
+      m_thread([this](const std::stop_token& stop) { work(stop); })
+{
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(0);
+    connect(&m_soon, &QTimer::timeout, this, &Journal::look);
+    connect(&document, &model::Document::changed, this, [this](const model::Change& change) {
+        m_replaced = m_replaced || change.aspect == model::Change::Aspect::Everything;
+        if (!change.preview)
+            m_soon.start();
+    });
+    connect(&document, &model::Document::modifiedChanged, &m_soon, qOverload<>(&QTimer::start));
+    // At once: the next step may come before the event loop does.
+    connect(&document.undoStack(), &QUndoStack::indexChanged, this, &Journal::look);
+    look();
+}
+
+Journal::~Journal()
+{
+    flush();
+}
+
+model::JournalState Journal::present() const
+{
+    const QUndoStack& steps = m_document.undoStack();
+    return {.project = m_document.committed(),
+            .path = m_path,
+            .step = steps.undoText(),
+            .index = steps.index(),
+            .count = steps.count(),
+            .timeMs = QDateTime::currentMSecsSinceEpoch()};
+}
+
+void Journal::look()
+{
+    m_soon.stop();
+    if (std::exchange(m_replaced, false)) {
+        if (std::exchange(m_written, false))
+            post({});
+        m_before.reset();
+    }
+    if (!m_document.modified()) {
+        if (m_written)
+            post({});
+        m_before = present();
+        return;
+    }
+    const std::pair now{m_document.revision(), m_document.undoStack().index()};
+    if (m_written && std::exchange(m_posted, now) == now)
+        return;
+    // What was there before the first step, so that this can be undone after a crash too.
+    if (!std::exchange(m_written, true) && m_before)
+        post({std::exchange(m_before, std::nullopt)});
+    post({present()});
+}
+
+void Journal::takeOver(const model::RecoveredWork& work)
+{
+    m_replaced = false;
+    m_written = true;
+    m_before.reset();
+    for (std::size_t i = 0; i < work.steps.size(); ++i) {
+        model::JournalState state = work.steps[i];
+        state.index = state.count = static_cast<int>(i);
+        post({std::move(state)});
+    }
+    look(); // Which of them it is.
+}
+
+void Journal::post(Task task)
+{
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_tasks.push_back(std::move(task));
+        if (m_tasks.size() > kMostWaiting)
+            m_tasks.erase(m_tasks.begin() + static_cast<std::ptrdiff_t>(kMostWaiting / 2));
+    }
+    m_changed.notify_all();
+}
+
+void Journal::flush()
+{
+    if (m_soon.isActive() || m_replaced)
+        look();
+    std::unique_lock lock(m_mutex);
+    m_changed.wait(lock, [this] { return m_tasks.empty() && !m_busy; });
+}
+
+bool Journal::idle()
+{
+    if (m_soon.isActive())
+        return false;
+    const std::scoped_lock lock(m_mutex);
+    return m_tasks.empty() && !m_busy && m_told;
+}
+
+void Journal::discard()
+{
+    m_soon.stop();
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_tasks.clear();
+        m_discarding = true;
+    }
+    m_changed.notify_all();
+    std::unique_lock lock(m_mutex);
+    m_changed.wait(lock, [this] { return !m_discarding; });
+    m_written = false;
+}
+
+void Journal::tell(const QString& problem)
+{
+    {
+        const std::scoped_lock lock(m_mutex);
+        m_told = true;
+    }
+    if (m_isStopped == !problem.isEmpty())
+        return;
+    m_isStopped = !problem.isEmpty();
+    if (m_isStopped)
+        Q_EMIT stopped(problem);
+    else
+        Q_EMIT resumed();
+}
+
+void Journal::work(const std::stop_token& stop)
+{
+    std::unique_ptr<JournalFolder> folder;
+    std::unique_ptr<model::JournalWriter> writer;
+    const auto append = [&](const Task& task) -> model::Checked<void> {
+        if (!task.state)
+            return writer ? writer->markClean() : model::Checked<void>();
+        if (!folder)
+            folder = JournalFolder::create(m_root);
+        if (!folder)
+            return model::refuse(tr("its folder can't be written to"));
+        if (!writer)
+            writer = std::make_unique<model::JournalWriter>(folder->file());
+        return writer->append(*task.state);
+    };
+    for (;;) {
+        Task task;
+        {
+            std::unique_lock lock(m_mutex);
+            m_busy = false;
+            m_changed.notify_all();
+            if (!m_changed.wait(lock, stop, [this] { return !m_tasks.empty() || m_discarding; }))
+                return;
+            if (m_discarding) {
+                writer.reset();
+                if (folder)
+                    folder->remove();
+                folder.reset();
+                m_discarding = false;
+                continue;
+            }
+            task = std::move(m_tasks.front());
+            m_tasks.pop_front();
+            m_busy = true;
+        }
+        const QString path = folder ? folder->file() : m_root;
+        const auto problem = [&]() -> QString {
+            const model::Result<void> done =
+                model::withinMemory(path, model::cannotWrite, [&]() -> model::Result<void> {
+                    const model::Checked<void> written = append(task);
+                    return written ? model::Result<void>() : model::cannotWrite(path, written.error());
+                });
+            return done ? QString() : done.error().message;
+        }();
+        if (!problem.isEmpty())
+            writer.reset(); // The next step begins anew, with all of the content.
+        {
+            const std::scoped_lock lock(m_mutex);
+            m_told = false;
+        }
+        QMetaObject::invokeMethod(this, [this, problem] { tell(problem); });
+    }
+}
+
+} // namespace hairpaint::app

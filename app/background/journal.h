@@ -1,0 +1,78 @@
+// Keeps the journal of the open document: see model/journal.
+#pragma once
+
+#include "app/background/journal_folder.h"
+#include "model/document.h"
+#include "model/journal/journal_state.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace hairpaint::app {
+
+/// After each step of the document its content goes to a thread of the journal's, which puts on the disk what is new
+/// in it. Nothing is written before the first step. Lives on the GUI thread, which never waits but in flush(); the
+/// document outlives it.
+class Journal : public QObject
+{
+    Q_OBJECT
+public:
+    Journal(model::Document& document, QString root, QObject* parent = nullptr);
+    ~Journal() override; ///< Flushes; what is on the disk stays, for the next start.
+
+    /// Of the project's file, from the next step on.
+    void setPath(const QString& path) { m_path = path; }
+    /// The document was restored with this history.
+    void takeOver(const model::RecoveredWork& work);
+    [[nodiscard]] bool idle();                                   ///< Nothing waits to be written.
+    [[nodiscard]] bool isStopped() const { return m_isStopped; } ///< The newest step is not on the disk.
+    /// When it returns, all steps are on the disk, or can't be.
+    void flush();
+    /// The work is saved, or not wanted: nothing is left behind.
+    void discard();
+
+Q_SIGNALS:
+    /// One sentence. The work goes on, but a crash would lose it; each further step tries again.
+    void stopped(const QString& reason);
+    void resumed();
+
+private:
+    struct Task
+    {
+        std::optional<model::JournalState> state; ///< None: what was appended last is saved.
+    };
+
+    void look();
+    [[nodiscard]] model::JournalState present() const;
+    void post(Task task);
+    void work(const std::stop_token& stop);
+    void tell(const QString& problem);
+
+    model::Document& m_document;
+    QString m_path;
+    QTimer m_soon; ///< Zero: several signals of one step.
+    bool m_replaced = true;
+    bool m_isStopped = false;                    ///< As it was told.
+    std::pair<std::uint64_t, int> m_posted;      ///< Revision and index of the step that was posted last.
+    bool m_written = false;                      ///< A state of this history was posted.
+    std::optional<model::JournalState> m_before; ///< The last one that was saved; it is written with the first step.
+
+    std::mutex m_mutex; ///< Of what follows.
+    std::condition_variable_any m_changed;
+    std::deque<Task> m_tasks;
+    bool m_busy = false;
+    bool m_discarding = false;
+    bool m_told = true; ///< How the last task went is known to this thread.
+    QString m_root;
+    std::jthread m_thread; ///< Last: it uses the others.
+};
+
+} // namespace hairpaint::app

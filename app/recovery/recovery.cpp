@@ -1,0 +1,78 @@
+// Reading journals and asking.
+#include "app/recovery/recovery.h"
+
+#include "app/recovery/recovery_dialog.h"
+#include "app/style_pictures.h"
+#include "model/journal/journal_reader.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace hairpaint::app {
+
+namespace {
+
+struct Recovery
+{
+    Q_DECLARE_TR_FUNCTIONS(Recovery)
+};
+
+UnsavedWork offerOf(const model::RecoveredWork& work)
+{
+    const model::JournalState& state = work.steps[work.current];
+    return {.name = state.path.isEmpty() ? Recovery::tr("Untitled") : QFileInfo(state.path).completeBaseName(),
+            .path = state.path,
+            .changed = QDateTime::fromMSecsSinceEpoch(state.timeMs),
+            .steps = static_cast<int>(work.current)};
+}
+
+std::vector<RestoredWork> readJournals(const QString& root, Jobs& jobs)
+{
+    std::vector<RestoredWork> found;
+    for (std::unique_ptr<JournalFolder>& folder : JournalFolder::abandoned(root)) {
+        using Read = std::optional<model::RecoveredWork>;
+        const QString file = folder->file();
+        std::optional<model::Result<Read>> read =
+            jobs.await<Read>(Recovery::tr("Looking for unsaved work"),
+                             [&file](const model::Progress& progress) { return model::readJournal(file, progress); });
+        if (!read)
+            break; // Cancelled: they are there at the next start.
+        if (*read && !**read)
+            folder->remove(); // All of it was saved.
+        else if (*read)
+            found.push_back({.work = std::move(***read), .folder = std::move(folder)});
+    }
+    return found;
+}
+
+} // namespace
+
+std::optional<RestoredWork> askForUnsavedWork(const QString& root, Jobs& jobs, QWidget& window)
+{
+    std::vector<RestoredWork> found = readJournals(root, jobs);
+    if (found.empty())
+        return std::nullopt;
+    std::vector<UnsavedWork> offers;
+    for (const RestoredWork& one : found)
+        offers.push_back(offerOf(one.work));
+    RecoveryDialog dialog(
+        offers, [&found](std::size_t index) { found[index].folder->remove(); }, &window);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const model::RecoveredWork& work = found[i].work;
+        jobs.start<QImage>(
+            Recovery::tr("Drawing the picture"),
+            [project = work.steps[work.current].project](const model::Progress& progress) -> model::Result<QImage> {
+                return projectPicture(project, progress);
+            },
+            &dialog,
+            [&dialog, i](const model::Result<QImage>& picture) {
+                if (picture && !picture->isNull())
+                    dialog.setPicture(i, *picture);
+            });
+    }
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return std::move(found[dialog.chosen()]);
+}
+
+} // namespace hairpaint::app

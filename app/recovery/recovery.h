@@ -1,0 +1,21 @@
+// At the start: what other windows left unsaved, and what becomes of it.
+#pragma once
+
+#include "app/background/jobs.h"
+#include "app/background/journal_folder.h"
+#include "model/journal/journal_state.h"
+
+#include <optional>
+
+namespace hairpaint::app {
+
+/// Looks for journals of windows that are gone and asks. What is to be restored comes back, with its folder, which is
+/// removed only once the work is in another journal or a file. GUI thread.
+struct RestoredWork
+{
+    model::RecoveredWork work;
+    std::unique_ptr<JournalFolder> folder;
+};
+[[nodiscard]] std::optional<RestoredWork> askForUnsavedWork(const QString& root, Jobs& jobs, QWidget& window);
+
+} // namespace hairpaint::app

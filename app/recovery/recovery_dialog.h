@@ -1,0 +1,44 @@
+// Asks what becomes of work that was not saved when the program ended.
+#pragma once
+
+#include <QDateTime>
+#include <QDialog>
+#include <QImage>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+class QListWidget;
+
+namespace hairpaint::app {
+
+/// What one window left.
+struct UnsavedWork
+{
+    QString name; ///< Of the project.
+    QString path; ///< Of its file; empty where it was never saved.
+    QDateTime changed;
+    int steps = 0; ///< That can be undone.
+};
+
+/// Modal. Accepted: one of them is to be restored. Rejected: not now; they are offered again at the next start.
+class RecoveryDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// `discard` is called for each that the user, asked again, wants to be rid of.
+    RecoveryDialog(const std::vector<UnsavedWork>& offers, std::function<void(std::size_t)> discard,
+                   QWidget* parent = nullptr);
+
+    void setPicture(std::size_t index, const QImage& picture);
+    [[nodiscard]] std::size_t chosen() const; ///< Index of the offer that is to be restored.
+
+private:
+    void discardChosen();
+
+    std::function<void(std::size_t)> m_discard;
+    QListWidget* m_list = nullptr;
+};
+
+} // namespace hairpaint::app

@@ -1,0 +1,82 @@
+// Payloads of a journal's records.
+#include "model/journal/journal_format.h"
+
+#include "model/files/project_json.h"
+
+#include <QCborMap>
+#include <QCborValue>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtEndian>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr int kVersion = 1;
+constexpr int kFastest = 1;
+constexpr qsizetype kMostStateBytes = qsizetype{192} << 20;
+const QString kFormat = QStringLiteral("hairpaint journal");
+
+} // namespace
+
+QByteArray journalStart()
+{
+    return QJsonDocument(QJsonObject{{QStringLiteral("format"), kFormat}, {QStringLiteral("version"), kVersion}})
+        .toJson(QJsonDocument::Compact);
+}
+
+bool isJournalStart(const QByteArray& payload)
+{
+    const QJsonObject start = QJsonDocument::fromJson(payload).object();
+    return start.value(QStringLiteral("format")).toString() == kFormat &&
+           start.value(QStringLiteral("version")).toInt() == kVersion;
+}
+
+QByteArray statePayload(const StateFields& fields)
+{
+    QCborMap tables;
+    for (const auto& [layer, table] : fields.tables)
+        tables.insert(layer, table);
+    const QCborMap map{{QStringLiteral("project"), fields.project}, {QStringLiteral("head"), fields.head},
+                       {QStringLiteral("tables"), tables},          {QStringLiteral("path"), fields.path},
+                       {QStringLiteral("step"), fields.step},       {QStringLiteral("index"), fields.index},
+                       {QStringLiteral("count"), fields.count},     {QStringLiteral("time"), fields.timeMs}};
+    return qCompress(QCborValue(map).toCbor(), kFastest);
+}
+
+std::optional<StateFields> stateFields(const QByteArray& payload)
+{
+    const std::optional<QByteArray> cbor = unpacked(payload, kMostStateBytes);
+    if (!cbor)
+        return std::nullopt;
+    const QCborMap map = QCborValue::fromCbor(*cbor).toMap();
+    StateFields fields;
+    fields.project = map.value(QStringLiteral("project")).toByteArray();
+    if (fields.project.isEmpty() || fields.project.size() > kMostJsonBytes)
+        return std::nullopt;
+    fields.head = static_cast<int>(map.value(QStringLiteral("head")).toInteger(kBuiltInHead));
+    for (const auto& [layer, table] : map.value(QStringLiteral("tables")).toMap())
+        fields.tables[static_cast<Id>(layer.toInteger())] = table.toByteArray();
+    fields.path = map.value(QStringLiteral("path")).toString();
+    fields.step = map.value(QStringLiteral("step")).toString();
+    fields.index = static_cast<int>(map.value(QStringLiteral("index")).toInteger());
+    fields.count = static_cast<int>(map.value(QStringLiteral("count")).toInteger());
+    fields.timeMs = map.value(QStringLiteral("time")).toInteger();
+    if (fields.index < 0 || fields.index > fields.count)
+        return std::nullopt;
+    return fields;
+}
+
+std::optional<QByteArray> unpacked(QByteArrayView packed, qsizetype mostBytes)
+{
+    constexpr qsizetype kSizeBytes = 4; // which qCompress puts first
+    if (packed.size() < kSizeBytes || qFromBigEndian<quint32>(packed.data()) > static_cast<quint64>(mostBytes))
+        return std::nullopt;
+    QByteArray bytes = qUncompress(reinterpret_cast<const uchar*>(packed.data()), packed.size());
+    if (bytes.isEmpty() || bytes.size() > mostBytes)
+        return std::nullopt;
+    return bytes;
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,44 @@
+// What stands in a journal's records, version 1. Ours alone: a journal is read by the program that is started next, and
+// one of another version is left as it is.
+//
+// Start: the JSON object {"format": "hairpaint journal", "version": 1}.
+// Tile: one byte of channels, one that is 1 where the tile is uniform; then 4 values of 16 bits, or its texels,
+// [64][64][channels], as qCompress packs them. Little endian.
+// Head: the source mesh of an imported head (head.glb of hairpaint_format.md), as qCompress packs it.
+// State: StateFields as CBOR, as qCompress packs it.
+// Clean: nothing.
+#pragma once
+
+#include "model/change.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <map>
+#include <optional>
+
+namespace hairpaint::model {
+
+inline constexpr int kBuiltInHead = -1;
+inline constexpr qsizetype kTableEntryBytes = 4;
+
+struct StateFields
+{
+    QByteArray project; ///< project.json of hairpaint_format.md.
+    int head = kBuiltInHead;
+    /// By layer: 4 bytes for each of its tiles, the tile's number. A layer that is missing has those it had before.
+    std::map<Id, QByteArray> tables;
+    QString path, step;
+    int index = 0, count = 0;
+    qint64 timeMs = 0;
+};
+
+[[nodiscard]] QByteArray journalStart();
+[[nodiscard]] bool isJournalStart(const QByteArray& payload);
+[[nodiscard]] QByteArray statePayload(const StateFields& fields);
+/// None where it is no such state.
+[[nodiscard]] std::optional<StateFields> stateFields(const QByteArray& payload);
+/// What qCompress packed, but nothing that claims more than `mostBytes`.
+[[nodiscard]] std::optional<QByteArray> unpacked(QByteArrayView packed, qsizetype mostBytes);
+
+} // namespace hairpaint::model

@@ -1,0 +1,196 @@
+// Records of what is new: see the header. What a state holds: journal_format.h.
+#include "model/journal/journal_writer.h"
+
+#include "model/files/atomic_file.h"
+#include "model/files/project_json.h"
+#include "model/journal/journal_format.h"
+
+#include <QSaveFile>
+#include <QtEndian>
+
+#include <algorithm>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr int kFastest = 1; // of zlib's levels
+
+QByteArray tilePayload(const sim::RasterTile& tile, int channels)
+{
+    QByteArray payload;
+    payload.append(static_cast<char>(channels));
+    payload.append(tile.isUniform() ? '\1' : '\0');
+    const std::span<const std::uint16_t> values =
+        tile.isUniform() ? std::span<const std::uint16_t>(tile.uniform) : std::span<const std::uint16_t>(tile.pixels);
+    QByteArray bytes(static_cast<qsizetype>(values.size_bytes()), Qt::Uninitialized);
+    qToLittleEndian<quint16>(values.data(), static_cast<qsizetype>(values.size()), bytes.data());
+    payload.append(tile.isUniform() ? bytes : qCompress(bytes, kFastest));
+    return payload;
+}
+
+} // namespace
+
+JournalWriter::JournalWriter(const QString& path, qint64 leastRewriteBytes)
+    : m_path(path), m_leastRewriteBytes(leastRewriteBytes)
+{}
+
+void JournalWriter::forget()
+{
+    m_tiles.clear();
+    m_tileCount = 0;
+    m_tables.clear();
+    m_heads.clear();
+    m_bytes = 0;
+}
+
+Checked<void> JournalWriter::put(QFile& file, QByteArrayView bytes)
+{
+    m_bytes += bytes.size();
+    while (!bytes.isEmpty()) {
+        const qint64 written = file.write(bytes.data(), bytes.size());
+        if (written <= 0) {
+            m_failed = true;
+            return refuse(writeProblem(file));
+        }
+        bytes = bytes.sliced(static_cast<qsizetype>(written));
+    }
+    return {};
+}
+
+Checked<void> JournalWriter::start(QFile& file)
+{
+    forget();
+    if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered)) {
+        m_failed = true;
+        return refuse(file.errorString());
+    }
+    return put(file, recordBytes(RecordKind::Start, journalStart()));
+}
+
+std::uint32_t JournalWriter::numberOf(const sim::RasterTilePtr& tile, int channels, QByteArray& records)
+{
+    KnownTile& known = m_tiles[tile.get()];
+    if (known.tile.lock() == tile)
+        return known.number;
+    records += recordBytes(RecordKind::Tile, tilePayload(*tile, channels));
+    known = {.tile = tile, .number = m_tileCount++};
+    return known.number;
+}
+
+int JournalWriter::headNumberOf(const std::shared_ptr<const Head>& head, QByteArray& records)
+{
+    if (!head || head->builtIn)
+        return kBuiltInHead;
+    auto known = std::ranges::find(m_heads, head);
+    if (known == m_heads.end()) {
+        records += recordBytes(RecordKind::Head, qCompress(head->sourceGlb, kFastest));
+        known = m_heads.insert(m_heads.end(), head);
+    }
+    return static_cast<int>(known - m_heads.begin());
+}
+
+QByteArray JournalWriter::tableOf(const Layer& layer, QByteArray& records)
+{
+    QByteArray table(static_cast<qsizetype>(layer.raster.tileCount()) * kTableEntryBytes, Qt::Uninitialized);
+    for (int i = 0; i < layer.raster.tileCount(); ++i)
+        qToLittleEndian<quint32>(numberOf(layer.raster.tile(i), layer.raster.channels(), records),
+                                 table.data() + static_cast<qsizetype>(i) * kTableEntryBytes);
+    return table;
+}
+
+Checked<void> JournalWriter::write(QFile& file, const JournalState& state)
+{
+    Checked<QByteArray> json = projectToJson(state.project);
+    if (!json)
+        return tl::unexpected(json.error());
+    QByteArray records;
+    StateFields fields;
+    fields.head = headNumberOf(state.project.head, records);
+    std::map<Id, QByteArray> tables;
+    for (const HairGroup& group : state.project.groups) {
+        for (const MapStack& stack : group.maps) {
+            for (const Layer& layer : stack.layers) {
+                QByteArray table = tableOf(layer, records);
+                const auto before = m_tables.find(layer.id);
+                if (before == m_tables.end() || before->second != table)
+                    fields.tables[layer.id] = table;
+                tables[layer.id] = std::move(table);
+            }
+        }
+    }
+    fields.project = *json;
+    fields.path = state.path;
+    fields.step = state.step;
+    fields.index = state.index;
+    fields.count = state.count;
+    fields.timeMs = state.timeMs;
+    records += recordBytes(RecordKind::State, statePayload(fields));
+    if (Checked<void> done = put(file, records); !done)
+        return done;
+    m_tables = std::move(tables);
+    return {};
+}
+
+Checked<void> JournalWriter::rewrite()
+{
+    // Beside the old one, which counts until the new one is whole.
+    const QString beside = m_path + QStringLiteral(".new");
+    auto file = std::make_unique<QFile>(beside);
+    if (Checked<void> started = start(*file); !started)
+        return started;
+    for (const JournalState& state : m_states)
+        if (Checked<void> written = write(*file, state); !written)
+            return written;
+    if (Checked<void> lies = flushToDisk(*file); !lies) {
+        m_failed = true;
+        return lies;
+    }
+    m_file.reset();
+    file->close();
+    if (!replaceFile(beside, m_path)) {
+        m_failed = true;
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "it can't take the place of the one before")));
+    }
+    m_file = std::make_unique<QFile>(m_path);
+    if (!m_file->open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered)) {
+        m_failed = true;
+        return refuse(m_file->errorString());
+    }
+    m_rewrittenBytes = m_bytes;
+    return {};
+}
+
+Checked<void> JournalWriter::append(const JournalState& state)
+{
+    if (m_failed)
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "an earlier part of it could not be written")));
+    if (state.count == 0)
+        m_states.clear(); // Another project, or a history that was cleared: there is no way back.
+    m_states.push_back(state);
+    if (m_states.size() > kKeptStates)
+        m_states.pop_front();
+    m_clean = false;
+    const bool isLarge = m_file && m_bytes > std::max(m_leastRewriteBytes, kLiveFactor * m_rewrittenBytes);
+    if (!m_file || isLarge)
+        return rewrite();
+    if (Checked<void> written = write(*m_file, state); !written)
+        return written;
+    if (Checked<void> lies = flushToDisk(*m_file); !lies) {
+        m_failed = true;
+        return lies;
+    }
+    return {};
+}
+
+Checked<void> JournalWriter::markClean()
+{
+    if (m_clean || m_failed || !m_file)
+        return {};
+    m_clean = true;
+    if (Checked<void> written = put(*m_file, recordBytes(RecordKind::Clean, {})); !written)
+        return written;
+    return flushToDisk(*m_file);
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,71 @@
+// Writes a journal: after each edit what is new in the content, so that a crash loses nothing.
+#pragma once
+
+#include "model/files/sentences.h"
+#include "model/journal/journal_records.h"
+#include "model/journal/journal_state.h"
+
+#include <QFile>
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// One journal in one file. A state costs the tiles that no state before it had (told by identity, copies of a project
+/// share them) and a list of tiles for each layer that differs. Where the file has become much larger than what its
+/// last states hold, it is written anew. One thread. Errors: clauses for cannotWrite; after one nothing can be appended
+/// any more, and the file still holds what it held.
+class JournalWriter
+{
+public:
+    /// What a file may take before it is written anew: this much, or `kLiveFactor` times what it needs.
+    static constexpr qint64 kLeastRewriteBytes = 64 << 20;
+    static constexpr qint64 kLiveFactor = 3;
+    static constexpr std::size_t kKeptStates = 24; ///< Steps of the history that a file written anew still has.
+
+    explicit JournalWriter(const QString& path, qint64 leastRewriteBytes = kLeastRewriteBytes);
+
+    /// On the disk when it returns.
+    [[nodiscard]] Checked<void> append(const JournalState& state);
+    /// What was appended last is in the project's file too. Does nothing before the first state.
+    [[nodiscard]] Checked<void> markClean();
+
+    [[nodiscard]] qint64 bytesInFile() const { return m_bytes; }
+
+private:
+    /// Tells by identity; does not keep what nobody else keeps.
+    struct KnownTile
+    {
+        std::weak_ptr<const sim::RasterTile> tile;
+        std::uint32_t number = 0;
+    };
+
+    [[nodiscard]] Checked<void> start(QFile& file);
+    [[nodiscard]] Checked<void> write(QFile& file, const JournalState& state);
+    [[nodiscard]] Checked<void> rewrite();
+    [[nodiscard]] std::uint32_t numberOf(const sim::RasterTilePtr& tile, int channels, QByteArray& records);
+    [[nodiscard]] int headNumberOf(const std::shared_ptr<const Head>& head, QByteArray& records);
+    [[nodiscard]] QByteArray tableOf(const Layer& layer, QByteArray& records);
+    [[nodiscard]] Checked<void> put(QFile& file, QByteArrayView bytes);
+    void forget();
+
+    QString m_path;
+    qint64 m_leastRewriteBytes;
+    std::unique_ptr<QFile> m_file;
+    std::unordered_map<const sim::RasterTile*, KnownTile> m_tiles;
+    std::uint32_t m_tileCount = 0;
+    std::map<Id, QByteArray> m_tables; ///< Of each layer, as it was written last.
+    std::vector<std::shared_ptr<const Head>> m_heads;
+    std::deque<JournalState> m_states; ///< The last ones.
+    qint64 m_bytes = 0;
+    qint64 m_rewrittenBytes = 0; ///< What the file took when it was written anew last.
+    bool m_clean = true;
+    bool m_failed = false;
+};
+
+} // namespace hairpaint::model

@@ -1,0 +1,154 @@
+// A project's file that others work on too: nothing of theirs is replaced without a question.
+#include "tests/app/window_fixture.h"
+#include "tests/model/archive_maker.h"
+#include "tests/support/test_program.h"
+
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace hairpaint::app {
+
+namespace {
+
+/// Presses the button of that name in each message box; dialogs of files are cancelled.
+class Answer : public QObject
+{
+public:
+    explicit Answer(QString button) : m_button(std::move(button)) { startTimer(20); }
+    QStringList asked;
+
+protected:
+    void timerEvent(QTimerEvent* /*event*/) override
+    {
+        QWidget* waiting = QApplication::activeModalWidget();
+        if (auto* files = qobject_cast<QFileDialog*>(waiting))
+            return files->reject();
+        auto* box = qobject_cast<QMessageBox*>(waiting);
+        if (box == nullptr)
+            return;
+        asked += box->text();
+        for (QAbstractButton* button : box->buttons())
+            if (button->text().remove(QLatin1Char('&')) == m_button)
+                return button->click();
+    }
+
+private:
+    QString m_button;
+};
+
+} // namespace
+
+class TestOpenFile : public QObject, private WindowFixture
+{
+    Q_OBJECT
+private:
+    QString m_path;
+
+    void openSaved()
+    {
+        openWindow(model::newProject());
+        m_path = m_folder.filePath(QStringLiteral("shared.hairpaint"));
+        QFile::remove(m_path);
+        m_window->files().setPath(m_path);
+        QVERIFY(m_window->files().save());
+    }
+
+    void changeBackground(QRgb colour)
+    {
+        model::Document& document = session().document();
+        document.push(model::setBackgroundCommand(document, colour));
+        QVERIFY(document.modified());
+    }
+
+    /// Another program writes the file.
+    void writeOutside(const QByteArray& bytes)
+    {
+        QFile file(m_path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+    }
+
+private Q_SLOTS:
+    void initTestCase() { prepareApplication(); }
+    void cleanup() { m_window.reset(); }
+
+    void savingAgainAsksNothing()
+    {
+        openSaved();
+        Answer answer(QStringLiteral("Cancel"));
+        for (const QRgb colour : {0xFF112233U, 0xFF445566U}) {
+            changeBackground(colour);
+            QVERIFY(m_window->files().save());
+        }
+        QCOMPARE(answer.asked, QStringList());
+        QVERIFY(!session().document().modified());
+    }
+
+    void whatAnotherProgramWroteIsNotReplacedUnasked()
+    {
+        openSaved();
+        writeOutside("theirs");
+        changeBackground(0xFF112233U);
+        {
+            Answer stop(QStringLiteral("Cancel"));
+            QVERIFY(!m_window->files().save());
+            QCOMPARE(stop.asked.size(), 1);
+            QVERIFY2(stop.asked.front().contains(QStringLiteral("shared")), qPrintable(stop.asked.front()));
+        }
+        QCOMPARE(test::readBytes(m_path), QByteArray("theirs"));
+        QVERIFY(session().document().modified());
+        {
+            Answer other(QStringLiteral("Save under another name..."));
+            QVERIFY(!m_window->files().save()); // The dialog was cancelled.
+        }
+        QCOMPARE(test::readBytes(m_path), QByteArray("theirs"));
+        Answer replace(QStringLiteral("Replace"));
+        QVERIFY(m_window->files().save());
+        QVERIFY(model::loadProject(m_path));
+        changeBackground(0xFF778899U);
+        QVERIFY(m_window->files().save());
+        QCOMPARE(replace.asked.size(), 1);
+    }
+
+    void aFileThatIsGoneIsWrittenAgain()
+    {
+        openSaved();
+        QVERIFY(QFile::remove(m_path));
+        changeBackground(0xFF112233U);
+        Answer answer(QStringLiteral("Cancel"));
+        QVERIFY(m_window->files().save());
+        QCOMPARE(answer.asked, QStringList());
+        QVERIFY(model::loadProject(m_path));
+    }
+
+    void anotherWindowThatOpensItIsTold()
+    {
+        openSaved();
+        MainWindow other(test::thinned(model::newProject()), QString());
+        {
+            Answer stop(QStringLiteral("Cancel"));
+            QVERIFY(!other.files().openPath(m_path));
+            QCOMPARE(stop.asked.size(), 1);
+            QVERIFY(other.files().path().isEmpty());
+        }
+        {
+            Answer open(QStringLiteral("Open anyway"));
+            QVERIFY(other.files().openPath(m_path));
+            QCOMPARE(open.asked.size(), 1);
+        }
+        // The window that has it open may open it again.
+        Answer answer(QStringLiteral("Cancel"));
+        QVERIFY(m_window->files().openPath(m_path));
+        QCOMPARE(answer.asked, QStringList());
+        m_window.reset();
+        MainWindow third(test::thinned(model::newProject()), QString());
+        QVERIFY(third.files().openPath(m_path));
+        QCOMPARE(answer.asked, QStringList());
+    }
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestOpenFile, Widgets)
+#include "test_open_file.moc"
