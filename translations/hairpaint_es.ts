@@ -3473,8 +3473,8 @@
         <translation>▲ Sin guardar y sin copia de seguridad</translation>
     </message>
     <message>
-        <source>A crash would lose what is not saved: the program&apos;s own copy of it failed.</source>
-        <translation>Un fallo haría perder lo que no está guardado: la copia propia del programa no se pudo hacer.</translation>
+        <source>A crash would lose what is not saved: the program could not keep a copy of it (%1).</source>
+        <translation>Un fallo haría perder lo que no está guardado: el programa no pudo guardar una copia (%1).</translation>
     </message>
 </context>
 <context>

@@ -178,15 +178,12 @@ void Journal::work(const std::stop_token& stop)
             m_tasks.pop_front();
             m_busy = true;
         }
-        const QString path = folder ? folder->file() : m_root;
-        const auto problem = [&]() -> QString {
-            const model::Result<void> done =
-                model::withinMemory(path, model::cannotWrite, [&]() -> model::Result<void> {
-                    const model::Checked<void> written = append(task);
-                    return written ? model::Result<void>() : model::cannotWrite(path, written.error());
-                });
-            return done ? QString() : done.error().message;
-        }();
+        const QString problem = model::whereMemoryLasts(
+            [&] {
+                const model::Checked<void> written = append(task);
+                return written ? QString() : written.error().text;
+            },
+            [] { return model::notEnoughMemory().text; });
         if (!problem.isEmpty())
             writer.reset(); // The next step begins anew, with all of the content.
         {

@@ -40,7 +40,7 @@ public:
     void discard();
 
 Q_SIGNALS:
-    /// One sentence. The work goes on, but a crash would lose it; each further step tries again.
+    /// A clause. The work goes on, but a crash would lose it; each further step tries again.
     void stopped(const QString& reason);
     void resumed();
 

@@ -3,26 +3,47 @@
 #include "app/importer/image_io.h"
 #include "app/importer/mesh_import.h"
 #include "app/importer/resource_limits.h"
+#include "app/importer/sandbox.h"
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <string>
 
 #ifdef _WIN32
 #include <fcntl.h>
 #include <io.h>
+#else
+#include <unistd.h>
 #endif
 
 namespace {
 
 using namespace hairpaint;
 
-void makeStreamsBinary()
+/// Where answers go: what was standard output. What decoders print there goes where their errors go, and can't get
+/// between.
+std::FILE* takeWire()
 {
 #ifdef _WIN32
+    const int wire = _dup(_fileno(stdout));
+    _dup2(_fileno(stderr), _fileno(stdout));
     _setmode(_fileno(stdin), _O_BINARY);
-    _setmode(_fileno(stdout), _O_BINARY);
+    _setmode(wire, _O_BINARY);
+    return _fdopen(wire, "wb");
+#else
+    const int wire = dup(STDOUT_FILENO);
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+    return fdopen(wire, "wb");
 #endif
+}
+
+/// Of a file's path; "." where it names none.
+std::string folderOf(const std::string& path)
+{
+    const auto folder = std::filesystem::path(reinterpret_cast<const char8_t*>(path.c_str())).parent_path().u8string();
+    return folder.empty() ? std::string(".") : std::string(folder.begin(), folder.end());
 }
 
 struct Request
@@ -52,12 +73,14 @@ std::optional<wire::Bytes> answerTo(Request request)
         if (!encode)
             return std::nullopt;
         request.body = {};
+        importer::enterSandbox({});
         const auto file = importer::encodeImage(*encode);
         return file ? *file : wire::encodeRefusal(file.error());
     }
     const std::optional<std::string> path = wire::decodePath(request.body);
     if (!path)
         return std::nullopt;
+    importer::enterSandbox(folderOf(*path));
     if (request.kind == wire::Kind::ReadImage) {
         const auto image = importer::readImage(*path);
         return image ? wire::encodeImage(*image) : wire::encodeRefusal(image.error());
@@ -66,23 +89,24 @@ std::optional<wire::Bytes> answerTo(Request request)
     return mesh ? wire::encodeMesh(*mesh) : wire::encodeRefusal(mesh.error());
 }
 
-bool send(const wire::Bytes& message)
+bool send(std::FILE* channel, const wire::Bytes& message)
 {
-    return std::fwrite(message.data(), 1, message.size(), stdout) == message.size() && std::fflush(stdout) == 0;
+    return channel != nullptr && std::fwrite(message.data(), 1, message.size(), channel) == message.size() &&
+           std::fflush(channel) == 0;
 }
 
-int run()
+int run(std::FILE* channel)
 {
     try {
         std::optional<Request> request = receive();
         if (!request)
             return 2;
         const std::optional<wire::Bytes> answer = answerTo(std::move(*request));
-        return answer && send(*answer) ? 0 : 2;
+        return answer && send(channel, *answer) ? 0 : 2;
     } catch (const std::bad_alloc&) {
-        return send(wire::encodeRefusal(wire::Reason::OutOfMemory)) ? 0 : 2;
+        return send(channel, wire::encodeRefusal(wire::Reason::OutOfMemory)) ? 0 : 2;
     } catch (const std::exception&) {
-        return send(wire::encodeRefusal(wire::Reason::Damaged)) ? 0 : 2;
+        return send(channel, wire::encodeRefusal(wire::Reason::Damaged)) ? 0 : 2;
     }
 }
 
@@ -91,8 +115,7 @@ int run()
 int main()
 {
     importer::limitResources();
-    makeStreamsBinary();
-    const int code = run();
+    const int code = run(takeWire());
     // Decoders' own clean-up at exit has nothing left to say.
     std::_Exit(code);
 }

@@ -2,6 +2,7 @@
 #include "app/importer/mesh_import.h"
 
 #include "app/importer/mesh_builder.h"
+#include "app/importer/plain_files.h"
 #include "sim/skin/head_limits.h"
 
 #include <assimp/Importer.hpp>
@@ -94,6 +95,7 @@ private:
 tl::expected<sim::HeadMesh, wire::Reason> readMesh(const std::string& path)
 {
     Assimp::Importer importer;
+    importer.SetIOHandler(new PlainFiles); // It takes it over.
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 175.0F);
     const aiScene* scene =
         importer.ReadFile(path, static_cast<unsigned>(aiProcess_Triangulate) | aiProcess_GenSmoothNormals |

@@ -9,6 +9,9 @@
 
 #ifdef Q_OS_UNIX
 #include <csignal>
+#ifdef Q_OS_LINUX
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <unistd.h>
 #endif
@@ -33,6 +36,9 @@ constexpr bool kLimitMemory = true;
 void confineChild(int timeoutMs)
 {
     setpgid(0, 0);
+#ifdef Q_OS_LINUX
+    prctl(PR_SET_PDEATHSIG, SIGKILL); // Nobody is left to read what it says.
+#endif
     const rlimit none{.rlim_cur = 0, .rlim_max = 0};
     setrlimit(RLIMIT_CORE, &none);
     const rlim_t seconds = static_cast<rlim_t>(timeoutMs / 1000) + 2;

@@ -99,13 +99,13 @@ private Q_SLOTS:
 
     void aSourceIsNeverOverwritten()
     {
-        const QString image = path(QStringLiteral("image.png"));
+        const QString image = path(QStringLiteral("image.hairpaint"));
         writeBytes(image, pngOf(1, 1, 8, 2, packedZeros(4)));
         const QByteArray before = contentOf(image);
         QCOMPARE(faultOf(m_folder.path(),
                          {QStringLiteral("new"), QStringLiteral("-o"), image, QStringLiteral("--map"),
                           QStringLiteral("density=") + image},
-                         QStringLiteral("image.png")),
+                         QStringLiteral("image.hairpaint")),
                  QString());
         QVERIFY(contentOf(image) == before);
         const QString project = path(QStringLiteral("project.hair"));

@@ -12,6 +12,10 @@
 
 #include <limits>
 
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
+
 using namespace hairpaint;
 using namespace hairpaint::model;
 
@@ -207,6 +211,18 @@ private Q_SLOTS:
     {
         const auto mesh = m_client.readMesh(written(QStringLiteral("n.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
         QVERIFY(!mesh && mesh.error().message.contains(QStringLiteral("uv")));
+    }
+
+    void aPipeThatAModelNamesIsNotWaitedFor()
+    {
+#ifdef Q_OS_UNIX
+        const QString model = written(QStringLiteral("pipe.obj"), "mtllib pipe.mtl\n" + kQuad + "f 1/1 2/2 3/3 4/4\n");
+        const QByteArray pipe = QFile::encodeName(QFileInfo(model).absolutePath() + QStringLiteral("/pipe.mtl"));
+        QCOMPARE(::mkfifo(pipe.constData(), 0600), 0);
+        const auto mesh = m_client.readMesh(model); // Would end with the helper's time.
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        QCOMPARE(mesh->triangles.size(), 2U);
+#endif
     }
 
     void uvsOfOtherTilesAreMovedIntoTheUnitSquare_data()

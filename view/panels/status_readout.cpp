@@ -135,8 +135,8 @@ void StatusReadout::setSaved(Saved saved)
     m_savedState = saved;
     if (saved == Saved::No && !m_unprotected.isEmpty()) {
         m_saved->setText(tr("▲ Not saved, no safety copy"));
-        m_saved->setToolTip(tr("A crash would lose what is not saved: the program's own copy of it failed.") +
-                            QLatin1Char('\n') + m_unprotected);
+        m_saved->setToolTip(tr("A crash would lose what is not saved: the program could not keep a copy of it (%1).")
+                                .arg(m_unprotected));
         return;
     }
     m_saved->setText(saved == Saved::No ? tr("● Not saved") : saved == Saved::Yes ? tr("✓ Saved") : QString());

@@ -30,7 +30,7 @@ public:
     };
     void setSaved(Saved saved);
     [[nodiscard]] QString savedText() const;
-    /// Why what is not saved would be lost in a crash; empty where it would not.
+    /// Why what is not saved would be lost in a crash, as a clause; empty where it would not.
     void setUnprotected(const QString& reason);
     void setFramesPerSecond(double frames); ///< Zero, where nothing is drawn, shows nothing.
     /// Instead of the tool's hint, for `milliseconds`; errors are marked as such.

@@ -1,0 +1,17 @@
+// The files that Assimp's importers open: ordinary ones alone.
+#pragma once
+
+#include <assimp/DefaultIOSystem.h>
+
+namespace hairpaint::importer {
+
+/// A model may name other files, its materials and buffers; a pipe or a device among them would be waited for for ever,
+/// and is as if it were not there.
+class PlainFiles : public Assimp::DefaultIOSystem
+{
+public:
+    [[nodiscard]] bool Exists(const char* file) const override;
+    Assimp::IOStream* Open(const char* file, const char* mode) override;
+};
+
+} // namespace hairpaint::importer
