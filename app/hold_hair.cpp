@@ -52,11 +52,14 @@ HoldHair::held(const std::shared_ptr<const sim::StrandFrame>& hair)
                 return one.groom != nullptr && one.groom->groupId == request.direction.address.group;
             });
             std::vector<model::LyingHair> hairs;
-            if (group != hair->groups.end())
+            std::vector<model::LyingHair> further;
+            if (group != hair->groups.end()) {
                 hairs = model::lyingHairs(*group, hair->pose);
+                further = model::hairsFurtherOn(*group, hair->pose);
+            }
             if (hairs.empty())
                 return model::failure(tr("There is no hair to hold in this group."));
-            std::optional<Edits> edits = model::holdHair(model::LyingField(hairs), request, progress);
+            std::optional<Edits> edits = model::holdHair(model::LyingField(hairs, further), request, progress);
             return edits ? model::Result<Edits>(std::move(*edits)) : model::cancelled({});
         });
 }

@@ -3,6 +3,7 @@
 
 #include "app/library.h"
 #include "app/save_dialog.h"
+#include "model/files/earlier_versions.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -228,25 +229,35 @@ bool ProjectFiles::saveTo(const QString& path)
     model::Document& document = m_session.document();
     const model::Project project = document.committed();
     const QUndoCommand* newest = newestStep(document);
+    const bool keepsEarlier = m_settings.preferences().earlierVersions;
     const std::optional<model::Result<void>> saved =
         m_jobs.await<void>(saving, [&](const model::Progress& progress) -> model::Result<void> {
             const QImage thumbnail =
                 picture ? picture([&](double drawn) { return progress(drawn * kThumbnailFraction); }) : QImage();
+            if (keepsEarlier)
+                if (const model::Checked<void> kept = model::keepEarlierVersions(path); !kept)
+                    return model::cannotWrite(model::earlierVersion(path, 1), kept.error());
             return model::saveProject(project, path, thumbnail, m_encoded.get(), [&](double written) {
                 return progress(kThumbnailFraction + written * (1.0 - kThumbnailFraction));
             });
         });
     if (!saved)
         return false;
-    if (!*saved) {
-        complain(saved->error().message);
-        return false;
-    }
+    if (!*saved)
+        return offerAnotherPlace(saved->error().message) && saveAs();
     // A number that was being typed may have become a step meanwhile, which the file does not hold.
     if (newestStep(document) == newest)
         document.markSaved();
     setPath(path);
     return true;
+}
+
+bool ProjectFiles::offerAnotherPlace(const QString& problem)
+{
+    QMessageBox box(QMessageBox::Warning, tr("Save project"), problem, QMessageBox::Cancel, &m_window);
+    const QPushButton* other = box.addButton(tr("&Save under another name..."), QMessageBox::AcceptRole);
+    box.exec();
+    return box.clickedButton() == other;
 }
 
 void ProjectFiles::complain(const QString& message)

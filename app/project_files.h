@@ -60,6 +60,7 @@ private:
         Stop
     };
     [[nodiscard]] Outside askAboutOutside();
+    [[nodiscard]] bool offerAnotherPlace(const QString& problem);
     void complain(const QString& message);
 
     Session& m_session;

@@ -22,6 +22,7 @@ view::Preferences Settings::preferences() const
     const int presenter = m_settings.value(QStringLiteral("presenter"), 0).toInt();
     preferences.presenter = static_cast<view::PresenterChoice>(std::clamp(presenter, 0, 2));
     preferences.whitePaper = m_settings.value(QStringLiteral("whitePaper"), false).toBool();
+    preferences.earlierVersions = m_settings.value(QStringLiteral("earlierVersions"), false).toBool();
     return preferences;
 }
 
@@ -32,6 +33,7 @@ void Settings::setPreferences(const view::Preferences& preferences)
     m_settings.setValue(QStringLiteral("language"), preferences.language);
     m_settings.setValue(QStringLiteral("presenter"), static_cast<int>(preferences.presenter));
     m_settings.setValue(QStringLiteral("whitePaper"), preferences.whitePaper);
+    m_settings.setValue(QStringLiteral("earlierVersions"), preferences.earlierVersions);
 }
 
 QByteArray Settings::windowGeometry() const

@@ -17,7 +17,9 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr int kMapSize = 2048; ///< A lid's edge is a millimetre wide.
+constexpr int kFineMapSize = 2048; ///< A lid's edge is a millimetre wide.
+constexpr int kMapSize = 1024;
+constexpr float kReachM = 0.004F;
 constexpr QRgb kBrown = 0xFF33241B;
 
 /// What grows at a place of the skin, each 0..1.
@@ -30,6 +32,10 @@ struct Growth
 struct FaceGroup
 {
     const char* kind; ///< A HairKind's name.
+    bool ofEveryFace; ///< Else only where it is asked for.
+    int mapSize;
+    /// Roughly how far within the region a place is, m; nothing grows further out than kReachM.
+    float (*inside)(const heads::HeadRegions& regions, const glm::vec3& place);
     Growth (*at)(const heads::HeadRegions& regions, const glm::vec3& place);
 };
 
@@ -40,19 +46,29 @@ float faded(float from, float to, float x)
 }
 
 constexpr std::array kFaceGroups{
-    FaceGroup{"Brows",
+    FaceGroup{"Brows", true, kFineMapSize,
+              [](const heads::HeadRegions& regions, const glm::vec3& place) { return regions.browDistance(place); },
               [](const heads::HeadRegions& regions, const glm::vec3& place) {
                   const float inside = regions.browDistance(place);
                   return Growth{.density = faded(-0.0008F, 0.0022F, inside),
                                 .length = 0.25F + 0.20F * faded(0.0F, 0.0035F, inside)};
               }},
-    FaceGroup{"Lashes",
+    FaceGroup{"Lashes", true, kFineMapSize,
+              [](const heads::HeadRegions& regions, const glm::vec3& place) { return -regions.lashDistance(place); },
               [](const heads::HeadRegions& regions, const glm::vec3& place) {
                   float along = 0.0F;
                   const float distance = regions.lashDistance(place, &along);
                   const float fromCorner = std::min(along, 1.0F - along);
                   return Growth{.density = 1.0F - faded(0.0008F, 0.0014F, distance),
                                 .length = 0.35F + 0.25F * faded(0.0F, 0.3F, fromCorner) + 0.20F * along};
+              }},
+    // A full beard of 2 cm, thinner and shorter toward its edge.
+    FaceGroup{"Beard", false, kMapSize,
+              [](const heads::HeadRegions& regions, const glm::vec3& place) { return regions.beardDistance(place); },
+              [](const heads::HeadRegions& regions, const glm::vec3& place) {
+                  const float inside = regions.beardDistance(place);
+                  return Growth{.density = faded(-0.003F, 0.0015F, inside),
+                                .length = 0.12F + 0.14F * faded(0.0F, 0.010F, inside)};
               }},
 };
 
@@ -69,15 +85,14 @@ void paint(HairGroup& group, const FaceGroup& what, const Head& head)
     sim::TiledRaster& length = group.map(MapKind::Length).layers.front().raster;
     // Faces whose vertices lie near by are enough: what grows is wider than they are.
     const sim::HeadMesh& mesh = head.skin->mesh();
-    constexpr auto side = static_cast<float>(kMapSize);
+    const auto side = static_cast<float>(what.mapSize);
     for (const glm::uvec3& t : mesh.triangles) {
-        constexpr float kReachM = 0.004F;
         glm::vec2 low(1.0F);
         glm::vec2 high(0.0F);
         bool grows = false;
         for (int corner = 0; corner < 3; ++corner) {
             const glm::vec3& place = mesh.positionsHd[t[corner]];
-            grows = grows || regions.browDistance(place) > -kReachM || regions.lashDistance(place) < kReachM;
+            grows = grows || what.inside(regions, place) > -kReachM;
             low = glm::min(low, mesh.uvs[t[corner]]);
             high = glm::max(high, mesh.uvs[t[corner]]);
         }
@@ -85,8 +100,8 @@ void paint(HairGroup& group, const FaceGroup& what, const Head& head)
             continue;
         const glm::ivec2 first(static_cast<int>(low.x * side), static_cast<int>((1.0F - high.y) * side));
         const glm::ivec2 last(static_cast<int>(high.x * side), static_cast<int>((1.0F - low.y) * side));
-        for (int y = std::max(first.y, 0); y <= std::min(last.y, kMapSize - 1); ++y)
-            for (int x = std::max(first.x, 0); x <= std::min(last.x, kMapSize - 1); ++x) {
+        for (int y = std::max(first.y, 0); y <= std::min(last.y, what.mapSize - 1); ++y)
+            for (int x = std::max(first.x, 0); x <= std::min(last.x, what.mapSize - 1); ++x) {
                 const glm::vec2 uv((static_cast<float>(x) + 0.5F) / side, 1.0F - (static_cast<float>(y) + 0.5F) / side);
                 const std::optional<sim::SurfacePoint> point = head.skin->atUv(uv);
                 const Growth growth = point ? what.at(regions, point->positionHd) : Growth{};
@@ -100,7 +115,7 @@ void paint(HairGroup& group, const FaceGroup& what, const Head& head)
 
 HairGroup grown(Project& project, const FaceGroup& what, const Head& head)
 {
-    HairGroup group = makeGroup(project, QString::fromLatin1(what.kind), kMapSize);
+    HairGroup group = makeGroup(project, QString::fromLatin1(what.kind), what.mapSize);
     const auto kinds = hairKinds();
     const auto kind = std::ranges::find_if(
         kinds, [&](const HairKind& one) { return QLatin1StringView(one.name) == QLatin1StringView(what.kind); });
@@ -116,9 +131,8 @@ HairGroup grown(Project& project, const FaceGroup& what, const Head& head)
     return group;
 }
 
-} // namespace
-
-std::optional<std::vector<HairGroup>> faceHair(const std::shared_ptr<const Head>& head, const Progress& progress)
+std::optional<std::vector<HairGroup>> grownWhere(const std::function<bool(const FaceGroup&)>& wanted,
+                                                 const std::shared_ptr<const Head>& head, const Progress& progress)
 {
     const std::shared_ptr<const Head> known = builtInHead();
     if (head != known && !canCarry(known, head))
@@ -126,16 +140,31 @@ std::optional<std::vector<HairGroup>> faceHair(const std::shared_ptr<const Head>
     Project project;
     project.head = known;
     std::vector<HairGroup> groups;
-    groups.reserve(kFaceGroups.size());
     for (const FaceGroup& what : kFaceGroups)
-        groups.push_back(grown(project, what, *known));
-    return head == known ? groups : carriedGroups(std::move(groups), known, head, progress);
+        if (wanted(what))
+            groups.push_back(grown(project, what, *known));
+    return head == known || groups.empty() ? groups : carriedGroups(std::move(groups), known, head, progress);
+}
+
+} // namespace
+
+std::optional<std::vector<HairGroup>> faceHair(const std::shared_ptr<const Head>& head, const Progress& progress)
+{
+    return grownWhere([](const FaceGroup& one) { return one.ofEveryFace; }, head, progress);
+}
+
+std::optional<HairGroup> grownHair(const HairKind& kind, const std::shared_ptr<const Head>& head)
+{
+    std::optional<std::vector<HairGroup>> groups = grownWhere(
+        [&](const FaceGroup& one) { return QLatin1StringView(one.kind) == QLatin1StringView(kind.name); }, head, {});
+    return groups && !groups->empty() ? std::optional<HairGroup>(std::move(groups->front())) : std::nullopt;
 }
 
 bool isFaceHair(const HairGroup& group)
 {
-    return std::ranges::any_of(kFaceGroups,
-                               [&](const FaceGroup& one) { return group.name == QLatin1StringView(one.kind); });
+    return std::ranges::any_of(kFaceGroups, [&](const FaceGroup& one) {
+        return one.ofEveryFace && group.name == QLatin1StringView(one.kind);
+    });
 }
 
 } // namespace hairpaint::model

@@ -1,6 +1,7 @@
-// Eyebrows and eyelashes as hair groups.
+// Eyebrows, eyelashes and beards as hair groups.
 #pragma once
 
+#include "model/hair_kinds.h"
 #include "model/progress.h"
 #include "model/project.h"
 
@@ -15,7 +16,11 @@ namespace hairpaint::model {
 [[nodiscard]] std::optional<std::vector<HairGroup>> faceHair(const std::shared_ptr<const Head>& head,
                                                              const Progress& progress = {});
 
-/// Whether the group is one of those.
+/// A group of hair that grows at a place of its own, such as a beard, painted there in the same way. Its ids are
+/// nobody's yet. None for other kinds and where it is not known on that head. Any thread; some 100 ms.
+[[nodiscard]] std::optional<HairGroup> grownHair(const HairKind& kind, const std::shared_ptr<const Head>& head);
+
+/// Whether the group is of faceHair().
 [[nodiscard]] bool isFaceHair(const HairGroup& group);
 
 } // namespace hairpaint::model

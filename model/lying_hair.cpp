@@ -1,6 +1,9 @@
 // Hairs summed in cells of the layout; cells with few of them take from ever coarser ones.
 #include "model/lying_hair.h"
 
+#include "sim/base/parallel.h"
+#include "sim/skin/skin_frame.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +13,9 @@ namespace {
 
 constexpr float kAlongM = 0.02F;
 constexpr float kAlongPart = 1.0F / 3.0F;
+constexpr std::size_t kFurtherHairs = 4000;
+constexpr std::size_t kFurtherGrain = 64;
+constexpr float kOverSkinM = 0.015F;    ///< So far over the skin hair is laid.
 constexpr float kEnoughHairs = 6.0F; ///< A cell with so many needs no coarser one.
 constexpr int kCoarsestCells = 16;
 
@@ -131,13 +137,57 @@ std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadP
     return hairs;
 }
 
-LyingField::LyingField(std::span<const LyingHair> hairs)
+std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::HeadPose& pose)
+{
+    if (group.groom == nullptr || group.positions.empty())
+        return {};
+    const sim::Groom& groom = *group.groom;
+    const sim::RootSet& roots = *groom.roots;
+    const sim::StrandBlocks blocks = groom.blocks();
+    const glm::quat toHead = glm::conjugate(pose.rotation);
+    const std::size_t step = std::max<std::size_t>(groom.drawnCount / kFurtherHairs, 1);
+    std::vector<std::size_t> slots;
+    std::size_t number = 0;
+    for (std::size_t slot = 0; slot < roots.count(); ++slot)
+        if (groom.isDrawn(slot) && number++ % step == 0)
+            slots.push_back(slot);
+    const auto most = static_cast<std::size_t>(groom.nodes);
+    std::vector<std::optional<LyingHair>> found(slots.size() * most);
+    sim::parallelFor(slots.size(), kFurtherGrain, [&](std::size_t begin, std::size_t end) {
+        std::vector<glm::vec3> nodes(most);
+        for (std::size_t i = begin; i < end; ++i) {
+            blocks.read(group.positions, groom.frameStrand(slots[i]), nodes);
+            for (std::size_t node = 1; node + 1 < most; ++node) {
+                const glm::vec3 placeHd = toHead * (nodes[node] - pose.positionWo);
+                const glm::vec3 wayHd = toHead * (nodes[node + 1] - nodes[node - 1]);
+                const float length = glm::length(wayHd);
+                const sim::SurfacePoint under = roots.skin->nearest(placeHd);
+                if (length > 1e-6F && glm::distance(under.positionHd, placeHd) < kOverSkinM)
+                    found[i * most + node] =
+                        LyingHair{.uv = under.uv, .direction = sim::SkinFrame::at(under).fromHd(wayHd / length)};
+            }
+        }
+    });
+    std::vector<LyingHair> hairs;
+    for (const std::optional<LyingHair>& hair : found)
+        if (hair)
+            hairs.push_back(*hair);
+    return hairs;
+}
+
+LyingField::LyingField(std::span<const LyingHair> hairs, std::span<const LyingHair> further)
 {
     std::vector<Sums> levels{Sums(kCells)};
-    for (const LyingHair& hair : hairs)
-        Sums::around(kCells, hair.uv, [&](glm::ivec2 at, float weight) {
-            levels.front().cell(at.x, at.y) += glm::vec4(hair.direction, glm::length(hair.direction), 1.0F) * weight;
-        });
+    Sums roots(kNearCells);
+    for (const std::span<const LyingHair> some : {hairs, further})
+        for (const LyingHair& hair : some)
+            Sums::around(kCells, hair.uv, [&](glm::ivec2 at, float weight) {
+                levels.front().cell(at.x, at.y) +=
+                    glm::vec4(hair.direction, glm::length(hair.direction), 1.0F) * weight;
+                if (some.data() == hairs.data())
+                    roots.cell(at.x * kNearCells / kCells, at.y * kNearCells / kCells).w += weight;
+            });
+    m_nearRoots = nearCells(roots);
     while (levels.back().side > kCoarsestCells) {
         if (levels.back().side == kNearCells)
             m_near = nearCells(levels.back());
@@ -153,10 +203,20 @@ LyingField::LyingField(std::span<const LyingHair> hairs)
 
 float LyingField::nearness(glm::vec2 uv) const
 {
+    return softly(m_near, uv);
+}
+
+float LyingField::nearnessOfRoots(glm::vec2 uv) const
+{
+    return softly(m_nearRoots, uv);
+}
+
+float LyingField::softly(const std::vector<float>& cells, glm::vec2 uv)
+{
     float sum = 0.0F;
     float weights = 0.0F;
     Sums::around(kNearCells, uv, [&](glm::ivec2 at, float weight) {
-        sum += weight * m_near[static_cast<std::size_t>(at.y) * kNearCells + static_cast<std::size_t>(at.x)];
+        sum += weight * cells[static_cast<std::size_t>(at.y) * kNearCells + static_cast<std::size_t>(at.x)];
         weights += weight;
     });
     const float near = weights > 0.0F ? sum / weights : 0.0F;

@@ -111,7 +111,7 @@ struct LightSettings
 
 inline constexpr int kMostHairs = 4'000'000; ///< A file may ask for this many.
 
-inline constexpr std::size_t kMostEllipsoids = 8; ///< That stand for a head in collisions.
+inline constexpr std::size_t kMostEllipsoids = 32; ///< That stand for a head in collisions.
 
 struct Project
 {

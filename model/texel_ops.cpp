@@ -273,17 +273,9 @@ QString colourText(const sim::GroupSettings& /*settings*/, const MapSpec& /*spec
 
 // Vectors
 
-/// Hair between two ways turns from one to the other; the mean of their vectors alone would make it stand where they
-/// are opposed.
-sim::Texel turnedBetween(const sim::Texel& from, const sim::Texel& to, float fraction)
+sim::Texel turnedTexel(const sim::Texel& from, const sim::Texel& to, float fraction)
 {
-    constexpr float kOpposed = 0.02F; // There is no way between.
-    const sim::DirectionVector a = sim::directionOf(from);
-    const sim::DirectionVector b = sim::directionOf(to);
-    const sim::DirectionVector mean = a + (b - a) * fraction;
-    const float flatness = glm::length(a) + (glm::length(b) - glm::length(a)) * fraction;
-    const float length = glm::length(mean);
-    return sim::texelOfDirection(length > kOpposed ? mean * (flatness / length) : mean);
+    return sim::texelOfDirection(sim::turnedBetween(sim::directionOf(from), sim::directionOf(to), fraction));
 }
 
 void layVectors(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint& paint)
@@ -297,8 +289,8 @@ void layVectors(std::uint16_t* layer, const std::uint16_t* mask, const TilePaint
         if (paint.values != nullptr)
             value = {paint.values[2 * texel], paint.values[2 * texel + 1], 0, 0};
         if (fraction != after)
-            value = turnedBetween({layer[0], layer[1], 0, 0}, value,
-                                  static_cast<float>(fraction) / static_cast<float>(std::max(after, 1U)));
+            value = turnedTexel({layer[0], layer[1], 0, 0}, value,
+                                static_cast<float>(fraction) / static_cast<float>(std::max(after, 1U)));
         layer[0] = value[0];
         layer[1] = value[1];
         layer[2] = static_cast<std::uint16_t>(after);
@@ -314,7 +306,7 @@ void blendVectors(BlendMode /*mode*/, const std::uint16_t* layer, std::size_t la
             continue;
         sim::Texel mixed{layer[0], layer[1], 0, 0};
         if (fraction != 65535)
-            mixed = turnedBetween({map[0], map[1], 0, 0}, mixed, static_cast<float>(fraction) / kGreatest);
+            mixed = turnedTexel({map[0], map[1], 0, 0}, mixed, static_cast<float>(fraction) / kGreatest);
         map[0] = mixed[0];
         map[1] = mixed[1];
     }

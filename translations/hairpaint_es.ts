@@ -74,6 +74,17 @@
     </message>
 </context>
 <context>
+    <name>ColliderEdit</name>
+    <message>
+        <source>Add collider</source>
+        <translation>Añadir elipsoide de colisión</translation>
+    </message>
+    <message>
+        <source>Remove collider</source>
+        <translation>Quitar elipsoide de colisión</translation>
+    </message>
+</context>
+<context>
     <name>CommandLine</name>
     <message>
         <source>%1. Usage: hairpaint %2 %3</source>
@@ -1692,6 +1703,26 @@
         <source>Hold as it lies</source>
         <translation>Fijar como está</translation>
     </message>
+    <message>
+        <source>Drag over hair to lay it as flat, or to lift it as far, as Flatness says; its direction stays</source>
+        <translation>Arrastra sobre el pelo para tumbarlo o levantarlo tanto como diga Inclinación; la dirección no cambia</translation>
+    </message>
+    <message>
+        <source>Drag over hair to lay it as its neighbours lie</source>
+        <translation>Arrastra sobre el pelo para que caiga como el de alrededor</translation>
+    </message>
+    <message>
+        <source>Drag over hair to ruffle it</source>
+        <translation>Arrastra sobre el pelo para despeinarlo</translation>
+    </message>
+    <message>
+        <source>Press where hair is to turn in a whorl as large as the ring; drag to move it</source>
+        <translation>Pulsa donde el pelo deba girar en un remolino del tamaño del anillo; arrastra para moverlo</translation>
+    </message>
+    <message>
+        <source>Drag over hair to hold it as it lies now, with at least that much gel</source>
+        <translation>Arrastra sobre el pelo para fijarlo como está ahora, con al menos ese gel</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ClipCommands</name>
@@ -2068,16 +2099,16 @@
         <translation>Quitar elip&amp;soide de colisión</translation>
     </message>
     <message>
-        <source>An ellipsoid where the pointer was last on the head, which hair does not enter; eight at most</source>
-        <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; ocho como máximo</translation>
-    </message>
-    <message>
         <source>Hol&amp;d as it lies now</source>
         <translation>Fi&amp;jar como está ahora</translation>
     </message>
     <message>
         <source>Paints directions and gel so that the active group&apos;s hair, inside the selection if there is one, stays as it lies now</source>
         <translation>Pinta direcciones y gel para que el pelo del grupo activo, dentro de la selección si la hay, quede como está ahora</translation>
+    </message>
+    <message>
+        <source>An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most</source>
+        <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; %1 como máximo</translation>
     </message>
 </context>
 <context>
@@ -2681,17 +2712,6 @@
     <message>
         <source>on the far side</source>
         <translation>en el otro lado</translation>
-    </message>
-</context>
-<context>
-    <name>hairpaint::view::HeadView</name>
-    <message>
-        <source>Add collider</source>
-        <translation>Añadir elipsoide de colisión</translation>
-    </message>
-    <message>
-        <source>Remove collider</source>
-        <translation>Quitar elipsoide de colisión</translation>
     </message>
 </context>
 <context>
@@ -3365,6 +3385,14 @@
     <message>
         <source>Maps go from white to their colour instead of from black. Exported images always do.</source>
         <translation>Los mapas van del blanco a su color y no desde el negro. Las imágenes exportadas siempre van así.</translation>
+    </message>
+    <message>
+        <source>Keep &amp;earlier versions</source>
+        <translation>Conservar versiones &amp;anteriores</translation>
+    </message>
+    <message>
+        <source>Saving a project leaves the last three beside it, as Name~1, Name~2 and Name~3; 1 is the newest.</source>
+        <translation>Al guardar un proyecto quedan a su lado los tres últimos, como Nombre~1, Nombre~2 y Nombre~3; el 1 es el más reciente.</translation>
     </message>
 </context>
 <context>

@@ -305,6 +305,16 @@ QString EditorState::refusalOnOthers() const
     return {};
 }
 
+QString EditorState::refusalWithCtrl(const model::ToolEvent& event) const
+{
+    const model::HairGroup* group = m_document.project().group(m_activeGroup);
+    const std::optional<MapKind> map = activeTool().paintsWithCtrl(event.area);
+    if (group == nullptr || !map || !event.modifiers.testFlag(Qt::ControlModifier))
+        return {};
+    const QString reason = refusalOn(*group, *map);
+    return reason.isEmpty() ? QString() : tr("%1: %2").arg(model::mapSpec(*map).titleText(), reason);
+}
+
 QString EditorState::refusalOn(const model::HairGroup& group, MapKind map) const
 {
     const model::Layer* layer = m_document.project().layer(group.id, map, activeLayer(map));
@@ -341,18 +351,27 @@ void EditorState::press(const model::ToolEvent& event)
     // Somebody else's edit ends before it is asked what there is to paint on.
     if (!picks && activeTool().paints() && !stroking())
         m_document.endEdit();
-    if (const QString reason = refusal(picks); !reason.isEmpty()) {
+    QString reason = refusal(picks);
+    if (reason.isEmpty())
+        reason = refusalWithCtrl(event);
+    if (!reason.isEmpty()) {
         Q_EMIT refused(reason);
         return;
     }
+    m_saidOfCtrl = false;
     m_strokeTarget = target();
     withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.press(event, toolContext); });
 }
 
 void EditorState::move(const model::ToolEvent& event)
 {
-    if (stroking())
-        withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.move(event, toolContext); });
+    if (!stroking())
+        return;
+    if (const QString reason = m_saidOfCtrl ? QString() : refusalWithCtrl(event); !reason.isEmpty()) {
+        m_saidOfCtrl = true;
+        Q_EMIT refused(reason); // The rest of the drag goes on.
+    }
+    withTool([&event](model::Tool& tool, model::ToolContext& toolContext) { tool.move(event, toolContext); });
 }
 
 void EditorState::release(const model::ToolEvent& event)

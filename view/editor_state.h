@@ -120,6 +120,8 @@ private:
     void followAmounts(bool tell);
     /// Why the active tool can't start on the target; empty where it can.
     [[nodiscard]] QString refusal(bool picks) const;
+    /// Why what Ctrl does besides can't be done.
+    [[nodiscard]] QString refusalWithCtrl(const model::ToolEvent& event) const;
     [[nodiscard]] QString refusalOn(const model::HairGroup& group, model::MapKind map) const;
     /// Why it can't change the other maps that it is set to change.
     [[nodiscard]] QString refusalOnOthers() const;
@@ -132,6 +134,7 @@ private:
     std::size_t m_previousTool = 0;
     bool m_toolWorks = false;           ///< A change that is told meanwhile is the active tool's.
     model::LayerAddress m_strokeTarget; ///< Stays the same from press to release.
+    bool m_saidOfCtrl = false;          ///< In this stroke.
     model::ToolSettings m_toolSettings;
     model::ValueAmounts m_amounts;
     model::Selection m_selection;

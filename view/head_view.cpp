@@ -1,8 +1,8 @@
 // The 3D area as a widget: its parts and children, its camera's flight, its drawing and its keys.
 #include "view/head_view.h"
 
-#include "model/commands/commands.h"
 #include "view/editor_state.h"
+#include "view/head/collider_edit.h"
 #include "view/head/direction_hairs.h"
 #include "view/head/frame_pacer.h"
 #include "view/head/frame_presenter.h"
@@ -29,16 +29,15 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
       m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_turn(std::make_unique<HeadTurn>()),
       m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
       m_pointer(std::make_unique<HeadPointer>(state, *m_scene, *m_turn, *this)),
-      m_pacer(std::make_unique<FramePacer>()), m_directions(std::make_unique<DirectionHairs>())
+      m_pacer(std::make_unique<FramePacer>()), m_directions(std::make_unique<DirectionHairs>()),
+      m_flight([this](const rendering::Camera& camera) {
+          m_scene->setCamera(camera);
+          cameraMoved();
+      })
 {
-    constexpr int kFlightMs = 240;
     setObjectName(QStringLiteral("headArea"));
     setMinimumSize(160, 160);
     m_weather->hide();
-    m_flight.setDuration(kFlightMs);
-    m_flight.setEasingCurve(QEasingCurve::OutCubic);
-    m_flight.setStartValue(0.0F);
-    m_flight.setEndValue(1.0F);
     connectParts();
 
     refreshHead();
@@ -184,42 +183,19 @@ void HeadView::turnToBrush()
 
 void HeadView::addCollider()
 {
-    constexpr float kRadiusM = 0.03F;
-    const std::optional<sim::SurfacePoint> place = m_scene->placeForCollider();
-    std::vector<sim::Ellipsoid> all = m_state.document().project().ellipsoids;
-    if (!place || all.size() >= model::kMostEllipsoids)
-        return;
-    all.push_back(
-        {.centreHd = place->positionHd - 0.5F * kRadiusM * place->normalHd, .semiAxesM = glm::vec3(kRadiusM)});
-    const std::size_t added = all.size() - 1;
-    m_state.document().push(setEllipsoidsCommand(m_state.document(), std::move(all), tr("Add collider")));
-    m_state.setCollidersShown(true);
-    m_state.setChosenCollider(added);
+    if (const std::optional<sim::SurfacePoint> place = m_scene->placeForCollider())
+        addColliderAt(m_state, *place);
 }
 
 void HeadView::removeCollider()
 {
-    const std::optional<std::size_t> chosen = m_state.chosenCollider();
-    if (!chosen)
-        return;
-    std::vector<sim::Ellipsoid> all = m_state.document().project().ellipsoids;
-    all.erase(all.begin() + static_cast<std::ptrdiff_t>(*chosen));
-    m_state.setChosenCollider(std::nullopt);
-    m_state.document().push(setEllipsoidsCommand(m_state.document(), std::move(all), tr("Remove collider")));
+    removeChosenCollider(m_state);
 }
 
 void HeadView::animateTo(const std::optional<rendering::Camera>& camera)
 {
-    if (!camera)
-        return;
-    m_flight.stop();
-    disconnect(&m_flight, nullptr, this, nullptr);
-    connect(&m_flight, &QVariantAnimation::valueChanged, this,
-            [this, from = m_scene->camera(), to = *camera](const QVariant& t) {
-                m_scene->setCamera(between(from, to, t.toFloat()));
-                cameraMoved();
-            });
-    m_flight.start();
+    if (camera)
+        m_flight.start(m_scene->camera(), *camera);
 }
 
 void HeadView::cameraMoved()
@@ -230,7 +206,7 @@ void HeadView::cameraMoved()
 
 bool HeadView::awake() const
 {
-    return m_pacer->waiting() || m_flight.state() == QAbstractAnimation::Running || m_turn->moving();
+    return m_pacer->waiting() || m_flight.underWay() || m_turn->moving();
 }
 
 bool HeadView::refining() const

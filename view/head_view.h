@@ -4,6 +4,7 @@
 #include "model/project.h"
 #include "sim/motion/neck_motion.h"
 #include "sim/motion/strand_frame.h"
+#include "view/head/camera_flight.h"
 #include "view/head/stillness.h"
 #include "view/painted_area.h"
 #include "view/presenter_choice.h"
@@ -14,7 +15,6 @@
 
 #include <QImage>
 #include <QTimer>
-#include <QVariantAnimation>
 
 #include <memory>
 #include <optional>
@@ -141,7 +141,7 @@ private:
     QTimer m_directionsTimer; ///< Zero: however much changes, they are found once.
     std::optional<model::MapKind> m_lookedAt;
     Stillness m_stillness;
-    QVariantAnimation m_flight; ///< Of the camera.
+    CameraFlight m_flight;
     bool m_paused = false;
     bool m_refining = false;
 };

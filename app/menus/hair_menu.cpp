@@ -99,8 +99,8 @@ void HairMenu::addColliders(ActionSet& actions, Session& session, view::HeadView
                          .run = [&head] { head.removeCollider(); },
                          .enabled = [&session] { return session.editor().chosenCollider().has_value(); }}});
     actions.find(QLatin1StringView("hair.addCollider"))
-        ->setToolTip(
-            tr("An ellipsoid where the pointer was last on the head, which hair does not enter; eight at most"));
+        ->setToolTip(tr("An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most")
+                         .arg(model::kMostEllipsoids));
 }
 
 void HairMenu::addMotions(ActionSet& actions, Session& session, view::HeadView& head)

@@ -53,6 +53,7 @@ std::optional<RestoredWork> askForUnsavedWork(const QString& root, Jobs& jobs, Q
     if (found.empty())
         return std::nullopt;
     std::vector<UnsavedWork> offers;
+    offers.reserve(found.size());
     for (const RestoredWork& one : found)
         offers.push_back(offerOf(one.work));
     RecoveryDialog dialog(

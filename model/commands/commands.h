@@ -53,6 +53,8 @@ struct LayerProperties
 /// Every map empty.
 [[nodiscard]] CommandPtr addGroupCommand(Document& document, const QString& name,
                                          const sim::GroupSettings& settings = {});
+/// As it is, with new ids.
+[[nodiscard]] CommandPtr addGroupCommand(Document& document, HairGroup group);
 /// Eyebrows and eyelashes (model/face_hair.h), with new ids; or those that are there are shown, or hidden. Null where
 /// there is nothing to add.
 [[nodiscard]] CommandPtr addFaceHairCommand(Document& document, std::vector<HairGroup> groups);

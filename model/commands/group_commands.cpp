@@ -16,6 +16,16 @@ CommandPtr groupsCommand(Document& document, Id group, const QString& text, std:
     return editCommand(document, {.aspect = Change::Aspect::GroupList, .group = group}, text, std::move(edit));
 }
 
+/// Adds a group whose ids are nobody's yet.
+void adopt(HairGroup group, Project& project)
+{
+    group.id = project.takeId();
+    for (SharedStack& stack : group.maps)
+        for (Layer& layer : stack.write().layers)
+            layer.id = project.takeId();
+    project.groups.push_back(std::move(group));
+}
+
 QString nameOf(const Document& document, Id id)
 {
     const HairGroup* group = document.committed().group(id);
@@ -33,19 +43,20 @@ CommandPtr addGroupCommand(Document& document, const QString& name, const sim::G
                          });
 }
 
+CommandPtr addGroupCommand(Document& document, HairGroup group)
+{
+    const QString text = Commands::tr("Add group \"%1\"").arg(shownName(group.name));
+    return groupsCommand(document, 0, text, [group = std::move(group)](Project& project) { adopt(group, project); });
+}
+
 CommandPtr addFaceHairCommand(Document& document, std::vector<HairGroup> groups)
 {
     if (groups.empty())
         return nullptr;
     return groupsCommand(document, 0, Commands::tr("Add brows and lashes"),
                          [groups = std::move(groups)](Project& project) {
-                             for (HairGroup group : groups) {
-                                 group.id = project.takeId();
-                                 for (SharedStack& stack : group.maps)
-                                     for (Layer& layer : stack.write().layers)
-                                         layer.id = project.takeId();
-                                 project.groups.push_back(std::move(group));
-                             }
+                             for (const HairGroup& group : groups)
+                                 adopt(group, project);
                          });
 }
 

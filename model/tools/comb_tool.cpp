@@ -59,6 +59,7 @@ public:
     {
         return tr("Drag to lay hair along the stroke; Shift+click for a straight line from the last point");
     }
+    [[nodiscard]] QString hintFor(const ToolSettings& settings) const override;
     [[nodiscard]] std::vector<ToolOption> options() const override
     {
         return {ToolOption::CombKind, ToolOption::Size,     ToolOption::Hardness,
@@ -127,6 +128,25 @@ private:
     glm::vec2 m_reachUv{0.0F};             ///< Of the dab that is laid.
     std::uint16_t m_opacity = 65535;
 };
+
+QString CombTool::hintFor(const ToolSettings& settings) const
+{
+    switch (settings.comb) {
+    case CombKind::Lay:
+        break;
+    case CombKind::Lift:
+        return tr("Drag over hair to lay it as flat, or to lift it as far, as Flatness says; its direction stays");
+    case CombKind::Smooth:
+        return tr("Drag over hair to lay it as its neighbours lie");
+    case CombKind::Noise:
+        return tr("Drag over hair to ruffle it");
+    case CombKind::Whorl:
+        return tr("Press where hair is to turn in a whorl as large as the ring; drag to move it");
+    case CombKind::Hold:
+        return tr("Drag over hair to hold it as it lies now, with at least that much gel");
+    }
+    return hint();
+}
 
 void CombTool::press(const ToolEvent& event, ToolContext& context)
 {

@@ -47,6 +47,10 @@ public:
     /// On hair it says that the length follows, too.
     [[nodiscard]] bool picksWithCtrl(Area area) const override { return area == Area::Paint; }
     [[nodiscard]] bool grabs() const override { return true; }
+    [[nodiscard]] std::optional<MapKind> paintsWithCtrl(Area area) const override
+    {
+        return area == Area::Head ? std::optional(MapKind::Length) : std::nullopt;
+    }
     [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
 
     void press(const ToolEvent& event, ToolContext& context) override;

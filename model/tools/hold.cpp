@@ -14,9 +14,9 @@ namespace hairpaint::model {
 
 namespace {
 
-/// Lays what `valueAt(uv, texel, values)` writes, through the mask, near hair and where it returns true.
-template<typename ValueAt>
-sim::RasterTilePtr heldTile(const LyingField& field, const MapSpec& spec, int mapSize, int tileIndex,
+/// Lays what `valueAt(uv, texel, values)` writes, through the mask, as far as `nearAt(uv)` and where it returns true.
+template<typename NearAt, typename ValueAt>
+sim::RasterTilePtr heldTile(const NearAt& nearAt, const MapSpec& spec, int mapSize, int tileIndex,
                             const sim::RasterTilePtr& before, const HoldPaint& paint, const ValueAt& valueAt)
 {
     const int tilesAcross = mapSize / kTile;
@@ -33,7 +33,7 @@ sim::RasterTilePtr heldTile(const LyingField& field, const MapSpec& spec, int ma
                 continue;
             const glm::vec2 place = (glm::vec2(first + glm::ivec2(x, y)) + 0.5F) / static_cast<float>(mapSize);
             const glm::vec2 uv(place.x, 1.0F - place.y);
-            const float near = field.nearness(uv);
+            const float near = nearAt(uv);
             if (near == 0.0F || !valueAt(uv, first + glm::ivec2(x, y), &values[texel * channels]))
                 continue;
             mask[texel] = near == 1.0F ? wanted : static_cast<std::uint16_t>(near * static_cast<float>(wanted));
@@ -47,7 +47,8 @@ sim::RasterTilePtr heldTile(const LyingField& field, const MapSpec& spec, int ma
 sim::RasterTilePtr heldDirection(const LyingField& field, int mapSize, int tileIndex, const sim::RasterTilePtr& before,
                                  const HoldPaint& paint)
 {
-    return heldTile(field, mapSpec(MapKind::Direction), mapSize, tileIndex, before, paint,
+    return heldTile([&](glm::vec2 uv) { return field.nearness(uv); }, mapSpec(MapKind::Direction), mapSize, tileIndex,
+                    before, paint,
                     [&](glm::vec2 uv, glm::ivec2, std::uint16_t* values) {
                         const std::optional<glm::vec2> direction = field.at(uv);
                         if (!direction)
@@ -62,7 +63,8 @@ sim::RasterTilePtr heldGel(const LyingField& field, const sim::TiledRaster& show
                            const sim::RasterTilePtr& before, const HoldPaint& paint)
 {
     const std::uint16_t leastStored = unit16(least);
-    return heldTile(field, mapSpec(MapKind::Gel), shown.size(), tileIndex, before, paint,
+    return heldTile([&](glm::vec2 uv) { return field.nearnessOfRoots(uv); }, mapSpec(MapKind::Gel), shown.size(),
+                    tileIndex, before, paint,
                     [&](glm::vec2, glm::ivec2 at, std::uint16_t* values) {
                         values[0] = leastStored;
                         return shown.texel(at.x, at.y)[0] < leastStored;

@@ -124,6 +124,35 @@ std::optional<PartCurve::Near> PartCurve::nearest(glm::vec3 positionHd) const
     return found;
 }
 
+std::vector<sim::SurfacePoint> placesToHairline(const sim::Skin& skin, const PartCurve& curve, bool atEnd,
+                                                const sim::TiledRaster& density)
+{
+    constexpr float kStepM = 0.005F;
+    constexpr float kFurthestM = 0.07F;
+    constexpr float kBare = 0.05F;
+    constexpr float kTowardFace = 0.2F; // Of the way, +z.
+    std::vector<sim::SurfacePoint> places;
+    if (curve.empty())
+        return places;
+    const PartCurve::Sample& end = atEnd ? curve.samples().back() : curve.samples().front();
+    glm::vec3 wayHd = atEnd ? end.tangentHd : -end.tangentHd;
+    if (wayHd.z < kTowardFace || density.sampleScalar(end.uv) < kBare)
+        return places;
+    glm::vec3 at = end.positionHd;
+    for (float reachedM = 0.0F; reachedM < kFurthestM; reachedM += kStepM) {
+        const sim::SurfacePoint next = skin.nearest(at + wayHd * kStepM);
+        const glm::vec3 step = next.positionHd - at;
+        if (glm::length(step) < 0.5F * kStepM)
+            break; // The skin's own edge.
+        wayHd = alongSkin(step, next.normalHd);
+        at = next.positionHd;
+        places.push_back(next);
+        if (density.sampleScalar(next.uv) < kBare)
+            return places;
+    }
+    return {};
+}
+
 Zigzag::Zigzag(float amplitudeM, float lengthM)
     : m_amplitudeM(amplitudeM),
       m_perM(std::numbers::pi_v<float> * std::max(std::round(lengthM / (0.5F * kWaveM)), 1.0F) /

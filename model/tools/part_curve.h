@@ -1,6 +1,7 @@
 // The curve along which hair is parted.
 #pragma once
 
+#include "sim/base/tiled_raster.h"
 #include "sim/skin/skin.h"
 
 #include <cstddef>
@@ -47,6 +48,11 @@ public:
 private:
     std::vector<Sample> m_samples;
 };
+
+/// The places straight on from a curve's end (or its beginning), a few mm apart, up to the first that has no hair; none
+/// where the curve does not lead toward the face, or hair goes on for more than some cm. `density`: of one channel.
+[[nodiscard]] std::vector<sim::SurfacePoint> placesToHairline(const sim::Skin& skin, const PartCurve& curve, bool atEnd,
+                                                              const sim::TiledRaster& density);
 
 /// A soft zigzag about a curve, straight at both ends.
 class Zigzag

@@ -44,7 +44,7 @@ float eased(float from, float to, float x)
 } // namespace
 
 PartField::PartField(SkinFrames& frames, PartCurve curve, const PartLook& look)
-    : m_look(look), m_curve(std::move(curve)), m_zigzag(look.zigzagM, m_curve.lengthM())
+    : m_look(look), m_curve(std::move(curve)), m_zigzag(look.zigzagM, partedM())
 {
     if (m_curve.empty())
         return;
@@ -265,6 +265,12 @@ std::vector<int> PartField::gapTiles(int size) const
     return m_look.gapM > 0.0F ? tilesWithin(2.0F * halfGapM(size) + m_look.zigzagM, size) : std::vector<int>();
 }
 
+Zigzag::Offset PartField::zigzagAt(float alongM) const
+{
+    const float partedAtM = alongM - m_look.leadInM;
+    return partedAtM > 0.0F && partedAtM < partedM() ? m_zigzag.at(partedAtM) : Zigzag::Offset{};
+}
+
 float PartField::halfGapM(int size) const
 {
     return std::max(0.5F * m_look.gapM, kLeastGapTx * m_curve.mPerUv() / static_cast<float>(size));
@@ -297,7 +303,7 @@ PartField::LaidTile PartField::laid(int tileIndex, int size) const
         const float outM = std::abs(place.lateralM);
         tile.mask.at(texel) = unit16((1.0F - eased(kFullReach * m_look.reachM, m_look.reachM, outM)) *
                                      (1.0F - eased(std::min(kPastEndM, 0.5F * endFadeM()), endFadeM(), place.beyondM)));
-        const float side = place.lateralM < m_zigzag.at(place.alongM).lateralM ? -1.0F : 1.0F;
+        const float side = place.lateralM < zigzagAt(place.alongM).lateralM ? -1.0F : 1.0F;
         const glm::vec2 way = place.right * side + place.shared;
         const float length = std::max(glm::length(way), 1e-3F);
         const sim::Texel stored = sim::texelOfDirection(way * (m_look.flatness / length));
@@ -313,9 +319,11 @@ StrokeBuffer::MaskTile PartField::gap(int tileIndex, int size) const
     const float halfM = halfGapM(size);
     const float softM = std::max(kGapSoftness * halfM, kLeastSoftnessTx * texelM);
     forTexels(tileIndex, size, [&](std::size_t texel, const Place& place) {
-        const Zigzag::Offset zigzag = m_zigzag.at(place.alongM);
+        const Zigzag::Offset zigzag = zigzagAt(place.alongM);
+        const float alongM = place.alongM - m_look.leadInM;
+        const float beyondM = std::max(place.beyondM, std::max(-alongM, alongM - partedM()));
         const float sideM = (place.lateralM - zigzag.lateralM) / std::sqrt(1.0F + zigzag.slope * zigzag.slope);
-        mask.at(texel) = unit16(1.0F - eased(halfM - softM, halfM + softM, std::hypot(sideM, place.beyondM)));
+        mask.at(texel) = unit16(1.0F - eased(halfM - softM, halfM + softM, std::hypot(sideM, std::max(beyondM, 0.0F))));
     });
     return mask;
 }

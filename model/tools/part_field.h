@@ -16,6 +16,8 @@ struct PartLook
     float flatness = 0.9F; ///< 0..1
     float gapM = 0.001F;   ///< Width without hair; 0 for none.
     float zigzagM = 0.0F;  ///< How far the parting leaves its curve.
+    float leadInM = 0.0F;  ///< So long at the curve's beginning,
+    float leadOutM = 0.0F; ///< and at its end, hair falls to both sides, straight and without a gap.
 };
 
 /// Where places of the layout lie from a curve, and what a map's tiles become there. Computed between the places of
@@ -65,6 +67,8 @@ private:
     void fill(Tile& tile, int index, SkinFrames& frames) const;
     [[nodiscard]] std::vector<int> tilesWithin(float distanceM, int size) const;
     [[nodiscard]] float halfGapM(int size) const;
+    [[nodiscard]] Zigzag::Offset zigzagAt(float alongM) const;
+    [[nodiscard]] float partedM() const { return m_curve.lengthM() - m_look.leadInM - m_look.leadOutM; }
     [[nodiscard]] float endFadeM() const; ///< So far past its ends the parting fades.
     [[nodiscard]] const Place* entry(int x, int y) const;
     [[nodiscard]] std::optional<Place> at(glm::vec2 uv) const;

@@ -70,6 +70,8 @@ private:
     void change(Points points, const ToolContext& context);
     bool stepBack(const ToolContext& context);
     void show(const ToolContext& context);
+    /// The curve, led on over the hair before its ends; says in `look` how far.
+    [[nodiscard]] PartCurve ledToHairline(PartLook& look) const;
     void showTiles(const std::vector<int>& tiles, const LiveEdit::MakeTile& make, std::size_t layer);
     void showLaid(const PartField& field);
     void showGap(const PartField& field, const ToolContext& context);
@@ -77,7 +79,8 @@ private:
     LiveEdit m_edit;
     std::optional<std::size_t> m_density; ///< Its layer's number in the edit, once there is one.
     std::unique_ptr<SkinFrames> m_frames; ///< Kept from parting to parting.
-    std::optional<FallenHair> m_before;   ///< How hair lay before this one.
+    std::optional<FallenHair> m_before;   ///< How hair lay before this one,
+    sim::MapRaster m_hair;                ///< and where any grew: its density.
     Points m_points;
     std::vector<Points> m_past; ///< What undo goes back to, the latest last.
     PartCurve m_curve;
@@ -112,6 +115,7 @@ bool PartTool::begin(const ToolContext& context)
     if (m_frames == nullptr || !m_frames->isOf(head->skin))
         m_frames = std::make_unique<SkinFrames>(head->skin);
     m_before.emplace(context, *m_frames, m_edit.size());
+    m_hair = context.document.resolvedNow(context.target.group, MapKind::Density);
     m_density.reset();
     m_points.clear();
     m_past.clear();
@@ -277,13 +281,40 @@ void PartTool::show(const ToolContext& context)
 {
     const ToolSettings& settings = context.settings;
     m_curve = PartCurve(m_frames->skin(), m_points);
-    const PartField field(*m_frames, m_curve,
-                          {.reachM = settings.partReachM,
-                           .flatness = settings.flatness,
-                           .gapM = settings.partGapM,
-                           .zigzagM = settings.partZigzagM});
+    PartLook look{.reachM = settings.partReachM,
+                  .flatness = settings.flatness,
+                  .gapM = settings.partGapM,
+                  .zigzagM = settings.partZigzagM};
+    PartCurve led = ledToHairline(look);
+    const PartField field(*m_frames, std::move(led), look);
     showLaid(field);
     showGap(field, context);
+}
+
+/// A part that begins behind the hairline would leave the hair before it to fall over the face.
+PartCurve PartTool::ledToHairline(PartLook& look) const
+{
+    if (m_hair == nullptr || m_curve.empty())
+        return m_curve;
+    const sim::Skin& skin = m_frames->skin();
+    Points points = placesToHairline(skin, m_curve, false, *m_hair);
+    const Points after = placesToHairline(skin, m_curve, true, *m_hair);
+    if (points.empty() && after.empty())
+        return m_curve;
+    std::ranges::reverse(points);
+    const std::size_t first = points.size();
+    const std::size_t last = first + m_points.size() - 1;
+    points.insert(points.end(), m_points.begin(), m_points.end());
+    points.insert(points.end(), after.begin(), after.end());
+    PartCurve led(skin, points);
+    const std::vector<PartCurve::Sample>& samples = led.samples();
+    const auto alongM = [&](std::size_t point) {
+        const auto at = std::ranges::lower_bound(samples, point, {}, &PartCurve::Sample::point);
+        return at != samples.end() ? at->alongM : led.lengthM();
+    };
+    look.leadInM = alongM(first);
+    look.leadOutM = after.empty() ? 0.0F : led.lengthM() - alongM(last);
+    return led;
 }
 
 /// Several threads make them.

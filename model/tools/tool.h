@@ -108,6 +108,8 @@ public:
     [[nodiscard]] virtual QKeySequence defaultKey() const = 0;
     /// What the status bar says the tool does next.
     [[nodiscard]] virtual QString hint() const = 0;
+    /// The same of what it does with these settings.
+    [[nodiscard]] virtual QString hintFor(const ToolSettings& /*settings*/) const { return hint(); }
     /// The settings that the option bar shows for it.
     [[nodiscard]] virtual std::vector<ToolOption> options() const = 0;
     [[nodiscard]] virtual bool hasRing() const { return false; } ///< The cursor is a brush ring.
@@ -120,6 +122,8 @@ public:
     [[nodiscard]] virtual bool grabs() const { return false; }
     /// Other maps that it changes too, as it is set: a layer of each must be there to be painted on.
     [[nodiscard]] virtual std::vector<MapKind> alsoPaints(const ToolSettings& /*settings*/) const { return {}; }
+    /// What a drag with Ctrl paints besides, which else it leaves alone.
+    [[nodiscard]] virtual std::optional<MapKind> paintsWithCtrl(Area /*area*/) const { return std::nullopt; }
     [[nodiscard]] virtual bool paints() const { return true; } ///< Needs a layer that can be painted on.
 
     virtual void press(const ToolEvent& event, ToolContext& context) = 0;

@@ -2,6 +2,7 @@
 #include "sim/groom/chunk_builder.h"
 
 #include "sim/groom/braid_path.h"
+#include "sim/groom/clump_kernel.h"
 #include "sim/groom/rest_shape.h"
 #include "sim/groom/strand_style.h"
 
@@ -18,23 +19,15 @@ RootFrame rootFrame(const RootSet& roots, std::uint32_t slot)
     return {roots.positionHd[slot], roots.normalHd[slot]};
 }
 
-/// How far two hairs of one length go the same way, 0..1: across a parting no lock gathers.
-float agreementOf(std::span<const glm::vec3> a, std::span<const glm::vec3> b)
-{
-    const glm::vec3 reachA = a.back() - a.front();
-    const glm::vec3 reachB = b.back() - b.front();
-    const float product = std::sqrt(glm::dot(reachA, reachA) * glm::dot(reachB, reachB));
-    return product > 0.0F ? std::clamp(2.0F * glm::dot(reachA, reachB) / product, 0.0F, 1.0F) : 0.0F;
-}
-
 /// Evaluates hairs into one chunk; those that are laid together wait for finish().
 class ChunkWriter
 {
 public:
-    ChunkWriter(const ChunkInputs& inputs, std::size_t chunkIndex, StrandChunk& chunk)
-        : m_inputs(inputs), m_chunk(chunk), m_firstSlot(static_cast<std::uint32_t>(chunkIndex * kChunkSlots)),
-          m_blocks(inputs.settings.nodesPerHair), m_nodes(static_cast<std::size_t>(inputs.settings.nodesPerHair)),
-          m_mostPassed(Lay::mostPassed(inputs.settings.nodesPerHair)), m_lay(inputs.lay, inputs.settings.nodesPerHair)
+    ChunkWriter(const ChunkInputs& inputs, std::size_t chunkIndex, StrandChunk& chunk, PassedCells& passed)
+        : m_inputs(inputs), m_chunk(chunk), m_passed(passed),
+          m_firstSlot(static_cast<std::uint32_t>(chunkIndex * kChunkSlots)), m_blocks(inputs.settings.nodesPerHair),
+          m_nodes(static_cast<std::size_t>(inputs.settings.nodesPerHair)),
+          m_lay(inputs.lay, inputs.settings.nodesPerHair)
     {}
 
     void write(std::uint32_t slot, float density)
@@ -52,7 +45,7 @@ public:
                 return braid(slot, style, chance, centre);
         }
         m_lay.add(layRootOf(roots, slot, chance), style.lengthM);
-        m_laid[m_waiting++] = {slot, style};
+        m_laid[m_waiting++] = {.slot = slot, .style = style};
         if (m_lay.isFull())
             finish();
     }
@@ -60,13 +53,26 @@ public:
     void finish()
     {
         m_lay.lay();
+        const std::span<float> nodesHd = m_lay.nodesHd();
+        bool anyClumps = false;
         for (std::size_t i = 0; i < m_waiting; ++i) {
-            const std::uint32_t slot = m_laid[i].slot;
-            const std::span<glm::vec3> nodes = std::span(m_buffer).first(m_nodes);
-            m_lay.read(i, nodes);
-            std::ranges::copy(m_lay.passed(i), passedBy(slot).begin());
-            gather(slot, m_laid[i].style, nodes);
+            m_passed.put(m_laid[i].slot, m_lay.passed(i));
+            anyClumps |= findLock(i);
         }
+        if (anyClumps) {
+            m_clump.nodes = m_inputs.settings.nodesPerHair;
+            m_clump.nodesHd = nodesHd.data();
+            m_clump.basisHd = m_basisHd.data();
+            clumpLanes(m_clump);
+        }
+        for (std::size_t i = 0; i < m_waiting; ++i) {
+            Laid& hair = m_laid[i];
+            const float clump = m_clump.clump[i];
+            // Hairs that lie together curl together: a ringlet is one curl of many hairs.
+            hair.style.phase += (hair.basisPhase - hair.style.phase) * clump;
+            store(hair.slot, hair.style, {.clump = clump}, nodesHd.data() + i);
+        }
+        m_clump.clump.fill(0.0F);
         m_lay.clear();
         m_waiting = 0;
     }
@@ -81,6 +87,7 @@ public:
     {
         std::ranges::fill(std::span(m_buffer).first(m_nodes), glm::vec3(0.0F));
         store(slot, {}, {});
+        m_passed.put(slot, {});
         m_chunk.hairs.reset(slot - m_firstSlot);
         m_chunk.drawn.reset(slot - m_firstSlot);
     }
@@ -90,6 +97,7 @@ private:
     {
         std::uint32_t slot = 0;
         StrandStyle style;
+        float basisPhase = 0.0F; ///< Of what it clumps to.
     };
     /// What a hair follows beside the hairs around it.
     struct Followed
@@ -97,11 +105,6 @@ private:
         float clump = 0.0F;
         std::uint32_t centre = kNoCentre;
     };
-
-    [[nodiscard]] std::span<std::int32_t> passedBy(std::uint32_t slot)
-    {
-        return std::span(m_chunk.passed).subspan((slot - m_firstSlot) * m_mostPassed, m_mostPassed);
-    }
 
     void braid(std::uint32_t slot, StrandStyle style, const RootChance& chance, std::uint32_t centre)
     {
@@ -111,41 +114,32 @@ private:
                                        std::span(m_buffer).first(m_nodes));
         applyBraid(m_inputs.settings, static_cast<BraidKind>(m_inputs.kinds[slot]), chance, scalpM, centreLengthM,
                    style);
-        std::ranges::fill(passedBy(slot), SkinBand::kNone);
+        m_passed.put(slot, {});
         store(slot, style, {.centre = centre});
     }
 
-    /// A laid hair to its lock.
-    void gather(std::uint32_t slot, StrandStyle style, std::span<glm::vec3> nodes)
+    /// Prepares a laid hair's being drawn to its lock; whether it is drawn.
+    bool findLock(std::size_t hair)
     {
         const RootSet& roots = m_inputs.roots;
+        const std::uint32_t slot = m_laid[hair].slot;
         const std::uint32_t basisIndex = roots.neighbours[slot][0];
         const std::uint32_t basis = roots.basisSlot[basisIndex];
-        float clump = basis == slot ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(roots.uv[slot]);
-        if (clump > 0.0F) {
-            const std::span<const glm::vec3> basisNodes = basisRest(basisIndex);
-            clump *= agreementOf(nodes, basisNodes);
-            clumpRest(basisNodes, m_inputs.basis.segmentLengths[basisIndex], clump,
-                      style.lengthM / static_cast<float>(m_nodes - 1), nodes);
-            // Hairs that lie together curl together: a ringlet is one curl of many hairs.
-            const float basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
-            style.phase = basisPhase + (style.phase - basisPhase) * (1.0F - clump);
-        }
-        store(slot, style, {.clump = clump});
+        const float clump = basis == slot ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(roots.uv[slot]);
+        if (clump <= 0.0F)
+            return false;
+        m_clump.clump[hair] = clump;
+        m_clump.segmentM[hair] = m_laid[hair].style.lengthM / static_cast<float>(m_nodes - 1);
+        m_clump.basisSegmentM[hair] = m_inputs.basis.segmentLengths[basisIndex];
+        m_laid[hair].basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
+        const float* from = m_inputs.basis.restPositions.data() + m_blocks.index(basisIndex, 0);
+        for (std::size_t row = 0; row < m_nodes * 3; ++row)
+            m_basisHd[row * kLanes + hair] = from[row * kLanes];
+        return true;
     }
 
-    /// As it is laid; neighbours are as often as not of one lock.
-    std::span<const glm::vec3> basisRest(std::uint32_t basisIndex)
-    {
-        const std::span<glm::vec3> nodes = std::span(m_basisBuffer).first(m_nodes);
-        if (basisIndex != m_basisRead)
-            m_blocks.read(m_inputs.basis.restPositions, basisIndex, nodes);
-        m_basisRead = basisIndex;
-        return nodes;
-    }
-
-    /// With its nodes from the buffer.
-    void store(std::uint32_t slot, const StrandStyle& style, const Followed& followed)
+    /// `nodesHd`: a lane of [nodes][3][kLanes]; null for the buffer's.
+    void store(std::uint32_t slot, const StrandStyle& style, const Followed& followed, const float* nodesHd = nullptr)
     {
         const std::size_t local = slot - m_firstSlot;
         m_chunk.hairs.set(local);
@@ -154,28 +148,33 @@ private:
         m_chunk.clump[local] = followed.clump;
         m_chunk.braidCentre[local] = followed.centre;
         m_chunk.segmentLengths[local] = style.lengthM / static_cast<float>(m_nodes - 1);
-        m_blocks.write(m_chunk.restPositions, local, std::span(m_buffer).first(m_nodes));
+        if (nodesHd == nullptr) {
+            m_blocks.write(m_chunk.restPositions, local, std::span(m_buffer).first(m_nodes));
+            return;
+        }
+        float* to = m_chunk.restPositions.data() + m_blocks.index(local, 0);
+        for (std::size_t row = 0; row < m_nodes * 3; ++row)
+            to[row * kLanes] = nodesHd[row * kLanes];
     }
 
     const ChunkInputs& m_inputs;
     StrandChunk& m_chunk;
+    PassedCells& m_passed;
     std::uint32_t m_firstSlot;
     StrandBlocks m_blocks;
     std::size_t m_nodes;
-    std::size_t m_mostPassed;
     Lay m_lay;
     std::array<Laid, kLanes> m_laid; ///< That m_lay holds, in its order.
     std::size_t m_waiting = 0;
     std::array<glm::vec3, kMostNodes> m_buffer{};
-    std::array<glm::vec3, kMostNodes> m_basisBuffer{};
-    std::uint32_t m_basisRead = kNoCentre; ///< Whose rest shape m_basisBuffer holds.
+    ClumpTask m_clump; ///< Of the hairs that m_lay holds; no clump between batches.
+    std::array<float, std::size_t{kMostNodes} * StrandBlocks::kNodeStride> m_basisHd{};
 };
 
 std::shared_ptr<StrandChunk> emptyChunk(int nodes)
 {
     auto chunk = std::make_shared<StrandChunk>();
     chunk->styles.resize(kChunkSlots);
-    chunk->passed.assign(kChunkSlots * Lay::mostPassed(nodes), SkinBand::kNone);
     chunk->clump.resize(kChunkSlots);
     chunk->restPositions.resize(StrandBlocks(nodes).floatsFor(kBlocksPerChunk));
     chunk->segmentLengths.resize(kChunkSlots);
@@ -187,7 +186,8 @@ std::shared_ptr<StrandChunk> emptyChunk(int nodes)
 
 std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
                                                 const std::shared_ptr<const StrandChunk>& before,
-                                                std::size_t chunkIndex, const ChangedSlots& dirty, SlotSet& rebuilt)
+                                                std::size_t chunkIndex, const ChangedSlots& dirty, PassedCells& passed,
+                                                SlotSet& rebuilt)
 {
     const RootSet& roots = inputs.roots;
     const std::size_t firstSlot = chunkIndex * kChunkSlots;
@@ -214,12 +214,14 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
     });
     if (!differs)
         return before;
-    if (hairs.none())
+    if (hairs.none()) {
+        dirty.hairs.forEachInChunk(chunkIndex, [&](std::uint32_t slot) { passed.put(slot, {}); });
         return nullptr;
+    }
 
     const std::shared_ptr<StrandChunk> chunk =
         kept.any() ? std::make_shared<StrandChunk>(*before) : emptyChunk(inputs.settings.nodesPerHair);
-    ChunkWriter writer(inputs, chunkIndex, *chunk);
+    ChunkWriter writer(inputs, chunkIndex, *chunk, passed);
     dirty.look.forEachInChunk(chunkIndex, [&](std::uint32_t slot) {
         if (chunk->hairs[slot - firstSlot] && !dirty.hairs.contains(slot))
             writer.colour(slot);

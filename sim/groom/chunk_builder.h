@@ -6,6 +6,7 @@
 #include "sim/groom/lay.h"
 #include "sim/groom/map_changes.h"
 #include "sim/groom/map_sampler.h"
+#include "sim/groom/passed_cells.h"
 #include "sim/groom/slot_set.h"
 
 #include <memory>
@@ -27,10 +28,11 @@ struct ChunkInputs
 };
 
 /// The chunk with the hairs of `dirty` evaluated anew and those of its look coloured anew: `before` itself where none
-/// of them was a hair or is one, null where no hair is left. Adds to `rebuilt` those that were or are hairs.
+/// of them was a hair or is one, null where no hair is left. Adds to `rebuilt` those that were or are hairs; puts into
+/// `passed`, which has strands by slots, over what they lie.
 [[nodiscard]] std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
                                                               const std::shared_ptr<const StrandChunk>& before,
                                                               std::size_t chunkIndex, const ChangedSlots& dirty,
-                                                              SlotSet& rebuilt);
+                                                              PassedCells& passed, SlotSet& rebuilt);
 
 } // namespace hairpaint::sim

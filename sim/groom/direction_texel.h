@@ -34,11 +34,31 @@ inline constexpr float kDirectionOne = 32767.0F;  ///< and how far from it for 1
     return directionOfChannels({static_cast<float>(texel[0]), static_cast<float>(texel[1])});
 }
 
-/// Of a direction map between its texels: hair turns from one to the next; the mean of their vectors alone would make
-/// it stand where they are opposed, as to both sides of a parting.
+/// Directions whose mean is shorter than this fraction of them are opposed: there is no way between.
+inline constexpr float kOpposedDirections = 0.02F;
+
+/// From the mean of directions and of their lengths: as flat as they. The mean alone would make hair stand where they
+/// are opposed, as to both sides of a parting; there it lies like the `nearest` of them. The kernel of the lay has the
+/// same.
+template<typename Vector>
+[[nodiscard]] Vector turned(const Vector& mean, float flatness, const Vector& nearest)
+{
+    const float length = std::sqrt(glm::dot(mean, mean));
+    return length > kOpposedDirections * flatness ? mean * (flatness / length) : nearest;
+}
+
+/// Hair that turns from one direction to another, of which it has gone `fraction`, 0..1.
+template<typename Vector>
+[[nodiscard]] Vector turnedBetween(const Vector& from, const Vector& to, float fraction)
+{
+    const float flat = std::sqrt(glm::dot(from, from));
+    const float flatness = flat + (std::sqrt(glm::dot(to, to)) - flat) * fraction;
+    return turned(from + (to - from) * fraction, flatness, fraction < 0.5F ? from : to);
+}
+
+/// Of a direction map between its texels.
 [[nodiscard]] inline DirectionVector directionAt(const TiledRaster& map, glm::vec2 uv)
 {
-    constexpr float kOpposed = 0.02F; // Nearer to each other's opposite there is no way between.
     const TiledRaster::Neighbours around = map.neighbours(uv);
     const Texel& first = around.texels[0];
     if (around.texels[1] == first && around.texels[2] == first && around.texels[3] == first)
@@ -52,8 +72,7 @@ inline constexpr float kDirectionOne = 32767.0F;  ///< and how far from it for 1
         flatness += std::sqrt(glm::dot(one, one)) * around.weights[i];
         nearest = around.weights[i] > around.weights[nearest] ? i : nearest;
     }
-    const float length = std::sqrt(glm::dot(mean, mean));
-    return length > kOpposed * flatness ? mean * (flatness / length) : directionOf(around.texels[nearest]);
+    return turned(mean, flatness, directionOf(around.texels[nearest]));
 }
 
 /// To the nearest step.

@@ -57,7 +57,6 @@ struct StrandChunk
                                        ///< where braided); 0 where no hair.
     std::vector<float>
         clump; ///< [kChunkSlots], 0..1: how far each hair lies on its nearest basis hair, and follows it.
-    std::vector<std::int32_t> passed; ///< [kChunkSlots][Lay::mostPassed]: what each hair's lay depends on.
     /// For braided hairs: index into basis hairs of the braid's centre, else kNoCentre.
     std::vector<std::uint32_t> braidCentre; ///< [kChunkSlots]
 };

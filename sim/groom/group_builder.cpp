@@ -16,8 +16,8 @@ namespace hairpaint::sim {
 
 namespace {
 
-constexpr float kShortestBasisM = 0.005F; ///< A shorter one's displacement in units of its length means nothing.
-constexpr std::size_t kBasisGrain = 256;
+constexpr float kShortestBasisM = 0.005F;        ///< A shorter one's displacement in units of its length means nothing.
+constexpr std::size_t kBasisGrain = kChunkSlots; ///< So that no two threads write to a chunk of PassedCells.
 
 /// Whether every hair must be evaluated anew. Density and basis hairs are in the roots; material is not in the hairs,
 /// and of physics only how thick the coat is.
@@ -137,8 +137,17 @@ void GroupBuilder::updateLay(const GroomInput::Group& input, const HeadLay& head
     }
     const LayField::Difference difference = m_layField->differenceTo(direction);
     if (m_groom)
-        findRelaid(*m_groom, m_passedByBasis, m_layField->cellCount(), difference, dirty);
+        findRelaid(difference, dirty);
     m_layField->apply(difference);
+}
+
+void GroupBuilder::findRelaid(const LayField::Difference& difference, ChangedSlots& dirty) const
+{
+    const std::vector<std::uint32_t>& basisSlots = m_roots->basisSlot;
+    m_passed.findPassing(difference.indices, m_layField->cellCount(), dirty.hairs);
+    SlotSet basis(basisSlots.size());
+    m_passedByBasis.findPassing(difference.indices, m_layField->cellCount(), basis);
+    basis.forEach([&](std::uint32_t index) { dirty.basis.insert(basisSlots[index]); });
 }
 
 void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots)
@@ -164,6 +173,9 @@ void GroupBuilder::startOver(const GroomInput::Group& input, const std::shared_p
     m_kinds.assign(roots->count(), 0);
     m_kindOfBasis.assign(basisCount, 0);
     m_braids = BraidLayout();
+    const int nodes = withinLimits(input.settings).nodesPerHair;
+    m_passed.startOver(roots->count(), nodes);
+    m_passedByBasis.startOver(basisCount, nodes);
 }
 
 void GroupBuilder::readKinds(const MapSamplers& maps, const SlotSet& dirty)
@@ -210,8 +222,6 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
         return;
     BasisStyles& basis = writableBasis();
     const auto nodeCount = static_cast<std::size_t>(settings.nodesPerHair);
-    const std::size_t mostPassed = Lay::mostPassed(settings.nodesPerHair);
-    m_passedByBasis.resize(roots.basisSlot.size() * mostPassed, SkinBand::kNone);
     parallelFor(roots.basisSlot.size(), kBasisGrain, [&](std::size_t begin, std::size_t end) {
         Lay batch(lay, settings.nodesPerHair);
         std::vector<std::size_t> added;
@@ -225,8 +235,7 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
             for (std::size_t hair = 0; hair < added.size(); ++hair) {
                 const std::size_t i = added[hair];
                 batch.read(hair, nodes);
-                std::ranges::copy(batch.passed(hair),
-                                  m_passedByBasis.begin() + static_cast<std::ptrdiff_t>(i * mostPassed));
+                m_passedByBasis.put(i, batch.passed(hair));
                 blocks.read(basis.restPositions, i, nodesBefore);
                 m_basisRelaid[i] = std::ranges::equal(nodes, nodesBefore) ? 0 : 1;
                 blocks.write(basis.restPositions, i, nodes);
@@ -290,22 +299,20 @@ void GroupBuilder::updateBraids(const GroupSettings& settings, SlotSet& dirty)
 
 void GroupBuilder::updateClumped(const MapSampler& clump, SlotSet& dirty) const
 {
-    if (!m_groom || std::ranges::find(m_basisRelaid, 1) == m_basisRelaid.end())
+    if (!m_groom)
         return;
     const RootSet& roots = *m_roots;
-    parallelFor(m_groom->chunks.size(), 4, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t index = begin; index < end; ++index) {
-            const StrandChunk* chunk = m_groom->chunks[index].get();
-            if (chunk == nullptr)
-                continue;
-            for (std::size_t local = 0; local < kChunkSlots; ++local) {
-                const auto slot = static_cast<std::uint32_t>(index * kChunkSlots + local);
-                if (chunk->hairs[local] && m_basisRelaid[roots.neighbours[slot][0]] != 0 &&
-                    roots.basisSlot[roots.neighbours[slot][0]] != slot && clump.scalar(roots.uv[slot]) > 0.0F)
-                    dirty.insert(slot);
-            }
+    for (std::size_t basis = 0; basis < m_basisRelaid.size(); ++basis) {
+        if (m_basisRelaid[basis] == 0)
+            continue;
+        for (std::uint32_t i = m_firstLed[basis]; i < m_firstLed[basis + 1]; ++i) {
+            const std::uint32_t slot = m_led[i];
+            const StrandChunk* chunk = m_groom->chunks[chunkOf(slot)].get();
+            if (chunk != nullptr && chunk->hairs[inChunk(slot)] && !dirty.contains(slot) &&
+                roots.basisSlot[basis] != slot && clump.scalar(roots.uv[slot]) > 0.0F)
+                dirty.insert(slot);
         }
-    });
+    }
 }
 
 void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSamplers& maps, const LayInputs& lay,
@@ -320,7 +327,7 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
     const std::vector<std::shared_ptr<const StrandChunk>> before = groom.chunks;
     parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            groom.chunks[stale[i]] = rebuildChunk(inputs, before[stale[i]], stale[i], dirty, rebuilt);
+            groom.chunks[stale[i]] = rebuildChunk(inputs, before[stale[i]], stale[i], dirty, m_passed, rebuilt);
     });
 
     for (const std::size_t i : stale) {
@@ -328,9 +335,12 @@ void GroupBuilder::rebuildChunks(const GroupSettings& settings, const MapSampler
         const StrandChunk* is = groom.chunks[i].get();
         if (was == is)
             continue;
-        // Subtracting modulo 2^32: one of -1 takes a dependent away.
-        countDependents(was, i, rebuilt, ~0U);
-        countDependents(is, i, rebuilt, 1U);
+        // Most often they follow whom they followed.
+        if (was == nullptr || is == nullptr || was->drawn != is->drawn || was->braidCentre != is->braidCentre) {
+            // Subtracting modulo 2^32: one of -1 takes a dependent away.
+            countDependents(was, i, rebuilt, ~0U);
+            countDependents(is, i, rebuilt, 1U);
+        }
         groom.hairCount += (is != nullptr ? is->hairs.count() : 0) - (was != nullptr ? was->hairs.count() : 0);
         groom.drawnCount += (is != nullptr ? is->drawn.count() : 0) - (was != nullptr ? was->drawn.count() : 0);
     }

@@ -4,9 +4,9 @@
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/groom.h"
 #include "sim/groom/lay.h"
-#include "sim/groom/lay_changes.h"
 #include "sim/groom/map_changes.h"
 #include "sim/groom/map_sampler.h"
+#include "sim/groom/passed_cells.h"
 #include "sim/groom/slot_set.h"
 
 #include <memory>
@@ -36,6 +36,8 @@ public:
 private:
     /// Brings m_layField to the input; adds what lies otherwise than before, where there is a before.
     void updateLay(const GroomInput::Group& input, const HeadLay& head, ChangedSlots& dirty);
+    /// Adds the hairs, and basis hairs, whose lay passed a cell that differs.
+    void findRelaid(const LayField::Difference& difference, ChangedSlots& dirty) const;
     void startOver(const GroomInput::Group& input, const std::shared_ptr<const RootSet>& roots);
     void readKinds(const MapSamplers& maps, const SlotSet& dirty);
     /// A basis hair's own, or where that is much shorter than the longest of the hairs that it leads, theirs: what
@@ -65,7 +67,8 @@ private:
     std::vector<std::uint32_t> m_led;             ///< Slots by the basis hair nearest to them,
     std::vector<std::uint32_t> m_firstLed;        ///< [basis hairs + 1] and where each one's begin.
     std::vector<float> m_basisLengthM;            ///< [basis hairs]
-    std::vector<std::int32_t> m_passedByBasis;    ///< [basis hairs][Lay::mostPassed], as StrandChunk::passed.
+    PassedCells m_passed;                         ///< By the slots,
+    PassedCells m_passedByBasis;                  ///< and by the basis hairs, as they were laid.
     std::vector<std::uint8_t> m_basisChanged;     ///< [basis hairs]: those of another length, in this update.
     std::vector<std::uint8_t> m_basisRelaid;      ///< [basis hairs]: those that lie otherwise.
     std::vector<std::uint32_t> m_drawnDependents; ///< [basis hairs]: drawn hairs that follow each.

@@ -9,7 +9,6 @@ namespace hairpaint::sim {
 namespace {
 
 constexpr float kShortFallM = 0.08F;   ///< Shorter hair lies as it grows, whatever it weighs;
-constexpr float kOpposed = 0.02F;      ///< Nearer to each other's opposite there is no way between.
 constexpr float kLeastFlatness = 0.5F; ///< Of hair that nobody has combed.
 constexpr float kLongFallM = 0.20F;    ///< longer hair falls to its side.
 
@@ -45,12 +44,7 @@ glm::vec3 atLeast(float flatness, glm::vec3 grown, glm::vec3 falls)
 
 glm::vec3 GrowthDirections::of(float falls) const
 {
-    const glm::vec3 mean = grownHd + (fallenHd - grownHd) * falls;
-    if (falls <= 0.0F || falls >= 1.0F)
-        return mean;
-    const float grown = std::sqrt(glm::dot(grownHd, grownHd));
-    const float flatness = grown + (std::sqrt(glm::dot(fallenHd, fallenHd)) - grown) * falls;
-    return mean * (flatness / std::max(std::sqrt(glm::dot(mean, mean)), kOpposed * flatness + 1e-6F));
+    return turnedBetween(grownHd, fallenHd, falls);
 }
 
 float fallFraction(float lengthM)

@@ -73,18 +73,21 @@ void Lay::lay()
         task.cells = m_inputs.field->cells();
     }
     layLanes(task);
+    for (std::size_t hair = 0; hair < m_count; ++hair)
+        if (m_isUpright[hair])
+            straighten(hair);
 }
 
-void Lay::read(std::size_t hair, std::span<glm::vec3> nodesHd) const
+void Lay::straighten(std::size_t hair)
 {
-    StrandBlocks(m_nodes).read(m_nodesHd, hair, nodesHd);
-    if (!m_isUpright[hair])
-        return;
     const auto of = [hair](const std::array<LayLanes::Row, 3>& rows) {
         return glm::vec3(rows[0][hair], rows[1][hair], rows[2][hair]);
     };
+    std::array<glm::vec3, kMostNodes> buffer{};
+    const std::span<glm::vec3> nodes = std::span(buffer).first(static_cast<std::size_t>(m_nodes));
     straightRest({of(m_lanes.rootHd), of(m_lanes.directionHd)},
-                 m_lanes.segmentM[hair] * static_cast<float>(m_nodes - 1), nodesHd);
+                 m_lanes.segmentM[hair] * static_cast<float>(m_nodes - 1), nodes);
+    StrandBlocks(m_nodes).write(m_nodesHd, hair, nodes);
 }
 
 std::span<const std::int32_t> Lay::passed(std::size_t hair) const

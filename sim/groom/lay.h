@@ -46,9 +46,13 @@ public:
     void add(const LayRoot& root, float lengthM); ///< Where it is not full.
     void lay();                                   ///< All that were added since clear().
 
-    /// The skeleton of the `hair`th that was added: nodes evenly spaced, root first. A direction of zero length gives a
-    /// straight line along the normal.
-    void read(std::size_t hair, std::span<glm::vec3> nodesHd) const;
+    /// The skeletons in the order in which they were added, nodes evenly spaced: [nodes][3][kLanes], Hd. A direction of
+    /// zero length gives a straight line along the normal. Whoever laid them may draw them on.
+    [[nodiscard]] std::span<float> nodesHd() { return std::span(m_nodesHd).first(StrandBlocks(m_nodes).blockFloats()); }
+    void read(std::size_t hair, std::span<glm::vec3> nodesHd) const
+    {
+        StrandBlocks(m_nodes).read(m_nodesHd, hair, nodesHd);
+    }
     /// The field's cells that it depends on, beside its root's own direction; SkinBand::kNone behind them.
     [[nodiscard]] std::span<const std::int32_t> passed(std::size_t hair) const;
 
@@ -57,6 +61,9 @@ public:
 
 private:
     static constexpr std::size_t kMostPassed = 32;
+
+    /// To the last bit.
+    void straighten(std::size_t hair);
 
     LayInputs m_inputs;
     int m_nodes;

@@ -3,11 +3,14 @@
 
 #include "sim/base/parallel.h"
 
+#include <numeric>
+
 namespace hairpaint::sim {
 
 namespace {
 
 constexpr std::size_t kCellGrain = 4096;
+constexpr std::size_t kCandidateGrain = 256;
 
 } // namespace
 
@@ -44,21 +47,23 @@ const TileIndex& LayField::tilesFor(int rasterSize)
 LayField::Difference LayField::differenceTo(const MapRaster& direction)
 {
     Difference difference{.direction = direction, .indices = {}, .cells = {}};
-    const auto look = [&](std::uint32_t index) {
-        const LayCell cell = cellFrom(index, *direction);
-        if (cell.directions == m_cells[index].directions)
-            return;
-        difference.indices.push_back(index);
-        difference.cells.push_back(cell);
-    };
+    std::vector<std::uint32_t> candidates;
     if (const std::optional<std::vector<int>> tiles = tilesThatDiffer(*m_direction, *direction)) {
-        const TileIndex& index = tilesFor(direction->size());
-        for (const int tile : *tiles)
-            for (const std::uint32_t cell : index.slotsOf(tile))
-                look(cell);
+        candidates = tilesFor(direction->size()).slotsOf(*tiles);
     } else {
-        for (std::uint32_t index = 0; index < m_cells.size(); ++index)
-            look(index);
+        candidates.resize(m_cells.size());
+        std::iota(candidates.begin(), candidates.end(), 0U);
+    }
+    std::vector<LayCell> cells(candidates.size());
+    parallelFor(candidates.size(), kCandidateGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            cells[i] = cellFrom(candidates[i], *direction);
+    });
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (cells[i].directions == m_cells[candidates[i]].directions)
+            continue;
+        difference.indices.push_back(candidates[i]);
+        difference.cells.push_back(cells[i]);
     }
     return difference;
 }

@@ -45,7 +45,7 @@ HWY_INLINE hn::Vec<DI> cellsAt(D d, const SkinBand::Grid& grid, const Vec3<hn::V
     return hn::IfThenElse(hn::RebindMask(di, inside), hn::GatherIndex(di, grid.indices, index), hn::Set(di, -1));
 }
 
-/// GrowthDirections::of().
+/// As turnedBetween() of direction_texel.h.
 template<class D>
 HWY_INLINE Vec3<hn::Vec<D>> turned(D d, const Vec3<hn::Vec<D>>& grown, const Vec3<hn::Vec<D>>& fallen, hn::Vec<D> falls)
 {
@@ -54,8 +54,9 @@ HWY_INLINE Vec3<hn::Vec<D>> turned(D d, const Vec3<hn::Vec<D>>& grown, const Vec
     const V flat = hn::Sqrt(dot(grown, grown));
     const V flatness = hn::Add(flat, hn::Mul(hn::Sub(hn::Sqrt(dot(fallen, fallen)), flat), falls));
     const V length = hn::Sqrt(dot(mean, mean));
-    const V least = hn::Add(hn::Mul(flatness, hn::Set(d, 0.02F)), hn::Set(d, 1e-6F));
-    return scale(mean, hn::Div(flatness, hn::Max(length, least)));
+    const auto opposed = hn::Le(length, hn::Mul(flatness, hn::Set(d, kOpposedDirections)));
+    const Vec3<V> nearest = choose(hn::Lt(falls, hn::Set(d, 0.5F)), grown, fallen);
+    return choose(opposed, nearest, scale(mean, hn::Div(flatness, hn::IfThenElse(opposed, hn::Set(d, 1.0F), length))));
 }
 
 /// Lanes lane..lane + Lanes(d).

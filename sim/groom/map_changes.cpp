@@ -8,6 +8,12 @@
 
 namespace hairpaint::sim {
 
+namespace {
+
+constexpr std::size_t kSlotGrain = 256;
+
+} // namespace
+
 const TileIndex& MapChanges::indexFor(int rasterSize)
 {
     const auto found = m_indices.find(rasterSize);
@@ -22,8 +28,9 @@ void MapChanges::prepare(const GroupMaps& maps)
         (void)indexFor(maps[rule.slot]->size());
 }
 
-template<typename Visit>
-void MapChanges::visitCandidates(const TiledRaster& before, const TiledRaster& after, const Visit& visit)
+template<typename Differs, typename Insert>
+void MapChanges::visitChanged(const TiledRaster& before, const TiledRaster& after, const Differs& differs,
+                              const Insert& insert)
 {
     const std::optional<std::vector<int>> tiles = tilesThatDiffer(before, after);
     if (!tiles) {
@@ -31,16 +38,23 @@ void MapChanges::visitCandidates(const TiledRaster& before, const TiledRaster& a
         parallelFor(chunks, 4, [&](std::size_t begin, std::size_t end) {
             const std::size_t last = std::min(end * kChunkSlots, m_roots->count());
             for (std::size_t slot = begin * kChunkSlots; slot < last; ++slot)
-                visit(static_cast<std::uint32_t>(slot));
+                if (differs(static_cast<std::uint32_t>(slot)))
+                    insert(static_cast<std::uint32_t>(slot));
         });
         return;
     }
     if (tiles->empty())
         return;
-    const TileIndex& index = indexFor(after.size());
-    for (const int tile : *tiles)
-        for (const std::uint32_t slot : index.slotsOf(tile))
-            visit(slot);
+    // A tile's candidates are of many chunks: looked at by all threads, kept by this one.
+    const std::vector<std::uint32_t> slots = indexFor(after.size()).slotsOf(*tiles);
+    std::vector<std::uint8_t> changed(slots.size());
+    parallelFor(slots.size(), kSlotGrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            changed[i] = differs(slots[i]) ? 1 : 0;
+    });
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        if (changed[i] != 0)
+            insert(slots[i]);
 }
 
 template<typename Read>
@@ -50,13 +64,14 @@ void MapChanges::compare(const MapRule& rule, const Read& read, const TiledRaste
     const auto basisCount = static_cast<std::uint32_t>(m_roots->basisSlot.size());
     const MapEffect effect = rule.effect;
     const bool ofAll = effect.hairs || effect.look;
-    visitCandidates(before, after, [&](std::uint32_t slot) {
-        const bool isBasis = effect.basis && m_roots->rankOfSlot[slot] < basisCount;
-        if ((!ofAll && !isBasis) || read(before, m_roots->uv[slot]) == read(after, m_roots->uv[slot]))
-            return;
+    const auto isBasis = [&](std::uint32_t slot) { return effect.basis && m_roots->rankOfSlot[slot] < basisCount; };
+    const auto differs = [&](std::uint32_t slot) {
+        return (ofAll || isBasis(slot)) && read(before, m_roots->uv[slot]) != read(after, m_roots->uv[slot]);
+    };
+    visitChanged(before, after, differs, [&](std::uint32_t slot) {
         if (effect.hairs)
             changed.hairs.insert(slot);
-        if (isBasis)
+        if (isBasis(slot))
             changed.basis.insert(slot);
         if (effect.look)
             changed.look.insert(slot);

@@ -36,10 +36,11 @@ public:
 
 private:
     const TileIndex& indexFor(int rasterSize);
-    /// Calls `visit` for the candidates that may read texels that differ; from several threads, each with chunks of its
-    /// own.
-    template<typename Visit>
-    void visitCandidates(const TiledRaster& before, const TiledRaster& after, const Visit& visit);
+    /// Calls `insert` for the candidates that may read texels that differ and of which `differs` is true; either from
+    /// several threads, `insert` from each with chunks of its own.
+    template<typename Differs, typename Insert>
+    void visitChanged(const TiledRaster& before, const TiledRaster& after, const Differs& differs,
+                      const Insert& insert);
     template<typename Read>
     void compare(const MapRule& rule, const Read& read, const TiledRaster& before, const TiledRaster& after,
                  ChangedSlots& changed);

@@ -52,6 +52,16 @@ TileIndex::TileIndex(std::span<const glm::vec2> uvs, int rasterSize)
         m_slots[next[tileOf(uvs[slot])]++] = slot;
 }
 
+std::vector<std::uint32_t> TileIndex::slotsOf(std::span<const int> tiles) const
+{
+    std::vector<std::uint32_t> slots;
+    for (const int tile : tiles) {
+        const std::span<const std::uint32_t> those = slotsOf(tile);
+        slots.insert(slots.end(), those.begin(), those.end());
+    }
+    return slots;
+}
+
 std::optional<std::vector<int>> tilesThatDiffer(const TiledRaster& before, const TiledRaster& after)
 {
     if (before.size() != after.size() || before.channels() != after.channels())

@@ -20,6 +20,8 @@ public:
         const auto at = static_cast<std::size_t>(tile);
         return std::span(m_slots).subspan(m_start[at], m_start[at + 1] - m_start[at]);
     }
+    /// Of several tiles, one after the other.
+    [[nodiscard]] std::vector<std::uint32_t> slotsOf(std::span<const int> tiles) const;
 
 private:
     std::vector<std::uint32_t> m_start; ///< [tiles + 1]

@@ -3,6 +3,7 @@
 
 #include "sim/base/parallel.h"
 #include "sim/motion/head_motion.h"
+#include "sim/solver/agreement.h"
 #include "sim/solver/dependents_kernel.h"
 #include "sim/solver/strand_constants.h"
 
@@ -24,6 +25,14 @@ float scaleOf(float basisLengthM)
     return std::max(basisLengthM, kStubbleM);
 }
 
+/// How much one of another length tells of how a hair of `lengthM` moves, 0..1, never nothing.
+float likeness(float lengthM, float basisLengthM)
+{
+    const float ratio = basisLengthM < lengthM ? basisLengthM / lengthM : lengthM / basisLengthM;
+    const float square = ratio * ratio;
+    return square > 1e-4F ? square : 1e-4F;
+}
+
 glm::vec3 inWorld(const RigidMotion& world, glm::vec3 p)
 {
     glm::vec3 q;
@@ -40,17 +49,85 @@ void Dependents::prepare(const Groom& groom, const ColliderSet& colliders, bool 
 {
     m_chunks.resize(groom.chunks.size());
     m_placed.clear();
+    std::vector<std::uint8_t> changed;
+    const bool basisDiffers = findChangedBasis(groom, changed);
     std::vector<std::uint32_t> stale;
+    std::vector<std::uint32_t> kept;
     for (std::size_t i = 0; i < groom.chunks.size(); ++i) {
         if (groom.chunks[i] && groom.packedChunk[i] >= 0)
             m_placed.push_back(static_cast<std::uint32_t>(i));
         if (everything || m_chunks[i].styles != groom.chunks[i])
             stale.push_back(static_cast<std::uint32_t>(i));
+        else if (basisDiffers && groom.chunks[i])
+            kept.push_back(static_cast<std::uint32_t>(i));
     }
+    parallelFor(kept.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            followChangedBasis(groom, changed, kept[i]);
+    });
     parallelFor(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             prepareChunk(groom, colliders, stale[i]);
     });
+}
+
+bool Dependents::findChangedBasis(const Groom& groom, std::vector<std::uint8_t>& changed)
+{
+    if (!groom.basis || m_basis == groom.basis)
+        return false;
+    const BasisStyles& basis = *groom.basis;
+    const std::size_t count = basis.blockCount() * kLanes;
+    m_basis = groom.basis;
+    m_leads.resize(count);
+    changed.assign(count, 0);
+    bool any = false;
+    const auto last = static_cast<std::size_t>(groom.nodes - 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float lengthM = basis.segmentLengths[i] * static_cast<float>(last);
+        const float perLength = 1.0F / scaleOf(lengthM);
+        const glm::vec3 root = groom.blocks().node(basis.restPositions, i, 0);
+        const Lead lead{(groom.blocks().node(basis.restPositions, i, last) - root) * perLength, lengthM};
+        changed[i] = lead == m_leads[i] ? 0 : 1;
+        any = any || changed[i] != 0;
+        m_leads[i] = lead;
+    }
+    return any;
+}
+
+void Dependents::followChangedBasis(const Groom& groom, const std::vector<std::uint8_t>& changed, std::size_t index)
+{
+    Chunk& chunk = m_chunks[index];
+    if (chunk.weights.empty())
+        return;
+    const std::size_t firstSlot = index * kChunkSlots;
+    const std::size_t count = std::min<std::size_t>(kChunkSlots, groom.roots->neighbours.size() - firstSlot);
+    for (std::size_t slot = 0; slot < count; ++slot) {
+        const std::array<std::uint32_t, RootSet::kNeighbours>& followed = groom.roots->neighbours[firstSlot + slot];
+        if (chunk.styles->drawn[slot] &&
+            std::ranges::any_of(followed, [&](std::uint32_t basis) { return changed[basis] != 0; }))
+            chunk.weights[slot] = weightsOf(groom, *chunk.styles, index, slot);
+    }
+}
+
+std::array<float, RootSet::kNeighbours> Dependents::weightsOf(const Groom& groom, const StrandChunk& styles,
+                                                              std::size_t index, std::size_t slot) const
+{
+    const auto last = static_cast<std::size_t>(groom.nodes - 1);
+    const std::array<std::uint32_t, RootSet::kNeighbours>& basis = groom.roots->neighbours[index * kChunkSlots + slot];
+    std::array<float, RootSet::kNeighbours> weights = groom.roots->weights[index * kChunkSlots + slot];
+    const float lengthM = styles.segmentLengths[slot] * static_cast<float>(last);
+    const glm::vec3 reach =
+        (groom.blocks().node(styles.restPositions, slot, last) - groom.blocks().node(styles.restPositions, slot, 0)) /
+        lengthM;
+    for (std::size_t k = 0; k < weights.size(); ++k)
+        // A hair that lies to another side is none to follow.
+        weights[k] *= likeness(lengthM, m_leads[basis[k]].lengthM) *
+                      std::max(agreementOfTips(&reach.x, &m_leads[basis[k]].reach.x), 1e-3F);
+    const float clump = styles.clump[slot] * likeness(lengthM, m_leads[basis[0]].lengthM);
+    const float together = weights[0] + weights[1] + weights[2];
+    for (std::size_t k = 0; k < weights.size(); ++k)
+        weights[k] += ((k == 0 ? together : 0.0F) - weights[k]) * clump;
+    return weights;
 }
 
 void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, std::size_t index)
@@ -60,17 +137,20 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
     chunk.braided.clear();
     if (!chunk.styles || !groom.roots)
         return;
-    chunk.lanes.assign(kBlocksPerChunk * kDependentStride, 0.0F);
+    const std::size_t rows = dependentRows(colliders);
+    chunk.lanes.assign(kBlocksPerChunk * rows * kLanes, 0.0F);
+    chunk.weights.resize(kChunkSlots);
     const StrandChunk& styles = *chunk.styles;
     const std::size_t firstSlot = index * kChunkSlots;
     for (std::size_t slot = 0; slot < kChunkSlots; ++slot) {
         if (!styles.drawn[slot] || firstSlot + slot >= groom.roots->neighbours.size())
             continue;
         const auto row = [&](int number) -> float& {
-            return chunk.lanes[rowIndex(slot, static_cast<std::size_t>(number), kDependentRows)];
+            return chunk.lanes[rowIndex(slot, static_cast<std::size_t>(number), rows)];
         };
         const float segment = styles.segmentLengths[slot];
         row(kDependentSegment) = segment;
+        chunk.weights[slot] = weightsOf(groom, styles, index, slot);
         const std::size_t nearest = groom.roots->neighbours[firstSlot + slot][0];
         const glm::vec3 toNearest =
             groom.roots->positionHd[groom.roots->basisSlot[nearest]] - groom.roots->positionHd[firstSlot + slot];
@@ -124,7 +204,7 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
                                          basis.restPositions[root + axis * StrandBlocks::kAxisStride]) *
                                         perLength;
                     }
-                    out[kBasisLength] = length;
+                    out[3] = 0.0F;
                     out[kBasisStretch] = stretch;
                 }
             }
@@ -188,8 +268,7 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
             const Chunk& chunk = m_chunks[index];
             DependentsTask task = common;
             task.neighbours = groom.roots->neighbours.data() + index * kChunkSlots;
-            task.weights = groom.roots->weights.data() + index * kChunkSlots;
-            task.clump = chunk.styles->clump.data();
+            task.weights = chunk.weights.data();
             task.rest = chunk.styles->restPositions.data();
             task.lanes = chunk.lanes.data();
             task.out = frame.positions.data() + static_cast<std::size_t>(groom.packedChunk[index]) * chunkFloats;

@@ -13,7 +13,8 @@
 
 namespace hairpaint::sim {
 
-/// Keeps, per chunk, what the kernel needs beside the groom; a chunk that the next groom shares is not looked at again.
+/// Keeps, per chunk, what the kernel needs beside the groom; of a chunk that the next groom shares, only what
+/// follows a basis hair that differs is looked at again.
 class Dependents
 {
 public:
@@ -28,13 +29,31 @@ private:
     struct Chunk
     {
         std::shared_ptr<const StrandChunk> styles;
-        AlignedFloats lanes;                ///< [kBlocksPerChunk][kDependentRows][kLanes]
-        std::vector<std::uint16_t> braided; ///< Slots within the chunk that are drawn.
+        AlignedFloats lanes;                                          ///< [kBlocksPerChunk][dependentRows][kLanes]
+        std::vector<std::uint16_t> braided;                           ///< Slots within the chunk that are drawn.
+        std::vector<std::array<float, RootSet::kNeighbours>> weights; ///< [kChunkSlots] of the basis hairs it follows.
     };
+    /// Of a basis hair, what tells how much those around are like it.
+    struct Lead
+    {
+        glm::vec3 reach{0.0F}; ///< From the root to the tip, by what its displacements are divided by.
+        float lengthM = 0.0F;
+        friend bool operator==(const Lead&, const Lead&) = default;
+    };
+    /// Brings m_leads to the groom; false where none differs, else `changed` tells which: [basis lanes].
+    bool findChangedBasis(const Groom& groom, std::vector<std::uint8_t>& changed);
+    /// For a chunk that else stays as it is.
+    void followChangedBasis(const Groom& groom, const std::vector<std::uint8_t>& changed, std::size_t index);
+    /// How much a drawn hair follows each of its basis hairs. One of another length (at the edge of a cut), or that
+    /// lies to another side, counts less, and the nearest counts the more the closer the hair clumps to it.
+    [[nodiscard]] std::array<float, RootSet::kNeighbours> weightsOf(const Groom& groom, const StrandChunk& styles,
+                                                                    std::size_t index, std::size_t slot) const;
     void prepareChunk(const Groom& groom, const ColliderSet& colliders, std::size_t index);
     void findDisplacements(const Groom& groom, const StrandState& state, float fraction);
     void writeBraided(const Groom& groom, const Chunk& chunk, const RigidMotion& world, float* out) const;
 
+    std::shared_ptr<const BasisStyles> m_basis;
+    std::vector<Lead> m_leads; ///< [basis lanes] of m_basis.
     std::vector<Chunk> m_chunks;
     std::vector<std::uint32_t> m_placed; ///< Chunks that have a place in the frame.
     AlignedFloats m_displacements;       ///< [basis lanes][nodes][kBasisFloats], see DependentsTask.

@@ -11,7 +11,7 @@
 
 namespace hairpaint::sim {
 
-inline constexpr int kMaxColliders = 8;
+inline constexpr int kMaxColliders = 32;
 
 /// `rows * (p - centre)` has length 1 where p lies on the ellipsoid. Hd, m.
 struct Collider

@@ -1,7 +1,7 @@
 // Dependent hairs: interpolated displacement, restored lengths, pushed out of the head.
 #include "sim/solver/dependents_kernel.h"
 
-#include <algorithm>
+#include "sim/solver/agreement.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/solver/dependents_kernel.cpp"
@@ -13,33 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::sim::HWY_NAMESPACE {
 
-/// Tips that lie further apart than this fraction of the length, squared, belong to different sides of a parting.
-constexpr float kApart2 = 0.45F;
 constexpr float kAnywhereM = 1.0F;
 constexpr float kCarriedM = 0.08F; ///< Shorter hair holds its own shape,
 constexpr float kHangingM = 0.20F; ///< and longer hair does not.
 
-/// How much a neighbour counts beside the foremost, 0..1, by how differently its tip hangs.
-HWY_INLINE float agreement(const float* HWY_RESTRICT nearestTip, const float* HWY_RESTRICT tip)
-{
-    const float x = tip[0] - nearestTip[0];
-    const float y = tip[1] - nearestTip[1];
-    const float z = tip[2] - nearestTip[2];
-    const float left = 1.0F - (x * x + y * y + z * z) * (1.0F / kApart2);
-    return left > 0.0F ? left * left : 0.0F;
-}
-
-/// How much one of another length tells of how a hair of `length` moves, 0..1, never nothing.
-HWY_INLINE float likeness(float length, float basisLength)
-{
-    const float ratio = basisLength < length ? basisLength / length : length / basisLength;
-    const float square = ratio * ratio;
-    return square > 1e-4F ? square : 1e-4F;
-}
-
-/// Weighted mean of one slot's three basis hairs into mean: [nodes][2][kLanes][4], at its lane. `rest`: its own nodes.
-HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float length, const float* HWY_RESTRICT rest,
-                       float* HWY_RESTRICT mean)
+/// Weighted mean of one slot's three basis hairs into mean: [nodes][2][kLanes][4], at its lane.
+HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float* HWY_RESTRICT mean)
 {
     const hn::CappedTag<float, 4> d4;
     const auto nodes = static_cast<std::size_t>(task.nodes);
@@ -50,24 +29,13 @@ HWY_INLINE void gather(const DependentsTask& task, std::size_t slot, float lengt
     const float* const third = task.displacements + basis[2] * nodes * kBasisFloats;
     const std::size_t tip = (nodes - 1) * kBasisFloats;
     const std::array<const float*, 3> all{first, second, third};
-    // From the root to the tip, by the length: a hair that lies to another side is none to follow.
-    const float* const ownTip = rest + static_cast<std::size_t>(task.nodes - 1) * StrandBlocks::kNodeStride;
-    const std::array<float, 3> reach{(ownTip[0] - rest[0]) / length, (ownTip[kLanes] - rest[kLanes]) / length,
-                                     (ownTip[2 * kLanes] - rest[2 * kLanes]) / length};
-    for (std::size_t k = 0; k < all.size(); ++k)
-        weight[k] *=
-            likeness(length, all[k][kBasisLength]) * std::max(agreement(reach.data(), all[k] + tip + 4), 1e-3F);
-    const float clump = task.clump[slot] * likeness(length, first[kBasisLength]);
-    const float together = weight[0] + weight[1] + weight[2];
-    for (std::size_t k = 0; k < all.size(); ++k)
-        weight[k] += ((k == 0 ? together : 0.0F) - weight[k]) * clump;
     if (weight[1] != 0.0F || weight[2] != 0.0F) {
         std::size_t foremost = weight[1] > weight[0] ? 1 : 0;
         foremost = weight[2] > weight[foremost] ? 2 : foremost;
         float sum = 0.0F;
         for (std::size_t k = 0; k < all.size(); ++k) {
             if (k != foremost)
-                weight[k] *= agreement(all[foremost] + tip, all[k] + tip);
+                weight[k] *= agreementOfTips(all[foremost] + tip, all[k] + tip);
             sum += weight[k];
         }
         for (float& w : weight)
@@ -175,11 +143,12 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
 {
     const hn::CappedTag<float, kLanes> d;
     const auto nodes = static_cast<std::size_t>(task.nodes);
+    const std::size_t laneStride = dependentRows(*task.colliders) * kLanes;
     HWY_ALIGN float mean[std::size_t{kMostNodes} * 2 * kLanes * 4];
     for (std::size_t i = 0; i < nodes * 2 * kLanes * 4; ++i)
         mean[i] = 0.0F;
     for (std::size_t block = begin; block < end; ++block) {
-        const float* const lanes = task.lanes + block * kDependentStride;
+        const float* const lanes = task.lanes + block * laneStride;
         const std::size_t first = StrandBlocks(task.nodes).floatsFor(block);
         bool any = false;
         for (std::size_t lane = 0; lane < kLanes; ++lane)
@@ -191,8 +160,7 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
         }
         for (std::size_t lane = 0; lane < kLanes; ++lane) {
             if (lanes[lane] > 0.0F)
-                gather(task, block * kLanes + lane, lanes[lane] * static_cast<float>(task.nodes - 1),
-                       task.rest + first + lane, mean + lane * 4);
+                gather(task, block * kLanes + lane, mean + lane * 4);
         }
         for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(d))
             placeStrands(d, task, mean + lane * 4, task.rest + first + lane, lanes + lane, task.out + first + lane);

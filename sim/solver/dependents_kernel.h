@@ -17,27 +17,27 @@ enum DependentRow : std::uint8_t
     kDependentClumpX,    ///< From the root to that of the nearest basis hair, by the clump. Hd, m.
     kDependentClumpY,
     kDependentClumpZ,
-    kDependentScale, ///< [kMaxColliders] rows: squared scale of each collider.
-    kDependentRows = kDependentScale + kMaxColliders
+    kDependentScale ///< A row for each collider: its squared scale.
 };
-inline constexpr std::size_t kDependentStride = std::size_t{kDependentRows} * kLanes;
+[[nodiscard]] constexpr std::size_t dependentRows(const ColliderSet& colliders)
+{
+    return std::size_t{kDependentScale} + static_cast<std::size_t>(colliders.count);
+}
 
 inline constexpr std::size_t kBasisFloats = 8;
-inline constexpr std::size_t kBasisLength = 3;  ///< Index of the length in them,
-inline constexpr std::size_t kBasisStretch = 7; ///< and of the fraction by which it is longer now.
+inline constexpr std::size_t kBasisStretch = 7; ///< Index in them of the fraction by which it is longer now.
 
 /// One chunk's worth of dependents. Hd, m, but `out`, which is in the world.
 struct DependentsTask
 {
     int nodes = 0;
-    /// [basis hairs][nodes][kBasisFloats]: the node's displacement from its rest position, the basis hair's length,
-    /// the rest position from the root and how much longer it is; displacement and position by that length.
+    /// [basis hairs][nodes][kBasisFloats]: the node's displacement from its rest position, nothing, the rest position
+    /// from the root and how much longer the basis hair is; displacement and position by its length.
     const float* displacements = nullptr;
     const std::array<std::uint32_t, 3>* neighbours = nullptr; ///< [kChunkSlots], indices of basis hairs.
-    const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], sums of 1.
-    const float* clump = nullptr;                             ///< [kChunkSlots], 0..1.
+    const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], in any unit.
     const float* rest = nullptr;                              ///< [kBlocksPerChunk][nodes][3][kLanes]
-    const float* lanes = nullptr;                             ///< [kBlocksPerChunk][kDependentRows][kLanes]
+    const float* lanes = nullptr;                             ///< [kBlocksPerChunk][dependentRows(colliders)][kLanes]
     const ColliderSet* colliders = nullptr;
     RigidMotion world; ///< From the head's frame.
     NeckTurn neck;
@@ -45,11 +45,10 @@ struct DependentsTask
 };
 
 /// Blocks begin..end of the chunk. A node's displacement is the weighted mean of its basis hairs' at the same node;
-/// neighbours that hang to another side than the foremost (across a parting), or are of another length (at the edge of
-/// a cut), count less, and the nearest counts the more the closer a hair clumps to it. What a hair's own rest shape has
-/// of its own beside theirs is forgotten where they have moved far: two hairs of which one is laid over the ear hang
-/// side by side. Then segment lengths are restored from root to tip, outside ellipsoids and skin. Neither allocates nor
-/// throws; the same bytes with every instruction set.
+/// neighbours that hang to another side than the foremost (across a parting) count less. What a hair's own rest shape
+/// has of its own beside theirs is forgotten where they have moved far: two hairs of which one is laid over the ear
+/// hang side by side. Then segment lengths are restored from root to tip, outside ellipsoids and skin. Neither
+/// allocates nor throws; the same bytes with every instruction set.
 void placeDependents(const DependentsTask& task, std::size_t begin, std::size_t end);
 
 } // namespace hairpaint::sim

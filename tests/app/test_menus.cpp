@@ -115,10 +115,9 @@ private Q_SLOTS:
     {
         model::Document& document = m_window->session().document();
         const std::vector<sim::Ellipsoid> before = document.project().ellipsoids;
-        QCOMPARE(before.size(), model::kMostEllipsoids);
         const QAction* add = m_window->actions().find(QLatin1StringView("hair.addCollider"));
         const QAction* remove = m_window->actions().find(QLatin1StringView("hair.removeCollider"));
-        QVERIFY(!add->isEnabled() && !remove->isEnabled());
+        QVERIFY(before.size() < model::kMostEllipsoids && add->isEnabled() && !remove->isEnabled());
         trigger("view.colliders");
         m_window->session().editor().setChosenCollider(1);
         QVERIFY(remove->isEnabled());
@@ -127,7 +126,11 @@ private Q_SLOTS:
         QVERIFY(add->isEnabled() && !remove->isEnabled());
         trigger("hair.addCollider");
         QCOMPARE(document.project().ellipsoids.size(), before.size());
-        QVERIFY(!add->isEnabled() && remove->isEnabled());
+        QVERIFY(remove->isEnabled());
+        std::vector<sim::Ellipsoid> most(model::kMostEllipsoids, before.front());
+        document.push(setEllipsoidsCommand(document, most, QStringLiteral("most")));
+        QVERIFY(!add->isEnabled());
+        document.undo();
         document.undo();
         document.undo();
         QVERIFY(document.project().ellipsoids == before);

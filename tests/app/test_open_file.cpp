@@ -1,4 +1,5 @@
 // A project's file that others work on too: nothing of theirs is replaced without a question.
+#include "model/files/earlier_versions.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_program.h"
@@ -17,13 +18,16 @@ class Answer : public QObject
 public:
     explicit Answer(QString button) : m_button(std::move(button)) { startTimer(20); }
     QStringList asked;
+    bool sawFileDialog = false;
 
 protected:
     void timerEvent(QTimerEvent* /*event*/) override
     {
         QWidget* waiting = QApplication::activeModalWidget();
-        if (auto* files = qobject_cast<QFileDialog*>(waiting))
+        if (auto* files = qobject_cast<QFileDialog*>(waiting)) {
+            sawFileDialog = true;
             return files->reject();
+        }
         auto* box = qobject_cast<QMessageBox*>(waiting);
         if (box == nullptr)
             return;
@@ -109,6 +113,45 @@ private Q_SLOTS:
         changeBackground(0xFF778899U);
         QVERIFY(m_window->files().save());
         QCOMPARE(replace.asked.size(), 1);
+    }
+
+    void earlierVersionsAreKeptOnDemand()
+    {
+        openSaved();
+        view::Preferences preferences = Settings().preferences();
+        QVERIFY(!preferences.earlierVersions);
+        QList<QByteArray> saved{test::readBytes(m_path)};
+        for (const bool keep : {false, true, true, true, true}) {
+            preferences.earlierVersions = keep;
+            Settings().setPreferences(preferences);
+            m_window.reset();
+            openWindow(model::newProject());
+            QVERIFY(m_window->files().openPath(m_path));
+            changeBackground(0xFF000000U + static_cast<QRgb>(saved.size()) * 1000U);
+            QVERIFY(m_window->files().save());
+            saved.prepend(test::readBytes(m_path));
+            QCOMPARE(QFile::exists(model::earlierVersion(m_path, 1)), keep);
+        }
+        for (int number = 1; number <= 3; ++number)
+            QVERIFY(test::readBytes(model::earlierVersion(m_path, number)) == saved[number]);
+        QVERIFY(!QFile::exists(model::earlierVersion(m_path, 4)));
+        QVERIFY(m_window->files().openPath(model::earlierVersion(m_path, 3)));
+    }
+
+    void whereItCannotBeSavedAnotherPlaceIsOffered()
+    {
+        openSaved();
+        const QString folder = m_folder.filePath(QStringLiteral("vanishing"));
+        QVERIFY(QDir().mkpath(folder));
+        m_window->files().setPath(folder + QStringLiteral("/gone.hairpaint"));
+        QVERIFY(QDir(folder).removeRecursively());
+        changeBackground(0xFF112233U);
+        Answer other(QStringLiteral("Save under another name..."));
+        QVERIFY(!m_window->files().save()); // The dialog was cancelled.
+        QCOMPARE(other.asked.size(), 1);
+        QVERIFY2(other.asked.front().contains(QStringLiteral("gone.hairpaint")), qPrintable(other.asked.front()));
+        QVERIFY(other.sawFileDialog);
+        QVERIFY(session().document().modified());
     }
 
     void aFileThatIsGoneIsWrittenAgain()

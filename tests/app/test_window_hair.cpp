@@ -8,6 +8,8 @@
 #include "tests/support/test_program.h"
 #include "view/head/head_overlay.h"
 
+#include <QMenu>
+
 #include <algorithm>
 
 namespace hairpaint::app {
@@ -39,6 +41,32 @@ private:
 private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
     void cleanup() { m_window.reset(); }
+
+    /// From a bald head: the menu, and what grows.
+    void aBeardIsTwoChoicesAway()
+    {
+        openWindow(model::newProject());
+        awaitNewestHair();
+        action("hair.addGroup").trigger();
+        auto* menu = m_window->findChild<QMenu*>(QStringLiteral("whatGrows"));
+        QVERIFY(menu != nullptr);
+        const auto actions = menu->actions();
+        const auto beard = std::ranges::find(actions, QStringLiteral("Beard"), &QAction::text);
+        QVERIFY(beard != actions.end());
+        (*beard)->trigger();
+        menu->close();
+        QCOMPARE(session().document().project().groups.size(), std::size_t{2});
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
+        QCOMPARE(stack().count(), 1);
+        const auto density = map(model::MapKind::Density);
+        const auto at = [&](glm::vec3 placeHd) {
+            return density->sampleScalar(session().document().project().head->skin->nearest(placeHd).uv);
+        };
+        QVERIFY(at({0.005F, -0.095F, 0.1F}) > 0.9F && at({0.045F, -0.07F, 0.07F}) > 0.9F); // Chin and cheek.
+        QVERIFY(at({0.01F, 0.06F, 0.1F}) == 0.0F && at({0.03F, 0.10F, 0.0F}) == 0.0F);
+        session().document().undo();
+        QCOMPARE(session().document().project().groups.size(), std::size_t{1});
+    }
 
     void hairThatTheWindBlewIsHeldAsItLies()
     {

@@ -64,7 +64,7 @@ void dependents(benchmark::State& state)
 BENCHMARK(simStep)
     ->Name("sim_step")
     ->ArgNames({"hairs", "nodes", "threads", "skin"})
-    ->ArgsProduct({{10000, 100000}, {5}, {1, 2}, {0, 1}})
+    ->ArgsProduct({{10000, 100000, 1000000}, {5}, {1, 2}, {0, 1}})
     ->Unit(benchmark::kMicrosecond)
     ->UseRealTime();
 BENCHMARK(dependents)

@@ -1,8 +1,5 @@
 // The comb: what a stroke over the skin leaves in the direction map.
-#include "model/tools/tool.h"
-#include "sim/groom/direction_texel.h"
-#include "sim/skin/skin_frame.h"
-#include "tests/model/fixtures.h"
+#include "tests/model/head_studio.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -18,60 +15,26 @@ namespace {
 
 constexpr float kRadiusM = 0.1F;
 
-struct Hairdresser
+struct Hairdresser : HeadStudio
 {
-    Document document;
-    std::vector<std::unique_ptr<Tool>> tools = makeTools();
-    ToolSettings settings;
-    Selection selection;
-    bool mirror = false;
     ToolId tool = ToolId::Comb;
 
-    explicit Hairdresser(sim::HeadMesh mesh, bool builtIn = false)
-        : document([&] {
-              Project project = patchProject(512);
-              project.head = headOf(std::move(mesh), builtIn);
-              return project;
-          }())
+    explicit Hairdresser(sim::HeadMesh mesh, bool builtIn = false) : HeadStudio(onMesh(std::move(mesh), builtIn))
     {
+        settings = ToolSettings();
         settings.hardness = 1.0F;
         settings.pressureSize = false;
         settings.brushSizeM = 0.03F;
     }
-    [[nodiscard]] const sim::Skin& skin() { return *document.project().head->skin; }
-    ToolContext context()
-    {
-        return {.document = document,
-                .target = firstLayer(document, MapKind::Direction),
-                .settings = settings,
-                .selection = selection,
-                .mirror = mirror};
-    }
-    /// Over the head along these places, brought to the skin.
+    /// Over the head along these places.
     void stroke(const std::vector<glm::vec3>& wayHd, float pressure = 1.0F)
     {
-        const auto found = std::ranges::find_if(tools, [this](const auto& one) { return one->id() == tool; });
+        Tool& with = Studio::tool(QLatin1String(toolName(tool)));
         ToolContext now = context();
-        const auto at = [&](glm::vec3 place) {
-            const sim::SurfacePoint point = skin().nearest(place);
-            return ToolEvent{.area = Area::Head, .uv = point.uv, .point = point, .pressure = pressure};
-        };
-        (*found)->press(at(wayHd.front()), now);
+        with.press(eventAt(wayHd.front(), pressure), now);
         for (const glm::vec3& place : wayHd)
-            (*found)->move(at(place), now);
-        (*found)->release(at(wayHd.back()), now);
-    }
-    [[nodiscard]] const sim::TiledRaster& layer()
-    {
-        const LayerAddress at = context().target;
-        return document.project().layer(at.group, at.map, at.layer)->raster;
-    }
-    [[nodiscard]] sim::Texel texelAt(glm::vec3 placeHd) { return layer().sampleNearest(skin().nearest(placeHd).uv); }
-    /// The direction there, Hd.
-    [[nodiscard]] glm::vec3 directionAt(glm::vec3 placeHd)
-    {
-        const sim::SurfacePoint point = skin().nearest(placeHd);
-        return sim::SkinFrame::at(point).toHd(sim::directionOf(layer().sampleNearest(point.uv)));
+            with.move(eventAt(place, pressure), now);
+        with.release(eventAt(wayHd.back(), pressure), now);
     }
 };
 

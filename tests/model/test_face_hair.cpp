@@ -70,6 +70,30 @@ private Q_SLOTS:
         }
     }
 
+    void aBeardGrowsWhereItIsAskedFor_data() { itGrowsOnBrowsAndLidsAlone_data(); }
+    void aBeardGrowsWhereItIsAskedFor()
+    {
+        QFETCH(QString, head);
+        const std::shared_ptr<const Head> on = *builtInHead(head);
+        const auto kinds = hairKinds();
+        const auto isBeard = [](const HairKind& kind) {
+            return QLatin1StringView(kind.name) == QLatin1StringView("Beard");
+        };
+        const std::optional<HairGroup> beard = grownHair(*std::ranges::find_if(kinds, isBeard), on);
+        QVERIFY(beard && !isFaceHair(*beard));
+        for (const float side : {-1.0F, 1.0F}) {
+            for (const glm::vec3& grows :
+                 {glm::vec3(side * 0.005F, -0.095F, 0.1F), glm::vec3(side * 0.045F, -0.07F, 0.07F)})
+                QVERIFY2(densityNear(*beard, *on, grows) > 0.9F, qPrintable(QString::number(grows.y)));
+            for (const glm::vec3& bare :
+                 {glm::vec3(side * 0.03F, 0.027F, 0.09F), glm::vec3(side * 0.01F, 0.06F, 0.1F),
+                  glm::vec3(side * 0.03F, 0.10F, 0.0F), glm::vec3(side * 0.004F, -0.01F, 0.115F)})
+                QCOMPARE(densityNear(*beard, *on, bare), 0.0F);
+        }
+        QVERIFY(grownHair(*std::ranges::find_if(kinds, [](const HairKind& kind) { return *kind.name == '\0'; }), on) ==
+                std::nullopt);
+    }
+
     void aHeadWithoutLandmarksGetsNone()
     {
         auto bare = std::make_shared<Head>(*builtInHead());

@@ -1,7 +1,5 @@
 // Grab: what dragging hair leaves in the direction map and the length map.
-#include "sim/groom/direction_texel.h"
-#include "sim/skin/skin_frame.h"
-#include "tests/model/tool_studio.h"
+#include "tests/model/head_studio.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -18,17 +16,16 @@ const QString kGrab = QStringLiteral("grab");
 constexpr float kAlongM = 0.05F;
 
 /// A studio whose hair stands on a patch of 20 cm in the plane z = 0.
-struct Hand : Studio
+struct Hand : HeadStudio
 {
-    explicit Hand(Project project = filledPatch(MapKind::Length, 26214)) : Studio(std::move(project)) // 0.4
+    explicit Hand(Project project = filledPatch(MapKind::Length, 26214)) : HeadStudio(std::move(project)) // 0.4
     {
-        map = MapKind::Direction;
         settings.hardness = 1.0F;
         settings.brushSizeM = 0.04F;
     }
     [[nodiscard]] ToolEvent event(glm::vec3 rootHd, glm::vec3 targetHd, Qt::KeyboardModifiers modifiers = {})
     {
-        const sim::SurfacePoint root = document.project().head->skin->nearest(rootHd);
+        const sim::SurfacePoint root = skin().nearest(rootHd);
         return {
             .area = Area::Head,
             .uv = root.uv,
@@ -56,13 +53,12 @@ struct Hand : Studio
     }
     [[nodiscard]] glm::vec3 directionAt(glm::vec3 placeHd)
     {
-        const sim::SurfacePoint point = document.project().head->skin->nearest(placeHd);
+        const sim::SurfacePoint point = skin().nearest(placeHd);
         return sim::SkinFrame::at(point).toHd(sim::directionOf(shown()->sampleNearest(point.uv)));
     }
     [[nodiscard]] float lengthAt(glm::vec3 placeHd)
     {
-        return document.resolved(context().target.group, MapKind::Length)
-            ->sampleScalar(document.project().head->skin->nearest(placeHd).uv);
+        return document.resolved(context().target.group, MapKind::Length)->sampleScalar(skin().nearest(placeHd).uv);
     }
 };
 

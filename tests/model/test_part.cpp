@@ -1,7 +1,5 @@
 // The parting: what a curve over the skin leaves in the direction and the density map, and how it is edited.
-#include "sim/groom/direction_texel.h"
-#include "sim/skin/skin_frame.h"
-#include "tests/model/fixtures.h"
+#include "tests/model/parter.h"
 #include "tests/support/test_program.h"
 
 #include <QUndoStack>
@@ -14,152 +12,13 @@ using namespace hairpaint;
 using namespace hairpaint::model;
 using namespace hairpaint::test;
 
-namespace {
-
-constexpr float kBallM = 0.1F;
-
-/// A head with hair all over, and the tool.
-struct Parter
-{
-    Document document;
-    std::vector<std::unique_ptr<Tool>> tools = makeTools();
-    Tool& tool = **std::ranges::find(tools, ToolId::Part, [](const auto& one) { return one->id(); });
-    ToolSettings settings;
-    Selection selection;
-    bool mirror = false;
-    double seconds = 0.0;
-
-    explicit Parter(sim::HeadMesh mesh = makePatchHead(), int mapSize = 512, bool builtIn = true)
-        : document([&] {
-              Project project = patchProject(mapSize);
-              project.head = headOf(std::move(mesh), builtIn);
-              sim::TiledRaster& density = project.groups.front().map(MapKind::Density).layers.front().raster;
-              for (int index = 0; index < density.tileCount(); ++index)
-                  density.setUniform(index, {60000, 65535, 0, 0});
-              return project;
-          }())
-    {
-        settings.partReachM = 0.04F;
-    }
-    [[nodiscard]] const sim::Skin& skin() { return *document.project().head->skin; }
-    ToolContext context()
-    {
-        return {.document = document,
-                .target = firstLayer(document, MapKind::Direction),
-                .settings = settings,
-                .selection = selection,
-                .mirror = mirror};
-    }
-    [[nodiscard]] ToolEvent eventAt(glm::vec3 placeHd)
-    {
-        const sim::SurfacePoint point = skin().nearest(placeHd);
-        return {.area = Area::Head, .uv = point.uv, .point = point, .seconds = seconds};
-    }
-    void press(glm::vec3 placeHd)
-    {
-        ToolContext now = context();
-        tool.press(eventAt(placeHd), now);
-    }
-    void move(glm::vec3 placeHd)
-    {
-        ToolContext now = context();
-        tool.move(eventAt(placeHd), now);
-    }
-    void release(glm::vec3 placeHd)
-    {
-        ToolContext now = context();
-        tool.release(eventAt(placeHd), now);
-    }
-    /// Not one that makes a double click with the last one.
-    void click(glm::vec3 placeHd)
-    {
-        seconds += 10.0;
-        press(placeHd);
-        release(placeHd);
-    }
-    void drag(glm::vec3 fromHd, glm::vec3 toHd)
-    {
-        seconds += 10.0;
-        press(fromHd);
-        for (int i = 1; i <= 20; ++i)
-            move(fromHd + (toHd - fromHd) * (static_cast<float>(i) / 20.0F));
-        release(toHd);
-    }
-    bool key(Qt::Key key)
-    {
-        ToolContext now = context();
-        return tool.key(key, {}, now);
-    }
-    void commit()
-    {
-        ToolContext now = context();
-        tool.commit(now);
-    }
-    void cancel()
-    {
-        ToolContext now = context();
-        tool.cancel(now);
-    }
-    /// Up the patch, through its middle.
-    void partPatch()
-    {
-        for (const float y : {-0.05F, 0.0F, 0.05F})
-            click({0.0F, y, 0.0F});
-    }
-    [[nodiscard]] const sim::TiledRaster& layer(MapKind map)
-    {
-        const LayerAddress at = firstLayer(document, map);
-        return document.project().layer(at.group, at.map, at.layer)->raster;
-    }
-    [[nodiscard]] sim::Texel texelAt(MapKind map, glm::vec3 placeHd)
-    {
-        return layer(map).sampleNearest(skin().nearest(placeHd).uv);
-    }
-    [[nodiscard]] float coverageAt(glm::vec3 placeHd)
-    {
-        return static_cast<float>(texelAt(MapKind::Direction, placeHd)[2]) / 65535.0F;
-    }
-    /// As it is shown, of what was there before.
-    [[nodiscard]] float densityAt(glm::vec3 placeHd)
-    {
-        const auto shown = document.resolved(firstLayer(document, MapKind::Density).group, MapKind::Density);
-        return static_cast<float>(shown->sampleNearest(skin().nearest(placeHd).uv)[0]) / 60000.0F;
-    }
-    [[nodiscard]] glm::vec3 directionAt(glm::vec3 placeHd)
-    {
-        const sim::SurfacePoint point = skin().nearest(placeHd);
-        return sim::SkinFrame::at(point).toHd(sim::directionOf(layer(MapKind::Direction).sampleNearest(point.uv)));
-    }
-    [[nodiscard]] QPolygonF handles()
-    {
-        QPolygonF all;
-        for (const OverlayShape& shape : tool.overlay())
-            all += shape.uvHandles;
-        return all;
-    }
-};
-
-glm::vec3 onPartedBall(float longitude, float latitude)
-{
-    return kBallM * glm::vec3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
-                              std::cos(latitude) * std::cos(longitude));
-}
-
-/// Over the top, from the face back.
-glm::vec3 overTop(float angle)
-{
-    return kBallM * glm::vec3(0.0F, std::cos(angle), std::sin(angle));
-}
-
-} // namespace
-
 class TestPart : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
     void theCurveRunsThroughItsPointsOverTheSkin()
     {
-        Parter part(makeBallHead(96, kBallM));
+        Parter part(makeBallHead(96, kPartedBallM));
         const std::vector<glm::vec3> points{onPartedBall(0.9F, 0.3F), onPartedBall(0.2F, 0.6F),
                                             onPartedBall(-0.4F, 0.2F), onPartedBall(-1.4F, 0.3F)};
         for (const glm::vec3& point : points)
@@ -209,11 +68,11 @@ private Q_SLOTS:
 
     void overAHeadHairLiesDownBothSidesAndALittleBack()
     {
-        Parter part(makeBallHead(128, kBallM), 1024);
+        Parter part(makeBallHead(128, kPartedBallM), 1024);
         for (const float angle : {0.7F, 0.2F, -0.3F})
             part.click(overTop(angle));
         for (const float side : {-1.0F, 1.0F}) {
-            const glm::vec3 place = kBallM * glm::normalize(glm::vec3(0.15F * side, 0.97F, 0.1F));
+            const glm::vec3 place = kPartedBallM * glm::normalize(glm::vec3(0.15F * side, 0.97F, 0.1F));
             const glm::vec3 way = part.directionAt(place);
             QVERIFY(way.x * side > 0.7F);
             QVERIFY(way.z < -0.1F && way.z > -0.45F);
@@ -263,8 +122,8 @@ private Q_SLOTS:
         part.document.push(setLayerPropertiesCommand(part.document, at, properties, QString()));
         part.settings.partGapM = 0.004F;
         part.partPatch();
-        QCOMPARE(part.texelAt(MapKind::Density, glm::vec3(0.0F))[1], std::uint16_t{0});
-        QCOMPARE(part.texelAt(MapKind::Density, {0.01F, 0.0F, 0.0F})[1], std::uint16_t{65535});
+        QCOMPARE(part.texelAt(glm::vec3(0.0F), MapKind::Density)[1], std::uint16_t{0});
+        QCOMPARE(part.texelAt({0.01F, 0.0F, 0.0F}, MapKind::Density)[1], std::uint16_t{65535});
     }
 
     void aZigzagRunsToAndFro()
@@ -446,7 +305,7 @@ private Q_SLOTS:
     {
         QFETCH(bool, builtIn);
         const auto parted = [builtIn](bool mirror) {
-            Parter part(makeBallHead(96, kBallM), 512, builtIn);
+            Parter part(makeBallHead(96, kPartedBallM), 512, builtIn);
             part.mirror = mirror;
             for (const float latitude : {0.2F, 0.6F, 1.0F})
                 part.click(onPartedBall(0.5F, latitude));
@@ -459,7 +318,7 @@ private Q_SLOTS:
 
     void acrossASeamItIsOneParting()
     {
-        Parter part(makeBallHead(96, kBallM), 1024);
+        Parter part(makeBallHead(96, kPartedBallM), 1024);
         const float back = 3.14159F;
         for (const float around : {-0.4F, 0.0F, 0.4F})
             part.click(onPartedBall(back + around, 0.3F));

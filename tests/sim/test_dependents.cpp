@@ -1,4 +1,6 @@
 // Hairs between the basis hairs: their length, the head, and braids that follow their centre.
+#include "sim/groom/groom.h"
+#include "sim/motion/dependents.h"
 #include "sim/motion/simulation.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/strand_frames.h"
@@ -31,6 +33,7 @@ class TestDependents : public QObject
 private Q_SLOTS:
     void dependentsKeepTheirLengthAndStayOutside();
     void braidedHairFollowsItsCentre();
+    void hairFollowsBasisHairsThatChangeInOtherChunks();
 };
 
 void TestDependents::dependentsKeepTheirLengthAndStayOutside()
@@ -94,6 +97,55 @@ void TestDependents::braidedHairFollowsItsCentre()
         }
     }
     QVERIFY(braided > 10);
+}
+
+void TestDependents::hairFollowsBasisHairsThatChangeInOtherChunks()
+{
+    GroomInput input = paintedBall(kHairs, 300);
+    GroomBuilder builder;
+    const auto before = builder.update(input).grooms[0];
+    paintSquare(input.groups.front().maps[MapSlot::Length], {0.4F, 0.4F}, {0.5F, 0.5F}, 20000);
+    const auto after = builder.update(input).grooms[0];
+    QVERIFY(before->basis != after->basis);
+
+    // Every basis hair as far from its rest shape as no other.
+    StrandState state;
+    state.resize(after->nodes, after->basis->blockCount());
+    for (AlignedFloats& positions : state.positions)
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            positions[i] = after->basis->restPositions[i] + 0.002F * static_cast<float>(i / kLanes % 7);
+    ColliderSet colliders;
+    const auto written = [&](Dependents& dependents, const Groom& groom) {
+        GroupFrame frame;
+        dependents.write(groom, state, colliders, 1.0F, HeadPose(), Neck(), frame);
+        return std::vector<float>(frame.positions.begin(), frame.positions.end());
+    };
+    Dependents kept;
+    kept.prepare(*before, colliders, true);
+    kept.prepare(*after, colliders, false);
+    Dependents fresh;
+    fresh.prepare(*after, colliders, true);
+    const std::vector<float> expected = written(fresh, *after);
+    QVERIFY(written(kept, *after) == expected);
+
+    // It tells: among the chunks that both grooms share are hairs that follow one that differs.
+    Groom asBefore = *after;
+    for (std::size_t i = 0; i < after->chunks.size(); ++i)
+        if (before->chunks[i] == after->chunks[i])
+            asBefore.basis = before->basis;
+    Dependents late;
+    late.prepare(asBefore, colliders, true);
+    const std::vector<float> without = written(late, *after);
+    const std::size_t chunkFloats = after->blocks().floatsFor(kBlocksPerChunk);
+    bool sharedDiffers = false;
+    for (std::size_t i = 0; i < after->chunks.size(); ++i) {
+        const auto first = static_cast<std::ptrdiff_t>(static_cast<std::size_t>(after->packedChunk[i]) * chunkFloats);
+        const auto end = first + static_cast<std::ptrdiff_t>(chunkFloats);
+        sharedDiffers =
+            sharedDiffers || (before->chunks[i] == after->chunks[i] &&
+                              !std::equal(expected.begin() + first, expected.begin() + end, without.begin() + first));
+    }
+    QVERIFY(sharedDiffers);
 }
 
 HAIRPAINT_TEST(TestDependents, None)

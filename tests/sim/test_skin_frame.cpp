@@ -68,6 +68,20 @@ private Q_SLOTS:
         QVERIFY(glm::distance(sampler.vector({0.9F, 0.4F}), glm::vec2(0.0F, -0.5F)) < 1e-4F);
     }
 
+    void hairThatTurnsKeepsHowFlatItLies()
+    {
+        using glm::vec3;
+        const vec3 right(1.0F, 0.0F, 0.0F);
+        const vec3 up(0.0F, 0.5F, 0.0F);
+        QCOMPARE(glm::length(turnedBetween(right, up, 0.5F)), 0.75F);
+        QCOMPARE(turnedBetween(right, up, 0.0F), right);
+        QCOMPARE(turnedBetween(right, up, 1.0F), up);
+        QCOMPARE(turnedBetween(right, -right, 0.499F), right);
+        QCOMPARE(turnedBetween(right, -right, 0.501F), -right);
+        QCOMPARE(turnedBetween(vec3(0.0F), vec3(0.0F), 0.5F), vec3(0.0F));
+        QCOMPARE(glm::length(turnedBetween(DirectionVector(0.3F, 0.4F), DirectionVector(0.0F), 0.5F)), 0.25F);
+    }
+
     void vectorsOpposedToEachOtherDoNotStandBetween()
     {
         TiledRaster raster(256, 2, texelOfDirection({0.9F, 0.0F}));

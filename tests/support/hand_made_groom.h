@@ -100,7 +100,6 @@ inline std::shared_ptr<sim::Groom> drawnGroomOf(const std::vector<HandStrand>& s
         chunk->styles.resize(sim::kChunkSlots);
         chunk->braidCentre.assign(sim::kChunkSlots, sim::kNoCentre);
         chunk->clump.assign(sim::kChunkSlots, 0.0F);
-        chunk->passed.assign(sim::kChunkSlots * sim::Lay::mostPassed(groom->nodes), sim::SkinBand::kNone);
         chunk->segmentLengths.assign(sim::kChunkSlots, 0.0F);
         chunk->restPositions.assign(groom->blocks().floatsFor(sim::kBlocksPerChunk), 0.0F);
         for (std::size_t slot = 0; slot < sim::kChunkSlots; ++slot) {

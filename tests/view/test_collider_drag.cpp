@@ -141,7 +141,7 @@ private Q_SLOTS:
         QCOMPARE(f.stack().text(1), QStringLiteral("Remove collider"));
         f.editor.document.undo();
         QCOMPARE(f.all().size(), std::size_t{3});
-        for (int i = 0; i < 10; ++i)
+        for (std::size_t i = 0; i < model::kMostEllipsoids; ++i)
             f.area.addCollider();
         QCOMPARE(f.all().size(), model::kMostEllipsoids); // A file holds no more.
     }

@@ -100,6 +100,28 @@ private Q_SLOTS:
         QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
     }
 
+    void grabbingWithCtrlNeedsTheLengthLayer()
+    {
+        Fixture f;
+        f.state.setActiveTool(model::ToolId::Grab);
+        const model::MapStack& length = f.scalp().map(MapKind::Length);
+        const model::LayerAddress at{.group = f.scalp().id, .map = MapKind::Length, .layer = length.layers[0].id};
+        model::LayerProperties properties = propertiesOf(length.layers[0]);
+        properties.locked = true;
+        f.document.push(setLayerPropertiesCommand(f.document, at, properties, QStringLiteral("Lock")));
+        QSignalSpy refused(&f.state, &view::EditorState::refused);
+        model::ToolEvent event{.area = model::Area::Head, .uv = {0.5F, 0.5F}, .point = {}};
+        f.state.press(event);
+        QCOMPARE(refused.count(), 0);
+        f.state.release(event);
+        event.modifiers = Qt::ControlModifier;
+        f.state.press(event);
+        QCOMPARE(refused.count(), 1);
+        QVERIFY(refused.last().front().toString().startsWith(QStringLiteral("Length: ")));
+        QVERIFY(refused.last().front().toString().contains(QStringLiteral("locked")));
+        QVERIFY(!f.state.stroking());
+    }
+
     void aPartNeedsItsDensityLayerUnlessItLeavesNoGap()
     {
         Fixture f;

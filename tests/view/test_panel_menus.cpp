@@ -93,6 +93,8 @@ private Q_SLOTS:
         panel.askWhatGrows();
         auto* menu = panel.findChild<QMenu*>(QStringLiteral("whatGrows"));
         QVERIFY(menu != nullptr && menu->isVisible());
+        QCOMPARE(menu->actions().constFirst()->text(), QStringLiteral("What grows?")); // Not a line without words.
+        QVERIFY(!menu->actions().constFirst()->isSeparator());
         QCOMPARE(f.steps(), 0);
         actionNamed(*menu, QStringLiteral("Brows"))->trigger();
         QCOMPARE(f.steps(), 1);

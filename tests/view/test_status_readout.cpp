@@ -39,6 +39,27 @@ private Q_SLOTS:
         QTRY_VERIFY(texts().contains(f.state.activeTool().hint()));
     }
 
+    void every_kind_of_comb_says_what_it_does()
+    {
+        PanelFixture f;
+        StatusReadout status(f.state);
+        f.state.setActiveTool(model::ToolId::Comb);
+        QSet<QString> said;
+        for (const auto kind : {model::CombKind::Lay, model::CombKind::Lift, model::CombKind::Smooth,
+                                model::CombKind::Noise, model::CombKind::Whorl, model::CombKind::Hold}) {
+            model::ToolSettings settings = f.state.toolSettings();
+            settings.comb = kind;
+            f.state.setToolSettings(settings);
+            const QString hint = f.state.activeTool().hintFor(settings);
+            said.insert(hint);
+            bool shown = false;
+            for (const QLabel* label : status.findChildren<QLabel*>())
+                shown = shown || label->text() == hint;
+            QVERIFY2(shown, qPrintable(hint));
+        }
+        QCOMPARE(said.size(), 6);
+    }
+
     void the_status_line_tells_what_is_saved_and_paused_and_what_erasing_reveals()
     {
         PanelFixture f;

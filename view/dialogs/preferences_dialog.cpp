@@ -64,6 +64,7 @@ QWidget* PreferencesDialog::buildGeneral(const std::vector<std::pair<QString, QS
     m_presenter->addItem(tr("Graphics card (OpenGL)"), static_cast<int>(PresenterChoice::Gl));
     m_presenter->addItem(tr("As a picture (software)"), static_cast<int>(PresenterChoice::Software));
     m_whitePaper = new QCheckBox(tr("White &paper under the maps"), page);
+    m_earlierVersions = new QCheckBox(tr("Keep &earlier versions"), page);
     // Each setting with its note close below, and a gap to the next.
     const auto add = [page, grid](const QString& title, QWidget* field, const QString& note) {
         const int row = grid->rowCount();
@@ -86,10 +87,13 @@ QWidget* PreferencesDialog::buildGeneral(const std::vector<std::pair<QString, QS
     add(tr("3D &area"), m_presenter,
         tr("Automatic takes the graphics card where there is one. A change takes effect at the next start."));
     add({}, m_whitePaper, tr("Maps go from white to their colour instead of from black. Exported images always do."));
+    add({}, m_earlierVersions,
+        tr("Saving a project leaves the last three beside it, as Name~1, Name~2 and Name~3; 1 is the newest."));
     grid->setRowStretch(grid->rowCount(), 1);
     for (QComboBox* box : {m_theme, m_language, m_presenter})
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::readGeneral);
-    connect(m_whitePaper, &QCheckBox::toggled, this, &PreferencesDialog::readGeneral);
+    for (QCheckBox* box : {m_whitePaper, m_earlierVersions})
+        connect(box, &QCheckBox::toggled, this, &PreferencesDialog::readGeneral);
     return page;
 }
 
@@ -101,6 +105,7 @@ void PreferencesDialog::setPreferences(const Preferences& preferences)
     m_language->setCurrentIndex(std::max(m_language->findData(preferences.language), 0));
     m_presenter->setCurrentIndex(m_presenter->findData(static_cast<int>(preferences.presenter)));
     m_whitePaper->setChecked(preferences.whitePaper);
+    m_earlierVersions->setChecked(preferences.earlierVersions);
     m_filling = false;
 }
 
@@ -111,7 +116,8 @@ void PreferencesDialog::readGeneral()
     const Preferences chosen{.theme = static_cast<ThemeKind>(m_theme->currentData().toInt()),
                              .language = m_language->currentData().toString(),
                              .presenter = static_cast<PresenterChoice>(m_presenter->currentData().toInt()),
-                             .whitePaper = m_whitePaper->isChecked()};
+                             .whitePaper = m_whitePaper->isChecked(),
+                             .earlierVersions = m_earlierVersions->isChecked()};
     if (chosen == m_preferences)
         return;
     m_preferences = chosen;

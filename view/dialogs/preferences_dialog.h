@@ -20,6 +20,7 @@ struct Preferences
     QString language; ///< "de"; empty: the system's.
     PresenterChoice presenter = PresenterChoice::Automatic;
     bool whitePaper = false;
+    bool earlierVersions = false; ///< Saving keeps the last three beside the file.
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
@@ -49,6 +50,7 @@ private:
     QComboBox* m_language = nullptr;
     QComboBox* m_presenter = nullptr;
     QCheckBox* m_whitePaper = nullptr;
+    QCheckBox* m_earlierVersions = nullptr;
     bool m_filling = false;
 };
 

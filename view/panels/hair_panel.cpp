@@ -2,6 +2,7 @@
 #include "view/panels/hair_panel.h"
 
 #include "model/commands/commands.h"
+#include "model/face_hair.h"
 #include "model/group_schema.h"
 #include "model/hair_kinds.h"
 #include "model/names.h"
@@ -13,6 +14,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -263,7 +265,8 @@ void HairPanel::askWhatGrows()
     auto* menu = new QMenu(this);
     menu->setObjectName(QStringLiteral("whatGrows"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addSection(tr("What grows?"));
+    menu->addAction(tr("What grows?"))->setEnabled(false); // A section's title shows in few styles.
+    menu->addSeparator();
     for (const model::HairKind& kind : model::hairKinds())
         menu->addAction(titleOf(kind), this, [this, &kind] { addGroup(kind); });
     menu->popup(m_add->mapToGlobal(QPoint(0, m_add->height())));
@@ -278,7 +281,16 @@ void HairPanel::addGroup(const model::HairKind& kind)
         name = model::groupName(static_cast<qsizetype>(groups.size()) + 1);
     GroupSettings settings = model::newGroupSettings(scalpFraction());
     kind.apply(settings);
-    m_state.document().push(addGroupCommand(m_state.document(), name, settings));
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    std::optional<model::HairGroup> grown = model::grownHair(kind, m_state.document().committed().head);
+    QGuiApplication::restoreOverrideCursor();
+    if (grown) {
+        grown->name = name;
+        grown->settings = settings;
+        m_state.document().push(addGroupCommand(m_state.document(), std::move(*grown)));
+    } else {
+        m_state.document().push(addGroupCommand(m_state.document(), name, settings));
+    }
     m_state.setActiveGroup(m_state.document().project().groups.back().id);
     m_state.setActiveMap(model::MapKind::Density);
     m_state.setActiveTool(model::ToolId::Brush);

@@ -28,7 +28,8 @@ public:
 
     /// Shows a list of what can grow; the one chosen is added.
     void askWhatGrows();
-    /// Adds a group of that kind, ready to be painted: its Density is the map that is painted then.
+    /// Adds a group of that kind, ready to be painted: its Density is the map that is painted then. Brows, lashes and
+    /// beards are there where they grow, as far as that is known on the head.
     void addGroup(const model::HairKind& kind);
     void removeGroup();
 

@@ -99,10 +99,12 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
         if (!m_message.isActive())
             follow();
     });
-    connect(&state, &EditorState::overlayChanged, this, [this] {
-        if (!m_message.isActive())
-            follow(); // A tool that runs says something else next.
-    });
+    // A tool that runs, or does another thing, says something else next.
+    for (const auto changed : {&EditorState::overlayChanged, &EditorState::toolSettingsChanged})
+        connect(&state, changed, this, [this] {
+            if (!m_message.isActive())
+                follow();
+        });
     connect(&state, &EditorState::refused, this, [this](const QString& reason) { showMessage(reason, true); });
     connect(&state, &EditorState::told, this, [this](const QString& text) { showMessage(text, false); });
     follow();
@@ -174,7 +176,7 @@ void StatusReadout::follow()
     m_message.stop();
     m_errorIcon->hide();
     const QString revealed = revealedText(m_state);
-    const QString hint = m_state.activeTool().hint();
+    const QString hint = m_state.activeTool().hintFor(m_state.toolSettings());
     m_hint->setText(revealed.isEmpty() ? hint : tr("%1. Erasing %2").arg(hint, revealed));
     m_hint->setToolTip(m_hint->text());
 }
