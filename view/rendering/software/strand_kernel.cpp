@@ -129,8 +129,8 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     const Triple<Lanes> tipColour = colourOf(block.tipColour);
     const float* pointsWo = out.pointsWo.data() + lane;
     const auto at = [&](int j) { return loaded3(pointsWo + static_cast<std::size_t>(j) * kRow); };
-    const float beforeLod = 0.5F / static_cast<float>(view.gridSide);
-    const float before = 1.5F / static_cast<float>(view.gridSide);
+    const float halfVoxel = 0.5F / static_cast<float>(view.gridSide);
+    const float before = 3.0F * halfVoxel; // A strand does not shade itself.
     Triple<Lanes> last = at(0);
     Triple<Lanes> here = last;
     for (int j = 0; j <= segments; ++j) {
@@ -168,11 +168,11 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         const Lanes slant = root((squareX + squareY) / most(most(squareX, squareY), Lanes(1e-20F)));
         const float alpha = view.rootAlpha + (view.tipAlpha - view.rootAlpha) * s * s;
         const Lanes ownWidth = own * perW;
-        const Lanes widening =
-            wideningOf(view, order,
-                       view.deepFraction >= 1.0F
-                           ? towardEye
-                           : opacityAt(view.opacity[1], view.gridSide, inGrid(view.gridFromWo[1], here, beforeLod)));
+        // What hides hair half lies nearer than what shades it.
+        const Lanes hiding = view.deepFraction < 1.0F ? opacityAt(view.opacity[1], view.gridSide,
+                                                                  inGrid(view.gridFromWo[1], here, halfVoxel))
+                                                      : towardEye;
+        const Lanes widening = wideningOf(view, order, hiding);
         const Lanes width =
             least(ownWidth * widening * Lanes(alpha), Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
