@@ -46,6 +46,12 @@ float faded(float from, float to, float x)
 }
 
 constexpr std::array kFaceGroups{
+    // All of the scalp, thinner over the last centimetre of the hairline.
+    FaceGroup{"Scalp", false, kMapSize,
+              [](const heads::HeadRegions& regions, const glm::vec3& place) { return regions.scalpDistance(place); },
+              [](const heads::HeadRegions& regions, const glm::vec3& place) {
+                  return Growth{.density = faded(-0.003F, 0.007F, regions.scalpDistance(place)), .length = 0.5F};
+              }},
     FaceGroup{"Brows", true, kFineMapSize,
               [](const heads::HeadRegions& regions, const glm::vec3& place) { return regions.browDistance(place); },
               [](const heads::HeadRegions& regions, const glm::vec3& place) {

@@ -1,4 +1,4 @@
-// Eyebrows, eyelashes and beards as hair groups.
+// Eyebrows, eyelashes, beards and whole heads of hair as groups.
 #pragma once
 
 #include "model/hair_kinds.h"
@@ -16,8 +16,8 @@ namespace hairpaint::model {
 [[nodiscard]] std::optional<std::vector<HairGroup>> faceHair(const std::shared_ptr<const Head>& head,
                                                              const Progress& progress = {});
 
-/// A group of hair that grows at a place of its own, such as a beard, painted there in the same way. Its ids are
-/// nobody's yet. None for other kinds and where it is not known on that head. Any thread; some 100 ms.
+/// A group of hair that grows at a place of its own, such as a beard or the scalp, painted there in the same way. Its
+/// ids are nobody's yet. None for other kinds and where it is not known on that head. Any thread; some 100 ms.
 [[nodiscard]] std::optional<HairGroup> grownHair(const HairKind& kind, const std::shared_ptr<const Head>& head);
 
 /// Whether the group is of faceHair().

@@ -137,7 +137,7 @@ private:
         } else {
             const std::optional<QByteArray> bytes = unpacked(body, kMostTileBytes);
             const std::size_t values = sim::kTileTexels * static_cast<std::size_t>(channels);
-            if (!bytes || bytes->size() != static_cast<qsizetype>(values * sizeof(std::uint16_t)))
+            if (!bytes || static_cast<std::size_t>(bytes->size()) != values * sizeof(std::uint16_t))
                 return nullptr;
             tile->pixels.resize(values);
             qFromLittleEndian<quint16>(bytes->constData(), static_cast<qsizetype>(values), tile->pixels.data());

@@ -94,6 +94,24 @@ private Q_SLOTS:
                 std::nullopt);
     }
 
+    void aHeadOfHairLeavesTheFaceAlone_data() { itGrowsOnBrowsAndLidsAlone_data(); }
+    void aHeadOfHairLeavesTheFaceAlone()
+    {
+        QFETCH(QString, head);
+        const std::shared_ptr<const Head> on = *builtInHead(head);
+        const std::optional<HairGroup> hair = grownHair(hairKinds().front(), on);
+        QVERIFY(hair && !isFaceHair(*hair));
+        for (const float side : {-1.0F, 1.0F}) {
+            for (const glm::vec3& grows :
+                 {glm::vec3(side * 0.03F, 0.10F, 0.0F), glm::vec3(side * 0.03F, 0.03F, -0.09F)})
+                QVERIFY2(densityNear(*hair, *on, grows) > 0.9F, qPrintable(QString::number(grows.y)));
+            for (const glm::vec3& bare :
+                 {glm::vec3(side * 0.03F, 0.027F, 0.09F), glm::vec3(side * 0.005F, -0.095F, 0.1F),
+                  glm::vec3(side * 0.12F, -0.2F, 0.0F)})
+                QCOMPARE(densityNear(*hair, *on, bare), 0.0F);
+        }
+    }
+
     void aHeadWithoutLandmarksGetsNone()
     {
         auto bare = std::make_shared<Head>(*builtInHead());

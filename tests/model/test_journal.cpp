@@ -260,7 +260,7 @@ void TestJournal::aWriterThatIsKilledLosesNothingItHasAcknowledged()
 #ifdef Q_OS_UNIX
     const int kills = qEnvironmentVariableIntValue("HAIRPAINT_JOURNAL_KILLS") > 0
                           ? qEnvironmentVariableIntValue("HAIRPAINT_JOURNAL_KILLS")
-                          : 40;
+                          : 15;
     constexpr qint64 kLeastRewrite = 60'000; // So that many are killed while it is written anew.
     std::mt19937 random(5);
     Project start = patchProject(256);

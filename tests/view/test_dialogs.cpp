@@ -208,12 +208,14 @@ private Q_SLOTS:
     {
         PreferencesDialog dialog({}, {{QStringLiteral("de"), QStringLiteral("Deutsch")}}, {});
         QSignalSpy changed(&dialog, &PreferencesDialog::preferencesChanged);
-        dialog.setPreferences({.theme = ThemeKind::Light, .language = {}, .presenter = {}, .whitePaper = true});
+        dialog.setPreferences(
+            {.theme = ThemeKind::Light, .language = {}, .presenter = {}, .whitePaper = true, .earlierVersions = true});
         QCOMPARE(changed.count(), 0);
         dialog.findChild<QComboBox*>()->setCurrentIndex(0);
         QCOMPARE(changed.count(), 1);
         QVERIFY(dialog.preferences().theme == ThemeKind::Dark);
         QVERIFY(dialog.preferences().whitePaper);
+        QVERIFY(dialog.preferences().earlierVersions);
     }
 
     void a_key_is_rebound_and_taken_from_its_owner()
