@@ -48,8 +48,8 @@ void drawWith(benchmark::State& state, rendering::Backend& backend)
         backend.read(pixels);
     }
     // Of all threads, for one frame: other programs disturb it less.
-    state.counters["cpu_ms"] = 1e3 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC /
-                               static_cast<double>(state.iterations());
+    state.counters["cpu_ms"] =
+        1e3 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC / static_cast<double>(state.iterations());
     state.counters["hairs"] = static_cast<double>(backend.statistics().drawnHairs);
     state.counters["segments"] = static_cast<double>(backend.statistics().drawnSegments);
     state.counters["MB"] = static_cast<double>(backend.statistics().uploadedBytes) * 1e-6;
