@@ -254,10 +254,7 @@ void Exchange::savePicture()
     if (path.isEmpty() || currentHair() == nullptr)
         return;
     write(path, [scene = m_scene(), path](const model::Progress& progress) -> model::Result<void> {
-        const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
-        if (!maker)
-            return tl::unexpected(maker.error());
-        const model::Result<QImage> picture = (*maker)->take(scene, kPictureSize, progress);
+        const model::Result<QImage> picture = PictureMaker().take(scene, kPictureSize, progress);
         if (!picture)
             return tl::unexpected(picture.error());
         return writePicture(*picture, path);

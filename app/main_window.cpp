@@ -45,14 +45,13 @@ constexpr QSize kFirstWindow(1440, 900);
 constexpr QSize kThumbnail(256, 256);
 constexpr int kReasonMs = 20'000; ///< For reading why there is no picture or no hair.
 
-/// Draws what the 3D area shows now; without OpenGL a file has no picture.
+/// Draws what the 3D area shows now.
 ProjectFiles::Picture thumbnailOf(rendering::Scene scene)
 {
     return [scene = std::move(scene)](const model::Progress& progress) {
         const model::Result<QImage> picture =
             model::guarded(MainWindow::tr("Drawing the picture"), [&]() -> model::Result<QImage> {
-                const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
-                return maker ? (*maker)->sketch(scene, kThumbnail, progress) : tl::unexpected(maker.error());
+                return PictureMaker().sketch(scene, kThumbnail, progress);
             });
         return picture.value_or(QImage());
     };

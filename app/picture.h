@@ -4,22 +4,20 @@
 #include "model/error.h"
 #include "model/files/project_file.h"
 #include "model/project.h"
-#include "view/rendering/offscreen_context.h"
-#include "view/rendering/renderer.h"
+#include "view/rendering/backend.h"
 #include "view/rendering/standard_views.h"
 
 #include <QImage>
 
 namespace hairpaint::app {
 
-/// One thread.
+/// Needs no OpenGL: the same bytes on every machine. One thread.
 class PictureMaker
 {
 public:
-    [[nodiscard]] static model::Result<std::unique_ptr<PictureMaker>> create();
+    PictureMaker();
 
-    /// Every hair, four samples, drawn twice as large where that fits and filtered down. Fails where the driver gives
-    /// up.
+    /// Every hair, four samples a pixel where that fits. Fails where it is stopped.
     [[nodiscard]] model::Result<QImage> take(const model::Project& project,
                                              std::shared_ptr<const sim::StrandFrame> frame,
                                              const rendering::Camera& camera, QSize size,
@@ -32,12 +30,10 @@ public:
                                                const model::Progress& progress = {});
 
 private:
-    PictureMaker() = default;
-    [[nodiscard]] model::Result<QImage> draw(const rendering::Scene& scene, float detail, QSize size, int scale,
+    [[nodiscard]] model::Result<QImage> draw(const rendering::Scene& scene, float detail, QSize size,
                                              const model::Progress& progress);
 
-    std::unique_ptr<rendering::OffscreenContext> m_context; ///< Outlives the renderer.
-    std::unique_ptr<rendering::Renderer> m_renderer;
+    std::unique_ptr<rendering::Backend> m_renderer;
 };
 
 /// Writes a PNG whole or not at all.

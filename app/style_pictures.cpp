@@ -58,8 +58,8 @@ QImage settledPicture(model::Project project, PictureMaker& maker, const model::
 
 QImage drawStyle(const model::Preset& preset, const model::Progress& progress)
 {
-    const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
-    return maker ? stylePicture(preset, **maker, progress) : QImage();
+    PictureMaker maker;
+    return stylePicture(preset, maker, progress);
 }
 
 QImage pictureOfFile(const QString& path, const StylePictures::Draw& draw, const model::Progress& progress)
@@ -94,8 +94,8 @@ QImage stylePicture(const model::Preset& preset, PictureMaker& maker, const mode
 
 QImage projectPicture(const model::Project& project, const model::Progress& progress)
 {
-    const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
-    return maker ? settledPicture(project, **maker, progress) : QImage();
+    PictureMaker maker;
+    return settledPicture(project, maker, progress);
 }
 
 QImage stylePicture(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame, PictureMaker& maker,

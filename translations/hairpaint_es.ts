@@ -1482,16 +1482,8 @@
 <context>
     <name>Picture</name>
     <message>
-        <source>No picture can be drawn: %1 Install a driver with OpenGL 4.3 (Debian: libgl1-mesa-dri).</source>
-        <translation>No se puede dibujar ninguna imagen: %1 Instala un controlador con OpenGL 4.3 (Debian: libgl1-mesa-dri).</translation>
-    </message>
-    <message>
         <source>there is no picture</source>
         <translation>no hay ninguna imagen</translation>
-    </message>
-    <message>
-        <source>No picture of %1 x %2 pixels can be drawn: the OpenGL driver gave up, most likely for want of memory. Choose a smaller size.</source>
-        <translation>No se puede dibujar una imagen de %1 x %2 píxeles: el controlador de OpenGL se rindió, probablemente por falta de memoria. Elige un tamaño menor.</translation>
     </message>
     <message>
         <source>Drawing the picture was cancelled.</source>
@@ -2723,13 +2715,6 @@
     </message>
 </context>
 <context>
-    <name>hairpaint::view::HeadView</name>
-    <message>
-        <source>The hair can&apos;t be shown here: %1 Painting, saving and exporting work all the same.</source>
-        <translation>El pelo no se puede mostrar aquí: %1 Pintar, guardar y exportar funcionan igualmente.</translation>
-    </message>
-</context>
-<context>
     <name>hairpaint::view::HelpDialog</name>
     <message>
         <source>Tools</source>
@@ -3430,6 +3415,13 @@
     <message>
         <source>Hair</source>
         <translation>Pelo</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::SoftwarePresenter</name>
+    <message>
+        <source>Hair Paint itself, without a graphics card</source>
+        <translation>El propio Hair Paint, sin tarjeta gráfica</translation>
     </message>
 </context>
 <context>

@@ -102,17 +102,14 @@ void HeadView::makePresenter(PresenterChoice choice)
 
 void HeadView::onPresenterFailed(const QString& reason)
 {
-    if (qobject_cast<GlPresenter*>(m_presenter) != nullptr) {
-        // The window's own context may lack what an off-screen one has.
-        QWidget* shown = &m_presenter->widget();
-        delete std::exchange(m_presenter, nullptr);
-        delete shown;
-        makePresenter(PresenterChoice::Software);
-        m_pacer->requestDraw();
+    // What comes from anything but OpenGL was sent by a presenter that is no more.
+    if (qobject_cast<GlPresenter*>(m_presenter) == nullptr)
         return;
-    }
-    m_overlay->setMessage(
-        tr("The hair can't be shown here: %1 Painting, saving and exporting work all the same.").arg(reason));
+    QWidget* shown = &m_presenter->widget();
+    delete std::exchange(m_presenter, nullptr);
+    delete shown;
+    makePresenter(PresenterChoice::Software);
+    m_pacer->requestDraw();
     Q_EMIT glUnavailable(reason);
 }
 
@@ -240,11 +237,6 @@ std::optional<QPointF> HeadView::positionOf(glm::vec3 positionHd) const
 QString HeadView::rendererDescription() const
 {
     return m_presenter->description();
-}
-
-QString HeadView::missingText() const
-{
-    return m_overlay->message();
 }
 
 bool HeadView::weatherShown() const

@@ -35,7 +35,7 @@ class HeadTurn;
 class ViewSigns;
 class WeatherOverlay;
 
-/// Without OpenGL it shows a sentence of what is missing; everything else works. The window's actions call the slots;
+/// Needs no OpenGL: without a GPU our own renderer draws. The window's actions call the slots;
 /// Space, H, O, Esc, Enter and the Weather overlay's keys are read here.
 class HeadView : public PaintedArea
 {
@@ -54,16 +54,15 @@ public:
 
     /// What is shown at present, without rings, for pictures drawn elsewhere.
     [[nodiscard]] rendering::Scene pictureScene() const;
-    /// Draws the present moment at full quality without rings; waits for it. Null where there is no OpenGL.
+    /// Draws the present moment at full quality without rings; waits for it.
     [[nodiscard]] QImage grabPicture(QSize size);
     /// The skin that a position in this widget shows, hair ignored; none where the ray misses the head.
     [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
     /// Where a point of the head lies in this widget; none behind the eye.
     [[nodiscard]] std::optional<QPointF> positionOf(glm::vec3 positionHd) const;
-    /// What draws, for the status bar and bug reports: "llvmpipe ..."; empty until the first frame.
+    /// What draws, for the status bar and bug reports: the GPU's name or our own; empty until the first frame.
     [[nodiscard]] QString rendererDescription() const;
-    /// What is shown in place of the head; empty while it can be drawn.
-    [[nodiscard]] QString missingText() const;
+
     [[nodiscard]] bool weatherShown() const;
     /// Whether more is to be drawn without anybody's doing: a picture is asked for, the view is on its way somewhere,
     /// or what is shown counts as still in a moment and is drawn finer.
@@ -94,7 +93,7 @@ Q_SIGNALS:
     void lightWanted(const hairpaint::model::LightSettings& light, bool done);
     void windWanted(const hairpaint::sim::Wind& wind, bool done);
     void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
-    void glUnavailable(const QString& reason);
+    void glUnavailable(const QString& reason); ///< The graphics card can't draw; our own renderer goes on.
     void statusText(const QString& text);
     void contextMenuWanted(const QPoint& globalPosition);
     void weatherShownChanged(bool shown);

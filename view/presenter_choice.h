@@ -3,13 +3,12 @@
 
 namespace hairpaint::view {
 
-/// Automatic: a QOpenGLWidget where a real GPU renders, else frames drawn on a thread of their own, read back and
-/// painted.
+/// Automatic: a QOpenGLWidget where a real GPU renders, else frames that our own software draws on a thread of theirs.
 enum class PresenterChoice
 {
     Automatic,
     Gl,      ///< QOpenGLWidget
-    Software ///< Read back and painted.
+    Software ///< Our own, without OpenGL.
 };
 
 } // namespace hairpaint::view

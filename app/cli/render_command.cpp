@@ -156,15 +156,13 @@ model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const Ren
 
 ExitCode renderAll(SettledHair& hair, const RenderOptions& options, const QString& output)
 {
-    const model::Result<std::unique_ptr<PictureMaker>> maker = PictureMaker::create();
-    if (!maker)
-        return failed(maker.error());
+    PictureMaker maker;
     // Of a film's start, and it stands still.
     const float aspect = static_cast<float>(options.size.width()) / static_cast<float>(options.size.height());
     const rendering::Camera camera =
         view::pictureCamera(options.view, options.fit, *hair.project().head, hair.frame().get(), aspect);
-    const model::Result<void> written = options.isFilm() ? renderFilm(**maker, hair, options, camera, output)
-                                                         : renderPicture(**maker, hair, camera, options.size, output);
+    const model::Result<void> written = options.isFilm() ? renderFilm(maker, hair, options, camera, output)
+                                                         : renderPicture(maker, hair, camera, options.size, output);
     return written ? ExitCode::Done : failed(written.error());
 }
 

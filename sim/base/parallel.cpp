@@ -31,7 +31,7 @@ int coreCount()
 
 using RangeBody = std::function<void(std::size_t, std::size_t)>;
 
-constexpr std::size_t kArenas = 3;
+constexpr std::size_t kArenas = 4;
 
 /// Where the loops of this thread run.
 thread_local Arena currentArena = Arena::Window;
@@ -43,6 +43,7 @@ tbb::task_arena::priority priorityOf(Arena arena)
     case Arena::Window:
         return tbb::task_arena::priority::high;
     case Arena::Simulation:
+    case Arena::Drawing:
         return tbb::task_arena::priority::normal;
     case Arena::Background:
         break;

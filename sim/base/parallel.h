@@ -14,11 +14,12 @@ namespace hairpaint::sim {
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
 /// Whom a thread's loops serve. Each has places for threads of its own, so that a loop of the window never waits for a
-/// groom or a file to be done; idle threads help the window first, then the simulation.
+/// groom or a file to be done; idle threads help the window first, then simulation and drawing.
 enum class Arena : std::uint8_t
 {
     Window,
     Simulation,
+    Drawing,
     Background
 };
 

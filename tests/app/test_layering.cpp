@@ -26,8 +26,11 @@ constexpr Layer kLayers[] = {
     {"sim/motion", R"(^sim/(?!(base|skin|groom|solver|motion)/))"},
     {"model",
      R"(^(view|app|tests)/|^(QWidget|QApplication|QMessageBox|QDialog|QOpenGL|OpenImageIO|assimp|epoxy|hwy|tbb))"},
-    {"view", R"(^(app|tests)/|^(OpenImageIO|assimp|zip|hwy|tbb))"},
+    {"view", R"(^(app|tests)/|^(OpenImageIO|assimp|zip|tbb))"},
     {"view/rendering", R"(^(model|app|tests)/|^view/(?!rendering/)|^Q[A-Z])"},
+    // Our own renderer and its formulas.
+    {"view/rendering/light", R"(^(epoxy|tbb)|^view/(?!rendering/(light|software/strand_block))|^Q[A-Z])"},
+    {"view/rendering/software", R"(^(epoxy|tbb)|gl_objects|^Q[A-Z])"},
     {"app", R"(^tests/)"},
 };
 

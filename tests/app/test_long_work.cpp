@@ -27,8 +27,7 @@ private Q_SLOTS:
 
     void drawingAPictureStopsWhereverItIsAsked()
     {
-        const auto maker = PictureMaker::create();
-        QVERIFY(maker);
+        PictureMaker maker;
         const auto frame = [] {
             sim::Simulation simulation;
             simulation.setInput(model::Document(starterProject()).groomInput());
@@ -40,7 +39,7 @@ private Q_SLOTS:
         const rendering::Camera camera =
             rendering::standardCamera(rendering::StandardView::Front, project.head->skin->mesh());
         const auto take = [&](const model::Progress& progress) {
-            return (*maker)->take(project, frame, camera, QSize(64, 64), progress);
+            return maker.take(project, frame, camera, QSize(64, 64), progress);
         };
         std::vector<double> told;
         const auto whole = take([&told](double drawn) {

@@ -3,6 +3,7 @@
 #include "sim/motion/strand_frame.h"
 #include "view/rendering/offscreen_context.h"
 #include "view/rendering/renderer.h"
+#include "view/rendering/software/software_renderer.h"
 
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
@@ -98,7 +99,28 @@ private:
     std::clock_t m_begin;
 };
 
-/// Positions are sent anew in every frame, as when the hair moves.
+/// Positions are new in every frame, as when the hair moves.
+void drawWith(benchmark::State& state, rendering::Backend& backend, int samples)
+{
+    const auto still = hangingHair();
+    const auto moved = std::make_shared<const sim::StrandFrame>(*still);
+    rendering::Scene scene;
+    const rendering::Quality quality{.detail = 1.0F, .samples = samples, .smoothSegments = 8};
+    for (const auto& frame : {still, moved}) {
+        scene.hair = frame;
+        backend.draw(scene, quality, kWidth, kHeight);
+    }
+    bool odd = false;
+    const CpuMeter meter(state);
+    for ([[maybe_unused]] auto _ : state) {
+        odd = !odd;
+        scene.hair = odd ? still : moved;
+        backend.draw(scene, quality, kWidth, kHeight);
+    }
+    state.SetLabel(backend.description() + ", " + std::to_string(samples) + " samples");
+    state.counters["segments"] = static_cast<double>(backend.statistics().drawnSegments);
+}
+
 void drawHairs(benchmark::State& state, int samples)
 {
     const auto context = currentContext(state);
@@ -109,25 +131,15 @@ void drawHairs(benchmark::State& state, int samples)
         state.SkipWithError(renderer.error().c_str());
         return;
     }
-    const auto still = hangingHair();
-    const auto moved = std::make_shared<const sim::StrandFrame>(*still);
-    rendering::Scene scene;
-    const rendering::Quality quality{.detail = 1.0F, .samples = samples, .smoothSegments = 8};
-    for (const auto& frame : {still, moved}) {
-        scene.hair = frame;
-        (*renderer)->draw(scene, quality, kWidth, kHeight);
-    }
-    bool odd = false;
-    const CpuMeter meter(state);
-    for ([[maybe_unused]] auto _ : state) {
-        odd = !odd;
-        scene.hair = odd ? still : moved;
-        (*renderer)->draw(scene, quality, kWidth, kHeight);
-    }
-    state.SetLabel((*renderer)->description() + ", " + std::to_string(samples) + " samples");
-    state.counters["segments"] = static_cast<double>((*renderer)->statistics().drawnSegments);
+    drawWith(state, **renderer, samples);
     renderer->reset();
     context->doneCurrent();
+}
+
+void drawHairsInSoftware(benchmark::State& state, int samples)
+{
+    rendering::SoftwareRenderer renderer;
+    drawWith(state, renderer, samples);
 }
 
 unsigned compiled(unsigned program, unsigned kind, const char* text)
@@ -209,8 +221,23 @@ void drawFourSamples(benchmark::State& state)
     drawHairs(state, 4);
 }
 
+void softlyOneSample(benchmark::State& state)
+{
+    drawHairsInSoftware(state, 1);
+}
+
+void softlyFourSamples(benchmark::State& state)
+{
+    drawHairsInSoftware(state, 4);
+}
+
 BENCHMARK(drawOneSample)->Name("draw/hairs:10000/segments:8")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(drawFourSamples)->Name("draw/hairs:10000/segments:8/samples:4")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(softlyOneSample)->Name("draw_software/hairs:10000/segments:8")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(softlyFourSamples)
+    ->Name("draw_software/hairs:10000/segments:8/samples:4")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK(drawBareLines)->Name("draw_limit/lines:80000")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace

@@ -18,6 +18,21 @@ double Picture::difference(const Picture& other, int x0, int y0, int x1, int y1)
     return sum / ((x1 - x0) * (y1 - y0));
 }
 
+Picture Picture::shrunk(int side) const
+{
+    Picture small{.width = width / side, .height = height / side, .pixels = {}};
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            glm::ivec3 sum(0);
+            for (int i = 0; i < side * side; ++i)
+                sum += at(x * side + i % side, y * side + i / side);
+            for (int channel = 0; channel < 3; ++channel)
+                small.pixels.push_back(static_cast<std::uint8_t>(sum[channel] / (side * side)));
+            small.pixels.push_back(255);
+        }
+    return small;
+}
+
 GlTest::GlTest()
 {
     auto context = rendering::OffscreenContext::create();

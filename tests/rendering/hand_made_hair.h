@@ -10,6 +10,9 @@
 
 namespace hairpaint::testing {
 
+/// The half axes of the head that most tests draw, m.
+inline constexpr glm::vec3 kBall(0.08F, 0.11F, 0.1F);
+
 /// One strand: its style (lengthM is set from the nodes) and its skeleton, Wo, m.
 struct HandMadeStrand
 {

@@ -10,9 +10,6 @@
 
 namespace hairpaint::testing {
 
-/// The half axes of the head that most tests draw, m.
-inline constexpr glm::vec3 kBall(0.08F, 0.11F, 0.1F);
-
 class RendererFixture : public QObject
 {
     Q_OBJECT

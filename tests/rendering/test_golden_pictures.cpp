@@ -1,5 +1,6 @@
 // Small pictures of what the renderer draws, kept beside the tests: a change of the look is seen, and meant or mended.
 // HAIRPAINT_WRITE_GOLDEN=1 writes them anew.
+#include "tests/rendering/golden_scenes.h"
 #include "tests/rendering/renderer_fixture.h"
 #include "tests/support/test_program.h"
 
@@ -9,11 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 using namespace hairpaint;
 using namespace hairpaint::testing;
-using rendering::Scene;
 
 namespace {
 
@@ -23,84 +22,6 @@ constexpr int kHeight = 160;
 constexpr double kMeanTolerance = 2.0;    ///< Of 255, over all pixels and channels.
 constexpr double kOutlierFraction = 0.02; ///< Of the pixels may differ by more than kOutlier in some channel.
 constexpr int kOutlier = 48;
-
-using MakeScene = std::function<Scene()>;
-
-Scene ballWith(const BallHair& hair, const sim::GroupSettings& settings = {})
-{
-    Scene scene = emptyScene();
-    scene.head = makeBall(kBall);
-    scene.hair = makeFrame(hairOnBall(kBall, hair), settings);
-    return scene;
-}
-
-Scene head()
-{
-    Scene scene = emptyScene();
-    scene.head = makeBall(kBall);
-    return scene;
-}
-
-Scene longDark()
-{
-    return ballWith({.hairs = 6000, .lengthM = 0.25F});
-}
-
-Scene shortBlond()
-{
-    return ballWith(
-        {.hairs = 8000, .lengthM = 0.04F, .stiffness = 0.9F, .rootColour = 0xFF5C9CC0U, .tipColour = 0xFF9AD0EEU});
-}
-
-Scene ringlets()
-{
-    return ballWith({.hairs = 3000,
-                     .lengthM = 0.2F,
-                     .turns = 8.0F,
-                     .curlRadiusM = 0.006F,
-                     .rootColour = 0xFF20306AU,
-                     .tipColour = 0xFF3050A0U});
-}
-
-Scene dyedAndShiny()
-{
-    sim::GroupSettings settings;
-    settings.material.shine = 1.0F;
-    settings.material.roughness = 0.15F;
-    settings.material.tipAlpha = 1.0F;
-    settings.material.colourVariation = 0.4F;
-    return ballWith({.hairs = 6000, .lengthM = 0.15F, .rootColour = 0xFF8A2A10U, .tipColour = 0xFFB060F0U}, settings);
-}
-
-Scene litFromBehind()
-{
-    Scene scene = longDark();
-    scene.light.directionWo = glm::normalize(glm::vec3(0.3F, 0.4F, -1.0F));
-    return scene;
-}
-
-Scene plaits()
-{
-    std::vector<HandMadeStrand> strands;
-    for (int i = 0; i < 300; ++i) {
-        const float x = (i % 3 == 0 ? -0.04F : i % 3 == 1 ? 0.0F : 0.04F);
-        HandMadeStrand strand = straightStrand({x, 0.09F, 0.0F}, {x, -0.1F, 0.0F}, 0xFF284468U, 12);
-        const float turn = static_cast<float>(i) * 2.399963F;
-        const float radius = std::sqrt(static_cast<float>(i % 100) / 100.0F);
-        strand.style.braid = i % 3 == 0   ? sim::BraidKind::Plait
-                             : i % 3 == 1 ? sim::BraidKind::Twist
-                                          : sim::BraidKind::Loc;
-        strand.style.wisp = static_cast<std::uint8_t>(i / 3 % (i % 3 == 1 ? 2 : 3));
-        strand.style.braidRadiusM = 0.012F;
-        strand.style.braidTurns = 4.0F;
-        strand.style.wispOffset = {radius * std::cos(turn), radius * std::sin(turn)};
-        strand.style.width = 6.0F;
-        strands.push_back(strand);
-    }
-    Scene scene = emptyScene();
-    scene.hair = makeFrame(strands);
-    return scene;
-}
 
 QImage imageOf(const Picture& picture)
 {
@@ -117,13 +38,8 @@ private Q_SLOTS:
     void thePictureIsTheOneKept_data()
     {
         QTest::addColumn<MakeScene>("make");
-        QTest::addRow("head") << MakeScene{head};
-        QTest::addRow("long-dark") << MakeScene{longDark};
-        QTest::addRow("short-blond") << MakeScene{shortBlond};
-        QTest::addRow("ringlets") << MakeScene{ringlets};
-        QTest::addRow("dyed-and-shiny") << MakeScene{dyedAndShiny};
-        QTest::addRow("lit-from-behind") << MakeScene{litFromBehind};
-        QTest::addRow("plaits") << MakeScene{plaits};
+        for (const GoldenScene& scene : goldenScenes())
+            QTest::addRow("%s", scene.name) << scene.make;
     }
 
     void thePictureIsTheOneKept()

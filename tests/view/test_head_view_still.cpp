@@ -1,6 +1,7 @@
 // The 3D area tells still hair from moving hair, and shows what state its picture is in.
 #include "head_fixture.h"
 #include "tests/support/test_program.h"
+#include "view/head/frame_presenter.h"
 #include "view/head/head_overlay.h"
 #include "view/head/view_signs.h"
 
@@ -48,11 +49,21 @@ private Q_SLOTS:
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
         const std::shared_ptr<const sim::StrandFrame> frame = f.frame();
         QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
+        // At once: another look at it may come too late.
+        auto* signs = f.area.findChild<view::ViewSigns*>();
+        std::optional<QString> whileRefining;
+        QString after;
+        connect(f.area.findChild<view::FramePresenter*>(), &view::FramePresenter::refining, this, [&](bool on) {
+            if (!on || whileRefining)
+                return;
+            whileRefining = signs->text();
+            f.wheel(kMiddle, 1);
+            after = signs->text();
+        });
         f.area.setFrame(frame);
-        QTRY_VERIFY(f.area.refining());
-        QVERIFY(f.area.findChild<view::ViewSigns*>()->text().contains(QStringLiteral("Refining")));
-        f.wheel(kMiddle, 1);
-        QVERIFY(f.area.findChild<view::ViewSigns*>()->text().isEmpty());
+        QTRY_VERIFY(whileRefining);
+        QVERIFY(whileRefining->contains(QStringLiteral("Refining")));
+        QVERIFY(after.isEmpty());
         drawn.clear();
         QTRY_VERIFY(!drawn.isEmpty());
     }

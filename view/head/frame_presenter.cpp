@@ -2,12 +2,12 @@
 #include "view/head/frame_presenter.h"
 
 #include "view/head/gl_presenter.h"
+#include "view/head/gpu_probe.h"
 #include "view/head/software_presenter.h"
 
 #include <QGuiApplication>
 
 #include <memory>
-#include <utility>
 
 namespace hairpaint::view {
 
@@ -24,17 +24,10 @@ bool headless()
 
 FramePresenter* FramePresenter::make(PresenterChoice choice, QWidget* area)
 {
-    if (choice == PresenterChoice::Gl && !headless())
+    const bool gl = choice == PresenterChoice::Gl || (choice == PresenterChoice::Automatic && !headless() && hasGpu());
+    if (gl && !headless())
         return new GlPresenter(area);
-    auto thread = std::make_unique<RenderThread>();
-    if (choice == PresenterChoice::Automatic && !headless()) {
-        const RenderStart start = thread->waitForStart();
-        if (start.works && !start.software) {
-            thread.reset();
-            return new GlPresenter(area);
-        }
-    }
-    return new SoftwarePresenter(std::move(thread), area);
+    return new SoftwarePresenter(std::make_unique<RenderThread>(), area);
 }
 
 } // namespace hairpaint::view

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "view/presenter_choice.h"
-#include "view/rendering/renderer.h"
+#include "view/rendering/backend.h"
 #include "view/rendering/scene.h"
 
 #include <QImage>
@@ -19,7 +19,7 @@ struct Shot
     bool still = false; ///< Nothing moves: there is time for a finer picture.
 };
 
-/// Lives on the GUI thread and owns a Renderer, wherever that lives.
+/// Lives on the GUI thread and owns a renderer, wherever that lives.
 class FramePresenter : public QObject
 {
     Q_OBJECT
@@ -35,14 +35,14 @@ public:
     virtual void present(const Shot& shot) = 0;
     /// One picture at full quality, waited for. Null where drawing is impossible.
     [[nodiscard]] virtual QImage grab(const rendering::Scene& scene, QSize size) = 0;
-    /// GL_RENDERER; empty before the first frame.
+    /// What draws, for people; empty where that is known with the first frame only.
     [[nodiscard]] virtual QString description() const = 0;
 
 Q_SIGNALS:
     void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
     /// Whether a still picture is being made finer; false once it is as fine as a saved one or something moves.
     void refining(bool on);
-    /// No picture can be drawn: one sentence.
+    /// This way no picture can be drawn: one sentence.
     void failed(const QString& reason);
 };
 

@@ -3,6 +3,7 @@
 
 #include "view/gl_problem.h"
 #include "view/rendering/detail_governor.h"
+#include "view/rendering/renderer.h"
 
 #include <QBasicTimer>
 #include <QCoreApplication>

@@ -1,4 +1,4 @@
-// Outlines and messages over the 3D area.
+// Outlines over the 3D area.
 #include "view/head/head_overlay.h"
 
 #include "view/head/head_camera.h"
@@ -44,12 +44,6 @@ void HeadOverlay::setTheme(const Theme& theme)
 {
     m_theme = theme;
     update();
-}
-
-void HeadOverlay::setMessage(const QString& message)
-{
-    m_message = message;
-    showIfNeeded();
 }
 
 void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
@@ -136,8 +130,8 @@ void HeadOverlay::setDirections(std::vector<HairSpine> hairs)
 
 void HeadOverlay::showIfNeeded()
 {
-    setVisible(!m_message.isEmpty() || !m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() ||
-               !m_ghost.isEmpty() || !m_colliders.empty());
+    setVisible(!m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
+               !m_colliders.empty());
     update();
 }
 
@@ -192,11 +186,6 @@ void HeadOverlay::paintEvent(QPaintEvent*)
         painter.drawRoundedRect(label, 4.0, 4.0);
         painter.setPen(QColor(255, 255, 255, 225));
         painter.drawText(label, Qt::AlignCenter, words);
-    }
-    if (!m_message.isEmpty()) {
-        painter.fillRect(rect(), m_theme.window);
-        painter.setPen(m_theme.dimText);
-        painter.drawText(rect().adjusted(32, 32, -32, -32), Qt::AlignCenter | Qt::TextWordWrap, m_message);
     }
 }
 

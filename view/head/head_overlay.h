@@ -1,5 +1,4 @@
-// What lies over the drawn head: hairs that show directions, the active tool's outlines, the colliders, and a sentence
-// where nothing can be drawn.
+// What lies over the drawn head: hairs that show directions, the active tool's outlines and the colliders.
 #pragma once
 
 #include "model/tools/tool.h"
@@ -23,8 +22,6 @@ public:
     HeadOverlay(const Theme& theme, QWidget* parent);
 
     void setTheme(const Theme& theme);
-    void setMessage(const QString& message);
-    [[nodiscard]] const QString& message() const { return m_message; }
     /// Outlines on the uv as they lie on the skin; parts that face away are left out.
     void setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
                    const rendering::Camera& camera, const sim::HeadPose& pose);
@@ -51,7 +48,6 @@ private:
     void showIfNeeded();
 
     Theme m_theme;
-    QString m_message;
     std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next two.
     QPolygonF m_handles;
     std::vector<QPolygonF> m_colliders;

@@ -1,9 +1,9 @@
-// The thread that draws where OpenGL is software.
+// The thread that draws where there is no GPU.
 #include "view/head/render_thread.h"
 
-#include "view/gl_problem.h"
+#include "sim/base/parallel.h"
 #include "view/rendering/detail_governor.h"
-#include "view/rendering/offscreen_context.h"
+#include "view/rendering/software/software_renderer.h"
 
 #include <atomic>
 #include <new>
@@ -23,29 +23,8 @@ public:
 
     explicit Worker(RenderThread& owner) : m_owner(owner) {}
 
-    [[nodiscard]] const RenderStart& start()
-    {
-        if (!m_start) {
-            m_start = makeContext();
-            // From the GUI thread's event loop, so that whoever made the thread has had time to listen.
-            QMetaObject::invokeMethod(
-                &m_owner, [&owner = m_owner, known = *m_start] { Q_EMIT owner.started(known); }, Qt::QueuedConnection);
-        }
-        return *m_start;
-    }
-
     /// From any thread: a fine picture under way is given up.
     void hurry() { m_stopping = true; }
-
-    /// Calls that still wait in the thread's queue find nothing to draw with.
-    void stop()
-    {
-        m_start = RenderStart{};
-        m_renderer.reset();
-        if (m_context)
-            m_context->doneCurrent();
-        m_context.reset();
-    }
 
     void drawLatest()
     {
@@ -53,20 +32,21 @@ public:
             m_last = std::move(job);
         else if (!std::exchange(m_refines, false))
             return; // An earlier call has drawn it already.
-        if (!m_last || !start().works)
+        if (!m_last || m_stopping)
             return;
+        const sim::ArenaScope arena(sim::Arena::Drawing);
         const Shot& shot = m_last->shot;
         // A fine picture may take seconds: whatever comes meanwhile goes first.
-        rendering::Renderer::Progress goesOn;
+        rendering::Backend::Progress goesOn;
         if (shot.still)
             goesOn = [this](double) { return !m_stopping && !m_jobs.waiting(); };
         try {
-            if (!m_renderer->drawPatiently(shot.scene, m_governor.begin(shot.still), m_last->size.width(),
-                                           m_last->size.height(), goesOn))
+            if (!m_renderer.drawPatiently(shot.scene, m_governor.begin(shot.still), m_last->size.width(),
+                                          m_last->size.height(), goesOn))
                 return;
-            m_governor.observe(m_renderer->statistics(), shot.allHairs);
+            m_governor.observe(m_renderer.statistics(), shot.allHairs);
             m_refines = shot.still && m_governor.wantsRefinement();
-            m_frames.put({readImage(m_last->size), m_renderer->statistics(), m_refines});
+            m_frames.put({readImage(m_last->size), m_renderer.statistics(), m_refines});
         } catch (const std::bad_alloc&) {
             return; // The last picture stays until there is memory for another.
         }
@@ -78,9 +58,8 @@ public:
 
     [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size)
     {
-        if (!start().works)
-            return {};
-        m_renderer->draw(scene, rendering::pictureQuality(), size.width(), size.height());
+        const sim::ArenaScope arena(sim::Arena::Drawing);
+        m_renderer.draw(scene, rendering::pictureQuality(), size.width(), size.height());
         return readImage(size);
     }
 
@@ -88,29 +67,9 @@ public:
     sim::Mailbox<Frame> m_frames;
 
 private:
-    [[nodiscard]] RenderStart makeContext()
-    {
-        tl::expected<std::unique_ptr<rendering::OffscreenContext>, std::string> context =
-            rendering::OffscreenContext::create();
-        if (!context)
-            return {.works = false, .software = true, .text = glProblem(context.error())};
-        if (!(*context)->makeCurrent())
-            return {.works = false, .software = true, .text = glProblem("The OpenGL driver refuses to draw.")};
-        tl::expected<std::unique_ptr<rendering::Renderer>, std::string> renderer = rendering::Renderer::create();
-        if (!renderer) {
-            (*context)->doneCurrent();
-            return {.works = false, .software = true, .text = glProblem(renderer.error())};
-        }
-        m_context = std::move(*context);
-        m_renderer = std::move(*renderer);
-        return {.works = true,
-                .software = m_renderer->software(),
-                .text = QString::fromStdString(m_renderer->description())};
-    }
-
     [[nodiscard]] QImage readImage(QSize size)
     {
-        m_renderer->read(m_pixels);
+        m_renderer.read(m_pixels);
         const auto wanted = static_cast<std::size_t>(size.width()) * static_cast<std::size_t>(size.height()) * 4U;
         if (m_pixels.size() != wanted)
             return {};
@@ -120,9 +79,7 @@ private:
     }
 
     RenderThread& m_owner;
-    std::optional<RenderStart> m_start;
-    std::unique_ptr<rendering::OffscreenContext> m_context;
-    std::unique_ptr<rendering::Renderer> m_renderer;
+    rendering::SoftwareRenderer m_renderer;
     rendering::DetailGovernor m_governor;
     std::optional<Job> m_last;
     bool m_refines = false;
@@ -132,29 +89,16 @@ private:
 
 RenderThread::RenderThread(QObject* parent) : QObject(parent), m_worker(std::make_unique<Worker>(*this))
 {
-    qRegisterMetaType<RenderStart>();
     m_thread.setObjectName(QStringLiteral("render"));
     m_worker->moveToThread(&m_thread);
     m_thread.start();
-    QMetaObject::invokeMethod(
-        m_worker.get(), [worker = m_worker.get()] { static_cast<void>(worker->start()); }, Qt::QueuedConnection);
 }
 
 RenderThread::~RenderThread()
 {
     m_worker->hurry();
-    QMetaObject::invokeMethod(
-        m_worker.get(), [worker = m_worker.get()] { worker->stop(); }, Qt::BlockingQueuedConnection);
     m_thread.quit();
     m_thread.wait();
-}
-
-RenderStart RenderThread::waitForStart()
-{
-    RenderStart start;
-    QMetaObject::invokeMethod(
-        m_worker.get(), [&start, worker = m_worker.get()] { start = worker->start(); }, Qt::BlockingQueuedConnection);
-    return start;
 }
 
 void RenderThread::draw(const Shot& shot, QSize size)

@@ -10,15 +10,7 @@
 
 namespace hairpaint::view {
 
-/// What a thread found when it made its context.
-struct RenderStart
-{
-    bool works = false;
-    bool software = false; ///< No GPU behind it.
-    QString text;          ///< The driver's name, or what went wrong.
-};
-
-/// Methods are called on the GUI thread; the off-screen context, the renderer and the governor live on the other.
+/// Needs no OpenGL. Methods are called on the GUI thread; the renderer and the governor live on the other.
 /// Shots and finished frames wait in mailboxes: the latest wins on both sides. A shot that comes while a still picture
 /// is refined ends that within a piece of its hair.
 class RenderThread : public QObject
@@ -28,8 +20,6 @@ public:
     explicit RenderThread(QObject* parent = nullptr);
     ~RenderThread() override; ///< Waits for the frame being drawn, of a still picture for a piece of its hair.
 
-    /// Waits until the context was made or refused; started() tells of it too, later.
-    [[nodiscard]] RenderStart waitForStart();
     void draw(const Shot& shot, QSize size);
     [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size);
 
@@ -43,7 +33,6 @@ public:
     [[nodiscard]] std::optional<Frame> takeFrame();
 
 Q_SIGNALS:
-    void started(const hairpaint::view::RenderStart& start);
     void frameReady();
 
 private:

@@ -1,4 +1,4 @@
-// Paints frames that were read back.
+// Paints frames that the thread has drawn.
 #include "view/head/software_presenter.h"
 
 #include <QPainter>
@@ -42,15 +42,6 @@ SoftwarePresenter::SoftwarePresenter(std::unique_ptr<RenderThread> thread, QWidg
     : FramePresenter(parent), m_thread(std::move(thread)), m_canvas(new Canvas(parent))
 {
     connect(m_thread.get(), &RenderThread::frameReady, this, &SoftwarePresenter::onFrameReady);
-    connect(m_thread.get(), &RenderThread::started, this, &SoftwarePresenter::onStarted);
-}
-
-void SoftwarePresenter::onStarted(const RenderStart& start)
-{
-    if (start.works)
-        m_description = start.text;
-    else
-        Q_EMIT failed(start.text);
 }
 
 SoftwarePresenter::~SoftwarePresenter() = default;
@@ -58,6 +49,11 @@ SoftwarePresenter::~SoftwarePresenter() = default;
 QWidget& SoftwarePresenter::widget()
 {
     return *m_canvas;
+}
+
+QString SoftwarePresenter::description() const
+{
+    return tr("Hair Paint itself, without a graphics card");
 }
 
 void SoftwarePresenter::present(const Shot& shot)

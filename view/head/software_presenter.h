@@ -1,4 +1,4 @@
-// Shows frames that another thread draws and reads back.
+// Shows frames that another thread draws without OpenGL.
 #pragma once
 
 #include "view/head/frame_presenter.h"
@@ -9,7 +9,7 @@
 
 namespace hairpaint::view {
 
-/// Where OpenGL is software a QOpenGLWidget would make every repaint of the whole window slow; here the rest of the
+/// Where there is no GPU: a QOpenGLWidget would make every repaint of the whole window slow; here the rest of the
 /// window never waits. Renders at one pixel per point whatever the screen's scale.
 class SoftwarePresenter : public FramePresenter
 {
@@ -21,16 +21,14 @@ public:
     [[nodiscard]] QWidget& widget() override;
     void present(const Shot& shot) override;
     [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size) override;
-    [[nodiscard]] QString description() const override { return m_description; }
+    [[nodiscard]] QString description() const override;
 
 private:
     class Canvas;
-    void onStarted(const RenderStart& start);
     void onFrameReady();
 
     std::unique_ptr<RenderThread> m_thread;
     Canvas* m_canvas; ///< Owned by its parent widget.
-    QString m_description;
 };
 
 } // namespace hairpaint::view

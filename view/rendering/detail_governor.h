@@ -1,7 +1,7 @@
 // How fine the next frame is drawn.
 #pragma once
 
-#include "view/rendering/renderer.h"
+#include "view/rendering/backend.h"
 
 #include <cstddef>
 

@@ -62,12 +62,23 @@ glm::mat3 axesAlong(glm::vec3 away)
     return glm::transpose(glm::mat3(x, glm::cross(z, x), z));
 }
 
+/// x^(1/2.4) for x in 0..1, the same on every machine: the fifth power of the cube root of the fourth root.
+float rootOf2Point4(float x)
+{
+    const double fourth = std::sqrt(std::sqrt(static_cast<double>(x)));
+    double cube = 0.5 + 0.5 * fourth;
+    constexpr int kNewtonSteps = 12;
+    for (int i = 0; i < kNewtonSteps; ++i)
+        cube = (2.0 * cube + fourth / (cube * cube)) / 3.0;
+    return static_cast<float>(cube * cube * cube * cube * cube);
+}
+
 glm::vec3 srgbFromLinear(glm::vec3 linear)
 {
     glm::vec3 srgb(0.0F);
     for (int i = 0; i < 3; ++i) {
         const float c = std::clamp(linear[i], 0.0F, 1.0F);
-        srgb[i] = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F;
+        srgb[i] = c <= 0.0031308F ? 12.92F * c : 1.055F * rootOf2Point4(c) - 0.055F;
     }
     return srgb;
 }

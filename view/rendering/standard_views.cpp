@@ -1,6 +1,8 @@
 // Cameras of the standard views.
 #include "view/rendering/standard_views.h"
 
+#include "sim/base/deterministic.h"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -28,6 +30,12 @@ constexpr std::array<NamedView, 7> kViews = {{
     {"bottom", StandardView::Bottom, 0.0F, -1.4F},
     {"three-quarter", StandardView::ThreeQuarter, 0.62F, 0.12F},
 }};
+
+/// The same on every machine.
+float tangentOfHalf(float angleRad)
+{
+    return sim::sinDet(angleRad * 0.5F) / sim::cosDet(angleRad * 0.5F);
+}
 
 } // namespace
 
@@ -63,7 +71,7 @@ Camera fittedCamera(StandardView view, std::span<const glm::vec3> pointsWo, floa
     const std::array<glm::vec3, 2> across = {glm::vec3(matrix[0][0], matrix[1][0], matrix[2][0]),
                                              glm::vec3(matrix[0][1], matrix[1][1], matrix[2][1])};
     const glm::vec3 toward(matrix[0][2], matrix[1][2], matrix[2][2]);
-    const float halfHeight = std::tan(camera.fieldOfViewRad * 0.5F) / kMargin;
+    const float halfHeight = tangentOfHalf(camera.fieldOfViewRad) / kMargin;
     const std::array<float, 2> half = {halfHeight * aspect, halfHeight};
     std::array<float, 2> middle{};
     float eye = -1e9F;
@@ -103,7 +111,7 @@ Camera standardCamera(StandardView view, const sim::HeadMesh& head)
     // Hair stands above the crown, so the mesh sits a little low in the picture.
     camera.targetWo = (low + high) * 0.5F + glm::vec3(0.0F, size.y * 0.09F, 0.0F);
     const float shownHeightM = std::max(size.y * 1.42F, std::max(size.x, size.z) * 1.1F);
-    camera.distanceM = std::max(0.05F, shownHeightM * 0.5F / std::tan(camera.fieldOfViewRad * 0.5F) + size.z * 0.25F);
+    camera.distanceM = std::max(0.05F, shownHeightM * 0.5F / tangentOfHalf(camera.fieldOfViewRad) + size.z * 0.25F);
     camera.azimuthRad = entry.azimuthRad;
     camera.elevationRad = entry.elevationRad;
     return camera;

@@ -1,0 +1,255 @@
+// Our own renderer: exact pictures, the same on every instruction set and for any number of threads, and near to
+// OpenGL's.
+#include "sim/base/parallel.h"
+#include "tests/rendering/golden_scenes.h"
+#include "tests/rendering/renderer_fixture.h"
+#include "tests/support/test_program.h"
+#include "view/rendering/software/software_renderer.h"
+
+#include <QDir>
+#include <QImage>
+#include <QtTest>
+
+#include <hwy/highway.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace hairpaint;
+using namespace hairpaint::testing;
+using rendering::Quality;
+using rendering::Scene;
+
+namespace {
+
+constexpr int kSoftSide = 160;
+
+void forceInstructions(std::int64_t target)
+{
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+Picture softly(const Scene& scene, const Quality& quality = {}, int width = kSoftSide, int height = kSoftSide)
+{
+    rendering::SoftwareRenderer renderer;
+    Picture picture{.width = width, .height = height, .pixels = {}};
+    renderer.draw(scene, quality, width, height);
+    renderer.read(picture.pixels);
+    return picture;
+}
+
+Picture lastOf(rendering::Backend& renderer, int width = kSoftSide, int height = kSoftSide)
+{
+    Picture picture{.width = width, .height = height, .pixels = {}};
+    renderer.read(picture.pixels);
+    return picture;
+}
+
+/// The sum of its linear light, in pixels of full green.
+double lightOf(const Picture& picture)
+{
+    double sum = 0.0;
+    for (std::size_t i = 1; i < picture.pixels.size(); i += 4)
+        sum += std::pow((picture.pixels[i] / 255.0 + 0.055) / 1.055, 2.4);
+    return sum;
+}
+
+Scene ringedHair()
+{
+    Scene scene = goldenScenes()[1].make();
+    scene.ring = rendering::Ring{.centreHd = {0.0F, 0.0F, 0.1F}, .normalHd = {0.0F, 0.0F, 1.0F}, .radiusM = 0.02F};
+    return scene;
+}
+
+void addGoldenRows()
+{
+    QTest::addColumn<MakeScene>("make");
+    for (const GoldenScene& scene : goldenScenes())
+        QTest::addRow("%s", scene.name) << scene.make;
+}
+
+} // namespace
+
+class TestSoftwareRenderer : public RendererFixture
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void thePictureIsExactlyTheOneKept_data() { addGoldenRows(); }
+
+    /// HAIRPAINT_WRITE_GOLDEN=1 writes them anew.
+    void thePictureIsExactlyTheOneKept()
+    {
+        QFETCH(MakeScene, make);
+        const QString name = QString::fromLatin1(QTest::currentDataTag()) + QStringLiteral(".png");
+        const QString path = QStringLiteral(HAIRPAINT_TEST_DATA "/golden/software/") + name;
+        const Picture drawn = softly(make());
+        const QImage now = QImage(drawn.pixels.data(), drawn.width, drawn.height, QImage::Format_RGBX8888)
+                               .convertToFormat(QImage::Format_RGB32);
+        if (qEnvironmentVariableIsSet("HAIRPAINT_WRITE_GOLDEN"))
+            QVERIFY(now.save(path));
+        const QImage kept = QImage(path).convertToFormat(QImage::Format_RGB32);
+        if (kept == now)
+            return;
+        QVERIFY(QDir().mkpath(QStringLiteral("golden-failures")));
+        now.save(QStringLiteral("golden-failures/software-") + name);
+        QFAIL(qPrintable(QStringLiteral("see golden-failures in %1").arg(QDir::currentPath())));
+    }
+
+    void openGlDrawsNearlyTheSame_data() { addGoldenRows(); }
+
+    void openGlDrawsNearlyTheSame()
+    {
+        QFETCH(MakeScene, make);
+        // So large that OpenGL draws hair as thin as it is.
+        constexpr int kSide = 1024;
+        const Scene scene = make();
+        // What is grain there is coverage here: only the mean of some pixels can be compared.
+        const Picture software = softly(scene, {}, kSide, kSide).shrunk(4);
+        const Picture gl = draw(scene, {}, kSide, kSide).shrunk(4);
+        const double difference = software.difference(gl) / (3.0 * 255.0);
+        QVERIFY2(difference < 0.02, qPrintable(QString::number(difference)));
+    }
+
+    void everyInstructionSetGivesTheSameBytes_data()
+    {
+        QTest::addColumn<qint64>("target");
+        forceInstructions(0);
+        for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+            QTest::newRow(hwy::TargetName(target)) << qint64{target};
+    }
+
+    void everyInstructionSetGivesTheSameBytes()
+    {
+        QFETCH(qint64, target);
+        for (const GoldenScene& golden : goldenScenes())
+            for (const int samples : {1, 4}) {
+                const Scene scene = golden.make();
+                forceInstructions(0);
+                const Picture best = softly(scene, {.samples = samples});
+                forceInstructions(target);
+                const Picture forced = softly(scene, {.samples = samples});
+                forceInstructions(0);
+                QVERIFY2(best.pixels == forced.pixels, golden.name);
+            }
+    }
+
+    void anyNumberOfThreadsGivesTheSameBytes()
+    {
+        for (const int samples : {1, 4}) {
+            sim::setThreadCount(1);
+            const Picture one = softly(ringedHair(), {.samples = samples}, 300, 220);
+            for (const int threads : {2, 8}) {
+                sim::setThreadCount(threads);
+                const Picture many = softly(ringedHair(), {.samples = samples}, 300, 220);
+                sim::setThreadCount(0);
+                QVERIFY(one.pixels == many.pixels);
+            }
+        }
+    }
+
+    void stepsGiveThePictureDrawnAtOnce()
+    {
+        const Picture whole = softly(ringedHair());
+        rendering::SoftwareRenderer renderer;
+        renderer.draw(goldenScenes()[0].make(), {}, 60, 40);
+        const Picture last = lastOf(renderer, 60, 40);
+        renderer.begin(ringedHair(), {}, kSoftSide, kSoftSide);
+        int steps = 0;
+        while (!renderer.step(0.0)) {
+            QVERIFY(lastOf(renderer, 60, 40).pixels == last.pixels);
+            ++steps;
+        }
+        QVERIFY2(steps >= 5, qPrintable(QString::number(steps)));
+        QVERIFY(lastOf(renderer).pixels == whole.pixels);
+        QVERIFY(renderer.statistics().inSteps);
+        QVERIFY(renderer.step(0.0)); // Nothing is left.
+    }
+
+    void whatWasDrawnBeforeLeavesNoTrace()
+    {
+        rendering::SoftwareRenderer renderer;
+        for (const GoldenScene& golden : goldenScenes()) {
+            const Scene scene = golden.make();
+            renderer.draw(scene, {}, kSoftSide, kSoftSide);
+            QVERIFY2(lastOf(renderer).pixels == softly(scene).pixels, golden.name);
+        }
+    }
+
+    void fewerHairsCoverAsMuch_data()
+    {
+        QTest::addColumn<float>("detail");
+        QTest::addColumn<int>("samples");
+        QTest::newRow("all, moving") << 1.0F << 1;
+        QTest::newRow("half, still") << 0.5F << 4;
+        QTest::newRow("quarter, still") << 0.25F << 4;
+        QTest::newRow("quarter, moving") << 0.25F << 1;
+    }
+
+    /// By the light that black hair takes from a white picture.
+    void fewerHairsCoverAsMuch()
+    {
+        QFETCH(float, detail);
+        QFETCH(int, samples);
+        // So large that hair rarely lies over hair, which then covers less.
+        constexpr int kAcross = 1600;
+        constexpr int kUp = 1200;
+        Scene scene = emptyScene();
+        scene.background = glm::vec3(0.9F);
+        const double bare = lightOf(softly(scene, {}, kAcross, kUp));
+        std::vector<HandMadeStrand> strands = comb(0xFF000000U, 640, 0.12F, 50e-6F);
+        for (std::size_t i = 0; i < strands.size(); ++i)
+            strands[i].style.detail = std::fmod(static_cast<float>(i) * 0.618034F, 1.0F); // Evenly, as a groom's.
+        scene.hair = makeFrame(strands, plainSettings());
+        const double all = bare - lightOf(softly(scene, {}, kAcross, kUp));
+        const double fewer = bare - lightOf(softly(scene, {.detail = detail, .samples = samples}, kAcross, kUp));
+        QVERIFY2(all > 2000.0, qPrintable(QString::number(all)));
+        QVERIFY2(std::abs(fewer / all - 1.0) < 0.03, qPrintable(QString::number(fewer / all)));
+    }
+
+    void plainBackgroundHasTheColourAskedFor()
+    {
+        for (const int samples : {1, 4}) {
+            Scene scene = emptyScene();
+            scene.background = glm::vec3(0.791298F);
+            const Picture picture = softly(scene, {.samples = samples}, 200, 150);
+            for (const int x : {0, 99, 199})
+                for (int channel = 0; channel < 3; ++channel)
+                    QVERIFY(std::abs(picture.at(x, 75)[channel] - 230) <= 1);
+            QVERIFY(picture.at(0, 0).x >= picture.at(0, 149).x);
+        }
+    }
+
+    void hairBehindTheHeadIsHidden()
+    {
+        Scene scene = emptyScene();
+        scene.head = makeBall(kBall);
+        const Picture bald = softly(scene);
+        const auto hairAt = [](float z) {
+            sim::GroupSettings thick = plainSettings();
+            thick.material.widthM = 2e-3F;
+            return makeFrame({straightStrand({-0.02F, 0.05F, z}, {0.02F, -0.05F, z}, 0xFF0000FFU)}, thick);
+        };
+        scene.hair = hairAt(-0.2F);
+        QVERIFY(softly(scene).difference(bald, 60, 60, 100, 100) < 1.0);
+        scene.hair = hairAt(0.2F);
+        QVERIFY(softly(scene).difference(bald, 60, 60, 100, 100) > 1.0);
+    }
+
+    void hairOutOfThePictureDoesNoHarm()
+    {
+        Scene scene = ringedHair();
+        const float nan = std::numeric_limits<float>::quiet_NaN();
+        const auto frame = makeFrame({straightStrand({-9.0F, 5.0F, 0.1F}, {9.0F, -5.0F, 0.1F}, 0xFF0000FFU),
+                                      straightStrand({0.0F, 0.0F, 50.0F}, {0.0F, 0.0F, -50.0F}, 0xFF0000FFU),
+                                      straightStrand({nan, 0.0F, 0.0F}, {0.0F, nan, 0.0F}, 0xFF0000FFU)},
+                                     plainSettings());
+        scene.hair = frame;
+        for (const int samples : {1, 4})
+            QCOMPARE(softly(scene, {.samples = samples}, 33, 517).pixels.size(), std::size_t{33 * 517 * 4});
+    }
+};
+
+HAIRPAINT_TEST(TestSoftwareRenderer, None)
+#include "test_software_renderer.moc"

@@ -1,0 +1,28 @@
+// Asks OpenGL who draws.
+#include "view/head/gpu_probe.h"
+
+#include "view/rendering/offscreen_context.h"
+#include "view/rendering/renderer.h"
+
+#include <thread>
+
+namespace hairpaint::view {
+
+bool hasGpu()
+{
+    bool found = false;
+    // A thread of its own, whose current context is nobody else's.
+    std::thread([&found] {
+        const auto context = rendering::OffscreenContext::create();
+        if (!context || !(*context)->makeCurrent())
+            return;
+        {
+            const auto renderer = rendering::Renderer::create();
+            found = renderer && !(*renderer)->software();
+        }
+        (*context)->doneCurrent();
+    }).join();
+    return found;
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,70 @@
+// What draws head and hair: one small interface, whatever stands behind it.
+#pragma once
+
+#include "view/rendering/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hairpaint::rendering {
+
+/// How much is drawn.
+struct Quality
+{
+    float detail = 1.0F;     ///< 0..1: fraction of the hairs; those drawn are widened so that coverage stays the same.
+    int samples = 4;         ///< 1, 2, 4: samples a pixel.
+    int smoothSegments = 16; ///< Segments of a straight hair; software takes as many as the hair's bend needs.
+    bool coarseHead = false; ///< Whether a frame whose view differs from the one before may show Scene::headInMotion.
+};
+
+struct FrameStatistics
+{
+    std::size_t drawnHairs = 0;
+    std::size_t drawnSegments = 0;
+    std::size_t uploadedBytes = 0;
+    double milliseconds = 0.0; ///< What a frame takes: see Backend::statistics().
+    bool inSteps = false;      ///< Drawn by step(): the milliseconds are no measure of frames while something moves.
+    bool complete = true;      ///< False where a part was given up, as when memory is short.
+};
+
+/// One thread at a time; what else a backend asks for its maker says.
+class Backend
+{
+public:
+    virtual ~Backend() = default;
+    Backend(const Backend&) = delete;
+    Backend& operator=(const Backend&) = delete;
+
+    /// Draws a picture of width x height pixels.
+    virtual void draw(const Scene& scene, const Quality& quality, int width, int height) = 0;
+    /// Begins the same picture, for step() to draw. Whatever was under way is dropped, as it is by draw().
+    virtual void begin(const Scene& scene, const Quality& quality, int width, int height) = 0;
+    /// Draws pieces of the picture under way until `budgetMs` are used up, one at least, and waits for them. True where
+    /// nothing is left to draw: only then is it the last picture.
+    [[nodiscard]] virtual bool step(double budgetMs) = 0;
+    /// Called with 0..1 while a picture is drawn; false stops it.
+    using Progress = std::function<bool(double)>;
+    /// All the steps of a picture that may take seconds, without progress those of draw(). False where it was stopped.
+    [[nodiscard]] virtual bool drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
+                                             const Progress& progress) = 0;
+    /// Reads the last finished picture: RGBA8, row 0 on top, sRGB as encoded. Reuses `pixels`. Waits for the picture.
+    virtual void read(std::vector<std::uint8_t>& pixels) = 0;
+    /// Of the last finished picture.
+    [[nodiscard]] virtual const FrameStatistics& statistics() const = 0;
+    [[nodiscard]] virtual bool software() const = 0;                  ///< No GPU draws.
+    [[nodiscard]] virtual const std::string& description() const = 0; ///< What draws, for people.
+
+protected:
+    Backend() = default;
+};
+
+/// The quality of pictures that are kept, and what a still picture is refined to.
+[[nodiscard]] inline Quality pictureQuality()
+{
+    return {.detail = 1.0F, .samples = 4, .smoothSegments = 16};
+}
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,222 @@
+// Takes strands from their frame, sixteen at a time, through curve, light and tiles.
+#include "view/rendering/software/hair_segments.h"
+
+#include "sim/groom/strand_curve.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hairpaint::rendering {
+namespace {
+
+constexpr std::size_t kWantedBatches = 128;
+constexpr std::size_t kLeastBatch = 256; ///< Strands.
+constexpr std::size_t kMostBatch = 4096;
+
+float byteOf(std::uint32_t bits, unsigned shift)
+{
+    return static_cast<float>((bits >> shift) & 0xFFU) * (1.0F / 255.0F);
+}
+
+void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& style)
+{
+    const bool curled = style.turns > 0.0F && style.curlRadiusM > 0.0F;
+    const bool braided = style.braid != sim::BraidKind::None && style.braidStart < 1.0F;
+    block.turns[lane] = style.turns;
+    block.curlRadiusM[lane] = curled ? style.curlRadiusM : 0.0F;
+    block.phase[lane] = style.phase;
+    block.width[lane] = style.width;
+    block.variation[lane] = style.variation;
+    block.order[lane] = style.detail;
+    for (unsigned c = 0; c < 3; ++c) {
+        block.rootColour[c][lane] = byteOf(style.rootColour, 8 * c);
+        block.tipColour[c][lane] = byteOf(style.tipColour, 8 * c);
+    }
+    block.braid[lane] = braided ? static_cast<float>(style.braid) : 0.0F;
+    block.wisp[lane] = static_cast<float>(style.wisp);
+    block.braidRadiusM[lane] = style.braidRadiusM;
+    block.braidStart[lane] = style.braidStart;
+    block.braidTurns[lane] = style.braidTurns;
+    block.wispX[lane] = style.wispOffset.x;
+    block.wispY[lane] = style.wispOffset.y;
+    block.anyCurl = block.anyCurl || curled;
+    block.anyBraid = block.anyBraid || braided;
+}
+
+/// Thinner hairs are drawn by fewer, as much wider ones while the picture moves, samples.
+constexpr float kThinnestDrawn = 0.4F;
+
+/// The fraction of a group's hairs that are wide enough to be told apart, each on its own.
+float fractionThatTells(const sim::StrandMaterial& material, const FrameConstants& constants)
+{
+    constexpr float kHeadM = 0.12F; ///< Hair is about so much nearer than the head's middle.
+    const float distanceM =
+        std::max(glm::distance(glm::vec3(constants.eyeWo), glm::vec3(constants.headWo)) - kHeadM, 0.05F);
+    const float width = material.widthM * constants.gridSize.z / distanceM;
+    return std::clamp(width / kThinnestDrawn, 1.0F / 64.0F, 1.0F);
+}
+
+/// In steps, so that lists are not made anew whenever the camera moves a little.
+float listedDetail(float fraction)
+{
+    constexpr float kStep = 1.0905077F; // Eight an octave.
+    float listed = 1.0F;
+    while (listed > fraction * (1.0F + kFadingPart) * kStep)
+        listed /= kStep;
+    return listed;
+}
+
+/// What threads keep from block to block.
+struct BlockScratch
+{
+    StrandBlock block;
+    StrandPoints points;
+};
+
+BlockScratch& blockScratch()
+{
+    thread_local BlockScratch scratch;
+    return scratch;
+}
+
+/// Strands `slots` (sixteen at most) of a group.
+void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const std::uint32_t> slots,
+               const glm::mat3& turnWoFromHd)
+{
+    const sim::Groom& groom = *group.groom;
+    block.nodes = groom.nodes;
+    block.anyBraid = false;
+    block.anyCurl = false;
+    const auto nodes = static_cast<std::size_t>(groom.nodes);
+    block.nodesWo.resize(nodes * 3 * kBlockLanes);
+    const sim::StrandBlocks layout = groom.blocks();
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+        // Lanes without a strand are the last one again, of no width.
+        const std::uint32_t slot = slots[std::min(lane, slots.size() - 1)];
+        setStyle(block, lane, groom.style(slot));
+        if (lane >= slots.size())
+            block.width[lane] = 0.0F;
+
+        const float* from = group.positions.data() + layout.index(groom.frameStrand(slot), 0);
+        float* to = block.nodesWo.data() + lane;
+        for (std::size_t row = 0; row < nodes * 3; ++row)
+            to[row * kBlockLanes] = from[row * kBlockLanes];
+    }
+    block.anyFrame = block.anyCurl || block.anyBraid;
+    if (!block.anyFrame)
+        return;
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+        const glm::vec3 wo = turnWoFromHd * sim::frameTangentHd(groom, slots[std::min(lane, slots.size() - 1)]);
+        for (int axis = 0; axis < 3; ++axis)
+            block.tangentWo[static_cast<std::size_t>(axis) * kBlockLanes + lane] = wo[axis];
+    }
+}
+static_assert(kBlockLanes == sim::kLanes);
+
+} // namespace
+
+void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants,
+                         float detail, bool fine)
+{
+    m_frame = frame;
+    m_groups.clear();
+    m_pieces.clear();
+    m_batchCount = 0;
+    m_hairs = 0;
+    m_tiles = TileGrid(static_cast<int>(constants.target.x), static_cast<int>(constants.target.y));
+    m_turnWoFromHd = glm::mat3(constants.woFromHd);
+    // As far as the shaders' 4095 keys reach.
+    constexpr float kKeys = 4095.0F;
+    constexpr float kDepths = 65535.0F;
+    m_nearestM = constants.depthRange.x;
+    m_depthsPerM = constants.depthRange.y * (kDepths / kKeys);
+    if (!frame) {
+        m_lists.clear();
+        return;
+    }
+    std::erase_if(m_lists, [&](const auto& entry) {
+        return std::none_of(frame->groups.begin(), frame->groups.end(), [&](const sim::GroupFrame& group) {
+            return group.groom && group.groom->visible && group.groom->groupId == entry.first;
+        });
+    });
+    std::vector<OpacityGrids::Source> sources;
+    for (const sim::GroupFrame& group : frame->groups) {
+        if (!group.groom || !group.groom->visible || group.groom->packedChunks == 0)
+            continue;
+        StrandList& list = m_lists[group.groom->groupId];
+        const float fraction =
+            fine ? detail : std::min(detail, fractionThatTells(group.groom->settings.material, constants));
+        list.update(group.groom, fine ? detail : listedDetail(fraction));
+        if (list.slots().empty())
+            continue;
+        m_groups.push_back({.frame = &group, .list = &list, .view = {}, .fraction = fraction});
+        sources.push_back({.group = &group, .slots = list.slots(), .detail = list.detail()});
+        m_hairs += list.slots().size();
+    }
+    if (m_groups.empty())
+        return;
+    m_grids.fill(sources, constants);
+    const std::size_t wanted = m_hairs / kWantedBatches / kBlockLanes * kBlockLanes;
+    const std::size_t batchStrands = std::clamp(wanted, kLeastBatch, kMostBatch);
+    for (std::size_t g = 0; g < m_groups.size(); ++g) {
+        Group& group = m_groups[g];
+        const sim::StrandMaterial& material = group.frame->groom->settings.material;
+        group.view = {.projectionFromWo = constants.projectionFromWo,
+                      .gridFromWo = constants.gridFromWo,
+                      .opacity = {m_grids.grid(0), m_grids.grid(1)},
+                      .gridSide = kGridSide,
+                      .sizeSp = glm::vec2(constants.target),
+                      .samplesPerM = constants.gridSize.z,
+                      .groupWidthM = material.widthM,
+                      .fraction = group.fraction,
+                      .rootAlpha = material.rootAlpha,
+                      .tipAlpha = material.tipAlpha,
+                      .variationScale = material.colourVariation,
+                      .nearestM = m_nearestM,
+                      .depthsPerM = m_depthsPerM,
+                      .toleranceSp = fine ? 0.2F : 0.5F,
+                      .undrawnCoverings = fine ? 16.0F : 5.5F,
+                      .deepFraction = fine ? 1.0F : 0.4F,
+                      .lighting = {.eyeWo = glm::vec3(constants.eyeWo),
+                                   .lightWo = glm::vec3(constants.lightWo),
+                                   .lightColour = glm::vec3(constants.lightColour),
+                                   .headWo = glm::vec3(constants.headWo),
+                                   .ambient = constants.lightWo.w,
+                                   .shine = material.shine,
+                                   .roughness = material.roughness}};
+        const std::size_t count = group.list->slots().size();
+        for (std::size_t first = 0; first < count; first += batchStrands)
+            m_pieces.push_back({.group = g, .first = first, .end = std::min(first + batchStrands, count)});
+    }
+    m_batchCount = m_pieces.size();
+    if (m_batches.size() < m_batchCount)
+        m_batches.resize(m_batchCount);
+    m_batchSegments.assign(m_batchCount, 0);
+}
+
+void HairSegments::drawBatch(std::size_t number)
+{
+    const Piece& piece = m_pieces[number];
+    const Group& group = m_groups[piece.group];
+    SegmentBatch& batch = m_batches[number];
+    batch.clear();
+    BlockScratch& scratch = blockScratch();
+    std::size_t all = 0;
+    for (std::size_t first = piece.first; first < piece.end; first += kBlockLanes) {
+        const std::size_t lanes = std::min(kBlockLanes, piece.end - first);
+        fillBlock(scratch.block, *group.frame, group.list->slots().subspan(first, lanes), m_turnWoFromHd);
+        const SpanSegments segments = segmentsFor(group.view, scratch.block);
+        drawnPoints(group.view, scratch.block, segments, scratch.points);
+        batch.add(m_tiles, scratch.points, segments.total, lanes);
+        all += static_cast<std::size_t>(segments.total) * lanes;
+    }
+    batch.sort(m_tiles);
+    m_batchSegments[number] = all;
+}
+
+std::size_t HairSegments::segmentCount() const
+{
+    return std::accumulate(m_batchSegments.begin(), m_batchSegments.end(), std::size_t{0});
+}
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,65 @@
+// All hair of a picture as segments in its tiles.
+#pragma once
+
+#include "view/rendering/frame_constants.h"
+#include "view/rendering/software/opacity_grids.h"
+#include "view/rendering/software/screen_segments.h"
+#include "view/rendering/software/strand_list.h"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace hairpaint::rendering {
+
+class HairSegments
+{
+public:
+    /// Chooses the strands, fills the opacity grids and cuts the strands into batches. Unless `fine`, hair that is half
+    /// hidden is drawn by fewer strands.
+    void begin(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants, float detail,
+               bool fine);
+    /// How many batches there are; each can be drawn on its own, on any thread.
+    [[nodiscard]] std::size_t batchCount() const { return m_batchCount; }
+    void drawBatch(std::size_t batch);
+    [[nodiscard]] const SegmentBatch& batch(std::size_t number) const { return m_batches[number]; }
+    [[nodiscard]] const OpacityGrids& grids() const { return m_grids; }
+    [[nodiscard]] const TileGrid& tiles() const { return m_tiles; }
+    [[nodiscard]] std::size_t hairs() const { return m_hairs; }
+    /// Of the batches drawn.
+    [[nodiscard]] std::size_t segmentCount() const;
+    [[nodiscard]] float nearestM() const { return m_nearestM; }
+    [[nodiscard]] float depthsPerM() const { return m_depthsPerM; }
+
+private:
+    struct Group
+    {
+        const sim::GroupFrame* frame;
+        const StrandList* list;
+        StrandView view;
+        float fraction; ///< Of its hairs that are drawn.
+    };
+    struct Piece
+    {
+        std::size_t group;
+        std::size_t first; ///< Strand of its list.
+        std::size_t end;
+    };
+
+    std::shared_ptr<const sim::StrandFrame> m_frame; ///< Kept while it is drawn.
+    glm::mat3 m_turnWoFromHd{1.0F};
+    std::map<int, StrandList> m_lists; ///< By the group's id.
+    std::vector<Group> m_groups;
+    std::vector<Piece> m_pieces;
+    std::vector<SegmentBatch> m_batches;
+    std::vector<std::size_t> m_batchSegments;
+    std::size_t m_batchCount = 0;
+    std::size_t m_hairs = 0;
+    OpacityGrids m_grids;
+    TileGrid m_tiles;
+    float m_nearestM = 0.0F;
+    float m_depthsPerM = 0.0F;
+};
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,306 @@
+// Rasters and lights the head.
+#include "view/rendering/software/head_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "view/rendering/software/head_kernel.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.
+#include "view/rendering/light/lanes_inl.h"
+#include "view/rendering/light/skin_light_inl.h"
+#include "view/rendering/software/grid_lookup_inl.h"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hairpaint::rendering::HWY_NAMESPACE {
+
+constexpr std::int32_t kVertexFloats = sizeof(HeadVertex) / sizeof(float);
+constexpr int kNoTriangle = -1;
+
+/// Sixteen places in a sample at which its cover is taken, each alone in its row and column.
+alignas(64) constexpr float kPlaceX[kMostLanes] = {0.53125F, 0.78125F, 0.21875F, 0.96875F, 0.34375F, 0.65625F,
+                                                   0.09375F, 0.84375F, 0.46875F, 0.03125F, 0.71875F, 0.28125F,
+                                                   0.90625F, 0.15625F, 0.59375F, 0.40625F};
+alignas(64) constexpr float kPlaceY[kMostLanes] = {0.03125F, 0.09375F, 0.15625F, 0.21875F, 0.28125F, 0.34375F,
+                                                   0.40625F, 0.46875F, 0.53125F, 0.59375F, 0.65625F, 0.71875F,
+                                                   0.78125F, 0.84375F, 0.90625F, 0.96875F};
+
+/// A side of a triangle: a x + b y + c, over 0 inside.
+struct Side
+{
+    float a, b, c;
+};
+HWY_INLINE Side sideOf(const HeadVertex& from, const HeadVertex& to, float turn, float x, float y)
+{
+    const float a = (from.y - to.y) * turn;
+    const float b = (to.x - from.x) * turn;
+    return {a, b, -(a * (from.x - x) + b * (from.y - y))};
+}
+
+struct BandScratch
+{
+    std::vector<std::int32_t> triangle; ///< Nearest at each sample, of the band's numbers.
+    std::vector<std::uint16_t> cover;   ///< Bit per place.
+};
+
+HWY_INLINE void rasterTriangle(const HeadBand& band, std::uint32_t number, BandScratch& scratch)
+{
+    const glm::uvec3 corners = band.triangles[number];
+    const HeadVertex& a = band.vertices[corners.x];
+    const HeadVertex& b = band.vertices[corners.y];
+    const HeadVertex& c = band.vertices[corners.z];
+    const int left = std::max(static_cast<int>(std::floor(std::min({a.x, b.x, c.x}))), 0);
+    const int right = std::min(static_cast<int>(std::floor(std::max({a.x, b.x, c.x}))), band.width - 1);
+    const int low = std::max(static_cast<int>(std::floor(std::min({a.y, b.y, c.y}))), band.firstRow);
+    const int high = std::min(static_cast<int>(std::floor(std::max({a.y, b.y, c.y}))), band.endRow - 1);
+    const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    if (left > right || low > high || area == 0.0F)
+        return;
+    const float turn = area > 0.0F ? 1.0F : -1.0F;
+    // Relative to the corner of the box, so that large pictures lose nothing.
+    const auto x0 = static_cast<float>(left);
+    const auto y0 = static_cast<float>(low);
+    const Side sides[3] = {sideOf(b, c, turn, x0, y0), sideOf(c, a, turn, x0, y0), sideOf(a, b, turn, x0, y0)};
+    const float perArea = 1.0F / (area * turn);
+    // 1/distance is linear on the picture.
+    const float weights[3] = {a.perDistance * perArea, b.perDistance * perArea, c.perDistance * perArea};
+    const float farthest = std::min({a.perDistance, b.perDistance, c.perDistance});
+    const float nearestCorner = std::max({a.perDistance, b.perDistance, c.perDistance});
+    for (int y = low; y <= high; ++y)
+        for (int x = left; x <= right; ++x) {
+            const auto dx = static_cast<float>(x - left);
+            const auto dy = static_cast<float>(y - low);
+            std::uint32_t inside = 0;
+            for (std::size_t lane = 0; lane < kMostLanes; lane += hn::Lanes(Tag())) {
+                const Lanes px = loaded(kPlaceX + lane) + Lanes(dx);
+                const Lanes py = loaded(kPlaceY + lane) + Lanes(dy);
+                const auto on = [&](const Side& side) {
+                    return px * Lanes(side.a) + py * Lanes(side.b) + Lanes(side.c);
+                };
+                const Yes hit = {hn::Ge(least(least(on(sides[0]), on(sides[1])), on(sides[2])).v, hn::Zero(Tag()))};
+                HWY_ALIGN std::uint8_t bits[8] = {};
+                hn::StoreMaskBits(Tag(), hit.m, bits);
+                inside |= (static_cast<std::uint32_t>(bits[0]) | (static_cast<std::uint32_t>(bits[1]) << 8U)) << lane;
+            }
+            if (inside == 0)
+                continue;
+            float per = 0.0F;
+            for (int i = 0; i < 3; ++i)
+                per += (sides[i].a * (dx + 0.5F) + sides[i].b * (dy + 0.5F) + sides[i].c) * weights[i];
+            // Where the triangle covers a sample's rim only, its middle lies outside.
+            const float distance = 1.0F / std::clamp(per, farthest, nearestCorner);
+            const std::size_t at = static_cast<std::size_t>(y - band.firstRow) * static_cast<std::size_t>(band.width) +
+                                   static_cast<std::size_t>(x);
+            float& nearest = band.distancesM[static_cast<std::size_t>(y) * static_cast<std::size_t>(band.width) +
+                                             static_cast<std::size_t>(x)];
+            scratch.cover[at] = static_cast<std::uint16_t>(scratch.cover[at] | inside);
+            if (distance < nearest) {
+                nearest = distance;
+                scratch.triangle[at] = static_cast<std::int32_t>(number);
+            }
+        }
+}
+
+/// Lights up to a vector's samples of a row.
+HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const std::int32_t* numbers, int row,
+                             std::size_t count, const BandScratch& scratch)
+{
+    const Tag d;
+    const IntTag di;
+    const Ints number = hn::LoadU(di, numbers);
+    const auto corner = [&](int i) {
+        const auto* indices = reinterpret_cast<const std::int32_t*>(band.triangles.data());
+        return hn::Mul(hn::GatherIndex(di, indices + i, hn::Mul(number, hn::Set(di, 3))), hn::Set(di, kVertexFloats));
+    };
+    const Ints corners[3] = {corner(0), corner(1), corner(2)};
+    const float* vertices = &band.vertices[0].x;
+    const auto field = [&](int i, int f) { return Lanes(hn::GatherIndex(d, vertices + f, corners[i])); };
+    const Lanes x = Lanes(hn::ConvertTo(d, hn::LoadU(di, xs))) + Lanes(0.5F);
+    const Lanes y(static_cast<float>(row) + 0.5F);
+    Lanes vx[3];
+    Lanes vy[3];
+    for (int i = 0; i < 3; ++i) {
+        vx[i] = field(i, 0) - x;
+        vy[i] = field(i, 1) - y;
+    }
+    // How much of each corner, by the areas opposite it and the distances.
+    const auto opposite = [&](int i, int j) { return vx[i] * vy[j] - vx[j] * vy[i]; };
+    Lanes part[3] = {opposite(1, 2), opposite(2, 0), opposite(0, 1)};
+    const Lanes area = part[0] + part[1] + part[2];
+    const Lanes perArea = Lanes(1.0F) / select(area * area > Lanes(1e-20F), area, Lanes(1.0F));
+    Lanes sum(0.0F);
+    for (int i = 0; i < 3; ++i) {
+        part[i] = most(part[i] * perArea, Lanes(0.0F)) * field(i, 2);
+        sum = sum + part[i];
+    }
+    const Lanes perSum = Lanes(1.0F) / most(sum, Lanes(1e-9F));
+    for (Lanes& p : part)
+        p = p * perSum;
+    const auto blended = [&](int f) { return field(0, f) * part[0] + field(1, f) * part[1] + field(2, f) * part[2]; };
+    SkinPoint<Lanes> point;
+    point.placeWo = {blended(3), blended(4), blended(5)};
+    point.normalWo = {blended(6), blended(7), blended(8)};
+    point.placeHd = {blended(9), blended(10), blended(11)};
+    point.sky = blended(12);
+    point.lips = blended(13);
+    point.lids = blended(14);
+    point.blush = blended(15);
+    Triple<Lanes> normal = unit(point.normalWo);
+    const Triple<Lanes> toEye = unit(tripleOf<Lanes>(band.lighting.eyeWo) - point.placeWo);
+    const Lanes facing = dot(normal, toEye);
+    point.normalWo = select(facing < Lanes(-0.3F), normal * Lanes(-1.0F), normal);
+    const Lanes distance = Lanes(1.0F) / most(sum, Lanes(1e-6F));
+    point.pixelM = distance * Lanes(1.4142F / band.samplesPerM) / most(facing, Lanes(0.15F));
+    const Triple<Lanes> lit = skinLight(band.lighting, point);
+    const auto encoded = [&](Lanes c) {
+        return hn::ConvertTo(di, (root(clamped(c, 0.0F, 1.0F)) * Lanes(65535.0F) + Lanes(0.5F)).v);
+    };
+    HWY_ALIGN std::int32_t rgb[3][kMostLanes];
+    hn::Store(encoded(lit.x), di, rgb[0]);
+    hn::Store(encoded(lit.y), di, rgb[1]);
+    hn::Store(encoded(lit.z), di, rgb[2]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t inBand =
+            static_cast<std::size_t>(row - band.firstRow) * static_cast<std::size_t>(band.width) +
+            static_cast<std::size_t>(xs[i]);
+        HeadSample& sample = band.samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(band.width) +
+                                          static_cast<std::size_t>(xs[i])];
+        sample.red = static_cast<std::uint16_t>(rgb[0][i]);
+        sample.green = static_cast<std::uint16_t>(rgb[1][i]);
+        sample.blue = static_cast<std::uint16_t>(rgb[2][i]);
+        sample.cover = static_cast<std::uint16_t>(std::popcount(scratch.cover[inBand]) * 65535 / 16);
+    }
+}
+
+void drawBand(const HeadBand& band)
+{
+    const auto rows = static_cast<std::size_t>(band.endRow - band.firstRow);
+    const std::size_t count = rows * static_cast<std::size_t>(band.width);
+    const std::size_t first = static_cast<std::size_t>(band.firstRow) * static_cast<std::size_t>(band.width);
+    std::fill_n(band.distancesM + first, count, kNoHeadM);
+    std::fill_n(band.samples + first, count, HeadSample{});
+    if (band.numbers.empty())
+        return;
+    BandScratch scratch;
+    scratch.triangle.assign(count, kNoTriangle);
+    scratch.cover.assign(count, 0);
+    for (const std::uint32_t number : band.numbers)
+        rasterTriangle(band, number, scratch);
+    for (int row = band.firstRow; row < band.endRow; ++row) {
+        HWY_ALIGN std::int32_t xs[kMostLanes] = {};
+        HWY_ALIGN std::int32_t numbers[kMostLanes] = {};
+        std::size_t held = 0;
+        const std::int32_t* triangles = scratch.triangle.data() + static_cast<std::size_t>(row - band.firstRow) *
+                                                                      static_cast<std::size_t>(band.width);
+        for (int x = 0; x < band.width; ++x) {
+            if (triangles[x] == kNoTriangle)
+                continue;
+            xs[held] = x;
+            numbers[held] = triangles[x];
+            if (++held == hn::Lanes(Tag())) {
+                lightSamples(band, xs, numbers, row, held, scratch);
+                held = 0;
+            }
+        }
+        if (held > 0) {
+            // The rest of the lanes draw the last sample again.
+            for (std::size_t i = held; i < hn::Lanes(Tag()); ++i) {
+                xs[i] = xs[held - 1];
+                numbers[i] = numbers[held - 1];
+            }
+            lightSamples(band, xs, numbers, row, held, scratch);
+        }
+    }
+}
+
+void shadeRows(const ShadeTask& task, int begin, int end)
+{
+    constexpr float kPlaces[5][2] = {{0.5F, 0.5F}, {0.1F, 0.1F}, {0.9F, 0.1F}, {0.1F, 0.9F}, {0.9F, 0.9F}};
+    const std::size_t step = hn::Lanes(Tag());
+    for (int row = begin; row < end; ++row)
+        for (int cell = 0; cell < task.across; cell += static_cast<int>(step)) {
+            HWY_ALIGN float atX[kMostLanes] = {};
+            HWY_ALIGN float atY[kMostLanes] = {};
+            HWY_ALIGN float distance[kMostLanes];
+            std::fill_n(distance, kMostLanes, kNoHeadM);
+            const int count = std::min(static_cast<int>(step), task.across - cell);
+            bool head = false;
+            for (int i = 0; i < count; ++i)
+                for (const auto& place : kPlaces) {
+                    const int x = std::min(
+                        static_cast<int>((static_cast<float>(cell + i) + place[0]) * static_cast<float>(task.cellSp.x)),
+                        task.width - 1);
+                    const int y = std::min(
+                        static_cast<int>((static_cast<float>(row) + place[1]) * static_cast<float>(task.cellSp.y)),
+                        task.height - 1);
+                    const float here =
+                        task.distancesM[static_cast<std::size_t>(y) * static_cast<std::size_t>(task.width) +
+                                        static_cast<std::size_t>(x)];
+                    if (here >= kNoHeadM)
+                        continue;
+                    atX[i] = static_cast<float>(x) + 0.5F;
+                    atY[i] = static_cast<float>(y) + 0.5F;
+                    distance[i] = here;
+                    head = true;
+                    break;
+                }
+            float* out = task.shade + static_cast<std::size_t>(row) * static_cast<std::size_t>(task.across) +
+                         static_cast<std::size_t>(cell);
+            if (!head) {
+                std::fill_n(out, count, 1.0F);
+                continue;
+            }
+            // The place at that distance on the ray through the sample: through the far plane, scaled.
+            const Lanes px = loaded(atX) * Lanes(2.0F / task.sizeSp.x) - Lanes(1.0F);
+            const Lanes py = loaded(atY) * Lanes(2.0F / task.sizeSp.y) - Lanes(1.0F);
+            const glm::mat4& m = task.woFromProjection;
+            const auto far = [&](int r) {
+                return px * Lanes(m[0][r]) + py * Lanes(m[1][r]) + Lanes(m[2][r] + m[3][r]);
+            };
+            const Lanes perW = Lanes(1.0F) / far(3);
+            const Triple<Lanes> eye = tripleOf<Lanes>(task.eyeWo);
+            const Triple<Lanes> ray = Triple<Lanes>{far(0) * perW, far(1) * perW, far(2) * perW} - eye;
+            const Lanes along = loaded(distance) / dot(ray, tripleOf<Lanes>(task.viewAxisWo));
+            const Triple<Lanes> wo = eye + ray * along;
+            const Lanes fromLight =
+                lightThrough(task.opacity[0], task.gridSide, inGrid(task.gridFromWo[0], wo, 0.0F), 0.6F);
+            const Lanes toEye =
+                lightThrough(task.opacity[1], task.gridSide, inGrid(task.gridFromWo[1], wo, 0.0F), 2.0F);
+            // The light falls on the side of the head that is turned toward it; the other has no shadow to get.
+            const Lanes sideX = wo.x - Lanes(task.headWo.x);
+            const Lanes sideZ = wo.z - Lanes(task.headWo.z);
+            const Lanes lit = smoothStep(-0.3F, 0.2F,
+                                         (sideX * Lanes(task.lightWo.x) + sideZ * Lanes(task.lightWo.z)) /
+                                             root(sideX * sideX + sideZ * sideZ + Lanes(1e-4F)));
+            const Lanes shade =
+                (Lanes(1.0F) - Lanes(0.65F) * lit * (Lanes(1.0F) - fromLight)) * (Lanes(0.2F) + Lanes(0.8F) * toEye);
+            HWY_ALIGN float result[kMostLanes];
+            stored(shade, result);
+            for (int i = 0; i < count; ++i)
+                out[i] = distance[i] < kNoHeadM ? result[i] : 1.0F;
+        }
+}
+
+} // namespace hairpaint::rendering::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hairpaint::rendering {
+
+HWY_EXPORT(drawBand);
+HWY_EXPORT(shadeRows);
+
+void drawHeadBand(const HeadBand& band)
+{
+    HWY_DYNAMIC_DISPATCH(drawBand)(band);
+}
+
+void shadeSkin(const ShadeTask& task, int begin, int end)
+{
+    HWY_DYNAMIC_DISPATCH(shadeRows)(task, begin, end);
+}
+
+} // namespace hairpaint::rendering
+#endif

@@ -1,0 +1,67 @@
+// Triangles of the head become samples, and these get their light.
+#pragma once
+
+#include "view/rendering/light/skin_light.h"
+#include "view/rendering/software/tile_kernel.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace hairpaint::rendering {
+
+/// A vertex as the picture has it. The kernel gathers its floats by number.
+struct HeadVertex
+{
+    float x = 0.0F, y = 0.0F; ///< Samples.
+    float perDistance = 0.0F; ///< 1/m; 0 where it lies behind the eye.
+    glm::vec3 placeWo{0.0F};
+    glm::vec3 normalWo{0.0F};
+    glm::vec3 placeHd{0.0F};
+    float sky = 1.0F, lips = 0.0F, lids = 0.0F, blush = 0.0F; ///< 0..1
+};
+static_assert(sizeof(HeadVertex) == 16 * sizeof(float));
+
+inline constexpr float kNoHeadM = 1e9F; ///< Distance of a sample without head.
+
+/// Rows firstRow..endRow of the head's picture.
+struct HeadBand
+{
+    std::span<const HeadVertex> vertices;
+    std::span<const glm::uvec3> triangles;
+    std::span<const std::uint32_t> numbers; ///< Of the triangles that may touch it, ascending.
+    int width = 0;
+    int firstRow = 0;
+    int endRow = 0;
+    float samplesPerM = 0.0F; ///< That a metre covers at a distance of 1 m.
+    SkinLighting lighting;
+    HeadSample* samples = nullptr; ///< The picture's; rows are `width` long.
+    float* distancesM = nullptr;
+};
+/// Draws the band's triangles and lights them.
+void drawHeadBand(const HeadBand& band);
+
+/// The hair's shadow on the skin, in cells.
+struct ShadeTask
+{
+    glm::mat4 woFromProjection{1.0F};
+    std::array<glm::mat4, 2> gridFromWo{};
+    std::array<const float*, 2> opacity{};
+    int gridSide = 0;
+    glm::vec3 eyeWo{0.0F};
+    glm::vec3 lightWo{0.0F};
+    glm::vec3 headWo{0.0F};
+    glm::vec2 sizeSp{0.0F};
+    glm::ivec2 cellSp{1}; ///< Samples across and up a cell.
+    int across = 0;
+    int width = 0; ///< Of the head's picture.
+    int height = 0;
+    const float* distancesM = nullptr;
+    glm::vec3 viewAxisWo{0.0F}; ///< Away from the eye, unit: distances are measured along it.
+    float* shade = nullptr;
+};
+/// Rows of cells begin..end.
+void shadeSkin(const ShadeTask& task, int begin, int end);
+
+} // namespace hairpaint::rendering

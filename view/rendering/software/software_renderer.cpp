@@ -1,0 +1,298 @@
+// Head, hair and background in tiles.
+#include "view/rendering/software/software_renderer.h"
+
+#include "sim/base/parallel.h"
+#include "view/rendering/software/hair_segments.h"
+#include "view/rendering/software/head_picture.h"
+#include "view/rendering/software/ring_overlay.h"
+#include "view/rendering/software/tile_kernel.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+#include <optional>
+#include <utility>
+
+namespace hairpaint::rendering {
+namespace {
+
+constexpr int kMostSide = 8192;
+constexpr std::size_t kBatchesAStep = 4;
+constexpr std::size_t kTilesAStep = 64;
+constexpr float kCoarseOpaque = 0.04F; ///< What is left to see through then is nothing.
+constexpr float kFineOpaque = 0.01F;
+constexpr int kCoarseShadeCell = 4; ///< Pixels.
+constexpr int kFineShadeCell = 2;   ///< Of pictures with several samples a pixel.
+
+using SoftwareClock = std::chrono::steady_clock;
+
+double millisecondsFrom(SoftwareClock::time_point begin)
+{
+    return std::chrono::duration<double, std::milli>(SoftwareClock::now() - begin).count();
+}
+
+TileSamples& tileSamples()
+{
+    thread_local TileSamples samples;
+    return samples;
+}
+
+} // namespace
+
+struct SoftwareRenderer::State
+{
+    /// Of a picture under way: what is drawn, and how far it is.
+    struct Picture
+    {
+        Target target;
+        FrameConstants constants;
+        std::size_t nextBatch = 0;
+        std::size_t nextTile = 0;
+        double spentMs = 0.0;
+        bool complete = true;
+    };
+
+    std::string description = "Hair Paint's own, in software";
+    FrameStatistics statistics;
+    HeadPicture head;
+    HairSegments hair;
+    std::vector<const ScreenSegment*> segments; ///< By batch.
+    std::vector<float> skinShade;
+    glm::ivec2 shadeSize{0};
+    int shadeCell = kCoarseShadeCell;
+    std::vector<std::uint8_t> drawn;  ///< The picture under way.
+    std::vector<std::uint8_t> pixels; ///< The last finished one.
+    std::optional<Picture> underWay;
+
+    void prepare(const Scene& scene, const Quality& quality, int width, int height);
+    void drawBatches(std::size_t count);
+    void readyTiles();
+    void drawTiles(std::size_t count);
+    void drawTile(std::size_t tile);
+    void shade();
+    void finish(bool inSteps);
+    [[nodiscard]] bool piece(std::size_t batches, std::size_t tiles);
+};
+
+void SoftwareRenderer::State::prepare(const Scene& scene, const Quality& quality, int width, int height)
+{
+    underWay.reset();
+    Picture picture;
+    picture.target.width = std::clamp(width, 1, kMostSide);
+    picture.target.height = std::clamp(height, 1, kMostSide);
+    picture.target.samples = glm::ivec2(quality.samples > 1 ? 2 : 1);
+    picture.constants = frameConstants(scene, picture.target);
+    const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
+    head.update(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, picture.constants);
+    hair.begin(scene.hair, picture.constants, detail, quality.samples > 1);
+    drawn.resize(static_cast<std::size_t>(picture.target.width) * static_cast<std::size_t>(picture.target.height) * 4);
+    underWay = picture;
+}
+
+void SoftwareRenderer::State::drawBatches(std::size_t count)
+{
+    const std::size_t first = underWay->nextBatch;
+    sim::parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            hair.drawBatch(first + i);
+    });
+    underWay->nextBatch += count;
+}
+
+/// Between hair and tiles.
+void SoftwareRenderer::State::readyTiles()
+{
+    segments.clear();
+    for (std::size_t batch = 0; batch < hair.batchCount(); ++batch)
+        segments.push_back(hair.batch(batch).segments().data());
+    shade();
+}
+
+void SoftwareRenderer::State::shade()
+{
+    const FrameConstants& constants = underWay->constants;
+    const Target& target = underWay->target;
+    shadeSize = glm::ivec2(0);
+    if (hair.hairs() == 0)
+        return;
+    shadeCell = target.samples.x > 1 ? kFineShadeCell : kCoarseShadeCell;
+    shadeSize = (glm::ivec2(target.width, target.height) + shadeCell - 1) / shadeCell;
+    skinShade.resize(static_cast<std::size_t>(shadeSize.x) * static_cast<std::size_t>(shadeSize.y));
+    const glm::vec4 far = constants.woFromProjection * glm::vec4(0.0F, 0.0F, 1.0F, 1.0F);
+    const ShadeTask task{.woFromProjection = constants.woFromProjection,
+                         .gridFromWo = constants.gridFromWo,
+                         .opacity = {hair.grids().grid(0), hair.grids().grid(1)},
+                         .gridSide = kGridSide,
+                         .eyeWo = glm::vec3(constants.eyeWo),
+                         .lightWo = glm::vec3(constants.lightWo),
+                         .headWo = glm::vec3(constants.headWo),
+                         .sizeSp = glm::vec2(constants.target),
+                         .cellSp = target.samples * shadeCell,
+                         .across = shadeSize.x,
+                         .width = head.width(),
+                         .height = head.height(),
+                         .distancesM = head.distancesM().data(),
+                         .viewAxisWo = glm::normalize(glm::vec3(far) / far.w - glm::vec3(constants.eyeWo)),
+                         .shade = skinShade.data()};
+    sim::parallelFor(static_cast<std::size_t>(shadeSize.y), 8, [&](std::size_t begin, std::size_t end) {
+        shadeSkin(task, static_cast<int>(begin), static_cast<int>(end));
+    });
+}
+
+void SoftwareRenderer::State::drawTile(std::size_t tile)
+{
+    const TileGrid& tiles = hair.tiles();
+    const Picture& picture = *underWay;
+    TileSamples& samples = tileSamples();
+    const auto across = static_cast<std::size_t>(tiles.across);
+    TileTask task;
+    task.x0 = static_cast<int>(tile % across) * kTileSp;
+    task.y0 = static_cast<int>(tile / across) * kTileSp;
+    task.width = std::min(kTileSp, tiles.width - task.x0);
+    task.height = std::min(kTileSp, tiles.height - task.y0);
+    for (int row = task.y0; row < task.y0 + task.height; ++row)
+        task.anyHead = task.anyHead || head.inRow(row);
+    task.headStride = static_cast<std::size_t>(head.width());
+    const std::size_t corner = static_cast<std::size_t>(task.y0) * task.headStride + static_cast<std::size_t>(task.x0);
+    task.headDistanceM = head.distancesM().data() + corner;
+    task.head = head.samples().data() + corner;
+    task.opaque = picture.target.samples.x > 1 ? kFineOpaque : kCoarseOpaque;
+    task.nearestM = hair.nearestM();
+    task.depthsPerM = hair.depthsPerM();
+    samples.entries.clear();
+    for (std::size_t b = 0; b < hair.batchCount(); ++b) {
+        const SegmentBatch& batch = hair.batch(b);
+        for (const TileEntry* entry = batch.begin(tile); entry != batch.end(tile); ++entry)
+            samples.entries.push_back(
+                {.segment = entry->segment, .depth = entry->depth, .batch = static_cast<std::uint16_t>(b)});
+    }
+    layHair(task, segments, samples);
+    const ResolveTask resolve{.samplesX = picture.target.samples.x,
+                              .samplesY = picture.target.samples.y,
+                              .firstPixelX = task.x0 / picture.target.samples.x,
+                              .firstPixelY = task.y0 / picture.target.samples.y,
+                              .pictureWidth = picture.target.width,
+                              .pictureHeight = picture.target.height,
+                              .background = glm::vec3(picture.constants.background[0]),
+                              .backgroundRise = glm::vec3(picture.constants.background[1]),
+                              .shade = shadeSize.x > 0 ? skinShade.data() : nullptr,
+                              .shadeAcross = shadeSize.x,
+                              .shadeUp = shadeSize.y,
+                              .shadeCell = shadeCell};
+    resolveTile(task, resolve, samples, drawn.data());
+}
+
+void SoftwareRenderer::State::drawTiles(std::size_t count)
+{
+    const std::size_t first = underWay->nextTile;
+    sim::parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            drawTile(first + i);
+    });
+    underWay->nextTile += count;
+}
+
+/// Draws at most so many batches, or where none is left so many tiles. False where nothing was left.
+bool SoftwareRenderer::State::piece(std::size_t batches, std::size_t tiles)
+{
+    const std::size_t batchesLeft = hair.batchCount() - underWay->nextBatch;
+    if (batchesLeft > 0) {
+        drawBatches(std::min(batches, batchesLeft));
+        return true;
+    }
+    const std::size_t tilesLeft = hair.tiles().count() - underWay->nextTile;
+    if (tilesLeft == 0)
+        return false;
+    if (underWay->nextTile == 0)
+        readyTiles();
+    drawTiles(std::min(tiles, tilesLeft));
+    return true;
+}
+
+/// Makes it the last finished picture.
+void SoftwareRenderer::State::finish(bool inSteps)
+{
+    const Picture& picture = *underWay;
+    drawRings(picture.constants, head, drawn.data());
+    std::swap(drawn, pixels);
+    statistics = {.drawnHairs = hair.hairs(),
+                  .drawnSegments = hair.segmentCount(),
+                  .uploadedBytes = 0,
+                  .milliseconds = picture.spentMs,
+                  .inSteps = inSteps,
+                  .complete = picture.complete};
+    underWay.reset();
+}
+
+SoftwareRenderer::SoftwareRenderer() : m_state(std::make_unique<State>()) {}
+
+SoftwareRenderer::~SoftwareRenderer() = default;
+
+void SoftwareRenderer::draw(const Scene& scene, const Quality& quality, int width, int height)
+{
+    State& state = *m_state;
+    const SoftwareClock::time_point began = SoftwareClock::now();
+    state.prepare(scene, quality, width, height);
+    while (state.piece(state.hair.batchCount(), state.hair.tiles().count())) {
+    }
+    state.underWay->spentMs = millisecondsFrom(began);
+    state.finish(false);
+}
+
+void SoftwareRenderer::begin(const Scene& scene, const Quality& quality, int width, int height)
+{
+    const SoftwareClock::time_point began = SoftwareClock::now();
+    m_state->prepare(scene, quality, width, height);
+    m_state->underWay->spentMs = millisecondsFrom(began);
+}
+
+bool SoftwareRenderer::step(double budgetMs)
+{
+    State& state = *m_state;
+    if (!state.underWay)
+        return true;
+    const SoftwareClock::time_point began = SoftwareClock::now();
+    bool finished = false;
+    double spentMs = 0.0;
+    do {
+        finished = !state.piece(kBatchesAStep, kTilesAStep);
+        spentMs = millisecondsFrom(began);
+    } while (!finished && spentMs < budgetMs);
+    state.underWay->spentMs += spentMs;
+    if (finished)
+        state.finish(true);
+    return finished;
+}
+
+bool SoftwareRenderer::drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
+                                     const Progress& progress)
+{
+    if (!progress) {
+        draw(scene, quality, width, height);
+        return true;
+    }
+    begin(scene, quality, width, height);
+    while (!step(0.0)) {
+        const auto all = static_cast<double>(m_state->hair.batchCount() + m_state->hair.tiles().count());
+        if (!progress(static_cast<double>(m_state->underWay->nextBatch + m_state->underWay->nextTile) / all))
+            return false;
+    }
+    return true;
+}
+
+void SoftwareRenderer::read(std::vector<std::uint8_t>& pixels)
+{
+    pixels = m_state->pixels;
+}
+
+const FrameStatistics& SoftwareRenderer::statistics() const
+{
+    return m_state->statistics;
+}
+
+const std::string& SoftwareRenderer::description() const
+{
+    return m_state->description;
+}
+
+} // namespace hairpaint::rendering

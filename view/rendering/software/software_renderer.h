@@ -1,0 +1,35 @@
+// Draws head and hair without OpenGL: our own, on any machine, the same bytes on every x86-64 and for any number of
+// threads.
+#pragma once
+
+#include "view/rendering/backend.h"
+
+#include <memory>
+
+namespace hairpaint::rendering {
+
+/// Strands are expanded, lit and sorted into tiles of the picture; in each tile hair is laid over the samples from the
+/// nearest on with the coverage it has, until nothing can be seen through it. Loops run through sim::parallelFor.
+/// Depth and light are floats, tone-mapped once. Two samples a pixel are drawn as four.
+class SoftwareRenderer final : public Backend
+{
+public:
+    SoftwareRenderer();
+    ~SoftwareRenderer() override;
+
+    void draw(const Scene& scene, const Quality& quality, int width, int height) override;
+    void begin(const Scene& scene, const Quality& quality, int width, int height) override;
+    [[nodiscard]] bool step(double budgetMs) override;
+    [[nodiscard]] bool drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
+                                     const Progress& progress) override;
+    void read(std::vector<std::uint8_t>& pixels) override;
+    [[nodiscard]] const FrameStatistics& statistics() const override;
+    [[nodiscard]] bool software() const override { return true; }
+    [[nodiscard]] const std::string& description() const override;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,96 @@
+// Sixteen strands side by side, as the kernels of the software renderer take and give them.
+#pragma once
+
+#include "view/rendering/light/hair_light.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hairpaint::rendering {
+
+inline constexpr std::size_t kBlockLanes = 16;
+inline constexpr int kMostNodes = 32;
+inline constexpr int kMostOfSpan = 32;
+inline constexpr float kFadingPart = 0.15F; ///< Of the drawn hairs: more that thin out instead of vanishing.
+using LaneRow = std::array<float, kBlockLanes>;
+
+/// What is known of the strands. A lane without a strand has width 0.
+struct alignas(64) StrandBlock
+{
+    int nodes = 2;
+    bool anyBraid = false;
+    bool anyCurl = false;
+    bool anyFrame = false; ///< Curled or braided: the frame along the skeleton matters.
+    LaneRow turns;
+    LaneRow curlRadiusM; ///< 0 where there is no curl.
+    LaneRow phase;
+    LaneRow width; ///< Multiple of the group's.
+    LaneRow variation;
+    LaneRow order;                     ///< 0..1: hairs of a low one stand for the others where not all are drawn.
+    std::array<LaneRow, 3> rootColour; ///< sRGB as encoded, 0..1.
+    std::array<LaneRow, 3> tipColour;
+    std::array<float, 3 * kBlockLanes> tangentWo; ///< Of the root.
+    LaneRow braid;                                ///< sim::BraidKind
+    LaneRow wisp;
+    LaneRow braidRadiusM;
+    LaneRow braidStart;
+    LaneRow braidTurns;
+    LaneRow wispX;
+    LaneRow wispY;
+    std::vector<float> nodesWo; ///< [nodes][3][kBlockLanes]
+};
+
+/// What all strands of a group share in one picture.
+struct StrandView
+{
+    glm::mat4 projectionFromWo{1.0F};
+    std::array<glm::mat4, 2> gridFromWo{};
+    std::array<const float*, 2> opacity{}; ///< [side][side][side] toward the light, the eye.
+    int gridSide = 0;
+    glm::vec2 sizeSp{0.0F};   ///< The picture, samples.
+    float samplesPerM = 0.0F; ///< That a metre covers at a distance of 1 m.
+    float groupWidthM = 0.0F; ///< Diameter of a hair whose width is 1.
+    float fraction = 1.0F;    ///< Of the hairs that are drawn, as much wider.
+    float rootAlpha = 1.0F;
+    float tipAlpha = 1.0F;
+    float variationScale = 0.0F;
+    float nearestM = 0.0F; ///< Depths run from here, in 16 bits;
+    float depthsPerM = 0.0F;
+    float toleranceSp = 0.25F; ///< How far a drawn curve may lie beside the true one.
+    /// Coverings of hair in front, seen by the eye, from which on nothing is drawn.
+    float undrawnCoverings = 10.0F;
+    /// Of those, the fraction that is left where others hide them by half and more; 1 where all are drawn.
+    float deepFraction = 1.0F;
+    HairLighting lighting;
+};
+
+/// In how many segments each span between nodes is drawn.
+struct SpanSegments
+{
+    std::array<int, kMostNodes> of{};
+    int total = 0;
+};
+
+/// Points of sixteen strands, projected and lit. Rows [point][kBlockLanes].
+struct StrandPoints
+{
+    std::vector<float> pointsWo;       ///< [point][3][kBlockLanes]
+    std::vector<float> fraction;       ///< Of the strand, [point].
+    std::vector<float> x;              ///< Samples, right.
+    std::vector<float> y;              ///< Samples, up.
+    std::vector<float> depth;          ///< 0..65535
+    std::vector<float> width;          ///< Samples covered across the segment's main direction; 0 where it is not seen.
+    std::vector<std::uint32_t> colour; ///< Square roots of the linear colour, 10 bits each from the lowest: r, g, b.
+    void resize(std::size_t points);
+};
+
+/// Segments that the bend of the block's strands needs at this size.
+[[nodiscard]] SpanSegments segmentsFor(const StrandView& view, const StrandBlock& block);
+/// Fills `points` with segments + 1 of each strand.
+void drawnPoints(const StrandView& view, const StrandBlock& block, const SpanSegments& segments, StrandPoints& points);
+
+} // namespace hairpaint::rendering

@@ -1,0 +1,238 @@
+// Strands become points of the picture: curve, projection, light.
+#include "view/rendering/software/strand_block.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "view/rendering/software/strand_kernel.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.
+#include "view/rendering/light/curve_inl.h"
+#include "view/rendering/light/hair_light_inl.h"
+#include "view/rendering/light/lanes_inl.h"
+#include "view/rendering/software/grid_lookup_inl.h"
+#include <algorithm>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hairpaint::rendering::HWY_NAMESPACE {
+
+/// Coverings of hair in front, seen by the eye: from where on strands stay as thin as they are.
+constexpr float kHiddenFrom = 3.0F;
+constexpr float kHiddenTo = 10.0F;
+constexpr float kDeepFrom = 0.3F; ///< Coverings: from where on fewer hairs are drawn for all, and as few as may be.
+constexpr float kDeepTo = 1.6F;
+constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
+constexpr float kMostSlant = 1.42F;
+constexpr float kNearestDrawnM = 0.01F;
+
+static_assert(kMostLanes == kBlockLanes);
+
+/// Places in clip space without z.
+HWY_INLINE Triple<Lanes> projected(const glm::mat4& m, const Triple<Lanes>& p, float homogeneous)
+{
+    const auto row = [&](int r) {
+        return p.x * Lanes(m[0][r]) + p.y * Lanes(m[1][r]) + p.z * Lanes(m[2][r]) + Lanes(m[3][r] * homogeneous);
+    };
+    return {row(0), row(1), row(3)};
+}
+
+HWY_INLINE Lanes biggest(Lanes a)
+{
+    return Lanes(hn::MaxOfLanes(Tag(), a.v));
+}
+
+void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegments& segments)
+{
+    constexpr std::size_t kRow = 3 * kMostLanes;
+    std::array<float, kMostNodes> bendAt{}; // Samples, at each node.
+    float turnSegments = 0.0F;
+    for (std::size_t lane = 0; lane < kMostLanes; lane += hn::Lanes(Tag())) {
+        const float* nodes = block.nodesWo.data() + lane;
+        const Yes there = loaded(block.width.data() + lane) > Lanes(0.0F);
+        Triple<Lanes> before = loaded3(nodes);
+        Triple<Lanes> here = loaded3(nodes + kRow);
+        const auto perM = [&](const Triple<Lanes>& place) {
+            return Lanes(view.samplesPerM) /
+                   most(projected(view.projectionFromWo, place, 1.0F).z, Lanes(kNearestDrawnM));
+        };
+        for (int k = 1; k + 1 < block.nodes; ++k) {
+            const Triple<Lanes> after = loaded3(nodes + static_cast<std::size_t>(k + 1) * kRow);
+            const Triple<Lanes> second = before - here - here + after;
+            const Lanes bend = root(dot(second, second)) * perM(here);
+            float& most = bendAt.at(static_cast<std::size_t>(k));
+            most = std::max(most, hn::GetLane(biggest(select(there, bend, Lanes(0.0F))).v));
+            before = here;
+            here = after;
+        }
+        if (block.anyFrame) {
+            // The chord of an nth of a circle lies r (pi/n)^2 / 2 inside it.
+            const Lanes scale = perM(before) * Lanes(0.5F / view.toleranceSp);
+            const Lanes curlR = loaded(block.curlRadiusM.data() + lane);
+            Lanes wanted =
+                loaded(block.turns.data() + lane) * clamped(root(curlR * scale) * Lanes(3.1416F), 4.0F, 24.0F);
+            wanted = select(curlR > Lanes(0.0F), wanted, Lanes(0.0F));
+            const Lanes braid = root(loaded(block.braidRadiusM.data() + lane) * scale);
+            const Lanes plaited = loaded(block.braidTurns.data() + lane) *
+                                  clamped(braid * Lanes(2.0F * 3.1416F), 16.0F, 48.0F) /
+                                  most(Lanes(1.0F) - loaded(block.braidStart.data() + lane), Lanes(0.1F));
+            wanted = most(wanted, select(loaded(block.braid.data() + lane) > Lanes(0.5F), plaited, Lanes(0.0F)));
+            turnSegments = std::max(turnSegments, hn::GetLane(biggest(select(there, wanted, Lanes(0.0F))).v));
+        }
+    }
+    const int spans = block.nodes - 1;
+    const float turnsOfSpan = std::floor(turnSegments / static_cast<float>(spans) + 0.6F);
+    segments.total = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(spans); ++k) {
+        // A span of a curve with second difference d lies d/8 beside its chord, a quarter of that with half of it.
+        const float bend = std::max(bendAt.at(k), bendAt.at(k + 1));
+        const float wanted = std::max(std::ceil(std::sqrt(bend / (8.0F * view.toleranceSp))), turnsOfSpan);
+        segments.of.at(k) = static_cast<int>(std::clamp(wanted, 1.0F, static_cast<float>(kMostOfSpan)));
+        segments.total += segments.of.at(k);
+    }
+}
+
+/// Square root of the linear colour in 10 bits.
+HWY_INLINE Ints tenBits(Lanes linear)
+{
+    return hn::ConvertTo(IntTag(), (root(clamped(linear, 0.0F, 1.0F)) * Lanes(1023.0F) + Lanes(0.5F)).v);
+}
+
+/// How much wider a hair is drawn where it stands for others: those that come late thin out to nothing, over a part of
+/// the others, so that none appears or goes at once.
+HWY_INLINE Lanes wideningOf(const StrandView& view, Lanes order, Lanes towardEye)
+{
+    if (view.deepFraction >= 1.0F)
+        return mixed(Lanes(1.0F / view.fraction), Lanes(1.0F), smoothStep(kHiddenFrom, kHiddenTo, towardEye));
+    const Lanes fraction = mixed(Lanes(view.fraction), Lanes(view.fraction * view.deepFraction),
+                                 smoothStep(kDeepFrom, kDeepTo, towardEye));
+    const Lanes kept = clamped((Lanes(1.0F + kFadingPart) - order / fraction) * Lanes(1.0F / kFadingPart), 0.0F, 1.0F);
+    return kept / least(fraction * Lanes(1.0F + 0.5F * kFadingPart), Lanes(1.0F));
+}
+
+void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanSegments& spans, std::size_t lane,
+                   StrandPoints& out)
+{
+    const int segments = spans.total;
+    constexpr std::size_t kRow = 3 * kMostLanes;
+    const IntTag di;
+    evaluateCurves(block, spans, lane, out.pointsWo.data());
+    const Lanes own = loaded(block.width.data() + lane) * Lanes(view.groupWidthM * view.samplesPerM);
+    const Lanes variation = loaded(block.variation.data() + lane) * Lanes(view.variationScale);
+    const Lanes order = loaded(block.order.data() + lane);
+    const Lanes lightness = exp2Of(variation * Lanes(3.0F));
+    const auto colourOf = [&](const std::array<LaneRow, 3>& rows) {
+        return Triple<Lanes>{linearFromSrgb(loaded(rows[0].data() + lane)),
+                             linearFromSrgb(loaded(rows[1].data() + lane)),
+                             linearFromSrgb(loaded(rows[2].data() + lane))} *
+               lightness;
+    };
+    const Triple<Lanes> rootColour = colourOf(block.rootColour);
+    const Triple<Lanes> tipColour = colourOf(block.tipColour);
+    const float* pointsWo = out.pointsWo.data() + lane;
+    const auto at = [&](int j) { return loaded3(pointsWo + static_cast<std::size_t>(j) * kRow); };
+    const float halfVoxel = 0.5F / static_cast<float>(view.gridSide);
+    const float before = 3.0F * halfVoxel; // A strand does not shade itself.
+    Triple<Lanes> last = at(0);
+    Triple<Lanes> here = last;
+    for (int j = 0; j <= segments; ++j) {
+        const Triple<Lanes> next = at(std::min(j + 1, segments));
+        const std::size_t row = static_cast<std::size_t>(j) * kMostLanes + lane;
+        const Triple<Lanes> clip = projected(view.projectionFromWo, here, 1.0F);
+        const Lanes perW = Lanes(1.0F) / most(clip.z, Lanes(kNearestDrawnM));
+        const Lanes across = clip.x * perW;
+        const Lanes up = clip.y * perW;
+        stored((across * Lanes(0.5F) + Lanes(0.5F)) * Lanes(view.sizeSp.x), out.x.data() + row);
+        stored((up * Lanes(0.5F) + Lanes(0.5F)) * Lanes(view.sizeSp.y), out.y.data() + row);
+        stored(clamped((clip.z - Lanes(view.nearestM)) * Lanes(view.depthsPerM), 0.0F, 65535.0F),
+               out.depth.data() + row);
+
+        const Lanes towardEye = opacityAt(view.opacity[1], view.gridSide, inGrid(view.gridFromWo[1], here, before));
+        const Yes seen =
+            (clip.z > Lanes(kNearestDrawnM)) & (Lanes(view.undrawnCoverings) > towardEye) & (own > Lanes(0.0F));
+        if (!any(seen)) {
+            stored(Lanes(0.0F), out.width.data() + row);
+            hn::StoreU(hn::Zero(di), di, reinterpret_cast<std::int32_t*>(out.colour.data()) + row);
+            last = here;
+            here = next;
+            continue;
+        }
+        const Lanes towardLight = opacityAt(view.opacity[0], view.gridSide, inGrid(view.gridFromWo[0], here, before));
+        const float s = out.fraction[static_cast<std::size_t>(j)];
+        const Triple<Lanes> tangent = unit(next - last);
+
+        // Thickness is measured across the walk's main direction, so slanted strands need more.
+        const Triple<Lanes> clipAlong = projected(view.projectionFromWo, tangent, 0.0F);
+        const Lanes alongX = (clipAlong.x - across * clipAlong.z) * Lanes(view.sizeSp.x);
+        const Lanes alongY = (clipAlong.y - up * clipAlong.z) * Lanes(view.sizeSp.y);
+        const Lanes squareX = alongX * alongX;
+        const Lanes squareY = alongY * alongY;
+        const Lanes slant = root((squareX + squareY) / most(most(squareX, squareY), Lanes(1e-20F)));
+        const float alpha = view.rootAlpha + (view.tipAlpha - view.rootAlpha) * s * s;
+        const Lanes ownWidth = own * perW;
+        // What hides hair half lies nearer than what shades it.
+        const Lanes hiding = view.deepFraction < 1.0F ? opacityAt(view.opacity[1], view.gridSide,
+                                                                  inGrid(view.gridFromWo[1], here, halfVoxel))
+                                                      : towardEye;
+        const Lanes widening = wideningOf(view, order, hiding);
+        const Lanes width =
+            least(ownWidth * widening * Lanes(alpha), Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
+        stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
+
+        const Triple<Lanes> lit =
+            hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootColour + (tipColour - rootColour) * Lanes(s),
+                                                      variation, towardLight, towardEye});
+        const Ints packed =
+            hn::Or(hn::Or(tenBits(lit.x), hn::ShiftLeft<10>(tenBits(lit.y))), hn::ShiftLeft<20>(tenBits(lit.z)));
+        hn::StoreU(packed, di, reinterpret_cast<std::int32_t*>(out.colour.data()) + row);
+        last = here;
+        here = next;
+    }
+}
+
+void pointsOfAll(const StrandView& view, const StrandBlock& block, const SpanSegments& segments, StrandPoints& out)
+{
+    for (std::size_t lane = 0; lane < kMostLanes; lane += hn::Lanes(Tag()))
+        pointsOfLanes(view, block, segments, lane, out);
+}
+
+} // namespace hairpaint::rendering::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hairpaint::rendering {
+
+HWY_EXPORT(segmentsForAll);
+HWY_EXPORT(pointsOfAll);
+
+void StrandPoints::resize(std::size_t points)
+{
+    if (fraction.size() >= points)
+        return;
+    pointsWo.resize(points * 3 * kBlockLanes);
+    for (std::vector<float>* row : {&x, &y, &depth, &width})
+        row->resize(points * kBlockLanes);
+    colour.resize(points * kBlockLanes);
+    fraction.resize(points);
+}
+
+SpanSegments segmentsFor(const StrandView& view, const StrandBlock& block)
+{
+    SpanSegments segments;
+    HWY_DYNAMIC_DISPATCH(segmentsForAll)(view, block, segments);
+    return segments;
+}
+
+void drawnPoints(const StrandView& view, const StrandBlock& block, const SpanSegments& segments, StrandPoints& points)
+{
+    points.resize(static_cast<std::size_t>(segments.total) + 1);
+    const float perSpan = 1.0F / static_cast<float>(block.nodes - 1);
+    std::size_t point = 0;
+    for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(block.nodes); ++k)
+        for (int j = 0; j < segments.of.at(k); ++j)
+            points.fraction[point++] =
+                (static_cast<float>(k) + static_cast<float>(j) / static_cast<float>(segments.of.at(k))) * perSpan;
+    points.fraction[point] = 1.0F;
+    HWY_DYNAMIC_DISPATCH(pointsOfAll)(view, block, segments, points);
+}
+
+} // namespace hairpaint::rendering
+#endif

@@ -1,0 +1,84 @@
+// One tile of the picture: hair laid over it from the nearest on, then the head and the background behind.
+#pragma once
+
+#include "view/rendering/software/screen_segments.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hairpaint::rendering {
+
+/// The head's light and depth at a sample.
+struct HeadSample
+{
+    std::uint16_t red = 0; ///< Square roots of the linear colour, 0..65535.
+    std::uint16_t green = 0;
+    std::uint16_t blue = 0;
+    std::uint16_t cover = 0; ///< How much of the sample it covers.
+};
+
+inline constexpr int kTileRow = kTileSp + 2; ///< A tile's samples with one more around it, which is never seen.
+inline constexpr int kCellSp = 8;            ///< Samples across a cell of a tile.
+inline constexpr int kCells = kTileSp / kCellSp;
+
+/// Where a sample of the tile is.
+[[nodiscard]] constexpr int inTile(int x, int y)
+{
+    return (y + 1) * kTileRow + x + 1;
+}
+
+/// Samples of a tile; rows of kTileRow from the lowest on. Kept by each thread.
+struct TileSamples
+{
+    /// Linear light of hair so far, and what is left to see through.
+    alignas(64) std::array<float, 4UL * kTileRow * kTileRow> light;
+    std::array<std::array<int, kCells>, kCells> open; ///< Samples of a cell that are not opaque yet, by row.
+    std::vector<TileEntry> entries;
+    std::vector<TileEntry> sorted;
+    std::array<std::uint32_t, 2048> buckets;
+    std::array<float, 1UL * kTileRow * kTileRow> headDepth; ///< As segments have it, behind the skin.
+};
+
+struct TileTask
+{
+    int x0 = 0; ///< The tile's corner in the picture, samples.
+    int y0 = 0;
+    int width = 0; ///< Less than kTileSp at the picture's edges.
+    int height = 0;
+    bool anyHead = false;
+    const float* headDistanceM = nullptr; ///< Of the corner; huge where there is no head.
+    const HeadSample* head = nullptr;     ///< Of the corner.
+    std::size_t headStride = 0;           ///< From a row to the one above.
+    float opaque = 0.02F;                 ///< Less that is left to see through is nothing.
+    float nearestM = 0.0F;                ///< Where the segments' depths begin;
+    float depthsPerM = 0.0F;
+};
+
+/// Where segments are.
+using SegmentLists = std::span<const ScreenSegment* const>;
+
+/// Lays `samples.entries` over the tile, nearest first; `segments` by batch. Fills samples.light.
+void layHair(const TileTask& task, SegmentLists segments, TileSamples& samples);
+
+/// What turns a tile's samples into pixels.
+struct ResolveTask
+{
+    int samplesX = 1; ///< A pixel.
+    int samplesY = 1;
+    int firstPixelX = 0;
+    int firstPixelY = 0; ///< From the bottom.
+    int pictureWidth = 0;
+    int pictureHeight = 0;
+    glm::vec3 background{0.0F};     ///< sRGB as encoded, in the middle of the picture;
+    glm::vec3 backgroundRise{0.0F}; ///< and from there to the top.
+    const float* shade = nullptr;   ///< What is left of the skin's light, in cells from the lowest; null: all.
+    int shadeAcross = 0;
+    int shadeUp = 0;
+    int shadeCell = 1; ///< Pixels.
+};
+/// Writes RGBA8 into `pixels`, the picture's, whose row 0 is on top.
+void resolveTile(const TileTask& task, const ResolveTask& resolve, const TileSamples& samples, std::uint8_t* pixels);
+
+} // namespace hairpaint::rendering
