@@ -193,9 +193,9 @@ constexpr float kFirstOrder = 0.01F; ///< Fraction of a squared length up to whi
 
 /// Equation 4 and algorithm 2 for all segments at once: nodes move along their segments by tensions that, to first
 /// order, give every segment its length again. One row of three diagonals a segment, so that a pull at the tip is felt
-/// at the root within the step and no momentum is made. Moves the strands of `which` alone; returns those of them that
-/// were further from their lengths than first order is good for. Adds the root's tension to `load`.
-template<class D>
+/// at the root within the step and no momentum is made. Moves the strands of `which` alone unless `kAll`; returns those
+/// of them that were further from their lengths than first order is good for. Adds the root's tension to `load`.
+template<bool kAll, class D>
 HWY_INLINE hn::Mask<D> restoreLengthsOnce(D d, int nodes, hn::Vec<D> length, hn::Mask<D> which, hn::Vec<D>& load,
                                           float* HWY_RESTRICT p)
 {
@@ -243,7 +243,8 @@ HWY_INLINE hn::Mask<D> restoreLengthsOnce(D d, int nodes, hn::Vec<D> length, hn:
         tension = hn::Sub(hn::LoadU(d, rows + (2 * node + 1) * kLanes), hn::Mul(first, tension));
         first = hn::LoadU(d, rows + (2 * node) * kLanes);
         const Vec3<V> pull = scale(sub(child, parent), tension);
-        store3(d, choose(which, addScaled(child, sub(pull, pullBelow), hn::Set(d, inverseMass(i))), child), at);
+        const Vec3<V> moved = addScaled(child, sub(pull, pullBelow), hn::Set(d, inverseMass(i)));
+        store3(d, kAll ? moved : choose(which, moved, child), at);
         pullBelow = pull;
         child = parent;
     }
@@ -257,8 +258,9 @@ template<class D>
 HWY_INLINE hn::Vec<D> restoreLengths(D d, int nodes, hn::Vec<D> length, hn::Mask<D> which, float* HWY_RESTRICT p)
 {
     hn::Vec<D> load = hn::Zero(d);
-    for (int pass = 0; pass < kRestorePasses && !hn::AllFalse(d, which); ++pass)
-        which = restoreLengthsOnce(d, nodes, length, which, load, p);
+    which = restoreLengthsOnce<true>(d, nodes, length, which, load, p);
+    for (int pass = 1; pass < kRestorePasses && HWY_UNLIKELY(!hn::AllFalse(d, which)); ++pass)
+        which = restoreLengthsOnce<false>(d, nodes, length, which, load, p);
     return load;
 }
 
