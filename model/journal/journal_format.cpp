@@ -13,24 +13,24 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr int kVersion = 1;
-constexpr int kFastest = 1;
+constexpr int kJournalVersion = 1;
 constexpr qsizetype kMostStateBytes = qsizetype{192} << 20;
-const QString kFormat = QStringLiteral("hairpaint journal");
+const QString kJournalFormat = QStringLiteral("hairpaint journal");
 
 } // namespace
 
 QByteArray journalStart()
 {
-    return QJsonDocument(QJsonObject{{QStringLiteral("format"), kFormat}, {QStringLiteral("version"), kVersion}})
+    return QJsonDocument(
+               QJsonObject{{QStringLiteral("format"), kJournalFormat}, {QStringLiteral("version"), kJournalVersion}})
         .toJson(QJsonDocument::Compact);
 }
 
 bool isJournalStart(const QByteArray& payload)
 {
     const QJsonObject start = QJsonDocument::fromJson(payload).object();
-    return start.value(QStringLiteral("format")).toString() == kFormat &&
-           start.value(QStringLiteral("version")).toInt() == kVersion;
+    return start.value(QStringLiteral("format")).toString() == kJournalFormat &&
+           start.value(QStringLiteral("version")).toInt() == kJournalVersion;
 }
 
 QByteArray statePayload(const StateFields& fields)
@@ -42,7 +42,7 @@ QByteArray statePayload(const StateFields& fields)
                        {QStringLiteral("tables"), tables},          {QStringLiteral("path"), fields.path},
                        {QStringLiteral("step"), fields.step},       {QStringLiteral("index"), fields.index},
                        {QStringLiteral("count"), fields.count},     {QStringLiteral("time"), fields.timeMs}};
-    return qCompress(QCborValue(map).toCbor(), kFastest);
+    return packed(QCborValue(map).toCbor());
 }
 
 std::optional<StateFields> stateFields(const QByteArray& payload)
@@ -68,15 +68,21 @@ std::optional<StateFields> stateFields(const QByteArray& payload)
     return fields;
 }
 
-std::optional<QByteArray> unpacked(QByteArrayView packed, qsizetype mostBytes)
+QByteArray packed(const QByteArray& bytes)
+{
+    constexpr int kFastest = 1; // of zlib's levels
+    return qCompress(bytes, kFastest);
+}
+
+std::optional<QByteArray> unpacked(QByteArrayView bytes, qsizetype mostBytes)
 {
     constexpr qsizetype kSizeBytes = 4; // which qCompress puts first
-    if (packed.size() < kSizeBytes || qFromBigEndian<quint32>(packed.data()) > static_cast<quint64>(mostBytes))
+    if (bytes.size() < kSizeBytes || qFromBigEndian<quint32>(bytes.data()) > static_cast<quint64>(mostBytes))
         return std::nullopt;
-    QByteArray bytes = qUncompress(reinterpret_cast<const uchar*>(packed.data()), packed.size());
-    if (bytes.isEmpty() || bytes.size() > mostBytes)
+    QByteArray whole = qUncompress(reinterpret_cast<const uchar*>(bytes.data()), bytes.size());
+    if (whole.isEmpty() || whole.size() > mostBytes)
         return std::nullopt;
-    return bytes;
+    return whole;
 }
 
 } // namespace hairpaint::model

@@ -38,7 +38,9 @@ struct StateFields
 [[nodiscard]] QByteArray statePayload(const StateFields& fields);
 /// None where it is no such state.
 [[nodiscard]] std::optional<StateFields> stateFields(const QByteArray& payload);
+/// As fast as it goes: a step waits for it.
+[[nodiscard]] QByteArray packed(const QByteArray& bytes);
 /// What qCompress packed, but nothing that claims more than `mostBytes`.
-[[nodiscard]] std::optional<QByteArray> unpacked(QByteArrayView packed, qsizetype mostBytes);
+[[nodiscard]] std::optional<QByteArray> unpacked(QByteArrayView bytes, qsizetype mostBytes);
 
 } // namespace hairpaint::model

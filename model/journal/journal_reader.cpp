@@ -17,7 +17,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr qsizetype kMostHeadBytes = qsizetype{192} << 20;
+constexpr qsizetype kMostMeshBytes = qsizetype{192} << 20;
 constexpr qsizetype kMostTileBytes = sim::kTileTexels * 4 * sizeof(std::uint16_t);
 
 using Table = std::shared_ptr<const QByteArray>;
@@ -158,7 +158,7 @@ private:
             return nullptr;
         SourceHead& found = m_heads[static_cast<std::size_t>(number)];
         if (!found.head) {
-            const std::optional<QByteArray> glb = unpacked(found.packed, kMostHeadBytes);
+            const std::optional<QByteArray> glb = unpacked(found.packed, kMostMeshBytes);
             if (!glb)
                 return nullptr;
             const Checked<std::shared_ptr<const Head>> head =

@@ -13,10 +13,10 @@ namespace hairpaint::app {
 namespace {
 
 /// Presses the button of that name in each message box; dialogs of files are cancelled.
-class Answer : public QObject
+class BoxAnswer : public QObject
 {
 public:
-    explicit Answer(QString button) : m_button(std::move(button)) { startTimer(20); }
+    explicit BoxAnswer(QString button) : m_button(std::move(button)) { startTimer(20); }
     QStringList asked;
     bool sawFileDialog = false;
 
@@ -80,7 +80,7 @@ private Q_SLOTS:
     void savingAgainAsksNothing()
     {
         openSaved();
-        Answer answer(QStringLiteral("Cancel"));
+        BoxAnswer answer(QStringLiteral("Cancel"));
         for (const QRgb colour : {0xFF112233U, 0xFF445566U}) {
             changeBackground(colour);
             QVERIFY(m_window->files().save());
@@ -95,7 +95,7 @@ private Q_SLOTS:
         writeOutside("theirs");
         changeBackground(0xFF112233U);
         {
-            Answer stop(QStringLiteral("Cancel"));
+            BoxAnswer stop(QStringLiteral("Cancel"));
             QVERIFY(!m_window->files().save());
             QCOMPARE(stop.asked.size(), 1);
             QVERIFY2(stop.asked.front().contains(QStringLiteral("shared")), qPrintable(stop.asked.front()));
@@ -103,11 +103,11 @@ private Q_SLOTS:
         QCOMPARE(test::readBytes(m_path), QByteArray("theirs"));
         QVERIFY(session().document().modified());
         {
-            Answer other(QStringLiteral("Save under another name..."));
+            BoxAnswer other(QStringLiteral("Save under another name..."));
             QVERIFY(!m_window->files().save()); // The dialog was cancelled.
         }
         QCOMPARE(test::readBytes(m_path), QByteArray("theirs"));
-        Answer replace(QStringLiteral("Replace"));
+        BoxAnswer replace(QStringLiteral("Replace"));
         QVERIFY(m_window->files().save());
         QVERIFY(model::loadProject(m_path));
         changeBackground(0xFF778899U);
@@ -146,7 +146,7 @@ private Q_SLOTS:
         m_window->files().setPath(folder + QStringLiteral("/gone.hairpaint"));
         QVERIFY(QDir(folder).removeRecursively());
         changeBackground(0xFF112233U);
-        Answer other(QStringLiteral("Save under another name..."));
+        BoxAnswer other(QStringLiteral("Save under another name..."));
         QVERIFY(!m_window->files().save()); // The dialog was cancelled.
         QCOMPARE(other.asked.size(), 1);
         QVERIFY2(other.asked.front().contains(QStringLiteral("gone.hairpaint")), qPrintable(other.asked.front()));
@@ -159,7 +159,7 @@ private Q_SLOTS:
         openSaved();
         QVERIFY(QFile::remove(m_path));
         changeBackground(0xFF112233U);
-        Answer answer(QStringLiteral("Cancel"));
+        BoxAnswer answer(QStringLiteral("Cancel"));
         QVERIFY(m_window->files().save());
         QCOMPARE(answer.asked, QStringList());
         QVERIFY(model::loadProject(m_path));
@@ -170,18 +170,18 @@ private Q_SLOTS:
         openSaved();
         MainWindow other(test::thinned(model::newProject()), QString());
         {
-            Answer stop(QStringLiteral("Cancel"));
+            BoxAnswer stop(QStringLiteral("Cancel"));
             QVERIFY(!other.files().openPath(m_path));
             QCOMPARE(stop.asked.size(), 1);
             QVERIFY(other.files().path().isEmpty());
         }
         {
-            Answer open(QStringLiteral("Open anyway"));
+            BoxAnswer open(QStringLiteral("Open anyway"));
             QVERIFY(other.files().openPath(m_path));
             QCOMPARE(open.asked.size(), 1);
         }
         // The window that has it open may open it again.
-        Answer answer(QStringLiteral("Cancel"));
+        BoxAnswer answer(QStringLiteral("Cancel"));
         QVERIFY(m_window->files().openPath(m_path));
         QCOMPARE(answer.asked, QStringList());
         m_window.reset();
