@@ -53,7 +53,7 @@ void HeadPicture::update(const std::shared_ptr<const sim::HeadMesh>& head,
         mesh.source = shown;
         mesh.closed = shown && sim::openEdges(*shown).empty();
     }
-    const std::size_t bands = static_cast<std::size_t>((height + kBandRows - 1) / kBandRows);
+    const auto bands = static_cast<std::size_t>((height + kBandRows - 1) / kBandRows);
     m_bandBegin.assign(bands + 1, 0);
     m_bandTriangles.clear();
     HeadBand whole;

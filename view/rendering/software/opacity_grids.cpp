@@ -4,6 +4,7 @@
 #include "sim/base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace hairpaint::rendering {
@@ -72,7 +73,7 @@ void OpacityGrids::splat(const Source& source, const FrameConstants& constants, 
             const float longest = std::max(glm::distance(from[0], to[0]), glm::distance(from[1], to[1]));
             const int steps = std::clamp(static_cast<int>(std::min(longest, 8.0F)) + 1, 1, 8);
             const auto area =
-                static_cast<std::uint32_t>(glm::distance(a, b) * weight / static_cast<float>(steps) + 0.5F);
+                static_cast<std::uint32_t>(std::floor(glm::distance(a, b) * weight / static_cast<float>(steps) + 0.5F));
             for (int n = 0; n < steps; ++n) {
                 const std::uint32_t random = hashOf(static_cast<std::uint32_t>(strand) * 64U +
                                                     static_cast<std::uint32_t>(k) * 8U + static_cast<std::uint32_t>(n));

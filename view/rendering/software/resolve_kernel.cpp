@@ -7,6 +7,7 @@
 // After foreach_target.
 #include "view/rendering/light/lanes_inl.h"
 #include <algorithm>
+#include <cmath>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -70,7 +71,7 @@ struct SrgbTable
         for (int i = 0; i <= kSteps; ++i) {
             const float root = static_cast<float>(i) * (1.0F / kSteps);
             bytes.at(static_cast<std::size_t>(i)) =
-                static_cast<std::uint8_t>(least(fastSrgb(root * root), 1.0F) * 255.0F + 0.5F);
+                static_cast<std::uint8_t>(std::floor(least(fastSrgb(root * root), 1.0F) * 255.0F + 0.5F));
         }
     }
 };
@@ -90,7 +91,7 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
                                           static_cast<std::size_t>(resolve.pictureWidth) +
                                       static_cast<std::size_t>(resolve.firstPixelX)) *
                                          4;
-        const auto byte = [](float v) { return static_cast<std::uint8_t>(v * 255.0F + 0.5F); };
+        const auto byte = [](float v) { return static_cast<std::uint8_t>(std::floor(v * 255.0F + 0.5F)); };
         for (int px = 0; px < task.width / resolve.samplesX; ++px, out += 4) {
             float shade = -1.0F;
             bool bare = true;

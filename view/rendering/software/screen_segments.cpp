@@ -16,8 +16,8 @@ void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int se
 {
     constexpr float kLeastUnits = 1.0F;
     constexpr float kMostUnits = 65535.0F;
-    const float width = static_cast<float>(tiles.width);
-    const float height = static_cast<float>(tiles.height);
+    const auto width = static_cast<float>(tiles.width);
+    const auto height = static_cast<float>(tiles.height);
     for (int j = 0; j < segments; ++j) {
         const std::size_t row = static_cast<std::size_t>(j) * kBlockLanes;
         for (std::size_t lane = 0; lane < lanes; ++lane) {

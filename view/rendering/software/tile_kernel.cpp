@@ -169,8 +169,9 @@ HWY_INLINE void layWide(Canvas& canvas, int i, const Pace& at)
 {
     const float gain = std::min(at.width, 1.0F);
     const float half = (std::max(at.width, 1.0F) + 1.0F) * 0.5F;
-    const int first = static_cast<int>(std::clamp(at.middle - half, 0.0F, 64.0F) + 0.5F);
-    const int last = static_cast<int>(std::clamp(at.middle + half, 0.0F, static_cast<float>(kTileSp)) + 0.5F);
+    constexpr float kUp = 0.5F; // to the nearest: nothing here is negative
+    const int first = static_cast<int>(std::clamp(at.middle - half, 0.0F, 64.0F) + kUp);
+    const int last = static_cast<int>(std::clamp(at.middle + half, 0.0F, static_cast<float>(kTileSp)) + kUp);
     for (int k = first; k < std::min(last, kTileSp); ++k) {
         const int x = kSteep ? k : i;
         const int y = kSteep ? i : k;
