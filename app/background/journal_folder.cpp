@@ -6,6 +6,8 @@
 #include <QStandardPaths>
 #include <QUuid>
 
+#include <algorithm>
+
 namespace hairpaint::app {
 
 namespace {

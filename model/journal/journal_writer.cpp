@@ -5,7 +5,6 @@
 #include "model/files/project_json.h"
 #include "model/journal/journal_format.h"
 
-#include <QSaveFile>
 #include <QtEndian>
 
 #include <algorithm>

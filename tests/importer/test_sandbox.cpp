@@ -73,10 +73,13 @@ private Q_SLOTS:
 
     void itReadsAndWritesNothingElse()
     {
-        if (!hasLandlock())
-            QSKIP("This kernel has no Landlock.");
         const QByteArray own = fileIn(m_folder);
         const QByteArray other = fileIn(m_elsewhere);
+        if (!hasLandlock()) {
+            // A kernel without it: heads must still be read.
+            QVERIFY(inSandbox([&other] { return ::open(other.constData(), O_RDONLY | O_CLOEXEC) >= 0; }));
+            return;
+        }
         QVERIFY(inSandbox([&other] { return refused(::open(other.constData(), O_RDONLY | O_CLOEXEC)); }));
         QVERIFY(inSandbox([] { return refused(::open("/etc/passwd", O_RDONLY | O_CLOEXEC)); }));
         QVERIFY(inSandbox([&own] { return refused(::open(own.constData(), O_WRONLY | O_CLOEXEC)); }));

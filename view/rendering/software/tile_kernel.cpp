@@ -44,33 +44,24 @@ HWY_INLINE Walk walkOf(const TileTask& task, const ScreenSegment& segment)
 {
     const auto x = static_cast<float>(task.x0);
     const auto y = static_cast<float>(task.y0);
-    const float m0 = kSteep ? segment.y0 - y : segment.x0 - x;
-    const float m1 = kSteep ? segment.y1 - y : segment.x1 - x;
-    const float a0 = kSteep ? segment.x0 - x : segment.y0 - y;
-    const float a1 = kSteep ? segment.x1 - x : segment.y1 - y;
-    const float w0 = static_cast<float>(segment.width0) * kWidthUnit;
-    const float w1 = static_cast<float>(segment.width1) * kWidthUnit;
-    if (m0 > m1)
-        return {m1,
-                m0,
-                a1,
-                a0,
-                w1,
-                w0,
-                static_cast<float>(segment.depth1),
-                static_cast<float>(segment.depth0),
-                segment.colour1,
-                segment.colour0};
-    return {m0,
-            m1,
-            a0,
-            a1,
-            w0,
-            w1,
-            static_cast<float>(segment.depth0),
-            static_cast<float>(segment.depth1),
-            segment.colour0,
-            segment.colour1};
+    Walk walk{.main0 = kSteep ? segment.y0 - y : segment.x0 - x,
+              .main1 = kSteep ? segment.y1 - y : segment.x1 - x,
+              .across0 = kSteep ? segment.x0 - x : segment.y0 - y,
+              .across1 = kSteep ? segment.x1 - x : segment.y1 - y,
+              .width0 = static_cast<float>(segment.width0) * kWidthUnit,
+              .width1 = static_cast<float>(segment.width1) * kWidthUnit,
+              .depth0 = static_cast<float>(segment.depth0),
+              .depth1 = static_cast<float>(segment.depth1),
+              .bits0 = segment.colour0,
+              .bits1 = segment.colour1};
+    if (walk.main0 > walk.main1) {
+        std::swap(walk.main0, walk.main1);
+        std::swap(walk.across0, walk.across1);
+        std::swap(walk.width0, walk.width1);
+        std::swap(walk.depth0, walk.depth1);
+        std::swap(walk.bits0, walk.bits1);
+    }
+    return walk;
 }
 
 /// What layOne() works on.
