@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/session.h"
-#include "view/rendering/renderer.h"
+#include "view/rendering/backend.h"
 
 #include <QElapsedTimer>
 #include <QObject>

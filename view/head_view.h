@@ -8,7 +8,7 @@
 #include "view/head/stillness.h"
 #include "view/painted_area.h"
 #include "view/presenter_choice.h"
-#include "view/rendering/renderer.h"
+#include "view/rendering/backend.h"
 #include "view/rendering/scene.h"
 #include "view/rendering/standard_views.h"
 #include "view/theme.h"

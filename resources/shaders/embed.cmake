@@ -1,6 +1,6 @@
 # Writes OUTPUT, a C++ file that holds the texts of the SHADERS (a list of paths) as raw strings.
 # Run as: cmake -DOUTPUT=... "-DSHADERS=a;b" -P embed.cmake
-set(text "// Generated from resources/shaders.\n#include \"view/rendering/shader_sources.h\"\n\n")
+set(text "// Generated from resources/shaders.\n#include \"view/rendering/gl/shader_sources.h\"\n\n")
 string(APPEND text "namespace hairpaint::rendering {\n\nstd::string_view shaderSource(std::string_view name)\n{\n")
 foreach(path IN LISTS SHADERS)
     get_filename_component(name "${path}" NAME)

@@ -24,7 +24,7 @@ enum class BraidKind : std::uint8_t
     Loc = 3
 };
 
-/// What a strand looks like. Rendering packs it for the GPU (view/rendering/packed_style.h).
+/// What a strand looks like. Rendering packs it for the GPU (view/rendering/gl/packed_style.h).
 struct StrandStyle
 {
     float lengthM = 0.0F; ///< The skeleton's; a braided hair's is that of its path over the scalp and its braid.

@@ -28,9 +28,10 @@ constexpr Layer kLayers[] = {
      R"(^(view|app|tests)/|^(QWidget|QApplication|QMessageBox|QDialog|QOpenGL|OpenImageIO|assimp|epoxy|hwy|tbb))"},
     {"view", R"(^(app|tests)/|^(OpenImageIO|assimp|zip|tbb))"},
     {"view/rendering", R"(^(model|app|tests)/|^view/(?!rendering/)|^Q[A-Z])"},
-    // Our own renderer and its formulas.
+    // Our own renderer and its formulas; OpenGL.
     {"view/rendering/light", R"(^(epoxy|tbb)|^view/(?!rendering/(light|software/strand_block))|^Q[A-Z])"},
-    {"view/rendering/software", R"(^(epoxy|tbb)|gl_objects|^Q[A-Z])"},
+    {"view/rendering/software", R"(^(epoxy|tbb)|^view/rendering/gl/|^Q[A-Z])"},
+    {"view/rendering/gl", R"(^(hwy|tbb)|^view/rendering/(software|light)/|^Q[A-Z])"},
     {"app", R"(^tests/)"},
 };
 

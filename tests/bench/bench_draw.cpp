@@ -1,8 +1,8 @@
 // Drawing: 10,000 hairs of 8 segments off-screen, and beside it what the same segments cost as bare lines of OpenGL.
 #include "sim/base/deterministic.h"
 #include "sim/motion/strand_frame.h"
-#include "view/rendering/offscreen_context.h"
-#include "view/rendering/renderer.h"
+#include "view/rendering/gl/gl_renderer.h"
+#include "view/rendering/gl/offscreen_context.h"
 #include "view/rendering/software/software_renderer.h"
 
 #include <benchmark/benchmark.h>
@@ -126,7 +126,7 @@ void drawHairs(benchmark::State& state, int samples)
     const auto context = currentContext(state);
     if (!context)
         return;
-    auto renderer = rendering::Renderer::create();
+    auto renderer = rendering::GlRenderer::create();
     if (!renderer) {
         state.SkipWithError(renderer.error().c_str());
         return;

@@ -1,8 +1,8 @@
 // Drawing as the window does it: a built-in style in the wind at the size of the 3D area, every frame newly simulated.
 #include "app/cli/settled_hair.h"
 #include "app/library.h"
-#include "view/rendering/offscreen_context.h"
-#include "view/rendering/renderer.h"
+#include "view/rendering/gl/gl_renderer.h"
+#include "view/rendering/gl/offscreen_context.h"
 #include "view/rendering/software/software_renderer.h"
 
 #include <benchmark/benchmark.h>
@@ -62,7 +62,7 @@ void drawStyle(benchmark::State& state)
         state.SkipWithError("no OpenGL context");
         return;
     }
-    auto renderer = rendering::Renderer::create();
+    auto renderer = rendering::GlRenderer::create();
     if (!renderer) {
         state.SkipWithError(renderer.error().c_str());
         return;

@@ -1,8 +1,8 @@
 // A context for tests of drawing, which notices every complaint of OpenGL.
 #pragma once
 
-#include "view/rendering/offscreen_context.h"
-#include "view/rendering/renderer.h"
+#include "view/rendering/gl/gl_renderer.h"
+#include "view/rendering/gl/offscreen_context.h"
 
 #include <glm/glm.hpp>
 
@@ -71,7 +71,7 @@ private:
     unsigned m_texture = 0;
 };
 
-[[nodiscard]] Picture drawn(rendering::Renderer& renderer, const rendering::Scene& scene,
+[[nodiscard]] Picture drawn(rendering::GlRenderer& renderer, const rendering::Scene& scene,
                             const rendering::Quality& quality = {}, int width = 200, int height = 150);
 
 } // namespace hairpaint::testing

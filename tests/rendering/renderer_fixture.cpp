@@ -7,7 +7,7 @@ void RendererFixture::initTestCase()
 {
     m_gl = std::make_unique<GlTest>();
     QVERIFY2(m_gl->failure().empty(), m_gl->failure().c_str());
-    auto renderer = rendering::Renderer::create();
+    auto renderer = rendering::GlRenderer::create();
     QVERIFY2(renderer.has_value(), renderer.has_value() ? "" : renderer.error().c_str());
     m_renderer = std::move(*renderer);
 }

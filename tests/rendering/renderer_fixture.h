@@ -15,7 +15,7 @@ class RendererFixture : public QObject
     Q_OBJECT
 protected:
     std::unique_ptr<GlTest> m_gl;
-    std::unique_ptr<rendering::Renderer> m_renderer;
+    std::unique_ptr<rendering::GlRenderer> m_renderer;
 
     Picture draw(const rendering::Scene& scene, const rendering::Quality& quality = {}, int width = 200,
                  int height = 150)

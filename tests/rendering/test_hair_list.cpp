@@ -1,7 +1,7 @@
 // The list of drawn strands holds what the detail asks for, each once, with room for its points.
 #include "tests/rendering/hand_made_hair.h"
 #include "tests/support/test_program.h"
-#include "view/rendering/hair_list.h"
+#include "view/rendering/gl/hair_list.h"
 
 #include <QtTest>
 

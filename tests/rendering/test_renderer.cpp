@@ -2,8 +2,8 @@
 #include "tests/rendering/renderer_fixture.h"
 #include "tests/support/allocation_limit.h"
 #include "tests/support/test_program.h"
-#include "view/rendering/gl_objects.h"
-#include "view/rendering/packed_style.h"
+#include "view/rendering/gl/gl_objects.h"
+#include "view/rendering/gl/packed_style.h"
 
 #include <QtTest>
 
@@ -266,7 +266,7 @@ void TestRenderer::wantOfMemoryLeavesNothingOutOfTheNextFrame()
     scene.hair = makeFrame(comb(0xFF2020C0U, 9000, 0.08F), plainSettings());
     Scene other = emptyScene();
     other.hair = makeFrame(comb(0xFF20C020U, 3000), plainSettings());
-    auto fresh = rendering::Renderer::create();
+    auto fresh = rendering::GlRenderer::create();
     QVERIFY(fresh.has_value());
     const Picture expected = draw(scene);
     static_cast<void>(drawn(**fresh, other));
@@ -318,7 +318,7 @@ void TestRenderer::theSameSceneGivesTheSamePixels()
     draw(emptyScene(), {.samples = 4}, 64, 64);
     const Picture second = draw(scene, quality);
     QCOMPARE(first.pixels == second.pixels, true);
-    auto other = rendering::Renderer::create();
+    auto other = rendering::GlRenderer::create();
     QVERIFY(other.has_value());
     QCOMPARE(drawn(**other, scene, quality).pixels == first.pixels, true);
 }

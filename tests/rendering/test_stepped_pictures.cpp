@@ -1,7 +1,7 @@
 // A picture drawn in steps is the one drawn at once; until it is whole the last one stays.
 #include "tests/rendering/renderer_fixture.h"
 #include "tests/support/test_program.h"
-#include "view/rendering/gl_objects.h"
+#include "view/rendering/gl/gl_objects.h"
 
 #include <QtTest>
 

@@ -3,7 +3,7 @@
 #include "tests/rendering/gl_test.h"
 #include "tests/rendering/hand_made_hair.h"
 #include "tests/support/test_program.h"
-#include "view/rendering/hair_pass.h"
+#include "view/rendering/gl/hair_pass.h"
 
 #include <QtTest>
 

@@ -3,7 +3,7 @@
 
 #include "view/gl_problem.h"
 #include "view/rendering/detail_governor.h"
-#include "view/rendering/renderer.h"
+#include "view/rendering/gl/gl_renderer.h"
 
 #include <QBasicTimer>
 #include <QCoreApplication>
@@ -83,7 +83,7 @@ protected:
     {
         connect(
             context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { dropRenderer(); }, Qt::DirectConnection);
-        tl::expected<std::unique_ptr<rendering::Renderer>, std::string> renderer = rendering::Renderer::create();
+        tl::expected<std::unique_ptr<rendering::GlRenderer>, std::string> renderer = rendering::GlRenderer::create();
         if (renderer)
             m_renderer = std::move(*renderer);
         else
@@ -195,7 +195,7 @@ private:
     }
 
     GlPresenter& m_owner;
-    std::unique_ptr<rendering::Renderer> m_renderer;
+    std::unique_ptr<rendering::GlRenderer> m_renderer;
     rendering::DetailGovernor m_governor;
     std::optional<Shot> m_shot;
     bool m_outdated = true; ///< The renderer's last picture is not of this shot.

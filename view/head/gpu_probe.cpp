@@ -1,8 +1,8 @@
 // Asks OpenGL who draws.
 #include "view/head/gpu_probe.h"
 
-#include "view/rendering/offscreen_context.h"
-#include "view/rendering/renderer.h"
+#include "view/rendering/gl/gl_renderer.h"
+#include "view/rendering/gl/offscreen_context.h"
 
 #include <thread>
 
@@ -17,7 +17,7 @@ bool hasGpu()
         if (!context || !(*context)->makeCurrent())
             return;
         {
-            const auto renderer = rendering::Renderer::create();
+            const auto renderer = rendering::GlRenderer::create();
             found = renderer && !(*renderer)->software();
         }
         (*context)->doneCurrent();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "view/rendering/frame_constants.h"
-#include "view/rendering/gl_objects.h"
+#include "view/rendering/gl/gl_objects.h"
 
 #include <array>
 

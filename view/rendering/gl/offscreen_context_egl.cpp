@@ -1,5 +1,5 @@
 // The off-screen context on Linux: EGL without a display.
-#include "view/rendering/offscreen_context.h"
+#include "view/rendering/gl/offscreen_context.h"
 
 #ifdef __linux__
 

@@ -1,5 +1,5 @@
 // Draws the head with triangles and keeps the picture.
-#include "view/rendering/head_layer.h"
+#include "view/rendering/gl/head_layer.h"
 
 #include "sim/skin/mesh_openings.h"
 

@@ -1,5 +1,5 @@
 // The compute passes: opacity grids, points along the strands, their light, their samples.
-#include "view/rendering/hair_pass.h"
+#include "view/rendering/gl/hair_pass.h"
 
 #include <epoxy/gl.h>
 

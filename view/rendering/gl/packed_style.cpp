@@ -1,5 +1,5 @@
 // Packing strands for the GPU.
-#include "view/rendering/packed_style.h"
+#include "view/rendering/gl/packed_style.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Timer queries in a ring.
-#include "view/rendering/frame_timer.h"
+#include "view/rendering/gl/frame_timer.h"
 
 #include <epoxy/gl.h>
 

@@ -1,5 +1,5 @@
 // Sorts the drawn strands by the detail at which they appear.
-#include "view/rendering/hair_list.h"
+#include "view/rendering/gl/hair_list.h"
 
 #include "sim/groom/strand_curve.h"
 

@@ -1,7 +1,7 @@
 // OpenGL names, buffers, textures and programs.
-#include "view/rendering/gl_objects.h"
+#include "view/rendering/gl/gl_objects.h"
 
-#include "view/rendering/shader_sources.h"
+#include "view/rendering/gl/shader_sources.h"
 
 #include <epoxy/gl.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/groom/groom.h"
-#include "view/rendering/packed_style.h"
+#include "view/rendering/gl/packed_style.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // How long frames take, without waiting for them.
 #pragma once
 
-#include "view/rendering/gl_objects.h"
+#include "view/rendering/gl/gl_objects.h"
 
 #include <array>
 #include <chrono>

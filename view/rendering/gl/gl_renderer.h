@@ -15,12 +15,12 @@ namespace hairpaint::rendering {
 
 /// Every call needs the same OpenGL context current. Made anew when the context is lost. Uploads are lazy and cover
 /// only what differs from the frame before: styles by chunk, skeletons and the list of strands by blocks.
-class Renderer final : public Backend
+class GlRenderer final : public Backend
 {
 public:
     /// Fails with one sentence where the context is too old or a shader does not compile.
-    [[nodiscard]] static tl::expected<std::unique_ptr<Renderer>, std::string> create();
-    ~Renderer() override;
+    [[nodiscard]] static tl::expected<std::unique_ptr<GlRenderer>, std::string> create();
+    ~GlRenderer() override;
 
     /// Draws into the renderer's own target of width x height pixels; waits for nothing.
     void draw(const Scene& scene, const Quality& quality, int width, int height) override;
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] const std::string& description() const override; ///< GL_RENDERER.
 
 private:
-    Renderer();
+    GlRenderer();
     struct Picture;
     struct State;
     [[nodiscard]] Picture prepare(const Scene& scene, const Quality& quality, int width, int height,

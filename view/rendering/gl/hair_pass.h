@@ -2,8 +2,8 @@
 #pragma once
 
 #include "view/rendering/frame_constants.h"
-#include "view/rendering/gl_objects.h"
-#include "view/rendering/hair_buffers.h"
+#include "view/rendering/gl/gl_objects.h"
+#include "view/rendering/gl/hair_buffers.h"
 
 #include <array>
 #include <cstdint>

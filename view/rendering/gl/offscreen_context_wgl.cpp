@@ -1,5 +1,5 @@
 // The off-screen context on Windows: WGL on a window that is never shown.
-#include "view/rendering/offscreen_context.h"
+#include "view/rendering/gl/offscreen_context.h"
 
 #ifdef _WIN32
 

@@ -1,5 +1,5 @@
 // Sends one group's hair to the GPU.
-#include "view/rendering/hair_buffers.h"
+#include "view/rendering/gl/hair_buffers.h"
 
 #include "sim/groom/strand_curve.h"
 

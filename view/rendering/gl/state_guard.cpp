@@ -1,5 +1,5 @@
 // Reads the state that the renderer changes, sets its own, and puts it back.
-#include "view/rendering/state_guard.h"
+#include "view/rendering/gl/state_guard.h"
 
 #include <epoxy/gl.h>
 

@@ -1,5 +1,5 @@
 // Runs the shader of the skin's shadow.
-#include "view/rendering/skin_shade.h"
+#include "view/rendering/gl/skin_shade.h"
 
 #include <epoxy/gl.h>
 

@@ -1,5 +1,5 @@
 // One triangle a ring, cut by the scissor.
-#include "view/rendering/ring_pass.h"
+#include "view/rendering/gl/ring_pass.h"
 
 #include <epoxy/gl.h>
 

@@ -1,13 +1,13 @@
 // Head, hair and background, put together into one picture.
-#include "view/rendering/renderer.h"
+#include "view/rendering/gl/gl_renderer.h"
 
-#include "view/rendering/frame_timer.h"
-#include "view/rendering/gl_objects.h"
-#include "view/rendering/hair_pass.h"
-#include "view/rendering/head_layer.h"
-#include "view/rendering/ring_pass.h"
-#include "view/rendering/skin_shade.h"
-#include "view/rendering/state_guard.h"
+#include "view/rendering/gl/frame_timer.h"
+#include "view/rendering/gl/gl_objects.h"
+#include "view/rendering/gl/hair_pass.h"
+#include "view/rendering/gl/head_layer.h"
+#include "view/rendering/gl/ring_pass.h"
+#include "view/rendering/gl/skin_shade.h"
+#include "view/rendering/gl/state_guard.h"
 
 #include <epoxy/gl.h>
 
@@ -42,7 +42,7 @@ double millisecondsSince(Clock::time_point begin)
 } // namespace
 
 /// What is known of a picture that is being drawn, besides what lies in the passes.
-struct Renderer::Picture
+struct GlRenderer::Picture
 {
     Target target;
     FrameConstants constants;
@@ -51,7 +51,7 @@ struct Renderer::Picture
     bool complete = true; ///< So far.
 };
 
-struct Renderer::State
+struct GlRenderer::State
 {
     std::string description;
     bool software = false;
@@ -77,16 +77,16 @@ struct Renderer::State
     bool readCounts = false;         ///< Whether the next read() is what the last picture's time runs to.
 };
 
-Renderer::Renderer() : m_state(std::make_unique<State>()) {}
+GlRenderer::GlRenderer() : m_state(std::make_unique<State>()) {}
 
-Renderer::~Renderer() = default;
+GlRenderer::~GlRenderer() = default;
 
-tl::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
+tl::expected<std::unique_ptr<GlRenderer>, std::string> GlRenderer::create()
 {
     if (epoxy_gl_version() < 43 || !epoxy_is_desktop_gl())
         return tl::unexpected("OpenGL 4.3 is needed; this driver has " +
                               std::string(reinterpret_cast<const char*>(glGetString(GL_VERSION))) + ".");
-    std::unique_ptr<Renderer> renderer(new Renderer);
+    std::unique_ptr<GlRenderer> renderer(new GlRenderer);
     State& state = *renderer->m_state;
     state.description = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "Microsoft Basic"})
@@ -127,7 +127,7 @@ tl::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
     return renderer;
 }
 
-void Renderer::draw(const Scene& scene, const Quality& quality, int width, int height)
+void GlRenderer::draw(const Scene& scene, const Quality& quality, int width, int height)
 {
     State& state = *m_state;
     state.timer.begin();
@@ -141,7 +141,7 @@ void Renderer::draw(const Scene& scene, const Quality& quality, int width, int h
     state.readCounts = true;
 }
 
-void Renderer::begin(const Scene& scene, const Quality& quality, int width, int height)
+void GlRenderer::begin(const Scene& scene, const Quality& quality, int width, int height)
 {
     const Clock::time_point began = Clock::now();
     const StateGuard guard;
@@ -152,7 +152,7 @@ void Renderer::begin(const Scene& scene, const Quality& quality, int width, int 
     m_state->readCounts = false;
 }
 
-bool Renderer::step(double budgetMs)
+bool GlRenderer::step(double budgetMs)
 {
     State& state = *m_state;
     if (!state.underWay)
@@ -182,8 +182,8 @@ bool Renderer::step(double budgetMs)
     return finished;
 }
 
-bool Renderer::drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
-                             const Progress& progress)
+bool GlRenderer::drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
+                               const Progress& progress)
 {
     if (!progress) {
         draw(scene, quality, width, height);
@@ -197,8 +197,8 @@ bool Renderer::drawPatiently(const Scene& scene, const Quality& quality, int wid
 }
 
 /// Draws the head and readies the hair's pieces, of `piecePoints` at most.
-Renderer::Picture Renderer::prepare(const Scene& scene, const Quality& quality, int width, int height,
-                                    std::uint32_t piecePoints)
+GlRenderer::Picture GlRenderer::prepare(const Scene& scene, const Quality& quality, int width, int height,
+                                        std::uint32_t piecePoints)
 {
     State& state = *m_state;
     state.underWay.reset();
@@ -238,7 +238,7 @@ Renderer::Picture Renderer::prepare(const Scene& scene, const Quality& quality, 
 }
 
 /// Makes it the last finished picture.
-void Renderer::resolve(const Picture& picture)
+void GlRenderer::resolve(const Picture& picture)
 {
     State& state = *m_state;
     const auto& [target, constants, report, spentMs, complete] = picture;
@@ -279,7 +279,7 @@ void Renderer::resolve(const Picture& picture)
                         .complete = !takeErrors() && complete};
 }
 
-void Renderer::blitTo(unsigned framebuffer, int width, int height)
+void GlRenderer::blitTo(unsigned framebuffer, int width, int height)
 {
     const glm::ivec2 size = m_state->size;
     if (size.x == 0)
@@ -291,7 +291,7 @@ void Renderer::blitTo(unsigned framebuffer, int width, int height)
                       size == glm::ivec2(width, height) ? GL_NEAREST : GL_LINEAR);
 }
 
-void Renderer::read(std::vector<std::uint8_t>& pixels)
+void GlRenderer::read(std::vector<std::uint8_t>& pixels)
 {
     const glm::ivec2 size = m_state->size;
     const std::size_t row = static_cast<std::size_t>(size.x) * 4;
@@ -315,17 +315,17 @@ void Renderer::read(std::vector<std::uint8_t>& pixels)
     }
 }
 
-const FrameStatistics& Renderer::statistics() const
+const FrameStatistics& GlRenderer::statistics() const
 {
     return m_state->statistics;
 }
 
-bool Renderer::software() const
+bool GlRenderer::software() const
 {
     return m_state->software;
 }
 
-const std::string& Renderer::description() const
+const std::string& GlRenderer::description() const
 {
     return m_state->description;
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "sim/motion/strand_frame.h"
-#include "view/rendering/gl_objects.h"
-#include "view/rendering/hair_list.h"
+#include "view/rendering/gl/gl_objects.h"
+#include "view/rendering/gl/hair_list.h"
 
 #include <memory>
 #include <vector>
