@@ -46,8 +46,9 @@ HoldHair::held(const std::shared_ptr<const sim::StrandFrame>& hair)
                                      .gel = target(MapKind::Gel),
                                      .shownGel = document.resolvedNow(editor.activeGroup(), MapKind::Gel),
                                      .leastGel = editor.toolSettings().holdGel};
+    const std::shared_ptr<const model::Head> head = document.project().head;
     return m_jobs.await<Edits>(
-        tr("Holding the hair"), [&hair, &request](const model::Progress& progress) -> model::Result<Edits> {
+        tr("Holding the hair"), [&hair, &head, &request](const model::Progress& progress) -> model::Result<Edits> {
             const auto group = std::ranges::find_if(hair->groups, [&request](const sim::GroupFrame& one) {
                 return one.groom != nullptr && one.groom->groupId == request.direction.address.group;
             });
@@ -55,7 +56,7 @@ HoldHair::held(const std::shared_ptr<const sim::StrandFrame>& hair)
             std::vector<model::LyingHair> further;
             if (group != hair->groups.end()) {
                 hairs = model::lyingHairs(*group, hair->pose);
-                further = model::hairsFurtherOn(*group, hair->pose);
+                further = model::hairsFurtherOn(*group, hair->pose, head->distances.get());
             }
             if (hairs.empty())
                 return model::failure(tr("There is no hair to hold in this group."));

@@ -15,7 +15,7 @@ constexpr float kAlongM = 0.02F;
 constexpr float kAlongPart = 1.0F / 3.0F;
 constexpr std::size_t kFurtherHairs = 4000;
 constexpr std::size_t kFurtherGrain = 64;
-constexpr float kOverSkinM = 0.015F;    ///< So far over the skin hair is laid.
+constexpr float kOverSkinM = 0.015F; ///< So far over the skin hair is laid.
 constexpr float kEnoughHairs = 6.0F; ///< A cell with so many needs no coarser one.
 constexpr int kCoarsestCells = 16;
 
@@ -29,6 +29,12 @@ glm::vec3 placeAlong(std::span<const glm::vec3> nodes, float alongM)
         alongM -= segmentM;
     }
     return nodes.back();
+}
+
+bool isFar(const sim::DistanceGrid& distances, const glm::vec3& placeHd)
+{
+    const std::optional<sim::DistanceGrid::Sample> sample = distances.at(placeHd);
+    return sample && sample->distanceM > kOverSkinM + 0.5F * distances.layout().cellM;
 }
 
 /// Sums of hairs in a square of cells.
@@ -137,7 +143,8 @@ std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadP
     return hairs;
 }
 
-std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::HeadPose& pose)
+std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::HeadPose& pose,
+                                      const sim::DistanceGrid* distances)
 {
     if (group.groom == nullptr || group.positions.empty())
         return {};
@@ -159,6 +166,8 @@ std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::H
             blocks.read(group.positions, groom.frameStrand(slots[i]), nodes);
             for (std::size_t node = 1; node + 1 < most; ++node) {
                 const glm::vec3 placeHd = toHead * (nodes[node] - pose.positionWo);
+                if (distances != nullptr && isFar(*distances, placeHd))
+                    continue;
                 const glm::vec3 wayHd = toHead * (nodes[node + 1] - nodes[node - 1]);
                 const float length = glm::length(wayHd);
                 const sim::SurfacePoint under = roots.skin->nearest(placeHd);

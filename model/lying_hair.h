@@ -3,6 +3,7 @@
 
 #include "model/progress.h"
 #include "sim/motion/strand_frame.h"
+#include "sim/skin/distance_grid.h"
 
 #include <optional>
 #include <span>
@@ -22,8 +23,10 @@ struct LyingHair
 [[nodiscard]] std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadPose& pose);
 
 /// The same where hair lies on skin further on, as over the neck: of some thousand hairs of the group, for those nodes
-/// that are close over the skin. About 50 ms; uses parallelFor.
-[[nodiscard]] std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::HeadPose& pose);
+/// that are close over the skin. `distances`: of that skin, which spares most nodes a search; null where there are
+/// none. Uses parallelFor.
+[[nodiscard]] std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::HeadPose& pose,
+                                                    const sim::DistanceGrid* distances);
 
 /// What they tell at every place near them: the mean of the nearest, of a few millimetres where they are dense and of
 /// more where they are sparse. Immutable.

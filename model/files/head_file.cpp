@@ -88,7 +88,7 @@ std::shared_ptr<const sim::DistanceGrid> builtInDistances(const QString& resourc
     std::vector<std::int8_t> values(static_cast<std::size_t>(differences.size()));
     std::partial_sum(differences.begin(), differences.end(), values.begin(),
                      [](char sum, char step) { return static_cast<char>(sum + step); });
-    return sim::DistanceGrid::of(layout, std::move(values));
+    return sim::DistanceGrid::of(layout, values);
 }
 
 /// Null where `goesOn` returns false.

@@ -32,7 +32,7 @@ bool HoldStroke::begin(const ToolContext& context)
         return false;
     m_edit.setText(holdStepText());
     m_gel = m_edit.also(context, context.layer(MapKind::Gel));
-    m_field.emplace(hairs);
+    m_field.emplace(hairs, hairsFurtherOn(*group, context.hair->pose, head->distances.get()));
     m_shownGel = std::move(shownGel);
     m_masks.emplace(m_edit.size());
     if (m_gel)

@@ -27,7 +27,7 @@ bool sameColliders(const ColliderSet& a, const ColliderSet& b)
     for (int i = 0; i < a.count; ++i) {
         const Collider& x = a.items[static_cast<std::size_t>(i)];
         const Collider& y = b.items[static_cast<std::size_t>(i)];
-        if (x.centre != y.centre || x.rows != y.rows)
+        if (x.centre != y.centre || x.squares != y.squares || x.mixed != y.mixed)
             return false;
     }
     return true;

@@ -245,10 +245,13 @@ std::vector<std::int8_t> Builder::values() const
 
 } // namespace
 
-DistanceGrid::DistanceGrid(const GridLayout& layout, std::vector<std::int8_t> values)
-    : m_layout(layout), m_values(std::move(values))
+DistanceGrid::DistanceGrid(const GridLayout& layout, const std::vector<std::int8_t>& values)
+    : m_layout(layout), m_pairs(values.size() + 1)
 {
-    m_values.resize(m_values.size() + kPadding);
+    const auto row = static_cast<std::size_t>(layout.size.x);
+    const auto slice = row * static_cast<std::size_t>(layout.size.y);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        m_pairs[i] = {values[i], values[i % slice + row < slice ? i + row : i]};
 }
 
 std::shared_ptr<const DistanceGrid> DistanceGrid::make(const HeadMesh& mesh, const std::function<bool(double)>& goesOn)
@@ -264,12 +267,12 @@ std::shared_ptr<const DistanceGrid> DistanceGrid::make(const HeadMesh& mesh, con
     return of(builder.layout(), builder.values());
 }
 
-std::shared_ptr<const DistanceGrid> DistanceGrid::of(const GridLayout& layout, std::vector<std::int8_t> values)
+std::shared_ptr<const DistanceGrid> DistanceGrid::of(const GridLayout& layout, const std::vector<std::int8_t>& values)
 {
     const bool isEmpty = layout.size.x < 2 || layout.size.y < 2 || layout.size.z < 2 || !(layout.cellM > 0.0F);
     if (isEmpty || layout.nodeCount() != values.size())
         return nullptr;
-    return std::shared_ptr<const DistanceGrid>(new DistanceGrid(layout, std::move(values)));
+    return std::shared_ptr<const DistanceGrid>(new DistanceGrid(layout, values));
 }
 
 std::optional<DistanceGrid::Sample> DistanceGrid::at(const glm::vec3& positionHd) const
@@ -290,8 +293,8 @@ std::optional<DistanceGrid::Sample> DistanceGrid::at(const glm::vec3& positionHd
     std::array<float, 4> rise{};
     for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t at = first + (i & 1U) * row + (i >> 1U) * slice;
-        rise[i] = static_cast<float>(m_values[at + 1] - m_values[at]);
-        alongX[i] = static_cast<float>(m_values[at]) + rise[i] * t.x;
+        rise[i] = static_cast<float>(m_pairs[at + 1].value - m_pairs[at].value);
+        alongX[i] = static_cast<float>(m_pairs[at].value) + rise[i] * t.x;
     }
     const auto mix = [](float a, float b, float s) { return a + (b - a) * s; };
     const float low0 = mix(alongX[0], alongX[1], t.y);

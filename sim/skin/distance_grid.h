@@ -33,9 +33,6 @@ public:
     static constexpr float kCellM = 0.003F;
     static constexpr std::size_t kMostNodes = 8'000'000;   ///< Larger heads get larger cells;
     static constexpr float kLargestCellM = kReachM / 3.0F; ///< those for which these are too large get no grid.
-    /// Bytes after the last value, so that whole words may be read from every place of one.
-    static constexpr std::size_t kPadding = 4;
-
     /// Around all of the mesh, whose openings are taken as closed; negative inside. Right to half a unit at
     /// nodes within two cells of the skin, to a tenth of a cell further away. Takes about a second for a head, on
     /// several threads; null where `goesOn`, told how far it is (0..1), returns false, and for meshes of several
@@ -45,11 +42,16 @@ public:
 
     /// `values`: one a node, [z][y][x], in units of kUnitM; none where there are not as many as the layout has nodes.
     [[nodiscard]] static std::shared_ptr<const DistanceGrid> of(const GridLayout& layout,
-                                                                std::vector<std::int8_t> values);
+                                                                const std::vector<std::int8_t>& values);
 
     [[nodiscard]] const GridLayout& layout() const { return m_layout; }
-    /// With kPadding more at the end.
-    [[nodiscard]] const std::vector<std::int8_t>& values() const { return m_values; }
+    /// A node's value, and that of the next one up y; the last row has its own twice.
+    struct Pair
+    {
+        std::int8_t value, above;
+    };
+    /// [z][y][x], and one more at the end: so whole words may be read from each, which hold what is at the next x too.
+    [[nodiscard]] const std::vector<Pair>& pairs() const { return m_pairs; }
 
     /// Signed distance with its direction of steepest rise, between the nodes by their weighted mean; about a unit
     /// vector. Nothing outside the grid.
@@ -61,10 +63,10 @@ public:
     [[nodiscard]] std::optional<Sample> at(const glm::vec3& positionHd) const;
 
 private:
-    DistanceGrid(const GridLayout& layout, std::vector<std::int8_t> values);
+    DistanceGrid(const GridLayout& layout, const std::vector<std::int8_t>& values);
 
     GridLayout m_layout;
-    std::vector<std::int8_t> m_values;
+    std::vector<Pair> m_pairs;
 };
 
 } // namespace hairpaint::sim

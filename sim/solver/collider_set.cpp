@@ -21,15 +21,17 @@ bool isFinite(const Ellipsoid& e)
     return std::isfinite(sum);
 }
 
-glm::vec3 toUnit(const Collider& c, glm::vec3 pHd)
+glm::vec3 fromCentre(const Collider& c, glm::vec3 pHd)
 {
-    const glm::vec3 d(pHd.x - c.centre[0], pHd.y - c.centre[1], pHd.z - c.centre[2]);
-    glm::vec3 q;
-    for (int i = 0; i < 3; ++i) {
-        const auto& row = c.rows[static_cast<std::size_t>(i)];
-        q[i] = row[0] * d.x + row[1] * d.y + row[2] * d.z;
-    }
-    return q;
+    return {pHd.x - c.centre[0], pHd.y - c.centre[1], pHd.z - c.centre[2]};
+}
+
+/// Half the gradient of the form.
+glm::vec3 halfGradient(const Collider& c, glm::vec3 p)
+{
+    return {c.squares[0] * p.x + 0.5F * (c.mixed[0] * p.y + c.mixed[1] * p.z),
+            c.squares[1] * p.y + 0.5F * (c.mixed[0] * p.x + c.mixed[2] * p.z),
+            c.squares[2] * p.z + 0.5F * (c.mixed[1] * p.x + c.mixed[2] * p.y)};
 }
 
 SkinField fieldOf(const DistanceGrid& grid)
@@ -37,7 +39,7 @@ SkinField fieldOf(const DistanceGrid& grid)
     constexpr float kDiagonal = 1.7320508F; // Nowhere does a distance change faster than the place.
     const GridLayout& layout = grid.layout();
     const float unitsACell = layout.cellM / DistanceGrid::kUnitM;
-    return {.values = grid.values().data(),
+    return {.pairs = grid.pairs().data(),
             .origin = {layout.originHd.x, layout.originHd.y, layout.originHd.z},
             .last = {static_cast<float>(layout.size.x - 1), static_cast<float>(layout.size.y - 1),
                      static_cast<float>(layout.size.z - 1)},
@@ -52,21 +54,16 @@ SkinField fieldOf(const DistanceGrid& grid)
 
 float Collider::radius2(glm::vec3 pHd) const
 {
-    const glm::vec3 q = toUnit(*this, pHd);
-    return q.x * q.x + q.y * q.y + q.z * q.z;
+    const glm::vec3 p = fromCentre(*this, pHd);
+    return glm::dot(p, halfGradient(*this, p));
 }
 
 glm::vec3 Collider::pushedOut(glm::vec3 pHd, float scale) const
 {
-    const glm::vec3 q = toUnit(*this, pHd);
-    const float r2 = q.x * q.x + q.y * q.y + q.z * q.z;
+    const float r2 = radius2(pHd);
     if (r2 >= scale * scale)
         return pHd;
-    glm::vec3 gradient(0.0F);
-    for (int i = 0; i < 3; ++i) {
-        const auto& row = rows[static_cast<std::size_t>(i)];
-        gradient += q[i] * glm::vec3(row[0], row[1], row[2]);
-    }
+    const glm::vec3 gradient = halfGradient(*this, fromCentre(*this, pHd));
     const float r = std::sqrt(r2);
     const float g2 = std::max(glm::dot(gradient, gradient), 1e-12F);
     return pHd + gradient * ((scale - r) * r / g2);
@@ -89,12 +86,15 @@ ColliderSet prepareColliders(std::span<const Ellipsoid> ellipsoids, std::shared_
         const glm::mat3 axes = glm::mat3_cast(e.rotation * toUnitLength);
         Collider& c = set.items[static_cast<std::size_t>(set.count++)];
         c.meanAxisM = 0.0F;
+        c.centre = {e.centreHd.x, e.centreHd.y, e.centreHd.z};
         for (int i = 0; i < 3; ++i) {
-            const auto row = static_cast<std::size_t>(i);
             const float axis = std::max(std::abs(e.semiAxesM[i]), kShortestAxisM);
-            c.centre[row] = e.centreHd[i];
+            const glm::vec3 toUnit = axes[i] / axis;
             for (int j = 0; j < 3; ++j)
-                c.rows[row][static_cast<std::size_t>(j)] = axes[i][j] / axis;
+                c.squares[static_cast<std::size_t>(j)] += toUnit[j] * toUnit[j];
+            c.mixed[0] += 2.0F * toUnit.x * toUnit.y;
+            c.mixed[1] += 2.0F * toUnit.x * toUnit.z;
+            c.mixed[2] += 2.0F * toUnit.y * toUnit.z;
             c.meanAxisM += axis / 3.0F;
         }
     }

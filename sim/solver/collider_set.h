@@ -13,23 +13,24 @@ namespace hairpaint::sim {
 
 inline constexpr int kMaxColliders = 32;
 
-/// `rows * (p - centre)` has length 1 where p lies on the ellipsoid. Hd, m.
+/// p lies on the ellipsoid where the quadratic form of p - centre is 1. Hd, m.
 struct Collider
 {
     std::array<float, 3> centre{};
-    std::array<std::array<float, 3>, 3> rows{};
+    std::array<float, 3> squares{}; ///< The form's factors of x2, y2, z2,
+    std::array<float, 3> mixed{};   ///< and of xy, xz, yz. 1/m2
     float meanAxisM = 1.0F;
 
-    /// Squared length of `rows * (p - centre)`.
+    /// The form's value: of the ellipsoid scaled by s it is s2.
     [[nodiscard]] float radius2(glm::vec3 pHd) const;
     /// The nearest point outside the ellipsoid scaled by `scale`, to first order; pHd itself where it is outside.
     [[nodiscard]] glm::vec3 pushedOut(glm::vec3 pHd, float scale) const;
 };
 
-/// A DistanceGrid, of which the kernels read single values.
+/// A DistanceGrid, of which the kernels read two pairs at once.
 struct SkinField
 {
-    const std::int8_t* values = nullptr; ///< [z][y][x], null where there is no grid.
+    const DistanceGrid::Pair* pairs = nullptr; ///< [z][y][x], null where there is no grid.
     std::array<float, 3> origin{};
     std::array<float, 3> last{}; ///< Places in cells lie in 0..last, the end excluded.
     float inverseCell = 1.0F;    ///< 1/m

@@ -70,7 +70,7 @@ HWY_INLINE bool collide(D d, const DependentsTask& task, const float* HWY_RESTRI
     for (int c = 0; c < task.colliders->count; ++c)
         any |= pushOut(d, task.colliders->items[static_cast<std::size_t>(c)], task.neck,
                        hn::LoadU(d, lanes + (kDependentScale + c) * kLanes), furthest, p, contact);
-    if (task.colliders->skin.values != nullptr)
+    if (task.colliders->skin.pairs != nullptr)
         any |=
             pushSegmentOutOfSkin(d, task.colliders->skin, task.neck, hn::LoadU(d, lanes + kDependentClearance * kLanes),
                                  furthest, first, parent, p, contact);
@@ -127,7 +127,7 @@ HWY_INLINE void placeStrands(D d, const DependentsTask& task, const float* HWY_R
         const Vec3<V> laid = sub(styled, scale(own, hn::Min(one, hn::Add(moved2, strays))));
         Vec3<V> p = atLength(d, parent, addScaled(laid, displacement, length), stretched, sub(styled, parentRest));
         // Again out of the skin, since restoring the length may lead back in.
-        for (int pass = 0; pass < (task.colliders->skin.values != nullptr ? 2 : 1); ++pass) {
+        for (int pass = 0; pass < (task.colliders->skin.pairs != nullptr ? 2 : 1); ++pass) {
             Contact<D> contact = noContact(d);
             if (!collide(d, task, lanes, i == 1, parent, p, contact))
                 break;

@@ -28,72 +28,95 @@ HWY_INLINE Vec3<hn::Vec<D>> moved(D d, const RigidMotion& motion, const Vec3<hn:
     return add(rotated(d, motion.rows, p), set3(d, motion.offset));
 }
 
-/// Where a node touched an ellipsoid: outward normal (not unit), its squared length, and the squared depth it had.
+/// Where a node touched an ellipsoid or the skin: outward normal (not unit), the inverse of its squared length, and the
+/// squared depth it had.
 template<class D>
 struct Contact
 {
     Vec3<hn::Vec<D>> normal;
-    hn::Vec<D> normal2;
+    hn::Vec<D> inverseNormal2;
     hn::Vec<D> depth2;
     hn::Mask<D> touched;
+    hn::Mask<D> latest; ///< The lanes of the latest touch; valid once there was one.
 };
 
 template<class D>
 HWY_INLINE Contact<D> noContact(D d)
 {
     const auto zero = hn::Zero(d);
-    return {{zero, zero, zero}, hn::Set(d, 1.0F), zero, hn::MaskFromVec(zero)};
+    return {{zero, zero, zero}, hn::Set(d, 1.0F), zero, hn::MaskFromVec(zero), hn::MaskFromVec(zero)};
 }
 
-/// Moves p out of the ellipsoid, scaled so that its squared radius is `scale2`, to first order along the surface's
-/// normal and at most `furthest` metres. Returns whether any lane was inside.
+template<class D>
+HWY_INLINE void touch(Contact<D>& contact, hn::Mask<D> where, const Vec3<hn::Vec<D>>& normal, hn::Vec<D> inverseNormal2,
+                      hn::Vec<D> depth2)
+{
+    contact.normal = choose(where, normal, contact.normal);
+    contact.inverseNormal2 = hn::IfThenElse(where, inverseNormal2, contact.inverseNormal2);
+    contact.depth2 = hn::IfThenElse(where, depth2, contact.depth2);
+    contact.touched = hn::Or(contact.touched, where);
+    contact.latest = where;
+}
+
+/// Moves p out of the ellipsoid, scaled so that its squared radius is `scale2`, by a step of Newton's on the squared
+/// radius: along the surface's normal and at most `furthest` metres. Returns whether any lane was inside.
 template<class D>
 HWY_INLINE bool pushOut(D d, const Collider& collider, hn::Vec<D> scale2, hn::Vec<D> furthest, Vec3<hn::Vec<D>>& p,
                         Contact<D>& contact)
 {
-    const auto q = rotated(d, collider.rows, sub(p, set3(d, collider.centre)));
-    const auto r2 = dot(q, q);
+    using V = hn::Vec<D>;
+    const auto& squares = collider.squares;
+    const auto& mixed = collider.mixed;
+    const Vec3<V> q = sub(p, set3(d, collider.centre));
+    const Vec3<V> square{hn::Mul(q.x, hn::Set(d, squares[0])), hn::Mul(q.y, hn::Set(d, squares[1])),
+                         hn::Mul(q.z, hn::Set(d, squares[2]))};
+    const V acrossX = hn::Add(hn::Mul(q.y, hn::Set(d, mixed[0])), hn::Mul(q.z, hn::Set(d, mixed[1])));
+    const V zAcrossY = hn::Mul(q.z, hn::Set(d, mixed[2]));
+    const V r2 = dot(q, {hn::Add(square.x, acrossX), hn::Add(square.y, zAcrossY), square.z});
     const auto inside = hn::Lt(r2, scale2);
     if (hn::AllFalse(d, inside))
         return false;
-    const auto r = hn::Sqrt(hn::Max(r2, hn::Set(d, 1e-8F)));
-    // Half the gradient of |q|^2; |gradient| / r is the change of r over a metre.
-    auto g = scale(set3(d, {collider.rows[0][0], collider.rows[0][1], collider.rows[0][2]}), q.x);
-    g = addScaled(g, set3(d, collider.rows[1]), q.y);
-    g = addScaled(g, set3(d, collider.rows[2]), q.z);
+    // Half the gradient of r2.
+    const V half = hn::Set(d, 0.5F);
+    const V acrossY = hn::Add(hn::Mul(q.x, hn::Set(d, mixed[0])), zAcrossY);
+    const V acrossZ = hn::Add(hn::Mul(q.x, hn::Set(d, mixed[1])), hn::Mul(q.y, hn::Set(d, mixed[2])));
+    const Vec3<V> g = addScaled(square, Vec3<V>{acrossX, acrossY, acrossZ}, half);
     const auto g2 = hn::Max(dot(g, g), hn::Set(d, 1e-8F));
-    auto stride = hn::Div(hn::Mul(hn::Sub(hn::Sqrt(scale2), r), r), g2);
+    const auto inverse = hn::Div(hn::Set(d, 1.0F), g2);
+    auto stride = hn::Mul(hn::Mul(half, hn::Sub(scale2, r2)), inverse);
     auto depth2 = hn::Mul(hn::Mul(stride, stride), g2);
     const auto far = hn::And(inside, hn::Gt(depth2, hn::Mul(furthest, furthest)));
     if (HWY_UNLIKELY(!hn::AllFalse(d, far))) {
-        stride = hn::IfThenElse(far, hn::Div(furthest, hn::Sqrt(g2)), stride);
+        stride = hn::IfThenElse(far, hn::Mul(furthest, hn::Sqrt(inverse)), stride);
         depth2 = hn::IfThenElse(far, hn::Mul(furthest, furthest), depth2);
     }
     p = choose(inside, addScaled(p, g, stride), p);
-    contact.normal = choose(inside, g, contact.normal);
-    contact.normal2 = hn::IfThenElse(inside, g2, contact.normal2);
-    contact.depth2 = hn::IfThenElse(inside, depth2, contact.depth2);
-    contact.touched = hn::Or(contact.touched, inside);
+    touch(contact, inside, g, inverse, depth2);
     return true;
 }
 
-/// What two neighbours along x hold: the one at the lower x, and how much more the other one does.
+/// What four neighbours hold: those at the lower x, and by how much more the others do.
 template<class D>
-struct CellRow
+struct CellFace
 {
-    hn::Vec<D> low, rise;
+    hn::Vec<D> low, rise;           ///< At the lower y,
+    hn::Vec<D> lowAbove, riseAbove; ///< at the higher.
 };
 
-/// Both in one word: a grid has room for it at its end.
+/// Of one word: a grid has room for it at its end.
 template<class D>
-HWY_INLINE CellRow<D> cellRow(D d, const std::int8_t* HWY_RESTRICT values, hn::VFromD<hn::RebindToSigned<D>> offset)
+HWY_INLINE CellFace<D> cellFace(D d, const DistanceGrid::Pair* HWY_RESTRICT pairs,
+                                hn::VFromD<hn::RebindToSigned<D>> offset)
 {
-    static_assert(std::endian::native == std::endian::little);
+    static_assert(std::endian::native == std::endian::little && sizeof(DistanceGrid::Pair) == 2);
     const hn::RebindToSigned<D> di;
-    const auto word = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(values), offset);
+    const auto word = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(pairs), hn::Add(offset, offset));
     const auto low = hn::ShiftRight<24>(hn::ShiftLeft<24>(word));
-    const auto high = hn::ShiftRight<24>(hn::ShiftLeft<16>(word));
-    return {hn::ConvertTo(d, low), hn::ConvertTo(d, hn::Sub(high, low))};
+    const auto lowAbove = hn::ShiftRight<24>(hn::ShiftLeft<16>(word));
+    const auto high = hn::ShiftRight<24>(hn::ShiftLeft<8>(word));
+    const auto highAbove = hn::ShiftRight<24>(word);
+    return {hn::ConvertTo(d, low), hn::ConvertTo(d, hn::Sub(high, low)), hn::ConvertTo(d, lowAbove),
+            hn::ConvertTo(d, hn::Sub(highAbove, lowAbove))};
 }
 
 /// Moves p so far from the skin, all in metres: to first order along the gradient of its distance and at most
@@ -116,23 +139,20 @@ HWY_INLINE bool pushOutOfSkin(D d, const SkinField& skin, hn::Vec<D> clearance, 
     const auto y = hn::ConvertTo(di, cell.y);
     const auto z = hn::ConvertTo(di, cell.z);
     const auto first = hn::Add(x, hn::Add(hn::Mul(y, hn::Set(di, skin.row)), hn::Mul(z, hn::Set(di, skin.slice))));
-    const CellRow<D> row00 = cellRow(d, skin.values, first);
+    const CellFace<D> front = cellFace(d, skin.pairs, first);
     const V toUnits = hn::Set(d, 1.0F / DistanceGrid::kUnitM);
     const V clear = hn::Mul(clearance, toUnits);
-    const auto near = hn::And(inGrid, hn::Lt(row00.low, hn::Add(clear, hn::Set(d, skin.unitsADiagonal))));
+    const auto near = hn::And(inGrid, hn::Lt(front.low, hn::Add(clear, hn::Set(d, skin.unitsADiagonal))));
     if (hn::AllFalse(d, near))
         return false;
 
-    const CellRow<D> row10 = cellRow(d, skin.values + skin.row, first);
-    const CellRow<D> row01 = cellRow(d, skin.values + skin.slice, first);
-    const CellRow<D> row11 = cellRow(d, skin.values + skin.slice + skin.row, first);
+    const CellFace<D> back = cellFace(d, skin.pairs + skin.slice, first);
     const Vec3<V> t = sub(cell, {hn::ConvertTo(d, x), hn::ConvertTo(d, y), hn::ConvertTo(d, z)});
-    const auto alongX = [&t](const CellRow<D>& row) { return hn::Add(row.low, hn::Mul(row.rise, t.x)); };
     const auto mix = [](V a, V b, V s) { return hn::Add(a, hn::Mul(hn::Sub(b, a), s)); };
-    const V x00 = alongX(row00);
-    const V x10 = alongX(row10);
-    const V x01 = alongX(row01);
-    const V x11 = alongX(row11);
+    const V x00 = hn::Add(front.low, hn::Mul(front.rise, t.x));
+    const V x10 = hn::Add(front.lowAbove, hn::Mul(front.riseAbove, t.x));
+    const V x01 = hn::Add(back.low, hn::Mul(back.rise, t.x));
+    const V x11 = hn::Add(back.lowAbove, hn::Mul(back.riseAbove, t.x));
     const V low = mix(x00, x10, t.y);
     const V high = mix(x01, x11, t.y);
     const V depth = hn::Sub(clear, mix(low, high, t.z));
@@ -140,17 +160,15 @@ HWY_INLINE bool pushOutOfSkin(D d, const SkinField& skin, hn::Vec<D> clearance, 
     if (hn::AllFalse(d, inside))
         return false;
     // Units a cell; where the distance does not change, in the middle of a thin sheet, p stays.
-    const Vec3<V> slope{mix(mix(row00.rise, row10.rise, t.y), mix(row01.rise, row11.rise, t.y), t.z),
+    const Vec3<V> slope{mix(mix(front.rise, front.riseAbove, t.y), mix(back.rise, back.riseAbove, t.y), t.z),
                         mix(hn::Sub(x10, x00), hn::Sub(x11, x01), t.z), hn::Sub(high, low)};
     const Vec3<V> g = scale(slope, hn::Set(d, 1.0F / skin.unitsACell));
     const V g2 = hn::Max(dot(g, g), hn::Set(d, 0.04F));
     const V leave = hn::Min(depth, hn::Mul(furthest, toUnits));
-    const V stride = hn::Div(hn::Mul(leave, hn::Set(d, DistanceGrid::kUnitM)), g2);
+    const V inverse = hn::Div(hn::Set(d, 1.0F), g2);
+    const V stride = hn::Mul(hn::Mul(leave, hn::Set(d, DistanceGrid::kUnitM)), inverse);
     p = choose(inside, addScaled(p, g, stride), p);
-    contact.normal = choose(inside, g, contact.normal);
-    contact.normal2 = hn::IfThenElse(inside, g2, contact.normal2);
-    contact.depth2 = hn::IfThenElse(inside, hn::Mul(hn::Mul(stride, stride), g2), contact.depth2);
-    contact.touched = hn::Or(contact.touched, inside);
+    touch(contact, inside, g, inverse, hn::Mul(hn::Mul(stride, stride), g2));
     return true;
 }
 
@@ -213,10 +231,7 @@ HWY_INLINE bool pushTurned(D d, const NeckTurn& neck, const Turn<hn::Vec<D>>& tu
     const V zero = hn::Zero(d);
     const Turn<V> back{sub(Vec3<V>{zero, zero, zero}, turn.v), turn.w};
     p = choose(own.touched, add(p, turnedBy(back, sub(out, place))), p);
-    contact.normal = choose(own.touched, turnedBy(back, own.normal), contact.normal);
-    contact.normal2 = hn::IfThenElse(own.touched, own.normal2, contact.normal2);
-    contact.depth2 = hn::IfThenElse(own.touched, own.depth2, contact.depth2);
-    contact.touched = hn::Or(contact.touched, own.touched);
+    touch(contact, own.touched, turnedBy(back, own.normal), own.inverseNormal2, own.depth2);
     return true;
 }
 
@@ -256,15 +271,20 @@ HWY_INLINE bool pushSegmentOutOfSkin(D d, const SkinField& skin, const NeckTurn&
                                      hn::Vec<D> furthest, bool first, const Vec3<hn::Vec<D>>& parent,
                                      Vec3<hn::Vec<D>>& p, Contact<D>& contact)
 {
+    using V = hn::Vec<D>;
     bool any = pushOutOfBust(d, skin, neck, clearance, furthest, p, contact);
+    hn::Mask<D> touched = any ? contact.latest : hn::MaskFromVec(hn::Zero(d));
     for (std::size_t i = 1; i < kSegmentParts.size() && !first; ++i) {
-        const Vec3<hn::Vec<D>> place = addScaled(parent, sub(p, parent), hn::Set(d, kSegmentParts[i]));
-        Vec3<hn::Vec<D>> out = place;
+        const Vec3<V> edge = sub(p, parent);
+        const Vec3<V> place = addScaled(parent, edge, hn::Set(d, kSegmentParts[i]));
+        Vec3<V> out = place;
         if (!pushOutOfBust(d, skin, neck, clearance, furthest, out, contact))
             continue;
         p = addScaled(p, sub(out, place), hn::Set(d, 1.0F / kSegmentParts[i]));
+        touched = hn::Or(touched, contact.latest);
         any = true;
     }
+    contact.latest = touched;
     return any;
 }
 

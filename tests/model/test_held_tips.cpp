@@ -5,8 +5,10 @@
 #include "model/preset.h"
 #include "model/tools/hold.h"
 #include "model/tools/live_edit.h"
+#include "sim/groom/direction_texel.h"
 #include "sim/motion/simulation.h"
 #include "tests/model/fixtures.h"
+#include "tests/model/tool_studio.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -30,6 +32,20 @@ sim::StrandFrame stillFrame(sim::Simulation& simulation, double seconds)
     return frame;
 }
 
+/// 20,000 hairs of a built-in style.
+Project wearing(const QString& style)
+{
+    Project project = newProject();
+    project.maxHairs = 20000;
+    Document document(std::move(project));
+    for (const QString& path : builtInPresets()) {
+        const auto preset = loadPreset(path);
+        if (preset && preset->name == style)
+            document.push(applyPresetCommand(document, *preset));
+    }
+    return document.project();
+}
+
 } // namespace
 
 class TestHeldTips : public QObject
@@ -49,18 +65,8 @@ private Q_SLOTS:
     {
         QFETCH(QString, style);
         QFETCH(double, part);
-        Project project = newProject();
-        project.maxHairs = 20000;
-        Document document(std::move(project));
-        bool found = false;
-        for (const QString& path : builtInPresets()) {
-            const auto preset = loadPreset(path);
-            if (preset && preset->name == style) {
-                document.push(applyPresetCommand(document, *preset));
-                found = true;
-            }
-        }
-        QVERIFY(found);
+        Document document(wearing(style));
+        QCOMPARE(document.project().groups.front().map(MapKind::Length).layers.front().name, style);
         const Id group = document.project().groups.front().id;
         sim::Simulation simulation;
         simulation.setInput(document.groomInput());
@@ -75,8 +81,9 @@ private Q_SLOTS:
                                   .gel = target(MapKind::Gel),
                                   .shownGel = document.resolvedNow(group, MapKind::Gel),
                                   .leastGel = 0.5F};
-        const LyingField field(lyingHairs(before.groups.front(), before.pose),
-                               hairsFurtherOn(before.groups.front(), before.pose));
+        const LyingField field(
+            lyingHairs(before.groups.front(), before.pose),
+            hairsFurtherOn(before.groups.front(), before.pose, document.project().head->distances.get()));
         document.push(paintCommand(document, holdHair(field, request).value(), holdStepText()));
         simulation.setInput(document.groomInput());
         const sim::StrandFrame after = stillFrame(simulation, 10.0);
@@ -94,6 +101,38 @@ private Q_SLOTS:
         std::ranges::sort(movedM);
         const float at = movedM[static_cast<std::size_t>(part * static_cast<double>(movedM.size() - 1))];
         QVERIFY2(at < 0.03F, qPrintable(QStringLiteral("%1 mm").arg(at * 1000.0F)));
+    }
+
+    void theBrushHoldsWhatLiesOnTheShoulders()
+    {
+        Studio studio(wearing(QStringLiteral("Long straight")));
+        studio.map = MapKind::Direction;
+        studio.settings.comb = CombKind::Hold;
+        studio.settings.brushSizeM = 0.03F;
+        const Head& head = *studio.document.project().head;
+        sim::Simulation simulation;
+        simulation.setInput(studio.document.groomInput());
+        const auto frame = std::make_shared<sim::StrandFrame>(stillFrame(simulation, 3.0));
+        const std::vector<LyingHair> hairs = lyingHairs(frame->groups.front(), frame->pose);
+        const std::vector<LyingHair> further = hairsFurtherOn(frame->groups.front(), frame->pose, head.distances.get());
+        // Without a grid each node is searched for, and the same are found.
+        QCOMPARE(hairsFurtherOn(frame->groups.front(), frame->pose, nullptr).size(), further.size());
+        const LyingField roots(hairs);
+        const LyingField all(hairs, further);
+        const auto there = std::ranges::find_if(further, [&](const LyingHair& hair) {
+            return roots.nearness(hair.uv) == 0.0F && all.nearness(hair.uv) == 1.0F && all.at(hair.uv).has_value();
+        });
+        QVERIFY(there != further.end());
+        ToolContext context = studio.context();
+        context.hair = frame;
+        const ToolEvent event{.area = Area::Head, .uv = there->uv, .point = head.skin->atUv(there->uv)};
+        QVERIFY(event.point.has_value());
+        Tool& comb = studio.tool(QStringLiteral("comb"));
+        comb.press(event, context);
+        comb.release(event, context);
+        const auto shown = studio.shown();
+        const glm::ivec2 at(glm::vec2(there->uv.x, 1.0F - there->uv.y) * static_cast<float>(shown->size()));
+        QVERIFY(glm::distance(sim::directionOf(shown->texel(at.x, at.y)), *all.at(there->uv)) < 0.1F);
     }
 };
 

@@ -18,8 +18,8 @@ bool writeDistances(const sim::DistanceGrid& grid, const std::filesystem::path& 
     std::vector<std::uint8_t> differences(count);
     std::int8_t before = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        differences[i] = static_cast<std::uint8_t>(grid.values()[i] - before);
-        before = grid.values()[i];
+        differences[i] = static_cast<std::uint8_t>(grid.pairs()[i].value - before);
+        before = grid.pairs()[i].value;
     }
     auto packedSize = compressBound(static_cast<uLong>(count));
     std::vector<std::uint8_t> packed(packedSize);
