@@ -17,10 +17,6 @@ constexpr std::array<Recording::Seen, 28> kAroundHairline{
      {106.0F, -0.018F}, {114.0F, -0.043F}, {136.0F, -0.070F}, {160.0F, -0.080F}, {175.0F, -0.080F}, {175.5F, -0.045F},
      {176.0F, -0.02F},  {176.5F, 0.01F},   {176.5F, 0.04F},   {176.5F, 0.06F}}};
 
-/// From beside the part over the temple to behind the ear.
-constexpr std::array<Recording::Seen, 6> kOverEar{
-    {{8.0F, 0.086F}, {30.0F, 0.080F}, {52.0F, 0.068F}, {72.0F, 0.048F}, {85.0F, 0.02F}, {92.0F, -0.01F}}};
-
 constexpr std::array<Recording::Seen, 8> kDownTheBack{{{180.0F, 0.05F},
                                                        {180.0F, 0.03F},
                                                        {180.0F, 0.01F},
@@ -77,8 +73,14 @@ Style bob()
                     for (const float heightM : {0.0F, -0.025F, -0.05F, -0.075F})
                         user.erase(MapKind::Density, {.sizeM = 0.03F, .hardness = 0.9F}, user.level(heightM, 75.0F));
                     partInTheMiddle(user, {});
-                    // Off the face and over the ears.
-                    user.comb(0.95F, {.sizeM = 0.045F, .hardness = 0.4F}, user.along(kOverEar));
+                    // Off the face and over the ears, a little shorter for what goes on from behind them.
+                    user.brush(MapKind::Length, user.length(0.166F), {.sizeM = 0.05F, .hardness = 0.0F},
+                               user.level(0.085F, 0.0F, 38.0F));
+                    for (const float furtherM : {-0.02F, 0.002F})
+                        user.comb(0.97F, {.sizeM = 0.03F, .hardness = 0.6F},
+                                  {user.above(0.014F, 0.071F + furtherM), user.above(0.034F, 0.057F + furtherM),
+                                   user.above(0.047F, 0.044F + furtherM), user.above(0.057F, 0.028F + furtherM),
+                                   user.around(84.0F, 0.055F), user.around(90.0F, 0.03F)});
                 }};
     style.settings.nodesPerHair = 10;
     style.settings.material.shine = 0.75F;
@@ -105,7 +107,7 @@ Style twoPlaits()
                     Recording::Places middle = user.overHead(0.0F, 0.085F, -0.085F);
                     for (const sim::SurfacePoint& place : user.along(kDownTheBack))
                         middle.push_back(place);
-                    user.erase(MapKind::Density, {.sizeM = 0.0135F, .hardness = 0.95F}, middle);
+                    user.erase(MapKind::Density, {.sizeM = 0.0145F, .hardness = 0.95F}, middle);
                 }};
     style.settings.braidSpacingM = 0.6F;
     style.settings.braidRadiusM = 0.011F;

@@ -2,7 +2,7 @@
 #include "styles.h"
 
 #include <array>
-#include <span>
+#include <utility>
 
 namespace hairpaint::presets {
 
@@ -29,6 +29,18 @@ Recording::Places aroundTop(const Recording& user)
     std::vector<Recording::Seen> line(kRidge.begin(), kRidge.end());
     for (std::size_t i = kRidge.size() - 1; i-- > 0;)
         line.push_back({-kRidge[i].degrees, kRidge[i].heightM});
+    return user.along(line);
+}
+
+/// The back of that, which is cut to end above the nape.
+Recording::Places aroundBack(const Recording& user)
+{
+    std::vector<Recording::Seen> line;
+    for (const Recording::Seen& seen : kRidge)
+        if (seen.degrees > 90.0F)
+            line.push_back(seen);
+    for (std::size_t i = line.size() - 1; i-- > 0;)
+        line.push_back({360.0F - line[i].degrees, line[i].heightM});
     return user.along(line);
 }
 
@@ -166,7 +178,8 @@ Style slickedUndercut()
                     user.fill(MapKind::Length, user.length(0.006F));
                     fade(user, 0.003F, 0.006F);
                     user.setMirror(false);
-                    user.polygon(MapKind::Length, user.length(0.115F), top);
+                    user.polygon(MapKind::Length, user.length(0.105F), top);
+                    user.polygon(MapKind::Length, user.length(0.075F), aroundBack(user));
                     user.polygon(MapKind::Clump, scalar(0.45F), top);
                     user.polygon(MapKind::Gel, scalar(0.5F), top);
                     user.setMirror(true);
@@ -190,17 +203,19 @@ Style quiff()
                     user.fill(MapKind::Colour, colour(0xFF5B3A22));
                     graduate(user, 0.014F, 0.05F);
                     fade(user, 0.004F, 0.014F);
-                    front(user, MapKind::Length, user.length(0.085F), 0.06F);
+                    front(user, MapKind::Length, user.length(0.072F), 0.06F);
                     user.fill(MapKind::Clump, scalar(0.4F));
                     user.setMirror(false);
                     user.polygon(MapKind::Gel, scalar(0.4F), aroundTop(user));
                     user.setMirror(true);
-                    front(user, MapKind::Gel, scalar(0.85F), 0.07F);
+                    front(user, MapKind::Gel, scalar(0.7F), 0.07F);
                     slickBack(user, 0.92F);
-                    // Up at the front.
-                    for (const float leftM : {0.032F, 0.016F, 0.0F})
-                        user.comb(0.3F, {.sizeM = 0.04F, .hardness = 0.2F},
-                                  user.overHead(leftM, 0.078F - 0.3F * leftM, 0.045F));
+                    // Ever further up toward the front.
+                    for (const auto& [flatness, toForwardM] :
+                         {std::pair(0.75F, 0.020F), std::pair(0.55F, 0.042F), std::pair(0.30F, 0.056F)})
+                        for (const float leftM : {0.034F, 0.017F, 0.0F})
+                            user.comb(flatness, {.sizeM = 0.035F, .hardness = 0.2F},
+                                      user.overHead(leftM, 0.079F - 0.3F * leftM, toForwardM - 0.3F * leftM));
                 }};
     style.settings.nodesPerHair = 8;
     style.settings.material.shine = 0.55F;
