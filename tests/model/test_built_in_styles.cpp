@@ -10,7 +10,12 @@ using namespace hairpaint;
 class TestBuiltInStyles : public QObject
 {
     Q_OBJECT
+private:
+    model::HairGroup m_grown;
+
 private Q_SLOTS:
+    void initTestCase() { m_grown = presets::hairOfHead(); }
+
     void theStripShowsEveryStyleInOrder()
     {
         QStringList wanted;
@@ -35,12 +40,16 @@ private Q_SLOTS:
     {
         QFETCH(int, index);
         const presets::Style style = presets::builtInStyles().at(static_cast<std::size_t>(index));
-        const model::Preset played = presets::played(style);
+        presets::Recording user(m_grown, style.settings);
+        style.record(user);
+        // Each action has done something.
+        QCOMPARE(user.document().undoStack().count(), user.actions());
+        const model::Preset played = user.preset(QString::fromLatin1(style.name));
         const model::Result<model::Preset> committed =
             model::loadPreset(QStringLiteral(":/presets/%1.hairpreset").arg(QLatin1StringView(style.id)));
         QVERIFY(committed.has_value());
         QCOMPARE(committed->name, played.name);
-        QCOMPARE(committed->tags, played.tags);
+        QCOMPARE(committed->tags, style.tags);
         QCOMPARE(committed->groups.size(), std::size_t{1});
         QVERIFY(committed->groups.front().settings == played.groups.front().settings);
         for (const model::MapSpec& spec : model::mapSpecs()) {

@@ -19,12 +19,13 @@ namespace {
 int run(const QString& folder, const QStringList& wanted)
 {
     app::PictureMaker maker;
+    const model::HairGroup grown = hairOfHead();
     QByteArray order;
     for (const Style& style : builtInStyles()) {
         order += QByteArray(style.id) + '\n';
         if (!wanted.isEmpty() && !wanted.contains(QLatin1StringView(style.id)))
             continue;
-        model::Preset preset = played(style);
+        model::Preset preset = played(style, grown);
         preset.picture = app::stylePicture(preset, maker);
         const QString path = folder + QLatin1Char('/') + QLatin1StringView(style.id) + QStringLiteral(".hairpreset");
         if (const model::Result<void> saved = model::savePreset(preset, path); !saved) {

@@ -1,14 +1,15 @@
 // Plays a user's actions: see the header.
 #include "recording.h"
 
-#include "model/commands/commands.h"
 #include "model/face_hair.h"
+#include "model/files/head_file.h"
 #include "model/files/project_file.h"
 #include "model/hair_kinds.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace hairpaint::presets {
 
@@ -60,19 +61,22 @@ PaintValue upright()
     return paint;
 }
 
-Recording::Recording(const sim::GroupSettings& settings) : m_document(model::newProject())
+model::HairGroup hairOfHead()
+{
+    return *model::grownHair(model::hairKinds().front(), model::builtInHead());
+}
+
+Recording::Recording(model::HairGroup grown, const sim::GroupSettings& settings) : m_document(model::newProject())
 {
     m_settings.fillTolerance = 1.0F;
     m_settings.pressureSize = false;
     const model::Id bare = group().id;
-    const model::HairKind& kind = model::hairKinds().front();
-    model::HairGroup grown = *model::grownHair(kind, m_document.project().head);
     grown.settings = settings;
-    m_document.push(addGroupCommand(m_document, std::move(grown)));
-    m_document.push(removeGroupCommand(m_document, bare));
+    push(addGroupCommand(m_document, std::move(grown)));
+    push(removeGroupCommand(m_document, bare));
     for (const model::MapSpec& spec : model::mapSpecs())
-        if (spec.kind != MapKind::Density)
-            m_document.push(resizeMapCommand(m_document, group().id, spec.kind, kMapSize));
+        if (spec.kind != MapKind::Density) // Its partings are a millimetre wide.
+            push(resizeMapCommand(m_document, group().id, spec.kind, kMapSize));
 }
 
 model::Preset Recording::preset(const QString& name) const
@@ -135,24 +139,25 @@ void Recording::setLayerOpacity(MapKind map, float opacity)
     const model::Layer& layer = group().map(map).layers.back();
     model::LayerProperties properties = model::propertiesOf(layer);
     properties.opacity = opacity;
-    m_document.push(setLayerPropertiesCommand(m_document, {.group = group().id, .map = map, .layer = layer.id},
-                                              properties, QStringLiteral("Opacity")));
+    push(setLayerPropertiesCommand(m_document, {.group = group().id, .map = map, .layer = layer.id}, properties,
+                                   QStringLiteral("Opacity")));
 }
 
 void Recording::addLayer(MapKind map, model::BlendMode blend)
 {
-    m_document.push(addLayerCommand(m_document, group().id, map, QStringLiteral("Layer 2")));
+    push(addLayerCommand(m_document, group().id, map, QStringLiteral("Layer 2")));
     const model::Layer& layer = group().map(map).layers.back();
     model::LayerProperties properties = model::propertiesOf(layer);
     properties.blend = blend;
-    m_document.push(setLayerPropertiesCommand(m_document, {.group = group().id, .map = map, .layer = layer.id},
-                                              properties, QStringLiteral("Blend mode")));
+    push(setLayerPropertiesCommand(m_document, {.group = group().id, .map = map, .layer = layer.id}, properties,
+                                   QStringLiteral("Blend mode")));
 }
 
 void Recording::fill(MapKind map, const PaintValue& value)
 {
     m_settings.value(map) = value;
     m_settings.opacity = 1.0F;
+    ++m_actions;
     click(model::ToolId::Fill, map, above(0.0F, 0.0F));
 }
 
@@ -196,6 +201,7 @@ void Recording::rectangle(MapKind map, const PaintValue& value, glm::vec2 fromUv
     m_settings.value(map) = value;
     m_settings.opacity = 1.0F;
     m_settings.shape = model::ShapeKind::Rectangle;
+    ++m_actions;
     model::ToolContext now = context(map);
     model::Tool& shape = tool(model::ToolId::Shape);
     shape.press({.area = model::Area::Paint, .uv = fromUv}, now);
@@ -221,6 +227,7 @@ void Recording::part(const Parting& parting, const Places& places)
     m_settings.partReachM = parting.reachM;
     m_settings.partGapM = parting.gapM;
     m_settings.flatness = parting.flatness;
+    ++m_actions;
     for (const sim::SurfacePoint& place : places)
         click(model::ToolId::Part, MapKind::Direction, place);
     model::ToolContext now = context(MapKind::Direction);
@@ -230,6 +237,12 @@ void Recording::part(const Parting& parting, const Places& places)
 const model::HairGroup& Recording::group() const
 {
     return m_document.project().groups.front();
+}
+
+void Recording::push(model::CommandPtr command)
+{
+    ++m_actions;
+    m_document.push(std::move(command));
 }
 
 model::ToolContext Recording::context(MapKind map)
@@ -266,6 +279,7 @@ void Recording::drag(model::ToolId id, MapKind map, const Places& places)
     const sim::Skin& skin = *m_document.project().head->skin;
     model::ToolContext now = context(map);
     model::Tool& used = tool(id);
+    ++m_actions;
     m_seconds += kBetweenClicksSeconds;
     used.press(eventAt(places.front()), now);
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {

@@ -1,7 +1,7 @@
 // A user at work: the tools of the program played over the head of new projects, as the window plays the mouse.
 #pragma once
 
-#include "model/document.h"
+#include "model/commands/commands.h"
 #include "model/preset.h"
 #include "model/tools/selection.h"
 #include "model/tools/tool.h"
@@ -42,16 +42,21 @@ struct Band
 [[nodiscard]] PaintValue braid(int index); ///< Of its palette.
 [[nodiscard]] PaintValue upright();        ///< Of the direction map.
 
+/// What Hair > Add hair group > "Hair of the head" adds to the head of new projects.
+[[nodiscard]] model::HairGroup hairOfHead();
+
 /// Every action is one step of the document's undo. One thread.
 class Recording
 {
 public:
     using Places = std::vector<sim::SurfacePoint>;
 
-    /// A new project with "Hair of the head" for its only group, and the maps at the styles' size.
-    explicit Recording(const sim::GroupSettings& settings);
+    /// A new project with `grown` for its only group, and the maps at the styles' size.
+    Recording(model::HairGroup grown, const sim::GroupSettings& settings);
 
     [[nodiscard]] model::Preset preset(const QString& name) const;
+    [[nodiscard]] int actions() const { return m_actions; }
+    [[nodiscard]] model::Document& document() { return m_document; }
 
     /// The skin as it is seen from the side on which it lies: 0 degrees in front, 90 at the head's left, 180 behind.
     [[nodiscard]] sim::SurfacePoint around(float degrees, float heightM) const;
@@ -92,6 +97,7 @@ private:
     [[nodiscard]] const model::HairGroup& group() const;
     [[nodiscard]] model::ToolContext context(MapKind map);
     [[nodiscard]] model::Tool& tool(model::ToolId id);
+    void push(model::CommandPtr command);
     void use(const Ring& ring);
     void click(model::ToolId id, MapKind map, const sim::SurfacePoint& place);
     /// From place to place along a smooth curve over the skin, as a hand would.
@@ -104,6 +110,7 @@ private:
     model::Selection m_selection;
     bool m_mirror = true;
     double m_seconds = 0.0;
+    int m_actions = 0;
 };
 
 } // namespace hairpaint::presets

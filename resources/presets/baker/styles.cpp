@@ -7,13 +7,13 @@ namespace hairpaint::presets {
 
 namespace {
 
-constexpr float kOnTopM = 0.155F; ///< From the crown over the side of the head to its middle's height.
+constexpr float kOnTopM = 0.150F; ///< From the crown over the side of the head to its middle's height.
 
 /// How much further hair that grows at a height goes than straight down: over the curve of the head.
 float overHeadM(float heightM)
 {
     constexpr float kCurveBeginsM = 0.06F;
-    constexpr float kCurve = 22.0F; ///< 1/m
+    constexpr float kCurve = 11.0F; ///< 1/m
     const float aboveM = std::max(heightM - kCurveBeginsM, 0.0F);
     return kCurve * aboveM * aboveM;
 }
@@ -37,7 +37,7 @@ void cutToLine(Recording& user, float lineHeightM, float shortestM)
     constexpr float kStepM = 0.006F;
     constexpr float kFaceEndsM = 0.06F;
     constexpr float kBesideFaceDegrees = 45.0F;
-    user.fill(MapKind::Length, user.length(kOnTopM - lineHeightM));
+    user.fill(MapKind::Length, user.length(kHighestM + overHeadM(kHighestM) - lineHeightM));
     std::vector<Band> low;
     std::vector<Band> high;
     for (float heightM = kLowestM; heightM < kHighestM; heightM += kStepM) {
@@ -46,6 +46,9 @@ void cutToLine(Recording& user, float lineHeightM, float shortestM)
     }
     user.bands(MapKind::Length, low, kBesideFaceDegrees);
     user.bands(MapKind::Length, high);
+    // From the middle it goes the furthest.
+    user.brush(MapKind::Length, user.length(kOnTopM - lineHeightM), {.sizeM = 0.045F, .hardness = 0.0F},
+               user.overHead(0.0F, 0.03F, -0.045F));
 }
 
 std::vector<Style> builtInStyles()
@@ -54,9 +57,9 @@ std::vector<Style> builtInStyles()
             splitDye(),     buzzCut(), slickedUndercut(), quiff(), sidePart(),  frenchCrop()};
 }
 
-model::Preset played(const Style& style)
+model::Preset played(const Style& style, const model::HairGroup& grown)
 {
-    Recording user(style.settings);
+    Recording user(grown, style.settings);
     style.record(user);
     model::Preset preset = user.preset(QString::fromLatin1(style.name));
     preset.tags = style.tags;

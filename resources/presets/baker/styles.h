@@ -33,8 +33,8 @@ struct Style
 
 [[nodiscard]] std::vector<Style> builtInStyles(); ///< In the strip's order.
 
-/// What the style's recording makes, without its picture.
-[[nodiscard]] model::Preset played(const Style& style);
+/// What the style's recording makes of hairOfHead(), without its picture.
+[[nodiscard]] model::Preset played(const Style& style, const model::HairGroup& grown);
 
 /// What most of them have in common.
 [[nodiscard]] sim::GroupSettings settingsOf(float greatestLengthM, float stiffnessM, float volumeM);

@@ -73,14 +73,12 @@ Style bob()
                     for (const float heightM : {0.0F, -0.025F, -0.05F, -0.075F})
                         user.erase(MapKind::Density, {.sizeM = 0.03F, .hardness = 0.9F}, user.level(heightM, 75.0F));
                     partInTheMiddle(user, {});
-                    // Off the face and over the ears, a little shorter for what goes on from behind them.
-                    user.brush(MapKind::Length, user.length(0.166F), {.sizeM = 0.05F, .hardness = 0.0F},
-                               user.level(0.085F, 0.0F, 38.0F));
+                    // Off the face and over the ears.
                     for (const float furtherM : {-0.02F, 0.002F})
                         user.comb(0.97F, {.sizeM = 0.03F, .hardness = 0.6F},
                                   {user.above(0.014F, 0.071F + furtherM), user.above(0.034F, 0.057F + furtherM),
                                    user.above(0.047F, 0.044F + furtherM), user.above(0.057F, 0.028F + furtherM),
-                                   user.around(84.0F, 0.055F), user.around(90.0F, 0.03F)});
+                                   user.above(0.064F, 0.012F + furtherM)});
                 }};
     style.settings.nodesPerHair = 10;
     style.settings.material.shine = 0.75F;

@@ -204,8 +204,8 @@ Style quiff()
                     graduate(user, 0.014F, 0.05F);
                     fade(user, 0.004F, 0.014F);
                     front(user, MapKind::Length, user.length(0.072F), 0.06F);
-                    user.fill(MapKind::Clump, scalar(0.4F));
                     user.setMirror(false);
+                    user.polygon(MapKind::Clump, scalar(0.4F), aroundTop(user));
                     user.polygon(MapKind::Gel, scalar(0.4F), aroundTop(user));
                     user.setMirror(true);
                     front(user, MapKind::Gel, scalar(0.7F), 0.07F);
@@ -261,8 +261,9 @@ Style frenchCrop()
                     graduate(user, 0.010F, 0.040F);
                     fade(user, 0.003F, 0.010F);
                     front(user, MapKind::Length, user.length(0.042F), 0.04F);
-                    user.fill(MapKind::Clump, scalar(0.5F));
                     user.fill(MapKind::Curl, scalar(0.03F));
+                    user.setMirror(false);
+                    user.polygon(MapKind::Clump, scalar(0.5F), aroundTop(user));
                 }};
     style.settings.greatestCurlRadiusM = 0.008F;
     style.settings.nodesPerHair = 8;
