@@ -66,8 +66,9 @@ Style afro()
                                 {0.015F, user.length(0.086F)},
                                 {0.03F, user.length(0.092F)}},
                                92.0F);
-                    for (const auto& [sizeM, lengthM] : {std::pair(0.10F, 0.075F), std::pair(0.07F, 0.05F),
-                                                         std::pair(0.045F, 0.03F), std::pair(0.02F, 0.018F)})
+                    for (const auto& [sizeM, lengthM] :
+                         {std::pair(0.14F, 0.088F), std::pair(0.11F, 0.070F), std::pair(0.08F, 0.048F),
+                          std::pair(0.055F, 0.030F), std::pair(0.03F, 0.016F)})
                         user.brush(MapKind::Length, user.length(lengthM), {.sizeM = sizeM, .hardness = 0.0F},
                                    user.along(kFrontHairline));
                 }};

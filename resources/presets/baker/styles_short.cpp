@@ -140,7 +140,8 @@ Style mohawk()
                                    {.sizeM = ring.sizeM, .hardness = 0.7F}, {last[i], last[i + 1]});
                     user.brush(MapKind::Clump, scalar(0.85F), ring, crest);
                     user.fill(MapKind::Gel, scalar(1.0F));
-                    user.brush(MapKind::Direction, upright(), ring, crest);
+                    // Wider, so that what is long at its edge stands too.
+                    user.brush(MapKind::Direction, upright(), {.sizeM = 0.048F, .hardness = 0.9F}, crest);
                 }};
     style.settings.material.tipAlpha = 0.8F;
     return style;
