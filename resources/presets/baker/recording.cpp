@@ -211,13 +211,7 @@ void Recording::rectangle(MapKind map, const PaintValue& value, glm::vec2 fromUv
 
 void Recording::comb(float flatness, const Ring& ring, const Places& places)
 {
-    restyle(model::CombKind::Lay, flatness, ring, places);
-}
-
-void Recording::restyle(model::CombKind kind, float flatness, const Ring& ring, const Places& places)
-{
     use(ring);
-    m_settings.comb = kind;
     m_settings.flatness = flatness;
     drag(model::ToolId::Comb, MapKind::Direction, places);
 }

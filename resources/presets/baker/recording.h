@@ -45,7 +45,7 @@ struct Band
 /// What Hair > Add hair group > "Hair of the head" adds to the head of new projects.
 [[nodiscard]] model::HairGroup hairOfHead();
 
-/// Every action is one step of the document's undo. One thread.
+/// Places are Hd, m: a user finds them by eye. Every action is one step of the document's undo. One thread.
 class Recording
 {
 public:
@@ -55,16 +55,16 @@ public:
     Recording(model::HairGroup grown, const sim::GroupSettings& settings);
 
     [[nodiscard]] model::Preset preset(const QString& name) const;
+    /// So many were asked for.
     [[nodiscard]] int actions() const { return m_actions; }
     [[nodiscard]] model::Document& document() { return m_document; }
 
     /// The skin as it is seen from the side on which it lies: 0 degrees in front, 90 at the head's left, 180 behind.
-    [[nodiscard]] sim::SurfacePoint around(float degrees, float heightM) const;
-    /// The same for a line of them.
     struct Seen
     {
         float degrees, heightM;
     };
+    [[nodiscard]] sim::SurfacePoint around(float degrees, float heightM) const;
     [[nodiscard]] Places along(std::span<const Seen> line) const;
     /// The skin as it is seen from above.
     [[nodiscard]] sim::SurfacePoint above(float leftM, float forwardM) const;
@@ -89,8 +89,9 @@ public:
     void polygon(MapKind map, const PaintValue& value, const Places& outline);
     /// A filled rectangle on the layout.
     void rectangle(MapKind map, const PaintValue& value, glm::vec2 fromUv, glm::vec2 toUv);
+    /// Lays hair along the way.
     void comb(float flatness, const Ring& ring, const Places& places);
-    void restyle(model::CombKind kind, float flatness, const Ring& ring, const Places& places);
+    /// A click at each place, then Enter.
     void part(const Parting& parting, const Places& places);
 
 private:

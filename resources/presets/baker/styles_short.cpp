@@ -49,7 +49,7 @@ void graduate(Recording& user, float ridgeM, float crownM)
 {
     user.fill(MapKind::Length, user.length(crownM));
     std::vector<Band> bands;
-    constexpr int kSteps = 8;
+    constexpr int kSteps = 16;
     for (int step = 0; step <= kSteps; ++step) {
         const float fraction = static_cast<float>(step) / kSteps;
         bands.push_back({0.04F + 0.06F * fraction, user.length(ridgeM + (crownM - ridgeM) * fraction * fraction)});
@@ -67,10 +67,10 @@ void front(Recording& user, MapKind map, const PaintValue& value, float sizeM)
 void fade(Recording& user, float lowestM, float ridgeM)
 {
     std::vector<Band> bands;
-    constexpr int kSteps = 8;
+    constexpr int kSteps = 16;
     for (int step = 0; step <= kSteps; ++step) {
         const float fraction = static_cast<float>(step) / kSteps;
-        bands.push_back({-0.07F + 0.11F * fraction, user.length(lowestM + (ridgeM - lowestM) * fraction * fraction)});
+        bands.push_back({-0.09F + 0.13F * fraction, user.length(lowestM + (ridgeM - lowestM) * fraction * fraction)});
     }
     user.bands(MapKind::Length, bands, 45.0F);
 }
