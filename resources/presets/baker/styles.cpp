@@ -32,15 +32,17 @@ sim::GroupSettings settingsOf(float greatestLengthM, float stiffnessM, float vol
 
 void cutToLine(Recording& user, float lineHeightM, float shortestM)
 {
-    constexpr float kLowestM = -0.085F;
-    constexpr float kHighestM = 0.103F;
-    constexpr float kStepM = 0.006F;
+    constexpr int kLowestMm = -85;
+    constexpr int kHighestMm = 101;
+    constexpr int kStepMm = 6;
+    constexpr float kTopM = 0.103F;
     constexpr float kFaceEndsM = 0.06F;
     constexpr float kBesideFaceDegrees = 45.0F;
-    user.fill(MapKind::Length, user.length(kHighestM + overHeadM(kHighestM) - lineHeightM));
+    user.fill(MapKind::Length, user.length(kTopM + overHeadM(kTopM) - lineHeightM));
     std::vector<Band> low;
     std::vector<Band> high;
-    for (float heightM = kLowestM; heightM < kHighestM; heightM += kStepM) {
+    for (int heightMm = kLowestMm; heightMm <= kHighestMm; heightMm += kStepMm) {
+        const float heightM = 0.001F * static_cast<float>(heightMm);
         const float lengthM = std::max(heightM - lineHeightM + overHeadM(heightM), shortestM);
         (heightM < kFaceEndsM ? low : high).push_back({heightM, user.length(lengthM)});
     }
