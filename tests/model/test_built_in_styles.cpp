@@ -1,7 +1,6 @@
-// The built-in styles are what their descriptions say: baked again, they are the committed files.
-#include "model/files/head_file.h"
+// The built-in styles are what their recordings make: played again, they are the committed files.
 #include "model/files/preset_file.h"
-#include "resources/presets/baker/bake.h"
+#include "resources/presets/baker/styles.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -12,16 +11,16 @@ class TestBuiltInStyles : public QObject
 {
     Q_OBJECT
 private:
-    presets::SkinPoints m_points;
+    model::HairGroup m_grown;
 
 private Q_SLOTS:
-    void initTestCase() { m_points = presets::pointsOn(*model::builtInHead()->skin); }
+    void initTestCase() { m_grown = presets::hairOfHead(); }
 
     void theStripShowsEveryStyleInOrder()
     {
         QStringList wanted;
         for (const presets::Style& style : presets::builtInStyles())
-            wanted << style.name;
+            wanted << QString::fromLatin1(style.name);
         QStringList got;
         for (const model::PresetEntry& entry : model::listPresets({})) {
             got << entry.name;
@@ -30,27 +29,31 @@ private Q_SLOTS:
         QCOMPARE(got, wanted);
     }
 
-    void bakedAgainItIsTheCommittedFile_data()
+    void playedAgainItIsTheCommittedFile_data()
     {
         QTest::addColumn<int>("index");
         int index = 0;
         for (const presets::Style& style : presets::builtInStyles())
             QTest::newRow(style.id) << index++;
     }
-    void bakedAgainItIsTheCommittedFile()
+    void playedAgainItIsTheCommittedFile()
     {
         QFETCH(int, index);
         const presets::Style style = presets::builtInStyles().at(static_cast<std::size_t>(index));
-        const model::Preset baked = presets::bake(style, m_points);
+        presets::Recording user(m_grown, style.settings);
+        style.record(user);
+        // Each action has done something.
+        QCOMPARE(user.document().undoStack().count(), user.actions());
+        const model::Preset played = user.preset(QString::fromLatin1(style.name));
         const model::Result<model::Preset> committed =
             model::loadPreset(QStringLiteral(":/presets/%1.hairpreset").arg(QLatin1StringView(style.id)));
         QVERIFY(committed.has_value());
-        QCOMPARE(committed->name, baked.name);
-        QCOMPARE(committed->tags, baked.tags);
+        QCOMPARE(committed->name, played.name);
+        QCOMPARE(committed->tags, style.tags);
         QCOMPARE(committed->groups.size(), std::size_t{1});
-        QVERIFY(committed->groups.front().settings == baked.groups.front().settings);
+        QVERIFY(committed->groups.front().settings == played.groups.front().settings);
         for (const model::MapSpec& spec : model::mapSpecs()) {
-            const auto& wanted = baked.groups.front().map(spec.kind).layers;
+            const auto& wanted = played.groups.front().map(spec.kind).layers;
             const auto& got = committed->groups.front().map(spec.kind).layers;
             QCOMPARE(got.size(), wanted.size());
             for (std::size_t i = 0; i < got.size(); ++i)

@@ -1,47 +1,46 @@
-// The built-in styles, each as functions of a place on the head of new projects.
+// The built-in styles, each recorded as a user makes it.
 #pragma once
 
-#include "model/map_spec.h"
-#include "sim/groom/group_settings.h"
-#include "sim/skin/skin_frame.h"
+#include "recording.h"
 
-#include <QColor>
 #include <QStringList>
 
-#include <glm/glm.hpp>
-
-#include <functional>
-#include <optional>
 #include <vector>
 
 namespace hairpaint::presets {
 
-/// A place on the skin as styles see it. Hd, m.
-struct SkinPoint
-{
-    glm::vec3 positionHd;
-    glm::vec3 normalHd;
-    float scalpM; ///< Distance inside the natural hairline; negative outside.
-    sim::SkinFrame frame;
-};
-
-using ScalarField = std::function<float(const SkinPoint&)>; ///< 0..1
-/// Along the skin, as long as the cosine of the angle to it; none where hair lies naturally.
-using DirectionField = std::function<std::optional<glm::vec3>(const SkinPoint&)>;
-using ColourField = std::function<QColor(const SkinPoint&)>;
-
 struct Style
 {
     const char* id; ///< File name.
-    QString name;
+    const char* name;
     QStringList tags;
     sim::GroupSettings settings;
-    ScalarField density, length, curl, clump, gel;
-    ScalarField braid; ///< The palette's index; none where null.
-    ColourField colour;
-    DirectionField direction = {}; ///< Naturally everywhere where null.
+    void (*record)(Recording& user);
 };
 
+[[nodiscard]] Style longStraight();
+[[nodiscard]] Style bob();
+[[nodiscard]] Style ringlets();
+[[nodiscard]] Style afro();
+[[nodiscard]] Style twoPlaits();
+[[nodiscard]] Style mohawk();
+[[nodiscard]] Style splitDye();
+[[nodiscard]] Style buzzCut();
+[[nodiscard]] Style slickedUndercut();
+[[nodiscard]] Style quiff();
+[[nodiscard]] Style sidePart();
+[[nodiscard]] Style frenchCrop();
+
 [[nodiscard]] std::vector<Style> builtInStyles(); ///< In the strip's order.
+
+/// What the style's recording makes of hairOfHead(), without its picture.
+[[nodiscard]] model::Preset played(const Style& style, const model::HairGroup& grown);
+
+/// What most of them have in common.
+[[nodiscard]] sim::GroupSettings settingsOf(float greatestLengthM, float stiffnessM, float volumeM);
+
+/// Cuts hair so that it ends at a height when it falls down the sides of the head, but for what is longer than it may
+/// or shorter than it can be.
+void cutToLine(Recording& user, float lineHeightM, float shortestM);
 
 } // namespace hairpaint::presets

@@ -1,0 +1,117 @@
+// A user at work: the tools of the program played over the head of new projects, as the window plays the mouse.
+#pragma once
+
+#include "model/commands/commands.h"
+#include "model/preset.h"
+#include "model/tools/selection.h"
+#include "model/tools/tool.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hairpaint::presets {
+
+using model::MapKind;
+using model::PaintValue;
+
+/// The ring of a brush or a comb.
+struct Ring
+{
+    float sizeM = 0.03F; ///< Diameter on the skin.
+    float hardness = 0.6F;
+    float opacity = 1.0F;
+};
+
+struct Parting
+{
+    float reachM = 0.1F;
+    float flatness = 0.9F;
+    float gapM = 0.001F;
+};
+
+/// A stroke along a height of the head, with what it leaves there.
+struct Band
+{
+    float heightM;
+    PaintValue value;
+};
+
+[[nodiscard]] PaintValue scalar(float value);
+[[nodiscard]] PaintValue colour(QRgb value);
+[[nodiscard]] PaintValue braid(int index); ///< Of its palette.
+[[nodiscard]] PaintValue upright();        ///< Of the direction map.
+
+/// What Hair > Add hair group > "Hair of the head" adds to the head of new projects.
+[[nodiscard]] model::HairGroup hairOfHead();
+
+/// Places are Hd, m: a user finds them by eye. Every action is one step of the document's undo. One thread.
+class Recording
+{
+public:
+    using Places = std::vector<sim::SurfacePoint>;
+
+    /// A new project with `grown` for its only group, and the maps at the styles' size.
+    Recording(model::HairGroup grown, const sim::GroupSettings& settings);
+
+    [[nodiscard]] model::Preset preset(const QString& name) const;
+    /// So many were asked for.
+    [[nodiscard]] int actions() const { return m_actions; }
+    [[nodiscard]] model::Document& document() { return m_document; }
+
+    /// The skin as it is seen from the side on which it lies: 0 degrees in front, 90 at the head's left, 180 behind.
+    struct Seen
+    {
+        float degrees, heightM;
+    };
+    [[nodiscard]] sim::SurfacePoint around(float degrees, float heightM) const;
+    [[nodiscard]] Places along(std::span<const Seen> line) const;
+    /// The skin as it is seen from above.
+    [[nodiscard]] sim::SurfacePoint above(float leftM, float forwardM) const;
+    /// Along a height, from the face to the back of the head unless told otherwise.
+    [[nodiscard]] Places level(float heightM, float fromDegrees = 0.0F, float toDegrees = 180.0F) const;
+    /// Over the middle of the head, from the forehead to the nape, or to one side of it.
+    [[nodiscard]] Places overHead(float leftM, float fromForwardM, float toForwardM) const;
+
+    [[nodiscard]] PaintValue length(float lengthM) const; ///< Of the length map.
+
+    void setMirror(bool mirror) { m_mirror = mirror; }
+    void setLayerOpacity(MapKind map, float opacity);
+    /// The one that is painted on from now on.
+    void addLayer(MapKind map, model::BlendMode blend);
+
+    void fill(MapKind map, const PaintValue& value); ///< Everywhere.
+    void brush(MapKind map, const PaintValue& value, const Ring& ring, const Places& places);
+    void erase(MapKind map, const Ring& ring, const Places& places);
+    /// A soft stroke along each height, wide enough to lead from one value to the next.
+    void bands(MapKind map, const std::vector<Band>& bands, float fromDegrees = 0.0F, float toDegrees = 180.0F);
+    /// What a freehand line goes around, filled.
+    void polygon(MapKind map, const PaintValue& value, const Places& outline);
+    /// A filled rectangle on the layout.
+    void rectangle(MapKind map, const PaintValue& value, glm::vec2 fromUv, glm::vec2 toUv);
+    /// Lays hair along the way.
+    void comb(float flatness, const Ring& ring, const Places& places);
+    /// A click at each place, then Enter.
+    void part(const Parting& parting, const Places& places);
+
+private:
+    [[nodiscard]] const model::HairGroup& group() const;
+    [[nodiscard]] model::ToolContext context(MapKind map);
+    [[nodiscard]] model::Tool& tool(model::ToolId id);
+    void push(model::CommandPtr command);
+    void use(const Ring& ring);
+    void click(model::ToolId id, MapKind map, const sim::SurfacePoint& place);
+    /// From place to place along a smooth curve over the skin, as a hand would.
+    void drag(model::ToolId id, MapKind map, const Places& places);
+    [[nodiscard]] model::ToolEvent eventAt(const sim::SurfacePoint& place) const;
+
+    model::Document m_document;
+    std::vector<std::unique_ptr<model::Tool>> m_tools = model::makeTools();
+    model::ToolSettings m_settings;
+    model::Selection m_selection;
+    bool m_mirror = true;
+    double m_seconds = 0.0;
+    int m_actions = 0;
+};
+
+} // namespace hairpaint::presets

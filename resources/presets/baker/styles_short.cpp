@@ -1,0 +1,275 @@
+// Styles that clippers and scissors leave short.
+#include "styles.h"
+
+#include <array>
+#include <utility>
+
+namespace hairpaint::presets {
+
+namespace {
+
+/// Over the face, past the temples' corners and along the ridge of the head.
+constexpr std::array<Recording::Seen, 13> kRidge{{{0.0F, 0.058F},
+                                                  {15.0F, 0.058F},
+                                                  {28.0F, 0.060F},
+                                                  {38.0F, 0.063F},
+                                                  {50.0F, 0.062F},
+                                                  {65.0F, 0.059F},
+                                                  {80.0F, 0.057F},
+                                                  {95.0F, 0.056F},
+                                                  {110.0F, 0.055F},
+                                                  {125.0F, 0.053F},
+                                                  {140.0F, 0.050F},
+                                                  {160.0F, 0.047F},
+                                                  {180.0F, 0.045F}}};
+
+/// All around the head along its ridge, from the front over its left back to the front.
+Recording::Places aroundTop(const Recording& user)
+{
+    std::vector<Recording::Seen> line(kRidge.begin(), kRidge.end());
+    for (std::size_t i = kRidge.size() - 1; i-- > 0;)
+        line.push_back({-kRidge[i].degrees, kRidge[i].heightM});
+    return user.along(line);
+}
+
+/// The back of that, which is cut to end above the nape.
+Recording::Places aroundBack(const Recording& user)
+{
+    std::vector<Recording::Seen> line;
+    for (const Recording::Seen& seen : kRidge)
+        if (seen.degrees > 90.0F)
+            line.push_back(seen);
+    for (std::size_t i = line.size() - 1; i-- > 0;)
+        line.push_back({360.0F - line[i].degrees, line[i].heightM});
+    return user.along(line);
+}
+
+/// Scissors over the comb: `ridgeM` where clippers stop, ever longer up to the crown.
+void graduate(Recording& user, float ridgeM, float crownM)
+{
+    user.fill(MapKind::Length, user.length(crownM));
+    std::vector<Band> bands;
+    constexpr int kSteps = 16;
+    for (int step = 0; step <= kSteps; ++step) {
+        const float fraction = static_cast<float>(step) / kSteps;
+        bands.push_back({0.04F + 0.06F * fraction, user.length(ridgeM + (crownM - ridgeM) * fraction * fraction)});
+    }
+    user.bands(MapKind::Length, bands);
+}
+
+/// Hair at the front, over the forehead.
+void front(Recording& user, MapKind map, const PaintValue& value, float sizeM)
+{
+    user.brush(map, value, {.sizeM = sizeM, .hardness = 0.1F}, user.level(0.080F, 0.0F, 26.0F));
+}
+
+/// Clippers from the nape and the ears up.
+void fade(Recording& user, float lowestM, float ridgeM)
+{
+    std::vector<Band> bands;
+    constexpr int kSteps = 16;
+    for (int step = 0; step <= kSteps; ++step) {
+        const float fraction = static_cast<float>(step) / kSteps;
+        bands.push_back({-0.09F + 0.13F * fraction, user.length(lowestM + (ridgeM - lowestM) * fraction * fraction)});
+    }
+    user.bands(MapKind::Length, bands, 45.0F);
+}
+
+/// Lanes of the comb from the temple along the ridge, and above it, around to the back and down.
+constexpr std::array<Recording::Seen, 10> kAlongRidge{{{40.0F, 0.064F},
+                                                       {60.0F, 0.061F},
+                                                       {80.0F, 0.057F},
+                                                       {100.0F, 0.053F},
+                                                       {118.0F, 0.048F},
+                                                       {132.0F, 0.040F},
+                                                       {142.0F, 0.028F},
+                                                       {148.0F, 0.010F},
+                                                       {150.0F, -0.010F},
+                                                       {150.0F, -0.030F}}};
+constexpr std::array<Recording::Seen, 10> kAboveRidge{{{37.0F, 0.078F},
+                                                       {55.0F, 0.076F},
+                                                       {80.0F, 0.073F},
+                                                       {105.0F, 0.070F},
+                                                       {130.0F, 0.065F},
+                                                       {148.0F, 0.055F},
+                                                       {160.0F, 0.040F},
+                                                       {164.0F, 0.020F},
+                                                       {165.0F, 0.000F},
+                                                       {165.0F, -0.030F}}};
+
+/// From the forehead over the head and down its back.
+void slickBack(Recording& user, float flatness)
+{
+    const Ring ring{.sizeM = 0.04F};
+    user.comb(flatness, ring, user.along(kAlongRidge));
+    user.comb(flatness, ring, user.along(kAboveRidge));
+    for (const float leftM : {0.05F, 0.034F, 0.017F, 0.0F}) {
+        Recording::Places lane = user.overHead(leftM, 0.078F - 0.4F * leftM, -0.085F + 0.5F * leftM);
+        if (leftM == 0.0F)
+            for (const float heightM : {0.05F, 0.03F, 0.01F, -0.01F, -0.03F})
+                lane.push_back(user.around(180.0F, heightM));
+        user.comb(flatness, ring, lane);
+    }
+}
+
+} // namespace
+
+Style mohawk()
+{
+    Style style{.id = "gelled-mohawk",
+                .name = "Gelled mohawk",
+                .tags = {QStringLiteral("short"), QStringLiteral("gelled")},
+                .settings = settingsOf(0.15F, 0.10F, 0.0F),
+                .record = [](Recording& user) {
+                    Recording::Places crest = user.overHead(0.0F, 0.075F, -0.085F);
+                    for (const float heightM : {0.05F, 0.03F, 0.01F, -0.01F, -0.03F, -0.05F, -0.065F})
+                        crest.push_back(user.around(180.0F, heightM));
+                    const Ring ring{.sizeM = 0.037F, .hardness = 0.9F};
+                    user.setLayerOpacity(MapKind::Density, 0.95F);
+                    user.addLayer(MapKind::Density, model::BlendMode::Multiply);
+                    user.fill(MapKind::Density, scalar(0.58F));
+                    user.erase(MapKind::Density, ring, crest);
+                    user.fill(MapKind::Colour, colour(0xFF2A221E));
+                    user.brush(MapKind::Colour, colour(0xFF186E66), ring, crest);
+                    user.fill(MapKind::Length, user.length(0.003F));
+                    user.brush(MapKind::Length, user.length(0.115F), ring, crest);
+                    // Lower and lower down the back.
+                    const Recording::Places last(crest.end() - 6, crest.end());
+                    for (std::size_t i = 0; i + 1 < last.size(); ++i)
+                        user.brush(MapKind::Length, user.length(0.106F - 0.010F * static_cast<float>(i)),
+                                   {.sizeM = ring.sizeM, .hardness = 0.7F}, {last[i], last[i + 1]});
+                    user.brush(MapKind::Clump, scalar(0.85F), ring, crest);
+                    user.fill(MapKind::Gel, scalar(1.0F));
+                    // Wider, so that what is long at its edge stands too.
+                    user.brush(MapKind::Direction, upright(), {.sizeM = 0.048F, .hardness = 0.9F}, crest);
+                }};
+    style.settings.material.tipAlpha = 0.8F;
+    return style;
+}
+
+Style buzzCut()
+{
+    Style style{.id = "buzz-cut",
+                .name = "Buzz cut",
+                .tags = {QStringLiteral("short"), QStringLiteral("straight")},
+                .settings = settingsOf(0.03F, 0.06F, 0.0F),
+                .record = [](Recording& user) {
+                    user.setLayerOpacity(MapKind::Density, 0.95F);
+                    user.fill(MapKind::Colour, colour(0xFF3A2B22));
+                    user.fill(MapKind::Length, user.length(0.009F));
+                    fade(user, 0.0015F, 0.008F);
+                }};
+    style.settings.nodesPerHair = 4;
+    style.settings.material.widthM = 100e-6F; // Stubble is thick against its length.
+    style.settings.material.tipAlpha = 0.6F;
+    style.settings.material.shine = 0.3F;
+    return style;
+}
+
+Style slickedUndercut()
+{
+    Style style{.id = "slicked-undercut",
+                .name = "Slicked undercut",
+                .tags = {QStringLiteral("short"), QStringLiteral("gelled")},
+                .settings = settingsOf(0.15F, 0.05F, 0.004F),
+                .record = [](Recording& user) {
+                    const Recording::Places top = aroundTop(user);
+                    user.setLayerOpacity(MapKind::Density, 0.95F);
+                    user.fill(MapKind::Colour, colour(0xFF2C1D14));
+                    user.fill(MapKind::Length, user.length(0.006F));
+                    fade(user, 0.003F, 0.006F);
+                    user.setMirror(false);
+                    user.polygon(MapKind::Length, user.length(0.105F), top);
+                    user.polygon(MapKind::Length, user.length(0.075F), aroundBack(user));
+                    user.polygon(MapKind::Clump, scalar(0.45F), top);
+                    user.polygon(MapKind::Gel, scalar(0.5F), top);
+                    user.setMirror(true);
+                    slickBack(user, 0.95F);
+                }};
+    style.settings.nodesPerHair = 10;
+    style.settings.material.shine = 0.8F;
+    style.settings.material.roughness = 0.25F;
+    style.settings.material.tipAlpha = 0.7F;
+    return style;
+}
+
+Style quiff()
+{
+    Style style{.id = "quiff",
+                .name = "Quiff",
+                .tags = {QStringLiteral("short"), QStringLiteral("gelled")},
+                .settings = settingsOf(0.15F, 0.06F, 0.010F),
+                .record = [](Recording& user) {
+                    user.setLayerOpacity(MapKind::Density, 0.95F);
+                    user.fill(MapKind::Colour, colour(0xFF5B3A22));
+                    graduate(user, 0.014F, 0.05F);
+                    fade(user, 0.004F, 0.014F);
+                    front(user, MapKind::Length, user.length(0.072F), 0.06F);
+                    user.setMirror(false);
+                    user.polygon(MapKind::Clump, scalar(0.4F), aroundTop(user));
+                    user.polygon(MapKind::Gel, scalar(0.4F), aroundTop(user));
+                    user.setMirror(true);
+                    front(user, MapKind::Gel, scalar(0.7F), 0.07F);
+                    slickBack(user, 0.92F);
+                    // Ever further up toward the front.
+                    for (const auto& [flatness, toForwardM] :
+                         {std::pair(0.75F, 0.020F), std::pair(0.55F, 0.042F), std::pair(0.30F, 0.056F)})
+                        for (const float leftM : {0.034F, 0.017F, 0.0F})
+                            user.comb(flatness, {.sizeM = 0.035F, .hardness = 0.2F},
+                                      user.overHead(leftM, 0.079F - 0.3F * leftM, toForwardM - 0.3F * leftM));
+                }};
+    style.settings.nodesPerHair = 8;
+    style.settings.material.shine = 0.55F;
+    style.settings.material.tipAlpha = 0.7F;
+    return style;
+}
+
+Style sidePart()
+{
+    Style style{.id = "side-part",
+                .name = "Side part",
+                .tags = {QStringLiteral("short"), QStringLiteral("straight")},
+                .settings = settingsOf(0.15F, 0.05F, 0.006F),
+                .record = [](Recording& user) {
+                    constexpr float kPartM = 0.030F; // On the head's left.
+                    user.setLayerOpacity(MapKind::Density, 0.95F);
+                    user.fill(MapKind::Colour, colour(0xFF6B4325));
+                    graduate(user, 0.016F, 0.08F);
+                    fade(user, 0.004F, 0.016F);
+                    front(user, MapKind::Length, user.length(0.075F), 0.05F);
+                    user.fill(MapKind::Curl, scalar(0.02F));
+                    user.fill(MapKind::Clump, scalar(0.25F));
+                    user.setMirror(false);
+                    user.polygon(MapKind::Gel, scalar(0.35F), aroundTop(user));
+                    user.part({.reachM = 0.12F, .flatness = 0.93F, .gapM = 0.002F},
+                              user.overHead(kPartM, 0.06F, -0.06F));
+                }};
+    style.settings.nodesPerHair = 10;
+    style.settings.material.shine = 0.6F;
+    style.settings.material.tipAlpha = 0.7F;
+    return style;
+}
+
+Style frenchCrop()
+{
+    Style style{.id = "french-crop",
+                .name = "French crop",
+                .tags = {QStringLiteral("short"), QStringLiteral("straight")},
+                .settings = settingsOf(0.10F, 0.05F, 0.008F),
+                .record = [](Recording& user) {
+                    user.setLayerOpacity(MapKind::Density, 0.95F);
+                    user.fill(MapKind::Colour, colour(0xFF33241C));
+                    graduate(user, 0.010F, 0.040F);
+                    fade(user, 0.003F, 0.010F);
+                    front(user, MapKind::Length, user.length(0.042F), 0.04F);
+                    user.fill(MapKind::Curl, scalar(0.03F));
+                    user.setMirror(false);
+                    user.polygon(MapKind::Clump, scalar(0.5F), aroundTop(user));
+                }};
+    style.settings.greatestCurlRadiusM = 0.008F;
+    style.settings.nodesPerHair = 8;
+    style.settings.material.tipAlpha = 0.6F;
+    return style;
+}
+
+} // namespace hairpaint::presets
