@@ -13,7 +13,6 @@ namespace {
 
 constexpr float kAlongM = 0.02F;
 constexpr float kAlongPart = 1.0F / 3.0F;
-constexpr std::size_t kFurtherHairs = 4000;
 constexpr std::size_t kFurtherGrain = 64;
 constexpr float kOverSkinM = 0.015F; ///< So far over the skin hair is laid.
 constexpr float kEnoughHairs = 6.0F; ///< A cell with so many needs no coarser one.
@@ -144,7 +143,7 @@ std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadP
 }
 
 std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::HeadPose& pose,
-                                      const sim::DistanceGrid* distances)
+                                      const sim::DistanceGrid* distances, std::size_t most)
 {
     if (group.groom == nullptr || group.positions.empty())
         return {};
@@ -152,19 +151,19 @@ std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::H
     const sim::RootSet& roots = *groom.roots;
     const sim::StrandBlocks blocks = groom.blocks();
     const glm::quat toHead = glm::conjugate(pose.rotation);
-    const std::size_t step = std::max<std::size_t>(groom.drawnCount / kFurtherHairs, 1);
+    const std::size_t step = std::max<std::size_t>(groom.drawnCount / std::max<std::size_t>(most, 1), 1);
     std::vector<std::size_t> slots;
     std::size_t number = 0;
     for (std::size_t slot = 0; slot < roots.count(); ++slot)
         if (groom.isDrawn(slot) && number++ % step == 0)
             slots.push_back(slot);
-    const auto most = static_cast<std::size_t>(groom.nodes);
-    std::vector<std::optional<LyingHair>> found(slots.size() * most);
+    const auto nodeCount = static_cast<std::size_t>(groom.nodes);
+    std::vector<std::optional<LyingHair>> found(slots.size() * nodeCount);
     sim::parallelFor(slots.size(), kFurtherGrain, [&](std::size_t begin, std::size_t end) {
-        std::vector<glm::vec3> nodes(most);
+        std::vector<glm::vec3> nodes(nodeCount);
         for (std::size_t i = begin; i < end; ++i) {
             blocks.read(group.positions, groom.frameStrand(slots[i]), nodes);
-            for (std::size_t node = 1; node + 1 < most; ++node) {
+            for (std::size_t node = 1; node + 1 < nodeCount; ++node) {
                 const glm::vec3 placeHd = toHead * (nodes[node] - pose.positionWo);
                 if (distances != nullptr && isFar(*distances, placeHd))
                     continue;
@@ -172,7 +171,7 @@ std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::H
                 const float length = glm::length(wayHd);
                 const sim::SurfacePoint under = roots.skin->nearest(placeHd);
                 if (length > 1e-6F && glm::distance(under.positionHd, placeHd) < kOverSkinM)
-                    found[i * most + node] =
+                    found[i * nodeCount + node] =
                         LyingHair{.uv = under.uv, .direction = sim::SkinFrame::at(under).fromHd(wayHd / length)};
             }
         }

@@ -13,6 +13,7 @@ namespace {
 
 constexpr float kHoldSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kHoldLeastStepTx = 0.5F;
+constexpr std::size_t kFurtherHairs = 1000; ///< So many are looked up within a frame.
 
 } // namespace
 
@@ -32,7 +33,7 @@ bool HoldStroke::begin(const ToolContext& context)
         return false;
     m_edit.setText(holdStepText());
     m_gel = m_edit.also(context, context.layer(MapKind::Gel));
-    m_field.emplace(hairs, hairsFurtherOn(*group, context.hair->pose, head->distances.get()));
+    m_field.emplace(hairs, hairsFurtherOn(*group, context.hair->pose, head->distances.get(), kFurtherHairs));
     m_shownGel = std::move(shownGel);
     m_masks.emplace(m_edit.size());
     if (m_gel)
