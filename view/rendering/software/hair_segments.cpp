@@ -207,7 +207,7 @@ void HairSegments::drawBatch(std::size_t number)
         fillBlock(scratch.block, *group.frame, group.list->slots().subspan(first, lanes), m_turnWoFromHd);
         const SpanSegments segments = segmentsFor(group.view, scratch.block);
         drawnPoints(group.view, scratch.block, segments, scratch.points);
-        batch.add(m_tiles, scratch.points, segments.total, lanes);
+        batch.add(m_tiles, scratch.points, segments.total);
         all += static_cast<std::size_t>(segments.total) * lanes;
     }
     batch.sort(m_tiles);

@@ -104,7 +104,7 @@ void SoftwareRenderer::State::readyTiles()
 {
     segments.clear();
     for (std::size_t batch = 0; batch < hair.batchCount(); ++batch)
-        segments.push_back(hair.batch(batch).segments().data());
+        segments.push_back(hair.batch(batch).segments());
     shade();
 }
 

@@ -145,12 +145,17 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         stored(clamped((clip.z - Lanes(view.nearestM)) * Lanes(view.depthsPerM), 0.0F, 65535.0F),
                out.depth.data() + row);
 
-        const Lanes towardEye = opacityAt(view.opacity[1], view.gridSide, inGrid(view.gridFromWo[1], here, before));
+        // What hides hair half lies nearer than what shades it.
+        const Triple<Lanes> toEye = inGrid(view.gridFromWo[1], here, before);
+        const Lanes towardEye = opacityAt(view.opacity[1], view.gridSide, toEye);
+        const Lanes hiding = view.deepFraction < 1.0F ? opacityAt(view.opacity[1], view.gridSide,
+                                                                  {toEye.x, toEye.y, toEye.z + Lanes(2.0F * halfVoxel)})
+                                                      : towardEye;
+        const Lanes spread = own * wideningOf(view, order, hiding);
         const Yes seen =
-            (clip.z > Lanes(kNearestDrawnM)) & (Lanes(view.undrawnCoverings) > towardEye) & (own > Lanes(0.0F));
+            (clip.z > Lanes(kNearestDrawnM)) & (Lanes(view.undrawnCoverings) > towardEye) & (spread > Lanes(0.0F));
         if (!any(seen)) {
             stored(Lanes(0.0F), out.width.data() + row);
-            hn::StoreU(hn::Zero(di), di, reinterpret_cast<std::int32_t*>(out.colour.data()) + row);
             last = here;
             here = next;
             continue;
@@ -167,14 +172,8 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         const Lanes squareY = alongY * alongY;
         const Lanes slant = root((squareX + squareY) / most(most(squareX, squareY), Lanes(1e-20F)));
         const float alpha = view.rootAlpha + (view.tipAlpha - view.rootAlpha) * s * s;
-        const Lanes ownWidth = own * perW;
-        // What hides hair half lies nearer than what shades it.
-        const Lanes hiding = view.deepFraction < 1.0F ? opacityAt(view.opacity[1], view.gridSide,
-                                                                  inGrid(view.gridFromWo[1], here, halfVoxel))
-                                                      : towardEye;
-        const Lanes widening = wideningOf(view, order, hiding);
         const Lanes width =
-            least(ownWidth * widening * Lanes(alpha), Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
+            least(spread * perW * Lanes(alpha), Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
 
         const Triple<Lanes> lit =
