@@ -19,8 +19,8 @@ namespace {
 constexpr int kMostSide = 8192;
 constexpr std::size_t kBatchesAStep = 4;
 constexpr std::size_t kTilesAStep = 64;
-constexpr float kCoarseOpaque = 0.04F; ///< What is left to see through then is nothing.
-constexpr float kFineOpaque = 0.01F;
+constexpr float kCoarseOpaque = 0.06F; ///< What is left to see through then is nothing.
+constexpr float kFineOpaque = 0.015F;
 constexpr int kCoarseShadeCell = 4; ///< Pixels.
 constexpr int kFineShadeCell = 2;   ///< Of pictures with several samples a pixel.
 
@@ -58,6 +58,7 @@ struct SoftwareRenderer::State
     HairSegments hair;
     std::vector<const ScreenSegment*> segments; ///< By batch.
     std::vector<float> skinShade;
+    std::vector<float> hiddenBehind; ///< In the same cells.
     glm::ivec2 shadeSize{0};
     int shadeCell = kCoarseShadeCell;
     std::vector<std::uint8_t> drawn;  ///< The picture under way.
@@ -118,9 +119,11 @@ void SoftwareRenderer::State::shade()
     shadeCell = target.samples.x > 1 ? kFineShadeCell : kCoarseShadeCell;
     shadeSize = (glm::ivec2(target.width, target.height) + shadeCell - 1) / shadeCell;
     skinShade.resize(static_cast<std::size_t>(shadeSize.x) * static_cast<std::size_t>(shadeSize.y));
+    hiddenBehind.resize(skinShade.size());
     const glm::vec4 far = constants.woFromProjection * glm::vec4(0.0F, 0.0F, 1.0F, 1.0F);
     const ShadeTask task{.woFromProjection = constants.woFromProjection,
-                         .gridFromWo = constants.gridFromWo,
+                         .gridFromWo = constants.gridFromWo[0],
+                         .eyeGrid = hair.grids().eyeGrid(),
                          .opacity = {hair.grids().grid(0), hair.grids().grid(1)},
                          .gridSide = kGridSide,
                          .eyeWo = glm::vec3(constants.eyeWo),
@@ -133,7 +136,9 @@ void SoftwareRenderer::State::shade()
                          .height = head.height(),
                          .distancesM = head.distancesM().data(),
                          .viewAxisWo = glm::normalize(glm::vec3(far) / far.w - glm::vec3(constants.eyeWo)),
-                         .shade = skinShade.data()};
+                         .undrawnCoverings = hair.undrawnCoverings(),
+                         .shade = skinShade.data(),
+                         .hidden = hiddenBehind.data()};
     sim::parallelFor(static_cast<std::size_t>(shadeSize.y), 8, [&](std::size_t begin, std::size_t end) {
         shadeSkin(task, static_cast<int>(begin), static_cast<int>(end));
     });
@@ -176,6 +181,7 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
                               .background = glm::vec3(picture.constants.background[0]),
                               .backgroundRise = glm::vec3(picture.constants.background[1]),
                               .shade = shadeSize.x > 0 ? skinShade.data() : nullptr,
+                              .hidden = shadeSize.x > 0 ? hiddenBehind.data() : nullptr,
                               .shadeAcross = shadeSize.x,
                               .shadeUp = shadeSize.y,
                               .shadeCell = shadeCell};

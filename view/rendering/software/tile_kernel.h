@@ -74,6 +74,7 @@ struct ResolveTask
     glm::vec3 background{0.0F};     ///< sRGB as encoded, in the middle of the picture;
     glm::vec3 backgroundRise{0.0F}; ///< and from there to the top.
     const float* shade = nullptr;   ///< What is left of the skin's light, in cells from the lowest; null: all.
+    const float* hidden = nullptr;  ///< Likewise: how surely nothing is seen through hair.
     int shadeAcross = 0;
     int shadeUp = 0;
     int shadeCell = 1; ///< Pixels.
