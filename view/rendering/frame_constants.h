@@ -43,8 +43,7 @@ inline constexpr std::array kSampleDefines{"#define SAMPLES_X 1\n#define SAMPLES
                                            "#define SAMPLES_X 2\n#define SAMPLES_Y 1\n",
                                            "#define SAMPLES_X 2\n#define SAMPLES_Y 2\n"};
 
-inline constexpr int kGridSide = 48;         ///< Voxels of the opacity grid in each direction.
-inline constexpr float kGridUnits = 1024.0F; ///< That software counts a voxel's opacity in; 64 and more is 64.
+inline constexpr int kGridSide = 48; ///< Voxels of the opacity grid in each direction.
 
 [[nodiscard]] FrameConstants frameConstants(const Scene& scene, const Target& target);
 

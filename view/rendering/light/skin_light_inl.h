@@ -6,7 +6,7 @@
 #define HAIRPAINT_RENDERING_SKIN_LIGHT_INL_H_
 #endif
 
-#include "view/rendering/frame_constants.h"
+#include "view/rendering/light/hair_light.h"
 #include "view/rendering/light/lanes_inl.h"
 #include "view/rendering/light/skin_light.h"
 

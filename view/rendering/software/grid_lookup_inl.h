@@ -6,6 +6,7 @@
 #define HAIRPAINT_RENDERING_GRID_LOOKUP_INL_H_
 #endif
 
+#include "view/rendering/light/hair_light.h"
 #include "view/rendering/light/lanes_inl.h"
 #include "view/rendering/software/eye_grid.h"
 

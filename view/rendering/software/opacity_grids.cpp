@@ -2,6 +2,7 @@
 #include "view/rendering/software/opacity_grids.h"
 
 #include "sim/base/parallel.h"
+#include "view/rendering/light/hair_light.h"
 
 #include <algorithm>
 #include <utility>

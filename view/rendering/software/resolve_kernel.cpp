@@ -141,6 +141,14 @@ HWY_INLINE Ints rgba(Ints red, Ints green, Ints blue, Ints alpha)
     return hn::Or(hn::Or(red, hn::ShiftLeft<8>(green)), hn::Or(hn::ShiftLeft<16>(blue), hn::ShiftLeft<24>(alpha)));
 }
 
+/// The first `used` lanes.
+HWY_INLINE void storeLinear(const Triple<Lanes>& colour, Lanes alpha, std::size_t used, float* to)
+{
+    HWY_ALIGN float whole[4 * kMostLanes];
+    hn::StoreInterleaved4(colour.x.v, colour.y.v, colour.z.v, alpha.v, Tag(), whole);
+    std::memcpy(to, whole, 4 * used * sizeof(float));
+}
+
 void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamples& samples, std::uint8_t* pixels)
 {
     const float perPixel = 1.0F / static_cast<float>(resolve.samplesX * resolve.samplesY);
@@ -156,28 +164,35 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
         const glm::vec3 srgb = glm::clamp(resolve.background + resolve.backgroundRise * rise, 0.0F, 1.0F);
         const Triple<Lanes> background =
             tripleOf<Lanes>(glm::vec3(linearFromSrgb(srgb.x), linearFromSrgb(srgb.y), linearFromSrgb(srgb.z)));
-        const Ints opaque = hn::Set(IntTag(), 255);
-        const Ints bareRgba = rgba(byteOf(Lanes(srgb.x)), byteOf(Lanes(srgb.y)), byteOf(Lanes(srgb.z)), opaque);
-        std::uint8_t* out = pixels + (static_cast<std::size_t>(resolve.pictureHeight - 1 - row) *
-                                          static_cast<std::size_t>(resolve.pictureWidth) +
-                                      static_cast<std::size_t>(resolve.firstPixelX)) *
-                                         4;
+        const Ints bareRgba = resolve.transparent ? hn::Zero(IntTag())
+                                                  : rgba(byteOf(Lanes(srgb.x)), byteOf(Lanes(srgb.y)),
+                                                         byteOf(Lanes(srgb.z)), hn::Set(IntTag(), 255));
+        const std::size_t first =
+            static_cast<std::size_t>(resolve.pictureHeight - 1 - row) * static_cast<std::size_t>(resolve.pictureWidth) +
+            static_cast<std::size_t>(resolve.firstPixelX);
         for (std::size_t x = 0; x < count; x += hn::Lanes(Tag())) {
+            const std::size_t used = std::min(count - x, hn::Lanes(Tag()));
             const Lanes through = loaded(light.through.data() + x) * Lanes(perPixel);
             const Yes covered = through < Lanes(1.0F);
             Ints shown = bareRgba;
-            if (any(covered)) {
-                const Triple<Lanes> linear = Triple<Lanes>{loaded(light.red.data() + x), loaded(light.green.data() + x),
-                                                           loaded(light.blue.data() + x)} *
-                                                 Lanes(perPixel) +
-                                             background * through;
-                const Ints lit =
-                    rgba(byteOf(fastSrgb(linear.x)), byteOf(fastSrgb(linear.y)), byteOf(fastSrgb(linear.z)), opaque);
+            if (any(covered) || resolve.linear != nullptr) {
+                const Lanes alpha = resolve.transparent ? Lanes(1.0F) - through : Lanes(1.0F);
+                Triple<Lanes> linear = Triple<Lanes>{loaded(light.red.data() + x), loaded(light.green.data() + x),
+                                                     loaded(light.blue.data() + x)} *
+                                       Lanes(perPixel);
+                if (!resolve.transparent)
+                    linear = linear + background * through;
+                if (resolve.linear != nullptr)
+                    storeLinear(linear, alpha, used, resolve.linear + 4 * (first + x));
+                if (resolve.transparent)
+                    linear = linear * (Lanes(1.0F) / most(alpha, Lanes(1e-6F)));
+                const Ints lit = rgba(byteOf(fastSrgb(linear.x)), byteOf(fastSrgb(linear.y)),
+                                      byteOf(fastSrgb(linear.z)), byteOf(alpha));
                 shown = hn::IfThenElse(hn::RebindMask(IntTag(), covered.m), lit, bareRgba);
             }
             HWY_ALIGN std::int32_t whole[kMostLanes];
             hn::Store(shown, IntTag(), whole);
-            std::memcpy(out + 4 * x, whole, 4 * std::min(count - x, hn::Lanes(Tag())));
+            std::memcpy(pixels + 4 * (first + x), whole, 4 * used);
         }
     }
 }

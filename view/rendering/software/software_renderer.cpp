@@ -49,6 +49,7 @@ struct SoftwareRenderer::State
         std::size_t nextBatch = 0;
         std::size_t nextTile = 0;
         double spentMs = 0.0;
+        bool transparent = false;
         bool complete = true;
     };
 
@@ -63,6 +64,8 @@ struct SoftwareRenderer::State
     int shadeCell = kCoarseShadeCell;
     std::vector<std::uint8_t> drawn;  ///< The picture under way.
     std::vector<std::uint8_t> pixels; ///< The last finished one.
+    std::vector<float> drawnLinear;   ///< Likewise, empty where it is not wanted.
+    std::vector<float> linear;
     std::optional<Picture> underWay;
 
     void prepare(const Scene& scene, const Quality& quality, int width, int height);
@@ -81,12 +84,14 @@ void SoftwareRenderer::State::prepare(const Scene& scene, const Quality& quality
     Picture picture;
     picture.target.width = std::clamp(width, 1, kMostSide);
     picture.target.height = std::clamp(height, 1, kMostSide);
-    picture.target.samples = glm::ivec2(quality.samples > 1 ? 2 : 1);
+    picture.target.samples = glm::ivec2(quality.samples > 4 ? 4 : quality.samples > 1 ? 2 : 1);
+    picture.transparent = scene.transparent;
     picture.constants = frameConstants(scene, picture.target);
     const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
     head.update(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, picture.constants);
     hair.begin(scene.hair, picture.constants, detail, quality.samples > 1);
     drawn.resize(static_cast<std::size_t>(picture.target.width) * static_cast<std::size_t>(picture.target.height) * 4);
+    drawnLinear.resize(quality.linear ? drawn.size() : 0);
     underWay = picture;
 }
 
@@ -180,6 +185,8 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
                               .pictureHeight = picture.target.height,
                               .background = glm::vec3(picture.constants.background[0]),
                               .backgroundRise = glm::vec3(picture.constants.background[1]),
+                              .transparent = picture.transparent,
+                              .linear = drawnLinear.empty() ? nullptr : drawnLinear.data(),
                               .shade = shadeSize.x > 0 ? skinShade.data() : nullptr,
                               .hidden = shadeSize.x > 0 ? hiddenBehind.data() : nullptr,
                               .shadeAcross = shadeSize.x,
@@ -221,6 +228,7 @@ void SoftwareRenderer::State::finish(bool inSteps)
     const Picture& picture = *underWay;
     drawRings(picture.constants, head, drawn.data());
     std::swap(drawn, pixels);
+    std::swap(drawnLinear, linear);
     statistics = {.drawnHairs = hair.hairs(),
                   .drawnSegments = hair.segmentCount(),
                   .uploadedBytes = 0,
@@ -289,6 +297,11 @@ bool SoftwareRenderer::drawPatiently(const Scene& scene, const Quality& quality,
 void SoftwareRenderer::read(std::vector<std::uint8_t>& pixels)
 {
     pixels = m_state->pixels;
+}
+
+void SoftwareRenderer::readLinear(std::vector<float>& pixels)
+{
+    pixels = m_state->linear;
 }
 
 const FrameStatistics& SoftwareRenderer::statistics() const
