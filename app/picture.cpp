@@ -73,8 +73,8 @@ model::Result<QImage> PictureMaker::draw(const rendering::Scene& scene, renderin
         return model::failure(QCoreApplication::translate("Picture", "Drawing the picture was cancelled."));
     std::vector<std::uint8_t> pixels;
     m_renderer->read(pixels);
-    return QImage(pixels.data(), size.width(), size.height(), size.width() * 4, QImage::Format_RGBA8888)
-        .convertToFormat(scene.transparent ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+    const QImage drawn(pixels.data(), size.width(), size.height(), size.width() * 4, QImage::Format_RGBA8888);
+    return scene.transparent ? drawn.copy() : drawn.convertToFormat(QImage::Format_RGB888); // Never of `pixels`.
 }
 
 model::Result<void> PictureMaker::save(const rendering::Scene& scene, QSize size, const PictureLook& look,
