@@ -74,7 +74,11 @@ model::Result<QImage> PictureMaker::draw(const rendering::Scene& scene, renderin
     std::vector<std::uint8_t> pixels;
     m_renderer->read(pixels);
     const QImage drawn(pixels.data(), size.width(), size.height(), size.width() * 4, QImage::Format_RGBA8888);
-    return scene.transparent ? drawn.copy() : drawn.convertToFormat(QImage::Format_RGB888); // Never of `pixels`.
+    QImage picture = drawn.convertToFormat(scene.transparent ? QImage::Format_ARGB32 : QImage::Format_RGB888);
+    constexpr int kDotsPerMetre = 2835; // 72 an inch; else the file would tell of this machine's screen.
+    picture.setDotsPerMeterX(kDotsPerMetre);
+    picture.setDotsPerMeterY(kDotsPerMetre);
+    return picture;
 }
 
 model::Result<void> PictureMaker::save(const rendering::Scene& scene, QSize size, const PictureLook& look,
