@@ -60,8 +60,8 @@ void SegmentBatch::addToTiles(const TileGrid& tiles, const ScreenSegment& segmen
     const auto low = static_cast<int>(tilesY & kLowHalf);
     const auto high = static_cast<int>(tilesY >> 16U);
     const auto number = static_cast<std::uint32_t>(m_segmentCount);
-    reserveMore(m_found, m_foundCount, static_cast<std::size_t>(right - left + 1) *
-                                           static_cast<std::size_t>(high - low + 1));
+    reserveMore(m_found, m_foundCount,
+                static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(high - low + 1));
     const auto tileAt = [&](int tx, int ty) { return static_cast<std::uint32_t>(ty * tiles.across + tx); };
     if (left == right && low == high) {
         const std::uint32_t sum = std::uint32_t{segment.depth[0]} + segment.depth[1];
@@ -84,9 +84,8 @@ void SegmentBatch::addToTiles(const TileGrid& tiles, const ScreenSegment& segmen
             if (left != right && low != high && std::abs(cx * dy - cy * dx) > side)
                 continue;
             const float t = std::clamp((cx * dx + cy * dy) * perLength2, 0.0F, 1.0F);
-            m_found[m_foundCount++] = {.segment = number,
-                                       .tile = tileAt(tx, ty),
-                                       .depth = static_cast<std::uint16_t>(depth0 + deeper * t)};
+            m_found[m_foundCount++] = {
+                .segment = number, .tile = tileAt(tx, ty), .depth = static_cast<std::uint16_t>(depth0 + deeper * t)};
         }
 }
 

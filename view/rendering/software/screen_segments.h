@@ -17,7 +17,7 @@ struct alignas(32) ScreenSegment
 {
     float x0, y0, x1, y1;
     std::array<std::uint16_t, 2> depth;
-    std::array<std::uint16_t, 2> width;   ///< Across its main direction, in kWidthUnit.
+    std::array<std::uint16_t, 2> width;  ///< Across its main direction, in kWidthUnit.
     std::array<std::uint32_t, 2> colour; ///< As in StrandPoints.
 };
 

@@ -34,8 +34,8 @@ HWY_INLINE Quad colourOf(std::uint32_t bits)
     HWY_ALIGN static constexpr std::int32_t kOnes[4] = {0, 0, 0, 1};
     HWY_ALIGN static constexpr float kUnits[4] = {kUnit, kUnit * kTen, kUnit * kTen * kTen, 1.0F};
     const hn::FixedTag<std::int32_t, 4> di;
-    const auto parts = hn::Or(hn::And(hn::Set(di, static_cast<std::int32_t>(bits)), hn::Load(di, kMasks)),
-                              hn::Load(di, kOnes));
+    const auto parts =
+        hn::Or(hn::And(hn::Set(di, static_cast<std::int32_t>(bits)), hn::Load(di, kMasks)), hn::Load(di, kOnes));
     const Quad root = Quad{hn::ConvertTo(QuadTag(), parts)} * quadOf(kUnits);
 #endif
     HWY_ALIGN static constexpr float kSigns[4] = {1.0F, 1.0F, 1.0F, -1.0F};
@@ -243,12 +243,13 @@ HWY_INLINE void placeSteps(int begin, const Pace& at, const Pace& step, ThinStep
         const auto middle = hn::Add(hn::Set(d, at.middle - 0.5F), hn::Mul(hn::Set(d, step.middle), number));
         const auto low = hn::Floor(middle);
         // Out of the tile it covers nothing.
-        const auto within = hn::And(hn::Ge(low, hn::Set(d, -1.0F)), hn::Lt(low, hn::Set(d, static_cast<float>(kTileSp))));
-        const auto width = hn::IfThenElseZero(
-            within, hn::Add(hn::Set(d, at.width), hn::Mul(hn::Set(d, step.width), number)));
+        const auto within =
+            hn::And(hn::Ge(low, hn::Set(d, -1.0F)), hn::Lt(low, hn::Set(d, static_cast<float>(kTileSp))));
+        const auto width =
+            hn::IfThenElseZero(within, hn::Add(hn::Set(d, at.width), hn::Mul(hn::Set(d, step.width), number)));
         const auto cover1 = hn::Mul(width, hn::Sub(middle, low));
-        const auto k = hn::ConvertTo(
-            di, hn::Min(hn::Max(low, hn::Set(d, -1.0F)), hn::Set(d, static_cast<float>(kTileSp - 1))));
+        const auto k =
+            hn::ConvertTo(di, hn::Min(hn::Max(low, hn::Set(d, -1.0F)), hn::Set(d, static_cast<float>(kTileSp - 1))));
         const auto along = hn::Iota(di, begin + static_cast<int>(i));
         const auto row = kSteep ? along : k;
         const auto column = kSteep ? k : along;
@@ -366,9 +367,9 @@ HWY_INLINE void layOne(Canvas& canvas, const ScreenSegment& segment)
         const int chunkEnd = std::min((cell + 1) * kCellSp, end);
         const float along = static_cast<float>(chunk) + 0.5F - walk.main0;
         const Pace at{.middle = walk.across0 + step.middle * along,
-                .width = walk.width0 + step.width * along,
-                .depth = walk.depth0 + step.depth * along,
-                .colour = colour0 + step.colour * quadOf(along)};
+                      .width = walk.width0 + step.width * along,
+                      .depth = walk.depth0 + step.depth * along,
+                      .colour = colour0 + step.colour * quadOf(along)};
         const float last = at.middle + step.middle * static_cast<float>(chunkEnd - 1 - chunk);
         if (!isClosed<kSteep>(canvas, cell, at.middle, last, reach)) {
             if (thin)
