@@ -69,8 +69,8 @@ void OpacityGrids::sum(const FrameConstants& constants)
                     for (std::vector<std::uint32_t>& voxels : m_voxels)
                         area += std::exchange(voxels[first + z * kSlice + x], 0U);
                     const float here = static_cast<float>(area) * unit;
-                    units.at(x) = static_cast<std::uint32_t>(
-                        std::min((sums.at(x) + 0.5F * here) * kGridUnits, kMostUnits) + 0.5F);
+                    const float rounded = (sums.at(x) + 0.5F * here) * kGridUnits + 0.5F;
+                    units.at(x) = static_cast<std::uint32_t>(std::min(rounded, kMostUnits));
                     sums.at(x) += here;
                 }
                 units.back() = units.at(kGridSide - 1);
