@@ -249,15 +249,18 @@ void Exchange::exportHair()
 
 void Exchange::savePicture()
 {
-    const QString path =
-        askSavePath(tr("Save picture"), tr("hairstyle"), tr("PNG images (*.png)"), QStringLiteral("png"));
+    const QString transparent = tr("PNG images without background (*.png)");
+    const QStringList filters{tr("PNG images (*.png)"), transparent,
+                              tr("OpenEXR images in linear light, without background (*.exr)")};
+    QString filter;
+    const QString path = askSavePath(tr("Save picture"), tr("hairstyle"), filters.join(QLatin1String(";;")),
+                                     QStringLiteral("png"), &filter);
     if (path.isEmpty() || currentHair() == nullptr)
         return;
-    write(path, [scene = m_scene(), path](const model::Progress& progress) -> model::Result<void> {
-        const model::Result<QImage> picture = PictureMaker().take(scene, kPictureSize, progress);
-        if (!picture)
-            return tl::unexpected(picture.error());
-        return writePicture(*picture, path);
+    rendering::Scene scene = m_scene();
+    scene.transparent = isExr(path) || filter == transparent;
+    write(path, [scene, path](const model::Progress& progress) {
+        return PictureMaker().save(scene, kPictureSize, {}, path, progress);
     });
 }
 
@@ -351,11 +354,12 @@ void Exchange::complain(const QString& message)
     QMessageBox::warning(&m_window, tr("Hair Paint"), message);
 }
 
-QString Exchange::askSavePath(const QString& title, const QString& name, const QString& filter, const QString& suffix)
+QString Exchange::askSavePath(const QString& title, const QString& name, const QString& filter, const QString& suffix,
+                              QString* chosenFilter)
 {
     const QString suggested = m_settings.lastFolder() + QLatin1Char('/') + name + QLatin1Char('.') + suffix;
-    const QString path =
-        app::askSavePath(m_window, {.title = title, .suggestedPath = suggested, .filter = filter, .suffix = suffix});
+    const QString path = app::askSavePath(
+        m_window, {.title = title, .suggestedPath = suggested, .filter = filter, .suffix = suffix}, chosenFilter);
     if (!path.isEmpty())
         m_settings.setLastFolder(QFileInfo(path).absolutePath());
     return path;

@@ -60,7 +60,7 @@ private:
     void write(const QString& path, const Work<void>& work);
     /// The chosen path with `suffix` added where it has none; empty where cancelled.
     [[nodiscard]] QString askSavePath(const QString& title, const QString& name, const QString& filter,
-                                      const QString& suffix);
+                                      const QString& suffix, QString* chosenFilter = nullptr);
     [[nodiscard]] QString askOpenPath(const QString& title, const QString& filter);
 
     Session& m_session;

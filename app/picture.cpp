@@ -1,7 +1,7 @@
 // Pictures without a window: see the header.
 #include "app/picture.h"
 
-#include "view/rendering/software/software_renderer.h"
+#include "app/exr_file.h"
 #include "view/scene_light.h"
 
 #include "model/files/atomic_file.h"
@@ -18,50 +18,83 @@ namespace {
 constexpr int kLargestFinePx = 4096; ///< Larger pictures have one sample a pixel, for want of memory.
 constexpr std::size_t kSketchedHairs = 20'000;
 
+model::Result<void> writeBytes(const QByteArray& bytes, const QString& path)
+{
+    if (const model::Checked<void> written = model::writeFile(path, bytes); !written)
+        return model::cannotWrite(path, written.error());
+    return {};
+}
+
 } // namespace
 
 PictureMaker::PictureMaker() : m_renderer(std::make_unique<rendering::SoftwareRenderer>()) {}
 
+rendering::Scene pictureScene(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
+                              const rendering::Camera& camera)
+{
+    return {.head = project.head->shownMesh,
+            .headInMotion = {},
+            .hair = std::move(frame),
+            .camera = camera,
+            .light = view::sceneLight(project.light),
+            .skin = view::sceneSkin(project.skin),
+            .background = view::linearColour(project.background),
+            .transparent = false,
+            .ring = {},
+            .mirroredRing = {}};
+}
+
 model::Result<QImage> PictureMaker::take(const model::Project& project, std::shared_ptr<const sim::StrandFrame> frame,
                                          const rendering::Camera& camera, QSize size, const model::Progress& progress)
 {
-    return take({.head = project.head->shownMesh,
-                 .headInMotion = {},
-                 .hair = std::move(frame),
-                 .camera = camera,
-                 .light = view::sceneLight(project.light),
-                 .skin = view::sceneSkin(project.skin),
-                 .background = view::linearColour(project.background),
-                 .ring = {},
-                 .mirroredRing = {}},
-                size, progress);
+    return take(pictureScene(project, std::move(frame), camera), size, progress);
 }
 
 model::Result<QImage> PictureMaker::take(const rendering::Scene& scene, QSize size, const model::Progress& progress)
 {
-    return draw(scene, 1.0F, size, progress);
+    return draw(scene, rendering::pictureQuality(), size, progress);
 }
 
 model::Result<QImage> PictureMaker::sketch(const rendering::Scene& scene, QSize size, const model::Progress& progress)
 {
     const std::size_t hairs = scene.hair ? scene.hair->hairCount : 0;
-    return draw(scene, hairs > kSketchedHairs ? static_cast<float>(kSketchedHairs) / static_cast<float>(hairs) : 1.0F,
-                size, progress);
+    rendering::Quality quality = rendering::pictureQuality();
+    if (hairs > kSketchedHairs)
+        quality.detail = static_cast<float>(kSketchedHairs) / static_cast<float>(hairs);
+    return draw(scene, quality, size, progress);
 }
 
-model::Result<QImage> PictureMaker::draw(const rendering::Scene& scene, float detail, QSize size,
+model::Result<QImage> PictureMaker::draw(const rendering::Scene& scene, rendering::Quality quality, QSize size,
                                          const model::Progress& progress)
 {
-    rendering::Quality quality = rendering::pictureQuality();
-    quality.detail = detail;
     if (std::max(size.width(), size.height()) > kLargestFinePx)
         quality.samples = 1;
     if (!m_renderer->drawPatiently(scene, quality, size.width(), size.height(), progress))
         return model::failure(QCoreApplication::translate("Picture", "Drawing the picture was cancelled."));
     std::vector<std::uint8_t> pixels;
     m_renderer->read(pixels);
-    return QImage(pixels.data(), size.width(), size.height(), size.width() * 4, QImage::Format_RGBA8888)
-        .convertToFormat(QImage::Format_RGB888);
+    const QImage drawn(pixels.data(), size.width(), size.height(), size.width() * 4, QImage::Format_RGBA8888);
+    QImage picture = drawn.convertToFormat(scene.transparent ? QImage::Format_ARGB32 : QImage::Format_RGB888);
+    constexpr int kDotsPerMetre = 2835; // 72 an inch; else the file would tell of this machine's screen.
+    picture.setDotsPerMeterX(kDotsPerMetre);
+    picture.setDotsPerMeterY(kDotsPerMetre);
+    return picture;
+}
+
+model::Result<void> PictureMaker::save(const rendering::Scene& scene, QSize size, const PictureLook& look,
+                                       const QString& path, const model::Progress& progress)
+{
+    rendering::Quality quality = rendering::pictureQuality();
+    quality.samples = look.samples;
+    quality.linear = isExr(path);
+    const model::Result<QImage> picture = draw(scene, quality, size, progress);
+    if (!picture)
+        return tl::unexpected(picture.error());
+    if (!quality.linear)
+        return writePicture(*picture, path);
+    std::vector<float> linear;
+    m_renderer->readLinear(linear);
+    return writeBytes(exrBytes(linear, size), path);
 }
 
 model::Result<void> writePicture(const QImage& picture, const QString& path)
@@ -72,9 +105,12 @@ model::Result<void> writePicture(const QImage& picture, const QString& path)
     buffer.open(QIODevice::WriteOnly);
     if (!picture.save(&buffer, "PNG"))
         return model::cannotWrite(path, {.text = QCoreApplication::translate("Picture", "there is no picture")});
-    if (const model::Checked<void> written = model::writeFile(path, bytes); !written)
-        return model::cannotWrite(path, written.error());
-    return {};
+    return writeBytes(bytes, path);
+}
+
+bool isExr(const QString& path)
+{
+    return path.endsWith(QLatin1String(".exr"), Qt::CaseInsensitive);
 }
 
 } // namespace hairpaint::app

@@ -4,12 +4,18 @@
 #include "model/error.h"
 #include "model/files/project_file.h"
 #include "model/project.h"
-#include "view/rendering/backend.h"
+#include "view/rendering/software/software_renderer.h"
 #include "view/rendering/standard_views.h"
 
 #include <QImage>
 
 namespace hairpaint::app {
+
+/// How a picture that is kept is drawn.
+struct PictureLook
+{
+    int samples = rendering::pictureQuality().samples; ///< A pixel: 1, 2, 4, 8 or 16.
+};
 
 /// Needs no OpenGL: the same bytes on every machine. One thread.
 class PictureMaker
@@ -17,6 +23,9 @@ class PictureMaker
 public:
     PictureMaker();
 
+    /// Draws the scene and writes it, by the name as PNG or as OpenEXR in linear light; whole or not at all.
+    [[nodiscard]] model::Result<void> save(const rendering::Scene& scene, QSize size, const PictureLook& look,
+                                           const QString& path, const model::Progress& progress = {});
     /// Every hair, four samples a pixel where that fits. Fails where it is stopped.
     [[nodiscard]] model::Result<QImage> take(const model::Project& project,
                                              std::shared_ptr<const sim::StrandFrame> frame,
@@ -30,13 +39,19 @@ public:
                                                const model::Progress& progress = {});
 
 private:
-    [[nodiscard]] model::Result<QImage> draw(const rendering::Scene& scene, float detail, QSize size,
+    [[nodiscard]] model::Result<QImage> draw(const rendering::Scene& scene, rendering::Quality quality, QSize size,
                                              const model::Progress& progress);
 
-    std::unique_ptr<rendering::Backend> m_renderer;
+    std::unique_ptr<rendering::SoftwareRenderer> m_renderer;
 };
 
+/// The scene of a project as pictures show it.
+[[nodiscard]] rendering::Scene pictureScene(const model::Project& project,
+                                            std::shared_ptr<const sim::StrandFrame> frame,
+                                            const rendering::Camera& camera);
 /// Writes a PNG whole or not at all.
 [[nodiscard]] model::Result<void> writePicture(const QImage& picture, const QString& path);
+/// Whether a picture of that name is OpenEXR.
+[[nodiscard]] bool isExr(const QString& path);
 
 } // namespace hairpaint::app

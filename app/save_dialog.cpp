@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QRegularExpression>
 
 namespace hairpaint::app {
 
@@ -26,17 +27,19 @@ bool mayReplace(QWidget& window, const SaveQuestion& question, const QString& pa
 
 } // namespace
 
-QString askSavePath(QWidget& window, const SaveQuestion& question)
+QString askSavePath(QWidget& window, const SaveQuestion& question, QString* filter)
 {
     QString suggested = question.suggestedPath;
     for (;;) {
         // Dialogs of some systems ask before they add the suffix, so they are told not to ask at all.
-        const QString chosen = QFileDialog::getSaveFileName(&window, question.title, suggested, question.filter,
-                                                            nullptr, QFileDialog::DontConfirmOverwrite);
+        const QString chosen = QFileDialog::getSaveFileName(&window, question.title, suggested, question.filter, filter,
+                                                            QFileDialog::DontConfirmOverwrite);
         if (chosen.isEmpty())
             return {};
-        const QString path =
-            QFileInfo(chosen).suffix().isEmpty() ? chosen + QLatin1Char('.') + question.suffix : chosen;
+        const auto wanted =
+            QRegularExpression(QStringLiteral("\\(\\*\\.(\\w+)\\)")).match(filter ? *filter : QString());
+        const QString suffix = wanted.hasMatch() ? wanted.captured(1) : question.suffix;
+        const QString path = QFileInfo(chosen).suffix().isEmpty() ? chosen + QLatin1Char('.') + suffix : chosen;
         if (mayReplace(window, question, path))
             return path;
         suggested = path;

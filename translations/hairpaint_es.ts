@@ -159,10 +159,6 @@
         <translation>--wind admite X,Y,Z en m/s, cada uno de -30 a 30</translation>
     </message>
     <message>
-        <source>-o takes a name that ends in .png</source>
-        <translation>-o necesita un nombre que acabe en .png</translation>
-    </message>
-    <message>
         <source>hairpaint [PROJECT]
     opens the editor</source>
         <translation>hairpaint [PROYECTO]
@@ -245,10 +241,6 @@
         <translation>las curvas que se escriben</translation>
     </message>
     <message>
-        <source>the picture to write</source>
-        <translation>la imagen que se escribe</translation>
-    </message>
-    <message>
         <source>in pixels; 1024x1024 unless given</source>
         <translation>en píxeles; 1024x1024 si no se da</translation>
     </message>
@@ -329,6 +321,38 @@
     <message>
         <source>A project&apos;s name ends in .hairpaint, not in .%1</source>
         <translation>El nombre de un proyecto termina en .hairpaint, no en .%1</translation>
+    </message>
+    <message>
+        <source>the picture to write; as OpenEXR in linear light, alpha in its colours</source>
+        <translation>la imagen que se escribe; como OpenEXR en luz lineal, con la alfa en sus colores</translation>
+    </message>
+    <message>
+        <source>instead of a view: degrees from the face toward the head&apos;s left, and upward; the distance in cm, else as --fit asks</source>
+        <translation>en lugar de una vista: grados desde el rostro hacia la izquierda de la cabeza, y hacia arriba; la distancia en cm o, si falta, la que pida --fit</translation>
+    </message>
+    <message>
+        <source>1, 2, 4, 8 or 16 a pixel; 4 unless given</source>
+        <translation>1, 2, 4, 8 o 16 por píxel; 4 si no se indica</translation>
+    </message>
+    <message>
+        <source>no background: alpha tells what is covered</source>
+        <translation>sin fondo: la alfa dice qué está cubierto</translation>
+    </message>
+    <message>
+        <source>--camera takes AZIMUTH,ELEVATION[,DISTANCE], -360 to 360 and -89 to 89 degrees, 5 to 1000 cm, not &apos;%1&apos;</source>
+        <translation>--camera admite AZIMUTH,ELEVATION[,DISTANCE], de -360 a 360 y de -89 a 89 grados, de 5 a 1000 cm, no «%1»</translation>
+    </message>
+    <message>
+        <source>--camera and --view exclude each other</source>
+        <translation>--camera y --view se excluyen</translation>
+    </message>
+    <message>
+        <source>--samples takes 1, 2, 4, 8 or 16, not &apos;%1&apos;</source>
+        <translation>--samples admite 1, 2, 4, 8 o 16, no «%1»</translation>
+    </message>
+    <message>
+        <source>-o takes a name that ends in .png or .exr</source>
+        <translation>-o admite un nombre que termine en .png o .exr</translation>
     </message>
 </context>
 <context>
@@ -1951,6 +1975,14 @@
     <message>
         <source>The head so far has no landmarks; the maps stay as they lie</source>
         <translation>La cabeza anterior no tiene puntos de referencia; los mapas se quedan como están</translation>
+    </message>
+    <message>
+        <source>PNG images without background (*.png)</source>
+        <translation>Imágenes PNG sin fondo (*.png)</translation>
+    </message>
+    <message>
+        <source>OpenEXR images in linear light, without background (*.exr)</source>
+        <translation>Imágenes OpenEXR en luz lineal, sin fondo (*.exr)</translation>
     </message>
 </context>
 <context>

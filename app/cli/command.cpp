@@ -45,12 +45,19 @@ constexpr std::array<OptionHelp, 5> kExportOptions = {{
     kWind,
     {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves once after that, and the hair settles for 1 s more")},
 }};
-constexpr std::array<OptionHelp, 11> kRenderOptions = {{
-    {"-o, --output FILE.png", QT_TRANSLATE_NOOP("CommandLine", "the picture to write")},
+constexpr std::array<OptionHelp, 14> kRenderOptions = {{
+    {"-o, --output FILE.png|FILE.exr",
+     QT_TRANSLATE_NOOP("CommandLine", "the picture to write; as OpenEXR in linear light, alpha in its colours")},
     {"--size WxH", QT_TRANSLATE_NOOP("CommandLine", "in pixels; 1024x1024 unless given")},
     {"--view NAME", QT_TRANSLATE_NOOP("CommandLine", "front, back, left, right, top, bottom or three-quarter")},
     {"--fit WHAT",
      QT_TRANSLATE_NOOP("CommandLine", "what fills the picture: hair (with the head), head or bust; hair unless given")},
+    {"--camera AZIMUTH,ELEVATION[,DISTANCE]",
+     QT_TRANSLATE_NOOP("CommandLine",
+                       "instead of a view: degrees from the face toward the head's left, and upward; the "
+                       "distance in cm, else as --fit asks")},
+    {"--samples N", QT_TRANSLATE_NOOP("CommandLine", "1, 2, 4, 8 or 16 a pixel; 4 unless given")},
+    {"--transparent", QT_TRANSLATE_NOOP("CommandLine", "no background: alpha tells what is covered")},
     {"--skin NAME", QT_TRANSLATE_NOOP("CommandLine", "clay, porcelain, fair, beige, olive, brown or deep, instead of "
                                                      "the project's")},
     kSettle,
@@ -72,8 +79,9 @@ constexpr std::array<Command, 5> kCommands = {{
     {"export", "P.hairpaint -o FILE.hair [--settle SECONDS] [--hairs N] [--wind X,Y,Z] [--motion nod|shake|turn]",
      QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), kExportOptions, runExport},
     {"render",
-     "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
-     "[--fit hair|head|bust] [--skin NAME] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z] "
+     "P.hairpaint -o FILE.png|FILE.exr [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
+     "[--camera AZIMUTH,ELEVATION[,DISTANCE]] [--fit hair|head|bust] [--samples N] [--transparent] [--skin NAME] "
+     "[--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z] "
      "[--motion nod|shake|turn]",
      QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},
 }};

@@ -10,6 +10,8 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -19,17 +21,52 @@ namespace {
 
 constexpr const char* kName = "render";
 
+struct FreeCamera
+{
+    float azimuthRad = 0.0F;
+    float elevationRad = 0.0F;
+    std::optional<float> distanceM; ///< Else as far away as `fit` asks.
+};
+
 struct RenderOptions
 {
     QSize size{1024, 1024};
     rendering::StandardView view = rendering::StandardView::ThreeQuarter;
+    std::optional<FreeCamera> camera; ///< Instead of the view.
     rendering::Fit fit = rendering::Fit::Hair;
+    bool transparent = false;
+    PictureLook look;
     std::optional<model::SkinTone> skin; ///< Else the project's.
     int firstFrame = 0;
     int lastFrame = -1; ///< Below the first: one picture.
     double framesPerSecond = 30.0;
     [[nodiscard]] bool isFilm() const { return lastFrame >= firstFrame; }
 };
+
+/// Azimuth and elevation in degrees, and perhaps the distance in cm.
+std::optional<FreeCamera> readCamera(const QString& text)
+{
+    constexpr float kPerDegree = 0.01745329252F;
+    constexpr float kPerCm = 0.01F;
+    const QStringList parts = text.split(QLatin1Char(','));
+    std::array<float, 3> numbers{};
+    if (parts.size() < 2 || parts.size() > 3)
+        return std::nullopt;
+    for (qsizetype i = 0; i < parts.size(); ++i) {
+        bool isNumber = false;
+        numbers.at(static_cast<std::size_t>(i)) = parts[i].toFloat(&isNumber);
+        if (!isNumber)
+            return std::nullopt;
+    }
+    const auto within = [](float value, float least, float most) { return value >= least && value <= most; };
+    if (!within(numbers[0], -360.0F, 360.0F) || !within(numbers[1], -89.0F, 89.0F) ||
+        (parts.size() == 3 && !within(numbers[2], 5.0F, 1000.0F)))
+        return std::nullopt;
+    FreeCamera camera{.azimuthRad = numbers[0] * kPerDegree, .elevationRad = numbers[1] * kPerDegree, .distanceM = {}};
+    if (parts.size() == 3)
+        camera.distanceM = numbers[2] * kPerCm;
+    return camera;
+}
 
 /// The problem in words, or the options.
 tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parser)
@@ -49,6 +86,25 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
         if (!view)
             return tl::unexpected(CommandLine::tr("There is no view '%1'").arg(name));
         options.view = *view;
+    }
+    if (parser.isSet(QStringLiteral("camera"))) {
+        const QString camera = parser.value(QStringLiteral("camera"));
+        options.camera = readCamera(camera);
+        if (!options.camera)
+            return tl::unexpected(CommandLine::tr("--camera takes AZIMUTH,ELEVATION[,DISTANCE], -360 to 360 and -89 to "
+                                                  "89 degrees, 5 to 1000 cm, not '%1'")
+                                      .arg(camera));
+        if (parser.isSet(QStringLiteral("view")))
+            return tl::unexpected(CommandLine::tr("--camera and --view exclude each other"));
+    }
+    options.transparent = parser.isSet(QStringLiteral("transparent"));
+    if (parser.isSet(QStringLiteral("samples"))) {
+        const QString samples = parser.value(QStringLiteral("samples"));
+        constexpr std::array kCounts{1, 2, 4, 8, 16};
+        bool isNumber = false;
+        options.look.samples = samples.toInt(&isNumber);
+        if (!isNumber || std::ranges::find(kCounts, options.look.samples) == kCounts.end())
+            return tl::unexpected(CommandLine::tr("--samples takes 1, 2, 4, 8 or 16, not '%1'").arg(samples));
     }
     if (parser.isSet(QStringLiteral("fit"))) {
         const QString name = parser.value(QStringLiteral("fit"));
@@ -80,7 +136,7 @@ QString framePath(const QString& output, int number)
 {
     const QFileInfo info(output);
     return info.path() + QLatin1Char('/') + info.completeBaseName() +
-           QStringLiteral(".%1.png").arg(number, 4, 10, QLatin1Char('0'));
+           QStringLiteral(".%1.%2").arg(number, 4, 10, QLatin1Char('0')).arg(info.suffix());
 }
 
 /// Pictures of a film lie beside their places until the last one is there.
@@ -113,12 +169,25 @@ private:
 };
 
 model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, const rendering::Camera& camera,
-                                  QSize size, const QString& path)
+                                  const RenderOptions& options, const QString& path)
 {
-    const model::Result<QImage> picture = maker.take(hair.project(), hair.frame(), camera, size);
-    if (!picture)
-        return tl::unexpected(picture.error());
-    return writePicture(*picture, path);
+    rendering::Scene scene = pictureScene(hair.project(), hair.frame(), camera);
+    scene.transparent = options.transparent;
+    return maker.save(scene, options.size, options.look, path);
+}
+
+rendering::Camera cameraOf(const RenderOptions& options, const SettledHair& hair)
+{
+    const float aspect = static_cast<float>(options.size.width()) / static_cast<float>(options.size.height());
+    const model::Head& head = *hair.project().head;
+    if (!options.camera)
+        return view::pictureCamera(options.view, options.fit, head, hair.frame().get(), aspect);
+    rendering::Camera from;
+    from.azimuthRad = options.camera->azimuthRad;
+    from.elevationRad = options.camera->elevationRad;
+    rendering::Camera camera = view::pictureCamera(from, options.fit, head, hair.frame().get(), aspect);
+    camera.distanceM = options.camera->distanceM.value_or(camera.distanceM);
+    return camera;
 }
 
 /// Time from the frame before to frame `number`, in whole steps of the simulation. They are counted from frame 0, so
@@ -142,8 +211,7 @@ model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const Ren
         if (number < options.firstFrame)
             continue;
         frames.append(framePath(output, number));
-        if (model::Result<void> written =
-                renderPicture(maker, hair, camera, options.size, folder.pathFor(frames.back()));
+        if (model::Result<void> written = renderPicture(maker, hair, camera, options, folder.pathFor(frames.back()));
             !written) {
             // The sentence names the frame that is wanted, not where it lay meanwhile.
             written.error().message.replace(model::shownPath(folder.pathFor(frames.back())),
@@ -158,11 +226,9 @@ ExitCode renderAll(SettledHair& hair, const RenderOptions& options, const QStrin
 {
     PictureMaker maker;
     // Of a film's start, and it stands still.
-    const float aspect = static_cast<float>(options.size.width()) / static_cast<float>(options.size.height());
-    const rendering::Camera camera =
-        view::pictureCamera(options.view, options.fit, *hair.project().head, hair.frame().get(), aspect);
+    const rendering::Camera camera = cameraOf(options, hair);
     const model::Result<void> written = options.isFilm() ? renderFilm(maker, hair, options, camera, output)
-                                                         : renderPicture(maker, hair, camera, options.size, output);
+                                                         : renderPicture(maker, hair, camera, options, output);
     return written ? ExitCode::Done : failed(written.error());
 }
 
@@ -185,7 +251,10 @@ ExitCode runRender(const QStringList& arguments)
     parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
                        {QStringLiteral("size"), {}, QStringLiteral("WxH")},
                        {QStringLiteral("view"), {}, QStringLiteral("name")},
+                       {QStringLiteral("camera"), {}, QStringLiteral("A,E,D")},
                        {QStringLiteral("fit"), {}, QStringLiteral("what")},
+                       {QStringLiteral("samples"), {}, QStringLiteral("number")},
+                       {QStringLiteral("transparent"), {}},
                        {QStringLiteral("skin"), {}, QStringLiteral("name")},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
@@ -197,8 +266,8 @@ ExitCode runRender(const QStringList& arguments)
     if (!files)
         return ExitCode::WrongUsage;
     const QString output = parser.value(QStringLiteral("o"));
-    if (!output.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
-        return wrongUsage(kName, CommandLine::tr("-o takes a name that ends in .png"));
+    if (!output.endsWith(QLatin1String(".png"), Qt::CaseInsensitive) && !isExr(output))
+        return wrongUsage(kName, CommandLine::tr("-o takes a name that ends in .png or .exr"));
     tl::expected<RenderOptions, QString> options = readOptions(parser);
     if (!options)
         return wrongUsage(kName, options.error());

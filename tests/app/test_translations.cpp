@@ -159,7 +159,7 @@ private Q_SLOTS:
         static const QRegularExpression reason(
             QStringLiteral("unexpected\\((?:std::string\\()?\"((?!The shader)[^\"]*)\""));
         int found = 0;
-        const QDir folder(QStringLiteral(HAIRPAINT_SOURCE_DIR "/view/rendering"));
+        const QDir folder(QStringLiteral(HAIRPAINT_SOURCE_DIR "/view/rendering/gl"));
         for (const QString& name : folder.entryList({QStringLiteral("*.cpp")})) {
             QFile file(folder.filePath(name));
             QVERIFY(file.open(QIODevice::ReadOnly));

@@ -42,7 +42,7 @@ std::shared_ptr<const sim::StrandFrame> hangingHair()
             sim::StrandStyle& style = chunk->styles[slot];
             style.rootColour = 0xFF203A50U;
             style.tipColour = 0xFF406A90U;
-            style.detail = 0.5F;
+            style.detail = std::fmod(static_cast<float>(i) * 0.7548777F, 1.0F); // Evenly, as a groom's.
             chunk->hairs.set(slot);
             chunk->drawn.set(slot);
             const float y = 1.0F - static_cast<float>(i) / static_cast<float>(kHairs);

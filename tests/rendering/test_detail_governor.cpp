@@ -38,6 +38,7 @@ private Q_SLOTS:
     void headIsCoarseOnlyWhileItMoves();
     void detailRestsWhileTimesWaver();
     void wantOfMemoryMakesTheNextFrameCoarser();
+    void aSlowFrameOfFewHairsIsFollowedByOneOfFewer();
 };
 
 void TestDetailGovernor::movingPicturesSettleNearTheWantedTime_data()
@@ -129,6 +130,21 @@ void TestDetailGovernor::detailRestsWhileTimesWaver()
         governor.observe({.milliseconds = frameMs(governor.begin(false), 5.0, 300.0) * waver}, kAllHairs);
         QCOMPARE(governor.quality().detail, detail);
     }
+}
+
+/// Where the renderer draws a fifth of the hairs however many it is asked for, since more could not be told apart.
+void TestDetailGovernor::aSlowFrameOfFewHairsIsFollowedByOneOfFewer()
+{
+    DetailGovernor governor(33.0);
+    const auto drawn = [](const Quality& quality) {
+        return static_cast<std::size_t>(static_cast<double>(kAllHairs) * std::min(0.2, double{quality.detail}));
+    };
+    for (int frame = 0; frame < 100; ++frame)
+        governor.observe({.drawnHairs = drawn(governor.begin(false)), .milliseconds = 10.0}, kAllHairs);
+    QCOMPARE(governor.quality().detail, 1.0F);
+    for (int frame = 0; frame < 6; ++frame) // The first ones take the samples back.
+        governor.observe({.drawnHairs = drawn(governor.begin(false)), .milliseconds = 60.0}, kAllHairs);
+    QVERIFY(drawn(governor.quality()) < drawn({.detail = 1.0F}));
 }
 
 void TestDetailGovernor::wantOfMemoryMakesTheNextFrameCoarser()

@@ -208,6 +208,77 @@ private Q_SLOTS:
         QVERIFY2(std::abs(fewer / all - 1.0) < 0.03, qPrintable(QString::number(fewer / all)));
     }
 
+    void theSilhouetteKeepsItsCoverage_data()
+    {
+        QTest::addColumn<float>("distanceM");
+        QTest::addColumn<int>("samples");
+        for (const float distance : {0.3F, 0.5F, 0.75F, 1.2F, 2.5F})
+            for (const int samples : {1, 4})
+                QTest::addRow("%g m, %d samples", double{distance}, samples) << distance << samples;
+    }
+
+    /// Nothing pops: a quarter of the hairs covers the silhouette as all of them do, at every zoom.
+    void theSilhouetteKeepsItsCoverage()
+    {
+        QFETCH(float, distanceM);
+        QFETCH(int, samples);
+        std::vector<HandMadeStrand> strands = hairOnBall(kBall, {.hairs = 20'000, .lengthM = 0.2F, .stiffness = 0.5F});
+        for (std::size_t i = 0; i < strands.size(); ++i)
+            strands[i].style.detail = std::fmod(static_cast<float>(i) * 0.7548777F, 1.0F); // Evenly, as a groom's.
+        Scene scene = emptyScene();
+        scene.transparent = true;
+        scene.camera.distanceM = distanceM;
+        scene.hair = makeFrame(strands, plainSettings());
+        const auto cover = [](const Picture& picture) {
+            double sum = 0.0;
+            for (std::size_t i = 3; i < picture.pixels.size(); i += 4)
+                sum += picture.pixels[i];
+            return sum;
+        };
+        const double all = cover(softly(scene, {.samples = 4}, 400, 400));
+        const double quarter = cover(softly(scene, {.detail = 0.25F, .samples = samples}, 400, 400));
+        QVERIFY(all > 0.0);
+        QVERIFY2(std::abs(quarter / all - 1.0) < 0.03, qPrintable(QString::number(quarter / all)));
+    }
+
+    void manySamplesShowTheSamePicture()
+    {
+        for (const GoldenScene& golden : goldenScenes()) {
+            const Picture four = softly(golden.make(), {.samples = 4});
+            const Picture sixteen = softly(golden.make(), {.samples = 16});
+            QVERIFY2(four.difference(sixteen) < 3.0 * 3.0, golden.name);
+        }
+    }
+
+    /// The bytes of a picture are its linear light, encoded.
+    void linearLightIsWhatTheBytesShow()
+    {
+        for (const bool transparent : {false, true}) {
+            Scene scene = ringedHair();
+            scene.ring.reset();
+            scene.transparent = transparent;
+            rendering::SoftwareRenderer renderer;
+            renderer.draw(scene, {.linear = true}, kSoftSide, kSoftSide);
+            const Picture shown = lastOf(renderer);
+            std::vector<float> linear;
+            renderer.readLinear(linear);
+            QCOMPARE(linear.size(), shown.pixels.size());
+            for (std::size_t i = 0; i < linear.size(); ++i) {
+                const float alpha = linear[i / 4 * 4 + 3];
+                const float value = i % 4 == 3 ? alpha : linear[i] / std::max(alpha, 1e-6F);
+                const float encoded = i % 4 == 3 || value <= 0.0031308F
+                                          ? value * (i % 4 == 3 ? 1.0F : 12.92F)
+                                          : 1.055F * std::pow(value, 1.0F / 2.4F) - 0.055F;
+                if (alpha > 0.01F || i % 4 == 3)
+                    QVERIFY2(std::abs(std::min(encoded, 1.0F) * 255.0F - static_cast<float>(shown.pixels[i])) < 2.0F,
+                             qPrintable(QString::number(i)));
+            }
+            renderer.draw(scene, {}, kSoftSide, kSoftSide);
+            renderer.readLinear(linear);
+            QVERIFY(linear.empty());
+        }
+    }
+
     void plainBackgroundHasTheColourAskedFor()
     {
         for (const int samples : {1, 4}) {

@@ -85,13 +85,23 @@ void addHair(std::vector<glm::vec3>& pointsWo, const sim::StrandFrame& hair)
 rendering::Camera pictureCamera(rendering::StandardView view, rendering::Fit fit, const model::Head& head,
                                 const sim::StrandFrame* hair, float aspect)
 {
+    return pictureCamera(rendering::standardCamera(view, head.skin->mesh()), fit, head, hair, aspect);
+}
+
+rendering::Camera pictureCamera(const rendering::Camera& from, rendering::Fit fit, const model::Head& head,
+                                const sim::StrandFrame* hair, float aspect)
+{
     std::vector<glm::vec3> pointsWo;
     if (fit != rendering::Fit::Bust)
         addHead(pointsWo, head);
     if (fit == rendering::Fit::Hair && hair != nullptr)
         addHair(pointsWo, *hair);
-    return pointsWo.empty() ? rendering::standardCamera(view, head.skin->mesh())
-                            : rendering::fittedCamera(view, pointsWo, aspect);
+    if (!pointsWo.empty())
+        return rendering::fittedCamera(from, pointsWo, aspect);
+    rendering::Camera camera = rendering::standardCamera(rendering::StandardView::Front, head.skin->mesh());
+    camera.azimuthRad = from.azimuthRad;
+    camera.elevationRad = from.elevationRad;
+    return camera;
 }
 
 rendering::Camera stageCamera(rendering::StandardView view, const model::Head& head, const sim::HeadMesh& mesh,

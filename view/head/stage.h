@@ -19,5 +19,8 @@ namespace hairpaint::view {
 /// The camera of a picture of `aspect` (width over height): see rendering::Fit. `hair` may be null.
 [[nodiscard]] rendering::Camera pictureCamera(rendering::StandardView view, rendering::Fit fit, const model::Head& head,
                                               const sim::StrandFrame* hair, float aspect);
+/// The same from any direction, that of `from`.
+[[nodiscard]] rendering::Camera pictureCamera(const rendering::Camera& from, rendering::Fit fit,
+                                              const model::Head& head, const sim::StrandFrame* hair, float aspect);
 
 } // namespace hairpaint::view

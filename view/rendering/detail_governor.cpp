@@ -44,7 +44,7 @@ void DetailGovernor::observe(const FrameStatistics& statistics, std::size_t allH
     else if (m_still)
         refine();
     else
-        follow(std::max(statistics.milliseconds, 0.1), allHairs);
+        follow(std::max(statistics.milliseconds, 0.1), statistics.drawnHairs, allHairs);
 }
 
 /// Memory is short. A moving picture becomes coarser as if it had been far too slow; a still one goes back to what was
@@ -52,7 +52,7 @@ void DetailGovernor::observe(const FrameStatistics& statistics, std::size_t allH
 void DetailGovernor::retreat()
 {
     if (!m_still) {
-        follow(std::numeric_limits<double>::infinity(), std::numeric_limits<std::size_t>::max());
+        follow(std::numeric_limits<double>::infinity(), 0, std::numeric_limits<std::size_t>::max());
         return;
     }
     m_wantsRefinement = !std::exchange(m_retreated, true);
@@ -80,18 +80,23 @@ void DetailGovernor::refine()
 }
 
 /// Damped, since a part of each frame does not depend on the hairs and single frames may be slow for other reasons.
-void DetailGovernor::follow(double milliseconds, std::size_t allHairs)
+void DetailGovernor::follow(double milliseconds, std::size_t drawnHairs, std::size_t allHairs)
 {
     const double least = std::min(1.0, kLeastHairs / static_cast<double>(std::max<std::size_t>(allHairs, 1)));
     m_slow = milliseconds > m_wantedMs * 1.15 ? m_slow + 1 : 0;
     m_fast = milliseconds < m_wantedMs * 0.70 ? m_fast + 1 : 0;
     const auto detail = static_cast<double>(m_quality.detail);
+    // A renderer that draws fewer than it is asked for, since more could not be told apart, feels only what is below.
+    const double felt =
+        drawnHairs > 0
+            ? std::min(detail, static_cast<double>(drawnHairs) / static_cast<double>(std::max(allHairs, drawnHairs)))
+            : detail;
     if (m_slow >= 2 || milliseconds > 3.0 * m_wantedMs) {
         m_slow = 0;
         if (m_quality.samples > 1)
             m_quality.samples = 1;
         else
-            m_quality.detail = stepped(std::max(least, detail * std::clamp(m_wantedMs / milliseconds, 0.4, 0.84)));
+            m_quality.detail = stepped(std::max(least, felt * std::clamp(m_wantedMs / milliseconds, 0.4, 0.84)));
     } else if (m_fast >= 4) {
         m_fast = 0;
         if (m_quality.detail < 1.0F)

@@ -26,7 +26,7 @@ public:
 private:
     void retreat();
     void refine();
-    void follow(double milliseconds, std::size_t allHairs);
+    void follow(double milliseconds, std::size_t drawnHairs, std::size_t allHairs);
 
     double m_wantedMs;
     Quality m_quality{.detail = 0.25F, .samples = 1, .smoothSegments = 8, .coarseHead = true};

@@ -60,13 +60,12 @@ std::optional<Fit> fitNamed(std::string_view name)
 /// Each point asks that the eye be far enough away: along an axis of the picture, with k the tangent of half the view,
 /// eye - point along the view >= |point - eye across| / k. The two sides of each axis give the least distance and the
 /// middle; the longer distance of the two axes holds for both.
-Camera fittedCamera(StandardView view, std::span<const glm::vec3> pointsWo, float aspect)
+Camera fittedCamera(const Camera& from, std::span<const glm::vec3> pointsWo, float aspect)
 {
     constexpr float kMargin = 1.08F;
-    const NamedView& entry = kViews[static_cast<std::size_t>(view)];
     Camera camera;
-    camera.azimuthRad = entry.azimuthRad;
-    camera.elevationRad = entry.elevationRad;
+    camera.azimuthRad = from.azimuthRad;
+    camera.elevationRad = from.elevationRad;
     const glm::mat4 matrix = camera.view();
     const std::array<glm::vec3, 2> across = {glm::vec3(matrix[0][0], matrix[1][0], matrix[2][0]),
                                              glm::vec3(matrix[0][1], matrix[1][1], matrix[2][1])};
@@ -93,6 +92,15 @@ Camera fittedCamera(StandardView view, std::span<const glm::vec3> pointsWo, floa
     camera.targetWo = across[0] * middle[0] + across[1] * middle[1] + toward * depth;
     camera.distanceM = std::max(0.05F, eye - depth);
     return camera;
+}
+
+Camera fittedCamera(StandardView view, std::span<const glm::vec3> pointsWo, float aspect)
+{
+    const NamedView& entry = kViews[static_cast<std::size_t>(view)];
+    Camera from;
+    from.azimuthRad = entry.azimuthRad;
+    from.elevationRad = entry.elevationRad;
+    return fittedCamera(from, pointsWo, aspect);
 }
 
 Camera standardCamera(StandardView view, const sim::HeadMesh& head)

@@ -38,6 +38,8 @@ enum class Fit
 /// The camera of that view that sees all points as large as they fit, with a margin, in a picture of `aspect` (width
 /// over height). `pointsWo` is not empty.
 [[nodiscard]] Camera fittedCamera(StandardView view, std::span<const glm::vec3> pointsWo, float aspect);
+/// The same from any direction, that of `from`.
+[[nodiscard]] Camera fittedCamera(const Camera& from, std::span<const glm::vec3> pointsWo, float aspect);
 
 /// Frames the whole mesh with room for hair around it.
 [[nodiscard]] Camera standardCamera(StandardView view, const sim::HeadMesh& head);

@@ -96,7 +96,7 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
         reference = across(rootTangent, lastTangent);
     const float perSpan = 1.0F / static_cast<float>(nodes - 1);
     for (int j = 0, first = 0; j <= spans.total; ++j) {
-        if (j - first == spans.of[static_cast<std::size_t>(k)] && k + 2 < nodes) {
+        while (j - first == spans.of[static_cast<std::size_t>(k)] && k + 2 < nodes) {
             first = j;
             ++k;
             p0 = p1;

@@ -5,6 +5,8 @@
 
 namespace hairpaint::rendering {
 
+inline constexpr float kGridUnits = 1024.0F; ///< That a voxel's opacity is counted in; 64 and more is 64.
+
 /// Wo, m; colours linear.
 struct HairLighting
 {

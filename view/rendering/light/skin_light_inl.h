@@ -6,6 +6,7 @@
 #define HAIRPAINT_RENDERING_SKIN_LIGHT_INL_H_
 #endif
 
+#include "view/rendering/light/hair_light.h"
 #include "view/rendering/light/lanes_inl.h"
 #include "view/rendering/light/skin_light.h"
 
@@ -153,7 +154,7 @@ HWY_INLINE Triple<Lanes> skinLight(const SkinLighting& given, const SkinPoint<La
 
 /// Light that comes through the hair between a place and the end of a grid. What is blended between neighbours is the
 /// light, not the hair: a plait holds so much of it that the least part of its voxel would be dark.
-HWY_INLINE Lanes lightThrough(const float* grid, int side, const Triple<Lanes>& place, float strength)
+HWY_INLINE Lanes lightThrough(const std::uint32_t* grid, int side, const Triple<Lanes>& place, float strength)
 {
     const IntTag di;
     const auto size = static_cast<float>(side);
@@ -176,7 +177,9 @@ HWY_INLINE Lanes lightThrough(const float* grid, int side, const Triple<Lanes>& 
         const auto whole = [&](Lanes c) { return hn::ConvertTo(di, clamped(c, 0.0F, size - 1.0F).v); };
         const Ints index =
             hn::Add(hn::Mul(hn::Add(hn::Mul(whole(cz), hn::Set(di, side)), whole(cy)), hn::Set(di, side)), whole(cx));
-        const Lanes hair = select(inside, Lanes(hn::GatherIndex(Tag(), grid, index)), Lanes(0.0F));
+        const Ints voxels = hn::GatherIndex(di, reinterpret_cast<const std::int32_t*>(grid), index);
+        const Lanes units(hn::ConvertTo(Tag(), hn::And(voxels, hn::Set(di, 0xFFFF))));
+        const Lanes hair = select(inside, units * Lanes(1.0F / kGridUnits), Lanes(0.0F));
         light = light + wx * wy * wz * exp2Of(hair * Lanes(-strength));
     }
     return light;

@@ -6,7 +6,9 @@
 #define HAIRPAINT_RENDERING_GRID_LOOKUP_INL_H_
 #endif
 
+#include "view/rendering/light/hair_light.h"
 #include "view/rendering/light/lanes_inl.h"
+#include "view/rendering/software/eye_grid.h"
 
 #include <glm/glm.hpp>
 
@@ -23,30 +25,69 @@ HWY_INLINE Triple<Lanes> inGrid(const glm::mat4& gridFromWo, const Triple<Lanes>
     return {row(0, 0.0F), row(1, 0.0F), row(2, before)};
 }
 
-/// Between the middles of voxels; the outermost ones go on.
-HWY_INLINE Lanes opacityAt(const float* grid, int side, const Triple<Lanes>& place)
+/// The same in the eye's grid, of a place of the picture.
+HWY_INLINE Triple<Lanes> inEyeGrid(const EyeGrid& grid, Lanes x, Lanes y, Lanes distanceM, float before)
+{
+    return {(x - Lanes(grid.low.x)) * Lanes(grid.per.x), (y - Lanes(grid.low.y)) * Lanes(grid.per.y),
+            (distanceM - Lanes(grid.low.z)) * Lanes(grid.per.z) - Lanes(before)};
+}
+
+/// Where a place lies between the middles of voxels; the outermost ones go on.
+struct GridPlace
+{
+    Ints first; ///< Number of the lowest voxel.
+    Lanes x, y, z;
+};
+
+/// `slices` voxels along z are looked up from there.
+HWY_INLINE GridPlace placeIn(int side, const Triple<Lanes>& place, int slices)
 {
     const IntTag di;
     const auto size = static_cast<float>(side);
-    const auto along = [&](Lanes p, Lanes& part) {
-        const Lanes at = clamped(p * Lanes(size) - Lanes(0.5F), 0.0F, size - 1.001F);
+    const auto along = [&](Lanes p, float most, Lanes& part) {
+        const Lanes at = clamped(p * Lanes(size) - Lanes(0.5F), 0.0F, most);
         const Lanes low = floored(at);
         part = at - low;
         return hn::ConvertTo(di, low.v);
     };
-    Lanes fx;
-    Lanes fy;
-    Lanes fz;
-    const Ints x = along(place.x, fx);
-    const Ints y = along(place.y, fy);
-    const Ints z = along(place.z, fz);
-    const Ints first = hn::Add(hn::Mul(hn::Add(hn::Mul(z, hn::Set(di, side)), y), hn::Set(di, side)), x);
-    const auto voxel = [&](int offset) { return Lanes(hn::GatherIndex(Tag(), grid + offset, first)); };
-    const int slice = side * side;
-    const Lanes low = mixed(mixed(voxel(0), voxel(1), fx), mixed(voxel(side), voxel(side + 1), fx), fy);
-    const Lanes high =
-        mixed(mixed(voxel(slice), voxel(slice + 1), fx), mixed(voxel(slice + side), voxel(slice + side + 1), fx), fy);
-    return mixed(low, high, fz);
+    GridPlace found;
+    const Ints x = along(place.x, size - 1.001F, found.x);
+    const Ints y = along(place.y, size - 1.001F, found.y);
+    const Ints z = along(place.z, size - static_cast<float>(slices) + 0.999F, found.z);
+    found.first = hn::Add(hn::Mul(hn::Add(hn::Mul(z, hn::Set(di, side)), y), hn::Set(di, side)), x);
+    return found;
+}
+
+/// In a slice of the grid.
+HWY_INLINE Lanes sliceAt(const std::uint32_t* grid, int side, const GridPlace& place, int slice)
+{
+    const IntTag di;
+    const auto* from = reinterpret_cast<const std::int32_t*>(grid) + slice * side * side;
+    const auto along = [&](int row) {
+        const Ints pair = hn::GatherIndex(di, from + row * side, place.first);
+        const Lanes low(hn::ConvertTo(Tag(), hn::And(pair, hn::Set(di, 0xFFFF))));
+        const Lanes high(hn::ConvertTo(Tag(), hn::And(hn::ShiftRight<16>(pair), hn::Set(di, 0xFFFF))));
+        return mixed(low, high, place.x);
+    };
+    return mixed(along(0), along(1), place.y) * Lanes(1.0F / kGridUnits);
+}
+
+HWY_INLINE Lanes opacityAt(const std::uint32_t* grid, int side, const Triple<Lanes>& place)
+{
+    const GridPlace at = placeIn(side, place, 2);
+    return mixed(sliceAt(grid, side, at, 0), sliceAt(grid, side, at, 1), at.z);
+}
+
+/// There and a voxel further.
+struct OpacityTwice
+{
+    Lanes here, further;
+};
+HWY_INLINE OpacityTwice opacityTwice(const std::uint32_t* grid, int side, const Triple<Lanes>& place)
+{
+    const GridPlace at = placeIn(side, place, 3);
+    const Lanes middle = sliceAt(grid, side, at, 1);
+    return {mixed(sliceAt(grid, side, at, 0), middle, at.z), mixed(middle, sliceAt(grid, side, at, 2), at.z)};
 }
 
 } // namespace hairpaint::rendering::HWY_NAMESPACE

@@ -44,16 +44,31 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
 }
 
 /// Thinner hairs are drawn by fewer, as much wider ones while the picture moves, samples.
-constexpr float kThinnestDrawn = 0.4F;
+constexpr float kThinnestDrawn = 0.5F;
 
-/// The fraction of a group's hairs that are wide enough to be told apart, each on its own.
-float fractionThatTells(const sim::StrandMaterial& material, const FrameConstants& constants)
+/// How what lies behind other hair is drawn.
+struct Depth
+{
+    float undrawnCoverings;
+    float widest;        ///< That hidden hair becomes where fewer stand for more, samples.
+    float leastFraction; ///< Of it that is drawn.
+};
+constexpr Depth kFineDepth{.undrawnCoverings = 6.0F, .widest = 0.55F, .leastFraction = 0.45F};
+constexpr Depth kMovingDepth{.undrawnCoverings = 4.5F, .widest = 1.67F, .leastFraction = 0.3F};
+
+/// Of a group's hairs where the hair is nearest, samples.
+float widthOf(const sim::StrandMaterial& material, const FrameConstants& constants)
 {
     constexpr float kHeadM = 0.12F; ///< Hair is about so much nearer than the head's middle.
     const float distanceM =
         std::max(glm::distance(glm::vec3(constants.eyeWo), glm::vec3(constants.headWo)) - kHeadM, 0.05F);
-    const float width = material.widthM * constants.gridSize.z / distanceM;
-    return std::clamp(width / kThinnestDrawn, 1.0F / 64.0F, 1.0F);
+    return material.widthM * constants.gridSize.z / distanceM;
+}
+
+/// The fraction of hairs of that width that are wide enough to be told apart, each on its own.
+float fractionThatTells(float widthSp)
+{
+    return std::clamp(widthSp / kThinnestDrawn, 1.0F / 64.0F, 1.0F);
 }
 
 /// In steps, so that lists are not made anew whenever the camera moves a little.
@@ -125,6 +140,8 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     m_hairs = 0;
     m_tiles = TileGrid(static_cast<int>(constants.target.x), static_cast<int>(constants.target.y));
     m_turnWoFromHd = glm::mat3(constants.woFromHd);
+    const Depth& depth = fine ? kFineDepth : kMovingDepth;
+    m_undrawnCoverings = depth.undrawnCoverings;
     // As far as the shaders' 4095 keys reach.
     constexpr float kKeys = 4095.0F;
     constexpr float kDepths = 65535.0F;
@@ -144,12 +161,12 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         if (!group.groom || !group.groom->visible || group.groom->packedChunks == 0)
             continue;
         StrandList& list = m_lists[group.groom->groupId];
-        const float fraction =
-            fine ? detail : std::min(detail, fractionThatTells(group.groom->settings.material, constants));
-        list.update(group.groom, fine ? detail : listedDetail(fraction));
+        const float widthSp = widthOf(group.groom->settings.material, constants);
+        const float fraction = fine ? detail : std::min(detail, fractionThatTells(widthSp));
+        list.update(group.groom, listedDetail(fraction));
         if (list.slots().empty())
             continue;
-        m_groups.push_back({.frame = &group, .list = &list, .view = {}, .fraction = fraction});
+        m_groups.push_back({.frame = &group, .list = &list, .view = {}, .fraction = fraction, .widthSp = widthSp});
         sources.push_back({.group = &group, .slots = list.slots(), .detail = list.detail()});
         m_hairs += list.slots().size();
     }
@@ -162,7 +179,8 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         Group& group = m_groups[g];
         const sim::StrandMaterial& material = group.frame->groom->settings.material;
         group.view = {.projectionFromWo = constants.projectionFromWo,
-                      .gridFromWo = constants.gridFromWo,
+                      .gridFromWo = constants.gridFromWo[0],
+                      .eyeGrid = m_grids.eyeGrid(),
                       .opacity = {m_grids.grid(0), m_grids.grid(1)},
                       .gridSide = kGridSide,
                       .sizeSp = glm::vec2(constants.target),
@@ -175,8 +193,9 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .nearestM = m_nearestM,
                       .depthsPerM = m_depthsPerM,
                       .toleranceSp = fine ? 0.2F : 0.5F,
-                      .undrawnCoverings = fine ? 16.0F : 5.5F,
-                      .deepFraction = fine ? 1.0F : 0.4F,
+                      .undrawnCoverings = m_undrawnCoverings,
+                      .deepFraction =
+                          std::clamp(group.widthSp / (group.fraction * depth.widest), depth.leastFraction, 1.0F),
                       .lighting = {.eyeWo = glm::vec3(constants.eyeWo),
                                    .lightWo = glm::vec3(constants.lightWo),
                                    .lightColour = glm::vec3(constants.lightColour),
@@ -207,7 +226,7 @@ void HairSegments::drawBatch(std::size_t number)
         fillBlock(scratch.block, *group.frame, group.list->slots().subspan(first, lanes), m_turnWoFromHd);
         const SpanSegments segments = segmentsFor(group.view, scratch.block);
         drawnPoints(group.view, scratch.block, segments, scratch.points);
-        batch.add(m_tiles, scratch.points, segments.total, lanes);
+        batch.add(m_tiles, scratch.points, segments.total);
         all += static_cast<std::size_t>(segments.total) * lanes;
     }
     batch.sort(m_tiles);

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] std::size_t hairs() const { return m_hairs; }
     /// Of the batches drawn.
     [[nodiscard]] std::size_t segmentCount() const;
+    /// Coverings of hair in front from which on nothing was drawn.
+    [[nodiscard]] float undrawnCoverings() const { return m_undrawnCoverings; }
     [[nodiscard]] float nearestM() const { return m_nearestM; }
     [[nodiscard]] float depthsPerM() const { return m_depthsPerM; }
 
@@ -39,6 +41,7 @@ private:
         const StrandList* list;
         StrandView view;
         float fraction; ///< Of its hairs that are drawn.
+        float widthSp;  ///< Of one of them, samples.
     };
     struct Piece
     {
@@ -58,6 +61,7 @@ private:
     std::size_t m_hairs = 0;
     OpacityGrids m_grids;
     TileGrid m_tiles;
+    float m_undrawnCoverings = 0.0F;
     float m_nearestM = 0.0F;
     float m_depthsPerM = 0.0F;
 };

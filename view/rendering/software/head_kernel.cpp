@@ -227,7 +227,9 @@ void shadeRows(const ShadeTask& task, int begin, int end)
             std::fill_n(distance, kMostLanes, kNoHeadM);
             const int count = std::min(static_cast<int>(step), task.across - cell);
             bool head = false;
-            for (int i = 0; i < count; ++i)
+            for (int i = 0; i < count; ++i) {
+                atX[i] = (static_cast<float>(cell + i) + 0.5F) * static_cast<float>(task.cellSp.x);
+                atY[i] = (static_cast<float>(row) + 0.5F) * static_cast<float>(task.cellSp.y);
                 for (const auto& place : kPlaces) {
                     const int x = std::min(
                         static_cast<int>((static_cast<float>(cell + i) + place[0]) * static_cast<float>(task.cellSp.x)),
@@ -246,15 +248,23 @@ void shadeRows(const ShadeTask& task, int begin, int end)
                     head = true;
                     break;
                 }
+            }
             float* out = task.shade + static_cast<std::size_t>(row) * static_cast<std::size_t>(task.across) +
                          static_cast<std::size_t>(cell);
+            // The place at that distance on the ray through the sample: through the far plane, scaled.
+            const Lanes px = loaded(atX) * Lanes(2.0F / task.sizeSp.x) - Lanes(1.0F);
+            const Lanes py = loaded(atY) * Lanes(2.0F / task.sizeSp.y) - Lanes(1.0F);
+            // Hair that lies so deep was left out: what is left to see through in front of it shows nothing behind.
+            const float before = 1.5F / static_cast<float>(task.gridSide);
+            const Lanes coverings =
+                opacityAt(task.opacity[1], task.gridSide, inEyeGrid(task.eyeGrid, px, py, loaded(distance), before));
+            HWY_ALIGN float result[kMostLanes];
+            stored(smoothStep(0.7F * task.undrawnCoverings, task.undrawnCoverings, coverings), result);
+            std::copy_n(result, count, task.hidden + (out - task.shade));
             if (!head) {
                 std::fill_n(out, count, 1.0F);
                 continue;
             }
-            // The place at that distance on the ray through the sample: through the far plane, scaled.
-            const Lanes px = loaded(atX) * Lanes(2.0F / task.sizeSp.x) - Lanes(1.0F);
-            const Lanes py = loaded(atY) * Lanes(2.0F / task.sizeSp.y) - Lanes(1.0F);
             const glm::mat4& m = task.woFromProjection;
             const auto far = [&](int r) {
                 return px * Lanes(m[0][r]) + py * Lanes(m[1][r]) + Lanes(m[2][r] + m[3][r]);
@@ -265,9 +275,9 @@ void shadeRows(const ShadeTask& task, int begin, int end)
             const Lanes along = loaded(distance) / dot(ray, tripleOf<Lanes>(task.viewAxisWo));
             const Triple<Lanes> wo = eye + ray * along;
             const Lanes fromLight =
-                lightThrough(task.opacity[0], task.gridSide, inGrid(task.gridFromWo[0], wo, 0.0F), 0.6F);
-            const Lanes toEye =
-                lightThrough(task.opacity[1], task.gridSide, inGrid(task.gridFromWo[1], wo, 0.0F), 2.0F);
+                lightThrough(task.opacity[0], task.gridSide, inGrid(task.gridFromWo, wo, 0.0F), 0.6F);
+            const Lanes toEye = lightThrough(task.opacity[1], task.gridSide,
+                                             inEyeGrid(task.eyeGrid, px, py, loaded(distance), 0.0F), 2.0F);
             // The light falls on the side of the head that is turned toward it; the other has no shadow to get.
             const Lanes sideX = wo.x - Lanes(task.headWo.x);
             const Lanes sideZ = wo.z - Lanes(task.headWo.z);
@@ -276,7 +286,6 @@ void shadeRows(const ShadeTask& task, int begin, int end)
                                              root(sideX * sideX + sideZ * sideZ + Lanes(1e-4F)));
             const Lanes shade =
                 (Lanes(1.0F) - Lanes(0.65F) * lit * (Lanes(1.0F) - fromLight)) * (Lanes(0.2F) + Lanes(0.8F) * toEye);
-            HWY_ALIGN float result[kMostLanes];
             stored(shade, result);
             for (int i = 0; i < count; ++i)
                 out[i] = distance[i] < kNoHeadM ? result[i] : 1.0F;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "view/rendering/light/skin_light.h"
+#include "view/rendering/software/eye_grid.h"
 #include "view/rendering/software/tile_kernel.h"
 
 #include <glm/glm.hpp>
@@ -42,12 +43,13 @@ struct HeadBand
 /// Draws the band's triangles and lights them.
 void drawHeadBand(const HeadBand& band);
 
-/// The hair's shadow on the skin, in cells.
+/// The hair's shadow on the skin and what it hides, in cells.
 struct ShadeTask
 {
     glm::mat4 woFromProjection{1.0F};
-    std::array<glm::mat4, 2> gridFromWo{};
-    std::array<const float*, 2> opacity{};
+    glm::mat4 gridFromWo{1.0F}; ///< Of the light's grid.
+    EyeGrid eyeGrid;
+    std::array<const std::uint32_t*, 2> opacity{};
     int gridSide = 0;
     glm::vec3 eyeWo{0.0F};
     glm::vec3 lightWo{0.0F};
@@ -58,8 +60,10 @@ struct ShadeTask
     int width = 0; ///< Of the head's picture.
     int height = 0;
     const float* distancesM = nullptr;
-    glm::vec3 viewAxisWo{0.0F}; ///< Away from the eye, unit: distances are measured along it.
+    glm::vec3 viewAxisWo{0.0F};    ///< Away from the eye, unit: distances are measured along it.
+    float undrawnCoverings = 0.0F; ///< As StrandView has it.
     float* shade = nullptr;
+    float* hidden = nullptr; ///< 0..1: how surely what lies behind the hair is hidden by it.
 };
 /// Rows of cells begin..end.
 void shadeSkin(const ShadeTask& task, int begin, int end);

@@ -44,7 +44,7 @@ void HeadPicture::update(const std::shared_ptr<const sim::HeadMesh>& head,
     const auto width = static_cast<int>(constants.target.x);
     const auto height = static_cast<int>(constants.target.y);
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    m_samples.resize(count);
+    m_samples.resize(count + kTileSp); // Resolving reads whole rows of a tile, also at the picture's edge.
     m_distancesM.resize(count);
     m_rowHasHead.assign(static_cast<std::size_t>(height), 0);
     Mesh& mesh = coarse ? m_coarse : m_fine;

@@ -1,7 +1,7 @@
 // How much hair lies between a place and the light, and the eye.
 #pragma once
 
-#include "view/rendering/frame_constants.h"
+#include "view/rendering/software/eye_grid.h"
 
 #include <array>
 #include <cstdint>
@@ -9,6 +9,22 @@
 #include <vector>
 
 namespace hairpaint::rendering {
+
+/// Every `step`th strand of a group from `first` on.
+struct SplatTask
+{
+    glm::mat4 gridFromWo{1.0F}; ///< Of the light's grid.
+    glm::mat4 projectionFromWo{1.0F};
+    EyeGrid eyeGrid;
+    const sim::GroupFrame* group = nullptr;
+    std::span<const std::uint32_t> slots;
+    std::size_t first = 0;
+    std::size_t step = 1;
+    int nodes = 2;
+    float weight = 0.0F; ///< Units of area of a metre of hair.
+};
+/// Adds the strands' areas to the voxels of both grids.
+void splatStrands(const SplatTask& task, std::uint32_t* voxels);
 
 /// Hair's area over the area it covers, summed away from the light and from the eye (after deep opacity maps, Yuksel
 /// and Keyser 2008, in even layers). The same for any number of threads: areas are added as whole numbers.
@@ -23,8 +39,10 @@ public:
         float detail; ///< The fraction of the group's hairs that these are.
     };
     void fill(std::span<const Source> sources, const FrameConstants& constants);
-    /// [kGridSide][kGridSide][kGridSide] floats, z running away from the light (0) or the eye (1).
-    [[nodiscard]] const float* grid(std::size_t which) const { return m_opacity.at(which).data(); }
+    [[nodiscard]] const EyeGrid& eyeGrid() const { return m_eyeGrid; }
+    /// [kGridSide][kGridSide][kGridSide] voxels in units of 1 / kGridUnits, z running away from the light (0) or the
+    /// eye (1). The lower half is the voxel's, the upper half its neighbour's along x, so that one look tells both.
+    [[nodiscard]] const std::uint32_t* grid(std::size_t which) const { return m_opacity.at(which).data(); }
 
 private:
     void splat(const Source& source, const FrameConstants& constants, std::size_t part);
@@ -32,7 +50,8 @@ private:
 
     static constexpr std::size_t kParts = 4; ///< That are splatted side by side.
     std::array<std::vector<std::uint32_t>, kParts> m_voxels;
-    std::array<std::vector<float>, 2> m_opacity;
+    std::array<std::vector<std::uint32_t>, 2> m_opacity;
+    EyeGrid m_eyeGrid;
 };
 
 } // namespace hairpaint::rendering

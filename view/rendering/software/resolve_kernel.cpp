@@ -7,123 +7,192 @@
 // After foreach_target.
 #include "view/rendering/light/lanes_inl.h"
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstring>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-/// Of one sample, linear, with what lies behind the hair.
-HWY_INLINE Quad sampleOf(const float* light, const HeadSample* head, float shade, Quad background, float opaque)
+/// Light of hair and head in a row of samples, and the part through which the background is seen; then of pixels.
+struct RowOfLight
 {
-    Quad behind = background;
-    if (head != nullptr && head->cover > 0) {
-        constexpr float kUnit = 1.0F / 65535.0F;
-        const auto square = [](std::uint16_t v) {
-            const float f = static_cast<float>(v) * kUnit;
-            return f * f;
-        };
-        HWY_ALIGN const float skin[4] = {square(head->red) * shade, square(head->green) * shade,
-                                         square(head->blue) * shade, 0.0F};
-        const float cover = static_cast<float>(head->cover) * kUnit;
-        behind = background + (quadOf(skin) - background) * quadOf(cover);
-    }
-    // What is opaque shows nothing behind; what it lacks is the hair's own.
-    if (light[3] < opaque)
-        return quadOf(light) * quadOf(1.0F / (1.0F - light[3]));
-    return quadOf(light) + behind * quadOf(light[3]);
-}
+    HWY_ALIGN std::array<float, kTileSp> red;
+    HWY_ALIGN std::array<float, kTileSp> green;
+    HWY_ALIGN std::array<float, kTileSp> blue;
+    HWY_ALIGN std::array<float, kTileSp> through;
 
-/// What is left of the skin's light at a pixel, between the middles of cells.
-HWY_INLINE float shadeAt(const ResolveTask& resolve, int x, int y)
-{
-    if (resolve.shade == nullptr)
-        return 1.0F;
-    const auto along = [](int pixel, int cell, int count, int& low, int& high) {
-        const float at = (static_cast<float>(pixel) + 0.5F) / static_cast<float>(cell) - 0.5F;
-        const float bounded = std::clamp(at, 0.0F, static_cast<float>(count - 1));
-        low = static_cast<int>(bounded);
-        high = std::min(low + 1, count - 1);
-        return bounded - static_cast<float>(low);
-    };
-    int x0 = 0;
-    int x1 = 0;
-    int y0 = 0;
-    int y1 = 0;
-    const float fx = along(x, resolve.shadeCell, resolve.shadeAcross, x0, x1);
-    const float fy = along(y, resolve.shadeCell, resolve.shadeUp, y0, y1);
-    const auto cell = [&](int cx, int cy) {
-        return resolve.shade[static_cast<std::size_t>(cy) * static_cast<std::size_t>(resolve.shadeAcross) +
-                             static_cast<std::size_t>(cx)];
-    };
-    const float low = cell(x0, y0) + (cell(x1, y0) - cell(x0, y0)) * fx;
-    const float high = cell(x0, y1) + (cell(x1, y1) - cell(x0, y1)) * fx;
-    return low + (high - low) * fy;
-}
-
-/// Encoded sRGB of the square root of a linear colour.
-struct SrgbTable
-{
-    static constexpr int kSteps = 4095;
-    std::array<std::uint8_t, kSteps + 1> bytes;
-    SrgbTable()
+    void clear()
     {
-        for (int i = 0; i <= kSteps; ++i) {
-            const float root = static_cast<float>(i) * (1.0F / kSteps);
-            bytes.at(static_cast<std::size_t>(i)) =
-                static_cast<std::uint8_t>(std::floor(least(fastSrgb(root * root), 1.0F) * 255.0F + 0.5F));
-        }
+        for (auto* row : {&red, &green, &blue, &through})
+            row->fill(0.0F);
+    }
+
+    /// Sums `across` samples each.
+    void shrink(int across)
+    {
+        for (; across > 1; across /= 2)
+            for (auto* row : {&red, &green, &blue, &through})
+                for (std::size_t i = 0; i < kTileSp / 2; ++i)
+                    (*row)[i] = (*row)[2 * i] + (*row)[2 * i + 1];
     }
 };
 
+constexpr float kLeftOfHair = 0.75F; ///< More that is seen through is no gap in the coat but its end.
+
+HWY_INLINE void addTo(float* row, Lanes more)
+{
+    stored(loaded(row) + more, row);
+}
+
+/// What cells say at the pixels `x` of a row, between their middles.
+HWY_INLINE Lanes inCells(const ResolveTask& resolve, const float* values, Lanes x, int y)
+{
+    const IntTag di;
+    const float up = std::clamp((static_cast<float>(y) + 0.5F) / static_cast<float>(resolve.shadeCell) - 0.5F, 0.0F,
+                                static_cast<float>(resolve.shadeUp - 1));
+    const int y0 = static_cast<int>(up);
+    const int y1 = std::min(y0 + 1, resolve.shadeUp - 1);
+    const auto last = static_cast<float>(resolve.shadeAcross - 1);
+    const Lanes at =
+        clamped((x + Lanes(0.5F)) * Lanes(1.0F / static_cast<float>(resolve.shadeCell)) - Lanes(0.5F), 0.0F, last);
+    const Lanes low = floored(at);
+    const Ints x0 = hn::ConvertTo(di, low.v);
+    const Ints x1 = hn::ConvertTo(di, least(low + Lanes(1.0F), Lanes(last)).v);
+    const auto along = [&](int row) {
+        const float* cells = values + static_cast<std::size_t>(row) * static_cast<std::size_t>(resolve.shadeAcross);
+        return mixed(Lanes(hn::GatherIndex(Tag(), cells, x0)), Lanes(hn::GatherIndex(Tag(), cells, x1)), at - low);
+    };
+    return mixed(along(y0), along(y1), Lanes(up - static_cast<float>(y0)));
+}
+
+/// Adds a row of samples.
+HWY_INLINE void addSamples(const TileTask& task, const ResolveTask& resolve, const TileSamples& samples, int y,
+                           RowOfLight& row)
+{
+    const hn::Rebind<std::uint16_t, Tag> du;
+    const float* light = samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(0, y));
+    const HeadSample* head = task.anyHead ? task.head + static_cast<std::size_t>(y) * task.headStride : nullptr;
+    for (std::size_t x = 0; x < kTileSp; x += hn::Lanes(Tag())) {
+        Lanes red;
+        Lanes green;
+        Lanes blue;
+        Lanes left;
+        hn::LoadInterleaved4(Tag(), light + 4 * x, red.v, green.v, blue.v, left.v);
+        // What is opaque shows nothing behind; what it lacks is the hair's own.
+        const Yes opaque = left < Lanes(task.opaque);
+        const Lanes gain = select(opaque, Lanes(1.0F) / (Lanes(1.0F) - left), Lanes(1.0F));
+        left = select(opaque, Lanes(0.0F), left);
+        red = red * gain;
+        green = green * gain;
+        blue = blue * gain;
+        const Lanes pixel =
+            Lanes(static_cast<float>(resolve.firstPixelX)) +
+            floored(Lanes(hn::Iota(Tag(), static_cast<float>(x))) * Lanes(1.0F / static_cast<float>(resolve.samplesX)));
+        const int pixelRow = resolve.firstPixelY + y / resolve.samplesY;
+        if (resolve.hidden != nullptr && any((left > Lanes(0.0F)) & (left < Lanes(kLeftOfHair)))) {
+            // The hair behind, which was not drawn, is like that in front but darker.
+            const Lanes covered = Lanes(1.0F) - left;
+            const Lanes dense = clamped((covered - Lanes(1.0F - kLeftOfHair)) * Lanes(3.0F), 0.0F, 1.0F);
+            const Lanes filled = left * dense * inCells(resolve, resolve.hidden, pixel, pixelRow);
+            const Lanes more = Lanes(1.0F) + filled * Lanes(0.6F) / most(covered, Lanes(1e-3F));
+            red = red * more;
+            green = green * more;
+            blue = blue * more;
+            left = left - filled;
+        }
+        if (head != nullptr) {
+            hn::Vec<decltype(du)> parts[4];
+            hn::LoadInterleaved4(du, reinterpret_cast<const std::uint16_t*>(head + x), parts[0], parts[1], parts[2],
+                                 parts[3]);
+            const auto unitOf = [](hn::Vec<decltype(du)> part) {
+                return Lanes(hn::ConvertTo(Tag(), hn::PromoteTo(IntTag(), part))) * Lanes(1.0F / 65535.0F);
+            };
+            const Lanes cover = unitOf(parts[3]);
+            if (any(cover > Lanes(0.0F))) {
+                Lanes seen = left * cover;
+                if (resolve.shade != nullptr)
+                    seen = seen * inCells(resolve, resolve.shade, pixel, pixelRow);
+                const auto lit = [&](hn::Vec<decltype(du)> part) {
+                    const Lanes skin = unitOf(part);
+                    return skin * skin * seen;
+                };
+                red = red + lit(parts[0]);
+                green = green + lit(parts[1]);
+                blue = blue + lit(parts[2]);
+                left = left * (Lanes(1.0F) - cover);
+            }
+        }
+        addTo(row.red.data() + x, red);
+        addTo(row.green.data() + x, green);
+        addTo(row.blue.data() + x, blue);
+        addTo(row.through.data() + x, left);
+    }
+}
+
+/// 0..1 as 0..255.
+HWY_INLINE Ints byteOf(Lanes part)
+{
+    return hn::ConvertTo(IntTag(), (clamped(part, 0.0F, 1.0F) * Lanes(255.0F) + Lanes(0.5F)).v);
+}
+
+HWY_INLINE Ints rgba(Ints red, Ints green, Ints blue, Ints alpha)
+{
+    return hn::Or(hn::Or(red, hn::ShiftLeft<8>(green)), hn::Or(hn::ShiftLeft<16>(blue), hn::ShiftLeft<24>(alpha)));
+}
+
+/// The first `used` lanes.
+HWY_INLINE void storeLinear(const Triple<Lanes>& colour, Lanes alpha, std::size_t used, float* to)
+{
+    HWY_ALIGN float whole[4 * kMostLanes];
+    hn::StoreInterleaved4(colour.x.v, colour.y.v, colour.z.v, alpha.v, Tag(), whole);
+    std::memcpy(to, whole, 4 * used * sizeof(float));
+}
+
 void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamples& samples, std::uint8_t* pixels)
 {
-    static const SrgbTable table;
     const float perPixel = 1.0F / static_cast<float>(resolve.samplesX * resolve.samplesY);
+    const auto count = static_cast<std::size_t>(task.width / resolve.samplesX);
+    RowOfLight light;
     for (int py = 0; py < task.height / resolve.samplesY; ++py) {
+        light.clear();
+        for (int sy = py * resolve.samplesY; sy < (py + 1) * resolve.samplesY; ++sy)
+            addSamples(task, resolve, samples, sy, light);
+        light.shrink(resolve.samplesX);
         const int row = resolve.firstPixelY + py;
         const float rise = (static_cast<float>(row) + 0.5F) / static_cast<float>(resolve.pictureHeight) * 2.0F - 1.0F;
         const glm::vec3 srgb = glm::clamp(resolve.background + resolve.backgroundRise * rise, 0.0F, 1.0F);
-        HWY_ALIGN const float linear[4] = {linearFromSrgb(srgb.x), linearFromSrgb(srgb.y), linearFromSrgb(srgb.z),
-                                           0.0F};
-        const Quad background = quadOf(linear);
-        std::uint8_t* out = pixels + (static_cast<std::size_t>(resolve.pictureHeight - 1 - row) *
-                                          static_cast<std::size_t>(resolve.pictureWidth) +
-                                      static_cast<std::size_t>(resolve.firstPixelX)) *
-                                         4;
-        const auto byte = [](float v) { return static_cast<std::uint8_t>(std::floor(v * 255.0F + 0.5F)); };
-        for (int px = 0; px < task.width / resolve.samplesX; ++px, out += 4) {
-            float shade = -1.0F;
-            bool bare = true;
-            Quad sum = quadOf(0.0F);
-            for (int sy = py * resolve.samplesY; sy < (py + 1) * resolve.samplesY; ++sy)
-                for (int sx = px * resolve.samplesX; sx < (px + 1) * resolve.samplesX; ++sx) {
-                    const float* light = samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(sx, sy));
-                    const HeadSample* head = nullptr;
-                    if (task.anyHead) {
-                        head =
-                            task.head + static_cast<std::size_t>(sy) * task.headStride + static_cast<std::size_t>(sx);
-                        if (shade < 0.0F && head->cover > 0)
-                            shade = shadeAt(resolve, resolve.firstPixelX + px, row);
-                        bare = bare && head->cover == 0;
-                    }
-                    bare = bare && light[3] == 1.0F;
-                    sum = sum + sampleOf(light, head, shade, background, task.opaque);
-                }
-            if (bare) {
-                out[0] = byte(srgb.x);
-                out[1] = byte(srgb.y);
-                out[2] = byte(srgb.z);
-                out[3] = 255;
-                continue;
+        const Triple<Lanes> background =
+            tripleOf<Lanes>(glm::vec3(linearFromSrgb(srgb.x), linearFromSrgb(srgb.y), linearFromSrgb(srgb.z)));
+        const Ints bareRgba = resolve.transparent ? hn::Zero(IntTag())
+                                                  : rgba(byteOf(Lanes(srgb.x)), byteOf(Lanes(srgb.y)),
+                                                         byteOf(Lanes(srgb.z)), hn::Set(IntTag(), 255));
+        const std::size_t first =
+            static_cast<std::size_t>(resolve.pictureHeight - 1 - row) * static_cast<std::size_t>(resolve.pictureWidth) +
+            static_cast<std::size_t>(resolve.firstPixelX);
+        for (std::size_t x = 0; x < count; x += hn::Lanes(Tag())) {
+            const std::size_t used = std::min(count - x, hn::Lanes(Tag()));
+            const Lanes through = loaded(light.through.data() + x) * Lanes(perPixel);
+            const Yes covered = through < Lanes(1.0F);
+            Ints shown = bareRgba;
+            if (any(covered) || resolve.linear != nullptr) {
+                const Lanes alpha = resolve.transparent ? Lanes(1.0F) - through : Lanes(1.0F);
+                Triple<Lanes> linear = Triple<Lanes>{loaded(light.red.data() + x), loaded(light.green.data() + x),
+                                                     loaded(light.blue.data() + x)} *
+                                       Lanes(perPixel);
+                if (!resolve.transparent)
+                    linear = linear + background * through;
+                if (resolve.linear != nullptr)
+                    storeLinear(linear, alpha, used, resolve.linear + 4 * (first + x));
+                if (resolve.transparent)
+                    linear = linear * (Lanes(1.0F) / most(alpha, Lanes(1e-6F)));
+                const Ints lit = rgba(byteOf(fastSrgb(linear.x)), byteOf(fastSrgb(linear.y)),
+                                      byteOf(fastSrgb(linear.z)), byteOf(alpha));
+                shown = hn::IfThenElse(hn::RebindMask(IntTag(), covered.m), lit, bareRgba);
             }
-            // The square root spreads dark tones, so that a table tells neighbouring bytes apart.
-            const Quad shown = root(most(least(sum * quadOf(perPixel), quadOf(1.0F)), quadOf(0.0F)));
-            HWY_ALIGN float result[4];
-            stored(shown * quadOf(static_cast<float>(SrgbTable::kSteps)) + quadOf(0.5F), result);
-            for (int c = 0; c < 3; ++c)
-                out[c] = table.bytes[static_cast<std::size_t>(static_cast<std::int32_t>(result[c]))];
-            out[3] = 255;
+            HWY_ALIGN std::int32_t whole[kMostLanes];
+            hn::Store(shown, IntTag(), whole);
+            std::memcpy(pixels + 4 * (first + x), whole, 4 * used);
         }
     }
 }

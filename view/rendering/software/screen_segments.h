@@ -3,6 +3,7 @@
 
 #include "view/rendering/software/strand_block.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,12 +13,23 @@ inline constexpr int kTileSp = 32;                  ///< Samples across a tile.
 inline constexpr float kWidthUnit = 1.0F / 1900.0F; ///< Samples that a unit of a segment's width stands for.
 
 /// From one point of a strand to the next. Samples; x right, y up.
-struct ScreenSegment
+struct alignas(32) ScreenSegment
 {
     float x0, y0, x1, y1;
-    std::uint16_t depth0, depth1;
-    std::uint16_t width0, width1;   ///< Across its main direction, in kWidthUnit.
-    std::uint32_t colour0, colour1; ///< As in StrandPoints.
+    std::array<std::uint16_t, 2> depth;
+    std::array<std::uint16_t, 2> width;  ///< Across its main direction, in kWidthUnit.
+    std::array<std::uint32_t, 2> colour; ///< As in StrandPoints.
+};
+
+/// Where the segments of a block lie. Rows [segment][kBlockLanes].
+struct SegmentBounds
+{
+    std::vector<std::uint32_t> lanes;  ///< [segment], a bit a lane: those that are seen in the picture.
+    std::vector<std::uint32_t> tilesX; ///< The first tile touched, and in the upper half the last.
+    std::vector<std::uint32_t> tilesY;
+    std::vector<std::uint32_t> depths; ///< As ScreenSegment has them, the first in the lower half.
+    std::vector<std::uint32_t> widths;
+    void resize(std::size_t segments);
 };
 
 /// That a segment lies in a tile.
@@ -42,17 +54,20 @@ struct TileGrid
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(across) * static_cast<std::size_t>(up); }
 };
 
+/// Finds the segments that are seen, and what they touch.
+void findBounds(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds);
+
 /// The segments of a run of strands. What it holds is kept from picture to picture, so that nothing is allocated while
 /// the hair moves.
 class SegmentBatch
 {
 public:
     void clear();
-    /// The strands of a block, `lanes` of them.
-    void add(const TileGrid& tiles, const StrandPoints& points, int segments, std::size_t lanes);
+    /// A block of strands.
+    void add(const TileGrid& tiles, const StrandPoints& points, int segments);
     /// Sorts by tile, in the order in which they came. After that add() needs clear().
     void sort(const TileGrid& tiles);
-    [[nodiscard]] const std::vector<ScreenSegment>& segments() const { return m_segments; }
+    [[nodiscard]] const ScreenSegment* segments() const { return m_segments.data(); }
     [[nodiscard]] const TileEntry* begin(std::size_t tile) const { return m_sorted.data() + m_tileBegin[tile]; }
     [[nodiscard]] const TileEntry* end(std::size_t tile) const { return m_sorted.data() + m_tileBegin[tile + 1]; }
 
@@ -63,10 +78,13 @@ private:
         std::uint32_t tile;
         std::uint16_t depth;
     };
-    void addToTiles(const TileGrid& tiles, const ScreenSegment& segment);
+    void addToTiles(const TileGrid& tiles, const ScreenSegment& segment, std::uint32_t tilesX, std::uint32_t tilesY);
 
-    std::vector<ScreenSegment> m_segments;
-    std::vector<Found> m_found;
+    SegmentBounds m_bounds;
+    std::vector<ScreenSegment> m_segments; ///< As long as it ever was; the first m_segmentCount count.
+    std::size_t m_segmentCount = 0;
+    std::vector<Found> m_found; ///< Likewise.
+    std::size_t m_foundCount = 0;
     std::vector<TileEntry> m_sorted;
     std::vector<std::uint32_t> m_tileBegin;
 };

@@ -19,8 +19,8 @@ namespace {
 constexpr int kMostSide = 8192;
 constexpr std::size_t kBatchesAStep = 4;
 constexpr std::size_t kTilesAStep = 64;
-constexpr float kCoarseOpaque = 0.04F; ///< What is left to see through then is nothing.
-constexpr float kFineOpaque = 0.01F;
+constexpr float kCoarseOpaque = 0.06F; ///< What is left to see through then is nothing.
+constexpr float kFineOpaque = 0.015F;
 constexpr int kCoarseShadeCell = 4; ///< Pixels.
 constexpr int kFineShadeCell = 2;   ///< Of pictures with several samples a pixel.
 
@@ -49,6 +49,7 @@ struct SoftwareRenderer::State
         std::size_t nextBatch = 0;
         std::size_t nextTile = 0;
         double spentMs = 0.0;
+        bool transparent = false;
         bool complete = true;
     };
 
@@ -58,10 +59,13 @@ struct SoftwareRenderer::State
     HairSegments hair;
     std::vector<const ScreenSegment*> segments; ///< By batch.
     std::vector<float> skinShade;
+    std::vector<float> hiddenBehind; ///< In the same cells.
     glm::ivec2 shadeSize{0};
     int shadeCell = kCoarseShadeCell;
     std::vector<std::uint8_t> drawn;  ///< The picture under way.
     std::vector<std::uint8_t> pixels; ///< The last finished one.
+    std::vector<float> drawnLinear;   ///< Likewise, empty where it is not wanted.
+    std::vector<float> linear;
     std::optional<Picture> underWay;
 
     void prepare(const Scene& scene, const Quality& quality, int width, int height);
@@ -80,12 +84,14 @@ void SoftwareRenderer::State::prepare(const Scene& scene, const Quality& quality
     Picture picture;
     picture.target.width = std::clamp(width, 1, kMostSide);
     picture.target.height = std::clamp(height, 1, kMostSide);
-    picture.target.samples = glm::ivec2(quality.samples > 1 ? 2 : 1);
+    picture.target.samples = glm::ivec2(quality.samples > 4 ? 4 : quality.samples > 1 ? 2 : 1);
+    picture.transparent = scene.transparent;
     picture.constants = frameConstants(scene, picture.target);
     const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
     head.update(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, picture.constants);
     hair.begin(scene.hair, picture.constants, detail, quality.samples > 1);
     drawn.resize(static_cast<std::size_t>(picture.target.width) * static_cast<std::size_t>(picture.target.height) * 4);
+    drawnLinear.resize(quality.linear ? drawn.size() : 0);
     underWay = picture;
 }
 
@@ -104,7 +110,7 @@ void SoftwareRenderer::State::readyTiles()
 {
     segments.clear();
     for (std::size_t batch = 0; batch < hair.batchCount(); ++batch)
-        segments.push_back(hair.batch(batch).segments().data());
+        segments.push_back(hair.batch(batch).segments());
     shade();
 }
 
@@ -118,9 +124,11 @@ void SoftwareRenderer::State::shade()
     shadeCell = target.samples.x > 1 ? kFineShadeCell : kCoarseShadeCell;
     shadeSize = (glm::ivec2(target.width, target.height) + shadeCell - 1) / shadeCell;
     skinShade.resize(static_cast<std::size_t>(shadeSize.x) * static_cast<std::size_t>(shadeSize.y));
+    hiddenBehind.resize(skinShade.size());
     const glm::vec4 far = constants.woFromProjection * glm::vec4(0.0F, 0.0F, 1.0F, 1.0F);
     const ShadeTask task{.woFromProjection = constants.woFromProjection,
-                         .gridFromWo = constants.gridFromWo,
+                         .gridFromWo = constants.gridFromWo[0],
+                         .eyeGrid = hair.grids().eyeGrid(),
                          .opacity = {hair.grids().grid(0), hair.grids().grid(1)},
                          .gridSide = kGridSide,
                          .eyeWo = glm::vec3(constants.eyeWo),
@@ -133,7 +141,9 @@ void SoftwareRenderer::State::shade()
                          .height = head.height(),
                          .distancesM = head.distancesM().data(),
                          .viewAxisWo = glm::normalize(glm::vec3(far) / far.w - glm::vec3(constants.eyeWo)),
-                         .shade = skinShade.data()};
+                         .undrawnCoverings = hair.undrawnCoverings(),
+                         .shade = skinShade.data(),
+                         .hidden = hiddenBehind.data()};
     sim::parallelFor(static_cast<std::size_t>(shadeSize.y), 8, [&](std::size_t begin, std::size_t end) {
         shadeSkin(task, static_cast<int>(begin), static_cast<int>(end));
     });
@@ -175,7 +185,10 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
                               .pictureHeight = picture.target.height,
                               .background = glm::vec3(picture.constants.background[0]),
                               .backgroundRise = glm::vec3(picture.constants.background[1]),
+                              .transparent = picture.transparent,
+                              .linear = drawnLinear.empty() ? nullptr : drawnLinear.data(),
                               .shade = shadeSize.x > 0 ? skinShade.data() : nullptr,
+                              .hidden = shadeSize.x > 0 ? hiddenBehind.data() : nullptr,
                               .shadeAcross = shadeSize.x,
                               .shadeUp = shadeSize.y,
                               .shadeCell = shadeCell};
@@ -215,6 +228,7 @@ void SoftwareRenderer::State::finish(bool inSteps)
     const Picture& picture = *underWay;
     drawRings(picture.constants, head, drawn.data());
     std::swap(drawn, pixels);
+    std::swap(drawnLinear, linear);
     statistics = {.drawnHairs = hair.hairs(),
                   .drawnSegments = hair.segmentCount(),
                   .uploadedBytes = 0,
@@ -283,6 +297,11 @@ bool SoftwareRenderer::drawPatiently(const Scene& scene, const Quality& quality,
 void SoftwareRenderer::read(std::vector<std::uint8_t>& pixels)
 {
     pixels = m_state->pixels;
+}
+
+void SoftwareRenderer::readLinear(std::vector<float>& pixels)
+{
+    pixels = m_state->linear;
 }
 
 const FrameStatistics& SoftwareRenderer::statistics() const

@@ -10,7 +10,8 @@ namespace hairpaint::rendering {
 
 /// Strands are expanded, lit and sorted into tiles of the picture; in each tile hair is laid over the samples from the
 /// nearest on with the coverage it has, until nothing can be seen through it. Loops run through sim::parallelFor.
-/// Depth and light are floats, tone-mapped once. Two samples a pixel are drawn as four.
+/// Depth and light are floats, tone-mapped once. Two samples a pixel are drawn as four,
+/// eight as sixteen.
 class SoftwareRenderer final : public Backend
 {
 public:
@@ -22,7 +23,11 @@ public:
     [[nodiscard]] bool step(double budgetMs) override;
     [[nodiscard]] bool drawPatiently(const Scene& scene, const Quality& quality, int width, int height,
                                      const Progress& progress) override;
+    /// Of a transparent scene alpha is the part of the pixel that is covered, and the colour what covers it.
     void read(std::vector<std::uint8_t>& pixels) override;
+    /// The same in linear light before it is encoded: RGBA, colours times alpha, row 0 on top. Empty unless the picture
+    /// was drawn with Quality::linear.
+    void readLinear(std::vector<float>& pixels);
     [[nodiscard]] const FrameStatistics& statistics() const override;
     [[nodiscard]] bool software() const override { return true; }
     [[nodiscard]] const std::string& description() const override;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "view/rendering/light/hair_light.h"
+#include "view/rendering/software/eye_grid.h"
 
 #include <glm/glm.hpp>
 
@@ -48,8 +49,9 @@ struct alignas(64) StrandBlock
 struct StrandView
 {
     glm::mat4 projectionFromWo{1.0F};
-    std::array<glm::mat4, 2> gridFromWo{};
-    std::array<const float*, 2> opacity{}; ///< [side][side][side] toward the light, the eye.
+    glm::mat4 gridFromWo{1.0F}; ///< Of the light's grid.
+    EyeGrid eyeGrid;
+    std::array<const std::uint32_t*, 2> opacity{}; ///< [side][side][side] toward the light, the eye.
     int gridSide = 0;
     glm::vec2 sizeSp{0.0F};   ///< The picture, samples.
     float samplesPerM = 0.0F; ///< That a metre covers at a distance of 1 m.
@@ -68,7 +70,8 @@ struct StrandView
     HairLighting lighting;
 };
 
-/// In how many segments each span between nodes is drawn.
+/// In how many segments each span between nodes is drawn. 0: in the one that the span before begins; neither the first
+/// span nor the last.
 struct SpanSegments
 {
     std::array<int, kMostNodes> of{};

@@ -15,13 +15,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-/// Coverings of hair in front, seen by the eye: from where on strands stay as thin as they are.
-constexpr float kHiddenFrom = 3.0F;
-constexpr float kHiddenTo = 10.0F;
 constexpr float kDeepFrom = 0.3F; ///< Coverings: from where on fewer hairs are drawn for all, and as few as may be.
 constexpr float kDeepTo = 1.6F;
 constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
 constexpr float kMostSlant = 1.42F;
+constexpr int kMostJoinedSpans = 4; ///< In one segment: light is known at its ends only.
 constexpr float kNearestDrawnM = 0.01F;
 
 static_assert(kMostLanes == kBlockLanes);
@@ -80,12 +78,23 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
     }
     const int spans = block.nodes - 1;
     const float turnsOfSpan = std::floor(turnSegments / static_cast<float>(spans) + 0.6F);
+    // A run of n spans whose curve has second differences up to d lies n^2 d/8 beside its chord.
+    int run = 1;
+    float bendOfRun = 0.0F;
     segments.total = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(spans); ++k) {
-        // A span of a curve with second difference d lies d/8 beside its chord, a quarter of that with half of it.
         const float bend = std::max(bendAt.at(k), bendAt.at(k + 1));
         const float wanted = std::max(std::ceil(std::sqrt(bend / (8.0F * view.toleranceSp))), turnsOfSpan);
         segments.of.at(k) = static_cast<int>(std::clamp(wanted, 1.0F, static_cast<float>(kMostOfSpan)));
+        const auto longer = static_cast<float>((run + 1) * (run + 1));
+        bendOfRun = std::max(bendOfRun, bendAt.at(k));
+        const bool joins = run < kMostJoinedSpans && longer * bendOfRun <= 8.0F * view.toleranceSp && k > 0 &&
+                           k + 1 < static_cast<std::size_t>(spans) && turnsOfSpan < 1.0F && segments.of.at(k) == 1 &&
+                           segments.of.at(k - 1) <= 1;
+        if (joins)
+            segments.of.at(k) = 0;
+        run = joins ? run + 1 : 1;
+        bendOfRun = joins ? bendOfRun : 0.0F;
         segments.total += segments.of.at(k);
     }
 }
@@ -100,8 +109,6 @@ HWY_INLINE Ints tenBits(Lanes linear)
 /// the others, so that none appears or goes at once.
 HWY_INLINE Lanes wideningOf(const StrandView& view, Lanes order, Lanes towardEye)
 {
-    if (view.deepFraction >= 1.0F)
-        return mixed(Lanes(1.0F / view.fraction), Lanes(1.0F), smoothStep(kHiddenFrom, kHiddenTo, towardEye));
     const Lanes fraction = mixed(Lanes(view.fraction), Lanes(view.fraction * view.deepFraction),
                                  smoothStep(kDeepFrom, kDeepTo, towardEye));
     const Lanes kept = clamped((Lanes(1.0F + kFadingPart) - order / fraction) * Lanes(1.0F / kFadingPart), 0.0F, 1.0F);
@@ -129,8 +136,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     const Triple<Lanes> tipColour = colourOf(block.tipColour);
     const float* pointsWo = out.pointsWo.data() + lane;
     const auto at = [&](int j) { return loaded3(pointsWo + static_cast<std::size_t>(j) * kRow); };
-    const float halfVoxel = 0.5F / static_cast<float>(view.gridSide);
-    const float before = 3.0F * halfVoxel; // A strand does not shade itself.
+    const float before = 1.5F / static_cast<float>(view.gridSide); // A strand does not shade itself.
     Triple<Lanes> last = at(0);
     Triple<Lanes> here = last;
     for (int j = 0; j <= segments; ++j) {
@@ -145,17 +151,20 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         stored(clamped((clip.z - Lanes(view.nearestM)) * Lanes(view.depthsPerM), 0.0F, 65535.0F),
                out.depth.data() + row);
 
-        const Lanes towardEye = opacityAt(view.opacity[1], view.gridSide, inGrid(view.gridFromWo[1], here, before));
+        // What hides hair half lies nearer than what shades it.
+        const Triple<Lanes> toEye = inEyeGrid(view.eyeGrid, across, up, clip.z, before);
+        const OpacityTwice eyeward = opacityTwice(view.opacity[1], view.gridSide, toEye);
+        const Lanes towardEye = eyeward.here;
+        const Lanes spread = own * wideningOf(view, order, eyeward.further);
         const Yes seen =
-            (clip.z > Lanes(kNearestDrawnM)) & (Lanes(view.undrawnCoverings) > towardEye) & (own > Lanes(0.0F));
+            (clip.z > Lanes(kNearestDrawnM)) & (Lanes(view.undrawnCoverings) > towardEye) & (spread > Lanes(0.0F));
         if (!any(seen)) {
             stored(Lanes(0.0F), out.width.data() + row);
-            hn::StoreU(hn::Zero(di), di, reinterpret_cast<std::int32_t*>(out.colour.data()) + row);
             last = here;
             here = next;
             continue;
         }
-        const Lanes towardLight = opacityAt(view.opacity[0], view.gridSide, inGrid(view.gridFromWo[0], here, before));
+        const Lanes towardLight = opacityAt(view.opacity[0], view.gridSide, inGrid(view.gridFromWo, here, before));
         const float s = out.fraction[static_cast<std::size_t>(j)];
         const Triple<Lanes> tangent = unit(next - last);
 
@@ -167,14 +176,8 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         const Lanes squareY = alongY * alongY;
         const Lanes slant = root((squareX + squareY) / most(most(squareX, squareY), Lanes(1e-20F)));
         const float alpha = view.rootAlpha + (view.tipAlpha - view.rootAlpha) * s * s;
-        const Lanes ownWidth = own * perW;
-        // What hides hair half lies nearer than what shades it.
-        const Lanes hiding = view.deepFraction < 1.0F ? opacityAt(view.opacity[1], view.gridSide,
-                                                                  inGrid(view.gridFromWo[1], here, halfVoxel))
-                                                      : towardEye;
-        const Lanes widening = wideningOf(view, order, hiding);
         const Lanes width =
-            least(ownWidth * widening * Lanes(alpha), Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
+            least(spread * perW * Lanes(alpha), Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
 
         const Triple<Lanes> lit =

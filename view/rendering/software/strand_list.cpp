@@ -1,7 +1,8 @@
-// Gathers the drawn strands in the order of their slots.
+// Gathers the drawn strands.
 #include "view/rendering/software/strand_list.h"
 
-#include <utility>
+#include <algorithm>
+#include <cstddef>
 
 namespace hairpaint::rendering {
 
@@ -17,9 +18,13 @@ void StrandList::update(const std::shared_ptr<const sim::Groom>& groom, float de
         if (!groom->chunks[c] || groom->packedChunk[c] < 0)
             continue;
         const sim::StrandChunk& chunk = *groom->chunks[c];
+        const auto first = static_cast<std::ptrdiff_t>(m_slots.size());
         for (std::size_t local = 0; local < sim::kChunkSlots; ++local)
             if (chunk.drawn[local] && chunk.styles[local].detail < detail)
                 m_slots.push_back(static_cast<std::uint32_t>(c * sim::kChunkSlots + local));
+        std::stable_sort(m_slots.begin() + first, m_slots.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return chunk.styles[a % sim::kChunkSlots].detail < chunk.styles[b % sim::kChunkSlots].detail;
+        });
     }
     m_detail = detail;
 }

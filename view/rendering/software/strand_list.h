@@ -10,7 +10,8 @@
 
 namespace hairpaint::rendering {
 
-/// Slots in their own spatial order, so that sixteen in a row are neighbours.
+/// Slots chunk by chunk, so that sixteen in a row are neighbours; within a chunk as `detail` rises, so that those that
+/// stand for others lie side by side, and those that thin out, too.
 class StrandList
 {
 public:

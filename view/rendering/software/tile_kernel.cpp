@@ -21,14 +21,24 @@ constexpr float kSkinDepthM = 0.015F;
 /// Colour from 10 bits each, linear; the fourth is -1, so that adding it takes from what is left to see through.
 HWY_INLINE Quad colourOf(std::uint32_t bits)
 {
-    constexpr std::uint32_t kMask = 0x3FFU;
     constexpr float kUnit = 1.0F / 1023.0F;
-    HWY_ALIGN const float values[4] = {static_cast<float>(static_cast<std::int32_t>(bits & kMask)) * kUnit,
-                                       static_cast<float>(static_cast<std::int32_t>((bits >> 10U) & kMask)) * kUnit,
-                                       static_cast<float>(static_cast<std::int32_t>((bits >> 20U) & kMask)) * kUnit,
-                                       1.0F};
+#if HWY_TARGET == HWY_SCALAR
+    const auto channel = [bits](unsigned shift) {
+        return static_cast<float>(static_cast<std::int32_t>((bits >> shift) & 0x3FFU)) * kUnit;
+    };
+    const Quad root{{channel(0), channel(10), channel(20), 1.0F}};
+#else
+    // A power of two brings down what no shift has.
+    constexpr float kTen = 1.0F / 1024.0F;
+    HWY_ALIGN static constexpr std::int32_t kMasks[4] = {0x3FF, 0x3FF << 10, 0x3FF << 20, 0};
+    HWY_ALIGN static constexpr std::int32_t kOnes[4] = {0, 0, 0, 1};
+    HWY_ALIGN static constexpr float kUnits[4] = {kUnit, kUnit * kTen, kUnit * kTen * kTen, 1.0F};
+    const hn::FixedTag<std::int32_t, 4> di;
+    const auto parts =
+        hn::Or(hn::And(hn::Set(di, static_cast<std::int32_t>(bits)), hn::Load(di, kMasks)), hn::Load(di, kOnes));
+    const Quad root = Quad{hn::ConvertTo(QuadTag(), parts)} * quadOf(kUnits);
+#endif
     HWY_ALIGN static constexpr float kSigns[4] = {1.0F, 1.0F, 1.0F, -1.0F};
-    const Quad root = quadOf(values);
     return root * root * quadOf(kSigns);
 }
 
@@ -48,12 +58,12 @@ HWY_INLINE Walk walkOf(const TileTask& task, const ScreenSegment& segment)
               .main1 = kSteep ? segment.y1 - y : segment.x1 - x,
               .across0 = kSteep ? segment.x0 - x : segment.y0 - y,
               .across1 = kSteep ? segment.x1 - x : segment.y1 - y,
-              .width0 = static_cast<float>(segment.width0) * kWidthUnit,
-              .width1 = static_cast<float>(segment.width1) * kWidthUnit,
-              .depth0 = static_cast<float>(segment.depth0),
-              .depth1 = static_cast<float>(segment.depth1),
-              .bits0 = segment.colour0,
-              .bits1 = segment.colour1};
+              .width0 = static_cast<float>(segment.width[0]) * kWidthUnit,
+              .width1 = static_cast<float>(segment.width[1]) * kWidthUnit,
+              .depth0 = static_cast<float>(segment.depth[0]),
+              .depth1 = static_cast<float>(segment.depth[1]),
+              .bits0 = segment.colour[0],
+              .bits1 = segment.colour[1]};
     if (walk.main0 > walk.main1) {
         std::swap(walk.main0, walk.main1);
         std::swap(walk.across0, walk.across1);
@@ -114,69 +124,220 @@ HWY_INLINE bool isClosed(const Canvas& canvas, int cell, float from, float to, f
     return true;
 }
 
-/// One step of a strand that is thinner than a sample: a tent over the two that are nearest.
-template<bool kSteep, bool kHead>
-HWY_INLINE void layThin(Canvas& canvas, int i, const Pace& at)
+/// Two samples beside each other.
+#if HWY_MAX_BYTES >= 32 && HWY_TARGET != HWY_SCALAR
+struct Pair
 {
-    constexpr int kNext = kSteep ? 1 : kTileRow; // To the second of the two.
-    const int k = static_cast<int>(at.middle + 64.5F) - 65;
-    if (static_cast<unsigned>(k + 1) > static_cast<unsigned>(kTileSp))
-        return;
-    const int index = kSteep ? inTile(k, i) : inTile(i, k);
-    float* first = canvas.samples.light.data() + 4 * static_cast<std::ptrdiff_t>(index);
-    float* second = first + 4 * static_cast<std::ptrdiff_t>(kNext);
-    const float left0 = first[3];
-    const float left1 = second[3];
-    if (std::max(left0, left1) < canvas.task.opaque)
-        return;
-    float cover1 = at.width * (at.middle - 0.5F - static_cast<float>(k));
-    float cover0 = at.width - cover1;
-    if constexpr (kHead) {
-        const float* depths = canvas.samples.headDepth.data() + index;
-        if (at.depth > std::min(depths[0], depths[kNext])) {
-            const int x = kSteep ? k : i;
-            const int y = kSteep ? i : k;
-            cover0 = coverBeforeHead(canvas, x, y, at.depth, cover0);
-            cover1 = coverBeforeHead(canvas, x + (kSteep ? 1 : 0), y + (kSteep ? 0 : 1), at.depth, cover1);
-        }
+    hn::Vec<hn::FixedTag<float, 8>> v;
+};
+HWY_INLINE Pair pairOf(Quad first, Quad second)
+{
+    return {hn::Combine(hn::FixedTag<float, 8>(), second.v, first.v)};
+}
+template<bool kAdjacent>
+HWY_INLINE Pair loadedPair(const float* first, const float* second)
+{
+    if constexpr (kAdjacent)
+        return {hn::LoadU(hn::FixedTag<float, 8>(), first)};
+    else
+        return pairOf(quadOf(first), quadOf(second));
+}
+template<bool kAdjacent>
+HWY_INLINE void storedPair(Pair pair, float* first, float* second)
+{
+    if constexpr (kAdjacent) {
+        hn::StoreU(pair.v, hn::FixedTag<float, 8>(), first);
+    } else {
+        stored(Quad{hn::LowerHalf(QuadTag(), pair.v)}, first);
+        stored(Quad{hn::UpperHalf(QuadTag(), pair.v)}, second);
     }
-    const float weight0 = cover0 * left0;
-    const float weight1 = cover1 * left1;
-    stored(quadOf(first) + at.colour * quadOf(weight0), first);
-    stored(quadOf(second) + at.colour * quadOf(weight1), second);
-    if (HWY_UNLIKELY(std::min(left0 - weight0, left1 - weight1) < canvas.task.opaque)) {
-        const int x = kSteep ? k : i;
-        const int y = kSteep ? i : k;
-        if (left0 >= canvas.task.opaque && left0 - weight0 < canvas.task.opaque)
-            close(canvas, x, y);
-        if (left1 >= canvas.task.opaque && left1 - weight1 < canvas.task.opaque)
-            close(canvas, x + (kSteep ? 1 : 0), y + (kSteep ? 0 : 1));
+}
+HWY_INLINE Pair operator+(Pair a, Pair b)
+{
+    return {hn::Add(a.v, b.v)};
+}
+HWY_INLINE Pair operator*(Pair a, Pair b)
+{
+    return {hn::Mul(a.v, b.v)};
+}
+/// The fourth of each in all four.
+HWY_INLINE Pair fourths(Pair a)
+{
+    return {hn::Broadcast<3>(a.v)};
+}
+/// Whether anything falls below `limit` that did not before.
+HWY_INLINE bool fallsBelow(Pair before, Pair after, Pair limit)
+{
+    return !hn::AllFalse(hn::FixedTag<float, 8>(), hn::AndNot(hn::Lt(before.v, limit.v), hn::Lt(after.v, limit.v)));
+}
+#else
+struct Pair
+{
+    Quad first, second;
+};
+HWY_INLINE Pair pairOf(Quad first, Quad second)
+{
+    return {first, second};
+}
+template<bool kAdjacent>
+HWY_INLINE Pair loadedPair(const float* first, const float* second)
+{
+    return {quadOf(first), quadOf(second)};
+}
+template<bool kAdjacent>
+HWY_INLINE void storedPair(const Pair& pair, float* first, float* second)
+{
+    stored(pair.first, first);
+    stored(pair.second, second);
+}
+HWY_INLINE Pair operator+(const Pair& a, const Pair& b)
+{
+    return {a.first + b.first, a.second + b.second};
+}
+HWY_INLINE Pair operator*(const Pair& a, const Pair& b)
+{
+    return {a.first * b.first, a.second * b.second};
+}
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE Pair fourths(const Pair& a)
+{
+    return {quadOf(a.first.v[3]), quadOf(a.second.v[3])};
+}
+HWY_INLINE bool fallsBelow(const Pair& before, const Pair& after, const Pair& limit)
+{
+    return (after.first.v[3] < limit.first.v[3] && !(before.first.v[3] < limit.first.v[3])) ||
+           (after.second.v[3] < limit.second.v[3] && !(before.second.v[3] < limit.second.v[3]));
+}
+#else
+HWY_INLINE Pair fourths(const Pair& a)
+{
+    return {{hn::Broadcast<3>(a.first.v)}, {hn::Broadcast<3>(a.second.v)}};
+}
+HWY_INLINE bool fallsBelow(const Pair& before, const Pair& after, const Pair& limit)
+{
+    const auto falls = [](Quad was, Quad is, Quad below) {
+        return hn::AndNot(hn::Lt(was.v, below.v), hn::Lt(is.v, below.v));
+    };
+    return !hn::AllFalse(QuadTag(), hn::Or(falls(before.first, after.first, limit.first),
+                                           falls(before.second, after.second, limit.second)));
+}
+#endif
+#endif
+
+/// Steps of a strand that is thinner than a sample, within a cell: a tent over the two samples that are nearest.
+struct ThinSteps
+{
+    HWY_ALIGN float cover0[kCellSp];
+    HWY_ALIGN float cover1[kCellSp];
+    HWY_ALIGN std::int32_t across[kCellSp]; ///< The first of the two.
+    HWY_ALIGN std::int32_t index[kCellSp];  ///< Its floats in the tile's light.
+};
+
+template<bool kSteep>
+HWY_INLINE void placeSteps(int begin, const Pace& at, const Pace& step, ThinSteps& steps)
+{
+    const hn::CappedTag<float, kCellSp> d;
+    const hn::Rebind<std::int32_t, decltype(d)> di;
+    for (std::size_t i = 0; i < kCellSp; i += hn::Lanes(d)) {
+        const auto number = hn::Iota(d, static_cast<float>(i));
+        const auto middle = hn::Add(hn::Set(d, at.middle - 0.5F), hn::Mul(hn::Set(d, step.middle), number));
+        const auto low = hn::Floor(middle);
+        // Out of the tile it covers nothing.
+        const auto within =
+            hn::And(hn::Ge(low, hn::Set(d, -1.0F)), hn::Lt(low, hn::Set(d, static_cast<float>(kTileSp))));
+        const auto width =
+            hn::IfThenElseZero(within, hn::Add(hn::Set(d, at.width), hn::Mul(hn::Set(d, step.width), number)));
+        const auto cover1 = hn::Mul(width, hn::Sub(middle, low));
+        const auto k =
+            hn::ConvertTo(di, hn::Min(hn::Max(low, hn::Set(d, -1.0F)), hn::Set(d, static_cast<float>(kTileSp - 1))));
+        const auto along = hn::Iota(di, begin + static_cast<int>(i));
+        const auto row = kSteep ? along : k;
+        const auto column = kSteep ? k : along;
+        const auto sample = hn::Add(hn::Mul(row, hn::Set(di, kTileRow)), hn::Add(column, hn::Set(di, kTileRow + 1)));
+        hn::Store(hn::Sub(width, cover1), d, steps.cover0 + i);
+        hn::Store(cover1, d, steps.cover1 + i);
+        hn::Store(k, di, steps.across + i);
+        hn::Store(hn::ShiftLeft<2>(sample), di, steps.index + i);
     }
 }
 
-/// One step of any strand: its cover by a filter one sample wide.
 template<bool kSteep, bool kHead>
-HWY_INLINE void layWide(Canvas& canvas, int i, const Pace& at)
+HWY_INLINE void layThin(Canvas& canvas, int begin, int end, const Pace& at, const Pace& step)
 {
-    const float gain = std::min(at.width, 1.0F);
-    const float half = (std::max(at.width, 1.0F) + 1.0F) * 0.5F;
+    constexpr std::ptrdiff_t kNext = kSteep ? 1 : kTileRow; // To the second of the two.
+    ThinSteps steps;
+    placeSteps<kSteep>(begin, at, step, steps);
+    const Pair opaque = pairOf(quadOf(canvas.task.opaque), quadOf(canvas.task.opaque));
+    const Pair colourStep = pairOf(step.colour, step.colour);
+    Pair colour = pairOf(at.colour, at.colour);
+    for (int i = 0; i < end - begin; ++i, colour = colour + colourStep) {
+        float cover0 = steps.cover0[i];
+        float cover1 = steps.cover1[i];
+        const int k = steps.across[i];
+        const auto spot = [&](int second, int& x, int& y) {
+            x = kSteep ? k + second : begin + i;
+            y = kSteep ? begin + i : k + second;
+        };
+        if constexpr (kHead) {
+            const float depth = at.depth + step.depth * static_cast<float>(i);
+            const float* depths = canvas.samples.headDepth.data() + steps.index[i] / 4;
+            if (depth > std::min(depths[0], depths[kNext])) {
+                int x = 0;
+                int y = 0;
+                spot(0, x, y);
+                cover0 = coverBeforeHead(canvas, x, y, depth, cover0);
+                spot(1, x, y);
+                cover1 = coverBeforeHead(canvas, x, y, depth, cover1);
+            }
+        }
+        float* first = canvas.samples.light.data() + steps.index[i];
+        float* second = first + 4 * kNext;
+        const Pair before = loadedPair<kSteep>(first, second);
+        const Pair after = before + colour * (pairOf(quadOf(cover0), quadOf(cover1)) * fourths(before));
+        storedPair<kSteep>(after, first, second);
+        if (HWY_UNLIKELY(fallsBelow(before, after, opaque))) {
+            HWY_ALIGN float was[8];
+            storedPair<false>(before, was, was + 4);
+            int x = 0;
+            int y = 0;
+            for (const int n : {0, 1})
+                if (was[4 * n + 3] >= canvas.task.opaque && (n == 0 ? first : second)[3] < canvas.task.opaque) {
+                    spot(n, x, y);
+                    close(canvas, x, y);
+                }
+        }
+    }
+}
+
+/// Steps of any strand: its cover by a filter one sample wide.
+template<bool kSteep, bool kHead>
+HWY_INLINE void layWide(Canvas& canvas, int begin, int end, Pace at, const Pace& step)
+{
     constexpr float kUp = 0.5F; // to the nearest: nothing here is negative
-    const int first = static_cast<int>(std::clamp(at.middle - half, 0.0F, 64.0F) + kUp);
-    const int last = static_cast<int>(std::clamp(at.middle + half, 0.0F, static_cast<float>(kTileSp)) + kUp);
-    for (int k = first; k < std::min(last, kTileSp); ++k) {
-        const int x = kSteep ? k : i;
-        const int y = kSteep ? i : k;
-        float* sample = canvas.samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(x, y));
-        const float left = sample[3];
-        if (left < canvas.task.opaque)
-            continue;
-        float cover = gain * std::clamp(half - std::abs(static_cast<float>(k) + 0.5F - at.middle), 0.0F, 1.0F);
-        if constexpr (kHead)
-            cover = coverBeforeHead(canvas, x, y, at.depth, cover);
-        const float weight = cover * left;
-        stored(quadOf(sample) + at.colour * quadOf(weight), sample);
-        if (left - weight < canvas.task.opaque)
-            close(canvas, x, y);
+    for (int i = begin; i < end; ++i) {
+        const float gain = std::min(at.width, 1.0F);
+        const float half = (std::max(at.width, 1.0F) + 1.0F) * 0.5F;
+        const int first = static_cast<int>(std::clamp(at.middle - half, 0.0F, 64.0F) + kUp);
+        const int last = static_cast<int>(std::clamp(at.middle + half, 0.0F, static_cast<float>(kTileSp)) + kUp);
+        for (int k = first; k < std::min(last, kTileSp); ++k) {
+            const int x = kSteep ? k : i;
+            const int y = kSteep ? i : k;
+            float* sample = canvas.samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(x, y));
+            const float left = sample[3];
+            if (left < canvas.task.opaque)
+                continue;
+            float cover = gain * std::clamp(half - std::abs(static_cast<float>(k) + 0.5F - at.middle), 0.0F, 1.0F);
+            if constexpr (kHead)
+                cover = coverBeforeHead(canvas, x, y, at.depth, cover);
+            const float weight = cover * left;
+            stored(quadOf(sample) + at.colour * quadOf(weight), sample);
+            if (left - weight < canvas.task.opaque)
+                close(canvas, x, y);
+        }
+        at.middle += step.middle;
+        at.width += step.width;
+        at.depth += step.depth;
+        at.colour = at.colour + step.colour;
     }
 }
 
@@ -205,22 +366,17 @@ HWY_INLINE void layOne(Canvas& canvas, const ScreenSegment& segment)
         const int cell = chunk / kCellSp;
         const int chunkEnd = std::min((cell + 1) * kCellSp, end);
         const float along = static_cast<float>(chunk) + 0.5F - walk.main0;
-        Pace at{.middle = walk.across0 + step.middle * along,
-                .width = walk.width0 + step.width * along,
-                .depth = walk.depth0 + step.depth * along,
-                .colour = colour0 + step.colour * quadOf(along)};
+        const Pace at{.middle = walk.across0 + step.middle * along,
+                      .width = walk.width0 + step.width * along,
+                      .depth = walk.depth0 + step.depth * along,
+                      .colour = colour0 + step.colour * quadOf(along)};
         const float last = at.middle + step.middle * static_cast<float>(chunkEnd - 1 - chunk);
-        if (!isClosed<kSteep>(canvas, cell, at.middle, last, reach))
-            for (int i = chunk; i < chunkEnd; ++i) {
-                if (thin)
-                    layThin<kSteep, kHead>(canvas, i, at);
-                else
-                    layWide<kSteep, kHead>(canvas, i, at);
-                at.middle += step.middle;
-                at.width += step.width;
-                at.depth += step.depth;
-                at.colour = at.colour + step.colour;
-            }
+        if (!isClosed<kSteep>(canvas, cell, at.middle, last, reach)) {
+            if (thin)
+                layThin<kSteep, kHead>(canvas, chunk, chunkEnd, at, step);
+            else
+                layWide<kSteep, kHead>(canvas, chunk, chunkEnd, at, step);
+        }
         chunk = chunkEnd;
     }
 }
@@ -291,7 +447,7 @@ void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
         const TileEntry& entry = samples.sorted[i];
         const ScreenSegment& segment = segments[entry.batch][entry.segment];
         const bool steep = std::abs(segment.y1 - segment.y0) > std::abs(segment.x1 - segment.x0);
-        const bool head = static_cast<float>(std::max(segment.depth0, segment.depth1)) > nearestHead;
+        const bool head = static_cast<float>(std::max(segment.depth[0], segment.depth[1])) > nearestHead;
         if (head)
             steep ? layOne<true, true>(canvas, segment) : layOne<false, true>(canvas, segment);
         else

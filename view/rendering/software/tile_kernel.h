@@ -73,12 +73,15 @@ struct ResolveTask
     int pictureHeight = 0;
     glm::vec3 background{0.0F};     ///< sRGB as encoded, in the middle of the picture;
     glm::vec3 backgroundRise{0.0F}; ///< and from there to the top.
+    bool transparent = false;       ///< No background.
+    float* linear = nullptr;        ///< The picture in linear light, RGBA, colours times alpha; null: not wanted.
     const float* shade = nullptr;   ///< What is left of the skin's light, in cells from the lowest; null: all.
+    const float* hidden = nullptr;  ///< Likewise: how surely nothing is seen through hair.
     int shadeAcross = 0;
     int shadeUp = 0;
     int shadeCell = 1; ///< Pixels.
 };
-/// Writes RGBA8 into `pixels`, the picture's, whose row 0 is on top.
+/// Writes RGBA8 into `pixels`, the picture's, whose row 0 is on top; where transparent, colours are not times alpha.
 void resolveTile(const TileTask& task, const ResolveTask& resolve, const TileSamples& samples, std::uint8_t* pixels);
 
 } // namespace hairpaint::rendering
