@@ -6,6 +6,7 @@ find_package(glm REQUIRED)
 find_package(Eigen3 REQUIRED)
 find_package(TBB REQUIRED COMPONENTS tbb)
 find_package(tl-expected REQUIRED)
+find_package(OpenEXR CONFIG REQUIRED)
 
 # Highway and nanoflann ship CMake packages in vcpkg; Debian's carry pkg-config files.
 find_package(hwy CONFIG QUIET)
