@@ -49,6 +49,22 @@ HWY_INLINE Lanes opacityAt(const float* grid, int side, const Triple<Lanes>& pla
     return mixed(low, high, fz);
 }
 
+/// All of the column that the place lies in.
+HWY_INLINE Lanes columnAt(const float* grid, int side, const Triple<Lanes>& place)
+{
+    const IntTag di;
+    const auto size = static_cast<float>(side);
+    const Lanes x = clamped(place.x * Lanes(size) - Lanes(0.5F), 0.0F, size - 1.001F);
+    const Lanes y = clamped(place.y * Lanes(size) - Lanes(0.5F), 0.0F, size - 1.001F);
+    const Lanes lowX = floored(x);
+    const Lanes lowY = floored(y);
+    const Ints first =
+        hn::Add(hn::Mul(hn::ConvertTo(di, lowY.v), hn::Set(di, side)), hn::ConvertTo(di, lowX.v));
+    const float* last = grid + (side - 1) * side * side;
+    const auto voxel = [&](int offset) { return Lanes(hn::GatherIndex(Tag(), last + offset, first)); };
+    return mixed(mixed(voxel(0), voxel(1), x - lowX), mixed(voxel(side), voxel(side + 1), x - lowX), y - lowY);
+}
+
 } // namespace hairpaint::rendering::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -177,13 +177,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .toleranceSp = fine ? 0.2F : 0.5F,
                       .undrawnCoverings = fine ? 16.0F : 5.5F,
                       .deepFraction = fine ? 1.0F : 0.4F,
-                      .lighting = {.eyeWo = glm::vec3(constants.eyeWo),
-                                   .lightWo = glm::vec3(constants.lightWo),
-                                   .lightColour = glm::vec3(constants.lightColour),
-                                   .headWo = glm::vec3(constants.headWo),
-                                   .ambient = constants.lightWo.w,
-                                   .shine = material.shine,
-                                   .roughness = material.roughness}};
+                      .lighting = hairLighting(constants, material)};
         const std::size_t count = group.list->slots().size();
         for (std::size_t first = 0; first < count; first += batchStrands)
             m_pieces.push_back({.group = g, .first = first, .end = std::min(first + batchStrands, count)});

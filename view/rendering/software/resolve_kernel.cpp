@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.
 #include "view/rendering/light/lanes_inl.h"
+#include "view/rendering/light/tone_inl.h"
 #include <algorithm>
 #include <cmath>
 #include <hwy/highway.h>
@@ -13,25 +14,28 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-/// Of one sample, linear, with what lies behind the hair.
-HWY_INLINE Quad sampleOf(const float* light, const HeadSample* head, float shade, Quad background, float opaque)
+/// Of one sample: light / kMostLight of hair and head, and the part through which the background is seen.
+HWY_INLINE Quad sampleOf(const float* light, const HeadSample* head, float shade, float opaque)
 {
-    Quad behind = background;
+    HWY_ALIGN constexpr float kNothing[4] = {0.0F, 0.0F, 0.0F, 1.0F};
+    HWY_ALIGN constexpr float kLightAlone[4] = {1.0F, 1.0F, 1.0F, 0.0F};
+    Quad behind = quadOf(kNothing);
     if (head != nullptr && head->cover > 0) {
         constexpr float kUnit = 1.0F / 65535.0F;
         const auto square = [](std::uint16_t v) {
             const float f = static_cast<float>(v) * kUnit;
             return f * f;
         };
-        HWY_ALIGN const float skin[4] = {square(head->red) * shade, square(head->green) * shade,
-                                         square(head->blue) * shade, 0.0F};
         const float cover = static_cast<float>(head->cover) * kUnit;
-        behind = background + (quadOf(skin) - background) * quadOf(cover);
+        const float lit = shade * cover;
+        HWY_ALIGN const float skin[4] = {square(head->red) * lit, square(head->green) * lit, square(head->blue) * lit,
+                                         1.0F - cover};
+        behind = quadOf(skin);
     }
     // What is opaque shows nothing behind; what it lacks is the hair's own.
     if (light[3] < opaque)
-        return quadOf(light) * quadOf(1.0F / (1.0F - light[3]));
-    return quadOf(light) + behind * quadOf(light[3]);
+        return quadOf(light) * quadOf(kLightAlone) * quadOf(1.0F / (1.0F - light[3]));
+    return quadOf(light) * quadOf(kLightAlone) + behind * quadOf(light[3]);
 }
 
 /// What is left of the skin's light at a pixel, between the middles of cells.
@@ -61,7 +65,7 @@ HWY_INLINE float shadeAt(const ResolveTask& resolve, int x, int y)
     return low + (high - low) * fy;
 }
 
-/// Encoded sRGB of the square root of a linear colour.
+/// Encoded sRGB of the square root of light / kMostLight.
 struct SrgbTable
 {
     static constexpr int kSteps = 4095;
@@ -71,7 +75,7 @@ struct SrgbTable
         for (int i = 0; i <= kSteps; ++i) {
             const float root = static_cast<float>(i) * (1.0F / kSteps);
             bytes.at(static_cast<std::size_t>(i)) =
-                static_cast<std::uint8_t>(std::floor(least(fastSrgb(root * root), 1.0F) * 255.0F + 0.5F));
+                static_cast<std::uint8_t>(std::floor(least(fastSrgb(toneOf(root * root * kMostLight)), 1.0F) * 255.0F + 0.5F));
         }
     }
 };
@@ -84,9 +88,7 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
         const int row = resolve.firstPixelY + py;
         const float rise = (static_cast<float>(row) + 0.5F) / static_cast<float>(resolve.pictureHeight) * 2.0F - 1.0F;
         const glm::vec3 srgb = glm::clamp(resolve.background + resolve.backgroundRise * rise, 0.0F, 1.0F);
-        HWY_ALIGN const float linear[4] = {linearFromSrgb(srgb.x), linearFromSrgb(srgb.y), linearFromSrgb(srgb.z),
-                                           0.0F};
-        const Quad background = quadOf(linear);
+        const float background[3] = {linearFromSrgb(srgb.x), linearFromSrgb(srgb.y), linearFromSrgb(srgb.z)};
         std::uint8_t* out = pixels + (static_cast<std::size_t>(resolve.pictureHeight - 1 - row) *
                                           static_cast<std::size_t>(resolve.pictureWidth) +
                                       static_cast<std::size_t>(resolve.firstPixelX)) *
@@ -108,7 +110,7 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
                         bare = bare && head->cover == 0;
                     }
                     bare = bare && light[3] == 1.0F;
-                    sum = sum + sampleOf(light, head, shade, background, task.opaque);
+                    sum = sum + sampleOf(light, head, shade, task.opaque);
                 }
             if (bare) {
                 out[0] = byte(srgb.x);
@@ -117,8 +119,20 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
                 out[3] = 255;
                 continue;
             }
+            HWY_ALIGN float lit[4];
+            stored(sum * quadOf(perPixel), lit);
+            if (lit[3] > 0.0F) {
+                // Only the scene's light is toned; the background is the screen's own colour.
+                const float cover = most(1.0F - lit[3], 1e-6F);
+                for (int c = 0; c < 3; ++c)
+                    out[c] = byte(least(fastSrgb(toneOf(lit[c] * kMostLight / cover) * cover +
+                                                 background[c] * lit[3]),
+                                        1.0F));
+                out[3] = 255;
+                continue;
+            }
             // The square root spreads dark tones, so that a table tells neighbouring bytes apart.
-            const Quad shown = root(most(least(sum * quadOf(perPixel), quadOf(1.0F)), quadOf(0.0F)));
+            const Quad shown = root(most(least(quadOf(lit), quadOf(1.0F)), quadOf(0.0F)));
             HWY_ALIGN float result[4];
             stored(shown * quadOf(static_cast<float>(SrgbTable::kSteps)) + quadOf(0.5F), result);
             for (int c = 0; c < 3; ++c)
