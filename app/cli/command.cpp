@@ -45,7 +45,7 @@ constexpr std::array<OptionHelp, 5> kExportOptions = {{
     kWind,
     {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves once after that, and the hair settles for 1 s more")},
 }};
-constexpr std::array<OptionHelp, 11> kRenderOptions = {{
+constexpr std::array<OptionHelp, 12> kRenderOptions = {{
     {"-o, --output FILE.png", QT_TRANSLATE_NOOP("CommandLine", "the picture to write")},
     {"--size WxH", QT_TRANSLATE_NOOP("CommandLine", "in pixels; 1024x1024 unless given")},
     {"--view NAME", QT_TRANSLATE_NOOP("CommandLine", "front, back, left, right, top, bottom or three-quarter")},
@@ -53,6 +53,8 @@ constexpr std::array<OptionHelp, 11> kRenderOptions = {{
      QT_TRANSLATE_NOOP("CommandLine", "what fills the picture: hair (with the head), head or bust; hair unless given")},
     {"--skin NAME", QT_TRANSLATE_NOOP("CommandLine", "clay, porcelain, fair, beige, olive, brown or deep, instead of "
                                                      "the project's")},
+    {"--light NAME", QT_TRANSLATE_NOOP("CommandLine", "studio, daylight, sunset, club or backlit, instead of the "
+                                                      "project's")},
     kSettle,
     {"--frames A-B", QT_TRANSLATE_NOOP("CommandLine", "a film instead of one picture: FILE.0001.png and on")},
     {"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")},
@@ -73,8 +75,8 @@ constexpr std::array<Command, 5> kCommands = {{
      QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), kExportOptions, runExport},
     {"render",
      "P.hairpaint -o FILE.png [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
-     "[--fit hair|head|bust] [--skin NAME] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z] "
-     "[--motion nod|shake|turn]",
+     "[--fit hair|head|bust] [--skin NAME] [--light NAME] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] "
+     "[--wind X,Y,Z] [--motion nod|shake|turn]",
      QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},
 }};
 

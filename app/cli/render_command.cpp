@@ -25,6 +25,7 @@ struct RenderOptions
     rendering::StandardView view = rendering::StandardView::ThreeQuarter;
     rendering::Fit fit = rendering::Fit::Hair;
     std::optional<model::SkinTone> skin; ///< Else the project's.
+    const model::LightPreset* light = nullptr; ///< Null: the project's.
     int firstFrame = 0;
     int lastFrame = -1; ///< Below the first: one picture.
     double framesPerSecond = 30.0;
@@ -63,6 +64,12 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
         if (look == nullptr)
             return tl::unexpected(CommandLine::tr("There is no skin '%1'").arg(name));
         options.skin = look->tone;
+    }
+    if (parser.isSet(QStringLiteral("light"))) {
+        const QString name = parser.value(QStringLiteral("light"));
+        options.light = model::findLightPreset(name);
+        if (options.light == nullptr)
+            return tl::unexpected(CommandLine::tr("There is no light '%1'").arg(name));
     }
     if (parser.isSet(QStringLiteral("frames"))) {
         const QString frames = parser.value(QStringLiteral("frames"));
@@ -187,6 +194,7 @@ ExitCode runRender(const QStringList& arguments)
                        {QStringLiteral("view"), {}, QStringLiteral("name")},
                        {QStringLiteral("fit"), {}, QStringLiteral("what")},
                        {QStringLiteral("skin"), {}, QStringLiteral("name")},
+                       {QStringLiteral("light"), {}, QStringLiteral("name")},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
                        {QStringLiteral("fps"), {}, QStringLiteral("number")},
@@ -220,6 +228,8 @@ ExitCode runRender(const QStringList& arguments)
     if (!project)
         return failed(project.error());
     project->skin = options->skin.value_or(project->skin);
+    if (options->light != nullptr)
+        project->light = options->light->appliedTo(project->light);
     SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
     hair.setMotion(*motion);
     return renderAll(hair, *options, output);

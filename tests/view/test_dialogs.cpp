@@ -132,7 +132,7 @@ private Q_SLOTS:
             QCOMPARE(f.steps(), ++steps);
             QVERIFY(f.document.project().light == shown);
         }
-        QCOMPARE(steps, 7);
+        QCOMPARE(steps, 10);
         while (f.document.undoStack().canUndo())
             f.document.undo();
         QVERIFY(f.document.project().light == before);

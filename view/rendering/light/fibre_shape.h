@@ -25,7 +25,7 @@ struct FibreShape
     constexpr float kPerRootTwoPi = 0.39894228F;
     FibreShape shape;
     for (std::size_t lobe = 0; lobe < 3; ++lobe) {
-        const float deviation = (0.03F + 0.25F * roughness) * kWidths[lobe];
+        const float deviation = (0.02F + 0.2F * roughness) * kWidths[lobe];
         shape.shift[lobe] = kShifts[lobe] * kScaleTiltRad;
         shape.exponent[lobe] = -kHalfLog2E / (deviation * deviation);
         shape.peak[lobe] = kPerRootTwoPi / deviation;

@@ -26,7 +26,7 @@ struct HairLighting
 /// As wide a highlight as the fibre's shape has.
 [[nodiscard]] constexpr float highlightExponent(float roughness)
 {
-    const float deviation = 0.03F + 0.25F * roughness;
+    const float deviation = 0.02F + 0.2F * roughness;
     return 1.0F / (deviation * deviation);
 }
 

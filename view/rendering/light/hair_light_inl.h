@@ -61,7 +61,8 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
     constexpr float kCoat = 2.0F; ///< A coat shows its colour though half of it lies in its own shade.
     const Triple<F> toward = tripleOf<F>(lamp.towardWo);
     const FibreAngles<F> at = fibreAngles(dot(point.tangent, toward), coat.sinO, coat.cosO, dot(toward, coat.view));
-    const F shine(2.0F * given.shine);
+    constexpr float kForward = 0.35F; ///< Of what came through one hair, that meets no other right after.
+    const F shine(3.0F * given.shine);
     // Softly around the coat, since light scatters on within it; what shines through its thin parts is there too.
     const F wrap = clamped(dot(coat.normal, toward) * F(0.62F) + F(0.38F), 0.0F, 1.0F);
     const F facing = F(0.1F) + F(0.9F) * wrap * wrap;
@@ -73,7 +74,7 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
         const F white = lobes.r * front;
         lit = point.colour * passed.all * body + Triple<F>{white, white, white};
         if constexpr (set != LobeSet::Back)
-            lit = lit + lobes.tt * passed.all * F(kPi);
+            lit = lit + lobes.tt * passed.all * F(kPi * kForward);
         if constexpr (set != LobeSet::Forward)
             lit = lit + lobes.trt * front;
     } else if (given.scattering == Scattering::KajiyaKay) {

@@ -117,7 +117,7 @@ HWY_INLINE Triple<Lanes> skinLight(const SkinLighting& given, const SkinPoint<La
     albedo = mixedWith(albedo, given.lips, point.lips);
 
     const F up = n.y * F(0.5F) + F(0.5F);
-    const Triple<F> around = irradianceAt(given.around, n) * (F(0.62F) + F(0.18F) * up);
+    const Triple<F> around = irradianceAt(given.around, n) * (F(0.52F) + F(0.2F) * up);
     Triple<F> lit = Triple<F>{around.x * openness(point.sky, albedo.x), around.y * openness(point.sky, albedo.y),
                               around.z * openness(point.sky, albedo.z)} *
                     albedo;
