@@ -103,11 +103,11 @@ private Q_SLOTS:
     {
         QFETCH(MakeScene, make);
         // So large that OpenGL draws hair as thin as it is.
-        constexpr int kSide = 1024;
+        constexpr int kSide = 1536;
         const Scene scene = make();
         // What is grain there is coverage here: only the mean of some pixels can be compared.
-        const Picture software = softly(scene, {}, kSide, kSide).shrunk(4);
-        const Picture gl = draw(scene, {}, kSide, kSide).shrunk(4);
+        const Picture software = softly(scene, {.samples = 4}, kSide, kSide).shrunk(6);
+        const Picture gl = draw(scene, {.samples = 4}, kSide, kSide).shrunk(6);
         const double difference = software.difference(gl) / (3.0 * 255.0);
         QVERIFY2(difference < 0.02, qPrintable(QString::number(difference)));
     }
