@@ -58,7 +58,7 @@ const float kCosinePowerPeak = 0.8103764;
 
 FibreShape fibreShape(float roughness)
 {
-    vec3 deviation = (0.02 + 0.2 * roughness) * vec3(1.0, 1.2, 1.8);
+    vec3 deviation = (0.02 + 0.18 * roughness) * vec3(1.0, 0.8, 1.8);
     return FibreShape(vec3(-2.0, 1.0, 4.0) * kScaleTiltRad, -0.72134752 / (deviation * deviation), 0.39894228 / deviation);
 }
 
@@ -83,11 +83,12 @@ struct FibreLobes
 {
     float r;
     vec3 tt, trt;
+    vec3 through;
 };
 
 float eighthPower(float x)
 {
-    x = max(x, 0.01);
+    x = max(x, 0.05);
     x *= x;
     x *= x;
     return x * x;
@@ -97,18 +98,18 @@ FibreLobes marschner(FibreShape shape, FibreAngles at, vec3 depth, float jitter)
 {
     float perCosD = 1.0 / at.cosD;
     vec3 off = (at.sinI + at.sinO) * perCosD + jitter - shape.shift;
-    vec3 longitudinal = exp2(max(off * off * shape.exponent, -30.0)) * shape.peak * perCosD;
+    vec3 longitudinal = exp2(max(off * off * shape.exponent, -20.0)) * shape.peak * perCosD;
     float toward = 0.5 + 0.5 * at.cosPhi;
     float cosHalf = sqrt(toward);
     float sinSquare = 1.0 - at.cosD * at.cosD;
     float way = 1.0 + sinSquare * (0.186 + sinSquare * 0.123);
-    vec3 through = absorbed(depth * way);
     float reflected = meanReflectance(at.cosD);
     float entered = (1.0 - reflected) * (1.0 - reflected) * kCosinePowerPeak;
     FibreLobes lobes;
+    lobes.through = absorbed(depth * way);
     lobes.r = longitudinal.x * reflectance(at.cosD * cosHalf) * cosHalf * 0.25;
-    lobes.tt = through * (longitudinal.y * entered * eighthPower(0.5 - 0.5 * at.cosPhi));
-    lobes.trt = through * through * (longitudinal.z * entered * reflected * eighthPower(toward));
+    lobes.tt = lobes.through * (longitudinal.y * entered * eighthPower(0.5 - 0.5 * at.cosPhi));
+    lobes.trt = lobes.through * lobes.through * (longitudinal.z * entered * reflected * eighthPower(toward));
     return lobes;
 }
 
@@ -137,7 +138,7 @@ vec2 illuminatedLine(FibreAngles at, float exponent)
 // Light left of 1 behind fibres: w that met none, rgb with what was scattered forward.
 vec4 passedThrough(float crossed, vec3 depth)
 {
-    float direct = absorbed(crossed * 0.6);
+    float direct = absorbed(crossed * 0.75);
     return vec4(direct + (1.0 - direct) * 0.7 * absorbed(crossed * (depth + 0.07)), direct);
 }
 
@@ -147,7 +148,7 @@ float besideHead(vec3 fromHead, float radiusM, vec3 toward)
     float along = dot(fromHead, toward);
     float off = sqrt(max(dot(fromHead, fromHead) - along * along, 0.0));
     float r = max(radiusM, 1e-4);
-    return 1.0 - (1.0 - smoothstep(0.7 * r, 1.2 * r, off)) * smoothstep(0.0, 0.8 * r, -along);
+    return 1.0 - (1.0 - smoothstep(0.5 * r, 1.3 * r, off)) * smoothstep(0.0, 0.8 * r, -along);
 }
 
 struct HairPoint
@@ -170,21 +171,22 @@ vec3 lightOf(int lobeSet, vec3 toward, vec3 lampColour, HairPoint point, vec3 vi
              float shineOf, float roughness)
 {
     const float kCoat = 2.0;
-    const float kForwardPart = 0.35;
+    const float kForwardPart = 0.5;
     FibreAngles at = fibreAngles(dot(point.tangent, toward), sinO, cosineOf(sinO), dot(toward, view));
     float shine = 3.0 * shineOf;
     float wrap = clamp(dot(normal, toward) * 0.62 + 0.38, 0.0, 1.0);
     float facing = 0.1 + 0.9 * wrap * wrap;
-    float deviation = 0.02 + 0.2 * roughness;
+    float deviation = 0.02 + 0.18 * roughness;
     float exponent = 1.0 / (deviation * deviation);
     int scattering = int(keyWo.w);
     vec3 lit;
     if (scattering == kMarschner) {
         FibreLobes lobes = marschner(fibreShape(roughness), at, point.depth, point.variation * 0.25);
         float front = shine * passed.w * kPi;
-        lit = point.colour * passed.rgb * ((0.35 + 0.65 * at.cosI) * facing * kCoat) + lobes.r * front;
+        lit = point.colour * passed.rgb * ((0.35 + 0.65 * at.cosI) * facing * kCoat) +
+              lobes.r * front * (lobeSet == kForward ? kForwardPart : 1.0);
         if (lobeSet != kBack)
-            lit += lobes.tt * passed.rgb * (kPi * kForwardPart);
+            lit += lobes.tt * lobes.through * lobes.through * lobes.through * passed.rgb * (kPi * kForwardPart);
         if (lobeSet != kForward)
             lit += lobes.trt * front;
     } else if (scattering == kKajiyaKay) {
@@ -208,7 +210,7 @@ vec3 hairLight(HairPoint point, float shine, float roughness)
     float sinO = dot(point.tangent, view);
     vec4 fromKey = passedThrough(point.towardKey, point.depth);
     vec4 fromEye = passedThrough(point.towardEye, point.depth);
-    vec4 fromRim = passedThrough(point.towardRim + 1.0, point.depth);
+    vec4 fromRim = passedThrough(point.towardRim, point.depth);
     vec3 lit = irradianceAt(normal) * point.colour * fromEye.rgb;
     lit += lightOf(kBack, fillWo.xyz, fillColour.rgb, point, view, normal, sinO, fromEye, shine, roughness);
     float keyLeft = besideHead(fromHead, headWo.w, keyWo.xyz);

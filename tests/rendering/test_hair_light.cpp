@@ -64,7 +64,7 @@ ReferenceLobes reference(const Directions& d, double roughness, double depth)
     const double half = 0.5 * (d.thetaI + d.thetaO);
     const double cosD = std::cos(halfDifference);
     const double tilt = 0.045;
-    const double deviation = 0.02 + 0.2 * roughness;
+    const double deviation = 0.02 + 0.18 * roughness;
     const auto m = [&](double shift, double width) {
         return gaussian(2.0 * std::sin(half) - shift, deviation * width) / cosD;
     };
@@ -77,7 +77,7 @@ ReferenceLobes reference(const Directions& d, double roughness, double depth)
         turn += std::pow(std::cos(i * kPi / 3600.0), 16.0) * 2.0 * kPi / 3600.0;
     const double entered = (1.0 - reflected) * (1.0 - reflected) / turn;
     return {m(-2.0 * tilt, 1.0) * schlick(cosD * cosHalf) * cosHalf / 4.0,
-            m(tilt, 1.2) * entered * through * std::pow(std::sin(0.5 * d.phi), 16.0),
+            m(tilt, 0.8) * entered * through * std::pow(std::sin(0.5 * d.phi), 16.0),
             m(4.0 * tilt, 1.8) * entered * reflected * through * through * std::pow(cosHalf, 16.0)};
 }
 
@@ -217,7 +217,7 @@ private Q_SLOTS:
         for (const double crossed : {0.0, 0.5, 2.0, 10.0, 40.0})
             for (const double depth : {0.0, 0.05, 0.5, 1.5}) {
                 const auto passed = simd::passedThrough(static_cast<float>(crossed), grey(static_cast<float>(depth)));
-                const double direct = std::exp(-0.6 * crossed);
+                const double direct = std::exp(-0.75 * crossed);
                 const double all = direct + 0.7 * (1.0 - direct) * std::exp(-crossed * (depth + 0.07));
                 QVERIFY(std::abs(static_cast<double>(passed.direct) - direct) < 3e-3);
                 QVERIFY(std::abs(static_cast<double>(passed.all.x) - all) < 6e-3);

@@ -19,12 +19,12 @@ struct Passed
     Triple<F> all; ///< With what was scattered forward by those that it met.
 };
 
-/// Behind `crossed` fibres on average, each of optical depth `depth`. One in `1/e^kMet` meets none of one crossing;
-/// each that is met sends kForward of what it does not absorb on, kDensity of it within reach of the next.
+/// Behind `crossed` fibres on average, each of optical depth `depth`. Light meets none of them with probability
+/// exp(-kMet crossed); what it meets sends kDensity of the light on (their d_f), less what each absorbs and throws back.
 template<class F>
 HWY_INLINE Passed<F> passedThrough(F crossed, const Triple<F>& depth)
 {
-    constexpr float kMet = 0.6F;
+    constexpr float kMet = 0.75F;
     constexpr float kLostBack = 0.07F; ///< Optical depth of what a fibre reflects.
     constexpr float kDensity = 0.7F;
     const F direct = absorbed(crossed * F(kMet));

@@ -19,13 +19,13 @@ struct FibreShape
 /// `roughness` 0..1; tilt and widths relate as in Marschner and others 2003.
 [[nodiscard]] constexpr FibreShape fibreShape(float roughness)
 {
-    constexpr std::array<float, 3> kWidths{1.0F, 1.2F, 1.8F};
+    constexpr std::array<float, 3> kWidths{1.0F, 0.8F, 1.8F};
     constexpr std::array<float, 3> kShifts{-2.0F, 1.0F, 4.0F};
     constexpr float kHalfLog2E = 0.72134752F;
     constexpr float kPerRootTwoPi = 0.39894228F;
     FibreShape shape;
     for (std::size_t lobe = 0; lobe < 3; ++lobe) {
-        const float deviation = (0.02F + 0.2F * roughness) * kWidths[lobe];
+        const float deviation = (0.02F + 0.18F * roughness) * kWidths[lobe];
         shape.shift[lobe] = kShifts[lobe] * kScaleTiltRad;
         shape.exponent[lobe] = -kHalfLog2E / (deviation * deviation);
         shape.peak[lobe] = kPerRootTwoPi / deviation;

@@ -20,13 +20,13 @@ struct HairLighting
     Scattering scattering = Scattering::Marschner;
     float shine = 0.5F; ///< 0..1; a natural hair's is 0.5.
     FibreShape shape = fibreShape(0.3F);
-    float highlightExponent = 90.7F; ///< Of the models that have one.
+    float highlightExponent = 182.0F; ///< Of the models that have one.
 };
 
 /// As wide a highlight as the fibre's shape has.
 [[nodiscard]] constexpr float highlightExponent(float roughness)
 {
-    const float deviation = 0.02F + 0.2F * roughness;
+    const float deviation = 0.02F + 0.18F * roughness;
     return 1.0F / (deviation * deviation);
 }
 

@@ -38,7 +38,7 @@ HWY_INLINE F besideHead(const Triple<F>& fromHead, float radiusM, const Triple<F
     const F along = dot(fromHead, toward);
     const F off = root(most(dot(fromHead, fromHead) - along * along, F(0.0F)));
     const float r = radiusM > 1e-4F ? radiusM : 1e-4F;
-    const F inside = F(1.0F) - smoothStep(0.7F * r, 1.2F * r, off);
+    const F inside = F(1.0F) - smoothStep(0.5F * r, 1.3F * r, off);
     return F(1.0F) - inside * smoothStep(0.0F, 0.8F * r, along * F(-1.0F));
 }
 
@@ -61,7 +61,7 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
     constexpr float kCoat = 2.0F; ///< A coat shows its colour though half of it lies in its own shade.
     const Triple<F> toward = tripleOf<F>(lamp.towardWo);
     const FibreAngles<F> at = fibreAngles(dot(point.tangent, toward), coat.sinO, coat.cosO, dot(toward, coat.view));
-    constexpr float kForward = 0.35F; ///< Of what came through one hair, that meets no other right after.
+    constexpr float kForward = 0.5F; ///< Of what goes on past one hair, that meets no other right after.
     const F shine(3.0F * given.shine);
     // Softly around the coat, since light scatters on within it; what shines through its thin parts is there too.
     const F wrap = clamped(dot(coat.normal, toward) * F(0.62F) + F(0.38F), 0.0F, 1.0F);
@@ -71,10 +71,11 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
         const FibreLobes<F> lobes = marschner<set>(given.shape, at, point.depth, point.variation * F(0.25F));
         const F front = shine * passed.direct * F(kPi);
         const F body = (F(0.35F) + F(0.65F) * at.cosI) * facing * F(kCoat);
-        const F white = lobes.r * front;
+        const F white = lobes.r * front * F(set == LobeSet::Forward ? kForward : 1.0F);
         lit = point.colour * passed.all * body + Triple<F>{white, white, white};
+        // What went through one hair goes through those beside it too: even a thin coat colours it.
         if constexpr (set != LobeSet::Back)
-            lit = lit + lobes.tt * passed.all * F(kPi * kForward);
+            lit = lit + lobes.tt * lobes.through * lobes.through * lobes.through * passed.all * F(kPi * kForward);
         if constexpr (set != LobeSet::Forward)
             lit = lit + lobes.trt * front;
     } else if (given.scattering == Scattering::KajiyaKay) {
@@ -106,8 +107,7 @@ HWY_INLINE Triple<F> hairLight(const HairLighting& given, const HairPoint<F>& po
 
     const Passed<F> fromKey = passedThrough(point.towardKey, point.depth);
     const Passed<F> fromEye = passedThrough(point.towardEye, point.depth);
-    // Even where the coat is thin, light from behind has come through the hairs beside.
-    const Passed<F> fromRim = passedThrough(point.towardRim + F(1.0F), point.depth);
+    const Passed<F> fromRim = passedThrough(point.towardRim, point.depth);
     const F keyLeft = besideHead(coat.fromHead, given.headRadiusM, tripleOf<F>(given.key.towardWo));
     const F rimLeft = besideHead(coat.fromHead, given.headRadiusM, tripleOf<F>(given.rim.towardWo));
     // Surroundings come from the side where the coat is open, which is about where the eye looks in.

@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-inline constexpr float kLeastExponent = 30.0F; ///< Keeps products away from denormal numbers, which are slow.
+inline constexpr float kLeastExponent = 20.0F; ///< Keeps products away from denormal numbers, which are slow.
 inline constexpr float kNormalReflectance = 0.0465206F; ///< Of refractive index 1.55.
 
 /// Radiance for an irradiance of 1 across the beam, 1/sr.
@@ -24,6 +24,7 @@ struct FibreLobes
 {
     F r;
     Triple<F> tt, trt;
+    Triple<F> through; ///< What pigment leaves of light that crosses the fibre.
 };
 
 /// Schlick 1994.
@@ -79,19 +80,19 @@ HWY_INLINE FibreLobes<F> marschner(const FibreShape& shape, const FibreAngles<F>
     // Refraction bends inclined rays up, so that their way is at most 1/cos(40 degrees) longer.
     const F sinSquare = one - at.cosD * at.cosD;
     const F way = one + sinSquare * (F(0.186F) + sinSquare * F(0.123F));
-    const Triple<F> through = absorbed(depth * way);
+    lobes.through = absorbed(depth * way);
     const F reflected = meanReflectance(at.cosD);
     const F entered = (one - reflected) * (one - reflected) * F(kCosinePowerPeak);
     const auto eighth = [](F x) {
-        x = most(x, F(0.01F));
+        x = most(x, F(0.05F));
         const F square = x * x;
         const F fourth = square * square;
         return fourth * fourth;
     };
     if constexpr (set != LobeSet::Back)
-        lobes.tt = through * (longitudinal(shape, 1, twiceSinH, perCosD) * entered * eighth(F(0.5F) - half));
+        lobes.tt = lobes.through * (longitudinal(shape, 1, twiceSinH, perCosD) * entered * eighth(F(0.5F) - half));
     if constexpr (set != LobeSet::Forward)
-        lobes.trt = through * through *
+        lobes.trt = lobes.through * lobes.through *
                     (longitudinal(shape, 2, twiceSinH, perCosD) * entered * reflected * eighth(toward));
     return lobes;
 }

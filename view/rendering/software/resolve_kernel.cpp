@@ -65,30 +65,51 @@ HWY_INLINE float shadeAt(const ResolveTask& resolve, int x, int y)
     return low + (high - low) * fy;
 }
 
-/// Encoded sRGB of the square root of light / kMostLight.
-struct SrgbTable
+/// Encoded sRGB of the square root of light / kMostLight, and of the screen's linear colour. The square root spreads
+/// dark tones, so that a table tells neighbouring bytes apart.
+struct SrgbTables
 {
     static constexpr int kSteps = 4095;
-    std::array<std::uint8_t, kSteps + 1> bytes;
-    SrgbTable()
+    using Bytes = std::array<std::uint8_t, kSteps + 1>;
+    Bytes ofLight;
+    Bytes ofScreen;
+    SrgbTables()
     {
-        for (int i = 0; i <= kSteps; ++i) {
+        const auto byte = [](float linear) {
+            return static_cast<std::uint8_t>(std::floor(least(fastSrgb(linear), 1.0F) * 255.0F + 0.5F));
+        };
+        for (std::size_t i = 0; i <= kSteps; ++i) {
             const float root = static_cast<float>(i) * (1.0F / kSteps);
-            bytes.at(static_cast<std::size_t>(i)) =
-                static_cast<std::uint8_t>(std::floor(least(fastSrgb(toneOf(root * root * kMostLight)), 1.0F) * 255.0F + 0.5F));
+            ofLight.at(i) = byte(toneOf(root * root * kMostLight));
+            ofScreen.at(i) = byte(root * root);
         }
     }
 };
 
+/// Light of the scene over the background, on the screen: `lit` as sampleOf has it. Only the scene's light is toned;
+/// the background is the screen's own colour.
+HWY_INLINE Quad overBackground(const float* lit, Quad background)
+{
+    const float cover = most(1.0F - lit[3], 1e-6F);
+    if (most(lit[0], most(lit[1], lit[2])) * kMostLight <= kToneKnee * cover)
+        return quadOf(lit) * quadOf(kMostLight) + background * quadOf(lit[3]);
+    HWY_ALIGN float toned[4] = {};
+    for (int c = 0; c < 3; ++c)
+        toned[c] = toneOf(lit[c] * kMostLight / cover) * cover;
+    return quadOf(toned) + background * quadOf(lit[3]);
+}
+
 void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamples& samples, std::uint8_t* pixels)
 {
-    static const SrgbTable table;
+    static const SrgbTables tables;
     const float perPixel = 1.0F / static_cast<float>(resolve.samplesX * resolve.samplesY);
     for (int py = 0; py < task.height / resolve.samplesY; ++py) {
         const int row = resolve.firstPixelY + py;
         const float rise = (static_cast<float>(row) + 0.5F) / static_cast<float>(resolve.pictureHeight) * 2.0F - 1.0F;
         const glm::vec3 srgb = glm::clamp(resolve.background + resolve.backgroundRise * rise, 0.0F, 1.0F);
-        const float background[3] = {linearFromSrgb(srgb.x), linearFromSrgb(srgb.y), linearFromSrgb(srgb.z)};
+        HWY_ALIGN const float linear[4] = {linearFromSrgb(srgb.x), linearFromSrgb(srgb.y), linearFromSrgb(srgb.z),
+                                           0.0F};
+        const Quad background = quadOf(linear);
         std::uint8_t* out = pixels + (static_cast<std::size_t>(resolve.pictureHeight - 1 - row) *
                                           static_cast<std::size_t>(resolve.pictureWidth) +
                                       static_cast<std::size_t>(resolve.firstPixelX)) *
@@ -121,22 +142,14 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
             }
             HWY_ALIGN float lit[4];
             stored(sum * quadOf(perPixel), lit);
-            if (lit[3] > 0.0F) {
-                // Only the scene's light is toned; the background is the screen's own colour.
-                const float cover = most(1.0F - lit[3], 1e-6F);
-                for (int c = 0; c < 3; ++c)
-                    out[c] = byte(least(fastSrgb(toneOf(lit[c] * kMostLight / cover) * cover +
-                                                 background[c] * lit[3]),
-                                        1.0F));
-                out[3] = 255;
-                continue;
-            }
-            // The square root spreads dark tones, so that a table tells neighbouring bytes apart.
-            const Quad shown = root(most(least(quadOf(lit), quadOf(1.0F)), quadOf(0.0F)));
+            const bool edge = lit[3] > 0.0F;
+            const Quad screen = edge ? overBackground(lit, background) : quadOf(lit);
+            const SrgbTables::Bytes& bytes = edge ? tables.ofScreen : tables.ofLight;
+            const Quad shown = root(most(least(screen, quadOf(1.0F)), quadOf(0.0F)));
             HWY_ALIGN float result[4];
-            stored(shown * quadOf(static_cast<float>(SrgbTable::kSteps)) + quadOf(0.5F), result);
+            stored(shown * quadOf(static_cast<float>(SrgbTables::kSteps)) + quadOf(0.5F), result);
             for (int c = 0; c < 3; ++c)
-                out[c] = table.bytes[static_cast<std::size_t>(static_cast<std::int32_t>(result[c]))];
+                out[c] = bytes[static_cast<std::size_t>(static_cast<std::int32_t>(result[c]))];
             out[3] = 255;
         }
     }
