@@ -24,7 +24,7 @@ struct RenderOptions
     QSize size{1024, 1024};
     rendering::StandardView view = rendering::StandardView::ThreeQuarter;
     rendering::Fit fit = rendering::Fit::Hair;
-    std::optional<model::SkinTone> skin; ///< Else the project's.
+    std::optional<model::SkinTone> skin;       ///< Else the project's.
     const model::LightPreset* light = nullptr; ///< Null: the project's.
     int firstFrame = 0;
     int lastFrame = -1; ///< Below the first: one picture.

@@ -107,7 +107,10 @@ double furnace(double thetaO, float roughness)
 class RandomNumbers
 {
 public:
-    double between(double low, double high) { return low + (high - low) * (static_cast<double>(m_engine()) / 4294967295.0); }
+    double between(double low, double high)
+    {
+        return low + (high - low) * (static_cast<double>(m_engine()) / 4294967295.0);
+    }
     glm::vec3 direction()
     {
         for (;;) {
@@ -143,9 +146,8 @@ private Q_SLOTS:
             const Directions d = random.directions();
             const double roughness = random.between(0.0, 1.0);
             const double depth = random.between(0.0, 2.0);
-            const auto lobes =
-                simd::marschner<simd::LobeSet::All>(fibreShape(static_cast<float>(roughness)), anglesOf(d),
-                                                    grey(static_cast<float>(depth)), 0.0F);
+            const auto lobes = simd::marschner<simd::LobeSet::All>(fibreShape(static_cast<float>(roughness)),
+                                                                   anglesOf(d), grey(static_cast<float>(depth)), 0.0F);
             const ReferenceLobes expected = reference(d, roughness, depth);
             QVERIFY2(near(static_cast<double>(lobes.r), expected.r, 2e-3, 2e-4), qPrintable(QString::number(i)));
             QVERIFY2(near(static_cast<double>(lobes.tt.y), expected.tt, 0.02, 2e-3), qPrintable(QString::number(i)));
@@ -185,7 +187,8 @@ private Q_SLOTS:
             const double light = furnace(theta, roughness);
             // Where the fibre is seen slantingly, the tilt of wide lobes leaves some beyond its ends.
             if (std::abs(degrees) <= 45)
-                QVERIFY2(std::abs(light - 1.0) < 0.05 + 0.05 * static_cast<double>(roughness), qPrintable(QStringLiteral("%1: %2").arg(degrees).arg(light)));
+                QVERIFY2(std::abs(light - 1.0) < 0.05 + 0.05 * static_cast<double>(roughness),
+                         qPrintable(QStringLiteral("%1: %2").arg(degrees).arg(light)));
             sum += seen * light;
             weights += seen;
         }
@@ -258,9 +261,9 @@ private Q_SLOTS:
                 diffuse = std::max(diffuse, glm::dot(l, n));
                 specular = std::max(specular, glm::dot(v, 2.0 * glm::dot(l, n) * n - l));
             }
-            const auto at = simd::fibreAngles(static_cast<float>(l.z), static_cast<float>(v.z),
-                                              static_cast<float>(std::sqrt(1.0 - v.z * v.z)),
-                                              static_cast<float>(glm::dot(l, v)));
+            const auto at =
+                simd::fibreAngles(static_cast<float>(l.z), static_cast<float>(v.z),
+                                  static_cast<float>(std::sqrt(1.0 - v.z * v.z)), static_cast<float>(glm::dot(l, v)));
             const auto shown = simd::illuminatedLine(at, 30.0F);
             QVERIFY(near(static_cast<double>(shown.diffuse), std::pow(diffuse, 4.8), 1e-2, 1e-3));
             QVERIFY(near(static_cast<double>(shown.specular), std::pow(specular, 30.0), 2e-2, 1e-3));
@@ -270,9 +273,7 @@ private Q_SLOTS:
     void theHeadThrowsASoftShadowBehindItself()
     {
         const simd::Triple<float> up{0.0F, 1.0F, 0.0F};
-        const auto left = [&](float x, float y) {
-            return simd::besideHead(simd::Triple<float>{x, y, 0.0F}, 0.1F, up);
-        };
+        const auto left = [&](float x, float y) { return simd::besideHead(simd::Triple<float>{x, y, 0.0F}, 0.1F, up); };
         QCOMPARE(left(0.0F, 0.1F), 1.0F);
         QCOMPARE(left(0.0F, -0.1F), 0.0F);
         QCOMPARE(left(0.2F, -0.1F), 1.0F);
@@ -344,9 +345,14 @@ private Q_SLOTS:
                 const auto crossed = static_cast<float>(random.between(0.0, 9.0));
                 const auto pointOf = [&]<class F>(F) {
                     const simd::Triple<F> c{F(colour), F(colour * 0.7F), F(colour * 0.2F)};
-                    return simd::HairPoint<F>{simd::tripleOf<F>(place), simd::tripleOf<F>(tangent), c,
-                                              simd::fibreDepth(c),      F(0.1F),                    F(crossed),
-                                              F(crossed * 0.5F),        F(crossed * 0.3F)};
+                    return simd::HairPoint<F>{simd::tripleOf<F>(place),
+                                              simd::tripleOf<F>(tangent),
+                                              c,
+                                              simd::fibreDepth(c),
+                                              F(0.1F),
+                                              F(crossed),
+                                              F(crossed * 0.5F),
+                                              F(crossed * 0.3F)};
                 };
                 const auto one = simd::hairLight(lighting, pointOf(0.0F));
                 const auto many = simd::hairLight(lighting, pointOf(simd::Lanes(0.0F)));

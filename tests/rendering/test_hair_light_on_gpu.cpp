@@ -145,11 +145,10 @@ private Q_SLOTS:
             material.shine = p.place.w;
             material.roughness = p.colour.w;
             const auto colour = simd::tripleOf<float>(p.colour);
-            const auto lit = simd::hairLight(hairLighting(constants, material),
-                                             simd::HairPoint<float>{simd::tripleOf<float>(p.place),
-                                                                    simd::tripleOf<float>(p.tangent), colour,
-                                                                    simd::fibreDepth(colour), p.tangent.w, p.crossed.x,
-                                                                    p.crossed.y, p.crossed.z});
+            const auto lit = simd::hairLight(
+                hairLighting(constants, material),
+                simd::HairPoint<float>{simd::tripleOf<float>(p.place), simd::tripleOf<float>(p.tangent), colour,
+                                       simd::fibreDepth(colour), p.tangent.w, p.crossed.x, p.crossed.y, p.crossed.z});
             const glm::vec3 expected(lit.x, lit.y, lit.z);
             for (int c = 0; c < 3; ++c) {
                 const float tolerance = 2e-4F + 2e-3F * expected[c];

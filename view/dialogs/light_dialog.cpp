@@ -74,9 +74,8 @@ void LightDialog::buildSliders()
                               static_cast<double>(model::kGreatestTemperatureK), 0, QStringLiteral("K"));
     m_temperature->setExponent(2.0);
     m_temperature->setDefaultValue(static_cast<double>(standard.temperatureK));
-    bind(m_temperature, [this](model::LightSettings& light) {
-        light.temperatureK = static_cast<float>(m_temperature->value());
-    });
+    bind(m_temperature,
+         [this](model::LightSettings& light) { light.temperatureK = static_cast<float>(m_temperature->value()); });
     addFraction(tr("Fill, beside the camera"), &model::LightSettings::fill, 2.0)->setExponent(2.0);
     addFraction(tr("Rim, behind the head"), &model::LightSettings::rim, 4.0)->setExponent(2.0);
     addFraction(tr("Ambient"), &model::LightSettings::ambient);
@@ -133,14 +132,14 @@ QComboBox* LightDialog::addChoice(const QString& name, std::span<const model::Na
 
 void LightDialog::buildChoices()
 {
-    m_surroundings = addChoice(tr("Surroundings"), model::surroundingsNames(),
-                               [](model::LightSettings& light, int index) {
-                                   light.surroundings = static_cast<model::Surroundings>(index);
-                               });
-    m_scattering = addChoice(tr("Hair scatters light by"), model::scatteringNames(),
-                             [](model::LightSettings& light, int index) {
-                                 light.scattering = static_cast<model::Scattering>(index);
-                             });
+    m_surroundings =
+        addChoice(tr("Surroundings"), model::surroundingsNames(), [](model::LightSettings& light, int index) {
+            light.surroundings = static_cast<model::Surroundings>(index);
+        });
+    m_scattering =
+        addChoice(tr("Hair scatters light by"), model::scatteringNames(), [](model::LightSettings& light, int index) {
+            light.scattering = static_cast<model::Scattering>(index);
+        });
 }
 
 void LightDialog::buildColours()

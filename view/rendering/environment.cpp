@@ -12,8 +12,8 @@ namespace {
 struct SoftLamp
 {
     glm::vec3 directionWo;
-    glm::vec3 colour;  ///< Irradiance over pi that it casts at right angles.
-    float spreadRad;   ///< Standard deviation of its brightness.
+    glm::vec3 colour; ///< Irradiance over pi that it casts at right angles.
+    float spreadRad;  ///< Standard deviation of its brightness.
 };
 
 struct Surrounding
@@ -60,8 +60,8 @@ constexpr std::array<SoftLamp, 4> kStudioLamps{{{{-0.8F, 0.35F, 0.5F}, {1.1F, 1.
                                                 {{0.0F, 1.0F, 0.1F}, {1.2F, 1.2F, 1.2F}, 0.45F},
                                                 {{0.1F, 0.3F, -1.0F}, {0.8F, 0.82F, 0.86F}, 0.4F}}};
 constexpr std::array<SoftLamp, 1> kDaylightLamps{{{{0.5F, 0.7F, 0.5F}, {0.5F, 0.47F, 0.42F}, 0.6F}}};
-constexpr std::array<SoftLamp, 2> kSunsetLamps{{{{0.9F, 0.12F, -0.3F}, {2.6F, 1.1F, 0.35F}, 0.4F},
-                                                {{-0.8F, 0.4F, 0.4F}, {0.25F, 0.3F, 0.6F}, 0.7F}}};
+constexpr std::array<SoftLamp, 2> kSunsetLamps{
+    {{{0.9F, 0.12F, -0.3F}, {2.6F, 1.1F, 0.35F}, 0.4F}, {{-0.8F, 0.4F, 0.4F}, {0.25F, 0.3F, 0.6F}, 0.7F}}};
 constexpr std::array<SoftLamp, 3> kClubLamps{{{{-1.0F, 0.2F, 0.2F}, {1.9F, 0.12F, 1.5F}, 0.35F},
                                               {{1.0F, 0.2F, -0.1F}, {0.06F, 0.9F, 1.7F}, 0.35F},
                                               {{0.0F, 0.8F, -0.7F}, {0.5F, 0.1F, 0.9F}, 0.4F}}};

@@ -20,7 +20,8 @@ struct Passed
 };
 
 /// Behind `crossed` fibres on average, each of optical depth `depth`. Light meets none of them with probability
-/// exp(-kMet crossed); what it meets sends kDensity of the light on (their d_f), less what each absorbs and throws back.
+/// exp(-kMet crossed); what it meets sends kDensity of the light on (their d_f), less what each absorbs and throws
+/// back.
 template<class F>
 HWY_INLINE Passed<F> passedThrough(F crossed, const Triple<F>& depth)
 {

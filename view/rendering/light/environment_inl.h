@@ -16,8 +16,8 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 template<class F>
 HWY_INLINE Triple<F> irradianceAt(const Irradiance& e, const Triple<F>& n)
 {
-    const F basis[8] = {n.y, n.z, n.x, n.x * n.y, n.y * n.z, n.z * n.z * F(3.0F) - F(1.0F), n.x * n.z,
-                        n.x * n.x - n.y * n.y};
+    const F basis[8] = {
+        n.y, n.z, n.x, n.x * n.y, n.y * n.z, n.z * n.z * F(3.0F) - F(1.0F), n.x * n.z, n.x * n.x - n.y * n.y};
     const auto channel = [&](int c) {
         F sum(e[0][c]);
         for (std::size_t i = 0; i < 8; ++i)

@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-inline constexpr float kLeastExponent = 20.0F; ///< Keeps products away from denormal numbers, which are slow.
+inline constexpr float kLeastExponent = 20.0F;          ///< Keeps products away from denormal numbers, which are slow.
 inline constexpr float kNormalReflectance = 0.0465206F; ///< Of refractive index 1.55.
 
 /// Radiance for an irradiance of 1 across the beam, 1/sr.
@@ -41,8 +41,8 @@ template<class F>
 HWY_INLINE F meanReflectance(F c)
 {
     const F integral =
-        F(1.0F) +
-        c * (F(-3.92699082F) + c * (F(6.66666667F) + c * (F(-5.89048623F) + c * (F(2.66666667F) - c * F(0.49087385F)))));
+        F(1.0F) + c * (F(-3.92699082F) +
+                       c * (F(6.66666667F) + c * (F(-5.89048623F) + c * (F(2.66666667F) - c * F(0.49087385F)))));
     return F(kNormalReflectance) + F(1.0F - kNormalReflectance) * integral;
 }
 
@@ -75,8 +75,7 @@ HWY_INLINE FibreLobes<F> marschner(const FibreShape& shape, const FibreAngles<F>
     const F cosHalf = root(toward);
 
     FibreLobes<F> lobes;
-    lobes.r =
-        longitudinal(shape, 0, twiceSinH, perCosD) * reflectance(at.cosD * cosHalf) * cosHalf * F(0.25F);
+    lobes.r = longitudinal(shape, 0, twiceSinH, perCosD) * reflectance(at.cosD * cosHalf) * cosHalf * F(0.25F);
     // Refraction bends inclined rays up, so that their way is at most 1/cos(40 degrees) longer.
     const F sinSquare = one - at.cosD * at.cosD;
     const F way = one + sinSquare * (F(0.186F) + sinSquare * F(0.123F));

@@ -58,8 +58,7 @@ HWY_INLINE Lanes columnAt(const float* grid, int side, const Triple<Lanes>& plac
     const Lanes y = clamped(place.y * Lanes(size) - Lanes(0.5F), 0.0F, size - 1.001F);
     const Lanes lowX = floored(x);
     const Lanes lowY = floored(y);
-    const Ints first =
-        hn::Add(hn::Mul(hn::ConvertTo(di, lowY.v), hn::Set(di, side)), hn::ConvertTo(di, lowX.v));
+    const Ints first = hn::Add(hn::Mul(hn::ConvertTo(di, lowY.v), hn::Set(di, side)), hn::ConvertTo(di, lowX.v));
     const float* last = grid + (side - 1) * side * side;
     const auto voxel = [&](int offset) { return Lanes(hn::GatherIndex(Tag(), last + offset, first)); };
     return mixed(mixed(voxel(0), voxel(1), x - lowX), mixed(voxel(side), voxel(side + 1), x - lowX), y - lowY);

@@ -181,13 +181,12 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
             least(ownWidth * widening * Lanes(alpha), Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
 
-        const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, inGrid(view.gridFromWo[1], here, 0.0F)) -
-                                      towardEye,
-                                  Lanes(0.0F));
-        const Triple<Lanes> lit = hairLight(
-            view.lighting, HairPoint<Lanes>{here, tangent, rootColour + (tipColour - rootColour) * Lanes(s),
-                                            rootDepth + (tipDepth - rootDepth) * Lanes(s), variation, towardLight,
-                                            towardEye, behind});
+        const Lanes behind = most(
+            columnAt(view.opacity[1], view.gridSide, inGrid(view.gridFromWo[1], here, 0.0F)) - towardEye, Lanes(0.0F));
+        const Triple<Lanes> lit =
+            hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootColour + (tipColour - rootColour) * Lanes(s),
+                                                      rootDepth + (tipDepth - rootDepth) * Lanes(s), variation,
+                                                      towardLight, towardEye, behind});
         const Ints packed =
             hn::Or(hn::Or(tenBits(lit.x), hn::ShiftLeft<10>(tenBits(lit.y))), hn::ShiftLeft<20>(tenBits(lit.z)));
         hn::StoreU(packed, di, reinterpret_cast<std::int32_t*>(out.colour.data()) + row);
