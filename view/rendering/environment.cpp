@@ -1,8 +1,9 @@
 // Surroundings as sums of soft lamps before a dome.
 #include "view/rendering/environment.h"
 
+#include "sim/base/deterministic.h"
+
 #include <array>
-#include <cmath>
 #include <span>
 
 namespace hairpaint::rendering {
@@ -27,8 +28,8 @@ void addLamp(Irradiance& e, const SoftLamp& lamp)
 {
     const glm::vec3 d = glm::normalize(lamp.directionWo);
     const float variance = lamp.spreadRad * lamp.spreadRad;
-    const float first = 0.5F * std::exp(-variance);
-    const float second = 0.3125F * std::exp(-3.0F * variance);
+    const float first = 0.5F * sim::expDet(-variance);
+    const float second = 0.3125F * sim::expDet(-3.0F * variance);
     const std::array<float, 9> factors{0.25F,
                                        first * d.y,
                                        first * d.z,
