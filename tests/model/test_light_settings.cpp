@@ -36,9 +36,9 @@ private Q_SLOTS:
     {
         QSet<QString> ids;
         for (const LightPreset& preset : lightPresets()) {
-            QCOMPARE(findLightPreset(QLatin1StringView(preset.id)), &preset);
+            QCOMPARE(findLightPreset(QString::fromLatin1(preset.id)), &preset);
             QVERIFY(!preset.titleText().isEmpty());
-            ids.insert(QLatin1StringView(preset.id));
+            ids.insert(QString::fromLatin1(preset.id));
             for (const LightPreset& other : lightPresets())
                 QCOMPARE(other.light == preset.light, &other == &preset);
         }

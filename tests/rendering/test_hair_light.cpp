@@ -1,5 +1,6 @@
 // Each formula of the light on hair beside what it stands for, worked out plainly and in double precision.
 #include "tests/support/test_program.h"
+#include "view/rendering/frame_lights.h"
 #include "view/rendering/light/hair_light_inl.h"
 #include "view/rendering/light/tone_inl.h"
 

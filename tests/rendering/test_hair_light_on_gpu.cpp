@@ -1,6 +1,7 @@
 // The light on hair that the shaders compute is that of the kernels, at thousands of random places.
 #include "tests/rendering/gl_test.h"
 #include "tests/support/test_program.h"
+#include "view/rendering/frame_lights.h"
 #include "view/rendering/gl/gl_objects.h"
 #include "view/rendering/gl/shader_sources.h"
 #include "view/rendering/light/hair_light_inl.h"

@@ -3,7 +3,8 @@
 
 #include "sim/motion/strand_frame.h"
 #include "sim/skin/head_mesh.h"
-#include "view/rendering/environment.h"
+#include "view/rendering/light/environment.h"
+#include "view/rendering/light/far_light.h"
 
 #include <glm/glm.hpp>
 
@@ -24,14 +25,6 @@ struct Camera
     [[nodiscard]] glm::mat4 view() const;
     [[nodiscard]] glm::mat4 projection(float aspect) const;
     friend bool operator==(const Camera&, const Camera&) = default;
-};
-
-/// How a hair scatters light.
-enum class Scattering : std::uint8_t
-{
-    Marschner,
-    KajiyaKay,
-    IlluminatedLines
 };
 
 /// A key light, a fill beside the eye, a rim light behind the head as the eye sees it, and surroundings.

@@ -6,7 +6,7 @@
 #define HAIRPAINT_RENDERING_ENVIRONMENT_INL_H_
 #endif
 
-#include "view/rendering/environment.h"
+#include "view/rendering/light/environment.h"
 #include "view/rendering/light/lanes_inl.h"
 
 HWY_BEFORE_NAMESPACE();

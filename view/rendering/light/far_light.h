@@ -1,7 +1,9 @@
-// The lights that hair and skin share.
+// What hair and skin share of the light.
 #pragma once
 
-#include "view/rendering/frame_constants.h"
+#include <glm/glm.hpp>
+
+#include <cstdint>
 
 namespace hairpaint::rendering {
 
@@ -12,12 +14,12 @@ struct FarLight
     glm::vec3 colour{0.0F};               ///< Linear: what a white surface shows at right angles to it.
 };
 
-[[nodiscard]] inline Irradiance irradianceIn(const FrameConstants& constants)
+/// How a hair scatters light.
+enum class Scattering : std::uint8_t
 {
-    Irradiance around{};
-    for (std::size_t i = 0; i < around.size(); ++i)
-        around.at(i) = glm::vec3(constants.around.at(i));
-    return around;
-}
+    Marschner,
+    KajiyaKay,
+    IlluminatedLines
+};
 
 } // namespace hairpaint::rendering

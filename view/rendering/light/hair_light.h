@@ -1,7 +1,7 @@
 // What the light on hair depends on besides the place.
 #pragma once
 
-#include "sim/groom/group_settings.h"
+#include "view/rendering/light/environment.h"
 #include "view/rendering/light/far_light.h"
 #include "view/rendering/light/fibre_shape.h"
 
@@ -29,7 +29,5 @@ struct HairLighting
     const float deviation = 0.02F + 0.18F * roughness;
     return 1.0F / (deviation * deviation);
 }
-
-[[nodiscard]] HairLighting hairLighting(const FrameConstants& constants, const sim::StrandMaterial& material);
 
 } // namespace hairpaint::rendering

@@ -1,6 +1,7 @@
 // What the light on skin depends on besides the place.
 #pragma once
 
+#include "view/rendering/light/environment.h"
 #include "view/rendering/light/far_light.h"
 
 namespace hairpaint::rendering {

@@ -2,6 +2,7 @@
 #include "view/rendering/software/hair_segments.h"
 
 #include "sim/groom/strand_curve.h"
+#include "view/rendering/frame_lights.h"
 
 #include <algorithm>
 #include <numeric>

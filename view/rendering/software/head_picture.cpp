@@ -3,6 +3,7 @@
 
 #include "sim/base/parallel.h"
 #include "sim/skin/mesh_openings.h"
+#include "view/rendering/frame_lights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,9 +71,9 @@ void HeadPicture::update(const std::shared_ptr<const sim::HeadMesh>& head,
     whole.distancesM = m_distancesM.data();
     whole.lighting = {.woFromHd = glm::mat3(constants.woFromHd),
                       .eyeWo = glm::vec3(constants.eyeWo),
-                      .key = {glm::vec3(constants.keyWo), glm::vec3(constants.keyColour)},
-                      .fill = {glm::vec3(constants.fillWo), glm::vec3(constants.fillColour)},
-                      .rim = {glm::vec3(constants.rimWo), glm::vec3(constants.rimColour)},
+                      .key = keyLight(constants),
+                      .fill = fillLight(constants),
+                      .rim = rimLight(constants),
                       .around = irradianceIn(constants),
                       .colour = glm::vec3(constants.skin[0]),
                       .lips = glm::vec3(constants.skin[1]),

@@ -1,5 +1,5 @@
 // Surroundings as sums of soft lamps before a dome.
-#include "view/rendering/environment.h"
+#include "view/rendering/light/environment.h"
 
 #include "sim/base/deterministic.h"
 
