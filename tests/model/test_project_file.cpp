@@ -263,7 +263,7 @@ private Q_SLOTS:
         QVERIFY2(project, project ? "" : qPrintable(project.error().message));
         Project expected = test::makeSampleProject(256, lacking);
         expected.skin = SkinTone::Clay; // Version 0.1 knew no other.
-        const LightSettings standard; // It knew the key light and the ambient light alone.
+        const LightSettings standard;   // It knew the key light and the ambient light alone.
         expected.light.temperatureK = standard.temperatureK;
         expected.light.fill = standard.fill;
         expected.light.rim = standard.rim;

@@ -129,7 +129,7 @@ private:
     std::mt19937 m_engine{7};
 };
 
-bool near(double a, double b, double relative, double absolute)
+bool isNear(double a, double b, double relative, double absolute)
 {
     return std::abs(a - b) <= absolute + relative * std::abs(b);
 }
@@ -150,9 +150,10 @@ private Q_SLOTS:
             const auto lobes = simd::marschner<simd::LobeSet::All>(fibreShape(static_cast<float>(roughness)),
                                                                    anglesOf(d), grey(static_cast<float>(depth)), 0.0F);
             const ReferenceLobes expected = reference(d, roughness, depth);
-            QVERIFY2(near(static_cast<double>(lobes.r), expected.r, 2e-3, 2e-4), qPrintable(QString::number(i)));
-            QVERIFY2(near(static_cast<double>(lobes.tt.y), expected.tt, 0.02, 2e-3), qPrintable(QString::number(i)));
-            QVERIFY2(near(static_cast<double>(lobes.trt.z), expected.trt, 0.04, 5e-4), qPrintable(QString::number(i)));
+            QVERIFY2(isNear(static_cast<double>(lobes.r), expected.r, 2e-3, 2e-4), qPrintable(QString::number(i)));
+            QVERIFY2(isNear(static_cast<double>(lobes.tt.y), expected.tt, 0.02, 2e-3), qPrintable(QString::number(i)));
+            QVERIFY2(isNear(static_cast<double>(lobes.trt.z), expected.trt, 0.04, 5e-4),
+                     qPrintable(QString::number(i)));
         }
     }
 
@@ -165,9 +166,9 @@ private Q_SLOTS:
             const FibreShape shape = fibreShape(static_cast<float>(random.between(0.0, 1.0)));
             const auto lobes = simd::marschner<simd::LobeSet::All>(shape, anglesOf(d), grey(0.3F), 0.0F);
             const auto back = simd::marschner<simd::LobeSet::All>(shape, anglesOf(swapped), grey(0.3F), 0.0F);
-            QVERIFY(near(static_cast<double>(lobes.r), static_cast<double>(back.r), 1e-3, 1e-6));
-            QVERIFY(near(static_cast<double>(lobes.tt.x), static_cast<double>(back.tt.x), 1e-3, 1e-6));
-            QVERIFY(near(static_cast<double>(lobes.trt.x), static_cast<double>(back.trt.x), 1e-3, 1e-6));
+            QVERIFY(isNear(static_cast<double>(lobes.r), static_cast<double>(back.r), 1e-3, 1e-6));
+            QVERIFY(isNear(static_cast<double>(lobes.tt.x), static_cast<double>(back.tt.x), 1e-3, 1e-6));
+            QVERIFY(isNear(static_cast<double>(lobes.trt.x), static_cast<double>(back.trt.x), 1e-3, 1e-6));
         }
     }
 
@@ -201,7 +202,7 @@ private Q_SLOTS:
         for (const float colour : {0.9F, 0.5F, 0.1F, 0.01F}) {
             const float depth = simd::fibreDepth(colour);
             const double log = std::log(static_cast<double>(colour)) / 5.8877;
-            QVERIFY(near(static_cast<double>(depth), 1.8526 * log * log, 1e-3, 1e-5));
+            QVERIFY(isNear(static_cast<double>(depth), 1.8526 * log * log, 1e-3, 1e-5));
             const auto lobes = simd::marschner<simd::LobeSet::All>(
                 fibreShape(0.3F), anglesOf({.thetaI = 0.1, .thetaO = -0.1, .phi = 2.5}), grey(depth), 0.0F);
             const auto clear = simd::marschner<simd::LobeSet::All>(
@@ -242,8 +243,8 @@ private Q_SLOTS:
             const auto cone = [&](double shift, double power) {
                 return std::pow(std::max(std::cos(d.thetaI + d.thetaO + shift), 0.0), power);
             };
-            QVERIFY(near(static_cast<double>(shown.first), cone(0.09, exponent), 0.01, 1e-3));
-            QVERIFY(near(static_cast<double>(shown.second), cone(-0.18, exponent / 4.0), 0.01, 1e-3));
+            QVERIFY(isNear(static_cast<double>(shown.first), cone(0.09, exponent), 0.01, 1e-3));
+            QVERIFY(isNear(static_cast<double>(shown.second), cone(-0.18, exponent / 4.0), 0.01, 1e-3));
         }
     }
 
@@ -266,8 +267,8 @@ private Q_SLOTS:
                 simd::fibreAngles(static_cast<float>(l.z), static_cast<float>(v.z),
                                   static_cast<float>(std::sqrt(1.0 - v.z * v.z)), static_cast<float>(glm::dot(l, v)));
             const auto shown = simd::illuminatedLine(at, 30.0F);
-            QVERIFY(near(static_cast<double>(shown.diffuse), std::pow(diffuse, 4.8), 1e-2, 1e-3));
-            QVERIFY(near(static_cast<double>(shown.specular), std::pow(specular, 30.0), 2e-2, 1e-3));
+            QVERIFY(isNear(static_cast<double>(shown.diffuse), std::pow(diffuse, 4.8), 1e-2, 1e-3));
+            QVERIFY(isNear(static_cast<double>(shown.specular), std::pow(specular, 30.0), 2e-2, 1e-3));
         }
     }
 
