@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/change.h"
+#include "model/light_settings.h"
 #include "model/skin_tone.h"
 #include "sim/groom/group_settings.h"
 #include "sim/motion/wind.h"
@@ -96,17 +97,6 @@ struct Head
     std::shared_ptr<const sim::HeadMesh> shownMesh; ///< What is drawn; finer than the skin's for a built-in head.
     /// How hair streams over the head where nobody combed it, as a direction map has it; null where it is not known.
     sim::MapRaster naturalDirection = {};
-};
-
-/// Wo. One key light; the paper's keys change its colour.
-struct LightSettings
-{
-    float azimuthRad = 0.6F;                       ///< Around y from +z toward +x.
-    float elevationRad = 0.7F;                     ///< Above the horizon.
-    float intensity = 1.0F;                        ///< 0..4
-    float ambient = 0.35F;                         ///< 0..1
-    float red = 1.0F, green = 0.97F, blue = 0.93F; ///< 0..1, linear.
-    friend bool operator==(const LightSettings&, const LightSettings&) = default;
 };
 
 inline constexpr int kMostHairs = 4'000'000; ///< A file may ask for this many.

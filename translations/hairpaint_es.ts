@@ -354,6 +354,14 @@
         <source>-o takes a name that ends in .png or .exr</source>
         <translation>-o admite un nombre que termine en .png o .exr</translation>
     </message>
+    <message>
+        <source>studio, daylight, sunset, club or backlit, instead of the project&apos;s</source>
+        <translation>studio, daylight, sunset, club o backlit, en lugar de la del proyecto</translation>
+    </message>
+    <message>
+        <source>There is no light &apos;%1&apos;</source>
+        <translation>No hay ninguna luz «%1»</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -1249,6 +1257,45 @@
     <message>
         <source>The style is now &apos;%1&apos;, but its old file &apos;%2&apos; could not be removed; delete it by hand.</source>
         <translation>El estilo se llama ahora &apos;%1&apos;, pero no se pudo quitar su archivo anterior &apos;%2&apos;; bórralo a mano.</translation>
+    </message>
+</context>
+<context>
+    <name>Light</name>
+    <message>
+        <source>Studio</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>Daylight</source>
+        <translation>Luz de día</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>Atardecer</translation>
+    </message>
+    <message>
+        <source>Club</source>
+        <translation>Discoteca</translation>
+    </message>
+    <message>
+        <source>Backlit</source>
+        <translation>Contraluz</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Uniforme</translation>
+    </message>
+    <message>
+        <source>Marschner</source>
+        <translation>Marschner</translation>
+    </message>
+    <message>
+        <source>Kajiya-Kay</source>
+        <translation>Kajiya-Kay</translation>
+    </message>
+    <message>
+        <source>Illuminated lines</source>
+        <translation>Líneas iluminadas</translation>
     </message>
 </context>
 <context>
@@ -2881,10 +2928,6 @@
         <translation>Luz</translation>
     </message>
     <message>
-        <source>Where the light stands, how strong it is and its colour; the light from all sides brightens the shadows. The background is the picture&apos;s own.</source>
-        <translation>Dónde está la luz, su fuerza y su color; la luz de todos los lados aclara las sombras. El fondo es el de la propia imagen.</translation>
-    </message>
-    <message>
         <source>Import head</source>
         <translation>Importar cabeza</translation>
     </message>
@@ -2927,6 +2970,10 @@
     <message>
         <source>Where the hairstyle is carried over, seven landmarks bring both heads together. They are found by the head&apos;s shape; drag one to where it lies on the left head if it was not found right. File &gt; Replace head &gt; Landmarks shows them again, and hair goes along.</source>
         <translation>Cuando se traslada el peinado, siete puntos de referencia hacen coincidir ambas cabezas. Se encuentran por la forma de la cabeza; si alguno no está bien, arrástrelo hasta donde está en la cabeza de la izquierda. Archivo &gt; Reemplazar cabeza &gt; Puntos de referencia los muestra de nuevo, y el pelo los sigue.</translation>
+    </message>
+    <message>
+        <source>The buttons are whole arrangements to start from. Where the key light stands, how strong it is and its colour; the fill follows the camera, the rim light stands behind the head and shines through the hair&apos;s tips, the surroundings brighten the shadows from all sides. The background is the picture&apos;s own.</source>
+        <translation>Los botones son iluminaciones completas de las que partir. Dónde está la luz principal, su fuerza y su color; el relleno sigue a la cámara, la luz de contorno está detrás de la cabeza y atraviesa las puntas del pelo, el entorno aclara las sombras desde todos los lados. El fondo es propio de la imagen.</translation>
     </message>
 </context>
 <context>
@@ -3151,6 +3198,26 @@
     <message>
         <source>Background</source>
         <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Colour temperature</source>
+        <translation>Temperatura de color</translation>
+    </message>
+    <message>
+        <source>Fill, beside the camera</source>
+        <translation>Relleno, junto a la cámara</translation>
+    </message>
+    <message>
+        <source>Rim, behind the head</source>
+        <translation>Contorno, detrás de la cabeza</translation>
+    </message>
+    <message>
+        <source>Surroundings</source>
+        <translation>Entorno</translation>
+    </message>
+    <message>
+        <source>Hair scatters light by</source>
+        <translation>El pelo dispersa la luz según</translation>
     </message>
 </context>
 <context>

@@ -5,13 +5,25 @@
 
 namespace hairpaint::view {
 
+// The renderer knows nothing of the model, but says the same.
+static_assert(model::kSurroundingsCount == rendering::kSurroundingsCount);
+static_assert(static_cast<int>(model::Surroundings::Even) == static_cast<int>(rendering::Surroundings::Even));
+static_assert(static_cast<int>(model::Scattering::IlluminatedLines) ==
+              static_cast<int>(rendering::Scattering::IlluminatedLines));
+
 rendering::Light sceneLight(const model::LightSettings& settings)
 {
+    const std::array<float, 3> warmth = model::temperatureColour(settings.temperatureK);
     return {.directionWo = {std::sin(settings.azimuthRad) * std::cos(settings.elevationRad),
                             std::sin(settings.elevationRad),
                             std::cos(settings.azimuthRad) * std::cos(settings.elevationRad)},
-            .colour = glm::vec3(settings.red, settings.green, settings.blue) * settings.intensity,
-            .ambient = settings.ambient};
+            .colour = glm::vec3(settings.red, settings.green, settings.blue) *
+                      glm::vec3(warmth[0], warmth[1], warmth[2]) * settings.intensity,
+            .fill = settings.fill,
+            .rim = settings.rim,
+            .ambient = settings.ambient,
+            .surroundings = static_cast<rendering::Surroundings>(settings.surroundings),
+            .scattering = static_cast<rendering::Scattering>(settings.scattering)};
 }
 
 rendering::Skin sceneSkin(model::SkinTone tone)

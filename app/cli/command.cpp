@@ -45,7 +45,7 @@ constexpr std::array<OptionHelp, 5> kExportOptions = {{
     kWind,
     {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves once after that, and the hair settles for 1 s more")},
 }};
-constexpr std::array<OptionHelp, 14> kRenderOptions = {{
+constexpr std::array<OptionHelp, 15> kRenderOptions = {{
     {"-o, --output FILE.png|FILE.exr",
      QT_TRANSLATE_NOOP("CommandLine", "the picture to write; as OpenEXR in linear light, alpha in its colours")},
     {"--size WxH", QT_TRANSLATE_NOOP("CommandLine", "in pixels; 1024x1024 unless given")},
@@ -60,6 +60,8 @@ constexpr std::array<OptionHelp, 14> kRenderOptions = {{
     {"--transparent", QT_TRANSLATE_NOOP("CommandLine", "no background: alpha tells what is covered")},
     {"--skin NAME", QT_TRANSLATE_NOOP("CommandLine", "clay, porcelain, fair, beige, olive, brown or deep, instead of "
                                                      "the project's")},
+    {"--light NAME", QT_TRANSLATE_NOOP("CommandLine", "studio, daylight, sunset, club or backlit, instead of the "
+                                                      "project's")},
     kSettle,
     {"--frames A-B", QT_TRANSLATE_NOOP("CommandLine", "a film instead of one picture: FILE.0001.png and on")},
     {"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")},
@@ -81,6 +83,7 @@ constexpr std::array<Command, 5> kCommands = {{
     {"render",
      "P.hairpaint -o FILE.png|FILE.exr [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
      "[--camera AZIMUTH,ELEVATION[,DISTANCE]] [--fit hair|head|bust] [--samples N] [--transparent] [--skin NAME] "
+     "[--light NAME] "
      "[--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z] "
      "[--motion nod|shake|turn]",
      QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},

@@ -36,7 +36,8 @@ struct RenderOptions
     rendering::Fit fit = rendering::Fit::Hair;
     bool transparent = false;
     PictureLook look;
-    std::optional<model::SkinTone> skin; ///< Else the project's.
+    std::optional<model::SkinTone> skin;       ///< Else the project's.
+    const model::LightPreset* light = nullptr; ///< Null: the project's.
     int firstFrame = 0;
     int lastFrame = -1; ///< Below the first: one picture.
     double framesPerSecond = 30.0;
@@ -119,6 +120,12 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
         if (look == nullptr)
             return tl::unexpected(CommandLine::tr("There is no skin '%1'").arg(name));
         options.skin = look->tone;
+    }
+    if (parser.isSet(QStringLiteral("light"))) {
+        const QString name = parser.value(QStringLiteral("light"));
+        options.light = model::findLightPreset(name);
+        if (options.light == nullptr)
+            return tl::unexpected(CommandLine::tr("There is no light '%1'").arg(name));
     }
     if (parser.isSet(QStringLiteral("frames"))) {
         const QString frames = parser.value(QStringLiteral("frames"));
@@ -256,6 +263,7 @@ ExitCode runRender(const QStringList& arguments)
                        {QStringLiteral("samples"), {}, QStringLiteral("number")},
                        {QStringLiteral("transparent"), {}},
                        {QStringLiteral("skin"), {}, QStringLiteral("name")},
+                       {QStringLiteral("light"), {}, QStringLiteral("name")},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
                        {QStringLiteral("fps"), {}, QStringLiteral("number")},
@@ -289,6 +297,8 @@ ExitCode runRender(const QStringList& arguments)
     if (!project)
         return failed(project.error());
     project->skin = options->skin.value_or(project->skin);
+    if (options->light != nullptr)
+        project->light = options->light->appliedTo(project->light);
     SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
     hair.setMotion(*motion);
     return renderAll(hair, *options, output);

@@ -47,6 +47,15 @@ std::array<Choice<SkinTone>, kSkinToneCount> skinChoices()
     return choices;
 }
 
+template<typename Enum, std::size_t N>
+std::array<Choice<Enum>, N> choicesOf(std::span<const NamedValue, N> names)
+{
+    std::array<Choice<Enum>, N> choices{};
+    for (std::size_t i = 0; i < N; ++i)
+        choices.at(i) = {names[i].id, static_cast<Enum>(i)};
+    return choices;
+}
+
 template<typename Fields>
 void visitLight(Fields& fields, LightSettings& light)
 {
@@ -59,6 +68,11 @@ void visitLight(Fields& fields, LightSettings& light)
     light.red = colour[0];
     light.green = colour[1];
     light.blue = colour[2];
+    fields.number("temperature_k", light.temperatureK, kLeastTemperatureK, kGreatestTemperatureK);
+    fields.number("fill", light.fill, 0.0F, 2.0F);
+    fields.number("rim", light.rim, 0.0F, 4.0F);
+    fields.choice("surroundings", light.surroundings, choicesOf<Surroundings>(surroundingsNames()));
+    fields.choice("scattering", light.scattering, choicesOf<Scattering>(scatteringNames()));
 }
 
 template<typename Fields, typename AnyEllipsoid>

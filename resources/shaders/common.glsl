@@ -9,9 +9,14 @@ layout(std140, binding = 0) uniform Frame
     mat4 woFromHd;
     mat4 gridFromWo[2];     // Wo -> 0..1 in the opacity grids; z runs away from the light, from the eye.
     vec4 eyeWo;
-    vec4 lightWo;           // Toward the light, unit; w: ambient fraction.
-    vec4 lightColour;       // Linear.
-    vec4 headWo;            // Centre; w: radius, m.
+    vec4 keyWo;             // Toward the key light, unit; w: how hair scatters light, as rendering::Scattering.
+    vec4 keyColour;         // Linear, intensity included, as all lights.
+    vec4 fillWo;            // The fill beside the eye,
+    vec4 fillColour;
+    vec4 rimWo;             // the light behind the head.
+    vec4 rimColour;
+    vec4 around[9];         // Irradiance over pi of the surroundings, as rendering::Irradiance.
+    vec4 headWo;            // Centre; w: radius of the skull, m; 0 where there is no head.
     vec4 depthRange;        // Distance along the view of key 0, keys a metre; then c0, c1 of linearDepth.
     vec4 target;            // Samples across and up, samples a pixel across and up.
     vec4 gridSize;          // Area in m2 of a voxel of either grid, seen along z; samples that a metre covers at 1 m.
@@ -56,7 +61,7 @@ vec3 unprojected(vec2 atSp, float depth)
     return wo.xyz / wo.w;
 }
 
-// Linear colour <-> 20 bits: luma 8, orange 6, green 6, of its square root. Chroma lies within +-1/2, mostly within a
+// Linear colour 0..1 <-> 20 bits: luma 8, orange 6, green 6, of its square root. Chroma lies within +-1/2, mostly within a
 // quarter of that.
 uint packColour(vec3 colour, float dither)
 {

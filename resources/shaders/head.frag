@@ -1,5 +1,5 @@
-// Skin, or the clay of a display piece, under a soft key light, sky and floor, with a faint rim.
-// Out: square root of the linear colour; alpha 1 where there is head.
+// Skin, or the clay of a display piece, under lamps and surroundings, with a faint sheen.
+// Out: square root of the held light; alpha 1 where there is head.
 in vec3 placeHd;
 in vec3 placeWo;
 in vec3 normalWo;
@@ -71,24 +71,30 @@ void main()
     albedo = mix(albedo, skin[2].rgb, marks.z);
     albedo = mix(albedo, skin[1].rgb, marks.y);
 
-    // Light goes under the skin and comes out beyond the edge of the shadow, red furthest. There pores are filled too.
-    vec3 l = lightWo.xyz;
-    vec3 wrap = 0.16 + scatter * vec3(0.15, 0.03, 0.0);
-    vec3 facing = mix(vec3(dot(n, l)), vec3(dot(smoothNormal, l)), scatter * vec3(0.7, 0.4, 0.3));
-    vec3 key = clamp((facing + wrap) / (1.0 + wrap), 0.0, 1.0);
-    key *= sqrt(key);
-    // A fold that is open to half the sky is open to light from right above it alone.
-    key *= smoothstep(-0.25, 0.35, dot(smoothNormal, l) + 2.0 * marks.x * marks.x - 1.0);
-
-    vec3 sky = mix(vec3(0.78, 0.72, 0.68), vec3(0.98, 1.0, 1.05), n.y * 0.5 + 0.5);
+    float up = n.y * 0.5 + 0.5;
     vec3 open = openness(marks.x, albedo);
-    vec3 colour = albedo * (key * 0.85 * lightColour.rgb + sky * open * (lightWo.w * (0.75 + 0.225 * n.y)));
+    vec3 ambient = irradianceAt(n) * (0.52 + 0.2 * up);
+    vec3 colour = ambient * open * albedo;
+    float grazing = pow(1.0 - max(dot(smoothNormal, v), 0.0), 3.0);
+    vec3 gloss = ambient * (marks.x * marks.x * 0.06) * grazing * (albedo + 0.3);
 
-    float rim = pow(1.0 - max(dot(smoothNormal, v), 0.0), 3.0);
-    vec3 h = normalize(l + v);
-    float gloss = mix(24.0, 48.0, marks.y);
-    float shine = pow(max(dot(n, h), 0.0), gloss) * (gloss + 8.0) * 0.0011 * clamp(dot(n, l) * 4.0, 0.0, 1.0);
-    float reflected = marks.x * marks.x * rim * 0.06 * (0.5 + lightWo.w);
-    colour += sheen * (lightColour.rgb * (marks.x * shine) + sky * (reflected * (0.3 + albedo)));
-    rootColour = vec4(sqrt(clamp(colour, 0.0, 1.0)), 1.0);
+    vec3 wrap = 0.16 + scatter * vec3(0.15, 0.03, 0.0);
+    float exponent = mix(24.0, 48.0, marks.y);
+    vec3 lamps[3] = vec3[](keyWo.xyz, fillWo.xyz, rimWo.xyz);
+    vec3 lampColours[3] = vec3[](keyColour.rgb, fillColour.rgb, rimColour.rgb);
+    for (int i = 0; i < 3; ++i) {
+        vec3 l = lamps[i];
+        // Light goes under the skin and comes out beyond the edge of the shadow, red furthest. There pores are filled too.
+        vec3 facing = mix(vec3(dot(n, l)), vec3(dot(smoothNormal, l)), scatter * vec3(0.7, 0.4, 0.3));
+        vec3 key = clamp((facing + wrap) / (1.0 + wrap), 0.0, 1.0);
+        key *= sqrt(key);
+        // A fold that is open to half the sky is open to light from right above it alone.
+        key *= smoothstep(-0.25, 0.35, dot(smoothNormal, l) + 2.0 * marks.x * marks.x - 1.0);
+        colour += albedo * key * 0.85 * lampColours[i];
+        vec3 h = normalize(l + v);
+        float shine = pow(max(dot(n, h), 0.0), exponent) * (exponent + 8.0) * 0.0011 * clamp(dot(n, l) * 4.0, 0.0, 1.0);
+        gloss += lampColours[i] * (marks.x * shine * (1.0 + 4.0 * grazing));
+    }
+    colour += sheen * gloss;
+    rootColour = vec4(sqrt(heldLight(colour)), 1.0);
 }

@@ -7,15 +7,21 @@ uniform int shadeCell;                           // Pixels across a texel of it;
 in vec3 backgroundSrgb;
 layout(location = 0) out vec4 srgb;
 
-// The square root of the linear colour of one sample, squared again.
-vec3 colourOf(uint value, ivec2 at, float shade)
+// One sample's light; w: 1, or 0 where only the background is seen.
+vec4 lightOf(uint value, ivec2 at, float shade)
 {
     if ((value & kColourMask) != kHeadColour)
-        return unpackColour(value);
+        return vec4(lightHeld(unpackColour(value)), 1.0);
     if (value == kEmptySample)
-        return backgroundSrgb * (backgroundSrgb * (backgroundSrgb * 0.305306011 + 0.682171111) + 0.012522878);
+        return vec4(0.0);
     vec3 c = texelFetch(headColour, at, 0).rgb;
-    return c * c * shade;
+    return vec4(lightHeld(c * c) * shade, 1.0);
+}
+
+// Only the scene's light is toned; the background is the screen's own colour.
+vec3 shown(vec4 light)
+{
+    return fastSrgb(toneOf(light.rgb / max(light.w, 1e-6)) * light.w + linearFromSrgb(backgroundSrgb) * (1.0 - light.w));
 }
 
 void main()
@@ -27,7 +33,7 @@ void main()
         shade = texture(skinShade, gl_FragCoord.xy / vec2(textureSize(skinShade, 0) * shadeCell)).x;
     uint a = samples[first];
 #if SAMPLES_X == 1
-    srgb.rgb = a == kEmptySample ? backgroundSrgb : fastSrgb(colourOf(a, corner, shade));
+    srgb.rgb = a == kEmptySample ? backgroundSrgb : shown(lightOf(a, corner, shade));
     srgb.a = dot(srgb.rgb, vec3(0.25, 0.5, 0.25)); // What smooth.frag looks at.
 #else
     uint b = samples[first + 1];
@@ -40,11 +46,11 @@ void main()
 #endif
     srgb = vec4(backgroundSrgb, 1.0);
     if ((a & b & c & d) != kEmptySample) {
-        vec3 sum = colourOf(a, corner, shade) + colourOf(b, corner + ivec2(1, 0), shade);
+        vec4 sum = lightOf(a, corner, shade) + lightOf(b, corner + ivec2(1, 0), shade);
 #if SAMPLES_Y == 2
-        sum = 0.5 * (sum + colourOf(c, corner + ivec2(0, 1), shade) + colourOf(d, corner + ivec2(1, 1), shade));
+        sum = 0.5 * (sum + lightOf(c, corner + ivec2(0, 1), shade) + lightOf(d, corner + ivec2(1, 1), shade));
 #endif
-        srgb.rgb = fastSrgb(0.5 * sum);
+        srgb.rgb = shown(0.5 * sum);
     }
 #endif
 }

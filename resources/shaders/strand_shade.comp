@@ -1,6 +1,5 @@
 // Lights each point of the strands and projects it to samples.
-// Kajiya and Kay 1989 with two highlights shifted along the hair (Marschner et al. 2003), light falling through the coat
-// by the opacity grid. A strand's width says how many samples it covers; what is left over of a sample is decided by the
+// A strand's width says how many samples it covers; what is left over of a sample is decided by the
 // strand's own number, so that thin hair neither flickers nor turns to dust. One invocation a point.
 layout(local_size_x = 64) in;
 
@@ -65,18 +64,18 @@ void main()
     float ownWidth = styles[slot].width * groupWidthM * gridSize.z / clip.w;
     float drawnWidth = max(ownWidth, leastWidth);
 
-    vec3 view = normalize(eyeWo.xyz - position);
-    vec3 light = lightWo.xyz;
     float variation = styles[slot].variation * variationScale;
-    vec3 hair = mix(colourFromBytes(styles[slot].rootColour), colourFromBytes(styles[slot].tipColour), s);
-    hair *= exp2(variation * 3.0);
+    float lightness = exp2(variation * 3.0);
+    vec3 rootColour = colourFromBytes(styles[slot].rootColour) * lightness;
+    vec3 tipColour = colourFromBytes(styles[slot].tipColour) * lightness;
 
     // Light that reaches this place through the other hair: from the light, and from all around on the eye's side.
     // A little before this place, so that a strand does not shade itself.
     vec3 before = vec3(0.0, 0.0, 1.5 / float(textureSize(opacityToLight, 0).z));
-    float towardEye = texture(opacityToEye, (gridFromWo[1] * vec4(position, 1.0)).xyz - before).x;
-    float direct = exp2(-0.40 * texture(opacityToLight, (gridFromWo[0] * vec4(position, 1.0)).xyz - before).x);
-    float around = exp2(-0.30 * towardEye);
+    vec3 inEyeGrid = (gridFromWo[1] * vec4(position, 1.0)).xyz;
+    float towardEye = texture(opacityToEye, inEyeGrid - before).x;
+    float towardKey = texture(opacityToLight, (gridFromWo[0] * vec4(position, 1.0)).xyz - before).x;
+    float column = texture(opacityToEye, vec3(inEyeGrid.xy, 1.0)).x;
 
     // Hair that other hair hides needs no widening, and deep in the coat no drawing.
     float hidden = towardEye * drawnWidth / max(ownWidth, 1e-6);
@@ -84,34 +83,11 @@ void main()
     width = min(width, greatestWidth) * min(slant, 1.42) + float(random & 0xFFFFu) * (1.0 / 65536.0);
     width = hidden < kUndrawn ? width : 0.0;
 
-    vec3 outward = position - headWo.xyz;
-    outward = outward * inversesqrt(dot(outward, outward) + 1e-8);
-    float facing = dot(outward, light);
-    float hemisphere = 0.55 + 0.35 * outward.y;
-
-    float tl = dot(tangent, light);
-    float tv = dot(tangent, view);
-    float sl = sqrt(max(1.0 - tl * tl, 0.0));
-    // Only the part of the coat that faces the light; softly, since light scatters round.
-    float wrap = clamp(facing * 0.62 + 0.38, 0.0, 1.0);
-    float diffuse = (0.35 + 0.65 * sl) * wrap * wrap;
-    // A dim fill from the eye shows the hair's form where the light does not reach.
-    float toEye = clamp(dot(outward, view) * 0.7 + 0.3, 0.0, 1.0);
-    float fill = 0.75 * toEye * toEye * sqrt(max(1.0 - tv * tv, 0.0));
-
-    // Two highlights: one in the light's colour moved toward the root, a wider one in the hair's toward the tip.
-    float width2 = 0.012 + 0.35 * material.y * material.y;
-    float sum = tl + tv;
-    float a = sum - 0.07 + 0.05 * variation;
-    float b = sum + 0.16 + 0.25 * variation;
-    float first1 = exp2(-a * a / width2);
-    float second = exp2(-b * b / (width2 * 3.0));
-    float lobe = material.x * wrap * sl * direct;
-
-    // Light bounces from hair to hair: fair hair brightens more than dark.
-    vec3 lit = hair * (diffuse * 2.3 * direct * lightColour.rgb + lightWo.w * (hemisphere + fill) * 1.7 * around);
-    lit += lobe * lightColour.rgb * (first1 * vec3(0.20) + second * 1.1 * sqrt(hair) * hair);
-    lit = lit / (1.0 + 0.35 * max(lit.r, max(lit.g, lit.b)));
+    // Pigment fades evenly toward the tip.
+    HairPoint point = HairPoint(position, tangent, mix(rootColour, tipColour, s),
+                                mix(fibreDepth(rootColour), fibreDepth(tipColour), s), variation, towardKey, towardEye,
+                                max(column - towardEye, 0.0));
+    vec3 lit = heldLight(hairLight(point, material.x, material.y));
 
     uint colour = packColour(lit, unitHash(slot * 257u + (i - first)));
     uint widthBits = uint(clamp(width * 128.0, 0.0, 4094.0));

@@ -171,6 +171,20 @@ private Q_SLOTS:
         QVERIFY(render(m_baldProject, "skin.png", "--skin green").contains(QStringLiteral("There is no skin 'green'")));
     }
 
+    void theLightIsAPreset()
+    {
+        const auto colourOf = [this](const char* options) {
+            const QString problem = render(m_baldProject, "light.png", options);
+            return problem.isEmpty() ? QImage(path("light.png")).pixelColor(48, 48) : QColor();
+        };
+        const QColor studio = colourOf("--view front --fit head --settle 0 --light studio");
+        const QColor sunset = colourOf("--view front --fit head --settle 0 --light sunset");
+        QVERIFY(studio.isValid() && sunset.isValid() && studio != sunset);
+        QCOMPARE(colourOf("--view front --fit head --settle 0"), studio);
+        QVERIFY(
+            render(m_baldProject, "light.png", "--light moon").contains(QStringLiteral("There is no light 'moon'")));
+    }
+
     /// +X is the head's own left, which the view from the front shows on the right.
     void theWindBlowsTheHairItsWay()
     {

@@ -56,7 +56,12 @@ inline model::Project makeSampleProject(int mapSize = 256, const std::vector<mod
                      .ambient = 0.125F,
                      .red = 0.9F,
                      .green = 0.8F,
-                     .blue = 0.7F};
+                     .blue = 0.7F,
+                     .temperatureK = 3200.0F,
+                     .fill = 0.5F,
+                     .rim = 1.5F,
+                     .surroundings = Surroundings::Club,
+                     .scattering = Scattering::KajiyaKay};
     const auto isLacking = [&](MapKind kind) { return std::ranges::find(lacking, kind) != lacking.end(); };
     for (int number = 0; number < 2; ++number) {
         HairGroup group = makeGroup(project, number == 0 ? QStringLiteral("Scalp \"1\"\n") : QString(), mapSize);

@@ -263,6 +263,12 @@ private Q_SLOTS:
         QVERIFY2(project, project ? "" : qPrintable(project.error().message));
         Project expected = test::makeSampleProject(256, lacking);
         expected.skin = SkinTone::Clay; // Version 0.1 knew no other.
+        const LightSettings standard;   // It knew the key light and the ambient light alone.
+        expected.light.temperatureK = standard.temperatureK;
+        expected.light.fill = standard.fill;
+        expected.light.rim = standard.rim;
+        expected.light.surroundings = standard.surroundings;
+        expected.light.scattering = standard.scattering;
         for (std::size_t g = 0; g < expected.groups.size(); ++g) {
             // What its parting and sweep back did has been painted.
             const MapStack& direction = project->groups[g].map(MapKind::Direction);

@@ -37,6 +37,8 @@ private:
         scene.skin.grain = 0.0F;
         scene.light.directionWo = glm::vec3(1.0F, 0.0F, 0.0F);
         scene.light.ambient = 0.2F;
+        scene.light.fill = 0.0F;
+        scene.light.rim = 0.0F;
         return scene;
     }
 

@@ -132,7 +132,35 @@ private Q_SLOTS:
             QCOMPARE(f.steps(), ++steps);
             QVERIFY(f.document.project().light == shown);
         }
-        QCOMPARE(steps, 7);
+        QCOMPARE(steps, 10);
+        while (f.document.undoStack().canUndo())
+            f.document.undo();
+        QVERIFY(f.document.project().light == before);
+    }
+
+    void light_presets_and_choices_are_one_step_each()
+    {
+        PanelFixture f;
+        LightDialog dialog(f.state);
+        dialog.show();
+        const model::LightSettings before = f.document.project().light;
+        int steps = 0;
+        for (QComboBox* box : dialog.findChildren<QComboBox*>()) {
+            box->setCurrentIndex(1);
+            Q_EMIT box->activated(1);
+            QCOMPARE(f.steps(), ++steps);
+        }
+        QCOMPARE(f.document.project().light.surroundings, model::Surroundings::Daylight);
+        QCOMPARE(f.document.project().light.scattering, model::Scattering::KajiyaKay);
+        for (const model::LightPreset& preset : model::lightPresets()) {
+            const auto buttons = dialog.findChildren<QPushButton*>();
+            const auto button = std::ranges::find(buttons, preset.titleText(), &QPushButton::text);
+            QVERIFY(button != buttons.end());
+            (*button)->click();
+            QCOMPARE(f.steps(), ++steps);
+            QVERIFY(f.document.project().light == preset.appliedTo(f.document.project().light));
+            QCOMPARE(f.document.project().light.scattering, model::Scattering::KajiyaKay);
+        }
         while (f.document.undoStack().canUndo())
             f.document.undo();
         QVERIFY(f.document.project().light == before);

@@ -121,8 +121,10 @@ QString dialogPages()
                                     "differ from place to place. The hair shows every change at once, and letting go "
                                     "is one step to undo.")) +
            heading(Topic::Light, HelpDialog::tr("Light")) +
-           paragraph(HelpDialog::tr("Where the light stands, how strong it is and its colour; the light from all sides "
-                                    "brightens the shadows. The background is the picture's own.")) +
+           paragraph(HelpDialog::tr("The buttons are whole arrangements to start from. Where the key light stands, how "
+                                    "strong it is and its colour; the fill follows the camera, the rim light stands "
+                                    "behind the head and shines through the hair's tips, the surroundings brighten "
+                                    "the shadows from all sides. The background is the picture's own.")) +
            heading(Topic::HeadImport, HelpDialog::tr("Import head")) +
            paragraph(
                HelpDialog::tr("A mesh says neither its unit nor which way is up, so both are guessed: the picture "

@@ -1,4 +1,4 @@
-// The key light, the ambient light and the background, shown live.
+// The lights and the background, shown live.
 #include "view/dialogs/light_dialog.h"
 
 #include "model/commands/commands.h"
@@ -6,8 +6,10 @@
 #include "view/widgets/swatch.h"
 
 #include <QColorDialog>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -42,7 +44,9 @@ LightDialog::LightDialog(EditorState& state, QWidget* parent)
     : LiveValueDialog(state, tr("Light"), model::lightStepText(), new DirectionBall(DirectionBall::Meaning::From),
                       parent)
 {
+    buildPresets();
     buildSliders();
+    buildChoices();
     buildColours();
     column().addStretch(1);
     follow();
@@ -66,6 +70,14 @@ void LightDialog::buildSliders()
         light.elevationRad = static_cast<float>(DirectionBall::elevationRad(ball().direction()));
     });
     addFraction(tr("Intensity"), &model::LightSettings::intensity, 4.0)->setExponent(2.0);
+    m_temperature = addSlider(tr("Colour temperature"), static_cast<double>(model::kLeastTemperatureK),
+                              static_cast<double>(model::kGreatestTemperatureK), 0, QStringLiteral("K"));
+    m_temperature->setExponent(2.0);
+    m_temperature->setDefaultValue(static_cast<double>(standard.temperatureK));
+    bind(m_temperature,
+         [this](model::LightSettings& light) { light.temperatureK = static_cast<float>(m_temperature->value()); });
+    addFraction(tr("Fill, beside the camera"), &model::LightSettings::fill, 2.0)->setExponent(2.0);
+    addFraction(tr("Rim, behind the head"), &model::LightSettings::rim, 4.0)->setExponent(2.0);
     addFraction(tr("Ambient"), &model::LightSettings::ambient);
     addFraction(tr("Red"), &model::LightSettings::red);
     addFraction(tr("Green"), &model::LightSettings::green);
@@ -81,6 +93,53 @@ BarSlider* LightDialog::addFraction(const QString& label, float model::LightSett
     });
     m_fractions.emplace_back(slider, field);
     return slider;
+}
+
+void LightDialog::buildPresets()
+{
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(metrics::kGap);
+    for (const model::LightPreset& preset : model::lightPresets()) {
+        auto* button = new QPushButton(preset.titleText(), this);
+        button->setAutoDefault(false);
+        buttons->addWidget(button);
+        connect(button, &QPushButton::clicked, this, [this, &preset] {
+            commit([&preset](model::LightSettings& light) { light = preset.appliedTo(light); });
+        });
+    }
+    rows().insertLayout(0, buttons);
+}
+
+QComboBox* LightDialog::addChoice(const QString& name, std::span<const model::NamedValue> values,
+                                  const std::function<void(model::LightSettings&, int)>& set)
+{
+    auto* row = new QHBoxLayout;
+    auto* label = new QLabel(name, this);
+    label->setProperty("role", QStringLiteral("label"));
+    auto* box = new QComboBox(this);
+    box->setAccessibleName(name);
+    label->setBuddy(box);
+    for (const model::NamedValue& value : values)
+        box->addItem(value.titleText());
+    row->addWidget(label);
+    row->addStretch(1);
+    row->addWidget(box);
+    column().addLayout(row);
+    connect(box, &QComboBox::activated, this,
+            [this, set](int index) { commit([set, index](model::LightSettings& light) { set(light, index); }); });
+    return box;
+}
+
+void LightDialog::buildChoices()
+{
+    m_surroundings =
+        addChoice(tr("Surroundings"), model::surroundingsNames(), [](model::LightSettings& light, int index) {
+            light.surroundings = static_cast<model::Surroundings>(index);
+        });
+    m_scattering =
+        addChoice(tr("Hair scatters light by"), model::scatteringNames(), [](model::LightSettings& light, int index) {
+            light.scattering = static_cast<model::Scattering>(index);
+        });
 }
 
 void LightDialog::buildColours()
@@ -115,6 +174,9 @@ void LightDialog::follow()
     ball().setDirection(DirectionBall::fromAngles(azimuth, elevation));
     m_azimuth->setValue(azimuth * kDegrees);
     m_elevation->setValue(elevation * kDegrees);
+    m_temperature->setValue(static_cast<double>(light.temperatureK));
+    m_surroundings->setCurrentIndex(static_cast<int>(light.surroundings));
+    m_scattering->setCurrentIndex(static_cast<int>(light.scattering));
     for (const auto& [slider, field] : m_fractions)
         slider->setValue(static_cast<double>(light.*field) * kPercent);
 }

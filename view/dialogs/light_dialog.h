@@ -1,7 +1,13 @@
-// The key light and the ambient light, shown live.
+// Presets, the lights and how hair scatters them, shown live.
 #pragma once
 
 #include "view/dialogs/live_dialog.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+class QComboBox;
 
 namespace hairpaint::view {
 
@@ -16,7 +22,11 @@ public:
 private:
     /// Of 0..`greatest`, shown in per cent.
     BarSlider* addFraction(const QString& label, float model::LightSettings::*field, double greatest = 1.0);
+    QComboBox* addChoice(const QString& name, std::span<const model::NamedValue> values,
+                         const std::function<void(model::LightSettings&, int)>& set);
+    void buildPresets();
     void buildSliders();
+    void buildChoices();
     void buildColours();
     void follow() override;
     void revert() override;
@@ -27,6 +37,9 @@ private:
     std::vector<std::pair<BarSlider*, float model::LightSettings::*>> m_fractions;
     BarSlider* m_azimuth = nullptr;
     BarSlider* m_elevation = nullptr;
+    BarSlider* m_temperature = nullptr;
+    QComboBox* m_surroundings = nullptr;
+    QComboBox* m_scattering = nullptr;
     Swatch* m_colour = nullptr;
     Swatch* m_background = nullptr;
 };

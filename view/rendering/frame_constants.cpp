@@ -62,6 +62,41 @@ glm::mat3 axesAlong(glm::vec3 away)
     return glm::transpose(glm::mat3(x, glm::cross(z, x), z));
 }
 
+/// Mean distance of the upper head's skin from its middle, from some of its vertices; 0 without any.
+float skullRadiusM(const sim::HeadMesh& head)
+{
+    const std::size_t step = std::max<std::size_t>(1, head.positionsHd.size() / 1024);
+    float top = 0.0F;
+    for (std::size_t i = 0; i < head.positionsHd.size(); i += step)
+        top = std::max(top, head.positionsHd[i].y);
+    float sum = 0.0F;
+    int count = 0;
+    for (std::size_t i = 0; i < head.positionsHd.size(); i += step)
+        if (head.positionsHd[i].y > 0.3F * top) {
+            sum += glm::length(head.positionsHd[i]);
+            ++count;
+        }
+    return count > 0 ? sum / static_cast<float>(count) : 0.0F;
+}
+
+/// `axesWo`: the eye's right, up and backward.
+void setLights(const Light& light, glm::vec3 keyWo, const glm::mat3& axesWo, FrameConstants& c)
+{
+    // Above the eye, as a photographer's soft light is, and above and behind the head.
+    constexpr glm::vec3 kFillEye{-0.35F, 0.5F, 0.8F};
+    constexpr glm::vec3 kRimEye{0.3F, 0.6F, -0.75F};
+    constexpr glm::vec3 kRimColour{1.0F, 1.0F, 1.0F};
+    c.keyWo = glm::vec4(keyWo, static_cast<float>(light.scattering));
+    c.keyColour = glm::vec4(light.colour, 0.0F);
+    c.fillWo = glm::vec4(glm::normalize(axesWo * kFillEye), 0.0F);
+    c.fillColour = glm::vec4(glm::vec3(light.fill), 0.0F);
+    c.rimWo = glm::vec4(glm::normalize(axesWo * kRimEye), 0.0F);
+    c.rimColour = glm::vec4(kRimColour * light.rim, 0.0F);
+    const Irradiance& around = irradianceOf(light.surroundings);
+    for (std::size_t i = 0; i < around.size(); ++i)
+        c.around.at(i) = glm::vec4(around.at(i) * light.ambient, 0.0F);
+}
+
 /// x^(1/2.4) for x in 0..1, the same on every machine: the fifth power of the cube root of the fourth root.
 float rootOf2Point4(float x)
 {
@@ -102,9 +137,8 @@ FrameConstants frameConstants(const Scene& scene, const Target& target)
     c.eyeWo = glm::vec4(scene.camera.eyeWo(), 1.0F);
     const glm::vec3 light = glm::length(scene.light.directionWo) > 0.0F ? glm::normalize(scene.light.directionWo)
                                                                         : glm::vec3(0.0F, 1.0F, 0.0F);
-    c.lightWo = glm::vec4(light, scene.light.ambient);
-    c.lightColour = glm::vec4(scene.light.colour, 0.0F);
-    c.headWo = c.woFromHd * glm::vec4(0.0F, 0.0F, 0.0F, 1.0F);
+    c.headWo = glm::vec4(glm::vec3(c.woFromHd[3]), scene.head ? skullRadiusM(*scene.head) : 0.0F);
+    setLights(scene.light, light, glm::transpose(glm::mat3(view)), c);
 
     const std::array<glm::mat3, 2> axes{axesAlong(-light), axesAlong(scene.camera.targetWo - glm::vec3(c.eyeWo))};
     std::array<Box, 2> boxes;

@@ -15,8 +15,13 @@ struct FrameConstants
     glm::mat4 woFromHd;
     std::array<glm::mat4, 2> gridFromWo;
     glm::vec4 eyeWo;
-    glm::vec4 lightWo;
-    glm::vec4 lightColour;
+    glm::vec4 keyWo;
+    glm::vec4 keyColour;
+    glm::vec4 fillWo;
+    glm::vec4 fillColour;
+    glm::vec4 rimWo;
+    glm::vec4 rimColour;
+    std::array<glm::vec4, 9> around;
     glm::vec4 headWo;
     glm::vec4 depthRange;
     glm::vec4 target;

@@ -3,6 +3,8 @@
 
 #include "sim/motion/strand_frame.h"
 #include "sim/skin/head_mesh.h"
+#include "view/rendering/light/environment.h"
+#include "view/rendering/light/far_light.h"
 
 #include <glm/glm.hpp>
 
@@ -25,11 +27,16 @@ struct Camera
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+/// A key light, a fill beside the eye, a rim light behind the head as the eye sees it, and surroundings.
 struct Light
 {
-    glm::vec3 directionWo{0.4F, 0.6F, 0.7F}; ///< Toward the light, unit.
-    glm::vec3 colour{1.0F};                  ///< Linear, intensity included.
-    float ambient = 0.35F;
+    glm::vec3 directionWo{0.4F, 0.6F, 0.7F}; ///< Toward the key light, unit.
+    glm::vec3 colour{1.0F};                  ///< Of the key light; linear, intensity included.
+    float fill = 0.25F;
+    float rim = 0.6F;
+    float ambient = 0.35F; ///< How bright the surroundings are.
+    Surroundings surroundings = Surroundings::Studio;
+    Scattering scattering = Scattering::Marschner;
     friend bool operator==(const Light&, const Light&) = default;
 };
 

@@ -99,7 +99,7 @@ private:
 class Program
 {
 public:
-    /// Names of files in resources/shaders; "common.glsl" and the version line come before each.
+    /// Names of files in resources/shaders; the files that all share and the version line come before each.
     [[nodiscard]] static tl::expected<Program, std::string> compute(std::string_view shader);
     /// `defines`: lines of preprocessor that come before the shaders.
     [[nodiscard]] static tl::expected<Program, std::string> graphics(std::string_view vertex, std::string_view fragment,

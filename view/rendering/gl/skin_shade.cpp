@@ -7,12 +7,12 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr int kCoarseCell = 4;
-constexpr int kFineCell = 2;  ///< Of pictures with several samples a pixel.
-constexpr int kWorkgroup = 8; ///< In each direction.
+constexpr int kFineCell = 2;       ///< Of pictures with several samples a pixel.
+constexpr int kShadeWorkgroup = 8; ///< In each direction.
 
 unsigned groups(int cells)
 {
-    return static_cast<unsigned>((cells + kWorkgroup - 1) / kWorkgroup);
+    return static_cast<unsigned>((cells + kShadeWorkgroup - 1) / kShadeWorkgroup);
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 // What the light on hair depends on besides the place.
 #pragma once
 
-#include <glm/glm.hpp>
+#include "view/rendering/light/environment.h"
+#include "view/rendering/light/far_light.h"
+#include "view/rendering/light/fibre_shape.h"
 
 namespace hairpaint::rendering {
 
@@ -11,12 +13,23 @@ inline constexpr float kGridUnits = 1024.0F; ///< That a voxel's opacity is coun
 struct HairLighting
 {
     glm::vec3 eyeWo{0.0F};
-    glm::vec3 lightWo{0.0F, 1.0F, 0.0F}; ///< Toward the light, unit.
-    glm::vec3 lightColour{1.0F};
+    FarLight key;
+    FarLight fill; ///< From about where the eye is.
+    FarLight rim;  ///< From behind what the eye sees.
+    Irradiance around{};
     glm::vec3 headWo{0.0F}; ///< The middle that the coat faces away from.
-    float ambient = 0.35F;
-    float shine = 0.5F;
-    float roughness = 0.3F;
+    float headRadiusM = 0.0F;
+    Scattering scattering = Scattering::Marschner;
+    float shine = 0.5F; ///< 0..1; a natural hair's is 0.5.
+    FibreShape shape = fibreShape(0.3F);
+    float highlightExponent = 182.0F; ///< Of the models that have one.
 };
+
+/// As wide a highlight as the fibre's shape has.
+[[nodiscard]] constexpr float highlightExponent(float roughness)
+{
+    const float deviation = 0.02F + 0.18F * roughness;
+    return 1.0F / (deviation * deviation);
+}
 
 } // namespace hairpaint::rendering

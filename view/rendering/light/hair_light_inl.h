@@ -1,5 +1,5 @@
-// Light on a point of a hair, as strand_shade.comp has it: Kajiya and Kay 1989 with two highlights shifted along the
-// hair (Marschner et al. 2003), light falling through the coat by the opacity grids.
+// Light on a point of a hair, as hair_light.glsl has it: scattered once by the hair itself, many times by the coat, and
+// held back by the hair and the head in its way.
 #if defined(HAIRPAINT_RENDERING_HAIR_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIRPAINT_RENDERING_HAIR_LIGHT_INL_H_
 #undef HAIRPAINT_RENDERING_HAIR_LIGHT_INL_H_
@@ -7,8 +7,12 @@
 #define HAIRPAINT_RENDERING_HAIR_LIGHT_INL_H_
 #endif
 
+#include "view/rendering/light/dual_scattering_inl.h"
+#include "view/rendering/light/environment_inl.h"
 #include "view/rendering/light/hair_light.h"
-#include "view/rendering/light/lanes_inl.h"
+#include "view/rendering/light/illuminated_line_inl.h"
+#include "view/rendering/light/kajiya_kay_inl.h"
+#include "view/rendering/light/marschner_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
@@ -18,56 +22,102 @@ template<class F>
 struct HairPoint
 {
     Triple<F> place;
-    Triple<F> tangent; ///< Unit.
-    Triple<F> colour;  ///< Linear, its own lightness in it already.
+    Triple<F> tangent; ///< Unit, toward the tip.
+    Triple<F> colour;  ///< Of a coat of such hair; linear, its own lightness in it already.
+    Triple<F> depth;   ///< fibreDepth of it.
     F variation;       ///< -1..1 times the group's.
-    F towardLight;     ///< Area of hair between it and the light, the eye, over the area that it covers.
+    F towardKey;       ///< Area of hair between it and the light, the eye, the rim light, over the area that it covers.
     F towardEye;
+    F towardRim;
 };
+
+/// What of a far light the head lets by: an umbra of its size with a soft edge.
+template<class F>
+HWY_INLINE F besideHead(const Triple<F>& fromHead, float radiusM, const Triple<F>& toward)
+{
+    const F along = dot(fromHead, toward);
+    const F off = root(most(dot(fromHead, fromHead) - along * along, F(0.0F)));
+    const float r = radiusM > 1e-4F ? radiusM : 1e-4F;
+    const F inside = F(1.0F) - smoothStep(0.5F * r, 1.3F * r, off);
+    return F(1.0F) - inside * smoothStep(0.0F, 0.8F * r, along * F(-1.0F));
+}
+
+/// How the point lies in its coat.
+template<class F>
+struct CoatPoint
+{
+    Triple<F> view;     ///< Toward the eye.
+    Triple<F> fromHead; ///< m.
+    Triple<F> normal;   ///< Of the coat, as the hair across it has it.
+    F sinO, cosO;
+};
+
+/// Light of one lamp: `passed` is what comes through the hair on its way.
+template<LobeSet set, class F>
+HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, const HairPoint<F>& point,
+                             const CoatPoint<F>& coat, const Passed<F>& passed)
+{
+    constexpr float kPi = 3.14159265F;
+    constexpr float kCoat = 2.0F; ///< A coat shows its colour though half of it lies in its own shade.
+    const Triple<F> toward = tripleOf<F>(lamp.towardWo);
+    const FibreAngles<F> at = fibreAngles(dot(point.tangent, toward), coat.sinO, coat.cosO, dot(toward, coat.view));
+    constexpr float kForward = 0.5F; ///< Of what goes on past one hair, that meets no other right after.
+    const F shine(3.0F * given.shine);
+    // Softly around the coat, since light scatters on within it; what shines through its thin parts is there too.
+    const F wrap = clamped(dot(coat.normal, toward) * F(0.62F) + F(0.38F), 0.0F, 1.0F);
+    const F facing = F(0.1F) + F(0.9F) * wrap * wrap;
+    Triple<F> lit;
+    if (given.scattering == Scattering::Marschner) {
+        const FibreLobes<F> lobes = marschner<set>(given.shape, at, point.depth, point.variation * F(0.25F));
+        const F front = shine * passed.direct * F(kPi);
+        const F body = (F(0.35F) + F(0.65F) * at.cosI) * facing * F(kCoat);
+        const F white = lobes.r * front * F(set == LobeSet::Forward ? kForward : 1.0F);
+        lit = point.colour * passed.all * body + Triple<F>{white, white, white};
+        // What went through one hair goes through those beside it too: even a thin coat colours it.
+        if constexpr (set != LobeSet::Back)
+            lit = lit + lobes.tt * lobes.through * lobes.through * lobes.through * passed.all * F(kPi * kForward);
+        if constexpr (set != LobeSet::Forward)
+            lit = lit + lobes.trt * front;
+    } else if (given.scattering == Scattering::KajiyaKay) {
+        const Highlights<F> highlights = kajiyaKay(at, given.highlightExponent);
+        const F gloss = shine * passed.direct * wrap;
+        const F white = highlights.first * gloss * F(0.15F);
+        lit = point.colour * passed.all * (at.cosI * facing * F(kCoat)) + Triple<F>{white, white, white} +
+              point.colour * (highlights.second * gloss * F(0.5F));
+    } else {
+        const LineLight<F> line = illuminatedLine(at, given.highlightExponent);
+        const F white = line.specular * shine * passed.direct * F(0.25F);
+        lit = point.colour * passed.all * (line.diffuse * facing * F(kCoat)) + Triple<F>{white, white, white};
+    }
+    return lit * tripleOf<F>(lamp.colour);
+}
 
 template<class F>
 HWY_INLINE Triple<F> hairLight(const HairLighting& given, const HairPoint<F>& point)
 {
     const F one(1.0F);
-    const F zero(0.0F);
-    const F direct = exp2Of(F(-0.40F) * point.towardLight);
-    const F around = exp2Of(F(-0.30F) * point.towardEye);
-    const Triple<F> view = unit(tripleOf<F>(given.eyeWo) - point.place);
-    const Triple<F> light = tripleOf<F>(given.lightWo);
-    Triple<F> outward = point.place - tripleOf<F>(given.headWo);
-    outward = outward * (one / root(dot(outward, outward) + F(1e-8F)));
-    const F facing = dot(outward, light);
-    const F hemisphere = F(0.55F) + F(0.35F) * outward.y;
+    CoatPoint<F> coat;
+    coat.view = unit(tripleOf<F>(given.eyeWo) - point.place);
+    coat.fromHead = point.place - tripleOf<F>(given.headWo);
+    const Triple<F> outward = coat.fromHead * (one / root(dot(coat.fromHead, coat.fromHead) + F(1e-8F)));
+    // Halfway from the head's own form to the hair's.
+    coat.normal = unit(outward * F(1.3F) - point.tangent * dot(outward, point.tangent));
+    coat.sinO = dot(point.tangent, coat.view);
+    coat.cosO = cosineOf(coat.sinO);
 
-    const F tl = dot(point.tangent, light);
-    const F tv = dot(point.tangent, view);
-    const F sl = root(most(one - tl * tl, zero));
-    // Only the part of the coat that faces the light; softly, since light scatters round.
-    const F wrap = clamped(facing * F(0.62F) + F(0.38F), 0.0F, 1.0F);
-    const F diffuse = (F(0.35F) + F(0.65F) * sl) * wrap * wrap;
-    // A dim fill from the eye shows the hair's form where the light does not reach.
-    const F toEye = clamped(dot(outward, view) * F(0.7F) + F(0.3F), 0.0F, 1.0F);
-    const F fill = F(0.75F) * toEye * toEye * root(most(one - tv * tv, zero));
-
-    // Two highlights: one in the light's colour moved toward the root, a wider one in the hair's toward the tip.
-    const float width = 0.012F + 0.35F * given.roughness * given.roughness;
-    const F sum = tl + tv;
-    const F a = sum - F(0.07F) + F(0.05F) * point.variation;
-    const F b = sum + F(0.16F) + F(0.25F) * point.variation;
-    const F first = exp2Of(a * a * F(-1.0F / width));
-    const F second = exp2Of(b * b * F(-1.0F / (width * 3.0F)));
-    const F lobe = F(given.shine) * wrap * sl * direct;
-
-    // Light bounces from hair to hair: fair hair brightens more than dark.
-    const F direct23 = diffuse * F(2.3F) * direct;
-    const F ambient = F(given.ambient * 1.7F) * (hemisphere + fill) * around;
-    const auto channel = [&](F hair, float lightColour) {
-        const F body = hair * (direct23 * F(lightColour) + ambient);
-        return body + lobe * F(lightColour) * (first * F(0.20F) + second * F(1.1F) * root(hair) * hair);
-    };
-    Triple<F> lit{channel(point.colour.x, given.lightColour.x), channel(point.colour.y, given.lightColour.y),
-                  channel(point.colour.z, given.lightColour.z)};
-    return lit * (one / (one + F(0.35F) * most(lit.x, most(lit.y, lit.z))));
+    const Passed<F> fromKey = passedThrough(point.towardKey, point.depth);
+    const Passed<F> fromEye = passedThrough(point.towardEye, point.depth);
+    const Passed<F> fromRim = passedThrough(point.towardRim, point.depth);
+    const F keyLeft = besideHead(coat.fromHead, given.headRadiusM, tripleOf<F>(given.key.towardWo));
+    const F rimLeft = besideHead(coat.fromHead, given.headRadiusM, tripleOf<F>(given.rim.towardWo));
+    // Surroundings come from the side where the coat is open, which is about where the eye looks in.
+    const Triple<F> around = irradianceAt(given.around, coat.normal) * point.colour * fromEye.all;
+    Triple<F> lit = around + lightOf<LobeSet::Back>(given, given.fill, point, coat, fromEye);
+    if (any(keyLeft > F(0.0F)))
+        lit = lit + lightOf<LobeSet::All>(given, given.key, point, coat, fromKey) * keyLeft;
+    if (any(rimLeft > F(0.0F)))
+        lit = lit + lightOf<LobeSet::Forward>(given, given.rim, point, coat, fromRim) * rimLeft;
+    return lit;
 }
 
 } // namespace hairpaint::rendering::HWY_NAMESPACE

@@ -107,6 +107,10 @@ HWY_INLINE bool all(Yes yes)
     return hn::AllTrue(Tag(), yes.m);
 }
 
+HWY_INLINE bool any(bool yes)
+{
+    return yes;
+}
 HWY_INLINE float least(float a, float b)
 {
     return a < b ? a : b;
@@ -255,17 +259,29 @@ HWY_INLINE Lanes exponentOf(Lanes x, Lanes& mantissa)
     mantissa = Lanes(hn::BitCast(Tag(), hn::Or(hn::And(bits, hn::Set(di, 0x007FFFFF)), hn::Set(di, 0x3F800000))));
     return Lanes(hn::ConvertTo(Tag(), hn::Sub(hn::ShiftRight<23>(bits), hn::Set(di, 127))));
 }
-/// x^power for x from 0 on; the logarithm is good to 1e-5.
-HWY_INLINE Lanes powerOf(Lanes x, Lanes power)
+HWY_INLINE float exponentOf(float x, float& mantissa)
 {
-    Lanes m;
-    const Lanes whole = exponentOf(most(x, Lanes(1e-30F)), m);
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    mantissa = std::bit_cast<float>((bits & 0x007FFFFFU) | 0x3F800000U);
+    return static_cast<float>(static_cast<std::int32_t>(bits >> 23U) - 127);
+}
+/// Of a positive normal number, within 1e-5.
+template<class F>
+HWY_INLINE F log2Of(F x)
+{
+    F m;
+    const F whole = exponentOf(x, m);
     // log2 of 1..2 by the series of the inverse hyperbolic tangent around its middle.
-    const Lanes t = (m - Lanes(1.41421356F)) / (m + Lanes(1.41421356F));
-    const Lanes s = t * t;
-    const Lanes log =
-        t * (Lanes(2.88539008F) + s * (Lanes(0.96179669F) + s * (Lanes(0.57707802F) + s * Lanes(0.41219859F))));
-    return exp2Of((whole + Lanes(0.5F) + log) * power);
+    const F t = (m - F(1.41421356F)) / (m + F(1.41421356F));
+    const F s = t * t;
+    const F log = t * (F(2.88539008F) + s * (F(0.96179669F) + s * (F(0.57707802F) + s * F(0.41219859F))));
+    return whole + F(0.5F) + log;
+}
+/// x^power for x from 0 on.
+template<class F>
+HWY_INLINE F powerOf(F x, F power)
+{
+    return exp2Of(log2Of(most(x, F(1e-30F))) * power);
 }
 /// Absolute error under 1e-5 for |x| < 200.
 template<class F>

@@ -1,4 +1,4 @@
-// Light on skin, as head.frag has it: a soft key light, sky and floor, with a faint rim; pores that stir the normal.
+// Light on skin, as head.frag has it: lamps and surroundings with a faint sheen; pores that stir the normal.
 #if defined(HAIRPAINT_RENDERING_SKIN_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIRPAINT_RENDERING_SKIN_LIGHT_INL_H_
 #undef HAIRPAINT_RENDERING_SKIN_LIGHT_INL_H_
@@ -6,6 +6,7 @@
 #define HAIRPAINT_RENDERING_SKIN_LIGHT_INL_H_
 #endif
 
+#include "view/rendering/light/environment_inl.h"
 #include "view/rendering/light/hair_light.h"
 #include "view/rendering/light/lanes_inl.h"
 #include "view/rendering/light/skin_light.h"
@@ -116,40 +117,38 @@ HWY_INLINE Triple<Lanes> skinLight(const SkinLighting& given, const SkinPoint<La
     albedo = mixedWith(albedo, given.lids, point.lids);
     albedo = mixedWith(albedo, given.lips, point.lips);
 
-    // Light goes under the skin and comes out beyond the edge of the shadow, red furthest. There pores are filled too.
-    const Triple<F> l = tripleOf<F>(given.lightWo);
-    const F facingRough = dot(n, l);
-    const F facingSmooth = dot(smooth, l);
-    // A fold that is open to half the sky is open to light from right above it alone.
-    const F open = smoothStep(-0.25F, 0.35F, facingSmooth + F(2.0F) * point.sky * point.sky - one);
     const F up = n.y * F(0.5F) + F(0.5F);
-    const F ambient = F(given.ambient) * (F(0.75F) + F(0.225F) * n.y);
-    const auto body = [&](F colour, float wrapOf, float smoothOf, float lowSky, float highSky, float light) {
-        const float wrap = 0.16F + given.scatter * wrapOf;
-        const F facing = mixed(facingRough, facingSmooth, F(given.scatter * smoothOf));
-        F key = clamped((facing + F(wrap)) * F(1.0F / (1.0F + wrap)), 0.0F, 1.0F);
-        key = key * root(key) * open;
-        const F sky = F(lowSky) + F(highSky - lowSky) * up;
-        return colour * (key * F(0.85F * light) + sky * openness(point.sky, colour) * ambient);
-    };
-    const Triple<F> lit{body(albedo.x, 0.15F, 0.7F, 0.78F, 0.98F, given.lightColour.x),
-                        body(albedo.y, 0.03F, 0.4F, 0.72F, 1.0F, given.lightColour.y),
-                        body(albedo.z, 0.0F, 0.3F, 0.68F, 1.05F, given.lightColour.z)};
-
+    const Triple<F> around = irradianceAt(given.around, n) * (F(0.52F) + F(0.2F) * up);
+    Triple<F> lit = Triple<F>{around.x * openness(point.sky, albedo.x), around.y * openness(point.sky, albedo.y),
+                              around.z * openness(point.sky, albedo.z)} *
+                    albedo;
+    Triple<F> gloss = around * (point.sky * point.sky * F(0.06F));
     const F turnedAway = one - most(dot(smooth, v), zero);
-    const F rim = turnedAway * turnedAway * turnedAway;
-    const Triple<F> h = unit(l + v);
-    const F gloss = mixed(F(24.0F), F(48.0F), point.lips);
-    const F shine = powerOf(most(dot(n, h), zero), gloss) * (gloss + F(8.0F)) * F(0.0011F) *
-                    clamped(dot(n, l) * F(4.0F), 0.0F, 1.0F);
-    const F reflected = point.sky * point.sky * rim * F(0.06F * (0.5F + given.ambient));
-    const auto shown = [&](F colour, F own, float lowSky, float highSky, float light) {
-        const F sky = F(lowSky) + F(highSky - lowSky) * up;
-        return colour + F(given.sheen) * (F(light) * point.sky * shine + sky * reflected * (F(0.3F) + own));
-    };
-    return {shown(lit.x, albedo.x, 0.78F, 0.98F, given.lightColour.x),
-            shown(lit.y, albedo.y, 0.72F, 1.0F, given.lightColour.y),
-            shown(lit.z, albedo.z, 0.68F, 1.05F, given.lightColour.z)};
+    const F grazing = turnedAway * turnedAway * turnedAway;
+    gloss = gloss * grazing * (albedo + tripleOf<F>(glm::vec3(0.3F)));
+
+    const F exponent = mixed(F(24.0F), F(48.0F), point.lips);
+    for (const FarLight* lamp : {&given.key, &given.fill, &given.rim}) {
+        const Triple<F> l = tripleOf<F>(lamp->towardWo);
+        const F facingRough = dot(n, l);
+        const F facingSmooth = dot(smooth, l);
+        // A fold that is open to half the sky is open to light from right above it alone.
+        const F open = smoothStep(-0.25F, 0.35F, facingSmooth + F(2.0F) * point.sky * point.sky - one);
+        // Light goes under the skin and comes out beyond the edge of the shadow, red furthest. There pores are filled
+        // too.
+        const auto body = [&](float wrapOf, float smoothOf, float light) {
+            const float wrap = 0.16F + given.scatter * wrapOf;
+            const F facing = mixed(facingRough, facingSmooth, F(given.scatter * smoothOf));
+            const F key = clamped((facing + F(wrap)) * F(1.0F / (1.0F + wrap)), 0.0F, 1.0F);
+            return key * root(key) * open * F(0.85F * light);
+        };
+        lit = lit + albedo * Triple<F>{body(0.15F, 0.7F, lamp->colour.x), body(0.03F, 0.4F, lamp->colour.y),
+                                       body(0.0F, 0.3F, lamp->colour.z)};
+        const F shine = powerOf(most(dot(n, unit(l + v)), zero), exponent) * (exponent + F(8.0F)) * F(0.0011F) *
+                        clamped(facingRough * F(4.0F), 0.0F, 1.0F);
+        gloss = gloss + tripleOf<F>(lamp->colour) * (point.sky * shine * (one + F(4.0F) * grazing));
+    }
+    return lit + gloss * F(given.sheen);
 }
 
 /// Light that comes through the hair between a place and the end of a grid. What is blended between neighbours is the

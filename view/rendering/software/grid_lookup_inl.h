@@ -90,6 +90,12 @@ HWY_INLINE OpacityTwice opacityTwice(const std::uint32_t* grid, int side, const 
     return {mixed(sliceAt(grid, side, at, 0), middle, at.z), mixed(middle, sliceAt(grid, side, at, 2), at.z)};
 }
 
+/// All of the column that the place lies in.
+HWY_INLINE Lanes columnAt(const std::uint32_t* grid, int side, const Triple<Lanes>& place)
+{
+    return sliceAt(grid, side, placeIn(side, {place.x, place.y, Lanes(0.0F)}, 2), side - 1);
+}
+
 } // namespace hairpaint::rendering::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -2,6 +2,7 @@
 #include "view/rendering/software/hair_segments.h"
 
 #include "sim/groom/strand_curve.h"
+#include "view/rendering/frame_lights.h"
 
 #include <algorithm>
 #include <numeric>
@@ -196,13 +197,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .undrawnCoverings = m_undrawnCoverings,
                       .deepFraction =
                           std::clamp(group.widthSp / (group.fraction * depth.widest), depth.leastFraction, 1.0F),
-                      .lighting = {.eyeWo = glm::vec3(constants.eyeWo),
-                                   .lightWo = glm::vec3(constants.lightWo),
-                                   .lightColour = glm::vec3(constants.lightColour),
-                                   .headWo = glm::vec3(constants.headWo),
-                                   .ambient = constants.lightWo.w,
-                                   .shine = material.shine,
-                                   .roughness = material.roughness}};
+                      .lighting = hairLighting(constants, material)};
         const std::size_t count = group.list->slots().size();
         for (std::size_t first = 0; first < count; first += batchStrands)
             m_pieces.push_back({.group = g, .first = first, .end = std::min(first + batchStrands, count)});

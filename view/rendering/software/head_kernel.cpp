@@ -7,6 +7,7 @@
 // After foreach_target.
 #include "view/rendering/light/lanes_inl.h"
 #include "view/rendering/light/skin_light_inl.h"
+#include "view/rendering/light/tone_inl.h"
 #include "view/rendering/software/grid_lookup_inl.h"
 #include <algorithm>
 #include <bit>
@@ -155,7 +156,8 @@ HWY_INLINE void lightSamples(const HeadBand& band, const std::int32_t* xs, const
     point.pixelM = distance * Lanes(1.4142F / band.samplesPerM) / most(facing, Lanes(0.15F));
     const Triple<Lanes> lit = skinLight(band.lighting, point);
     const auto encoded = [&](Lanes c) {
-        return hn::ConvertTo(di, (root(clamped(c, 0.0F, 1.0F)) * Lanes(65535.0F) + Lanes(0.5F)).v);
+        return hn::ConvertTo(
+            di, (root(clamped(c * Lanes(1.0F / kMostLight), 0.0F, 1.0F)) * Lanes(65535.0F) + Lanes(0.5F)).v);
     };
     HWY_ALIGN std::int32_t rgb[3][kMostLanes];
     hn::Store(encoded(lit.x), di, rgb[0]);

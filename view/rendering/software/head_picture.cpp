@@ -3,6 +3,7 @@
 
 #include "sim/base/parallel.h"
 #include "sim/skin/mesh_openings.h"
+#include "view/rendering/frame_lights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,12 +71,13 @@ void HeadPicture::update(const std::shared_ptr<const sim::HeadMesh>& head,
     whole.distancesM = m_distancesM.data();
     whole.lighting = {.woFromHd = glm::mat3(constants.woFromHd),
                       .eyeWo = glm::vec3(constants.eyeWo),
-                      .lightWo = glm::vec3(constants.lightWo),
-                      .lightColour = glm::vec3(constants.lightColour),
+                      .key = keyLight(constants),
+                      .fill = fillLight(constants),
+                      .rim = rimLight(constants),
+                      .around = irradianceIn(constants),
                       .colour = glm::vec3(constants.skin[0]),
                       .lips = glm::vec3(constants.skin[1]),
                       .lids = glm::vec3(constants.skin[2]),
-                      .ambient = constants.lightWo.w,
                       .scatter = constants.skin[0].w,
                       .grain = constants.skin[1].w,
                       .sheen = constants.skin[2].w};

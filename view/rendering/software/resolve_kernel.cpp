@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.
 #include "view/rendering/light/lanes_inl.h"
+#include "view/rendering/light/tone_inl.h"
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -14,7 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-/// Light of hair and head in a row of samples, and the part through which the background is seen; then of pixels.
+/// Light / kMostLight of hair and head in a row of samples, and the part through which the background is seen; then of
+/// pixels.
 struct RowOfLight
 {
     HWY_ALIGN std::array<float, kTileSp> red;
@@ -176,18 +178,23 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
             const Yes covered = through < Lanes(1.0F);
             Ints shown = bareRgba;
             if (any(covered) || resolve.linear != nullptr) {
-                const Lanes alpha = resolve.transparent ? Lanes(1.0F) - through : Lanes(1.0F);
-                Triple<Lanes> linear = Triple<Lanes>{loaded(light.red.data() + x), loaded(light.green.data() + x),
-                                                     loaded(light.blue.data() + x)} *
-                                       Lanes(perPixel);
-                if (!resolve.transparent)
-                    linear = linear + background * through;
+                const Lanes cover = Lanes(1.0F) - through;
+                const Lanes alpha = resolve.transparent ? cover : Lanes(1.0F);
+                const Triple<Lanes> lightThere =
+                    Triple<Lanes>{loaded(light.red.data() + x), loaded(light.green.data() + x),
+                                  loaded(light.blue.data() + x)} *
+                    Lanes(perPixel * kMostLight);
+                const auto over = [&](const Triple<Lanes>& front) {
+                    return resolve.transparent ? front : front + background * through;
+                };
                 if (resolve.linear != nullptr)
-                    storeLinear(linear, alpha, used, resolve.linear + 4 * (first + x));
-                if (resolve.transparent)
-                    linear = linear * (Lanes(1.0F) / most(alpha, Lanes(1e-6F)));
-                const Ints lit = rgba(byteOf(fastSrgb(linear.x)), byteOf(fastSrgb(linear.y)),
-                                      byteOf(fastSrgb(linear.z)), byteOf(alpha));
+                    storeLinear(over(lightThere), alpha, used, resolve.linear + 4 * (first + x));
+                // Only the scene's light is toned; the background is the screen's own colour.
+                const Triple<Lanes> own = lightThere * (Lanes(1.0F) / most(cover, Lanes(1e-6F)));
+                const Triple<Lanes> toned{toneOf(own.x), toneOf(own.y), toneOf(own.z)};
+                const Triple<Lanes> screen = resolve.transparent ? toned : over(toned * cover);
+                const Ints lit = rgba(byteOf(fastSrgb(screen.x)), byteOf(fastSrgb(screen.y)),
+                                      byteOf(fastSrgb(screen.z)), byteOf(alpha));
                 shown = hn::IfThenElse(hn::RebindMask(IntTag(), covered.m), lit, bareRgba);
             }
             HWY_ALIGN std::int32_t whole[kMostLanes];

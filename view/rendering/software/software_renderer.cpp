@@ -132,7 +132,7 @@ void SoftwareRenderer::State::shade()
                          .opacity = {hair.grids().grid(0), hair.grids().grid(1)},
                          .gridSide = kGridSide,
                          .eyeWo = glm::vec3(constants.eyeWo),
-                         .lightWo = glm::vec3(constants.lightWo),
+                         .lightWo = glm::vec3(constants.keyWo),
                          .headWo = glm::vec3(constants.headWo),
                          .sizeSp = glm::vec2(constants.target),
                          .cellSp = target.samples * shadeCell,

@@ -81,13 +81,14 @@ struct SpanSegments
 /// Points of sixteen strands, projected and lit. Rows [point][kBlockLanes].
 struct StrandPoints
 {
-    std::vector<float> pointsWo;       ///< [point][3][kBlockLanes]
-    std::vector<float> fraction;       ///< Of the strand, [point].
-    std::vector<float> x;              ///< Samples, right.
-    std::vector<float> y;              ///< Samples, up.
-    std::vector<float> depth;          ///< 0..65535
-    std::vector<float> width;          ///< Samples covered across the segment's main direction; 0 where it is not seen.
-    std::vector<std::uint32_t> colour; ///< Square roots of the linear colour, 10 bits each from the lowest: r, g, b.
+    std::vector<float> pointsWo; ///< [point][3][kBlockLanes]
+    std::vector<float> fraction; ///< Of the strand, [point].
+    std::vector<float> x;        ///< Samples, right.
+    std::vector<float> y;        ///< Samples, up.
+    std::vector<float> depth;    ///< 0..65535
+    std::vector<float> width;    ///< Samples covered across the segment's main direction; 0 where it is not seen.
+    std::vector<std::uint32_t>
+        colour; ///< Square roots of the light / kMostLight, 10 bits each from the lowest: r, g, b.
     void resize(std::size_t points);
 };
 

@@ -8,6 +8,7 @@
 #include "view/rendering/light/curve_inl.h"
 #include "view/rendering/light/hair_light_inl.h"
 #include "view/rendering/light/lanes_inl.h"
+#include "view/rendering/light/tone_inl.h"
 #include "view/rendering/software/grid_lookup_inl.h"
 #include <algorithm>
 #include <hwy/highway.h>
@@ -99,10 +100,11 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
     }
 }
 
-/// Square root of the linear colour in 10 bits.
-HWY_INLINE Ints tenBits(Lanes linear)
+/// Square root of the light's part of the most in 10 bits.
+HWY_INLINE Ints tenBits(Lanes light)
 {
-    return hn::ConvertTo(IntTag(), (root(clamped(linear, 0.0F, 1.0F)) * Lanes(1023.0F) + Lanes(0.5F)).v);
+    const Lanes part = clamped(light * Lanes(1.0F / kMostLight), 0.0F, 1.0F);
+    return hn::ConvertTo(IntTag(), (root(part) * Lanes(1023.0F) + Lanes(0.5F)).v);
 }
 
 /// How much wider a hair is drawn where it stands for others: those that come late thin out to nothing, over a part of
@@ -134,6 +136,8 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     };
     const Triple<Lanes> rootColour = colourOf(block.rootColour);
     const Triple<Lanes> tipColour = colourOf(block.tipColour);
+    const Triple<Lanes> rootDepth = fibreDepth(rootColour); // Pigment fades evenly toward the tip.
+    const Triple<Lanes> tipDepth = fibreDepth(tipColour);
     const float* pointsWo = out.pointsWo.data() + lane;
     const auto at = [&](int j) { return loaded3(pointsWo + static_cast<std::size_t>(j) * kRow); };
     const float before = 1.5F / static_cast<float>(view.gridSide); // A strand does not shade itself.
@@ -180,9 +184,11 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
             least(spread * perW * Lanes(alpha), Lanes(kGreatestWidth)) * least(slant, Lanes(kMostSlant));
         stored(select(seen, width, Lanes(0.0F)), out.width.data() + row);
 
+        const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - towardEye, Lanes(0.0F));
         const Triple<Lanes> lit =
             hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootColour + (tipColour - rootColour) * Lanes(s),
-                                                      variation, towardLight, towardEye});
+                                                      rootDepth + (tipDepth - rootDepth) * Lanes(s), variation,
+                                                      towardLight, towardEye, behind});
         const Ints packed =
             hn::Or(hn::Or(tenBits(lit.x), hn::ShiftLeft<10>(tenBits(lit.y))), hn::ShiftLeft<20>(tenBits(lit.z)));
         hn::StoreU(packed, di, reinterpret_cast<std::int32_t*>(out.colour.data()) + row);

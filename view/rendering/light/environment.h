@@ -1,0 +1,28 @@
+// The light of built-in surroundings, in nine numbers a colour.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace hairpaint::rendering {
+
+/// Irradiance over pi by the normal, as spherical harmonics up to the second band, not normalised: factors of 1, y, z,
+/// x, xy, yz, 3zz-1, xz, xx-yy (Ramamoorthi and Hanrahan 2001). Linear colours.
+using Irradiance = std::array<glm::vec3, 9>;
+
+enum class Surroundings : std::uint8_t
+{
+    Studio,
+    Daylight,
+    Sunset,
+    Club,
+    Even
+};
+inline constexpr std::size_t kSurroundingsCount = 5;
+
+/// Of mean brightness 1.
+[[nodiscard]] const Irradiance& irradianceOf(Surroundings surroundings);
+
+} // namespace hairpaint::rendering
