@@ -58,8 +58,8 @@ HWY_INLINE void touch(Contact<D>& contact, hn::Mask<D> where, const Vec3<hn::Vec
     contact.latest = where;
 }
 
-/// Moves p out of the ellipsoid, scaled so that its squared radius is `scale2`, by a step of Newton's on the squared
-/// radius: along the surface's normal and at most `furthest` metres. Returns whether any lane was inside.
+/// Moves p out of the ellipsoid, scaled so that its squared radius is `scale2`, to first order along the surface's
+/// normal and at most `furthest` metres. Returns whether any lane was inside.
 template<class D>
 HWY_INLINE bool pushOut(D d, const Collider& collider, hn::Vec<D> scale2, hn::Vec<D> furthest, Vec3<hn::Vec<D>>& p,
                         Contact<D>& contact)
@@ -83,7 +83,9 @@ HWY_INLINE bool pushOut(D d, const Collider& collider, hn::Vec<D> scale2, hn::Ve
     const Vec3<V> g = addScaled(square, Vec3<V>{acrossX, acrossY, acrossZ}, half);
     const auto g2 = hn::Max(dot(g, g), hn::Set(d, 1e-8F));
     const auto inverse = hn::Div(hn::Set(d, 1.0F), g2);
-    auto stride = hn::Mul(hn::Mul(half, hn::Sub(scale2, r2)), inverse);
+    // The change of the radius r over a metre is |g|/r, and (scale - r) r is sqrt(scale2 r2) - r2.
+    const V square2 = hn::Max(r2, hn::Set(d, 1e-8F));
+    auto stride = hn::Mul(hn::Sub(hn::Sqrt(hn::Mul(scale2, square2)), square2), inverse);
     auto depth2 = hn::Mul(hn::Mul(stride, stride), g2);
     const auto far = hn::And(inside, hn::Gt(depth2, hn::Mul(furthest, furthest)));
     if (HWY_UNLIKELY(!hn::AllFalse(d, far))) {
