@@ -6,6 +6,7 @@
 #include "model/files/project_file.h"
 #include "model/preset.h"
 #include "tests/app/exchange_fixture.h"
+#include "tests/app/program.h"
 #include "tests/support/foreign_heads.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/head_side.h"
@@ -16,15 +17,7 @@
 
 namespace hairpaint::app {
 
-namespace {
-
-QByteArray contentOf(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-} // namespace
+using test::contentOf;
 
 class TestExchange : public QObject, private ExchangeFixture
 {

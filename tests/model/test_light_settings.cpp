@@ -20,7 +20,9 @@ private Q_SLOTS:
     void warmLightIsRedderAndAsBright()
     {
         float lastRatio = 1e9F;
-        for (float kelvin = kLeastTemperatureK; kelvin <= kGreatestTemperatureK; kelvin += 100.0F) {
+        const int steps = static_cast<int>((kGreatestTemperatureK - kLeastTemperatureK) / 100.0F);
+        for (int step = 0; step <= steps; ++step) {
+            const float kelvin = kLeastTemperatureK + 100.0F * static_cast<float>(step);
             const std::array<float, 3> colour = temperatureColour(kelvin);
             QVERIFY(std::abs(0.2126F * colour[0] + 0.7152F * colour[1] + 0.0722F * colour[2] - 1.0F) < 1e-4F);
             const float ratio = colour[0] / std::max(colour[2], 1e-3F);

@@ -213,8 +213,10 @@ private Q_SLOTS:
 
     void absorptionIsExponential()
     {
-        for (double x = 0.0; x < 30.0; x += 0.01)
+        for (int step = 0; step < 3000; ++step) {
+            const double x = 0.01 * step;
             QVERIFY(std::abs(static_cast<double>(simd::absorbed(static_cast<float>(x))) - std::exp(-x)) < 3e-3);
+        }
     }
 
     void lightBehindHairIsWhatMetNoneAndWhatWentOn()
@@ -280,7 +282,8 @@ private Q_SLOTS:
         QCOMPARE(left(0.0F, -0.1F), 0.0F);
         QCOMPARE(left(0.2F, -0.1F), 1.0F);
         float last = 0.0F;
-        for (float x = 0.05F; x < 0.15F; x += 0.001F) {
+        for (int step = 0; step < 100; ++step) {
+            const float x = 0.05F + 0.001F * static_cast<float>(step);
             const float here = left(x, -0.2F);
             QVERIFY(here >= last && here - last < 0.05F);
             last = here;
@@ -319,7 +322,8 @@ private Q_SLOTS:
         QCOMPARE(simd::toneOf(0.2F), 0.2F);
         QCOMPARE(simd::toneOf(0.5F), 0.5F);
         float last = 0.0F;
-        for (float light = 0.01F; light < 4.0F; light += 0.01F) {
+        for (int step = 1; step < 400; ++step) {
+            const float light = 0.01F * static_cast<float>(step);
             const float shown = simd::toneOf(light);
             QVERIFY(shown > last && shown <= light && shown < 1.0F);
             last = shown;
