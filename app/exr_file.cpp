@@ -49,8 +49,8 @@ QByteArray exrBytes(std::span<const float> rgba, QSize size)
         header.channels().insert(kNames[c], Imf::Channel(Imf::FLOAT));
         // OpenEXR's slices are of what is read as well as of what is written.
         char* const first = const_cast<char*>(reinterpret_cast<const char*>(rgba.data() + c));
-        pixels.insert(kNames[c], Imf::Slice(Imf::FLOAT, first, kPixelBytes,
-                                            kPixelBytes * static_cast<std::size_t>(size.width())));
+        pixels.insert(kNames[c],
+                      Imf::Slice(Imf::FLOAT, first, kPixelBytes, kPixelBytes * static_cast<std::size_t>(size.width())));
     }
     ByteStream stream;
     {
