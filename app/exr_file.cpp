@@ -19,7 +19,7 @@ class ByteStream final : public Imf::OStream
 public:
     ByteStream() : Imf::OStream("") {}
 
-    void write(const char bytes[], int count) override // NOLINT(modernize-avoid-c-arrays): as OpenEXR declares it.
+    void write(const char bytes[], int count) override
     {
         const qsizetype over = std::min<qsizetype>(count, m_bytes.size() - m_at);
         std::copy_n(bytes, over, m_bytes.data() + m_at);

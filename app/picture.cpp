@@ -15,7 +15,6 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr int kLargestFinePx = 4096; ///< Larger pictures have one sample a pixel, for want of memory.
 constexpr std::size_t kSketchedHairs = 20'000;
 
 model::Result<void> writeBytes(const QByteArray& bytes, const QString& path)

@@ -11,10 +11,12 @@
 
 namespace hairpaint::app {
 
+inline constexpr int kLargestFinePx = 4096; ///< Pictures larger than that have one sample a pixel, for want of memory.
+
 /// How a picture that is kept is drawn.
 struct PictureLook
 {
-    int samples = rendering::pictureQuality().samples; ///< A pixel: 1, 2, 4, 8 or 16.
+    int samples = rendering::pictureQuality().samples; ///< A pixel: 1, 4 or 16.
 };
 
 /// Needs no OpenGL: the same bytes on every machine. One thread.

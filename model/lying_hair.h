@@ -23,8 +23,8 @@ struct LyingHair
 [[nodiscard]] std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadPose& pose);
 
 /// The same where hair lies on skin further on, as over the neck: of about `most` hairs of the group, for those nodes
-/// that are close over the skin; 10 ms for a thousand. `distances`: of that skin, which spares most nodes a search;
-/// null where there are none. Uses parallelFor.
+/// that are close over the skin; about 15 ms for a thousand. `distances`: of that skin, which spares most nodes a
+/// search; null where there are none. Uses parallelFor.
 [[nodiscard]] std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::HeadPose& pose,
                                                     const sim::DistanceGrid* distances, std::size_t most = 4000);
 

@@ -331,8 +331,8 @@
         <translation>en lugar de una vista: grados desde el rostro hacia la izquierda de la cabeza, y hacia arriba; la distancia en cm o, si falta, la que pida --fit</translation>
     </message>
     <message>
-        <source>1, 2, 4, 8 or 16 a pixel; 4 unless given</source>
-        <translation>1, 2, 4, 8 o 16 por píxel; 4 si no se indica</translation>
+        <source>1, 4 or 16 a pixel; 4 unless given, and 1 in pictures of more than 4096 pixels a side</source>
+        <translation>1, 4 o 16 por píxel; 4 si no se indica, y 1 en imágenes de más de 4096 píxeles por lado</translation>
     </message>
     <message>
         <source>no background: alpha tells what is covered</source>
@@ -347,8 +347,12 @@
         <translation>--camera y --view se excluyen</translation>
     </message>
     <message>
-        <source>--samples takes 1, 2, 4, 8 or 16, not &apos;%1&apos;</source>
-        <translation>--samples admite 1, 2, 4, 8 o 16, no «%1»</translation>
+        <source>--samples takes 1, 4 or 16, not &apos;%1&apos;</source>
+        <translation>--samples admite 1, 4 o 16, no «%1»</translation>
+    </message>
+    <message>
+        <source>Pictures of more than %1 pixels a side take one sample a pixel, not %2</source>
+        <translation>Las imágenes de más de %1 píxeles por lado llevan una muestra por píxel, no %2</translation>
     </message>
     <message>
         <source>-o takes a name that ends in .png or .exr</source>

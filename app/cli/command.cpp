@@ -56,7 +56,9 @@ constexpr std::array<OptionHelp, 15> kRenderOptions = {{
      QT_TRANSLATE_NOOP("CommandLine",
                        "instead of a view: degrees from the face toward the head's left, and upward; the "
                        "distance in cm, else as --fit asks")},
-    {"--samples N", QT_TRANSLATE_NOOP("CommandLine", "1, 2, 4, 8 or 16 a pixel; 4 unless given")},
+    {"--samples N",
+     QT_TRANSLATE_NOOP("CommandLine",
+                       "1, 4 or 16 a pixel; 4 unless given, and 1 in pictures of more than 4096 pixels a side")},
     {"--transparent", QT_TRANSLATE_NOOP("CommandLine", "no background: alpha tells what is covered")},
     {"--skin NAME", QT_TRANSLATE_NOOP("CommandLine", "clay, porcelain, fair, beige, olive, brown or deep, instead of "
                                                      "the project's")},
@@ -83,8 +85,7 @@ constexpr std::array<Command, 5> kCommands = {{
     {"render",
      "P.hairpaint -o FILE.png|FILE.exr [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
      "[--camera AZIMUTH,ELEVATION[,DISTANCE]] [--fit hair|head|bust] [--samples N] [--transparent] [--skin NAME] "
-     "[--light NAME] "
-     "[--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z] "
+     "[--light NAME] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z] "
      "[--motion nod|shake|turn]",
      QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},
 }};

@@ -101,11 +101,16 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
     options.transparent = parser.isSet(QStringLiteral("transparent"));
     if (parser.isSet(QStringLiteral("samples"))) {
         const QString samples = parser.value(QStringLiteral("samples"));
-        constexpr std::array kCounts{1, 2, 4, 8, 16};
+        constexpr std::array kCounts{1, 4, 16};
         bool isNumber = false;
         options.look.samples = samples.toInt(&isNumber);
         if (!isNumber || std::ranges::find(kCounts, options.look.samples) == kCounts.end())
-            return tl::unexpected(CommandLine::tr("--samples takes 1, 2, 4, 8 or 16, not '%1'").arg(samples));
+            return tl::unexpected(CommandLine::tr("--samples takes 1, 4 or 16, not '%1'").arg(samples));
+        if (options.look.samples > 1 && std::max(options.size.width(), options.size.height()) > kLargestFinePx)
+            return tl::unexpected(
+                CommandLine::tr("Pictures of more than %1 pixels a side take one sample a pixel, not %2")
+                    .arg(kLargestFinePx)
+                    .arg(samples));
     }
     if (parser.isSet(QStringLiteral("fit"))) {
         const QString name = parser.value(QStringLiteral("fit"));

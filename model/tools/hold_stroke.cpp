@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kHoldSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kHoldLeastStepTx = 0.5F;
-constexpr std::size_t kFurtherHairs = 1000; ///< So many are looked up within a frame.
+constexpr std::size_t kFurtherHairs = 1000; ///< Looking up so many takes less than a frame.
 
 } // namespace
 

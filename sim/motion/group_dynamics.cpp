@@ -24,13 +24,7 @@ bool sameColliders(const ColliderSet& a, const ColliderSet& b)
 {
     if (a.count != b.count || a.grid != b.grid)
         return false;
-    for (int i = 0; i < a.count; ++i) {
-        const Collider& x = a.items[static_cast<std::size_t>(i)];
-        const Collider& y = b.items[static_cast<std::size_t>(i)];
-        if (x.centre != y.centre || x.squares != y.squares || x.mixed != y.mixed)
-            return false;
-    }
-    return true;
+    return std::equal(a.items.begin(), a.items.begin() + a.count, b.items.begin());
 }
 
 /// A groom before the first one: no strands.

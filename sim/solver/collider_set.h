@@ -20,6 +20,7 @@ struct Collider
     std::array<float, 3> squares{}; ///< The form's factors of x2, y2, z2,
     std::array<float, 3> mixed{};   ///< and of xy, xz, yz. 1/m2
     float meanAxisM = 1.0F;
+    friend bool operator==(const Collider&, const Collider&) = default;
 
     /// The form's value: of the ellipsoid scaled by s it is s2.
     [[nodiscard]] float radius2(glm::vec3 pHd) const;

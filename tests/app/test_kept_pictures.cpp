@@ -168,7 +168,11 @@ private Q_SLOTS:
                 << QStringList{QString::fromLatin1(option), QString::fromLatin1(value)} << QString::fromLatin1(word);
         };
         add("--samples", "3", "16");
+        add("--samples", "2", "16");
         add("--samples", "32", "16");
+        QTest::newRow("samples of a large picture") << QStringList{QStringLiteral("--samples"), QStringLiteral("4"),
+                                                                   QStringLiteral("--size"), QStringLiteral("16x4100")}
+                                                    << QStringLiteral("4096");
         add("--camera", "30", "AZIMUTH");
         add("--camera", "30,95", "AZIMUTH");
         add("--camera", "30,10,2", "AZIMUTH");
