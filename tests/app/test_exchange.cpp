@@ -401,6 +401,8 @@ private Q_SLOTS:
         });
         trigger("file.picture"); // The dialog is cancelled.
         QCOMPARE(drawn, 0);
+        // The wait for the newest hair can be cancelled too; here it is the picture that is meant.
+        QTRY_VERIFY_WITH_TIMEOUT(session().hair() == Session::Hair::Current, kPatienceMs);
         m_answers->file = path("unwanted.png");
         m_answers->cancels = true;
         trigger("file.picture");
