@@ -1,4 +1,4 @@
-// Cut, copy, paste and clear of the selected texels, as the menus and keys ask for them.
+// Cut, copy, paste, fill and clear of the selected texels, as the menus and keys ask for them.
 #pragma once
 
 #include "app/session.h"
@@ -21,12 +21,15 @@ public:
     void cut();
     void copy();
     void paste();
+    void fill(); ///< With the value that the tools lay.
     void clear();
 
 Q_SIGNALS:
     void told(const QString& message); ///< For the status bar.
 
 private:
+    /// Whether the active layer may be changed; the reason is shown where it may not.
+    [[nodiscard]] bool mayChange();
     void clearSelected(const QString& text); ///< %1 in the step's text becomes the map's name.
 
     Session& m_session;

@@ -136,7 +136,8 @@ void MainWindow::offerActions()
     for (const auto& tool : m_session.editor().tools())
         m_workspace->toolBar().setAction(tool->id(),
                                          *action((QByteArray("tool.") + model::toolName(tool->id())).constData()));
-    for (const char* id : {"edit.all", "edit.none", "edit.invert", "edit.cut", "edit.copy", "edit.paste", "edit.clear"})
+    for (const char* id :
+         {"edit.all", "edit.none", "edit.invert", "edit.cut", "edit.copy", "edit.paste", "edit.fill", "edit.clear"})
         m_workspace->optionBar().addSelectionAction(action(id));
     for (const char* id : {"edit.mirror", "view.wireframe", "view.night"})
         m_workspace->toolBar().addFootAction(action(id));

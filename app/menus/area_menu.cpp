@@ -11,6 +11,7 @@ AreaMenu::AreaMenu(const ActionSet& actions, QWidget* parent) : QMenu(parent)
                                                              "edit.cut",
                                                              "edit.copy",
                                                              "edit.paste",
+                                                             "edit.fill",
                                                              "edit.clear",
                                                              nullptr,
                                                              "edit.all",

@@ -64,6 +64,11 @@ void EditMenu::addClipboard(ActionSet& actions, ClipCommands& clip, view::Layers
                          {Qt::CTRL | Qt::Key_J},
                          [&layers] { layers.duplicateLayer(); },
                          "duplicate"},
+                        {"edit.fill",
+                         tr("Fill &with the value"),
+                         {Qt::ALT | Qt::Key_Backspace},
+                         [&clip] { clip.fill(); },
+                         "fill"},
                         {"edit.clear", tr("C&lear"), {Qt::Key_Delete}, [&clip] { clip.clear(); }}});
 }
 

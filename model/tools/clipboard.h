@@ -1,4 +1,4 @@
-// Cut, copy and paste of the selected texels, inside a map and between maps.
+// Cut, copy, fill and paste of the selected texels, inside a map and between maps.
 #pragma once
 
 #include "model/commands/commands.h"
@@ -20,6 +20,9 @@ struct Clip
 /// The active layer's texels inside the selection (the whole map where nothing is selected); between several selected
 /// rectangles the clip covers nothing.
 [[nodiscard]] Clip copyClip(const Document& document, const LayerAddress& address, const Selection& selection);
+/// Makes the selected texels `texel`, coverage and all. "Fill Length". Null where the layer is hidden, locked or gone.
+[[nodiscard]] CommandPtr fillCommand(Document& document, const LayerAddress& address, const Selection& selection,
+                                     const sim::Texel& texel, const QString& text);
 /// Clears the selected texels' coverage. "Cut Length", "Clear Length".
 [[nodiscard]] CommandPtr clearCommand(Document& document, const LayerAddress& address, const Selection& selection,
                                       const QString& text);
