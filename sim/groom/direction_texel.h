@@ -36,15 +36,19 @@ inline constexpr float kDirectionOne = 32767.0F;  ///< and how far from it for 1
 
 /// Directions whose mean is shorter than this fraction of them are opposed: there is no way between.
 inline constexpr float kOpposedDirections = 0.02F;
+/// Texels side by side that differ by more than 120 degrees are the two sides of a parting: halfway between them hair
+/// would lie along it and fall over the face.
+inline constexpr float kPartedDirections = 0.5F;
 
 /// From the mean of directions and of their lengths: as flat as they. The mean alone would make hair stand where they
 /// are opposed, as to both sides of a parting; there it lies like the `nearest` of them. The kernel of the lay has the
 /// same.
 template<typename Vector>
-[[nodiscard]] Vector turned(const Vector& mean, float flatness, const Vector& nearest)
+[[nodiscard]] Vector turned(const Vector& mean, float flatness, const Vector& nearest,
+                            float opposed = kOpposedDirections)
 {
     const float length = std::sqrt(glm::dot(mean, mean));
-    return length > kOpposedDirections * flatness ? mean * (flatness / length) : nearest;
+    return length > opposed * flatness ? mean * (flatness / length) : nearest;
 }
 
 /// Hair that turns from one direction to another, of which it has gone `fraction`, 0..1.
@@ -72,7 +76,7 @@ template<typename Vector>
         flatness += std::sqrt(glm::dot(one, one)) * around.weights[i];
         nearest = around.weights[i] > around.weights[nearest] ? i : nearest;
     }
-    return turned(mean, flatness, directionOf(around.texels[nearest]));
+    return turned(mean, flatness, directionOf(around.texels[nearest]), kPartedDirections);
 }
 
 /// To the nearest step.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hairpaint::sim {
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t kDependentBlocksAtOnce = 8;
 constexpr std::size_t kBasisBlocksAtOnce = 64;
+constexpr float kStranger = 0.05F; ///< A basis hair that agrees less lies to another side.
 
 /// By what a basis hair's displacements are divided: its length, but what stubble does in contact with the skin would
 /// be zigzags on long hair beside it.
@@ -85,13 +87,29 @@ bool Dependents::findChangedBasis(const Groom& groom, std::vector<std::uint8_t>&
     for (std::size_t i = 0; i < count; ++i) {
         const float lengthM = basis.segmentLengths[i] * static_cast<float>(last);
         const float perLength = 1.0F / scaleOf(lengthM);
-        const glm::vec3 root = groom.blocks().node(basis.restPositions, i, 0);
-        const Lead lead{(groom.blocks().node(basis.restPositions, i, last) - root) * perLength, lengthM};
+        const Lead lead = leadOf(groom, basis.restPositions, i, lengthM, perLength);
         changed[i] = lead == m_leads[i] ? 0 : 1;
         any = any || changed[i] != 0;
         m_leads[i] = lead;
     }
     return any;
+}
+
+Dependents::Lead Dependents::leadOf(const Groom& groom, std::span<const float> restPositions, std::size_t strand,
+                                    float lengthM, float perLength)
+{
+    const auto last = static_cast<std::size_t>(groom.nodes - 1);
+    const auto node = [&](std::size_t i) { return groom.blocks().node(restPositions, strand, i); };
+    const glm::vec3 root = node(0);
+    const glm::vec3 start = node((last + 3) / 4) - root;
+    return {(node(last) - root) * perLength, start / std::max(glm::length(start), 1e-9F), lengthM};
+}
+
+float Dependents::agreement(const Lead& a, const Lead& b)
+{
+    // By their tips alone both sides of a bob's parting would be near each other.
+    const float start = std::clamp(glm::dot(a.start, b.start) + 0.5F, 0.0F, 1.0F);
+    return start * agreementOfTips(&a.reach.x, &b.reach.x);
 }
 
 void Dependents::followChangedBasis(const Groom& groom, const std::vector<std::uint8_t>& changed, std::size_t index)
@@ -101,33 +119,76 @@ void Dependents::followChangedBasis(const Groom& groom, const std::vector<std::u
         return;
     const std::size_t firstSlot = index * kChunkSlots;
     const std::size_t count = std::min<std::size_t>(kChunkSlots, groom.roots->neighbours.size() - firstSlot);
+    const std::vector<std::uint16_t> parted = std::exchange(chunk.parted, {});
+    auto nextParted = parted.begin();
     for (std::size_t slot = 0; slot < count; ++slot) {
-        const std::array<std::uint32_t, RootSet::kNeighbours>& followed = groom.roots->neighbours[firstSlot + slot];
+        const bool wasParted = nextParted != parted.end() && *nextParted == slot;
+        if (wasParted)
+            ++nextParted; // It depends on basis hairs further away, too.
+        const std::array<std::uint32_t, RootSet::kNeighbours>& nearest = groom.roots->neighbours[firstSlot + slot];
         if (chunk.styles->drawn[slot] &&
-            std::ranges::any_of(followed, [&](std::uint32_t basis) { return changed[basis] != 0; }))
-            chunk.weights[slot] = weightsOf(groom, *chunk.styles, index, slot);
+            (wasParted || std::ranges::any_of(nearest, [&](std::uint32_t basis) { return changed[basis] != 0; })))
+            follow(groom, index, slot);
     }
 }
 
-std::array<float, RootSet::kNeighbours> Dependents::weightsOf(const Groom& groom, const StrandChunk& styles,
-                                                              std::size_t index, std::size_t slot) const
+void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
 {
+    Chunk& chunk = m_chunks[index];
+    const StrandChunk& styles = *chunk.styles;
+    const RootSet& roots = *groom.roots;
     const auto last = static_cast<std::size_t>(groom.nodes - 1);
-    const std::array<std::uint32_t, RootSet::kNeighbours>& basis = groom.roots->neighbours[index * kChunkSlots + slot];
-    std::array<float, RootSet::kNeighbours> weights = groom.roots->weights[index * kChunkSlots + slot];
+    const std::array<std::uint32_t, RootSet::kNeighbours>& nearest = roots.neighbours[index * kChunkSlots + slot];
     const float lengthM = styles.segmentLengths[slot] * static_cast<float>(last);
-    const glm::vec3 reach =
-        (groom.blocks().node(styles.restPositions, slot, last) - groom.blocks().node(styles.restPositions, slot, 0)) /
-        lengthM;
+    const Lead own = leadOf(groom, styles.restPositions, slot, lengthM, 1.0F / lengthM);
+    const auto agreed = [&](std::uint32_t basis) { return agreement(own, m_leads[basis]); };
+    const auto agrees = [&](std::uint32_t basis) { return agreed(basis) > kStranger; };
+    if (!chunk.followed.empty())
+        chunk.followed[slot] = nearest;
+    if (std::ranges::none_of(nearest, agrees)) {
+        chunk.parted.push_back(static_cast<std::uint16_t>(slot));
+        std::uint32_t best = nearest[0];
+        for (const std::uint32_t basis : nearest)
+            for (const std::uint32_t next : roots.neighbours[roots.basisSlot[basis]])
+                best = agreed(next) > agreed(best) ? next : best;
+        if (agrees(best)) {
+            if (chunk.followed.empty()) {
+                const auto first = roots.neighbours.begin() + static_cast<std::ptrdiff_t>(index * kChunkSlots);
+                chunk.followed.assign(first,
+                                      first + std::min<std::ptrdiff_t>(kChunkSlots, roots.neighbours.end() - first));
+            }
+            chunk.followed[slot] = {best, nearest[0], nearest[1]};
+            chunk.weights[slot] = {1.0F, 0.0F, 0.0F};
+            setClump(groom, index, slot, 0.0F);
+            return;
+        }
+    }
+    std::array<float, RootSet::kNeighbours>& weights = chunk.weights[slot];
+    weights = roots.weights[index * kChunkSlots + slot];
     for (std::size_t k = 0; k < weights.size(); ++k)
         // A hair that lies to another side is none to follow.
-        weights[k] *= likeness(lengthM, m_leads[basis[k]].lengthM) *
-                      std::max(agreementOfTips(&reach.x, &m_leads[basis[k]].reach.x), 1e-3F);
-    const float clump = styles.clump[slot] * likeness(lengthM, m_leads[basis[0]].lengthM);
+        weights[k] *= likeness(lengthM, m_leads[nearest[k]].lengthM) * std::max(agreed(nearest[k]), 1e-3F);
+    // The mean of two sides is neither: beside the foremost, those count that lie as it does.
+    const auto foremost = static_cast<std::size_t>(std::ranges::max_element(weights) - weights.begin());
+    for (std::size_t k = 0; k < weights.size(); ++k)
+        if (k != foremost)
+            weights[k] *= agreement(m_leads[nearest[foremost]], m_leads[nearest[k]]);
+    const float clump = styles.clump[slot] * likeness(lengthM, m_leads[nearest[0]].lengthM) * agreed(nearest[0]);
     const float together = weights[0] + weights[1] + weights[2];
     for (std::size_t k = 0; k < weights.size(); ++k)
         weights[k] += ((k == 0 ? together : 0.0F) - weights[k]) * clump;
-    return weights;
+    setClump(groom, index, slot, styles.clump[slot]);
+}
+
+void Dependents::setClump(const Groom& groom, std::size_t index, std::size_t slot, float clump)
+{
+    const RootSet& roots = *groom.roots;
+    const std::size_t root = index * kChunkSlots + slot;
+    const glm::vec3 toNearest = roots.positionHd[roots.basisSlot[roots.neighbours[root][0]]] - roots.positionHd[root];
+    Chunk& chunk = m_chunks[index];
+    const std::size_t rows = chunk.lanes.size() / (kBlocksPerChunk * kLanes);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        chunk.lanes[rowIndex(slot, kDependentClumpX + axis, rows)] = toNearest[static_cast<int>(axis)] * clump;
 }
 
 void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, std::size_t index)
@@ -140,6 +201,8 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
     const std::size_t rows = dependentRows(colliders);
     chunk.lanes.assign(kBlocksPerChunk * rows * kLanes, 0.0F);
     chunk.weights.resize(kChunkSlots);
+    chunk.followed.clear();
+    chunk.parted.clear();
     const StrandChunk& styles = *chunk.styles;
     const std::size_t firstSlot = index * kChunkSlots;
     for (std::size_t slot = 0; slot < kChunkSlots; ++slot) {
@@ -150,12 +213,7 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
         };
         const float segment = styles.segmentLengths[slot];
         row(kDependentSegment) = segment;
-        chunk.weights[slot] = weightsOf(groom, styles, index, slot);
-        const std::size_t nearest = groom.roots->neighbours[firstSlot + slot][0];
-        const glm::vec3 toNearest =
-            groom.roots->positionHd[groom.roots->basisSlot[nearest]] - groom.roots->positionHd[firstSlot + slot];
-        for (int axis = 0; axis < 3; ++axis)
-            row(kDependentClumpX + axis) = toNearest[axis] * styles.clump[slot];
+        follow(groom, index, slot);
         if (!styles.braidCentre.empty() && styles.braidCentre[slot] != kNoCentre)
             chunk.braided.push_back(static_cast<std::uint16_t>(slot));
         float height = 0.0F;
@@ -267,7 +325,8 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
             const std::size_t until = std::min(end, chunkBegin + kBlocksPerChunk);
             const Chunk& chunk = m_chunks[index];
             DependentsTask task = common;
-            task.neighbours = groom.roots->neighbours.data() + index * kChunkSlots;
+            task.neighbours =
+                chunk.followed.empty() ? groom.roots->neighbours.data() + index * kChunkSlots : chunk.followed.data();
             task.weights = chunk.weights.data();
             task.rest = chunk.styles->restPositions.data();
             task.lanes = chunk.lanes.data();

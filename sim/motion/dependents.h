@@ -9,6 +9,7 @@
 #include "sim/solver/strand_state.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace hairpaint::sim {
@@ -32,22 +33,31 @@ private:
         AlignedFloats lanes;                                          ///< [kBlocksPerChunk][dependentRows][kLanes]
         std::vector<std::uint16_t> braided;                           ///< Slots within the chunk that are drawn.
         std::vector<std::array<float, RootSet::kNeighbours>> weights; ///< [kChunkSlots] of the basis hairs it follows.
+        /// [kChunkSlots] those basis hairs; empty where every hair follows the nearest ones.
+        std::vector<std::array<std::uint32_t, RootSet::kNeighbours>> followed;
+        std::vector<std::uint16_t> parted; ///< Slots whose nearest basis hairs all lie to another side.
     };
-    /// Of a basis hair, what tells how much those around are like it.
+    /// Of a hair, what tells how much those around are like it.
     struct Lead
     {
         glm::vec3 reach{0.0F}; ///< From the root to the tip, by what its displacements are divided by.
+        glm::vec3 start{0.0F}; ///< Unit: from the root to a quarter of its length.
         float lengthM = 0.0F;
         friend bool operator==(const Lead&, const Lead&) = default;
     };
+    [[nodiscard]] static Lead leadOf(const Groom& groom, std::span<const float> restPositions, std::size_t strand,
+                                     float lengthM, float perLength);
+    /// 1 where both lie in one place, 0 where they lie to different sides.
+    [[nodiscard]] static float agreement(const Lead& a, const Lead& b);
     /// Brings m_leads to the groom; false where none differs, else `changed` tells which: [basis lanes].
     bool findChangedBasis(const Groom& groom, std::vector<std::uint8_t>& changed);
     /// For a chunk that else stays as it is.
     void followChangedBasis(const Groom& groom, const std::vector<std::uint8_t>& changed, std::size_t index);
     /// How much a drawn hair follows each of its basis hairs. One of another length (at the edge of a cut), or that
-    /// lies to another side, counts less, and the nearest counts the more the closer the hair clumps to it.
-    [[nodiscard]] std::array<float, RootSet::kNeighbours> weightsOf(const Groom& groom, const StrandChunk& styles,
-                                                                    std::size_t index, std::size_t slot) const;
+    /// lies to another side, counts less, and the nearest counts the more the closer the hair clumps to it. Where all
+    /// of the nearest lie to another side, as beside a parting, it follows one next to them that does not.
+    void follow(const Groom& groom, std::size_t index, std::size_t slot);
+    void setClump(const Groom& groom, std::size_t index, std::size_t slot, float clump);
     void prepareChunk(const Groom& groom, const ColliderSet& colliders, std::size_t index);
     void findDisplacements(const Groom& groom, const StrandState& state, float fraction);
     void writeBraided(const Groom& groom, const Chunk& chunk, const RigidMotion& world, float* out) const;

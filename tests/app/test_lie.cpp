@@ -95,6 +95,7 @@ private Q_SLOTS:
     void shortHairLiesCloseToTheSkin();
     void combedAndGelledHairStays_data();
     void combedAndGelledHairStays();
+    void hairBesideAPartingNeitherStandsNorCrossesIt();
 };
 
 void TestLie::naturalHairHasNoSpikes()
@@ -164,6 +165,37 @@ void TestLie::combedAndGelledHairStays()
     const float most = shifts[shifts.size() * 99 / 100];
     QVERIFY2(most < 0.03F, qPrintable(QString::number(most)));
     QVERIFY(shifts.back() < 0.045F);
+}
+
+void TestLie::hairBesideAPartingNeitherStandsNorCrossesIt()
+{
+    const QString bob = path("bob.hairpaint");
+    QVERIFY(runProgram(
+                {QStringLiteral("new"), QStringLiteral("-o"), bob, QStringLiteral("--preset"), QStringLiteral("Bob")})
+                .error.isEmpty());
+    const auto settled = [&](const char* seconds) {
+        const Outcome outcome = runProgram({QStringLiteral("export"), bob, QStringLiteral("-o"), path("bob.hair"),
+                                            QStringLiteral("--settle"), QString::fromLatin1(seconds)});
+        return outcome.error.isEmpty() ? readHair(path("bob.hair")) : std::vector<std::vector<glm::vec3>>{};
+    };
+    const auto rest = settled("0");
+    const auto hairs = settled("3");
+    QCOMPARE(hairs.size(), rest.size());
+    constexpr std::size_t kNode = 4;
+    int beside = 0;
+    int standing = 0;
+    int crossing = 0;
+    for (std::size_t i = 0; i < hairs.size(); ++i) {
+        const glm::vec3 root = hairs[i].front();
+        if (std::abs(root.x) > 0.008F || root.y < 0.06F)
+            continue;
+        ++beside;
+        const float wanted = rest[i][kNode].x - root.x;
+        crossing += std::abs(wanted) > 0.02F && (hairs[i][kNode].x - root.x) * wanted < 0.0F ? 1 : 0;
+        standing += std::ranges::any_of(hairs[i], [&](glm::vec3 p) { return p.y > root.y + 0.02F; }) ? 1 : 0;
+    }
+    const QString found = QStringLiteral("%1 stand and %2 cross of %3").arg(standing).arg(crossing).arg(beside);
+    QVERIFY2(beside > 4000 && standing == 0 && crossing < 0.02 * beside, qPrintable(found));
 }
 
 HAIRPAINT_TEST(TestLie, Core)
