@@ -2,13 +2,13 @@
 #include "app/exchange.h"
 
 #include "app/background/heads.h"
+#include "app/hair_export.h"
 #include "app/library.h"
 #include "app/picture.h"
 #include "app/save_dialog.h"
 #include "app/style_pictures.h"
 #include "model/commands/commands.h"
 #include "model/files/glb.h"
-#include "model/files/hair_file.h"
 #include "model/files/image_map.h"
 #include "model/files/sentences.h"
 #include "model/style_transfer.h"
@@ -240,11 +240,25 @@ std::shared_ptr<const sim::StrandFrame> Exchange::currentHair()
 
 void Exchange::exportHair()
 {
-    const QString path = askSavePath(tr("Export hair"), tr("hair"), tr("Hair curves (*.hair)"), QStringLiteral("hair"));
-    const std::shared_ptr<const sim::StrandFrame> frame = path.isEmpty() ? nullptr : currentHair();
+    const std::shared_ptr<const sim::StrandFrame> frame = currentHair();
     if (frame == nullptr)
         return;
-    write(path, [&](const model::Progress& progress) { return model::writeHairFile(*frame, path, progress); });
+    const model::Project project = m_session.document().committed();
+    view::ExportHairDialog dialog(exportableGroups(project, *frame), m_export, &m_window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    view::HairExportChoice choice = dialog.choice();
+    m_export = choice;
+    const QString suffix = QString::fromLatin1(choice.request.format->suffix);
+    const QString path =
+        askSavePath(tr("Export hair"), tr("hair"),
+                    QStringLiteral("%1 (*.%2)").arg(choice.request.format->titleText(), suffix), suffix);
+    if (path.isEmpty())
+        return;
+    // The name's ending may tell of another format.
+    if (const model::ExportFormat* named = model::findExportFormat(path))
+        choice.request.format = named;
+    write(path, [&](const model::Progress& progress) { return exportChosen(project, frame, choice, path, progress); });
 }
 
 void Exchange::savePicture()

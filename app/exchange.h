@@ -5,6 +5,7 @@
 #include "app/session.h"
 #include "app/settings.h"
 #include "model/files/head_file.h"
+#include "view/dialogs/export_hair_dialog.h"
 #include "view/rendering/scene.h"
 
 #include <QObject>
@@ -68,6 +69,7 @@ private:
     Jobs& m_jobs;
     QWidget& m_window;
     std::function<rendering::Scene()> m_scene;
+    view::HairExportChoice m_export; ///< That was last made.
 };
 
 } // namespace hairpaint::app

@@ -38,8 +38,15 @@ constexpr OptionHelp kWind{
     QT_TRANSLATE_NOOP("CommandLine", "in m/s, instead of the project's; x to the head's left, y up, z forward")};
 constexpr const char* kMotion = "--motion nod|shake|turn";
 constexpr std::array<OptionHelp, 1> kJsonOptions = {{kJson}};
-constexpr std::array<OptionHelp, 5> kExportOptions = {{
-    {"-o, --output FILE.hair", QT_TRANSLATE_NOOP("CommandLine", "the curves to write")},
+constexpr std::array<OptionHelp, 8> kExportOptions = {{
+    {"-o, --output FILE.hair|.usda|.usdz|.obj|.glb",
+     QT_TRANSLATE_NOOP("CommandLine", "the file to write: curves, USD, lines, or ribbons as a mesh")},
+    {"--target NAME",
+     QT_TRANSLATE_NOOP("CommandLine", "whose unit and axes: blender, unreal, godot, unity or maya; any, in metres with "
+                                      "y up, unless given")},
+    {"--group NAME", QT_TRANSLATE_NOOP("CommandLine", "only this hair group; may be given again for more")},
+    {"--tolerance MM",
+     QT_TRANSLATE_NOOP("CommandLine", "leaves out points of the hairs that lie so near to the line without them")},
     kSettle,
     kHairs,
     kWind,
@@ -80,8 +87,10 @@ constexpr std::array<Command, 5> kCommands = {{
     {"info", "P.hairpaint [--json]", QT_TRANSLATE_NOOP("CommandLine", "tells what a project holds"), kJsonOptions,
      runInfo},
     {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), kJsonOptions, runPresets},
-    {"export", "P.hairpaint -o FILE.hair [--settle SECONDS] [--hairs N] [--wind X,Y,Z] [--motion nod|shake|turn]",
-     QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), kExportOptions, runExport},
+    {"export",
+     "P.hairpaint -o FILE.hair|.usda|.usdz|.obj|.glb [--target NAME] [--group NAME]... [--tolerance MM] "
+     "[--settle SECONDS] [--hairs N] [--wind X,Y,Z] [--motion nod|shake|turn]",
+     QT_TRANSLATE_NOOP("CommandLine", "writes the hair for other programs"), kExportOptions, runExport},
     {"render",
      "P.hairpaint -o FILE.png|FILE.exr [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
      "[--camera AZIMUTH,ELEVATION[,DISTANCE]] [--fit hair|head|bust] [--samples N] [--transparent] [--skin NAME] "

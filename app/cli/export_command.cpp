@@ -1,47 +1,125 @@
-// `hairpaint export`: the hair as curves.
+// `hairpaint export`: the hair for other programs.
 #include "app/cli/command.h"
 #include "app/cli/settled_hair.h"
-#include "model/files/hair_file.h"
+#include "model/exporting/export_format.h"
 #include "model/files/project_file.h"
+#include "model/files/sentences.h"
 
 namespace hairpaint::app {
 
+namespace {
+
+constexpr const char* kExport = "export";
+constexpr double kMetresPerMm = 1e-3;
+constexpr double kGreatestToleranceMm = 10.0;
+
+QString formatList()
+{
+    QStringList suffixes;
+    for (const model::ExportFormat& format : model::exportFormats())
+        suffixes += QLatin1Char('.') + QLatin1StringView(format.suffix);
+    return suffixes.join(QLatin1String(", "));
+}
+
+QString targetList()
+{
+    QStringList ids;
+    for (const model::ExportTarget& target : model::exportTargets())
+        ids += QString::fromLatin1(target.id);
+    return ids.join(QLatin1String(", "));
+}
+
+/// Those of these names, all where there are none; the problem where the project has no such group.
+model::Result<std::vector<model::CurveGroupName>> groupsNamed(const model::Project& project, const QStringList& names,
+                                                              const QString& path)
+{
+    std::vector<model::CurveGroupName> groups;
+    QStringList missing = names;
+    for (const model::HairGroup& group : project.groups) {
+        if (names.isEmpty() || names.contains(group.name))
+            groups.push_back({.id = group.id, .name = group.name});
+        missing.removeAll(group.name);
+    }
+    if (missing.isEmpty())
+        return groups;
+    return model::failure(
+        CommandLine::tr("There is no group '%1' in '%2'; 'hairpaint info' lists those that are there.")
+            .arg(missing.front(), model::shownPath(path)));
+}
+
+/// What is wanted of the hair, without its groups; the problem in words.
+tl::expected<model::ExportRequest, QString> readRequest(const QCommandLineParser& parser, const QString& output)
+{
+    model::ExportRequest request;
+    request.format = model::findExportFormat(output);
+    if (request.format == nullptr)
+        return tl::unexpected(CommandLine::tr("-o takes a name that ends in %1").arg(formatList()));
+    request.target = &model::exportTargets().front();
+    if (parser.isSet(QStringLiteral("target"))) {
+        const QString id = parser.value(QStringLiteral("target"));
+        request.target = model::findExportTarget(id);
+        if (request.target == nullptr)
+            return tl::unexpected(CommandLine::tr("--target takes %1, not '%2'").arg(targetList(), id));
+    }
+    return request;
+}
+
+std::shared_ptr<const sim::StrandFrame> hairFor(model::Project project, double settle, std::optional<glm::vec3> wind,
+                                                std::optional<sim::NeckMotion> motion)
+{
+    SettledHair hair(std::move(project), settle, {.hairs = {}, .windVelocity = wind});
+    if (motion) {
+        constexpr double kAfterMotionSeconds = 1.0;
+        hair.setMotion(motion);
+        hair.advance(sim::secondsOf(*motion));
+        hair.setMotion(std::nullopt);
+        hair.advance(kAfterMotionSeconds);
+    }
+    return hair.frame();
+}
+
+} // namespace
+
 ExitCode runExport(const QStringList& arguments)
 {
-    constexpr const char* kName = "export";
     QCommandLineParser parser;
     parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
+                       {QStringLiteral("target"), {}, QStringLiteral("name")},
+                       {QStringLiteral("group"), {}, QStringLiteral("name")},
+                       {QStringLiteral("tolerance"), {}, QStringLiteral("mm")},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("hairs"), {}, QStringLiteral("number")},
                        {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
                        {QStringLiteral("motion"), {}, QStringLiteral("name")}});
-    const std::optional<QStringList> files = parse(parser, kName, arguments, 1);
+    const std::optional<QStringList> files = parse(parser, kExport, arguments, 1);
     if (!files)
         return ExitCode::WrongUsage;
     const QString output = parser.value(QStringLiteral("o"));
-    if (!output.endsWith(QLatin1String(".hair"), Qt::CaseInsensitive))
-        return wrongUsage(kName, CommandLine::tr("-o takes a name that ends in .hair"));
-    const std::optional<double> settle = numberOption(parser, kName, QStringLiteral("settle"), 0.0, 0.0, 60.0);
-    const auto hairs = hairsOption(parser, kName);
-    const auto wind = windOption(parser, kName);
-    const auto motion = motionOption(parser, kName);
-    if (!settle || !hairs || !wind || !motion)
+    tl::expected<model::ExportRequest, QString> request = readRequest(parser, output);
+    if (!request)
+        return wrongUsage(kExport, request.error());
+    const auto settle = numberOption(parser, kExport, QStringLiteral("settle"), 0.0, 0.0, 60.0);
+    const auto tolerance = numberOption(parser, kExport, QStringLiteral("tolerance"), 0.0, 0.0, kGreatestToleranceMm);
+    const auto hairs = hairsOption(parser, kExport);
+    const auto wind = windOption(parser, kExport);
+    const auto motion = motionOption(parser, kExport);
+    if (!settle || !tolerance || !hairs || !wind || !motion)
         return ExitCode::WrongUsage;
+    request->curves.hairs = *hairs;
+    request->curves.toleranceM = static_cast<float>(*tolerance * kMetresPerMm);
 
     if (const model::Result<void> free = checkOutput(output, *files); !free)
         return failed(free.error());
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());
-    SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
-    if (*motion) {
-        constexpr double kAfterMotionSeconds = 1.0;
-        hair.setMotion(*motion);
-        hair.advance(sim::secondsOf(**motion));
-        hair.setMotion(std::nullopt);
-        hair.advance(kAfterMotionSeconds);
-    }
-    if (const model::Result<void> written = model::writeHairFile(*hair.frame(), output); !written)
+    model::Result<std::vector<model::CurveGroupName>> groups =
+        groupsNamed(*project, parser.values(QStringLiteral("group")), files->front());
+    if (!groups)
+        return failed(groups.error());
+    request->curves.groups = std::move(*groups);
+    const auto hair = hairFor(std::move(*project), *settle, *wind, *motion);
+    if (const model::Result<void> written = model::exportHair(hair, *request, output); !written)
         return failed(written.error());
     return ExitCode::Done;
 }
