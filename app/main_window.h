@@ -4,6 +4,7 @@
 #include "app/action_set.h"
 #include "app/clip_commands.h"
 #include "app/exchange.h"
+#include "app/map_exchange.h"
 #include "app/live_preferences.h"
 #include "app/physical_keys.h"
 #include "app/project_files.h"
@@ -80,6 +81,7 @@ private:
     ProjectFiles m_files;
     Journal m_journal;
     Exchange m_exchange;
+    MapExchange m_mapExchange;
     ActionSet m_actions;
     LivePreferences m_preferences;
     ClipCommands m_clipCommands;

@@ -38,7 +38,7 @@ constexpr OptionHelp kWind{
     QT_TRANSLATE_NOOP("CommandLine", "in m/s, instead of the project's; x to the head's left, y up, z forward")};
 constexpr const char* kMotion = "--motion nod|shake|turn";
 constexpr std::array<OptionHelp, 1> kJsonOptions = {{kJson}};
-constexpr std::array<OptionHelp, 8> kExportOptions = {{
+constexpr std::array<OptionHelp, 13> kExportOptions = {{
     {"-o, --output FILE.hair|.usda|.usdz|.obj|.glb",
      QT_TRANSLATE_NOOP("CommandLine", "the file to write: curves, USD, lines, or ribbons as a mesh")},
     {"--target NAME",
@@ -51,6 +51,12 @@ constexpr std::array<OptionHelp, 8> kExportOptions = {{
     kHairs,
     kWind,
     {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves once after that, and the hair settles for 1 s more")},
+    {"--maps FOLDER", QT_TRANSLATE_NOOP("CommandLine", "writes every map as an image into that folder")},
+    {"--image FORMAT", QT_TRANSLATE_NOOP("CommandLine", "of those images: png, tif, exr or tga; png unless given")},
+    {"--depth BITS", QT_TRANSLATE_NOOP("CommandLine", "8 or 16 a channel of png and tif; 16 unless given")},
+    {"--grey", QT_TRANSLATE_NOOP("CommandLine", "values as brightness instead of the scales' colours")},
+    {"--uv-sheet FILE.pdf|.svg",
+     QT_TRANSLATE_NOOP("CommandLine", "writes the head's UV layout as a sheet to print and draw on")},
 }};
 constexpr std::array<OptionHelp, 15> kRenderOptions = {{
     {"-o, --output FILE.png|FILE.exr",
@@ -88,9 +94,11 @@ constexpr std::array<Command, 5> kCommands = {{
      runInfo},
     {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), kJsonOptions, runPresets},
     {"export",
-     "P.hairpaint -o FILE.hair|.usda|.usdz|.obj|.glb [--target NAME] [--group NAME]... [--tolerance MM] "
-     "[--settle SECONDS] [--hairs N] [--wind X,Y,Z] [--motion nod|shake|turn]",
-     QT_TRANSLATE_NOOP("CommandLine", "writes the hair for other programs"), kExportOptions, runExport},
+     "P.hairpaint [-o FILE.hair|.usda|.usdz|.obj|.glb] [--target NAME] [--group NAME]... [--tolerance MM] "
+     "[--settle SECONDS] [--hairs N] [--wind X,Y,Z] [--motion nod|shake|turn] "
+     "[--maps FOLDER] [--image png|tif|exr|tga] [--depth 8|16] [--grey] [--uv-sheet FILE.pdf|.svg]",
+     QT_TRANSLATE_NOOP("CommandLine", "writes hair, maps and the UV layout for other programs"), kExportOptions,
+     runExport},
     {"render",
      "P.hairpaint -o FILE.png|FILE.exr [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
      "[--camera AZIMUTH,ELEVATION[,DISTANCE]] [--fit hair|head|bust] [--samples N] [--transparent] [--skin NAME] "

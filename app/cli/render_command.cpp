@@ -4,16 +4,15 @@
 #include "app/picture.h"
 #include "model/files/project_file.h"
 #include "model/files/sentences.h"
+#include "model/files/staged_files.h"
 #include "view/head/stage.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QTemporaryDir>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 namespace hairpaint::app {
 
@@ -151,35 +150,6 @@ QString framePath(const QString& output, int number)
            QStringLiteral(".%1.%2").arg(number, 4, 10, QLatin1Char('0')).arg(info.suffix());
 }
 
-/// Pictures of a film lie beside their places until the last one is there.
-class FilmFolder
-{
-public:
-    explicit FilmFolder(const QString& output)
-        : m_folder(QFileInfo(output).absolutePath() + QStringLiteral("/hairpaint-XXXXXX"))
-    {}
-    [[nodiscard]] QString pathFor(const QString& framePath) const
-    {
-        return m_folder.filePath(QFileInfo(framePath).fileName());
-    }
-
-    /// Moves all frames over what lies in their places.
-    [[nodiscard]] model::Result<void> publish(const QStringList& frames)
-    {
-        for (const QString& frame : frames) {
-            std::error_code problem;
-            std::filesystem::rename(QFileInfo(pathFor(frame)).filesystemFilePath(),
-                                    QFileInfo(frame).filesystemFilePath(), problem);
-            if (problem)
-                return model::cannotWrite(frame, {.text = QString::fromStdString(problem.message())});
-        }
-        return {};
-    }
-
-private:
-    QTemporaryDir m_folder;
-};
-
 model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, const rendering::Camera& camera,
                                   const RenderOptions& options, const QString& path)
 {
@@ -215,7 +185,8 @@ double secondsBefore(int number, double framesPerSecond)
 model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const RenderOptions& options,
                                const rendering::Camera& camera, const QString& output)
 {
-    FilmFolder folder(output);
+    // Pictures of a film lie beside their places until the last one is there.
+    const model::StagedFiles folder(QFileInfo(output).absolutePath());
     QStringList frames;
     for (int number = 0; number <= options.lastFrame; ++number) {
         // From the film's start, also through frames that nobody wants: a frame is the same whichever one is the first.
@@ -224,12 +195,8 @@ model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const Ren
             continue;
         frames.append(framePath(output, number));
         if (model::Result<void> written = renderPicture(maker, hair, camera, options, folder.pathFor(frames.back()));
-            !written) {
-            // The sentence names the frame that is wanted, not where it lay meanwhile.
-            written.error().message.replace(model::shownPath(folder.pathFor(frames.back())),
-                                            model::shownPath(frames.back()));
-            return written;
-        }
+            !written)
+            return tl::unexpected(folder.named(std::move(written.error()), frames.back()));
     }
     return folder.publish(frames);
 }
