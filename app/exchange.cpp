@@ -2,6 +2,7 @@
 #include "app/exchange.h"
 
 #include "app/background/heads.h"
+#include "app/blender_addon.h"
 #include "app/hair_export.h"
 #include "app/library.h"
 #include "app/picture.h"
@@ -259,6 +260,29 @@ void Exchange::exportHair()
     if (const model::ExportFormat* named = model::findExportFormat(path))
         choice.request.format = named;
     write(path, [&](const model::Progress& progress) { return exportChosen(project, frame, choice, path, progress); });
+}
+
+void Exchange::installBlenderAddon()
+{
+    const QStringList folders = blenderAddonFolders();
+    if (folders.isEmpty()) {
+        const QString name = blenderAddonName();
+        const QString path = askSavePath(tr("Save Blender add-on"), QFileInfo(name).completeBaseName(),
+                                         tr("Python scripts (*.py)"), QFileInfo(name).suffix());
+        if (!path.isEmpty())
+            write(path, [&path](const model::Progress&) { return saveBlenderAddon(path); });
+        return;
+    }
+    QStringList versions;
+    for (const QString& folder : folders) {
+        if (const model::Result<void> installed = app::installBlenderAddon(folder); !installed)
+            return complain(installed.error().message);
+        versions += blenderVersionOf(folder);
+    }
+    QMessageBox::information(&m_window, tr("Blender add-on"),
+                             tr("The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit > "
+                                "Preferences > Add-ons; then File > Import reads hair that is exported as .hair.")
+                                 .arg(versions.join(QLatin1String(", "))));
 }
 
 void Exchange::savePicture()

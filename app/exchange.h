@@ -36,6 +36,8 @@ public:
     void moveLandmarks();
     void useBuiltInHead(const model::NamedHead& named);
     void exportHair();
+    /// Into every Blender that is there; asks for a place where there is none.
+    void installBlenderAddon();
     void savePicture();
     void saveStyle();
     void renameStyle(const QString& path); ///< Asks for the name.

@@ -2134,6 +2134,22 @@
         <source>OpenEXR images in linear light, without background (*.exr)</source>
         <translation>Imágenes OpenEXR en luz lineal, sin fondo (*.exr)</translation>
     </message>
+    <message>
+        <source>Save Blender add-on</source>
+        <translation>Guardar complemento de Blender</translation>
+    </message>
+    <message>
+        <source>Python scripts (*.py)</source>
+        <translation>Guiones de Python (*.py)</translation>
+    </message>
+    <message>
+        <source>Blender add-on</source>
+        <translation>Complemento de Blender</translation>
+    </message>
+    <message>
+        <source>The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit &gt; Preferences &gt; Add-ons; then File &gt; Import reads hair that is exported as .hair.</source>
+        <translation>El complemento está instalado en Blender %1. Activa allí «Hair Paint hair» en Editar &gt; Preferencias &gt; Complementos; después Archivo &gt; Importar lee el pelo exportado como .hair.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::FileMenu</name>
@@ -2208,6 +2224,10 @@
     <message>
         <source>Save &amp;UV sheet…</source>
         <translation>Guardar &amp;hoja UV…</translation>
+    </message>
+    <message>
+        <source>Install B&amp;lender add-on</source>
+        <translation>Instalar complemento de &amp;Blender</translation>
     </message>
 </context>
 <context>

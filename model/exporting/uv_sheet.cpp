@@ -18,7 +18,7 @@ constexpr double kPaperHeightMm = 297.0;
 constexpr double kSquareMm = 190.0;
 constexpr double kMarginMm = 0.5 * (kPaperWidthMm - kSquareMm);
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr double kEdgeMm = 0.05;
+constexpr double kEdgeMm = 0.03;
 constexpr double kBorderMm = 0.25;
 
 struct SheetEdge
@@ -30,7 +30,7 @@ struct SheetEdge
 struct Sheet
 {
     std::vector<SheetEdge> edges;   ///< Between two triangles; uv.
-    std::vector<SheetEdge> borders; ///< Of islands.
+    std::vector<SheetEdge> borders; ///< Of islands, and of the map.
 };
 
 Sheet sheetOf(const sim::HeadMesh& mesh)
@@ -45,6 +45,9 @@ Sheet sheetOf(const sim::HeadMesh& mesh)
         }
     std::ranges::sort(keys);
     Sheet sheet;
+    constexpr std::array<glm::vec2, 4> kCorners = {{{0.0F, 0.0F}, {1.0F, 0.0F}, {1.0F, 1.0F}, {0.0F, 1.0F}}};
+    for (std::size_t i = 0; i < kCorners.size(); ++i)
+        sheet.borders.push_back({.from = kCorners.at(i), .to = kCorners.at((i + 1) % kCorners.size())});
     for (std::size_t i = 0; i < keys.size();) {
         const auto end = static_cast<std::size_t>(std::upper_bound(keys.begin(), keys.end(), keys[i]) - keys.begin());
         const SheetEdge edge{.from = mesh.uvs[keys[i] >> 32U], .to = mesh.uvs[static_cast<std::uint32_t>(keys[i])]};
@@ -86,7 +89,7 @@ std::string pdfLines(const std::vector<SheetEdge>& edges, double widthMm, double
 std::string pdfOf(const Sheet& sheet)
 {
     const std::string lines =
-        "1 J 1 j\n" + pdfLines(sheet.edges, kEdgeMm, 0.55) + pdfLines(sheet.borders, kBorderMm, 0.0);
+        "1 J 1 j\n" + pdfLines(sheet.edges, kEdgeMm, 0.7) + pdfLines(sheet.borders, kBorderMm, 0.0);
     // qCompress puts the length before what a PDF calls FlateDecode.
     constexpr qsizetype kLengthBytes = 4;
     const QByteArray packed =
@@ -134,7 +137,7 @@ std::string svgLines(const std::vector<SheetEdge>& edges, double widthMm, const 
 std::string svgOf(const Sheet& sheet)
 {
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"210mm\" height=\"297mm\" viewBox=\"0 0 210 297\">\n" +
-           svgLines(sheet.edges, kEdgeMm, "#8c8c8c") + svgLines(sheet.borders, kBorderMm, "#000000") + "</svg>\n";
+           svgLines(sheet.edges, kEdgeMm, "#b3b3b3") + svgLines(sheet.borders, kBorderMm, "#000000") + "</svg>\n";
 }
 
 bool isPdf(const QString& path)

@@ -6,6 +6,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_heads.h"
 #include "view/dialogs/export_hair_dialog.h"
+#include "view/dialogs/export_maps_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/landmarks_dialog.h"
 
@@ -32,9 +33,10 @@ public:
     bool takesLandmarks = true;
     std::function<void(view::LandmarksDialog&)> movesLandmarks; ///< Before its dialog is accepted.
     std::function<void(view::ExportHairDialog&)> choosesExport; ///< Before its dialog is accepted.
-    bool cancels = false;                                       ///< Whether Cancel is clicked in progress windows.
-    int cancelled = 0;                                          ///< How often it was.
-    QStringList said;                                           ///< What message boxes said.
+    std::function<void(view::ExportMapsDialog&)> choosesMaps;
+    bool cancels = false; ///< Whether Cancel is clicked in progress windows.
+    int cancelled = 0;    ///< How often it was.
+    QStringList said;     ///< What message boxes said.
 
     Answerer() { startTimer(20); }
 
@@ -58,6 +60,10 @@ protected:
             if (choosesExport)
                 choosesExport(*exported);
             press(*exported, !file.isEmpty());
+        } else if (auto* maps = qobject_cast<view::ExportMapsDialog*>(waiting)) {
+            if (choosesMaps)
+                choosesMaps(*maps);
+            press(*maps, !file.isEmpty());
         } else if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
             said += box->text();
             QAbstractButton* yes = box->button(QMessageBox::Yes);

@@ -104,6 +104,9 @@ private Q_SLOTS:
         row("export p.hairpaint -o p.usda --target cinema");
         row("export p.hairpaint -o p.usda --tolerance -1");
         row("export p.hairpaint -o p.usda --tolerance 11");
+        row("export p.hairpaint --maps . --depth 12");
+        row("export p.hairpaint --maps . --image gif");
+        row("export p.hairpaint --uv-sheet p.png");
         row("render p.hairpaint -o p.png --size 9x9");
         row("render p.hairpaint -o p.png --view inside");
         row("render p.hairpaint -o p.png --frames 9-3");

@@ -3,8 +3,8 @@
 
     check.py PROGRAM FOLDER     PROGRAM: hairpaint; FOLDER: where the judges' packages are installed and files are written
 
-Judges: Blender's own importers (OBJ, glTF), the Khronos validator (glTF), tinyusdz (USD). What the files are to hold is
-read from the `.hair` of the same hair. Prints a line a check and ends with "N passed, M failed".
+Judges: Blender (its own importers of OBJ and glTF, and our add-on), the Khronos validator (glTF), tinyusdz (USD). What the
+files are to hold is read from the `.hair` of the same hair. Prints a line a check and ends with "N passed, M failed".
 """
 import json
 import re
@@ -73,6 +73,26 @@ def check_obj(judge, style, counts, points):
     judge.check(f"{style}: with colours", bool(objects) and all(i["colours"] == 1 for i in objects))
 
 
+def check_addon(judge, style, counts, points):
+    addon = HERE.parents[1] / "resources" / "blender" / "hair_paint_import.py"
+    for target in ("any", "unreal"):
+        path = judge.export(style, "hair", "--target", target)
+        done = judge.run("blender", "-b", "--factory-startup", "-P", HERE / "blender_addon.py", "--", addon, path)
+        found = re.search(r"^READ (.*)$", done.stdout, re.M)
+        made = json.loads(found[1]) if found else {"type": done.stderr}
+        judge.check(f"{style}: our add-on makes Curves in Blender of the file for {target}",
+                    made["type"] == "CURVES", made["type"])
+        if not found:
+            continue
+        upright = [(x, -z, y) for x, y, z in points]
+        away = farthest(made["positions"], upright)
+        judge.check(f"{style}: as many, with as many points", made["sizes"] == counts)
+        judge.check(f"{style}: at the same places", away < NEAR, away)
+        judge.check(f"{style}: as thin as hair", 5e-6 < max(made["radius"]) < 2e-4, max(made["radius"]))
+        judge.check(f"{style}: with colour and material",
+                    len(made["colour"]) == len(points) and made["materials"] == ["Hair"])
+
+
 def check_gltf(judge, style, counts, points):
     path = judge.export(style, "glb")
     done = judge.run("node", HERE / "validate_gltf.js", path)
@@ -121,6 +141,7 @@ def main():
             sys.exit(made.stderr)
         counts, points = read_hair(judge.export(style, "hair"))
         check_obj(judge, style, counts, points)
+        check_addon(judge, style, counts, points)
         check_gltf(judge, style, counts, points)
         check_usd(judge, style, counts, points)
     print(f"{judge.passed} passed, {judge.failed} failed")

@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 
 #include <QtTest>
@@ -26,6 +27,16 @@ std::vector<ExportableGroup> twoGroups()
 QComboBox* boxAt(const ExportHairDialog& dialog, qsizetype index)
 {
     return dialog.findChildren<QComboBox*>().at(index);
+}
+
+void type(BarSlider& slider, const QString& text)
+{
+    QTest::keyClick(&slider, Qt::Key_Return);
+    auto* line = slider.findChild<QLineEdit*>();
+    QVERIFY(line != nullptr);
+    line->selectAll();
+    QTest::keyClicks(line, text);
+    QTest::keyClick(line, Qt::Key_Return);
 }
 
 QPushButton* acceptButton(const ExportHairDialog& dialog)
@@ -60,11 +71,9 @@ private Q_SLOTS:
         QTest::keyClick(boxAt(dialog, 2), Qt::Key_End);
         BarSlider* hairs = sliderNamed(dialog, QStringLiteral("Hairs"));
         QCOMPARE(hairs->value(), 10'000.0);
-        QTest::keyClick(hairs, Qt::Key_Return);
-        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("2500\n"));
+        type(*hairs, QStringLiteral("2500"));
         BarSlider* tolerance = sliderNamed(dialog, QStringLiteral("Tolerance"));
-        QTest::keyClick(tolerance, Qt::Key_Return);
-        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("0.25\n"));
+        type(*tolerance, QStringLiteral("0.25"));
         const HairExportChoice choice = dialog.choice();
         QCOMPARE(choice.request.format->suffix, "usda");
         QCOMPARE(choice.request.target->id, "unreal");
