@@ -88,7 +88,8 @@ tl::expected<model::MapImageOptions, QString> readMapOptions(const QCommandLineP
     return options;
 }
 
-std::vector<model::WantedMap> mapsOf(const model::Project& project, const std::vector<model::CurveGroupName>& groups)
+std::vector<model::WantedMap> wantedMapsOf(const model::Project& project,
+                                           const std::vector<model::CurveGroupName>& groups)
 {
     model::Document document(project);
     std::vector<model::WantedMap> maps;
@@ -173,7 +174,7 @@ ExitCode runExport(const QStringList& arguments)
             return failed(written.error());
     if (!mapFolder.isEmpty())
         if (const model::Result<void> written =
-                model::writeMapImages(mapsOf(*project, *groups), mapFolder, *mapOptions);
+                model::writeMapImages(wantedMapsOf(*project, *groups), mapFolder, *mapOptions);
             !written)
             return failed(written.error());
     if (output.isEmpty())

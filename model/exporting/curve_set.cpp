@@ -15,8 +15,8 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::size_t kCurvesAtOnce = 1U << 13U;
-constexpr std::size_t kCurvesAPiece = 256;
+constexpr std::size_t kMeasuredAtOnce = 1U << 13U;
+constexpr std::size_t kMeasuredAPiece = 256;
 
 constexpr std::size_t kChannelValues = 256;
 constexpr std::uint32_t kChannelMask = 0xFFU;
@@ -113,19 +113,19 @@ void CurveSet::addCurves(const CurveOptions& options)
 bool CurveSet::measure(float toleranceM, const Progress& progress)
 {
     std::vector<Bounds> bounds(m_groups.size());
-    for (std::size_t first = 0; first < m_curves.size(); first += kCurvesAtOnce) {
+    for (std::size_t first = 0; first < m_curves.size(); first += kMeasuredAtOnce) {
         if (progress && !progress(static_cast<double>(first) / static_cast<double>(m_curves.size())))
             return false;
-        const std::size_t count = std::min(kCurvesAtOnce, m_curves.size() - first);
-        const std::size_t pieces = (count + kCurvesAPiece - 1) / kCurvesAPiece;
+        const std::size_t count = std::min(kMeasuredAtOnce, m_curves.size() - first);
+        const std::size_t pieces = (count + kMeasuredAPiece - 1) / kMeasuredAPiece;
         std::vector<std::vector<std::uint16_t>> kept(pieces);
         std::vector<std::vector<Bounds>> found(pieces, std::vector<Bounds>(m_groups.size()));
         sim::parallelFor(pieces, 1, [&](std::size_t begin, std::size_t end) {
             CurveScratch scratch;
             std::vector<std::uint16_t> indices;
             for (std::size_t piece = begin; piece < end; ++piece) {
-                const std::size_t last = std::min(count, (piece + 1) * kCurvesAPiece);
-                for (std::size_t i = piece * kCurvesAPiece; i < last; ++i) {
+                const std::size_t last = std::min(count, (piece + 1) * kMeasuredAPiece);
+                for (std::size_t i = piece * kMeasuredAPiece; i < last; ++i) {
                     Curve& curve = m_curves[first + i];
                     evaluate(curve, scratch);
                     Bounds& box = found[piece][curve.group];

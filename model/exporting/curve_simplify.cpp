@@ -5,7 +5,7 @@ namespace hairpaint::model {
 
 namespace {
 
-float squaredDistance(const glm::vec3& point, const glm::vec3& from, const glm::vec3& to)
+float squaredFromSegment(const glm::vec3& point, const glm::vec3& from, const glm::vec3& to)
 {
     const glm::vec3 along = to - from;
     const float square = glm::dot(along, along);
@@ -31,7 +31,7 @@ void keptPoints(std::span<const glm::vec3> points, float tolerance, std::vector<
         float greatest = tolerance * tolerance;
         std::uint16_t farthest = begin;
         for (auto i = static_cast<std::uint16_t>(begin + 1U); i < end; ++i) {
-            const float distance = squaredDistance(points[i], points[begin], points[end]);
+            const float distance = squaredFromSegment(points[i], points[begin], points[end]);
             if (distance > greatest) {
                 greatest = distance;
                 farthest = i;

@@ -61,7 +61,7 @@ struct Points
 };
 
 /// What is to be in the files.
-Points pointsOf(const std::shared_ptr<const sim::StrandFrame>& frame)
+Points writtenPoints(const std::shared_ptr<const sim::StrandFrame>& frame)
 {
     const std::optional<CurveSet> set = CurveSet::of(frame, test::allOf(*frame));
     Points points;
@@ -124,7 +124,7 @@ private Q_SLOTS:
         QCOMPARE(usd.count(QLatin1String("def BasisCurves \"Strands\"")), 2);
         QCOMPARE(usd.count(QLatin1String("def BasisCurves \"Guides\"")), 2);
 
-        const Points points = pointsOf(frame);
+        const Points points = writtenPoints(frame);
         std::vector<std::uint32_t> counts;
         std::vector<glm::vec3> positions;
         for (qsizetype at = usd.indexOf(QLatin1String("\"Strands\"")); at >= 0;
@@ -203,7 +203,7 @@ private Q_SLOTS:
     {
         const auto frame = frameOf({hairGroup(1, 20'000, 65535, 0), hairGroup(2, 9000, 30'000, 0)});
         QVERIFY(exported(frame, path("obj"), {}, "maya"));
-        const Points points = pointsOf(frame);
+        const Points points = writtenPoints(frame);
         std::vector<glm::vec3> vertices;
         std::size_t lines = 0;
         int objects = 0;
@@ -233,7 +233,7 @@ private Q_SLOTS:
     {
         const auto frame = frameOf({hairGroup(1, 20'000, 65535, 0), hairGroup(2, 9000, 30'000, 20'000)});
         QVERIFY(exported(frame, path("glb"), {}, "unreal")); // glTF has a space of its own.
-        const Points points = pointsOf(frame);
+        const Points points = writtenPoints(frame);
         const Glb glb = readGlb(test::readBytes(path("glb")));
         QCOMPARE(glb.json[QLatin1String("meshes")].toArray().size(), 2);
         QCOMPARE(glb.json[QLatin1String("buffers")][0][QLatin1String("byteLength")].toInteger(), glb.bin.size());
