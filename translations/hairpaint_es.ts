@@ -279,10 +279,6 @@
         <translation>No hay ninguna piel «%1»</translation>
     </message>
     <message>
-        <source>the head moves once after that, and the hair settles for 1 s more</source>
-        <translation>después, la cabeza se mueve una vez y el pelo se asienta 1 s más</translation>
-    </message>
-    <message>
         <source>the head moves from frame 0 on, again and again; for films</source>
         <translation>la cabeza se mueve desde el fotograma 0, una y otra vez; para películas</translation>
     </message>
@@ -421,6 +417,18 @@
     <message>
         <source>--uv-sheet takes a name that ends in .pdf or .svg</source>
         <translation>--uv-sheet toma un nombre que termina en .pdf o .svg</translation>
+    </message>
+    <message>
+        <source>the head moves once after that, and the hair settles for 1 s more; of a film, from frame 0 on, again and again</source>
+        <translation>la cabeza se mueve una vez después, y el pelo se asienta 1 s más; en una película, desde el fotograma 0, una y otra vez</translation>
+    </message>
+    <message>
+        <source>hair in motion, a file a frame: FILE.0001.hair and on</source>
+        <translation>pelo en movimiento, un archivo por fotograma: FILE.0001.hair y siguientes</translation>
+    </message>
+    <message>
+        <source>--tolerance and --frames exclude each other</source>
+        <translation>--tolerance y --frames se excluyen</translation>
     </message>
 </context>
 <context>

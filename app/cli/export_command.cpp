@@ -1,5 +1,6 @@
 // `hairpaint export`: the hair for other programs.
 #include "app/cli/command.h"
+#include "app/cli/film.h"
 #include "app/cli/settled_hair.h"
 #include "model/document.h"
 #include "model/exporting/export_format.h"
@@ -7,6 +8,9 @@
 #include "model/exporting/uv_sheet.h"
 #include "model/files/project_file.h"
 #include "model/files/sentences.h"
+#include "model/files/staged_files.h"
+
+#include <QFileInfo>
 
 namespace hairpaint::app {
 
@@ -101,18 +105,59 @@ std::vector<model::WantedMap> wantedMapsOf(const model::Project& project,
     return maps;
 }
 
-std::shared_ptr<const sim::StrandFrame> hairFor(model::Project project, double settle, std::optional<glm::vec3> wind,
-                                                std::optional<sim::NeckMotion> motion)
+/// How the hair comes into the shape that it is exported in.
+struct HairMotion
 {
-    SettledHair hair(std::move(project), settle, {.hairs = {}, .windVelocity = wind});
-    if (motion) {
+    double settleSeconds = 0.0;
+    std::optional<glm::vec3> windVelocity;
+    std::optional<sim::NeckMotion> motion;
+    Film film;
+};
+
+/// A film's files lie beside their places until the last one is there.
+model::Result<void> exportFilm(SettledHair& hair, const HairMotion& wanted, const model::ExportRequest& request,
+                               const QString& output)
+{
+    const model::StagedFiles staged(QFileInfo(output).absolutePath());
+    QStringList places;
+    hair.setMotion(wanted.motion);
+    for (int number = 0; number <= wanted.film.last; ++number) {
+        hair.advance(secondsBefore(number, wanted.film.framesPerSecond));
+        if (number < wanted.film.first)
+            continue;
+        places += framePath(output, number);
+        if (model::Result<void> written = model::exportHair(hair.frame(), request, staged.pathFor(places.back()));
+            !written)
+            return tl::unexpected(staged.named(std::move(written.error()), places.back()));
+    }
+    return staged.publish(places);
+}
+
+model::Result<void> exportShape(model::Project project, const HairMotion& wanted, const model::ExportRequest& request,
+                                const QString& output)
+{
+    SettledHair hair(std::move(project), wanted.settleSeconds, {.hairs = {}, .windVelocity = wanted.windVelocity});
+    if (wanted.film.wanted())
+        return exportFilm(hair, wanted, request, output);
+    if (wanted.motion) {
         constexpr double kAfterMotionSeconds = 1.0;
-        hair.setMotion(motion);
-        hair.advance(sim::secondsOf(*motion));
+        hair.setMotion(wanted.motion);
+        hair.advance(sim::secondsOf(*wanted.motion));
         hair.setMotion(std::nullopt);
         hair.advance(kAfterMotionSeconds);
     }
-    return hair.frame();
+    return model::exportHair(hair.frame(), request, output);
+}
+
+/// Every file that will be written can be.
+model::Result<void> checkShapes(const QString& output, const Film& film, const QStringList& inputs)
+{
+    if (!film.wanted())
+        return checkOutput(output, inputs);
+    for (int number = film.first; number <= film.last; ++number)
+        if (model::Result<void> free = checkOutput(framePath(output, number), inputs); !free)
+            return free;
+    return {};
 }
 
 } // namespace
@@ -128,6 +173,8 @@ ExitCode runExport(const QStringList& arguments)
                        {QStringLiteral("hairs"), {}, QStringLiteral("number")},
                        {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
                        {QStringLiteral("motion"), {}, QStringLiteral("name")},
+                       {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
+                       {QStringLiteral("fps"), {}, QStringLiteral("number")},
                        {QStringLiteral("maps"), {}, QStringLiteral("folder")},
                        {QStringLiteral("image"), {}, QStringLiteral("format")},
                        {QStringLiteral("depth"), {}, QStringLiteral("bits")},
@@ -154,14 +201,24 @@ ExitCode runExport(const QStringList& arguments)
     const auto hairs = hairsOption(parser, kExport);
     const auto wind = windOption(parser, kExport);
     const auto motion = motionOption(parser, kExport);
-    if (!settle || !tolerance || !hairs || !wind || !motion)
+    tl::expected<Film, QString> film = framesOption(parser);
+    if (!film)
+        return wrongUsage(kExport, film.error());
+    const auto rate = numberOption(parser, kExport, QStringLiteral("fps"), film->framesPerSecond, 1.0, 240.0);
+    if (!settle || !tolerance || !hairs || !wind || !motion || !rate)
         return ExitCode::WrongUsage;
+    film->framesPerSecond = *rate;
+    // Points would come and go from frame to frame.
+    if (film->wanted() && *tolerance > 0.0)
+        return wrongUsage(kExport, CommandLine::tr("--tolerance and --frames exclude each other"));
+    const HairMotion wanted{.settleSeconds = *settle, .windVelocity = *wind, .motion = *motion, .film = *film};
     request->curves.hairs = *hairs;
     request->curves.toleranceM = static_cast<float>(*tolerance * kMetresPerMm);
 
-    for (const QString& file : {output, sheet})
-        if (const model::Result<void> free = checkOutput(file, *files); !file.isEmpty() && !free)
-            return failed(free.error());
+    if (const model::Result<void> free = checkShapes(output, *film, *files); !output.isEmpty() && !free)
+        return failed(free.error());
+    if (const model::Result<void> free = checkOutput(sheet, *files); !sheet.isEmpty() && !free)
+        return failed(free.error());
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());
@@ -180,8 +237,7 @@ ExitCode runExport(const QStringList& arguments)
     if (output.isEmpty())
         return ExitCode::Done;
     request->curves.groups = std::move(*groups);
-    const auto hair = hairFor(std::move(*project), *settle, *wind, *motion);
-    if (const model::Result<void> written = model::exportHair(hair, *request, output); !written)
+    if (const model::Result<void> written = exportShape(std::move(*project), wanted, *request, output); !written)
         return failed(written.error());
     return ExitCode::Done;
 }

@@ -104,6 +104,8 @@ private Q_SLOTS:
         row("export p.hairpaint -o p.usda --target cinema");
         row("export p.hairpaint -o p.usda --tolerance -1");
         row("export p.hairpaint -o p.usda --tolerance 11");
+        row("export p.hairpaint -o p.usda --frames 4-2");
+        row("export p.hairpaint -o p.usda --frames 2-4 --tolerance 1");
         row("export p.hairpaint --maps . --depth 12");
         row("export p.hairpaint --maps . --image gif");
         row("export p.hairpaint --uv-sheet p.png");

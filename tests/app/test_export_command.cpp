@@ -97,6 +97,38 @@ private Q_SLOTS:
         QVERIFY(contentOf(path("unreal.hair")).left(128).contains("centimetres, z up"));
     }
 
+    void aFilmIsAFileAFrame()
+    {
+        const QStringList film{QStringLiteral("--frames"), QStringLiteral("2-4"),     QStringLiteral("--motion"),
+                               QStringLiteral("turn"),     QStringLiteral("--hairs"), QStringLiteral("200")};
+        const Outcome outcome = exported("film.hair", film);
+        QCOMPARE(outcome.error, QString());
+        QCOMPARE(outcome.code, 0);
+        QCOMPARE(QDir(m_folder.path()).entryList({QStringLiteral("film*")}, QDir::Files),
+                 (QStringList{QStringLiteral("film.0002.hair"), QStringLiteral("film.0003.hair"),
+                              QStringLiteral("film.0004.hair")}));
+        const auto first = readHair(path("film.0002.hair"));
+        const auto last = readHair(path("film.0004.hair"));
+        QCOMPARE(first.size(), std::size_t{200});
+        QCOMPARE(last.size(), first.size());
+        float moved = 0.0F;
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            QCOMPARE(last[i].size(), first[i].size());
+            moved = std::max(moved, glm::distance(first[i].back(), last[i].back()));
+        }
+        QVERIFY(moved > 1e-4F && moved < 0.5F);
+    }
+
+    void aFilmThatCantBeWrittenLeavesNothing()
+    {
+        QVERIFY(QDir().mkpath(path("blocked.0003.obj")));
+        QCOMPARE(faultOf(m_folder.path(),
+                         {QStringLiteral("export"), m_project, QStringLiteral("-o"), path("blocked.obj"),
+                          QStringLiteral("--frames"), QStringLiteral("2-4")},
+                         QStringLiteral("blocked.0003.obj")),
+                 QString());
+    }
+
     void everyMapGoesIntoAFolder()
     {
         QVERIFY(QDir().mkpath(path("maps")));
