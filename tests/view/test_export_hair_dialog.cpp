@@ -13,6 +13,8 @@
 
 #include <QtTest>
 
+#include <algorithm>
+
 using namespace hairpaint;
 using namespace hairpaint::view;
 
@@ -103,6 +105,9 @@ private Q_SLOTS:
         QVERIFY(!dialog.choice().request.curves.hairs);
         boxes[1]->click();
         QVERIFY(!acceptButton(dialog)->isEnabled());
+        const QList<QLabel*> labels = dialog.findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(
+            labels, [](const QLabel* label) { return label->text().contains(QStringLiteral("no hairs")); }));
         boxes[0]->click();
         QVERIFY(acceptButton(dialog)->isEnabled());
         holdAt(*hairs, 0.5);

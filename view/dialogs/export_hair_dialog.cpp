@@ -142,10 +142,10 @@ std::size_t ExportHairDialog::hairsOfChosen() const
 void ExportHairDialog::follow()
 {
     const model::ExportFormat& format = model::exportFormats()[static_cast<std::size_t>(m_format->currentIndex())];
-    m_use->setText(format.useText());
     // A format that has its own space is the same for every program.
     m_target->setEnabled(format.space != model::FormatSpace::Own);
     const auto hairs = static_cast<double>(hairsOfChosen());
+    m_use->setText(hairs > 0.0 ? format.useText() : tr("There are no hairs to be exported here."));
     const bool all = m_hairs->value() >= m_hairs->maximum();
     const double kept = m_hairs->value();
     m_hairs->setRange(std::min(1.0, hairs), hairs);
