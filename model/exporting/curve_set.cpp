@@ -165,8 +165,8 @@ void CurveSet::linkGroups()
     number(m_guides);
     for (std::uint32_t group = 0; group < m_groups.size(); ++group) {
         const auto own = [group](const std::vector<Curve>& curves) {
-            const auto [begin, end] = std::ranges::equal_range(curves, group, {}, &Curve::group);
-            return std::span<const Curve>(begin, end);
+            return std::span<const Curve>(std::ranges::lower_bound(curves, group, {}, &Curve::group),
+                                          std::ranges::upper_bound(curves, group, {}, &Curve::group));
         };
         CurveGroup& target = m_groups[group];
         target.curves = own(m_curves);

@@ -155,7 +155,7 @@ public:
                                                                         kShortType, group.vertices(), "VEC4")))}};
         const int indexView = addView(group.indexBytes(), kIndexTarget, 0);
         const int indices = addAccessor(accessor(indexView, 0, kIntType, group.indices(), "SCALAR"));
-        const double roughness = static_cast<double>(set.material(group.curves->curves.front()).roughness);
+        const auto roughness = static_cast<double>(set.material(group.curves->curves.front()).roughness);
         m_materials.append(QJsonObject{
             {QStringLiteral("name"), name},
             {QStringLiteral("doubleSided"), true},
