@@ -145,7 +145,7 @@ void Exchange::importHeadFrom(const QString& path)
     if (!*mesh)
         return complain(mesh->error().message);
     view::HeadImportDialog dialog(**mesh, name, &m_window);
-    Q_EMIT headDialogMade(dialog);
+    Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::HeadImport);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const model::HeadGuess guess{.unitScale = dialog.unitScale(), .upAxis = dialog.upAxis()};
@@ -166,7 +166,7 @@ void Exchange::importHeadFrom(const QString& path)
 std::shared_ptr<const model::Head> Exchange::withLandmarksAsked(const std::shared_ptr<const model::Head>& head)
 {
     view::LandmarksDialog dialog(head, &m_window);
-    Q_EMIT headDialogMade(dialog);
+    Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::HeadImport);
     if (dialog.exec() != QDialog::Accepted)
         return nullptr;
     return head->landmarks == dialog.landmarks() ? head : model::withLandmarks(*head, dialog.landmarks());
@@ -246,6 +246,7 @@ void Exchange::exportHair()
         return;
     const model::Project project = m_session.document().committed();
     view::ExportHairDialog dialog(exportableGroups(project, *frame), m_export, &m_window);
+    Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::HairExport);
     if (dialog.exec() != QDialog::Accepted)
         return;
     view::HairExportChoice choice = dialog.choice();

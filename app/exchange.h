@@ -6,13 +6,12 @@
 #include "app/settings.h"
 #include "model/files/head_file.h"
 #include "view/dialogs/export_hair_dialog.h"
+#include "view/dialogs/help_dialog.h"
 #include "view/rendering/scene.h"
 
 #include <QObject>
 
 #include <functional>
-
-class QDialog;
 
 namespace hairpaint::app {
 
@@ -47,7 +46,8 @@ public:
     [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair();
 
 Q_SIGNALS:
-    void headDialogMade(QDialog& dialog); ///< About to be shown.
+    /// About to be shown; the help has a page on it.
+    void dialogMade(QDialog& dialog, hairpaint::view::HelpDialog::Topic topic);
     void stylesChanged();
     void done(const QString& message); ///< For the status bar.
 

@@ -209,8 +209,11 @@ void MainWindow::connectFiles()
     view::StatusReadout& status = m_workspace->status();
     connect(&m_journal, &Journal::stopped, &status, &view::StatusReadout::setUnprotected);
     connect(&m_journal, &Journal::resumed, &status, [&status] { status.setUnprotected({}); });
-    connect(&m_exchange, &Exchange::headDialogMade, this,
-            [this](QDialog& dialog) { m_dialogs.addHelpKey(dialog, view::HelpDialog::Topic::HeadImport); });
+    const auto addHelp = [this](QDialog& dialog, view::HelpDialog::Topic topic) {
+        m_dialogs.addHelpKey(dialog, topic);
+    };
+    connect(&m_exchange, &Exchange::dialogMade, this, addHelp);
+    connect(&m_mapExchange, &MapExchange::dialogMade, this, addHelp);
     connect(&m_preferences, &LivePreferences::changed, this, &MainWindow::applyPreferences);
 }
 

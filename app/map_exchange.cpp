@@ -46,6 +46,7 @@ void MapExchange::saveMaps()
     if (group == nullptr)
         return complain(tr("There is no hair group whose maps they could be; add one in the panel Hair."));
     view::ExportMapsDialog dialog(model::mapSpec(editor.activeMap()).titleText(), group->name, m_choice, &m_window);
+    Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::MapExport);
     if (dialog.exec() != QDialog::Accepted)
         return;
     m_choice = dialog.choice();

@@ -6,6 +6,7 @@
 #include "app/session.h"
 #include "app/settings.h"
 #include "view/dialogs/export_maps_dialog.h"
+#include "view/dialogs/help_dialog.h"
 
 #include <QObject>
 
@@ -25,6 +26,8 @@ public:
 
 Q_SIGNALS:
     void done(const QString& message); ///< For the status bar.
+    /// About to be shown; the help has a page on it.
+    void dialogMade(QDialog& dialog, hairpaint::view::HelpDialog::Topic topic);
 
 private:
     [[nodiscard]] std::vector<model::WantedMap> wantedMaps(view::MapRange range);

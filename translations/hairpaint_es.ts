@@ -3332,6 +3332,26 @@
         <source>The buttons are whole arrangements to start from. Where the key light stands, how strong it is and its colour; the fill follows the camera, the rim light stands behind the head and shines through the hair&apos;s tips, the surroundings brighten the shadows from all sides. The background is the picture&apos;s own.</source>
         <translation>Los botones son iluminaciones completas de las que partir. Dónde está la luz principal, su fuerza y su color; el relleno sigue a la cámara, la luz de contorno está detrás de la cabeza y atraviesa las puntas del pelo, el entorno aclara las sombras desde todos los lados. El fondo es propio de la imagen.</translation>
     </message>
+    <message>
+        <source>Export hair</source>
+        <translation>Exportar pelo</translation>
+    </message>
+    <message>
+        <source>The format says what the file holds, the program whose unit and axes it is written in. USD has the guides and attributes that Unreal reads; Blender reads the curves of .hair with the add-on that File &gt; Install Blender add-on puts there.</source>
+        <translation>El formato dice qué contiene el archivo; el programa, con qué unidad y ejes se escribe. USD lleva las guías y los atributos que lee Unreal; Blender lee las curvas de .hair con el complemento que Archivo &gt; Instalar complemento de Blender pone allí.</translation>
+    </message>
+    <message>
+        <source>Save maps as images</source>
+        <translation>Guardar mapas como imágenes</translation>
+    </message>
+    <message>
+        <source>Each map becomes an image named after its group and itself. In the colours of their scales maps look as they do here, and File &gt; Load image reads them; as grey their brightness is the value, which File &gt; Load grey image reads. Colours and directions are the same both ways.</source>
+        <translation>Cada mapa se convierte en una imagen con el nombre de su grupo y el suyo. Con los colores de sus escalas los mapas se ven como aquí, y Archivo &gt; Cargar imagen los lee; en gris su brillo es el valor, que lee Archivo &gt; Cargar imagen gris. Los colores y las direcciones son iguales de ambas formas.</translation>
+    </message>
+    <message>
+        <source>Fewer hairs are an even share of all. A tolerance leaves out points that lie so near to the line without them that they are hardly missed.</source>
+        <translation>Menos pelos son una parte uniforme de todos. La tolerancia omite puntos que quedan tan cerca de la línea sin ellos que apenas se echan en falta.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::KeysPage</name>
