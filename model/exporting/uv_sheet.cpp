@@ -121,10 +121,10 @@ std::string svgLines(const std::vector<SheetEdge>& edges, double widthMm, const 
         out.push_back(',');
         appendMillimetres(out, 0.5 * (kPaperHeightMm - kSquareMm) + kSquareMm * (1.0 - static_cast<double>(uv.y)));
     };
-    std::string out = "  <path fill=\"none\" stroke-linecap=\"round\" stroke=\"";
-    out += std::string(colour) + "\" stroke-width=\"";
+    std::string out = R"(  <path fill="none" stroke-linecap="round" stroke=")";
+    out += std::string(colour) + R"(" stroke-width=")";
     appendMillimetres(out, widthMm);
-    out += "\" d=\"";
+    out += R"(" d=")";
     for (const SheetEdge& edge : edges) {
         out.push_back('M');
         at(edge.from, out);
