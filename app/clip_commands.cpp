@@ -1,4 +1,4 @@
-// Cut, copy, paste and clear: see the header.
+// Cut, copy, paste, fill and clear: see the header.
 #include "app/clip_commands.h"
 
 #include <QClipboard>
@@ -26,6 +26,8 @@ void ClipCommands::copy()
 
 void ClipCommands::cut()
 {
+    if (!mayChange())
+        return;
     copy();
     clearSelected(tr("Cut %1"));
 }
@@ -38,8 +40,22 @@ void ClipCommands::paste()
         Q_EMIT told(tr("Nothing was copied yet: select a part of a map and copy it first"));
         return;
     }
-    m_session.document().push(model::pasteCommand(m_session.document(), m_session.editor().target(), *m_clip,
-                                                  m_session.editor().selection()));
+    if (mayChange())
+        m_session.document().push(model::pasteCommand(m_session.document(), m_session.editor().target(), *m_clip,
+                                                      m_session.editor().selection()));
+}
+
+void ClipCommands::fill()
+{
+    if (!mayChange())
+        return;
+    view::EditorState& editor = m_session.editor();
+    const model::LayerAddress target = editor.target();
+    const model::MapSpec& spec = model::mapSpec(target.map);
+    sim::Texel texel = editor.toolSettings().value(target.map).texel(spec);
+    texel[static_cast<std::size_t>(spec.valueChannels)] = 65535;
+    m_session.document().push(model::fillCommand(m_session.document(), target, editor.selection(), texel,
+                                                 tr("Fill %1").arg(spec.titleText())));
 }
 
 void ClipCommands::offerImage()
@@ -69,7 +85,13 @@ std::optional<model::Clip> ClipCommands::foreignClip() const
 
 void ClipCommands::clear()
 {
-    clearSelected(tr("Clear %1"));
+    if (mayChange())
+        clearSelected(tr("Clear %1"));
+}
+
+bool ClipCommands::mayChange()
+{
+    return m_session.editor().mayPaint({m_session.editor().activeMap()});
 }
 
 void ClipCommands::clearSelected(const QString& text)

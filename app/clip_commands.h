@@ -1,4 +1,4 @@
-// Cut, copy, paste and clear of the selected texels, as the menus and keys ask for them.
+// Cut, copy, paste, fill and clear of the selected texels, as the menus and keys ask for them.
 #pragma once
 
 #include "app/session.h"
@@ -22,6 +22,7 @@ public:
     void cut();
     void copy();
     void paste();
+    void fill(); ///< With the value that the tools lay.
     void clear();
 
 Q_SIGNALS:
@@ -31,6 +32,8 @@ private:
     void offerImage(); ///< Of what was copied, to other programs.
     /// What another program has copied since; none where the newest copy is ours, or no image.
     [[nodiscard]] std::optional<model::Clip> foreignClip() const;
+    /// Whether the active layer may be changed; the reason is shown where it may not.
+    [[nodiscard]] bool mayChange();
     void clearSelected(const QString& text); ///< %1 in the step's text becomes the map's name.
 
     Session& m_session;

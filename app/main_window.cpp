@@ -63,7 +63,7 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     : QMainWindow(parent), m_session(std::move(project)), m_jobs(*this), m_files(m_session, m_settings, m_jobs, *this),
       m_journal(m_session.document(), JournalFolder::root()), m_exchange(m_session, m_settings, m_jobs, *this),
       m_mapExchange(m_session, m_settings, m_jobs, *this), m_actions(m_settings, *this), m_preferences(m_settings),
-      m_clipCommands(m_session), m_dialogs(*this, m_session.editor(), m_actions, m_preferences)
+      m_clipCommands(m_session), m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this)
 {
     setAcceptDrops(true);
     setMinimumSize(kSmallestWindow);
@@ -136,7 +136,8 @@ void MainWindow::offerActions()
     for (const auto& tool : m_session.editor().tools())
         m_workspace->toolBar().setAction(tool->id(),
                                          *action((QByteArray("tool.") + model::toolName(tool->id())).constData()));
-    for (const char* id : {"edit.all", "edit.none", "edit.invert", "edit.cut", "edit.copy", "edit.paste", "edit.clear"})
+    for (const char* id :
+         {"edit.all", "edit.none", "edit.invert", "edit.cut", "edit.copy", "edit.paste", "edit.fill", "edit.clear"})
         m_workspace->optionBar().addSelectionAction(action(id));
     for (const char* id : {"edit.mirror", "view.wireframe", "view.night"})
         m_workspace->toolBar().addFootAction(action(id));

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "app/action_set.h"
+#include "app/background/journal.h"
 #include "app/clip_commands.h"
 #include "app/exchange.h"
 #include "app/map_exchange.h"
+#include "app/focus_return.h"
 #include "app/live_preferences.h"
 #include "app/physical_keys.h"
 #include "app/project_files.h"
-#include "app/background/journal.h"
 #include "app/session.h"
 #include "app/settings.h"
 #include "app/window_dialogs.h"
@@ -86,6 +87,7 @@ private:
     LivePreferences m_preferences;
     ClipCommands m_clipCommands;
     WindowDialogs m_dialogs;
+    FocusReturn m_focusReturn;
 
     Workspace* m_workspace = nullptr;
     FileMenu* m_fileMenu = nullptr;

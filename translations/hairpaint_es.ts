@@ -1928,6 +1928,10 @@
         <source>Clear %1</source>
         <translation>Borrar %1</translation>
     </message>
+    <message>
+        <source>Fill %1</source>
+        <translation>Rellenar %1</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::EditMenu</name>
@@ -1986,6 +1990,10 @@
     <message>
         <source>&amp;Invert selection</source>
         <translation>&amp;Invertir selección</translation>
+    </message>
+    <message>
+        <source>Fill &amp;with the value</source>
+        <translation>Re&amp;llenar con el valor</translation>
     </message>
 </context>
 <context>

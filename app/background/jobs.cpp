@@ -148,10 +148,7 @@ bool watch(const QString& doing, QWidget& window, QEventLoop& loop, const Look& 
     QObject::connect(&looks, &QTimer::timeout, &progress, [&] { look(progress); });
     looks.start(kMsBetweenLooks);
     loop.exec();
-    const bool wasActive = progress.isActiveWindow();
     progress.hide();
-    if (wasActive)
-        window.activateWindow(); // Not every platform gives it back by itself, and shortcuts need it.
     // What was clicked in the last moment is lost, too.
     QCoreApplication::processEvents();
     return progress.cancelled();

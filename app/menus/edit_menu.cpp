@@ -56,15 +56,18 @@ void EditMenu::addUndo(ActionSet& actions, Session& session)
 
 void EditMenu::addClipboard(ActionSet& actions, ClipCommands& clip, view::LayersPanel& layers)
 {
-    actions.add(*this, {{"edit.cut", tr("Cu&t"), {QKeySequence::Cut}, [&clip] { clip.cut(); }},
-                        {"edit.copy", tr("&Copy"), {QKeySequence::Copy}, [&clip] { clip.copy(); }},
-                        {"edit.paste", tr("&Paste"), {QKeySequence::Paste}, [&clip] { clip.paste(); }},
-                        {"edit.duplicate",
-                         tr("&Duplicate layer"),
-                         {Qt::CTRL | Qt::Key_J},
-                         [&layers] { layers.duplicateLayer(); },
-                         "duplicate"},
-                        {"edit.clear", tr("C&lear"), {Qt::Key_Delete}, [&clip] { clip.clear(); }}});
+    actions.add(
+        *this,
+        {{"edit.cut", tr("Cu&t"), {QKeySequence::Cut}, [&clip] { clip.cut(); }},
+         {"edit.copy", tr("&Copy"), {QKeySequence::Copy}, [&clip] { clip.copy(); }},
+         {"edit.paste", tr("&Paste"), {QKeySequence::Paste}, [&clip] { clip.paste(); }},
+         {"edit.duplicate",
+          tr("&Duplicate layer"),
+          {Qt::CTRL | Qt::Key_J},
+          [&layers] { layers.duplicateLayer(); },
+          "duplicate"},
+         {"edit.fill", tr("Fill &with the value"), {Qt::ALT | Qt::Key_Backspace}, [&clip] { clip.fill(); }, "fill"},
+         {"edit.clear", tr("C&lear"), {Qt::Key_Delete}, [&clip] { clip.clear(); }}});
 }
 
 void EditMenu::addSelection(ActionSet& actions, view::EditorState& editor)

@@ -133,13 +133,12 @@ Clip clipFromImage(const QImage& image, MapKind map, int size, const QRectF& pla
     return clip;
 }
 
-CommandPtr clearCommand(Document& document, const LayerAddress& address, const Selection& selection,
-                        const QString& text)
+CommandPtr fillCommand(Document& document, const LayerAddress& address, const Selection& selection,
+                       const sim::Texel& texel, const QString& text)
 {
     const Layer* layer = paintable(document, address);
     if (layer == nullptr)
         return nullptr;
-    const MapSpec& spec = mapSpec(address.map);
     sim::TiledRaster raster = layer->raster;
     const std::vector<sim::TexelRect> selected = selectedTexels(selection, raster.size());
     for (const int index : tilesIn(raster, selected))
@@ -147,14 +146,20 @@ CommandPtr clearCommand(Document& document, const LayerAddress& address, const S
             const sim::TexelRect tile = raster.tileRect(index);
             const sim::TexelRect part = shared(tile, clip);
             if (part == tile) {
-                raster.setUniform(index, spec.defaultValue);
+                raster.setUniform(index, texel);
                 break;
             }
             for (int y = part.y0; y < part.y1; ++y)
                 for (int x = part.x0; x < part.x1; ++x)
-                    raster.setTexel(x, y, spec.defaultValue);
+                    raster.setTexel(x, y, texel);
         }
     return paintCommand(document, address, differences(raster, layer->raster), text);
+}
+
+CommandPtr clearCommand(Document& document, const LayerAddress& address, const Selection& selection,
+                        const QString& text)
+{
+    return fillCommand(document, address, selection, mapSpec(address.map).defaultValue, text);
 }
 
 CommandPtr pasteCommand(Document& document, const LayerAddress& address, const Clip& clip, const Selection& selection)

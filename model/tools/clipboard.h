@@ -1,4 +1,4 @@
-// Cut, copy and paste of the selected texels, inside a map and between maps.
+// Cut, copy, fill and paste of the selected texels, inside a map and between maps.
 #pragma once
 
 #include "model/commands/commands.h"
@@ -28,6 +28,9 @@ struct Clip
 /// An image of another program's as a clip for a map of `size` texels a side, fitted into `place` (uv) and read by the
 /// map's colours.
 [[nodiscard]] Clip clipFromImage(const QImage& image, MapKind map, int size, const QRectF& place);
+/// Makes the selected texels `texel`, coverage and all. "Fill Length". Null where the layer is hidden, locked or gone.
+[[nodiscard]] CommandPtr fillCommand(Document& document, const LayerAddress& address, const Selection& selection,
+                                     const sim::Texel& texel, const QString& text);
 /// Clears the selected texels' coverage. "Cut Length", "Clear Length".
 [[nodiscard]] CommandPtr clearCommand(Document& document, const LayerAddress& address, const Selection& selection,
                                       const QString& text);

@@ -300,8 +300,8 @@ private Q_SLOTS:
         };
         for (const char* tool : {"tool.select", "tool.brush"}) {
             trigger(tool);
-            for (const char* id :
-                 {"edit.all", "edit.none", "edit.invert", "edit.cut", "edit.copy", "edit.paste", "edit.clear"}) {
+            for (const char* id : {"edit.all", "edit.none", "edit.invert", "edit.cut", "edit.copy", "edit.paste",
+                                   "edit.fill", "edit.clear"}) {
                 QVERIFY2(buttonOf(id) != nullptr, id);
                 QCOMPARE(buttonOf(id)->isVisible(), tool == QByteArray("tool.select"));
             }

@@ -101,6 +101,24 @@ private Q_SLOTS:
         QVERIFY(savedBytes("kept-after.hairpaint") == before);
     }
 
+    void aClosedDialogGivesTheKeysBack_data()
+    {
+        QTest::addColumn<QByteArray>("action");
+        for (const char* action : {"hair.lightDialog", "hair.windDialog", "edit.preferences", "help.help"})
+            QTest::newRow(action) << QByteArray(action);
+    }
+    void aClosedDialogGivesTheKeysBack()
+    {
+        QFETCH(QByteArray, action);
+        openWindow(starterProject());
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->isActiveWindow(), kPatienceMs);
+        m_window->actions().find(QLatin1StringView(action))->trigger();
+        const auto* dialog = m_window->findChild<QDialog*>();
+        QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeWindow() == dialog, kPatienceMs);
+        QTest::keyClick(QGuiApplication::focusWindow(), Qt::Key_Escape);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->isActiveWindow(), kPatienceMs);
+    }
+
     void everyActionHasATextAndKeysAreUnique()
     {
         openWholeWindow(model::newProject());

@@ -94,6 +94,33 @@ private Q_SLOTS:
         QCOMPARE(stack().count(), steps);
     }
 
+    void aKeyFillsTheSelectionWithTheValue()
+    {
+        openWindow(model::newProject());
+        key(Qt::Key_9);
+        model::ToolSettings settings = editor().toolSettings();
+        settings.value(model::MapKind::Gel).scalar = 0.75F;
+        editor().setToolSettings(settings);
+        editor().selection().setRectangle(QRectF(0.25, 0.25, 0.25, 0.25));
+        key(Qt::Key_Backspace, Qt::AltModifier);
+        QCOMPARE(stack().count(), 1);
+        QVERIFY(std::abs(texelAt(0.3F, 0.3F)[0] - 0.75F * 65535.0F) < 2.0F);
+        QCOMPARE(int(texelAt(0.3F, 0.3F)[1]), 65535);
+        QCOMPARE(int(texelAt(0.6F, 0.3F)[1]), 0);
+        // On a locked layer nothing is filled, and it is said why.
+        const model::LayerAddress at = editor().target();
+        model::Document& document = session().document();
+        model::LayerProperties locked = model::propertiesOf(*document.committed().layer(at.group, at.map, at.layer));
+        locked.locked = true;
+        document.push(model::setLayerPropertiesCommand(document, at, locked, QStringLiteral("lock")));
+        const QSignalSpy refused(&editor(), &view::EditorState::refused);
+        settings.value(model::MapKind::Gel).scalar = 0.25F;
+        editor().setToolSettings(settings);
+        key(Qt::Key_Backspace, Qt::AltModifier);
+        QCOMPARE(stack().count(), 2);
+        QCOMPARE(refused.count(), 1);
+    }
+
     void keysAndDragsSetTheBrush()
     {
         openWindow(model::newProject());

@@ -41,6 +41,7 @@ private Q_SLOTS:
     void pastingGoesToTheMiddleOfTheSelection();
     void pastingAtTheBorderIsCutOff();
     void clearingTakesAwayTheSelectedTexelsOnly();
+    void fillingCoversTheSelectedTexelsOnly();
     void pastingBetweenMapsConverts_data();
     void pastingBetweenMapsConverts();
     void mapsOfAnotherSizeGetTheSamePlace();
@@ -120,6 +121,24 @@ void TestClipboard::clearingTakesAwayTheSelectedTexelsOnly()
     selection.setRectangle(std::nullopt);
     document.push(clearCommand(document, firstLayer(document, MapKind::Gel), selection, QString()));
     QCOMPARE(rasterOf(document, MapKind::Gel).byteCount(), 0U);
+}
+
+void TestClipboard::fillingCoversTheSelectedTexelsOnly()
+{
+    Document document(projectWith(MapKind::Length, {40000, 30000, 0, 0}));
+    const LayerAddress length = firstLayer(document, MapKind::Length);
+    const sim::Texel value{20000, 65535, 0, 0};
+    Selection selection;
+    selection.setRectangle(kThere);
+    document.push(fillCommand(document, length, selection, value, QStringLiteral("Fill Length")));
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Fill Length"));
+    for (int y = 0; y < 256; y += 3)
+        for (int x = 0; x < 256; x += 3)
+            QCOMPARE(rasterOf(document, MapKind::Length).texel(x, y) == value, x >= 64 && x < 96 && y >= 64 && y < 80);
+    QCOMPARE(fillCommand(document, length, selection, value, QString()), nullptr); // It is so already.
+    selection.setRectangle(std::nullopt);
+    document.push(fillCommand(document, length, selection, value, QString()));
+    QCOMPARE(rasterOf(document, MapKind::Length).byteCount(), 0U); // Of whole tiles one texel is kept.
 }
 
 void TestClipboard::pastingBetweenMapsConverts_data()

@@ -1,0 +1,27 @@
+// Keys go back to the window: see the header.
+#include "app/focus_return.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QEvent>
+#include <QWindow>
+
+namespace hairpaint::app {
+
+FocusReturn::FocusReturn(QObject* parent) : QObject(parent)
+{
+    qApp->installEventFilter(this);
+}
+
+bool FocusReturn::eventFilter(QObject* watched, QEvent* event)
+{
+    const auto* dialog = event->type() == QEvent::Hide ? qobject_cast<QDialog*>(watched) : nullptr;
+    // Qt has made it inactive by now, but has not heard yet where the keys go.
+    const bool wasActive =
+        dialog != nullptr && dialog->isWindow() && QGuiApplication::focusWindow() == dialog->windowHandle();
+    if (wasActive && dialog->parentWidget() != nullptr)
+        dialog->parentWidget()->window()->activateWindow();
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace hairpaint::app

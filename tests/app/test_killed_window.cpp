@@ -1,0 +1,222 @@
+// The window is killed while somebody paints: the file opens, and the next start has all but the last second.
+#include "app/background/journal_folder.h"
+#include "model/journal/journal_reader.h"
+#include "tests/app/window_fixture.h"
+#include "tests/support/test_program.h"
+
+#include <QCryptographicHash>
+#include <QProcess>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <random>
+
+namespace hairpaint::app {
+
+namespace {
+
+constexpr const char* kFolderVariable = "HAIRPAINT_KILLED_FOLDER";
+constexpr const char* kSeedVariable = "HAIRPAINT_KILLED_SEED";
+constexpr qint64 kMostLostMs = 1000;
+constexpr const char* kGoesBack = "goes back or forth\n"; ///< Written down before an undo or a redo.
+
+QByteArray hashOf(const QByteArray& bytes)
+{
+    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex();
+}
+
+/// One line of what the window wrote down before it was killed: what was open from `timeMs` on.
+struct Moment
+{
+    qint64 timeMs = 0;
+    QByteArray content;
+};
+
+} // namespace
+
+class TestKilledWindow : public QObject, private WindowFixture
+{
+    Q_OBJECT
+private:
+    std::mt19937 m_random;
+
+    unsigned below(unsigned count) { return static_cast<unsigned>(m_random() % count); }
+    int belowInt(int count) { return static_cast<int>(below(static_cast<unsigned>(count))); }
+
+    [[nodiscard]] QByteArray hashOfProject(const model::Project& project) const
+    {
+        const QString path = m_folder.filePath(QStringLiteral("content.hairpaint"));
+        QFile file(path);
+        if (!model::saveProject(project, path, {}) || !file.open(QIODevice::ReadOnly))
+            return {};
+        return hashOf(file.readAll());
+    }
+
+    /// Somebody paints on some map, in either area, undoes, fills, and saves now and then. `begins` is told what.
+    void edit(const std::function<void(const char*)>& begins)
+    {
+        constexpr std::array kMaps{Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_6, Qt::Key_8, Qt::Key_9};
+        constexpr std::array kTools{Qt::Key_B, Qt::Key_B, Qt::Key_E, Qt::Key_C};
+        const unsigned what = below(12);
+        begins(what < 3 ? kGoesBack : "goes on\n");
+        switch (what) {
+        case 0:
+        case 1:
+            return key(Qt::Key_Z, Qt::ControlModifier);
+        case 2:
+            return key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        case 3:
+            return key(Qt::Key_Backspace, Qt::AltModifier);
+        case 4:
+            return m_window->actions().find(QLatin1StringView("file.save"))->trigger();
+        default:
+            break;
+        }
+        key(kMaps[below(kMaps.size())]);
+        key(kTools[below(kTools.size())]);
+        QWidget& area =
+            below(3) == 0 ? static_cast<QWidget&>(m_window->headView()) : static_cast<QWidget&>(m_window->paintView());
+        const auto somewhere = [&] { return QPoint(belowInt(area.width()), belowInt(area.height())); };
+        drag(area, somewhere(), somewhere());
+    }
+
+    /// What another process wrote down.
+    static std::vector<Moment> momentsIn(const QString& path)
+    {
+        std::vector<Moment> moments;
+        for (const QString& line : contentOf(path).split(QLatin1Char('\n')))
+            if (const QStringList words = line.split(QLatin1Char(' ')); words.size() == 2 && words[1].size() == 64)
+                moments.push_back({words[0].toLongLong(), words[1].toLatin1()});
+        return moments;
+    }
+
+    static QString contentOf(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? QString::fromLatin1(file.readAll()) : QString();
+    }
+
+    /// The first moment that may come back: what was open a second before the end.
+    static std::size_t firstAllowed(const std::vector<Moment>& moments, qint64 killedMs)
+    {
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < moments.size(); ++i)
+            if (moments[i].timeMs <= killedMs - kMostLostMs)
+                first = i;
+        return first;
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        prepareApplication();
+        QCoreApplication::setApplicationName(QStringLiteral("hairpaint-killed-test")); // A root of its own.
+    }
+    void cleanup() { m_window.reset(); }
+
+    /// The process that is killed: does nothing where no other one has started it.
+    void editsUntilItIsKilled()
+    {
+        const QString folder = qEnvironmentVariable(kFolderVariable);
+        if (folder.isEmpty())
+            return;
+        m_random.seed(static_cast<unsigned>(qEnvironmentVariableIntValue(kSeedVariable)));
+        openWindow(model::newProject());
+        const QString path = QDir(folder).filePath(QStringLiteral("work.hairpaint"));
+        QVERIFY(model::saveProject(session().document().committed(), path, {}));
+        QVERIFY(m_window->files().openPath(path));
+        QFile log(QDir(folder).filePath(QStringLiteral("log")));
+        QVERIFY(log.open(QIODevice::WriteOnly | QIODevice::Unbuffered));
+        const auto writeDown = [&] {
+            // The time first: what takes long to write down was there before.
+            const QByteArray time = QByteArray::number(QDateTime::currentMSecsSinceEpoch());
+            log.write(time + ' ' + hashOfProject(session().document().committed()) + '\n');
+        };
+        for (writeDown();; writeDown()) {
+            QTest::qWait(belowInt(80));
+            edit([&log](const char* action) { log.write(action); });
+            session().document().endEdit();
+            QCoreApplication::processEvents();
+        }
+    }
+
+    void aKilledWindowLosesTheLastSecondAtMost()
+    {
+        const int kills = std::max(qEnvironmentVariableIntValue("HAIRPAINT_KILLS"), 2);
+        const QString log = m_folder.filePath(QStringLiteral("log"));
+        const QString saved = m_folder.filePath(QStringLiteral("work.hairpaint"));
+        int fromJournal = 0;
+        int stepsLost = 0;
+        qint64 longestMs = 0;
+        m_random.seed(4);
+        for (int turn = 0; turn < kills; ++turn) {
+            QFile::remove(log);
+            QProcess window;
+            window.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert(QLatin1StringView(kFolderVariable), m_folder.path());
+            environment.insert(QLatin1StringView(kSeedVariable), QString::number(turn));
+            window.setProcessEnvironment(environment);
+            window.start(QCoreApplication::applicationFilePath(),
+                         {QStringLiteral("killed_window"), QStringLiteral("editsUntilItIsKilled"),
+                          QStringLiteral("-maxwarnings"), QStringLiteral("0")});
+            QTRY_VERIFY_WITH_TIMEOUT(momentsIn(log).size() > 1, kPatienceMs);
+            QTest::qWait(belowInt(4000));
+            QCOMPARE(window.state(), QProcess::Running);
+            const qint64 killedMs = QDateTime::currentMSecsSinceEpoch();
+            window.kill();
+            QVERIFY(window.waitForFinished(kPatienceMs));
+
+            const model::Result<model::Project> file = model::loadProject(saved);
+            QVERIFY2(file, file ? "" : qPrintable(file.error().message));
+            std::optional<model::RecoveredWork> work;
+            for (const auto& folder : JournalFolder::abandoned(JournalFolder::root())) {
+                auto read = model::readJournal(folder->file());
+                QVERIFY2(read, read ? "" : qPrintable(read.error().message));
+                if (*read)
+                    work = std::move(**read);
+                folder->remove();
+            }
+            const std::vector<Moment> moments = momentsIn(log);
+            const std::size_t first = firstAllowed(moments, killedMs);
+            const auto among = [&](const QByteArray& content) {
+                for (std::size_t i = moments.size(); i > first; --i)
+                    if (moments[i - 1].content == content)
+                        return static_cast<int>(moments.size() - i);
+                return -1;
+            };
+            fromJournal += work ? 1 : 0;
+            const QByteArray came = hashOfProject(work ? work->steps[work->current].project : *file);
+            int lost = among(came);
+            // One step further than what was written down? That stands beside it in the history; or an undo led back to
+            // what the file holds, and there is nothing unsaved.
+            const QString written = contentOf(log);
+            if (lost < 0 && work && !written.endsWith(QString::fromLatin1(moments.back().content) + u'\n'))
+                for (const std::size_t beside : {work->current - 1, work->current + 1})
+                    if (lost < 0 && beside < work->steps.size() &&
+                        hashOfProject(work->steps[beside].project) == moments.back().content)
+                        lost = 0;
+            if (lost < 0 && !work && written.endsWith(QLatin1StringView(kGoesBack)))
+                lost = std::ranges::any_of(moments, [&](const Moment& m) { return m.content == came; }) ? 0 : -1;
+            QVERIFY2(lost >= 0, qPrintable(QStringLiteral("Kill %1: what came back from the %2 is none of the %3 last "
+                                                          "moments; log:\n%4")
+                                               .arg(turn)
+                                               .arg(work ? QLatin1String("journal") : QLatin1String("file"))
+                                               .arg(moments.size() - first)
+                                               .arg(written)));
+            stepsLost += lost > 0 ? 1 : 0;
+            if (lost > 0)
+                longestMs =
+                    std::max(longestMs, killedMs - moments[moments.size() - static_cast<std::size_t>(lost)].timeMs);
+        }
+        qInfo(
+            "%d kills: %d came back from the journal, the others from the file; %d lost something, of the last %lld ms",
+            kills, fromJournal, stepsLost, static_cast<long long>(longestMs));
+    }
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestKilledWindow, Widgets)
+#include "test_killed_window.moc"
