@@ -2,13 +2,14 @@
 #include "app/exchange.h"
 
 #include "app/background/heads.h"
+#include "app/blender_addon.h"
+#include "app/hair_export.h"
 #include "app/library.h"
 #include "app/picture.h"
 #include "app/save_dialog.h"
 #include "app/style_pictures.h"
 #include "model/commands/commands.h"
 #include "model/files/glb.h"
-#include "model/files/hair_file.h"
 #include "model/files/image_map.h"
 #include "model/files/sentences.h"
 #include "model/style_transfer.h"
@@ -144,7 +145,7 @@ void Exchange::importHeadFrom(const QString& path)
     if (!*mesh)
         return complain(mesh->error().message);
     view::HeadImportDialog dialog(**mesh, name, &m_window);
-    Q_EMIT headDialogMade(dialog);
+    Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::HeadImport);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const model::HeadGuess guess{.unitScale = dialog.unitScale(), .upAxis = dialog.upAxis()};
@@ -165,7 +166,7 @@ void Exchange::importHeadFrom(const QString& path)
 std::shared_ptr<const model::Head> Exchange::withLandmarksAsked(const std::shared_ptr<const model::Head>& head)
 {
     view::LandmarksDialog dialog(head, &m_window);
-    Q_EMIT headDialogMade(dialog);
+    Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::HeadImport);
     if (dialog.exec() != QDialog::Accepted)
         return nullptr;
     return head->landmarks == dialog.landmarks() ? head : model::withLandmarks(*head, dialog.landmarks());
@@ -240,11 +241,49 @@ std::shared_ptr<const sim::StrandFrame> Exchange::currentHair()
 
 void Exchange::exportHair()
 {
-    const QString path = askSavePath(tr("Export hair"), tr("hair"), tr("Hair curves (*.hair)"), QStringLiteral("hair"));
-    const std::shared_ptr<const sim::StrandFrame> frame = path.isEmpty() ? nullptr : currentHair();
+    const std::shared_ptr<const sim::StrandFrame> frame = currentHair();
     if (frame == nullptr)
         return;
-    write(path, [&](const model::Progress& progress) { return model::writeHairFile(*frame, path, progress); });
+    const model::Project project = m_session.document().committed();
+    view::ExportHairDialog dialog(exportableGroups(project, *frame), m_export, &m_window);
+    Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::HairExport);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    view::HairExportChoice choice = dialog.choice();
+    m_export = choice;
+    const QString suffix = QString::fromLatin1(choice.request.format->suffix);
+    const QString path =
+        askSavePath(tr("Export hair"), tr("hair"),
+                    QStringLiteral("%1 (*.%2)").arg(choice.request.format->titleText(), suffix), suffix);
+    if (path.isEmpty())
+        return;
+    // The name's ending may tell of another format.
+    if (const model::ExportFormat* named = model::findExportFormat(path))
+        choice.request.format = named;
+    write(path, [&](const model::Progress& progress) { return exportChosen(project, frame, choice, path, progress); });
+}
+
+void Exchange::installBlenderAddon()
+{
+    const QStringList folders = blenderAddonFolders();
+    if (folders.isEmpty()) {
+        const QString name = blenderAddonName();
+        const QString path = askSavePath(tr("Save Blender add-on"), QFileInfo(name).completeBaseName(),
+                                         tr("Python scripts (*.py)"), QFileInfo(name).suffix());
+        if (!path.isEmpty())
+            write(path, [&path](const model::Progress&) { return saveBlenderAddon(path); });
+        return;
+    }
+    QStringList versions;
+    for (const QString& folder : folders) {
+        if (const model::Result<void> installed = app::installBlenderAddon(folder); !installed)
+            return complain(installed.error().message);
+        versions += blenderVersionOf(folder);
+    }
+    QMessageBox::information(&m_window, tr("Blender add-on"),
+                             tr("The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit > "
+                                "Preferences > Add-ons; then File > Import reads hair that is exported as .hair.")
+                                 .arg(versions.join(QLatin1String(", "))));
 }
 
 void Exchange::savePicture()

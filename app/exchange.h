@@ -5,13 +5,13 @@
 #include "app/session.h"
 #include "app/settings.h"
 #include "model/files/head_file.h"
+#include "view/dialogs/export_hair_dialog.h"
+#include "view/dialogs/help_dialog.h"
 #include "view/rendering/scene.h"
 
 #include <QObject>
 
 #include <functional>
-
-class QDialog;
 
 namespace hairpaint::app {
 
@@ -35,6 +35,8 @@ public:
     void moveLandmarks();
     void useBuiltInHead(const model::NamedHead& named);
     void exportHair();
+    /// Into every Blender that is there; asks for a place where there is none.
+    void installBlenderAddon();
     void savePicture();
     void saveStyle();
     void renameStyle(const QString& path); ///< Asks for the name.
@@ -44,7 +46,8 @@ public:
     [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair();
 
 Q_SIGNALS:
-    void headDialogMade(QDialog& dialog); ///< About to be shown.
+    /// About to be shown; the help has a page on it.
+    void dialogMade(QDialog& dialog, hairpaint::view::HelpDialog::Topic topic);
     void stylesChanged();
     void done(const QString& message); ///< For the status bar.
 
@@ -68,6 +71,7 @@ private:
     Jobs& m_jobs;
     QWidget& m_window;
     std::function<rendering::Scene()> m_scene;
+    view::HairExportChoice m_export; ///< That was last made.
 };
 
 } // namespace hairpaint::app

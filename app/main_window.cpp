@@ -62,8 +62,8 @@ ProjectFiles::Picture thumbnailOf(rendering::Scene scene)
 MainWindow::MainWindow(model::Project project, const QString& path, QWidget* parent)
     : QMainWindow(parent), m_session(std::move(project)), m_jobs(*this), m_files(m_session, m_settings, m_jobs, *this),
       m_journal(m_session.document(), JournalFolder::root()), m_exchange(m_session, m_settings, m_jobs, *this),
-      m_actions(m_settings, *this), m_preferences(m_settings), m_clipCommands(m_session),
-      m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this)
+      m_mapExchange(m_session, m_settings, m_jobs, *this), m_actions(m_settings, *this), m_preferences(m_settings),
+      m_clipCommands(m_session), m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this)
 {
     setAcceptDrops(true);
     setMinimumSize(kSmallestWindow);
@@ -118,7 +118,7 @@ void MainWindow::buildMenus()
     view::EditorState& editor = m_session.editor();
     view::HeadView& head = m_workspace->headView();
     view::Sidebar& sidebar = m_workspace->sidebar();
-    m_fileMenu = new FileMenu(tr("&File"), m_actions, m_files, m_exchange, editor, bar);
+    m_fileMenu = new FileMenu(tr("&File"), m_actions, m_files, m_exchange, m_mapExchange, editor, bar);
     for (QMenu* menu : std::initializer_list<QMenu*>{
              m_fileMenu,
              new EditMenu(tr("&Edit"), m_actions, m_session, m_clipCommands, sidebar.layers(), m_dialogs, bar),
@@ -194,6 +194,7 @@ void MainWindow::connectAreas()
     connect(&paint, &view::PaintView::statusText, &status, showMessage);
     connect(&m_clipCommands, &ClipCommands::told, &status, showMessage);
     connect(&m_exchange, &Exchange::done, &status, showMessage);
+    connect(&m_mapExchange, &MapExchange::done, &status, showMessage);
     auto* areaMenu = new AreaMenu(m_actions, this);
     const auto showMenu = [areaMenu](const QPoint& globalPosition) { areaMenu->popup(globalPosition); };
     connect(&head, &view::HeadView::contextMenuWanted, areaMenu, showMenu);
@@ -209,8 +210,11 @@ void MainWindow::connectFiles()
     view::StatusReadout& status = m_workspace->status();
     connect(&m_journal, &Journal::stopped, &status, &view::StatusReadout::setUnprotected);
     connect(&m_journal, &Journal::resumed, &status, [&status] { status.setUnprotected({}); });
-    connect(&m_exchange, &Exchange::headDialogMade, this,
-            [this](QDialog& dialog) { m_dialogs.addHelpKey(dialog, view::HelpDialog::Topic::HeadImport); });
+    const auto addHelp = [this](QDialog& dialog, view::HelpDialog::Topic topic) {
+        m_dialogs.addHelpKey(dialog, topic);
+    };
+    connect(&m_exchange, &Exchange::dialogMade, this, addHelp);
+    connect(&m_mapExchange, &MapExchange::dialogMade, this, addHelp);
     connect(&m_preferences, &LivePreferences::changed, this, &MainWindow::applyPreferences);
 }
 

@@ -5,6 +5,7 @@
 #include "app/background/journal.h"
 #include "app/clip_commands.h"
 #include "app/exchange.h"
+#include "app/map_exchange.h"
 #include "app/focus_return.h"
 #include "app/live_preferences.h"
 #include "app/physical_keys.h"
@@ -81,6 +82,7 @@ private:
     ProjectFiles m_files;
     Journal m_journal;
     Exchange m_exchange;
+    MapExchange m_mapExchange;
     ActionSet m_actions;
     LivePreferences m_preferences;
     ClipCommands m_clipCommands;

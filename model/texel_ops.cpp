@@ -113,6 +113,13 @@ void scalarsFromColours(const MapSpec& spec, std::span<sim::Texel> texels)
     }
 }
 
+void scalarsToGreys(const MapSpec& /*spec*/, const std::uint16_t* values, std::size_t step, std::size_t count,
+                    std::uint16_t* greys)
+{
+    for (std::size_t texel = 0; texel < count; ++texel)
+        greys[texel] = values[texel * step];
+}
+
 void scalarsFromGreys(const MapSpec& /*spec*/, std::span<sim::Texel> texels)
 {
     for (sim::Texel& texel : texels)
@@ -201,6 +208,14 @@ void indicesFromColours(const MapSpec& spec, std::span<sim::Texel> texels)
 }
 
 /// A grey of 0..1 spread over the palette's entries.
+void indicesToGreys(const MapSpec& spec, const std::uint16_t* values, std::size_t step, std::size_t count,
+                    std::uint16_t* greys)
+{
+    const auto last = static_cast<std::uint32_t>(spec.palette.size() - 1);
+    for (std::size_t texel = 0; texel < count; ++texel)
+        greys[texel] = static_cast<std::uint16_t>(std::min<std::uint32_t>(values[texel * step], last) * 65535U / last);
+}
+
 void indicesFromGreys(const MapSpec& spec, std::span<sim::Texel> texels)
 {
     const auto last = static_cast<float>(spec.palette.size() - 1);
@@ -380,6 +395,7 @@ constexpr std::array kOps{
              .blend = blendScalars,
              .mix = mixValues<1>,
              .toColours = scalarsToColours,
+             .toGreys = scalarsToGreys,
              .fromColours = scalarsFromColours,
              .fromGreys = scalarsFromGreys,
              .paintValue = scalarOf,
@@ -393,6 +409,7 @@ constexpr std::array kOps{
              .blend = blendIndices,
              .mix = chooseIndices,
              .toColours = indicesToColours,
+             .toGreys = indicesToGreys,
              .fromColours = indicesFromColours,
              .fromGreys = indicesFromGreys,
              .paintValue = indexOfTexel,
@@ -406,6 +423,7 @@ constexpr std::array kOps{
              .blend = blendColours,
              .mix = mixValues<3>,
              .toColours = coloursAsTheyAre,
+             .toGreys = nullptr,
              .fromColours = coloursFromColours,
              .fromGreys = coloursFromGreys,
              .paintValue = colourOf,
@@ -419,6 +437,7 @@ constexpr std::array kOps{
              .blend = blendVectors,
              .mix = mixValues<2>,
              .toColours = vectorsToColours,
+             .toGreys = nullptr,
              .fromColours = vectorsFromColours,
              .fromGreys = vectorsFromGreys,
              .paintValue = vectorOf,

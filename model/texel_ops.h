@@ -41,6 +41,9 @@ struct TexelOps
     /// Values that lie `step` channels apart as [count][3] encoded colours, on white or night paper.
     void (*toColours)(const MapSpec& spec, bool nightPaper, const std::uint16_t* values, std::size_t step,
                       std::size_t count, std::uint16_t* colours);
+    /// The same as [count] greys that fromGreys reads as the same values; null where a grey can't tell them.
+    void (*toGreys)(const MapSpec& spec, const std::uint16_t* values, std::size_t step, std::size_t count,
+                    std::uint16_t* greys);
     /// In place: red, green, blue, alpha as a layer's texels, by the map's colours or by grey as the value.
     void (*fromColours)(const MapSpec& spec, std::span<sim::Texel> texels);
     void (*fromGreys)(const MapSpec& spec, std::span<sim::Texel> texels);

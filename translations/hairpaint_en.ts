@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>hairpaint::app::MapExchange</name>
+    <message numerus="yes">
+        <source>There are already %Ln of these files, &apos;%1&apos; among them. Replace them?</source>
+        <translation>
+            <numerusform>There is already %Ln of these files, &apos;%1&apos;. Replace it?</numerusform>
+            <numerusform>There are already %Ln of these files, &apos;%1&apos; among them. Replace them?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln maps written</source>
+        <translation>
+            <numerusform>%Ln map written</numerusform>
+            <numerusform>%Ln maps written</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::app::RecoveryDialog</name>
     <message numerus="yes">
         <source>Last changed %1, %n step(s) to undo</source>

@@ -103,10 +103,6 @@
         <translation>--%1 admite un número de %2 a %3, no «%4»</translation>
     </message>
     <message>
-        <source>-o takes a name that ends in .hair</source>
-        <translation>-o necesita un nombre que acabe en .hair</translation>
-    </message>
-    <message>
         <source>makes a project</source>
         <translation>crea un proyecto</translation>
     </message>
@@ -117,10 +113,6 @@
     <message>
         <source>lists the library of styles</source>
         <translation>lista los peinados de la biblioteca</translation>
-    </message>
-    <message>
-        <source>writes the hair as curves</source>
-        <translation>escribe el pelo como curvas</translation>
     </message>
     <message>
         <source>takes pictures</source>
@@ -237,10 +229,6 @@
         <translation>en m/s, en lugar del viento del proyecto; x a la izquierda de la cabeza, y arriba, z adelante</translation>
     </message>
     <message>
-        <source>the curves to write</source>
-        <translation>las curvas que se escriben</translation>
-    </message>
-    <message>
         <source>in pixels; 1024x1024 unless given</source>
         <translation>en píxeles; 1024x1024 si no se da</translation>
     </message>
@@ -289,10 +277,6 @@
     <message>
         <source>There is no skin &apos;%1&apos;</source>
         <translation>No hay ninguna piel «%1»</translation>
-    </message>
-    <message>
-        <source>the head moves once after that, and the hair settles for 1 s more</source>
-        <translation>después, la cabeza se mueve una vez y el pelo se asienta 1 s más</translation>
     </message>
     <message>
         <source>the head moves from frame 0 on, again and again; for films</source>
@@ -365,6 +349,86 @@
     <message>
         <source>There is no light &apos;%1&apos;</source>
         <translation>No hay ninguna luz «%1»</translation>
+    </message>
+    <message>
+        <source>the file to write: curves, USD, lines, or ribbons as a mesh</source>
+        <translation>el archivo que se escribe: curvas, USD, líneas o cintas como malla</translation>
+    </message>
+    <message>
+        <source>whose unit and axes: blender, unreal, godot, unity or maya; any, in metres with y up, unless given</source>
+        <translation>con la unidad y los ejes de quién: blender, unreal, godot, unity o maya; any, en metros con y hacia arriba, si no se indica</translation>
+    </message>
+    <message>
+        <source>only this hair group; may be given again for more</source>
+        <translation>solo este grupo de pelo; puede repetirse para más</translation>
+    </message>
+    <message>
+        <source>leaves out points of the hairs that lie so near to the line without them</source>
+        <translation>omite los puntos de los pelos que quedan así de cerca de la línea sin ellos</translation>
+    </message>
+    <message>
+        <source>writes every map as an image into that folder</source>
+        <translation>escribe cada mapa como imagen en esa carpeta</translation>
+    </message>
+    <message>
+        <source>of those images: png, tif, exr or tga; png unless given</source>
+        <translation>de esas imágenes: png, tif, exr o tga; png si no se indica</translation>
+    </message>
+    <message>
+        <source>8 or 16 a channel of png and tif; 16 unless given</source>
+        <translation>8 o 16 por canal de png y tif; 16 si no se indica</translation>
+    </message>
+    <message>
+        <source>values as brightness instead of the scales&apos; colours</source>
+        <translation>los valores como brillo en lugar de los colores de las escalas</translation>
+    </message>
+    <message>
+        <source>writes the head&apos;s UV layout as a sheet to print and draw on</source>
+        <translation>escribe el despliegue UV de la cabeza como hoja para imprimir y dibujar</translation>
+    </message>
+    <message>
+        <source>writes hair, maps and the UV layout for other programs</source>
+        <translation>escribe pelo, mapas y el despliegue UV para otros programas</translation>
+    </message>
+    <message>
+        <source>There is no group &apos;%1&apos; in &apos;%2&apos;; &apos;hairpaint info&apos; lists those that are there.</source>
+        <translation>No hay ningún grupo «%1» en «%2»; «hairpaint info» muestra los que hay.</translation>
+    </message>
+    <message>
+        <source>-o takes a name that ends in %1</source>
+        <translation>-o toma un nombre que termina en %1</translation>
+    </message>
+    <message>
+        <source>--target takes %1, not &apos;%2&apos;</source>
+        <translation>--target toma %1, no «%2»</translation>
+    </message>
+    <message>
+        <source>--image takes png, tif, exr or tga, not &apos;%1&apos;</source>
+        <translation>--image toma png, tif, exr o tga, no «%1»</translation>
+    </message>
+    <message>
+        <source>--depth takes 8 or 16, not &apos;%1&apos;</source>
+        <translation>--depth toma 8 o 16, no «%1»</translation>
+    </message>
+    <message>
+        <source>Nothing to export is named: give -o, --maps or --uv-sheet</source>
+        <translation>No se indica nada que exportar: usa -o, --maps o --uv-sheet</translation>
+    </message>
+    <message>
+        <source>--uv-sheet takes a name that ends in .pdf or .svg</source>
+        <translation>--uv-sheet toma un nombre que termina en .pdf o .svg</translation>
+    </message>
+    <message>
+        <source>the head moves once after that, and the hair settles for 1 s more; of a film, from frame 0 on, again and again</source>
+        <translation>la cabeza se mueve una vez después, y el pelo se asienta 1 s más; en una película, desde el fotograma 0, una y otra vez</translation>
+    </message>
+    <message>
+        <source>hair in motion, a file a frame: FILE.0001.hair and on</source>
+        <translation>pelo en movimiento, un archivo por fotograma: FILE.0001.hair y siguientes</translation>
+    </message>
+    <message>
+        <source>--tolerance and --frames exclude each other</source>
+        <translation>--tolerance y --frames se excluyen</translation>
     </message>
 </context>
 <context>
@@ -474,6 +538,53 @@
     <message>
         <source>Let go to load the image into %1</source>
         <translation>Suelta para cargar la imagen en %1</translation>
+    </message>
+</context>
+<context>
+    <name>Export</name>
+    <message>
+        <source>Any program: metres, y up</source>
+        <translation>Cualquier programa: metros, y hacia arriba</translation>
+    </message>
+    <message>
+        <source>Hair curves</source>
+        <translation>Curvas de pelo</translation>
+    </message>
+    <message>
+        <source>Strands with width, transparency and colour, small and quickly read.</source>
+        <translation>Pelos con grosor, transparencia y color, en un archivo pequeño y rápido de leer.</translation>
+    </message>
+    <message>
+        <source>USD text</source>
+        <translation>USD de texto</translation>
+    </message>
+    <message>
+        <source>Strands and guides for Unreal, Houdini, Maya and Blender 4.</source>
+        <translation>Pelos y guías para Unreal, Houdini, Maya y Blender 4.</translation>
+    </message>
+    <message>
+        <source>USD archive</source>
+        <translation>USD empaquetado</translation>
+    </message>
+    <message>
+        <source>The same as USD text, in one archive.</source>
+        <translation>Lo mismo que el USD de texto, en un paquete.</translation>
+    </message>
+    <message>
+        <source>OBJ lines</source>
+        <translation>Líneas OBJ</translation>
+    </message>
+    <message>
+        <source>Lines that nearly every program reads; without widths.</source>
+        <translation>Líneas que lee casi cualquier programa; sin grosores.</translation>
+    </message>
+    <message>
+        <source>glTF ribbons</source>
+        <translation>Cintas glTF</translation>
+    </message>
+    <message>
+        <source>A flat ribbon a strand, as a mesh for engines and the web. Fewer hairs are wider, so that they cover as much.</source>
+        <translation>Una cinta plana por pelo, como malla para motores y la web. Cuantos menos pelos, más anchos, para que cubran lo mismo.</translation>
     </message>
 </context>
 <context>
@@ -1928,10 +2039,6 @@
         <translation>pelo</translation>
     </message>
     <message>
-        <source>Hair curves (*.hair)</source>
-        <translation>Curvas de pelo (*.hair)</translation>
-    </message>
-    <message>
         <source>Save picture</source>
         <translation>Guardar captura</translation>
     </message>
@@ -2043,6 +2150,22 @@
         <source>OpenEXR images in linear light, without background (*.exr)</source>
         <translation>Imágenes OpenEXR en luz lineal, sin fondo (*.exr)</translation>
     </message>
+    <message>
+        <source>Save Blender add-on</source>
+        <translation>Guardar complemento de Blender</translation>
+    </message>
+    <message>
+        <source>Python scripts (*.py)</source>
+        <translation>Guiones de Python (*.py)</translation>
+    </message>
+    <message>
+        <source>Blender add-on</source>
+        <translation>Complemento de Blender</translation>
+    </message>
+    <message>
+        <source>The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit &gt; Preferences &gt; Add-ons; then File &gt; Import reads hair that is exported as .hair.</source>
+        <translation>El complemento está instalado en Blender %1. Activa allí «Hair Paint hair» en Editar &gt; Preferencias &gt; Complementos; después Archivo &gt; Importar lee el pelo exportado como .hair.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::FileMenu</name>
@@ -2105,6 +2228,22 @@
     <message>
         <source>&amp;Landmarks…</source>
         <translation>&amp;Puntos de referencia…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve maps as images…</source>
+        <translation>Guardar mapas &amp;como imágenes…</translation>
+    </message>
+    <message>
+        <source>Edit layer in ano&amp;ther program</source>
+        <translation>E&amp;ditar la capa en otro programa</translation>
+    </message>
+    <message>
+        <source>Save &amp;UV sheet…</source>
+        <translation>Guardar &amp;hoja UV…</translation>
+    </message>
+    <message>
+        <source>Install B&amp;lender add-on</source>
+        <translation>Instalar complemento de &amp;Blender</translation>
     </message>
 </context>
 <context>
@@ -2287,6 +2426,55 @@
     </message>
 </context>
 <context>
+    <name>hairpaint::app::MapExchange</name>
+    <message>
+        <source>There is no hair group whose maps they could be; add one in the panel Hair.</source>
+        <translation>No hay ningún grupo de pelo del que puedan ser los mapas; añade uno en el panel Pelo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>There are already %Ln of these files, &apos;%1&apos; among them. Replace them?</source>
+        <translation>
+            <numerusform>Ya existe %Ln de estos archivos, «%1». ¿Reemplazarlo?</numerusform>
+            <numerusform>Ya existen %Ln de estos archivos, entre ellos «%1». ¿Reemplazarlos?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing maps</source>
+        <translation>Escribiendo mapas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln maps written</source>
+        <translation>
+            <numerusform>%Ln mapa guardado</numerusform>
+            <numerusform>%Ln mapas guardados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save UV sheet</source>
+        <translation>Guardar hoja UV</translation>
+    </message>
+    <message>
+        <source>uv-sheet</source>
+        <translation>hoja-uv</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf);;SVG drawings (*.svg)</source>
+        <translation>Documentos PDF (*.pdf);;Dibujos SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Escribiendo %1</translation>
+    </message>
+    <message>
+        <source>%1 written</source>
+        <translation>%1 guardado</translation>
+    </message>
+    <message>
+        <source>Hair Paint</source>
+        <translation>Hair Paint</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::app::MapMenu</name>
     <message>
         <source>Map &amp;size</source>
@@ -2315,6 +2503,45 @@
     <message>
         <source>Hair Paint</source>
         <translation>Hair Paint</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::OutsideEdit</name>
+    <message>
+        <source>There is no layer to be edited; add one in the panel Layers.</source>
+        <translation>No hay ninguna capa que editar; añade una en el panel Capas.</translation>
+    </message>
+    <message>
+        <source>The layer &apos;%1&apos; is locked; unlock it in the panel Layers first.</source>
+        <translation>La capa «%1» está bloqueada; desbloquéala antes en el panel Capas.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Escribiendo %1</translation>
+    </message>
+    <message>
+        <source>The system knows no program that opens &apos;%1&apos;; open it yourself: what is saved there comes back.</source>
+        <translation>El sistema no conoce ningún programa que abra «%1»; ábrelo tú: lo que se guarde allí vuelve.</translation>
+    </message>
+    <message>
+        <source>%1 is open elsewhere: what is saved there comes back</source>
+        <translation>%1 está abierto en otro programa: lo que se guarde allí vuelve</translation>
+    </message>
+    <message>
+        <source>The layer of &apos;%1&apos; is no longer there; undo what removed it and save the image again.</source>
+        <translation>La capa de «%1» ya no existe; deshaz lo que la quitó y guarda la imagen de nuevo.</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Leyendo %1</translation>
+    </message>
+    <message>
+        <source>%1 came back</source>
+        <translation>%1 ha vuelto</translation>
+    </message>
+    <message>
+        <source>Edit %1 elsewhere</source>
+        <translation>Editar %1 en otro programa</translation>
     </message>
 </context>
 <context>
@@ -2671,6 +2898,132 @@
     </message>
 </context>
 <context>
+    <name>hairpaint::view::ExportHairDialog</name>
+    <message>
+        <source>Export hair</source>
+        <translation>Exportar pelo</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportar…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Formato</translation>
+    </message>
+    <message>
+        <source>&amp;Program</source>
+        <translation>&amp;Programa</translation>
+    </message>
+    <message>
+        <source>&amp;Shape</source>
+        <translation>Fo&amp;rma</translation>
+    </message>
+    <message>
+        <source>As it is now</source>
+        <translation>Como está ahora</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Asentado</translation>
+    </message>
+    <message>
+        <source>As combed, before it falls</source>
+        <translation>Como está peinado, antes de caer</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupos</translation>
+    </message>
+    <message>
+        <source>Hairs</source>
+        <translation>Pelos</translation>
+    </message>
+    <message>
+        <source>An even share of the hairs that are there.</source>
+        <translation>Una parte uniforme de los pelos que hay.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Leaves out points of the hairs that lie so near to the line without them; with 0 all points are kept.</source>
+        <translation>Omite los puntos de los pelos que quedan así de cerca de la línea sin ellos; con 0 se conservan todos.</translation>
+    </message>
+    <message>
+        <source>There are no hairs to be exported here.</source>
+        <translation>Aquí no hay pelos que exportar.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::ExportMapsDialog</name>
+    <message>
+        <source>Save maps as images</source>
+        <translation>Guardar mapas como imágenes</translation>
+    </message>
+    <message>
+        <source>&amp;Maps</source>
+        <translation>&amp;Mapas</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>All of %1</source>
+        <translation>Todos los de %1</translation>
+    </message>
+    <message>
+        <source>All of every group</source>
+        <translation>Todos los de todos los grupos</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Valores</translation>
+    </message>
+    <message>
+        <source>In the colours of their scales</source>
+        <translation>Con los colores de sus escalas</translation>
+    </message>
+    <message>
+        <source>As grey</source>
+        <translation>En gris</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Formato</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>Pro&amp;fundidad</translation>
+    </message>
+    <message>
+        <source>16 bits a channel</source>
+        <translation>16 bits por canal</translation>
+    </message>
+    <message>
+        <source>8 bits a channel</source>
+        <translation>8 bits por canal</translation>
+    </message>
+    <message>
+        <source>Choose folder…</source>
+        <translation>Elegir carpeta…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::HairPanel</name>
     <message>
         <source>Hair</source>
@@ -2986,6 +3339,26 @@
     <message>
         <source>The buttons are whole arrangements to start from. Where the key light stands, how strong it is and its colour; the fill follows the camera, the rim light stands behind the head and shines through the hair&apos;s tips, the surroundings brighten the shadows from all sides. The background is the picture&apos;s own.</source>
         <translation>Los botones son iluminaciones completas de las que partir. Dónde está la luz principal, su fuerza y su color; el relleno sigue a la cámara, la luz de contorno está detrás de la cabeza y atraviesa las puntas del pelo, el entorno aclara las sombras desde todos los lados. El fondo es propio de la imagen.</translation>
+    </message>
+    <message>
+        <source>Export hair</source>
+        <translation>Exportar pelo</translation>
+    </message>
+    <message>
+        <source>The format says what the file holds, the program whose unit and axes it is written in. USD has the guides and attributes that Unreal reads; Blender reads the curves of .hair with the add-on that File &gt; Install Blender add-on puts there.</source>
+        <translation>El formato dice qué contiene el archivo; el programa, con qué unidad y ejes se escribe. USD lleva las guías y los atributos que lee Unreal; Blender lee las curvas de .hair con el complemento que Archivo &gt; Instalar complemento de Blender pone allí.</translation>
+    </message>
+    <message>
+        <source>Save maps as images</source>
+        <translation>Guardar mapas como imágenes</translation>
+    </message>
+    <message>
+        <source>Each map becomes an image named after its group and itself. In the colours of their scales maps look as they do here, and File &gt; Load image reads them; as grey their brightness is the value, which File &gt; Load grey image reads. Colours and directions are the same both ways.</source>
+        <translation>Cada mapa se convierte en una imagen con el nombre de su grupo y el suyo. Con los colores de sus escalas los mapas se ven como aquí, y Archivo &gt; Cargar imagen los lee; en gris su brillo es el valor, que lee Archivo &gt; Cargar imagen gris. Los colores y las direcciones son iguales de ambas formas.</translation>
+    </message>
+    <message>
+        <source>Fewer hairs are an even share of all. A tolerance leaves out points that lie so near to the line without them that they are hardly missed.</source>
+        <translation>Menos pelos son una parte uniforme de todos. La tolerancia omite puntos que quedan tan cerca de la línea sin ellos que apenas se echan en falta.</translation>
     </message>
 </context>
 <context>

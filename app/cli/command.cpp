@@ -36,14 +36,31 @@ constexpr OptionHelp kHairs{
 constexpr OptionHelp kWind{
     "--wind X,Y,Z",
     QT_TRANSLATE_NOOP("CommandLine", "in m/s, instead of the project's; x to the head's left, y up, z forward")};
+constexpr OptionHelp kRate{"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")};
 constexpr const char* kMotion = "--motion nod|shake|turn";
 constexpr std::array<OptionHelp, 1> kJsonOptions = {{kJson}};
-constexpr std::array<OptionHelp, 5> kExportOptions = {{
-    {"-o, --output FILE.hair", QT_TRANSLATE_NOOP("CommandLine", "the curves to write")},
+constexpr std::array<OptionHelp, 15> kExportOptions = {{
+    {"-o, --output FILE.hair|.usda|.usdz|.obj|.glb",
+     QT_TRANSLATE_NOOP("CommandLine", "the file to write: curves, USD, lines, or ribbons as a mesh")},
+    {"--target NAME",
+     QT_TRANSLATE_NOOP("CommandLine", "whose unit and axes: blender, unreal, godot, unity or maya; any, in metres with "
+                                      "y up, unless given")},
+    {"--group NAME", QT_TRANSLATE_NOOP("CommandLine", "only this hair group; may be given again for more")},
+    {"--tolerance MM",
+     QT_TRANSLATE_NOOP("CommandLine", "leaves out points of the hairs that lie so near to the line without them")},
     kSettle,
     kHairs,
     kWind,
-    {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves once after that, and the hair settles for 1 s more")},
+    {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves once after that, and the hair settles for 1 s more; of "
+                                               "a film, from frame 0 on, again and again")},
+    {"--frames A-B", QT_TRANSLATE_NOOP("CommandLine", "hair in motion, a file a frame: FILE.0001.hair and on")},
+    kRate,
+    {"--maps FOLDER", QT_TRANSLATE_NOOP("CommandLine", "writes every map as an image into that folder")},
+    {"--image FORMAT", QT_TRANSLATE_NOOP("CommandLine", "of those images: png, tif, exr or tga; png unless given")},
+    {"--depth BITS", QT_TRANSLATE_NOOP("CommandLine", "8 or 16 a channel of png and tif; 16 unless given")},
+    {"--grey", QT_TRANSLATE_NOOP("CommandLine", "values as brightness instead of the scales' colours")},
+    {"--uv-sheet FILE.pdf|.svg",
+     QT_TRANSLATE_NOOP("CommandLine", "writes the head's UV layout as a sheet to print and draw on")},
 }};
 constexpr std::array<OptionHelp, 15> kRenderOptions = {{
     {"-o, --output FILE.png|FILE.exr",
@@ -66,7 +83,7 @@ constexpr std::array<OptionHelp, 15> kRenderOptions = {{
                                                       "project's")},
     kSettle,
     {"--frames A-B", QT_TRANSLATE_NOOP("CommandLine", "a film instead of one picture: FILE.0001.png and on")},
-    {"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")},
+    kRate,
     kHairs,
     kWind,
     {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves from frame 0 on, again and again; for films")},
@@ -80,8 +97,12 @@ constexpr std::array<Command, 5> kCommands = {{
     {"info", "P.hairpaint [--json]", QT_TRANSLATE_NOOP("CommandLine", "tells what a project holds"), kJsonOptions,
      runInfo},
     {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), kJsonOptions, runPresets},
-    {"export", "P.hairpaint -o FILE.hair [--settle SECONDS] [--hairs N] [--wind X,Y,Z] [--motion nod|shake|turn]",
-     QT_TRANSLATE_NOOP("CommandLine", "writes the hair as curves"), kExportOptions, runExport},
+    {"export",
+     "P.hairpaint [-o FILE.hair|.usda|.usdz|.obj|.glb] [--target NAME] [--group NAME]... [--tolerance MM] "
+     "[--settle SECONDS] [--hairs N] [--wind X,Y,Z] [--motion nod|shake|turn] [--frames A-B] [--fps F] "
+     "[--maps FOLDER] [--image png|tif|exr|tga] [--depth 8|16] [--grey] [--uv-sheet FILE.pdf|.svg]",
+     QT_TRANSLATE_NOOP("CommandLine", "writes hair, maps and the UV layout for other programs"), kExportOptions,
+     runExport},
     {"render",
      "P.hairpaint -o FILE.png|FILE.exr [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
      "[--camera AZIMUTH,ELEVATION[,DISTANCE]] [--fit hair|head|bust] [--samples N] [--transparent] [--skin NAME] "

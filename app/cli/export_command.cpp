@@ -1,47 +1,243 @@
-// `hairpaint export`: the hair as curves.
+// `hairpaint export`: the hair for other programs.
 #include "app/cli/command.h"
+#include "app/cli/film.h"
 #include "app/cli/settled_hair.h"
-#include "model/files/hair_file.h"
+#include "model/document.h"
+#include "model/exporting/export_format.h"
+#include "model/exporting/map_images.h"
+#include "model/exporting/uv_sheet.h"
 #include "model/files/project_file.h"
+#include "model/files/sentences.h"
+#include "model/files/staged_files.h"
+
+#include <QFileInfo>
 
 namespace hairpaint::app {
 
+namespace {
+
+constexpr const char* kExport = "export";
+constexpr double kMetresPerMm = 1e-3;
+constexpr double kGreatestToleranceMm = 10.0;
+
+QString formatList()
+{
+    QStringList suffixes;
+    for (const model::ExportFormat& format : model::exportFormats())
+        suffixes += QLatin1Char('.') + QLatin1StringView(format.suffix);
+    return suffixes.join(QLatin1String(", "));
+}
+
+QString targetList()
+{
+    QStringList ids;
+    for (const model::ExportTarget& target : model::exportTargets())
+        ids += QString::fromLatin1(target.id);
+    return ids.join(QLatin1String(", "));
+}
+
+/// Those of these names, all where there are none; the problem where the project has no such group.
+model::Result<std::vector<model::CurveGroupName>> groupsNamed(const model::Project& project, const QStringList& names,
+                                                              const QString& path)
+{
+    std::vector<model::CurveGroupName> groups;
+    QStringList missing = names;
+    for (const model::HairGroup& group : project.groups) {
+        if (names.isEmpty() || names.contains(group.name))
+            groups.push_back({.id = group.id, .name = group.name});
+        missing.removeAll(group.name);
+    }
+    if (missing.isEmpty())
+        return groups;
+    return model::failure(
+        CommandLine::tr("There is no group '%1' in '%2'; 'hairpaint info' lists those that are there.")
+            .arg(missing.front(), model::shownPath(path)));
+}
+
+/// What is wanted of the hair, without its groups; the problem in words.
+tl::expected<model::ExportRequest, QString> readRequest(const QCommandLineParser& parser, const QString& output)
+{
+    model::ExportRequest request;
+    request.format = &model::exportFormats().front();
+    if (parser.isSet(QStringLiteral("o")))
+        request.format = model::findExportFormat(output);
+    if (request.format == nullptr)
+        return tl::unexpected(CommandLine::tr("-o takes a name that ends in %1").arg(formatList()));
+    request.target = &model::exportTargets().front();
+    if (parser.isSet(QStringLiteral("target"))) {
+        const QString id = parser.value(QStringLiteral("target"));
+        request.target = model::findExportTarget(id);
+        if (request.target == nullptr)
+            return tl::unexpected(CommandLine::tr("--target takes %1, not '%2'").arg(targetList(), id));
+    }
+    return request;
+}
+
+/// What is wanted of the maps; the problem in words.
+tl::expected<model::MapImageOptions, QString> readMapOptions(const QCommandLineParser& parser)
+{
+    model::MapImageOptions options{.grey = parser.isSet(QStringLiteral("grey"))};
+    if (parser.isSet(QStringLiteral("image"))) {
+        options.format = model::findMapImageFormat(parser.value(QStringLiteral("image")));
+        if (options.format == nullptr)
+            return tl::unexpected(CommandLine::tr("--image takes png, tif, exr or tga, not '%1'")
+                                      .arg(parser.value(QStringLiteral("image"))));
+    }
+    if (parser.isSet(QStringLiteral("depth"))) {
+        const QString depth = parser.value(QStringLiteral("depth"));
+        if (depth != QLatin1String("8") && depth != QLatin1String("16"))
+            return tl::unexpected(CommandLine::tr("--depth takes 8 or 16, not '%1'").arg(depth));
+        options.bits = depth.toInt();
+    }
+    return options;
+}
+
+std::vector<model::WantedMap> wantedMapsOf(const model::Project& project,
+                                           const std::vector<model::CurveGroupName>& groups)
+{
+    model::Document document(project);
+    std::vector<model::WantedMap> maps;
+    maps.reserve(groups.size() * model::mapSpecs().size());
+    for (const model::CurveGroupName& group : groups)
+        for (const model::MapSpec& spec : model::mapSpecs())
+            maps.push_back(
+                {.group = group.name, .kind = spec.kind, .resolved = document.resolvedNow(group.id, spec.kind)});
+    return maps;
+}
+
+/// How the hair comes into the shape that it is exported in.
+struct HairMotion
+{
+    double settleSeconds = 0.0;
+    std::optional<glm::vec3> windVelocity;
+    std::optional<sim::NeckMotion> motion;
+    Film film;
+};
+
+/// A film's files lie beside their places until the last one is there.
+model::Result<void> exportFilm(SettledHair& hair, const HairMotion& wanted, const model::ExportRequest& request,
+                               const QString& output)
+{
+    const model::StagedFiles staged(QFileInfo(output).absolutePath());
+    QStringList places;
+    hair.setMotion(wanted.motion);
+    for (int number = 0; number <= wanted.film.last; ++number) {
+        hair.advance(secondsBefore(number, wanted.film.framesPerSecond));
+        if (number < wanted.film.first)
+            continue;
+        places += framePath(output, number);
+        if (model::Result<void> written = model::exportHair(hair.frame(), request, staged.pathFor(places.back()));
+            !written)
+            return tl::unexpected(staged.named(std::move(written.error()), places.back()));
+    }
+    return staged.publish(places);
+}
+
+model::Result<void> exportShape(model::Project project, const HairMotion& wanted, const model::ExportRequest& request,
+                                const QString& output)
+{
+    SettledHair hair(std::move(project), wanted.settleSeconds, {.hairs = {}, .windVelocity = wanted.windVelocity});
+    if (wanted.film.wanted())
+        return exportFilm(hair, wanted, request, output);
+    if (wanted.motion) {
+        constexpr double kAfterMotionSeconds = 1.0;
+        hair.setMotion(wanted.motion);
+        hair.advance(sim::secondsOf(*wanted.motion));
+        hair.setMotion(std::nullopt);
+        hair.advance(kAfterMotionSeconds);
+    }
+    return model::exportHair(hair.frame(), request, output);
+}
+
+/// Every file that will be written can be.
+model::Result<void> checkShapes(const QString& output, const Film& film, const QStringList& inputs)
+{
+    if (!film.wanted())
+        return checkOutput(output, inputs);
+    for (int number = film.first; number <= film.last; ++number)
+        if (model::Result<void> free = checkOutput(framePath(output, number), inputs); !free)
+            return free;
+    return {};
+}
+
+} // namespace
+
 ExitCode runExport(const QStringList& arguments)
 {
-    constexpr const char* kName = "export";
     QCommandLineParser parser;
     parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
+                       {QStringLiteral("target"), {}, QStringLiteral("name")},
+                       {QStringLiteral("group"), {}, QStringLiteral("name")},
+                       {QStringLiteral("tolerance"), {}, QStringLiteral("mm")},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("hairs"), {}, QStringLiteral("number")},
                        {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
-                       {QStringLiteral("motion"), {}, QStringLiteral("name")}});
-    const std::optional<QStringList> files = parse(parser, kName, arguments, 1);
+                       {QStringLiteral("motion"), {}, QStringLiteral("name")},
+                       {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
+                       {QStringLiteral("fps"), {}, QStringLiteral("number")},
+                       {QStringLiteral("maps"), {}, QStringLiteral("folder")},
+                       {QStringLiteral("image"), {}, QStringLiteral("format")},
+                       {QStringLiteral("depth"), {}, QStringLiteral("bits")},
+                       {QStringLiteral("grey"), {}},
+                       {QStringLiteral("uv-sheet"), {}, QStringLiteral("file")}});
+    const std::optional<QStringList> files = parse(parser, kExport, arguments, 1);
     if (!files)
         return ExitCode::WrongUsage;
     const QString output = parser.value(QStringLiteral("o"));
-    if (!output.endsWith(QLatin1String(".hair"), Qt::CaseInsensitive))
-        return wrongUsage(kName, CommandLine::tr("-o takes a name that ends in .hair"));
-    const std::optional<double> settle = numberOption(parser, kName, QStringLiteral("settle"), 0.0, 0.0, 60.0);
-    const auto hairs = hairsOption(parser, kName);
-    const auto wind = windOption(parser, kName);
-    const auto motion = motionOption(parser, kName);
-    if (!settle || !hairs || !wind || !motion)
+    const QString mapFolder = parser.value(QStringLiteral("maps"));
+    const QString sheet = parser.value(QStringLiteral("uv-sheet"));
+    if (output.isEmpty() && mapFolder.isEmpty() && sheet.isEmpty())
+        return wrongUsage(kExport, CommandLine::tr("Nothing to export is named: give -o, --maps or --uv-sheet"));
+    tl::expected<model::ExportRequest, QString> request = readRequest(parser, output);
+    if (!request)
+        return wrongUsage(kExport, request.error());
+    const tl::expected<model::MapImageOptions, QString> mapOptions = readMapOptions(parser);
+    if (!mapOptions)
+        return wrongUsage(kExport, mapOptions.error());
+    if (!sheet.isEmpty() && !model::isUvSheet(sheet))
+        return wrongUsage(kExport, CommandLine::tr("--uv-sheet takes a name that ends in .pdf or .svg"));
+    const auto settle = numberOption(parser, kExport, QStringLiteral("settle"), 0.0, 0.0, 60.0);
+    const auto tolerance = numberOption(parser, kExport, QStringLiteral("tolerance"), 0.0, 0.0, kGreatestToleranceMm);
+    const auto hairs = hairsOption(parser, kExport);
+    const auto wind = windOption(parser, kExport);
+    const auto motion = motionOption(parser, kExport);
+    tl::expected<Film, QString> film = framesOption(parser);
+    if (!film)
+        return wrongUsage(kExport, film.error());
+    const auto rate = numberOption(parser, kExport, QStringLiteral("fps"), film->framesPerSecond, 1.0, 240.0);
+    if (!settle || !tolerance || !hairs || !wind || !motion || !rate)
         return ExitCode::WrongUsage;
+    film->framesPerSecond = *rate;
+    // Points would come and go from frame to frame.
+    if (film->wanted() && *tolerance > 0.0)
+        return wrongUsage(kExport, CommandLine::tr("--tolerance and --frames exclude each other"));
+    const HairMotion wanted{.settleSeconds = *settle, .windVelocity = *wind, .motion = *motion, .film = *film};
+    request->curves.hairs = *hairs;
+    request->curves.toleranceM = static_cast<float>(*tolerance * kMetresPerMm);
 
-    if (const model::Result<void> free = checkOutput(output, *files); !free)
+    if (const model::Result<void> free = checkShapes(output, *film, *files); !output.isEmpty() && !free)
+        return failed(free.error());
+    if (const model::Result<void> free = checkOutput(sheet, *files); !sheet.isEmpty() && !free)
         return failed(free.error());
     model::Result<model::Project> project = model::loadProject(files->front());
     if (!project)
         return failed(project.error());
-    SettledHair hair(std::move(*project), *settle, {.hairs = *hairs, .windVelocity = *wind});
-    if (*motion) {
-        constexpr double kAfterMotionSeconds = 1.0;
-        hair.setMotion(*motion);
-        hair.advance(sim::secondsOf(**motion));
-        hair.setMotion(std::nullopt);
-        hair.advance(kAfterMotionSeconds);
-    }
-    if (const model::Result<void> written = model::writeHairFile(*hair.frame(), output); !written)
+    model::Result<std::vector<model::CurveGroupName>> groups =
+        groupsNamed(*project, parser.values(QStringLiteral("group")), files->front());
+    if (!groups)
+        return failed(groups.error());
+    if (!sheet.isEmpty())
+        if (const model::Result<void> written = model::writeUvSheet(project->head->skin->mesh(), sheet); !written)
+            return failed(written.error());
+    if (!mapFolder.isEmpty())
+        if (const model::Result<void> written =
+                model::writeMapImages(wantedMapsOf(*project, *groups), mapFolder, *mapOptions);
+            !written)
+            return failed(written.error());
+    if (output.isEmpty())
+        return ExitCode::Done;
+    request->curves.groups = std::move(*groups);
+    if (const model::Result<void> written = exportShape(std::move(*project), wanted, *request, output); !written)
         return failed(written.error());
     return ExitCode::Done;
 }

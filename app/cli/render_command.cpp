@@ -1,19 +1,18 @@
 // `hairpaint render`: pictures without a display.
 #include "app/cli/command.h"
+#include "app/cli/film.h"
 #include "app/cli/settled_hair.h"
 #include "app/picture.h"
 #include "model/files/project_file.h"
 #include "model/files/sentences.h"
+#include "model/files/staged_files.h"
 #include "view/head/stage.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QTemporaryDir>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <filesystem>
 
 namespace hairpaint::app {
 
@@ -38,10 +37,7 @@ struct RenderOptions
     PictureLook look;
     std::optional<model::SkinTone> skin;       ///< Else the project's.
     const model::LightPreset* light = nullptr; ///< Null: the project's.
-    int firstFrame = 0;
-    int lastFrame = -1; ///< Below the first: one picture.
-    double framesPerSecond = 30.0;
-    [[nodiscard]] bool isFilm() const { return lastFrame >= firstFrame; }
+    Film film;                                 ///< Else one picture.
 };
 
 /// Azimuth and elevation in degrees, and perhaps the distance in cm.
@@ -132,53 +128,12 @@ tl::expected<RenderOptions, QString> readOptions(const QCommandLineParser& parse
         if (options.light == nullptr)
             return tl::unexpected(CommandLine::tr("There is no light '%1'").arg(name));
     }
-    if (parser.isSet(QStringLiteral("frames"))) {
-        const QString frames = parser.value(QStringLiteral("frames"));
-        const auto match = QRegularExpression(QStringLiteral("^(\\d{1,4})-(\\d{1,4})$")).match(frames);
-        options.firstFrame = match.captured(1).toInt();
-        options.lastFrame = match.captured(2).toInt();
-        if (!match.hasMatch() || options.lastFrame < options.firstFrame)
-            return tl::unexpected(
-                CommandLine::tr("--frames takes A-B with B not below A, up to 9999, not '%1'").arg(frames));
-    }
+    const tl::expected<Film, QString> film = framesOption(parser);
+    if (!film)
+        return tl::unexpected(film.error());
+    options.film = *film;
     return options;
 }
-
-QString framePath(const QString& output, int number)
-{
-    const QFileInfo info(output);
-    return info.path() + QLatin1Char('/') + info.completeBaseName() +
-           QStringLiteral(".%1.%2").arg(number, 4, 10, QLatin1Char('0')).arg(info.suffix());
-}
-
-/// Pictures of a film lie beside their places until the last one is there.
-class FilmFolder
-{
-public:
-    explicit FilmFolder(const QString& output)
-        : m_folder(QFileInfo(output).absolutePath() + QStringLiteral("/hairpaint-XXXXXX"))
-    {}
-    [[nodiscard]] QString pathFor(const QString& framePath) const
-    {
-        return m_folder.filePath(QFileInfo(framePath).fileName());
-    }
-
-    /// Moves all frames over what lies in their places.
-    [[nodiscard]] model::Result<void> publish(const QStringList& frames)
-    {
-        for (const QString& frame : frames) {
-            std::error_code problem;
-            std::filesystem::rename(QFileInfo(pathFor(frame)).filesystemFilePath(),
-                                    QFileInfo(frame).filesystemFilePath(), problem);
-            if (problem)
-                return model::cannotWrite(frame, {.text = QString::fromStdString(problem.message())});
-        }
-        return {};
-    }
-
-private:
-    QTemporaryDir m_folder;
-};
 
 model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, const rendering::Camera& camera,
                                   const RenderOptions& options, const QString& path)
@@ -202,34 +157,21 @@ rendering::Camera cameraOf(const RenderOptions& options, const SettledHair& hair
     return camera;
 }
 
-/// Time from the frame before to frame `number`, in whole steps of the simulation. They are counted from frame 0, so
-/// that what is rounded never adds up.
-double secondsBefore(int number, double framesPerSecond)
-{
-    const auto stepsAt = [framesPerSecond](int frame) {
-        return std::floor(frame / (framesPerSecond * sim::kStepSeconds) + 0.5);
-    };
-    return number > 0 ? (stepsAt(number) - stepsAt(number - 1)) * sim::kStepSeconds : 0.0;
-}
-
 model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const RenderOptions& options,
                                const rendering::Camera& camera, const QString& output)
 {
-    FilmFolder folder(output);
+    // Pictures of a film lie beside their places until the last one is there.
+    const model::StagedFiles folder(QFileInfo(output).absolutePath());
     QStringList frames;
-    for (int number = 0; number <= options.lastFrame; ++number) {
+    for (int number = 0; number <= options.film.last; ++number) {
         // From the film's start, also through frames that nobody wants: a frame is the same whichever one is the first.
-        hair.advance(secondsBefore(number, options.framesPerSecond));
-        if (number < options.firstFrame)
+        hair.advance(secondsBefore(number, options.film.framesPerSecond));
+        if (number < options.film.first)
             continue;
         frames.append(framePath(output, number));
         if (model::Result<void> written = renderPicture(maker, hair, camera, options, folder.pathFor(frames.back()));
-            !written) {
-            // The sentence names the frame that is wanted, not where it lay meanwhile.
-            written.error().message.replace(model::shownPath(folder.pathFor(frames.back())),
-                                            model::shownPath(frames.back()));
-            return written;
-        }
+            !written)
+            return tl::unexpected(folder.named(std::move(written.error()), frames.back()));
     }
     return folder.publish(frames);
 }
@@ -239,17 +181,17 @@ ExitCode renderAll(SettledHair& hair, const RenderOptions& options, const QStrin
     PictureMaker maker;
     // Of a film's start, and it stands still.
     const rendering::Camera camera = cameraOf(options, hair);
-    const model::Result<void> written = options.isFilm() ? renderFilm(maker, hair, options, camera, output)
-                                                         : renderPicture(maker, hair, camera, options, output);
+    const model::Result<void> written = options.film.wanted() ? renderFilm(maker, hair, options, camera, output)
+                                                              : renderPicture(maker, hair, camera, options, output);
     return written ? ExitCode::Done : failed(written.error());
 }
 
 /// Every file that will be written can be.
 model::Result<void> checkOutputs(const RenderOptions& options, const QString& output, const QStringList& inputs)
 {
-    if (!options.isFilm())
+    if (!options.film.wanted())
         return checkOutput(output, inputs);
-    for (int number = options.firstFrame; number <= options.lastFrame; ++number)
+    for (int number = options.film.first; number <= options.film.last; ++number)
         if (model::Result<void> free = checkOutput(framePath(output, number), inputs); !free)
             return free;
     return {};
@@ -286,15 +228,15 @@ ExitCode runRender(const QStringList& arguments)
         return wrongUsage(kName, options.error());
     constexpr double kSettleSeconds = 2.0;
     const auto settle = numberOption(parser, kName, QStringLiteral("settle"), kSettleSeconds, 0.0, 60.0);
-    const auto rate = numberOption(parser, kName, QStringLiteral("fps"), options->framesPerSecond, 1.0, 240.0);
+    const auto rate = numberOption(parser, kName, QStringLiteral("fps"), options->film.framesPerSecond, 1.0, 240.0);
     const auto hairs = hairsOption(parser, kName);
     const auto wind = windOption(parser, kName);
     const auto motion = motionOption(parser, kName);
     if (!settle || !rate || !hairs || !wind || !motion)
         return ExitCode::WrongUsage;
-    if (*motion && !options->isFilm())
+    if (*motion && !options->film.wanted())
         return wrongUsage(kName, CommandLine::tr("--motion is for films; give --frames too"));
-    options->framesPerSecond = *rate;
+    options->film.framesPerSecond = *rate;
 
     if (const model::Result<void> free = checkOutputs(*options, output, *files); !free)
         return failed(free.error());

@@ -7,11 +7,13 @@
 
 namespace hairpaint::app {
 
-FileMenu::FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files, Exchange& exchange,
+FileMenu::FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files, Exchange& exchange, MapExchange& maps,
                    view::EditorState& editor, QWidget* parent)
     : QMenu(title, parent), m_files(files)
 {
     addProjectActions(actions, editor);
+    addSeparator();
+    addMapActions(actions, exchange, maps);
     addSeparator();
     addExchangeActions(actions, exchange, editor);
     addSeparator();
@@ -36,19 +38,26 @@ void FileMenu::addProjectActions(ActionSet& actions, view::EditorState& editor)
                  {"file.saveAs", tr("Save &as…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_S}, [this] { m_files.saveAs(); }}});
 }
 
-void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange, const view::EditorState& editor)
+void FileMenu::addMapActions(ActionSet& actions, Exchange& exchange, MapExchange& maps)
 {
     actions.add(
         *this,
         {{"file.loadImage", tr("Load &image into map…"), {}, [&exchange] { exchange.importImage(false); }, "import"},
          {"file.loadGrey", tr("Load &grey image into map…"), {}, [&exchange] { exchange.importImage(true); }},
-         {"file.saveImage", tr("Save &map as image…"), {}, [&exchange] { exchange.exportMap(); }, "export"}});
-    addSeparator();
+         {"file.saveImage", tr("Save &map as image…"), {}, [&exchange] { exchange.exportMap(); }, "export"},
+         {"file.saveImages", tr("Sa&ve maps as images…"), {}, [&maps] { maps.saveMaps(); }},
+         {"file.editOutside", tr("Edit layer in ano&ther program"), {}, [&maps] { maps.editOutside(); }},
+         {"file.uvSheet", tr("Save &UV sheet…"), {}, [&maps] { maps.saveSheet(); }}});
+}
+
+void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange, const view::EditorState& editor)
+{
     addHeads(*addMenu(tr("Replace &head")), actions, exchange, editor);
     addSeparator();
     actions.add(
         *this,
         {{"file.exportHair", tr("&Export hair…"), {Qt::CTRL | Qt::Key_E}, [&exchange] { exchange.exportHair(); }},
+         {"file.blender", tr("Install B&lender add-on"), {}, [&exchange] { exchange.installBlenderAddon(); }},
          {"file.picture", tr("Save &picture…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_P}, [&exchange] {
               exchange.savePicture();
           }}});

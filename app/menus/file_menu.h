@@ -3,6 +3,7 @@
 
 #include "app/action_set.h"
 #include "app/exchange.h"
+#include "app/map_exchange.h"
 #include "app/project_files.h"
 
 #include <QMenu>
@@ -14,12 +15,13 @@ class FileMenu : public QMenu
 {
     Q_OBJECT
 public:
-    FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files, Exchange& exchange,
+    FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files, Exchange& exchange, MapExchange& maps,
              view::EditorState& editor, QWidget* parent);
     void showRecentFiles(const QStringList& paths);
 
 private:
     void addProjectActions(ActionSet& actions, view::EditorState& editor);
+    void addMapActions(ActionSet& actions, Exchange& exchange, MapExchange& maps);
     void addExchangeActions(ActionSet& actions, Exchange& exchange, const view::EditorState& editor);
     static void addHeads(QMenu& menu, ActionSet& actions, Exchange& exchange, const view::EditorState& editor);
 

@@ -85,6 +85,18 @@ void AtomicFile::writeThrough(QByteArrayView bytes)
     }
 }
 
+void AtomicFile::rewrite(qint64 at, QByteArrayView bytes)
+{
+    writeThrough(m_buffer);
+    m_buffer.clear();
+    const qint64 end = m_file.pos();
+    if (!failed() && !m_file.seek(at))
+        m_problem = writeProblem(m_file);
+    writeThrough(bytes);
+    if (!failed() && !m_file.seek(end))
+        m_problem = writeProblem(m_file);
+}
+
 Checked<void> AtomicFile::commit()
 {
     writeThrough(m_buffer);

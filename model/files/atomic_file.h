@@ -18,6 +18,8 @@ public:
     [[nodiscard]] Checked<void> open();
     /// Remembers the first failure, for commit, and does nothing after it.
     void write(QByteArrayView bytes);
+    /// Over bytes that were written before; what is written later follows the last of all.
+    void rewrite(qint64 at, QByteArrayView bytes);
     [[nodiscard]] bool failed() const { return !m_problem.isEmpty(); }
     [[nodiscard]] Checked<void> commit();
 

@@ -162,19 +162,7 @@ public:
         root.insert(QStringLiteral("accessors"), m_accessors);
         root.insert(QStringLiteral("bufferViews"), m_views);
         root.insert(QStringLiteral("buffers"), QJsonArray{QJsonObject{{QStringLiteral("byteLength"), m_bin.size()}}});
-        QByteArray json = QJsonDocument(root).toJson(QJsonDocument::Compact);
-        while (json.size() % 4 != 0)
-            json.append(' ');
-        QByteArray glb;
-        glb.reserve(28 + json.size() + m_bin.size());
-        appendWord(glb, kMagic);
-        appendWord(glb, 2);
-        appendWord(glb, static_cast<quint32>(28 + json.size() + m_bin.size()));
-        appendWord(glb, static_cast<quint32>(json.size()));
-        appendWord(glb, kJsonChunk);
-        glb.append(json);
-        appendWord(glb, static_cast<quint32>(m_bin.size()));
-        appendWord(glb, kBinChunk);
+        QByteArray glb = glbHead(root, static_cast<quint32>(m_bin.size()));
         glb.append(m_bin);
         return glb;
     }
@@ -226,6 +214,24 @@ Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb)
         return broken();
     mendNormals(mesh.normalsHd);
     return mesh;
+}
+
+QByteArray glbHead(const QJsonObject& json, quint32 binBytes)
+{
+    QByteArray text = QJsonDocument(json).toJson(QJsonDocument::Compact);
+    while (text.size() % 4 != 0)
+        text.append(' ');
+    constexpr quint32 kHeadBytes = 28;
+    QByteArray glb;
+    appendWord(glb, kMagic);
+    appendWord(glb, 2);
+    appendWord(glb, kHeadBytes + static_cast<quint32>(text.size()) + binBytes);
+    appendWord(glb, static_cast<quint32>(text.size()));
+    appendWord(glb, kJsonChunk);
+    glb.append(text);
+    appendWord(glb, binBytes);
+    appendWord(glb, kBinChunk);
+    return glb;
 }
 
 QByteArray glbFromMesh(const sim::HeadMesh& mesh)

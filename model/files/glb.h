@@ -7,11 +7,14 @@
 #include "sim/skin/head_mesh.h"
 
 #include <QByteArray>
+#include <QJsonObject>
 
 namespace hairpaint::model {
 
 [[nodiscard]] Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb);
 /// The same mesh gives the same bytes.
 [[nodiscard]] QByteArray glbFromMesh(const sim::HeadMesh& mesh);
+/// All of a binary glTF but its binary chunk's `binBytes` bytes, a multiple of 4, which follow.
+[[nodiscard]] QByteArray glbHead(const QJsonObject& json, quint32 binBytes);
 
 } // namespace hairpaint::model

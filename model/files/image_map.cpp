@@ -99,17 +99,43 @@ Result<ImageLayer> layerFromFile(const QString& path, const MapSpec& spec, bool 
     });
 }
 
-ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec)
+ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec, bool grey)
 {
     const int size = resolved.size();
-    ForeignImage image{.width = size, .height = size, .channels = 3, .pixels = {}};
-    image.pixels.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * 3);
+    const TexelOps& ops = texelOps(spec);
+    const bool isGrey = grey && ops.toGreys != nullptr;
+    ForeignImage image{.width = size, .height = size, .channels = isGrey ? 1 : 3, .pixels = {}};
+    image.pixels.resize(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) *
+                        static_cast<std::size_t>(image.channels));
     for (int y = 0; y < size; ++y)
         forEachRun(resolved, {0, y, size, y + 1}, y,
                    [&](int x, const std::uint16_t* texels, std::size_t step, int count) {
-                       texelOps(spec).toColours(spec, false, texels, step, static_cast<std::size_t>(count),
-                                                image.pixels.data() + (std::ptrdiff_t{y} * size + x) * 3);
+                       std::uint16_t* out = image.pixels.data() + (std::ptrdiff_t{y} * size + x) * image.channels;
+                       if (isGrey)
+                           ops.toGreys(spec, texels, step, static_cast<std::size_t>(count), out);
+                       else
+                           ops.toColours(spec, false, texels, step, static_cast<std::size_t>(count), out);
                    });
+    return image;
+}
+
+ForeignImage imageFromLayer(const sim::TiledRaster& layer, const MapSpec& spec)
+{
+    constexpr int kChannels = 4;
+    const int size = layer.size();
+    ForeignImage image{.width = size, .height = size, .channels = kChannels, .pixels = {}};
+    image.pixels.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * kChannels);
+    RowColours colours{};
+    for (int y = 0; y < size; ++y)
+        forEachRun(
+            layer, {0, y, size, y + 1}, y, [&](int /*x*/, const std::uint16_t* texels, std::size_t step, int count) {
+                texelOps(spec).toColours(spec, false, texels, step, static_cast<std::size_t>(count), colours.data());
+                for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+                    image.pixels.insert(image.pixels.end(), colours.begin() + 3 * static_cast<std::ptrdiff_t>(i),
+                                        colours.begin() + 3 * static_cast<std::ptrdiff_t>(i + 1));
+                    image.pixels.push_back(texels[i * step + static_cast<std::size_t>(spec.valueChannels)]);
+                }
+            });
     return image;
 }
 

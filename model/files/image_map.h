@@ -24,8 +24,11 @@ struct ImageLayer
 [[nodiscard]] Result<ImageLayer> layerFromFile(const QString& path, const MapSpec& spec, bool grey, int size,
                                                const Progress& progress = {});
 
-/// A resolved map as an image in its scale, white to colour as in the paper.
-[[nodiscard]] ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec);
+/// A resolved map as an image in its scale, white to colour as in the paper; `grey`: of one channel, the value, where
+/// a grey can tell it.
+[[nodiscard]] ForeignImage imageFromMap(const sim::TiledRaster& resolved, const MapSpec& spec, bool grey = false);
+/// A layer in its scale, its coverage as alpha: layerFromImage gives the layer again.
+[[nodiscard]] ForeignImage imageFromLayer(const sim::TiledRaster& layer, const MapSpec& spec);
 
 /// For the paint area: texels of `rect` as ARGB32 in the scale that is shown, on night paper or white.
 void paintMapTexels(const sim::TiledRaster& resolved, const MapSpec& spec, bool nightPaper, const sim::TexelRect& rect,

@@ -1,6 +1,7 @@
 // Copying texels out of a layer and pasting them into one.
 #include "model/tools/clipboard.h"
 
+#include "model/texel_math.h"
 #include "model/texel_ops.h"
 #include "model/tools/live_edit.h"
 
@@ -82,6 +83,53 @@ Clip copyClip(const Document& document, const LayerAddress& address, const Selec
     for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x)
             clip.texels.push_back(contains(selected, x, y) ? layer->raster.texel(x, y) : spec.defaultValue);
+    return clip;
+}
+
+QImage imageFromClip(const Clip& clip)
+{
+    constexpr std::size_t kMostPixels = std::size_t{4096} * 4096;
+    if (clip.texels.empty() || clip.texels.size() > kMostPixels)
+        return {};
+    const MapSpec& spec = mapSpec(clip.map);
+    QImage image(clip.width, clip.height, QImage::Format_ARGB32);
+    if (image.isNull())
+        return {};
+    std::vector<std::uint16_t> colours(static_cast<std::size_t>(clip.width) * 3);
+    for (int y = 0; y < clip.height; ++y) {
+        const sim::Texel* row = clip.texels.data() + std::ptrdiff_t{y} * clip.width;
+        texelOps(spec).toColours(spec, false, row->data(), sim::Texel().size(), static_cast<std::size_t>(clip.width),
+                                 colours.data());
+        auto* const pixels = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (std::size_t x = 0; x < static_cast<std::size_t>(clip.width); ++x)
+            pixels[x] = qRgba(narrowed(colours[3 * x]), narrowed(colours[3 * x + 1]), narrowed(colours[3 * x + 2]),
+                              narrowed(row[x][static_cast<std::size_t>(spec.valueChannels)]));
+    }
+    return image;
+}
+
+Clip clipFromImage(const QImage& image, MapKind map, int size, const QRectF& place)
+{
+    Clip clip{.map = map, .uvRect = {}, .texels = {}};
+    const MapSpec& spec = mapSpec(map);
+    const QSize room(std::max(1, qRound(place.width() * size)), std::max(1, qRound(place.height() * size)));
+    const QImage fitted = image.convertToFormat(QImage::Format_RGBA64)
+                              .scaled(room, Qt::KeepAspectRatio,
+                                      texelOps(spec).continuous ? Qt::SmoothTransformation : Qt::FastTransformation)
+                              .convertToFormat(QImage::Format_RGBA64);
+    if (fitted.isNull())
+        return clip;
+    clip.width = fitted.width();
+    clip.height = fitted.height();
+    const QSizeF extent(static_cast<double>(clip.width) / size, static_cast<double>(clip.height) / size);
+    clip.uvRect = QRectF(place.center() - QPointF(0.5 * extent.width(), 0.5 * extent.height()), extent);
+    clip.texels.reserve(static_cast<std::size_t>(clip.width) * static_cast<std::size_t>(clip.height));
+    for (int y = 0; y < clip.height; ++y) {
+        const auto* const pixels = reinterpret_cast<const QRgba64*>(fitted.constScanLine(y));
+        for (int x = 0; x < clip.width; ++x)
+            clip.texels.push_back({pixels[x].red(), pixels[x].green(), pixels[x].blue(), pixels[x].alpha()});
+    }
+    texelOps(spec).fromColours(spec, clip.texels);
     return clip;
 }
 

@@ -5,6 +5,8 @@
 #include "model/files/glb.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_heads.h"
+#include "view/dialogs/export_hair_dialog.h"
+#include "view/dialogs/export_maps_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/landmarks_dialog.h"
 
@@ -30,9 +32,11 @@ public:
     bool takesHead = true; ///< Whether the head's dialog is accepted.
     bool takesLandmarks = true;
     std::function<void(view::LandmarksDialog&)> movesLandmarks; ///< Before its dialog is accepted.
-    bool cancels = false;                                       ///< Whether Cancel is clicked in progress windows.
-    int cancelled = 0;                                          ///< How often it was.
-    QStringList said;                                           ///< What message boxes said.
+    std::function<void(view::ExportHairDialog&)> choosesExport; ///< Before its dialog is accepted.
+    std::function<void(view::ExportMapsDialog&)> choosesMaps;
+    bool cancels = false; ///< Whether Cancel is clicked in progress windows.
+    int cancelled = 0;    ///< How often it was.
+    QStringList said;     ///< What message boxes said.
 
     Answerer() { startTimer(20); }
 
@@ -52,6 +56,14 @@ protected:
             if (movesLandmarks)
                 movesLandmarks(*landmarks);
             press(*landmarks, takesLandmarks);
+        } else if (auto* exported = qobject_cast<view::ExportHairDialog*>(waiting)) {
+            if (choosesExport)
+                choosesExport(*exported);
+            press(*exported, !file.isEmpty());
+        } else if (auto* maps = qobject_cast<view::ExportMapsDialog*>(waiting)) {
+            if (choosesMaps)
+                choosesMaps(*maps);
+            press(*maps, !file.isEmpty());
         } else if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
             said += box->text();
             QAbstractButton* yes = box->button(QMessageBox::Yes);

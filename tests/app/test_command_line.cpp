@@ -101,6 +101,14 @@ private Q_SLOTS:
         row("info a b");
         row("export p.hairpaint");
         row("export p.hairpaint -o p.docx");
+        row("export p.hairpaint -o p.usda --target cinema");
+        row("export p.hairpaint -o p.usda --tolerance -1");
+        row("export p.hairpaint -o p.usda --tolerance 11");
+        row("export p.hairpaint -o p.usda --frames 4-2");
+        row("export p.hairpaint -o p.usda --frames 2-4 --tolerance 1");
+        row("export p.hairpaint --maps . --depth 12");
+        row("export p.hairpaint --maps . --image gif");
+        row("export p.hairpaint --uv-sheet p.png");
         row("render p.hairpaint -o p.png --size 9x9");
         row("render p.hairpaint -o p.png --view inside");
         row("render p.hairpaint -o p.png --frames 9-3");
@@ -156,8 +164,10 @@ private Q_SLOTS:
         QTest::newRow("new") << QStringList{QStringLiteral("--map"), QStringLiteral("--max-candidates")};
         QTest::newRow("info") << QStringList{QStringLiteral("--json")};
         QTest::newRow("presets") << QStringList{QStringLiteral("--json")};
-        QTest::newRow("export") << QStringList{QStringLiteral("--settle"), QStringLiteral("--hairs"),
-                                               QStringLiteral("--wind"), QStringLiteral("--motion")};
+        QTest::newRow("export") << QStringList{QStringLiteral("--target"),    QStringLiteral("--group"),
+                                               QStringLiteral("--tolerance"), QStringLiteral("--settle"),
+                                               QStringLiteral("--hairs"),     QStringLiteral("--wind"),
+                                               QStringLiteral("--motion")};
         QTest::newRow("render") << QStringList{QStringLiteral("--size"), QStringLiteral("--frames"),
                                                QStringLiteral("--wind"), QStringLiteral("--motion")};
     }

@@ -7,12 +7,14 @@
 #include "model/preset.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/app/program.h"
+#include "tests/app/thin_project.h"
 #include "tests/support/foreign_heads.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/head_side.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
 
+#include <QComboBox>
 #include <QTimer>
 
 namespace hairpaint::app {
@@ -294,6 +296,47 @@ private Q_SLOTS:
         const QByteArray bytes = contentOf(path("curls.hair"));
         QVERIFY(bytes.size() > 128 && bytes.startsWith("HAIR"));
         QCOMPARE(std::size_t{qFromLittleEndian<quint32>(bytes.constData() + 4)}, count);
+    }
+
+    void hairGoesOutAsTheDialogSays_data()
+    {
+        QTest::addColumn<int>("source");
+        QTest::newRow("now") << static_cast<int>(view::HairSource::Now);
+        QTest::newRow("settled") << static_cast<int>(view::HairSource::Settled);
+        QTest::newRow("rest") << static_cast<int>(view::HairSource::Rest);
+    }
+    void hairGoesOutAsTheDialogSays()
+    {
+        QFETCH(int, source);
+        open(test::thinned(starterProject()));
+        awaitNewestHair();
+        m_answers->file = path("chosen"); // The ending comes from the dialog.
+        m_answers->choosesExport = [source](view::ExportHairDialog& dialog) {
+            const QList<QComboBox*> boxes = dialog.findChildren<QComboBox*>();
+            QTest::keyClick(boxes[0], Qt::Key_Down);
+            boxes[2]->setCurrentIndex(source);
+        };
+        trigger("file.exportHair");
+        QCOMPARE(m_done, QStringList(QStringLiteral("chosen.usda written")));
+        const QByteArray usd = contentOf(path("chosen.usda"));
+        QVERIFY(usd.startsWith("#usda 1.0") && usd.contains("def Xform \"Scalp\""));
+        QVERIFY(QFile::remove(path("chosen.usda")));
+    }
+
+    void anExportCanBeCancelled()
+    {
+        open(starterProject());
+        awaitNewestHair();
+        m_answers->file = path("cancelled.obj");
+        m_answers->cancels = true;
+        m_answers->choosesExport = [](view::ExportHairDialog& dialog) {
+            dialog.findChildren<QComboBox*>()[2]->setCurrentIndex(static_cast<int>(view::HairSource::Settled));
+        };
+        trigger("file.exportHair");
+        if (m_answers->cancelled == 0)
+            return; // It was done before there was anything to click.
+        QVERIFY(m_answers->said.isEmpty());
+        QCOMPARE(QFile::exists(path("cancelled.obj")), !m_done.isEmpty());
     }
 
     void theHairThatGoesOutIsThatOfTheDocument()

@@ -2,6 +2,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_program.h"
+#include "view/dialogs/export_hair_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -34,6 +35,8 @@ protected:
             for (QAbstractButton* button : files->findChild<QDialogButtonBox*>()->buttons())
                 if (files->findChild<QDialogButtonBox*>()->buttonRole(button) == QDialogButtonBox::AcceptRole)
                     return button->click();
+        } else if (auto* exported = qobject_cast<view::ExportHairDialog*>(waiting)) {
+            exported->accept();
         } else if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
             asked += box->text();
             box->button(replaces ? QMessageBox::Yes : QMessageBox::No)->click();

@@ -1,6 +1,7 @@
 // Places that can't be written, full disks, and outputs that are inputs: one line on standard error names the file, the
 // code is 1, nothing is written, and what was there stays.
 #include "app/picture.h"
+#include "model/exporting/export_format.h"
 #include "model/files/project_file.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
@@ -61,25 +62,31 @@ private Q_SLOTS:
             QTest::newRow((row + ", new").constData())
                 << QStringList{QStringLiteral("new"), QStringLiteral("-o"), path + QStringLiteral(".hairpaint")}
                 << path + QStringLiteral(".hairpaint");
-            QTest::newRow((row + ", export").constData())
-                << QStringList{QStringLiteral("export"), m_good, QStringLiteral("-o"), path + QStringLiteral(".hair")}
-                << path + QStringLiteral(".hair");
+            for (const model::ExportFormat& format : model::exportFormats()) {
+                const QString output = path + QLatin1Char('.') + QLatin1StringView(format.suffix);
+                QTest::newRow((row + ", export " + format.suffix).constData())
+                    << QStringList{QStringLiteral("export"), m_good, QStringLiteral("-o"), output} << output;
+            }
             QTest::newRow((row + ", render").constData())
                 << QStringList{QStringLiteral("render"), m_good,
                                QStringLiteral("-o"),     path + QStringLiteral(".png"),
                                QStringLiteral("--size"), QStringLiteral("128x128")}
                 << path + QStringLiteral(".png");
         };
+        QStringList endings{QStringLiteral("hairpaint"), QStringLiteral("png")};
+        for (const model::ExportFormat& format : model::exportFormats())
+            endings += QString::fromLatin1(format.suffix);
         rows("no such folder", path(QStringLiteral("nowhere/out")));
-        for (const char* ending : {"hairpaint", "hair", "png"})
-            QVERIFY(QDir().mkpath(path(QStringLiteral("folder.%1").arg(QLatin1String(ending)))));
+        for (const QString& ending : endings)
+            QVERIFY(QDir().mkpath(path(QStringLiteral("folder.") + ending)));
         rows("a folder", path(QStringLiteral("folder")));
 #ifdef Q_OS_LINUX
         rows("a place for no one", QStringLiteral("/proc/out"));
         // As root a file could be renamed over a device.
-        for (const char* ending : {"hairpaint", "hair", "png"})
-            QFile::link(QStringLiteral("/dev/full"), path(QStringLiteral("device.%1").arg(QLatin1String(ending))));
+        for (const QString& ending : endings)
+            QFile::link(QStringLiteral("/dev/full"), path(QStringLiteral("device.") + ending));
         rows("a device", path(QStringLiteral("device")));
+        rows("a name too long", path(QString(300, QLatin1Char('n'))));
 #endif
         QVERIFY(QDir().mkpath(path(QStringLiteral("film.0002.png"))));
         QTest::newRow("a film's third frame")
@@ -123,7 +130,6 @@ private Q_SLOTS:
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("output");
         const QString project = path(QStringLiteral("full.hairpaint"));
-        const QString hair = path(QStringLiteral("full.hair"));
         const QString styled = path(QStringLiteral("styled.hairpaint"));
         QCOMPARE(runProgram({QStringLiteral("new"), QStringLiteral("-o"), styled, QStringLiteral("--preset"),
                              QStringLiteral("Buzz cut")})
@@ -132,7 +138,13 @@ private Q_SLOTS:
         QTest::newRow("new") << QStringList{QStringLiteral("new"), QStringLiteral("-o"), project,
                                             QStringLiteral("--preset"), QStringLiteral("Buzz cut")}
                              << project;
-        QTest::newRow("export") << QStringList{QStringLiteral("export"), styled, QStringLiteral("-o"), hair} << hair;
+        for (const model::ExportFormat& format : model::exportFormats()) {
+            const QString hair = path(QStringLiteral("full.") + QLatin1StringView(format.suffix));
+            QTest::newRow(format.suffix) << QStringList{QStringLiteral("export"),  styled,
+                                                        QStringLiteral("-o"),      hair,
+                                                        QStringLiteral("--hairs"), QStringLiteral("5000")}
+                                         << hair;
+        }
     }
 
     void aFullDiskEndsWithOneSentenceAndTheOldFile()

@@ -46,6 +46,8 @@ private Q_SLOTS:
     void pastingBetweenMapsConverts();
     void mapsOfAnotherSizeGetTheSamePlace();
     void lockedLayersAreNotPastedInto();
+    void otherProgramsSeeWhatWasCopied();
+    void anImageIsFittedIntoItsPlace();
 };
 
 void TestClipboard::aCopyHoldsTheSelectedTexels()
@@ -213,6 +215,35 @@ void TestClipboard::lockedLayersAreNotPastedInto()
     QCOMPARE(clearCommand(document, gel, selection, QString()), nullptr);
     selection.setRectangle(QRectF(0.5, 0.5, 0.25, 0.25));
     QCOMPARE(pasteCommand(document, gel, clip, selection), nullptr);
+}
+
+void TestClipboard::otherProgramsSeeWhatWasCopied()
+{
+    Document document(projectWith(MapKind::Length, {65535, 65535, 0, 0}));
+    Selection selection;
+    selection.setRectangle(kThere);
+    const QImage image = imageFromClip(copyClip(document, firstLayer(document, MapKind::Length), selection));
+    QCOMPARE(image.size(), QSize(32, 16));
+    QCOMPARE(image.pixel(5, 5), qRgba(0, 0, 255, 255));
+    selection.setRectangle(QRectF(0.8, 0.8, 0.1, 0.1)); // Nothing is painted there.
+    QCOMPARE(qAlpha(imageFromClip(copyClip(document, firstLayer(document, MapKind::Length), selection)).pixel(5, 5)),
+             0);
+    QVERIFY(imageFromClip({}).isNull());
+}
+
+void TestClipboard::anImageIsFittedIntoItsPlace()
+{
+    QImage image(40, 20, QImage::Format_RGB32);
+    image.fill(Qt::blue);
+    const Clip clip = clipFromImage(image, MapKind::Length, 256, QRectF(0.0, 0.0, 1.0, 1.0));
+    QCOMPARE(QSize(clip.width, clip.height), QSize(256, 128));
+    QCOMPARE(clip.uvRect, QRectF(0.0, 0.25, 1.0, 0.5));
+    const auto isFull = [](const sim::Texel& t) { return t[0] > 65500 && t[1] > 65500; }; // Scaling rounds.
+    QVERIFY(std::ranges::all_of(clip.texels, isFull));
+    Document document(projectWith(MapKind::Length, {0, 65535, 0, 0}));
+    document.push(pasteCommand(document, firstLayer(document, MapKind::Length), clip, {}));
+    QVERIFY(isFull(rasterOf(document, MapKind::Length).texel(128, 128)));
+    QCOMPARE(rasterOf(document, MapKind::Length).texel(128, 20)[1], std::uint16_t{0});
 }
 
 HAIRPAINT_TEST(TestClipboard, None)

@@ -1,8 +1,9 @@
 // Hair written as `.hair` is the hair that is drawn.
-#include "model/files/hair_file.h"
+#include "model/exporting/export_format.h"
 #include "sim/groom/strand_curve.h"
 #include "sim/motion/simulation.h"
 #include "tests/model/archive_maker.h"
+#include "tests/model/exported_hair.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
@@ -15,6 +16,9 @@
 
 using namespace hairpaint;
 using namespace hairpaint::model;
+using test::flat;
+using test::frameOf;
+using test::hairGroup;
 
 namespace {
 
@@ -57,40 +61,6 @@ HairFile parse(const QByteArray& bytes)
     return file;
 }
 
-std::shared_ptr<const sim::TiledRaster> flat(int channels, sim::Texel value)
-{
-    return std::make_shared<const sim::TiledRaster>(256, channels, value);
-}
-
-sim::GroomInput::Group group(int id, std::uint16_t density, std::uint16_t length, std::uint16_t curl)
-{
-    sim::GroomInput::Group input;
-    input.id = id;
-    input.settings.greatestDensityPerM2 = 20'000.0F;
-    input.settings.greatestLengthM = 0.2F;
-    input.settings.basisHairs = 256;
-    for (const sim::MapRule& rule : sim::kMapRules)
-        input.maps[rule.slot] = flat(rule.channels, rule.defaultValue);
-    input.maps[sim::MapSlot::Density] = flat(1, {density});
-    input.maps[sim::MapSlot::Length] = flat(1, {length});
-    input.maps[sim::MapSlot::Curl] = flat(1, {curl});
-    input.maps[sim::MapSlot::Colour] = flat(3, {65535, 32896, 0});
-    return input;
-}
-
-/// The rest shape.
-sim::StrandFrame frameOf(std::vector<sim::GroomInput::Group> groups)
-{
-    sim::GroomInput input;
-    input.skin = std::make_shared<const sim::Skin>(test::makeBallHead());
-    input.groups = std::move(groups);
-    sim::Simulation simulation;
-    simulation.setInput(input);
-    sim::StrandFrame frame;
-    simulation.writeFrame(frame);
-    return frame;
-}
-
 } // namespace
 
 class TestHairFile : public QObject
@@ -100,15 +70,15 @@ private:
     QTemporaryDir m_folder;
 
     [[nodiscard]] QString path() const { return m_folder.filePath(QStringLiteral("a.hair")); }
-    [[nodiscard]] HairFile written(const sim::StrandFrame& frame) const
+    [[nodiscard]] HairFile written(const std::shared_ptr<const sim::StrandFrame>& frame) const
     {
-        return writeHairFile(frame, path()) ? parse(test::readBytes(path())) : HairFile{};
+        return test::exported(frame, path()) ? parse(test::readBytes(path())) : HairFile{};
     }
 
 private Q_SLOTS:
     void theHeaderSaysWhatFollows()
     {
-        const HairFile file = written(frameOf({group(1, 65535, 65535, 0)}));
+        const HairFile file = written(frameOf({hairGroup(1, 65535, 65535, 0)}));
         QVERIFY(file.whole);
         QCOMPARE(file.flags, 31U);
         QVERIFY(file.text.contains("metres") && file.text.contains("y up"));
@@ -127,11 +97,11 @@ private Q_SLOTS:
     {
         QFETCH(int, density);
         QFETCH(int, length);
-        const sim::StrandFrame frame =
-            frameOf({group(1, static_cast<std::uint16_t>(density), static_cast<std::uint16_t>(length), 0)});
+        const auto frame =
+            frameOf({hairGroup(1, static_cast<std::uint16_t>(density), static_cast<std::uint16_t>(length), 0)});
         const HairFile file = written(frame);
         QVERIFY(file.whole);
-        QCOMPARE(file.segments.size(), frame.groups.front().groom->drawnCount);
+        QCOMPARE(file.segments.size(), frame->groups.front().groom->drawnCount);
         std::size_t points = 0;
         for (const quint16 segments : file.segments)
             points += segments + 1U;
@@ -140,7 +110,7 @@ private Q_SLOTS:
 
     void aStraightHairHasTheLengthOfItsMap()
     {
-        const HairFile file = written(frameOf({group(1, 65535, 16384, 0)}));
+        const HairFile file = written(frameOf({hairGroup(1, 65535, 16384, 0)}));
         QVERIFY(file.whole && !file.segments.empty());
         std::size_t at = 0;
         for (const quint16 segments : file.segments) {
@@ -157,8 +127,8 @@ private Q_SLOTS:
 
     void curlsHaveMorePointsThanStraightHair()
     {
-        const HairFile straight = written(frameOf({group(1, 65535, 65535, 0)}));
-        const HairFile curled = written(frameOf({group(1, 65535, 65535, 65535)}));
+        const HairFile straight = written(frameOf({hairGroup(1, 65535, 65535, 0)}));
+        const HairFile curled = written(frameOf({hairGroup(1, 65535, 65535, 65535)}));
         QVERIFY(straight.whole && curled.whole && !straight.segments.empty());
         QCOMPARE(straight.segments.size(), curled.segments.size());
         QVERIFY(curled.segments.front() >= 8 * 16);
@@ -166,7 +136,7 @@ private Q_SLOTS:
 
     void thicknessTransparencyAndColourRunFromRootToTip()
     {
-        sim::GroomInput::Group input = group(1, 65535, 65535, 0);
+        sim::GroomInput::Group input = hairGroup(1, 65535, 65535, 0);
         input.settings.material.widthM = 70e-6F;
         input.settings.material.rootAlpha = 0.75F;
         input.settings.material.tipAlpha = 0.25F;
@@ -187,7 +157,7 @@ private Q_SLOTS:
 
     void coloursMixInLightAsOnTheScreen()
     {
-        sim::GroomInput::Group input = group(1, 65535, 65535, 0);
+        sim::GroomInput::Group input = hairGroup(1, 65535, 65535, 0);
         input.maps[sim::MapSlot::Colour] = flat(3, {65535, 32896, 0});
         input.maps[sim::MapSlot::TipColour] = flat(3, {0, 32896, 65535});
         const HairFile file = written(frameOf({input}));
@@ -206,10 +176,10 @@ private Q_SLOTS:
 
     void groupsFollowEachOtherAndHiddenOnesAreLeftOut()
     {
-        sim::GroomInput::Group hidden = group(2, 65535, 65535, 0);
+        sim::GroomInput::Group hidden = hairGroup(2, 65535, 65535, 0);
         hidden.visible = false;
-        const HairFile both = written(frameOf({group(1, 65535, 65535, 0), group(3, 65535, 32768, 0)}));
-        const HairFile shown = written(frameOf({group(1, 65535, 65535, 0), hidden, group(3, 65535, 32768, 0)}));
+        const HairFile both = written(frameOf({hairGroup(1, 65535, 65535, 0), hairGroup(3, 65535, 32768, 0)}));
+        const HairFile shown = written(frameOf({hairGroup(1, 65535, 65535, 0), hidden, hairGroup(3, 65535, 32768, 0)}));
         QVERIFY(both.whole && shown.whole);
         QCOMPARE(shown.segments.size(), both.segments.size());
         const auto lengthOf = [&both](std::size_t begin, std::size_t segments) {
@@ -225,24 +195,24 @@ private Q_SLOTS:
 
     void theSameFrameGivesTheSameBytes()
     {
-        const std::vector<sim::GroomInput::Group> groups = {group(1, 40'000, 50'000, 30'000)};
-        QVERIFY(writeHairFile(frameOf(groups), path()));
+        const std::vector<sim::GroomInput::Group> groups = {hairGroup(1, 40'000, 50'000, 30'000)};
+        QVERIFY(test::exported(frameOf(groups), path()));
         const QByteArray once = test::readBytes(path());
-        QVERIFY(writeHairFile(frameOf(groups), path()));
+        QVERIFY(test::exported(frameOf(groups), path()));
         QVERIFY(once == test::readBytes(path()) && once.size() > 128);
     }
 
     void writingStopsWhereverItIsAsked()
     {
-        const sim::StrandFrame frame = frameOf({group(1, 65535, 65535, 0)});
+        const auto frame = frameOf({hairGroup(1, 65535, 65535, 0)});
         int asked = 0;
-        QVERIFY(writeHairFile(frame, path(), [&asked](double) { return ++asked > 0; }));
+        QVERIFY(test::exported(frame, path(), [&asked](double) { return ++asked > 0; }));
         // Before each of the four arrays, and before the file takes its name.
         QVERIFY(asked >= 5);
         const QByteArray before = test::readBytes(path());
         for (int stopAt = 1; stopAt <= asked; ++stopAt) {
             int count = 0;
-            QVERIFY(!writeHairFile(frame, path(), [&](double) { return ++count < stopAt; }));
+            QVERIFY(!test::exported(frame, path(), [&](double) { return ++count < stopAt; }));
             QVERIFY(test::readBytes(path()) == before);
         }
     }
@@ -250,7 +220,7 @@ private Q_SLOTS:
     void progressGoesFromNothingToAllAndNeverBack()
     {
         std::vector<double> told;
-        QVERIFY(writeHairFile(frameOf({group(1, 65535, 65535, 0)}), path(), [&told](double fraction) {
+        QVERIFY(test::exported(frameOf({hairGroup(1, 65535, 65535, 0)}), path(), [&told](double fraction) {
             told.push_back(fraction);
             return true;
         }));
@@ -262,7 +232,7 @@ private Q_SLOTS:
     void whereItCannotBeWrittenNothingIs()
     {
         const QString nowhere = m_folder.filePath(QStringLiteral("none/a.hair"));
-        const Result<void> result = writeHairFile(frameOf({group(1, 65535, 65535, 0)}), nowhere);
+        const Result<void> result = test::exported(frameOf({hairGroup(1, 65535, 65535, 0)}), nowhere);
         QVERIFY(!result);
         QVERIFY2(test::isOneSentenceNaming(result.error().message, nowhere), qPrintable(result.error().message));
     }

@@ -134,6 +134,19 @@ QString dialogPages()
                "Where the hairstyle is carried over, seven landmarks bring both heads together. They are "
                "found by the head's shape; drag one to where it lies on the left head if it was not "
                "found right. File > Replace head > Landmarks shows them again, and hair goes along.")) +
+           heading(Topic::HairExport, HelpDialog::tr("Export hair")) +
+           paragraph(HelpDialog::tr(
+               "The format says what the file holds, the program whose unit and axes it is written in. USD has the "
+               "guides and attributes that Unreal reads; Blender reads the curves of .hair with the add-on that File > "
+               "Install Blender add-on puts there.")) +
+           paragraph(HelpDialog::tr("Fewer hairs are an even share of all. A tolerance leaves out points that lie so "
+                                    "near to the line without them that they are hardly missed.")) +
+           heading(Topic::MapExport, HelpDialog::tr("Save maps as images")) +
+           paragraph(HelpDialog::tr(
+               "Each map becomes an image named after its group and itself. In the colours of their scales maps look "
+               "as "
+               "they do here, and File > Load image reads them; as grey their brightness is the value, which File > "
+               "Load grey image reads. Colours and directions are the same both ways.")) +
            heading(Topic::Preferences, HelpDialog::tr("Preferences")) +
            paragraph(
                HelpDialog::tr("Theme, paper, language and what draws the 3D area; and all keys, each of which can "

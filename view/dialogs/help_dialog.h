@@ -26,6 +26,8 @@ public:
         Wind,
         Light,
         HeadImport,
+        HairExport,
+        MapExport,
         Preferences
     };
 

@@ -1,0 +1,21 @@
+// Our add-on for Blender, which reads `.hair` files: where it goes, and putting it there.
+#pragma once
+
+#include "model/error.h"
+
+#include <QStringList>
+
+namespace hairpaint::app {
+
+/// The script's name.
+[[nodiscard]] QString blenderAddonName();
+/// The folders of add-ons of each Blender, 3.4 or later, that the user has started once; they need not be there yet.
+[[nodiscard]] QStringList blenderAddonFolders();
+/// "3.4" of such a folder.
+[[nodiscard]] QString blenderVersionOf(const QString& addonFolder);
+/// Makes the folder and writes the script into it. Atomic.
+[[nodiscard]] model::Result<void> installBlenderAddon(const QString& addonFolder);
+/// Only writes the script. Atomic.
+[[nodiscard]] model::Result<void> saveBlenderAddon(const QString& path);
+
+} // namespace hairpaint::app

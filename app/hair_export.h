@@ -1,0 +1,20 @@
+// Exporting hair from the window: the dialog's choice, carried out.
+#pragma once
+
+#include "model/project.h"
+#include "view/dialogs/export_hair_dialog.h"
+
+namespace hairpaint::app {
+
+/// The visible groups of a project, with the hairs that a frame shows of them.
+[[nodiscard]] std::vector<view::ExportableGroup> exportableGroups(const model::Project& project,
+                                                                  const sim::StrandFrame& frame);
+
+/// `frame`: the hair as it is now. The other shapes are made anew, which takes its time. Any thread; nothing is written
+/// where it fails or `progress` cancels.
+[[nodiscard]] model::Result<void> exportChosen(const model::Project& project,
+                                               const std::shared_ptr<const sim::StrandFrame>& frame,
+                                               const view::HairExportChoice& choice, const QString& path,
+                                               const model::Progress& progress);
+
+} // namespace hairpaint::app

@@ -1,0 +1,120 @@
+// Writing, watching and reading back.
+#include "app/outside_edit.h"
+
+#include "model/commands/commands.h"
+#include "model/files/image_map.h"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QUrl>
+
+namespace hairpaint::app {
+
+namespace {
+
+constexpr int kQuietMs = 400;
+
+QByteArray contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+OutsideEdit::OutsideEdit(Session& session, Jobs& jobs) : m_session(session), m_jobs(jobs)
+{
+    m_quiet.setSingleShot(true);
+    m_quiet.setInterval(kQuietMs);
+    // Many programs put another file in the place of the old one, which only the folder tells of.
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, [this] { m_quiet.start(); });
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, [this] { m_quiet.start(); });
+    connect(&m_quiet, &QTimer::timeout, this, &OutsideEdit::look);
+}
+
+void OutsideEdit::begin()
+{
+    const model::LayerAddress target = m_session.editor().target();
+    const model::Layer* layer = m_session.document().committed().layer(target.group, target.map, target.layer);
+    if (layer == nullptr)
+        return Q_EMIT failed(tr("There is no layer to be edited; add one in the panel Layers."));
+    if (layer->locked)
+        return Q_EMIT failed(tr("The layer '%1' is locked; unlock it in the panel Layers first.").arg(layer->name));
+    if (m_folder == nullptr) {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_watcher.addPath(m_folder->path());
+    }
+    const model::MapSpec& spec = model::mapSpec(target.map);
+    const QString path =
+        m_folder->filePath(QStringLiteral("%1-%2.png").arg(QLatin1StringView(spec.id)).arg(++m_number));
+    const std::optional<model::Result<void>> written = m_jobs.await<void>(
+        tr("Writing %1").arg(QFileInfo(path).fileName()), [&, raster = layer->raster](const model::Progress& progress) {
+            return model::ImporterClient().writeImage(model::imageFromLayer(raster, spec), path, 16, progress);
+        });
+    if (!written)
+        return;
+    if (!*written)
+        return Q_EMIT failed(written->error().message);
+    m_away[path] = {.layer = target, .bytes = contentOf(path)};
+    m_watcher.addPath(path);
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
+        return Q_EMIT failed(
+            tr("The system knows no program that opens '%1'; open it yourself: what is saved there comes back.")
+                .arg(QDir::toNativeSeparators(path)));
+    Q_EMIT told(tr("%1 is open elsewhere: what is saved there comes back").arg(QFileInfo(path).fileName()));
+}
+
+void OutsideEdit::look()
+{
+    for (auto& [path, away] : m_away) {
+        const QByteArray bytes = contentOf(path);
+        if (bytes.isEmpty() || bytes == away.bytes)
+            continue;
+        away.bytes = bytes;
+        m_watcher.addPath(path); // Another file is there by now.
+        takeBack(path, away.layer);
+        return m_quiet.start(); // There may be more.
+    }
+}
+
+void OutsideEdit::takeBack(const QString& path, const model::LayerAddress& layer)
+{
+    m_session.endPreviews();
+    const auto current = [this, &layer] {
+        return m_session.document().committed().layer(layer.group, layer.map, layer.layer);
+    };
+    if (current() == nullptr)
+        return Q_EMIT failed(tr("The layer of '%1' is no longer there; undo what removed it and save the image again.")
+                                 .arg(QFileInfo(path).fileName()));
+    const int size = current()->raster.size();
+    std::optional<model::Result<model::ImageLayer>> read = m_jobs.await<model::ImageLayer>(
+        tr("Reading %1").arg(QFileInfo(path).fileName()), [&path, &layer, size](const model::Progress& progress) {
+            return model::layerFromFile(path, model::mapSpec(layer.map), false, size, progress);
+        });
+    if (!read)
+        return;
+    if (!*read)
+        return Q_EMIT failed(read->error().message);
+    if (current() == nullptr || current()->raster.size() != size)
+        return;
+    replaceLayer(layer, std::move((*read)->raster));
+    Q_EMIT told(tr("%1 came back").arg(QFileInfo(path).fileName()));
+}
+
+void OutsideEdit::replaceLayer(const model::LayerAddress& address, sim::TiledRaster raster)
+{
+    model::Document& document = m_session.document();
+    const sim::TiledRaster& before = document.committed().layer(address.group, address.map, address.layer)->raster;
+    model::LayerTiles tiles;
+    for (int index = 0; index < raster.tileCount(); ++index) {
+        raster.compact(index);
+        if (!sim::sameTexels(*raster.tile(index), *before.tile(index)))
+            tiles.emplace_back(index, raster.tile(index));
+    }
+    document.push(model::paintCommand(document, address, std::move(tiles),
+                                      tr("Edit %1 elsewhere").arg(model::mapSpec(address.map).titleText())));
+}
+
+} // namespace hairpaint::app

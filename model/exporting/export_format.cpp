@@ -1,0 +1,144 @@
+// The rows, and how one of them is carried out.
+#include "model/exporting/export_format.h"
+
+#include "model/exporting/hair_file.h"
+#include "model/exporting/obj_file.h"
+#include "model/exporting/ribbon_file.h"
+#include "model/exporting/usd_file.h"
+#include "model/files/sentences.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr ExportSpace kMetres{};
+constexpr ExportSpace kCentimetres{.unitsPerMetre = 100.0F};
+constexpr ExportSpace kMetresZ{.zUp = true};
+constexpr ExportSpace kCentimetresZ{.unitsPerMetre = 100.0F, .zUp = true};
+
+constexpr std::array<ExportTarget, 6> kTargets = {{
+    {.id = "any", .title = QT_TRANSLATE_NOOP("Export", "Any program: metres, y up"), .space = kMetres},
+    {.id = "blender", .title = "Blender", .space = kMetresZ},
+    {.id = "unreal", .title = "Unreal Engine", .space = kCentimetresZ, .groomColours = true},
+    {.id = "godot", .title = "Godot", .space = kMetres},
+    {.id = "unity", .title = "Unity", .space = kMetres},
+    {.id = "maya", .title = "Maya", .space = kCentimetres},
+}};
+
+constexpr std::array<ExportFormat, 5> kFormats = {{
+    {.suffix = "hair",
+     .title = QT_TRANSLATE_NOOP("Export", "Hair curves"),
+     .use = QT_TRANSLATE_NOOP("Export", "Strands with width, transparency and colour, small and quickly read."),
+     .space = FormatSpace::Target,
+     .write = writeHairFile},
+    {.suffix = "usda",
+     .title = QT_TRANSLATE_NOOP("Export", "USD text"),
+     .use = QT_TRANSLATE_NOOP("Export", "Strands and guides for Unreal, Houdini, Maya and Blender 4."),
+     .space = FormatSpace::Target,
+     .write = writeUsdFile},
+    {.suffix = "usdz",
+     .title = QT_TRANSLATE_NOOP("Export", "USD archive"),
+     .use = QT_TRANSLATE_NOOP("Export", "The same as USD text, in one archive."),
+     .space = FormatSpace::Target,
+     .write = writeUsdArchive},
+    {.suffix = "obj",
+     .title = QT_TRANSLATE_NOOP("Export", "OBJ lines"),
+     .use = QT_TRANSLATE_NOOP("Export", "Lines that nearly every program reads; without widths."),
+     .space = FormatSpace::TargetUnit,
+     .write = writeObjFile},
+    {.suffix = "glb",
+     .title = QT_TRANSLATE_NOOP("Export", "glTF ribbons"),
+     .use = QT_TRANSLATE_NOOP("Export", "A flat ribbon a strand, as a mesh for engines and the web. Fewer hairs are "
+                                        "wider, so that they cover as much."),
+     .space = FormatSpace::Own,
+     .write = writeRibbonFile},
+}};
+
+/// Of all work, finding the curves.
+constexpr double kMeasured = 0.2;
+
+QString exportText(const char* text)
+{
+    return QCoreApplication::translate("Export", text);
+}
+
+} // namespace
+
+QString ExportTarget::titleText() const
+{
+    return exportText(title);
+}
+
+std::span<const ExportTarget> exportTargets()
+{
+    return kTargets;
+}
+
+const ExportTarget* findExportTarget(const QString& id)
+{
+    const auto* const found = std::ranges::find_if(
+        kTargets, [&id](const ExportTarget& target) { return id == QLatin1StringView(target.id); });
+    return found == kTargets.end() ? nullptr : &*found;
+}
+
+QString ExportFormat::titleText() const
+{
+    return exportText(title);
+}
+
+QString ExportFormat::useText() const
+{
+    return exportText(use);
+}
+
+ExportSettings ExportFormat::settingsFor(const ExportTarget& target) const
+{
+    ExportSettings settings{.space = target.space, .groomColours = target.groomColours};
+    if (space != FormatSpace::Target)
+        settings.space.zUp = false;
+    if (space == FormatSpace::Own)
+        settings.space.unitsPerMetre = 1.0F;
+    return settings;
+}
+
+std::span<const ExportFormat> exportFormats()
+{
+    return kFormats;
+}
+
+const ExportFormat* findExportFormat(const QString& path)
+{
+    const auto* const found = std::ranges::find_if(kFormats, [&path](const ExportFormat& format) {
+        return path.endsWith(QLatin1Char('.') + QLatin1StringView(format.suffix), Qt::CaseInsensitive);
+    });
+    return found == kFormats.end() ? nullptr : &*found;
+}
+
+QStringList exportFilters()
+{
+    QStringList filters;
+    for (const ExportFormat& format : kFormats)
+        filters += QStringLiteral("%1 (*.%2)").arg(format.titleText(), QLatin1StringView(format.suffix));
+    return filters;
+}
+
+Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, const ExportRequest& request,
+                        const QString& path, const Progress& progress)
+{
+    return withinMemory(path, cannotWrite, [&]() -> Result<void> {
+        const auto part = [&progress](double from, double to) -> Progress {
+            return [&progress, from, to](double done) { return !progress || progress(from + (to - from) * done); };
+        };
+        const std::optional<CurveSet> curves = CurveSet::of(frame, request.curves, part(0.0, kMeasured));
+        if (!curves)
+            return cancelled(path);
+        return request.format->write(*curves, request.format->settingsFor(*request.target), path, part(kMeasured, 1.0));
+    });
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,71 @@
+// The table of formats that hair is exported in, and of programs it is exported for. Menus, dialogs and the command
+// line read it; a format more is a row more.
+#pragma once
+
+#include "model/error.h"
+#include "model/exporting/curve_set.h"
+#include "model/exporting/export_space.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace hairpaint::model {
+
+/// A program that reads what is exported, and the space that is its own.
+struct ExportTarget
+{
+    const char* id;    ///< "blender": what scripts call it.
+    const char* title; ///< Translated in context "Export".
+    ExportSpace space;
+    bool groomColours = false; ///< See ExportSettings.
+    [[nodiscard]] QString titleText() const;
+};
+
+/// The first is no program in particular: metres, y up.
+[[nodiscard]] std::span<const ExportTarget> exportTargets();
+/// Null where there is none of that id.
+[[nodiscard]] const ExportTarget* findExportTarget(const QString& id);
+
+/// How much of a target's space a format takes on.
+enum class FormatSpace : std::uint8_t
+{
+    Target,     ///< All of it, and the file tells so where it can.
+    TargetUnit, ///< Its unit; readers expect y up and turn it themselves.
+    Own         ///< Metres and y up, as the format prescribes.
+};
+
+struct ExportFormat
+{
+    const char* suffix; ///< "hair", without the dot.
+    const char* title;  ///< "Hair curves", translated in context "Export".
+    const char* use;    ///< A sentence on what it is good for; translated in context "Export".
+    FormatSpace space;
+    Result<void> (*write)(const CurveSet& curves, const ExportSettings& settings, const QString& path,
+                          const Progress& progress);
+    [[nodiscard]] QString titleText() const;
+    [[nodiscard]] QString useText() const;
+    [[nodiscard]] ExportSettings settingsFor(const ExportTarget& target) const;
+};
+
+[[nodiscard]] std::span<const ExportFormat> exportFormats();
+/// By the name's ending; null where it is none of theirs.
+[[nodiscard]] const ExportFormat* findExportFormat(const QString& path);
+/// "Hair curves (*.hair)" and so on, one a format.
+[[nodiscard]] QStringList exportFilters();
+
+struct ExportRequest
+{
+    const ExportFormat* format = nullptr;
+    const ExportTarget* target = nullptr;
+    CurveOptions curves;
+};
+
+/// Atomic: nothing is written where it fails or `progress`, which never steps back, cancels. Any thread.
+[[nodiscard]] Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame,
+                                      const ExportRequest& request, const QString& path, const Progress& progress = {});
+
+} // namespace hairpaint::model

@@ -1,0 +1,30 @@
+// Units and axes of what is exported.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace hairpaint::model {
+
+/// From ours (m, y up, face toward +z) to another right-handed space. With z up the face looks toward -y.
+struct ExportSpace
+{
+    float unitsPerMetre = 1.0F;
+    bool zUp = false;
+
+    [[nodiscard]] glm::vec3 direction(const glm::vec3& own) const
+    {
+        return zUp ? glm::vec3(own.x, -own.z, own.y) : own;
+    }
+    [[nodiscard]] glm::vec3 position(const glm::vec3& own) const { return unitsPerMetre * direction(own); }
+    [[nodiscard]] float length(float metres) const { return unitsPerMetre * metres; }
+    friend bool operator==(const ExportSpace&, const ExportSpace&) = default;
+};
+
+/// How a file is written.
+struct ExportSettings
+{
+    ExportSpace space;
+    bool groomColours = false; ///< Its reader takes colours from Unreal's groom attributes alone.
+};
+
+} // namespace hairpaint::model

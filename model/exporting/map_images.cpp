@@ -1,0 +1,91 @@
+// Encoded by the helper program into a folder beside, then put in their places.
+#include "model/exporting/map_images.h"
+
+#include "model/files/image_map.h"
+#include "model/files/sentences.h"
+#include "model/files/staged_files.h"
+
+#include <QDir>
+#include <QSet>
+
+#include <algorithm>
+#include <array>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr std::array<MapImageFormat, 4> kImageFormats = {{
+    {.suffix = "png", .hasDepths = true},
+    {.suffix = "tif", .hasDepths = true},
+    {.suffix = "exr", .hasDepths = false},
+    {.suffix = "tga", .hasDepths = false},
+}};
+
+/// Without what is no part of a file's name on some system.
+QString fileWord(const QString& name)
+{
+    QString word;
+    for (const QChar c : name.simplified())
+        word += c.isPrint() && !QStringLiteral("/\\:*?\"<>|.").contains(c) ? c : QLatin1Char('_');
+    return word.isEmpty() ? QStringLiteral("_") : word.left(64);
+}
+
+} // namespace
+
+std::span<const MapImageFormat> mapImageFormats()
+{
+    return kImageFormats;
+}
+
+const MapImageFormat* findMapImageFormat(const QString& suffix)
+{
+    const auto* const found = std::ranges::find_if(kImageFormats, [&suffix](const MapImageFormat& format) {
+        return suffix.compare(QLatin1StringView(format.suffix), Qt::CaseInsensitive) == 0;
+    });
+    return found == kImageFormats.end() ? nullptr : &*found;
+}
+
+QStringList mapImageNames(std::span<const WantedMap> maps, const MapImageFormat& format)
+{
+    QStringList names;
+    QSet<QString> taken;
+    for (const WantedMap& map : maps) {
+        const QString word = fileWord(map.group) + QLatin1Char('-') + QLatin1StringView(mapSpec(map.kind).id);
+        QString name = word;
+        for (int number = 2; taken.contains(name.toLower()); ++number)
+            name = QStringLiteral("%1-%2").arg(word).arg(number);
+        taken.insert(name.toLower());
+        names += name + QLatin1Char('.') + QLatin1StringView(format.suffix);
+    }
+    return names;
+}
+
+Result<void> writeMapImages(std::span<const WantedMap> maps, const QString& folder, const MapImageOptions& options,
+                            const Progress& progress)
+{
+    QStringList places;
+    for (const QString& name : mapImageNames(maps, *options.format))
+        places += QDir(folder).filePath(name);
+    for (const QString& place : places)
+        if (const Checked<void> writable = checkWritable(place); !writable)
+            return cannotWrite(place, writable.error());
+    const StagedFiles staged(folder);
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const QString& place = places[static_cast<qsizetype>(i)];
+        const auto part = [&](double done) {
+            return !progress || progress((static_cast<double>(i) + done) / static_cast<double>(maps.size()));
+        };
+        if (!part(0.0))
+            return cancelled(place);
+        const Result<void> written = withinMemory(place, cannotWrite, [&] {
+            return ImporterClient().writeImage(imageFromMap(*maps[i].resolved, mapSpec(maps[i].kind), options.grey),
+                                               staged.pathFor(place), options.bits, part);
+        });
+        if (!written)
+            return tl::unexpected(staged.named(written.error(), place));
+    }
+    return staged.publish(places);
+}
+
+} // namespace hairpaint::model

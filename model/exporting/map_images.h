@@ -1,0 +1,48 @@
+// Maps as image files, one or many.
+#pragma once
+
+#include "model/error.h"
+#include "model/progress.h"
+#include "model/project.h"
+
+#include <QStringList>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// Kinds of file that maps are written as; the first unless something else is wanted.
+struct MapImageFormat
+{
+    const char* suffix; ///< "png"
+    bool hasDepths;     ///< 8 or 16 bits a channel; else it has a depth of its own, which loses nothing.
+};
+[[nodiscard]] std::span<const MapImageFormat> mapImageFormats();
+/// Null where there is none of that suffix.
+[[nodiscard]] const MapImageFormat* findMapImageFormat(const QString& suffix);
+
+struct MapImageOptions
+{
+    const MapImageFormat* format = &mapImageFormats().front();
+    int bits = 16;     ///< 8 or 16
+    bool grey = false; ///< The value as brightness instead of a colour of the scale, where a grey can tell it.
+};
+
+/// A map that is to be written.
+struct WantedMap
+{
+    QString group; ///< Its name.
+    MapKind kind = MapKind::Density;
+    std::shared_ptr<const sim::TiledRaster> resolved;
+};
+
+/// "Scalp-density.png" and so on: names that every system takes, no two alike.
+[[nodiscard]] QStringList mapImageNames(std::span<const WantedMap> maps, const MapImageFormat& format);
+
+/// All into a folder that is there, under these names; none where one of them fails or `progress` cancels. Any thread.
+[[nodiscard]] Result<void> writeMapImages(std::span<const WantedMap> maps, const QString& folder,
+                                          const MapImageOptions& options, const Progress& progress = {});
+
+} // namespace hairpaint::model

@@ -1,0 +1,15 @@
+// Hair as the lines of a Wavefront OBJ.
+#pragma once
+
+#include "model/error.h"
+#include "model/exporting/curve_set.h"
+#include "model/exporting/export_space.h"
+
+namespace hairpaint::model {
+
+/// An object a group; vertices with colours (sRGB as encoded), and a line a segment, since some readers keep no more
+/// of a longer one. Atomic. Any thread.
+[[nodiscard]] Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
+                                        const Progress& progress = {});
+
+} // namespace hairpaint::model

@@ -1,0 +1,19 @@
+// Hair as USD: text, and the ZIP form of it.
+#pragma once
+
+#include "model/error.h"
+#include "model/exporting/curve_set.h"
+#include "model/exporting/export_space.h"
+
+namespace hairpaint::model {
+
+/// An Xform a group, with its strands and, as further curves, its basis hairs as guides: linear BasisCurves with widths
+/// and colours per point (linear light) and Unreal's groom attributes. The stage names unit and axis. Atomic. Any
+/// thread.
+[[nodiscard]] Result<void> writeUsdFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
+                                        const Progress& progress = {});
+/// The same as `hair.usda` in a `.usdz`: stored, its bytes aligned to 64.
+[[nodiscard]] Result<void> writeUsdArchive(const CurveSet& curves, const ExportSettings& settings, const QString& path,
+                                           const Progress& progress = {});
+
+} // namespace hairpaint::model

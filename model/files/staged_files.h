@@ -1,0 +1,29 @@
+// Several files that take their places together, once the last of them is whole.
+#pragma once
+
+#include "model/error.h"
+
+#include <QStringList>
+#include <QTemporaryDir>
+
+namespace hairpaint::model {
+
+/// A folder beside those places, which goes with it. One thread.
+class StagedFiles
+{
+public:
+    /// `folder`: that of the places.
+    explicit StagedFiles(const QString& folder);
+
+    /// Where the file of that place lies meanwhile.
+    [[nodiscard]] QString pathFor(const QString& place) const;
+    /// The error with the place named, not where the file lay meanwhile.
+    [[nodiscard]] Error named(Error error, const QString& place) const;
+    /// Moves all files over what lies in their places.
+    [[nodiscard]] Result<void> publish(const QStringList& places) const;
+
+private:
+    QTemporaryDir m_folder;
+};
+
+} // namespace hairpaint::model

@@ -1,0 +1,249 @@
+// Maps for other programs, by the window's menus: images, the sheet, the clipboard, and layers edited elsewhere.
+#include "app/map_exchange.h"
+#include "model/exporting/map_images.h"
+#include "tests/app/exchange_fixture.h"
+#include "tests/app/program.h"
+#include "tests/app/thin_project.h"
+#include "tests/support/test_program.h"
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QGuiApplication>
+
+namespace hairpaint::app {
+
+using test::contentOf;
+
+/// Stands for the program that opens images.
+class Painter : public QObject
+{
+    Q_OBJECT
+public:
+    QString opened;
+
+public Q_SLOTS:
+    void open(const QUrl& url) { opened = url.toLocalFile(); }
+};
+
+class TestMapExchange : public QObject, private ExchangeFixture
+{
+    Q_OBJECT
+private:
+    Painter m_painter;
+    QStringList m_told;
+
+    void openTold(model::Project project)
+    {
+        open(std::move(project));
+        m_told.clear();
+        QObject::connect(m_window->findChild<MapExchange*>(), &MapExchange::done, m_answers.get(),
+                         [this](const QString& text) { m_told += text; });
+    }
+    /// Where Blender keeps what is the user's; nothing is there yet.
+    [[nodiscard]] QDir freshBlender() const
+    {
+#ifdef Q_OS_WIN
+        qputenv("APPDATA", path("roaming").toLocal8Bit());
+        QDir folder(path("roaming") + QStringLiteral("/Blender Foundation/Blender"));
+#else
+        QDir folder(QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation) +
+                    QStringLiteral("/blender"));
+#endif
+        folder.removeRecursively();
+        return folder;
+    }
+    [[nodiscard]] QString freshFolder(const char* name) const
+    {
+        const QString folder = path(name);
+        QDir(folder).removeRecursively();
+        QDir().mkpath(folder);
+        return folder;
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        prepareDialogs();
+        QDesktopServices::setUrlHandler(QStringLiteral("file"), &m_painter, "open");
+    }
+    void cleanup()
+    {
+        closeWindow();
+        m_painter.opened.clear();
+    }
+    void cleanupTestCase()
+    {
+        QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+    }
+
+    void mapsAreSavedAsTheDialogSays_data()
+    {
+        QTest::addColumn<int>("range");
+        QTest::addColumn<int>("count");
+        const auto kinds = static_cast<int>(model::mapSpecs().size());
+        QTest::newRow("this map") << static_cast<int>(view::MapRange::Active) << 1;
+        QTest::newRow("the group's") << static_cast<int>(view::MapRange::Group) << kinds;
+        QTest::newRow("all") << static_cast<int>(view::MapRange::All) << 2 * kinds;
+    }
+    void mapsAreSavedAsTheDialogSays()
+    {
+        QFETCH(int, range);
+        QFETCH(int, count);
+        model::Project project = test::thinned(starterProject());
+        model::HairGroup beard = project.groups.front();
+        beard.id += 100;
+        beard.name = QStringLiteral("Beard");
+        project.groups.push_back(beard);
+        openTold(std::move(project));
+        editor().setActiveMap(model::MapKind::Length);
+        m_answers->file = freshFolder("maps");
+        m_answers->choosesMaps = [range](view::ExportMapsDialog& dialog) {
+            const QList<QComboBox*> boxes = dialog.findChildren<QComboBox*>();
+            boxes[0]->setCurrentIndex(range);
+            QTest::keyClick(boxes[1], Qt::Key_Down); // As grey,
+            QTest::keyClick(boxes[3], Qt::Key_Down); // of 8 bits.
+        };
+        trigger("file.saveImages");
+        QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('|'))));
+        QCOMPARE(m_told.size(), qsizetype{1});
+        const QDir folder(path("maps"));
+        QCOMPARE(folder.entryList(QDir::Files | QDir::Hidden).size(), qsizetype{count});
+        const QImage length(folder.filePath(QStringLiteral("Scalp-length.png")));
+        QVERIFY(length.isGrayscale() && length.depth() == 8);
+        const auto resolved = session().document().resolvedNow(editor().activeGroup(), model::MapKind::Length);
+        QCOMPARE(length.width(), resolved->size());
+        const int middle = length.width() / 2;
+        QVERIFY(std::abs(qGray(length.pixel(middle, middle)) - resolved->texel(middle, middle)[0] / 257) <= 1);
+    }
+
+    void mapsThatAreThereAreReplacedOnlyAfterAsking()
+    {
+        openTold(model::newProject());
+        m_answers->file = freshFolder("again");
+        trigger("file.saveImages");
+        QVERIFY(m_answers->said.isEmpty());
+        trigger("file.saveImages");
+        QCOMPARE(m_answers->said.size(), qsizetype{1});
+        QCOMPARE(m_told.size(), qsizetype{2});
+    }
+
+    void mapsThatCantBeSavedAreToldOfOnce()
+    {
+        openTold(model::newProject());
+        const QString folder = freshFolder("taken");
+        QVERIFY(QDir(folder).mkdir(QStringLiteral("Scalp-length.png"))); // Where a file should go.
+        m_answers->file = folder;
+        trigger("file.saveImages");
+        QCOMPARE(m_answers->said.size(), qsizetype{2}); // The question, and the sentence.
+        QVERIFY2(m_answers->said.back().contains(QStringLiteral("Scalp-length.png")),
+                 qPrintable(m_answers->said.back()));
+        QCOMPARE(QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), qsizetype{1});
+    }
+
+    void theSheetIsSaved()
+    {
+        openTold(model::newProject());
+        m_answers->file = path("layout"); // The ending is the filter's.
+        trigger("file.uvSheet");
+        QCOMPARE(m_told, QStringList(QStringLiteral("layout.pdf written")));
+        QVERIFY(contentOf(path("layout.pdf")).startsWith("%PDF"));
+    }
+
+    void whatAnotherProgramSavesComesBackAsOneStep()
+    {
+        openTold(model::newProject());
+        editor().setActiveMap(model::MapKind::Length);
+        const model::LayerAddress target = editor().target();
+        trigger("file.editOutside");
+        QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('|'))));
+        QVERIFY(m_painter.opened.endsWith(QStringLiteral(".png")));
+        QImage image(m_painter.opened);
+        QVERIFY(image.hasAlphaChannel());
+        QCOMPARE(stack().count(), 0);
+
+        image = image.convertToFormat(QImage::Format_ARGB32);
+        for (int y = 0; y < image.height() / 2; ++y)
+            for (int x = 0; x < image.width(); ++x)
+                image.setPixelColor(x, y, Qt::blue);
+        // As careful programs save: another file in the place of the old one.
+        const QString aside = m_painter.opened + QStringLiteral(".new");
+        QVERIFY(image.save(aside, "PNG") && QFile::remove(m_painter.opened) && QFile::rename(aside, m_painter.opened));
+        QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
+        QCOMPARE(stack().undoText(), QStringLiteral("Edit Length elsewhere"));
+        const auto texel = [&](int y) {
+            const model::Layer* layer = session().document().committed().layer(target.group, target.map, target.layer);
+            return layer->raster.texel(10, y);
+        };
+        QCOMPARE(texel(10), (sim::Texel{65535, 65535, 0, 0}));
+        const int low = image.height() - 10;
+        QCOMPARE(texel(low)[1], std::uint16_t{0});
+
+        // Saved again, in place.
+        for (int x = 0; x < image.width(); ++x)
+            image.setPixelColor(x, low, Qt::blue);
+        QVERIFY(image.save(m_painter.opened));
+        QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 2, kPatienceMs);
+        QCOMPARE(texel(low), (sim::Texel{65535, 65535, 0, 0}));
+        session().document().undo();
+        session().document().undo();
+        QCOMPARE(texel(10)[1], std::uint16_t{0});
+    }
+
+    void theAddonGoesIntoEveryBlenderThatIsThere()
+    {
+        const QDir blender = freshBlender();
+        for (const char* version : {"2.93", "3.4", "4.2", "notes"})
+            QVERIFY(blender.mkpath(QLatin1StringView(version)));
+        openTold(model::newProject());
+        trigger("file.blender");
+        QCOMPARE(m_answers->said.size(), qsizetype{1});
+        QVERIFY2(m_answers->said.front().contains(QStringLiteral("3.4, 4.2")), qPrintable(m_answers->said.front()));
+        const auto script = [&blender](const char* version) {
+            return contentOf(
+                blender.filePath(QLatin1StringView(version) + QStringLiteral("/scripts/addons/hair_paint_import.py")));
+        };
+        QVERIFY(script("3.4").contains("bl_info") && script("4.2") == script("3.4"));
+        QVERIFY(script("2.93").isEmpty());
+        (void)freshBlender();
+    }
+
+    void withoutBlenderTheAddonIsSaved()
+    {
+        (void)freshBlender();
+        openTold(model::newProject());
+        m_answers->file = path("addon");
+        trigger("file.blender");
+        QVERIFY(m_answers->said.isEmpty());
+        QVERIFY(contentOf(path("addon.py")).contains("bl_info"));
+    }
+
+    void anImageFromElsewhereIsPasted()
+    {
+        openTold(model::newProject());
+        editor().setActiveMap(model::MapKind::Length);
+        QImage image(64, 64, QImage::Format_RGB32);
+        image.fill(Qt::blue);
+        QGuiApplication::clipboard()->setImage(image);
+        trigger("edit.paste");
+        QCOMPARE(stack().count(), 1);
+        const int middle = layers().front().raster.size() / 2;
+        const auto isBlue = [&] {
+            const sim::Texel texel = layers().back().raster.texel(middle, middle);
+            return texel[0] > 65500 && texel[1] > 65500; // Scaling rounds.
+        };
+        QVERIFY(isBlue());
+        // What is copied here goes out as an image, and comes back exactly.
+        trigger("edit.copy");
+        QCOMPARE(QGuiApplication::clipboard()->image().pixelColor(middle, middle), QColor(Qt::blue));
+        trigger("edit.clear");
+        QCOMPARE(layers().back().raster.texel(middle, middle)[1], std::uint16_t{0});
+        trigger("edit.paste");
+        QVERIFY(isBlue());
+    }
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestMapExchange, Widgets)
+#include "test_map_exchange.moc"

@@ -1,0 +1,152 @@
+#!/usr/bin/python3
+"""Has other programs open what `hairpaint export` writes, and compares counts and positions.
+
+    check.py PROGRAM FOLDER     PROGRAM: hairpaint; FOLDER: where the judges' packages are installed and files are written
+
+Judges: Blender (its own importers of OBJ and glTF, and our add-on), the Khronos validator (glTF), tinyusdz (USD). What the
+files are to hold is read from the `.hair` of the same hair. Prints a line a check and ends with "N passed, M failed".
+"""
+import json
+import re
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+STYLES = {"straight": "Long straight", "plaits": "Two plaits", "curls": "Ringlets"}
+OPTIONS = ["--hairs", "3000", "--tolerance", "0.2"]
+NEAR = 2e-6
+
+
+class Judge:
+    def __init__(self, program, folder):
+        self.program = Path(program).resolve()
+        self.folder = Path(folder).resolve()
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.passed = self.failed = 0
+
+    def check(self, name, good, told=""):
+        self.passed += good
+        self.failed += not good
+        print(f"{'PASS' if good else 'FAIL'} {name}{' ' + str(told) if told and not good else ''}", flush=True)
+
+    def run(self, *words):
+        return subprocess.run([str(w) for w in words], capture_output=True, text=True, timeout=600)
+
+    def export(self, style, suffix, *options):
+        path = self.folder / f"{style}.{suffix}"
+        done = self.run(self.program, "export", self.folder / f"{style}.hairpaint", "-o", path, *OPTIONS, *options)
+        if done.returncode != 0:
+            sys.exit(done.stderr)
+        return path
+
+
+def read_hair(path):
+    """Points per strand, and the points, as the `.hair` format has them."""
+    data = path.read_bytes()
+    strands, points = struct.unpack_from("<II", data, 4)
+    counts = [n + 1 for n in struct.unpack_from(f"<{strands}H", data, 128)]
+    flat = struct.unpack_from(f"<{3 * points}f", data, 128 + 2 * strands)
+    return counts, list(zip(flat[0::3], flat[1::3], flat[2::3]))
+
+
+def farthest(a, b):
+    if len(a) != len(b):
+        return float("inf")
+    return max(max(abs(x - y) for x, y in zip(p, q)) for p, q in zip(a, b))
+
+
+def blender_reads(judge, path):
+    done = judge.run("blender", "-b", "--factory-startup", "-P", HERE / "blender_reads.py", "--", path)
+    found = re.search(r"^READ (.*)$", done.stdout, re.M)
+    return json.loads(found[1]) if found else []
+
+
+def check_obj(judge, style, counts, points):
+    objects = blender_reads(judge, judge.export(style, "obj", "--target", "blender"))
+    positions = [p for item in objects for p in item["positions"]]
+    judge.check(f"{style}: Blender reads as many points of the OBJ", len(positions) == len(points))
+    judge.check(f"{style}: and as many segments", sum(i["edges"] for i in objects) == len(points) - len(counts))
+    upright = [(x, -z, y) for x, y, z in points]  # In Blender z is up.
+    judge.check(f"{style}: at the same places", farthest(positions, upright) < NEAR, farthest(positions, upright))
+    judge.check(f"{style}: with colours", bool(objects) and all(i["colours"] == 1 for i in objects))
+
+
+def check_addon(judge, style, counts, points):
+    addon = HERE.parents[1] / "resources" / "blender" / "hair_paint_import.py"
+    for target in ("any", "unreal"):
+        path = judge.export(style, "hair", "--target", target)
+        done = judge.run("blender", "-b", "--factory-startup", "-P", HERE / "blender_addon.py", "--", addon, path)
+        found = re.search(r"^READ (.*)$", done.stdout, re.M)
+        made = json.loads(found[1]) if found else {"type": done.stderr}
+        judge.check(f"{style}: our add-on makes Curves in Blender of the file for {target}",
+                    made["type"] == "CURVES", made["type"])
+        if not found:
+            continue
+        upright = [(x, -z, y) for x, y, z in points]
+        away = farthest(made["positions"], upright)
+        judge.check(f"{style}: as many, with as many points", made["sizes"] == counts)
+        judge.check(f"{style}: at the same places", away < NEAR, away)
+        judge.check(f"{style}: as thin as hair", 5e-6 < max(made["radius"]) < 2e-4, max(made["radius"]))
+        judge.check(f"{style}: with colour and material",
+                    len(made["colour"]) == len(points) and made["materials"] == ["Hair"])
+
+
+def check_gltf(judge, style, counts, points):
+    path = judge.export(style, "glb")
+    done = judge.run("node", HERE / "validate_gltf.js", path)
+    report = json.loads(done.stdout)["issues"] if done.returncode == 0 else {"numErrors": done.stderr}
+    judge.check(f"{style}: the glTF has no errors", report.get("numErrors") == 0, report)
+    judge.check(f"{style}: and no warnings", report.get("numWarnings") == 0, report)
+    objects = blender_reads(judge, path)
+    positions = [p for item in objects for p in item["positions"]]
+    middles = [[(a + b) / 2 for a, b in zip(*pair)] for pair in zip(positions[0::2], positions[1::2])]
+    judge.check(f"{style}: Blender reads two triangles a segment of it",
+                sum(i["faces"] for i in objects) == 2 * (len(points) - len(counts)))
+    upright = [(x, -z, y) for x, y, z in points]
+    judge.check(f"{style}: along the strands", farthest(middles, upright) < NEAR, farthest(middles, upright))
+
+
+def numbers_of(text, name):
+    found = re.search(re.escape(name) + r" = \[(.*?)\]", text, re.S)
+    return [float(word) for word in re.findall(r"-?[0-9.]+(?:e-?[0-9]+)?", found[1])] if found else []
+
+
+def check_usd(judge, style, counts, points):
+    for target, turn in (("any", lambda p: p), ("unreal", lambda p: (100 * p[0], -100 * p[2], 100 * p[1]))):
+        path = judge.export(style, "usda", "--target", target)
+        done = judge.run("node", HERE / "read_usd.mjs", judge.folder / "node_modules" / "tinyusdz", path)
+        read = json.loads(done.stdout) if done.returncode == 0 else {"ok": False, "error": done.stderr, "text": ""}
+        judge.check(f"{style}: tinyusdz reads the USD text for {target}", read["ok"] and not read["error"], read["error"])
+        strands = read["text"].split('def BasisCurves "Guides"')[0]
+        flat = numbers_of(strands, "point3f[] points")
+        places = list(zip(flat[0::3], flat[1::3], flat[2::3]))
+        away = farthest(places, [turn(p) for p in points])
+        judge.check(f"{style}: with the same curves", numbers_of(strands, "curveVertexCounts") == counts)
+        judge.check(f"{style}: at the same places", away < (NEAR if target == "any" else 100 * NEAR), away)
+        judge.check(f"{style}: with Unreal's attributes",
+                    all(len(numbers_of(strands, f"primvars:groom_{name}")) == width * len(counts)
+                        for name, width in (("id", 1), ("root_uv", 2), ("width", 1))))
+    path = judge.export(style, "usdz")
+    done = judge.run("node", HERE / "read_usd.mjs", judge.folder / "node_modules" / "tinyusdz", path)
+    judge.check(f"{style}: tinyusdz reads the USD archive", done.returncode == 0 and json.loads(done.stdout)["ok"])
+
+
+def main():
+    judge = Judge(*sys.argv[1:3])
+    for style, preset in STYLES.items():
+        made = judge.run(judge.program, "new", "-o", judge.folder / f"{style}.hairpaint", "--preset", preset)
+        if made.returncode != 0:
+            sys.exit(made.stderr)
+        counts, points = read_hair(judge.export(style, "hair"))
+        check_obj(judge, style, counts, points)
+        check_addon(judge, style, counts, points)
+        check_gltf(judge, style, counts, points)
+        check_usd(judge, style, counts, points)
+    print(f"{judge.passed} passed, {judge.failed} failed")
+    sys.exit(judge.failed != 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,137 @@
+// The dialog of the export, by mouse and keys.
+#include "panel_fixture.h"
+
+#include "tests/support/test_program.h"
+#include "view/dialogs/export_hair_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace hairpaint;
+using namespace hairpaint::view;
+
+namespace {
+
+std::vector<ExportableGroup> twoGroups()
+{
+    return {{.id = 3, .name = QStringLiteral("Scalp"), .hairs = 9000},
+            {.id = 5, .name = QStringLiteral("Brows"), .hairs = 1000}};
+}
+
+QComboBox* boxAt(const ExportHairDialog& dialog, qsizetype index)
+{
+    return dialog.findChildren<QComboBox*>().at(index);
+}
+
+void type(BarSlider& slider, const QString& text)
+{
+    QTest::keyClick(&slider, Qt::Key_Return);
+    auto* line = slider.findChild<QLineEdit*>();
+    QVERIFY(line != nullptr);
+    line->selectAll();
+    QTest::keyClicks(line, text);
+    QTest::keyClick(line, Qt::Key_Return);
+}
+
+QPushButton* acceptButton(const ExportHairDialog& dialog)
+{
+    return dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+}
+
+} // namespace
+
+class TestExportHairDialog : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void at_first_all_hair_goes_out_as_it_is_now()
+    {
+        const ExportHairDialog dialog(twoGroups(), {});
+        const HairExportChoice choice = dialog.choice();
+        QCOMPARE(choice.request.format, &model::exportFormats().front());
+        QCOMPARE(choice.request.target, &model::exportTargets().front());
+        QVERIFY(choice.source == HairSource::Now);
+        QCOMPARE(choice.request.curves.groups.size(), std::size_t{2});
+        QVERIFY(!choice.request.curves.hairs);
+        QCOMPARE(choice.request.curves.toleranceM, 0.0F);
+    }
+
+    void keys_choose_everything()
+    {
+        ExportHairDialog dialog(twoGroups(), {});
+        dialog.show();
+        QTest::keyClick(boxAt(dialog, 0), Qt::Key_Down); // USD text
+        QTest::keyClicks(boxAt(dialog, 1), QStringLiteral("Unreal"));
+        QTest::keyClick(boxAt(dialog, 2), Qt::Key_End);
+        BarSlider* hairs = sliderNamed(dialog, QStringLiteral("Hairs"));
+        QCOMPARE(hairs->value(), 10'000.0);
+        type(*hairs, QStringLiteral("2500"));
+        BarSlider* tolerance = sliderNamed(dialog, QStringLiteral("Tolerance"));
+        type(*tolerance, QStringLiteral("0.25"));
+        const HairExportChoice choice = dialog.choice();
+        QCOMPARE(choice.request.format->suffix, "usda");
+        QCOMPARE(choice.request.target->id, "unreal");
+        QVERIFY(choice.source == HairSource::Rest);
+        QCOMPARE(choice.request.curves.hairs, std::optional<std::size_t>(2500));
+        QVERIFY(std::abs(choice.request.curves.toleranceM - 0.00025F) < 1e-7F);
+        // The next time it begins with them.
+        const ExportHairDialog next(twoGroups(), choice);
+        QCOMPARE(next.choice().request.format->suffix, "usda");
+        QCOMPARE(next.choice().request.target->id, "unreal");
+        QVERIFY(next.choice().source == HairSource::Rest && !next.choice().request.curves.hairs);
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        QVERIFY(!dialog.isVisible() && dialog.result() == QDialog::Rejected);
+    }
+
+    void the_mouse_chooses_groups_and_their_hairs()
+    {
+        ExportHairDialog dialog(twoGroups(), {});
+        dialog.show();
+        const QList<QCheckBox*> boxes = dialog.findChildren<QCheckBox*>();
+        QCOMPARE(boxes.size(), qsizetype{2});
+        BarSlider* hairs = sliderNamed(dialog, QStringLiteral("Hairs"));
+        boxes[0]->click();
+        QCOMPARE(hairs->maximum(), 1000.0);
+        QCOMPARE(dialog.choice().request.curves.groups.size(), std::size_t{1});
+        QCOMPARE(dialog.choice().request.curves.groups.front().id, 5);
+        QVERIFY(!dialog.choice().request.curves.hairs);
+        boxes[1]->click();
+        QVERIFY(!acceptButton(dialog)->isEnabled());
+        const QList<QLabel*> labels = dialog.findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(
+            labels, [](const QLabel* label) { return label->text().contains(QStringLiteral("no hairs")); }));
+        boxes[0]->click();
+        QVERIFY(acceptButton(dialog)->isEnabled());
+        holdAt(*hairs, 0.5);
+        letGo(*hairs);
+        QVERIFY(dialog.choice().request.curves.hairs && *dialog.choice().request.curves.hairs < 9000);
+        QTest::mouseClick(acceptButton(dialog), Qt::LeftButton);
+        QCOMPARE(dialog.result(), static_cast<int>(QDialog::Accepted));
+    }
+
+    void a_format_with_its_own_space_asks_for_no_program()
+    {
+        ExportHairDialog dialog(twoGroups(), {});
+        QVERIFY(boxAt(dialog, 1)->isEnabled());
+        boxAt(dialog, 0)->setCurrentIndex(boxAt(dialog, 0)->count() - 1); // glTF
+        QVERIFY(!boxAt(dialog, 1)->isEnabled());
+    }
+
+    void one_group_needs_no_list()
+    {
+        const ExportHairDialog dialog({{.id = 1, .name = QStringLiteral("Scalp"), .hairs = 10}}, {});
+        QVERIFY(dialog.findChildren<QCheckBox*>().isEmpty());
+        QCOMPARE(dialog.choice().request.curves.groups.size(), std::size_t{1});
+    }
+};
+
+HAIRPAINT_TEST(TestExportHairDialog, Widgets)
+#include "test_export_hair_dialog.moc"

@@ -1,0 +1,174 @@
+// Format, program, source, groups, number of hairs, tolerance.
+#include "view/dialogs/export_hair_dialog.h"
+
+#include "view/theme.h"
+#include "view/widgets/bar_slider.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr double kMmPerMetre = 1000.0;
+constexpr double kGreatestToleranceMm = 5.0;
+
+QVBoxLayout* plainColumn(QWidget* parent = nullptr)
+{
+    auto* column = new QVBoxLayout(parent);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    return column;
+}
+
+} // namespace
+
+ExportHairDialog::ExportHairDialog(std::vector<ExportableGroup> groups, const HairExportChoice& before, QWidget* parent)
+    : QDialog(parent), m_groups(std::move(groups))
+{
+    constexpr int kMargin = 16;
+    constexpr int kWidth = 420;
+    setWindowTitle(tr("Export hair"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+    layout->setSpacing(metrics::kPadding);
+    layout->addLayout(buildForm());
+    m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Export…"));
+    m_buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    layout->addWidget(m_buttons);
+    setMinimumWidth(kWidth);
+    fill(before);
+    for (QComboBox* box : {m_format, m_target, m_source})
+        connect(box, &QComboBox::currentIndexChanged, this, &ExportHairDialog::follow);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    follow();
+}
+
+QComboBox* ExportHairDialog::addChoice(QFormLayout& form, const QString& label)
+{
+    auto* box = new QComboBox(this);
+    form.addRow(label, box);
+    return box;
+}
+
+QFormLayout* ExportHairDialog::buildForm()
+{
+    auto* form = new QFormLayout;
+    form->setSpacing(metrics::kGap);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_format = addChoice(*form, tr("&Format"));
+    for (const model::ExportFormat& format : model::exportFormats())
+        m_format->addItem(QStringLiteral("%1 (.%2)").arg(format.titleText(), QLatin1StringView(format.suffix)));
+    m_use = new QLabel(this);
+    m_use->setProperty("role", QStringLiteral("dim"));
+    m_use->setWordWrap(true);
+    form->addRow(QString(), m_use);
+    m_target = addChoice(*form, tr("&Program"));
+    for (const model::ExportTarget& target : model::exportTargets())
+        m_target->addItem(target.titleText());
+    m_source = addChoice(*form, tr("&Shape"));
+    m_source->addItem(tr("As it is now"));
+    m_source->addItem(tr("Settled"));
+    m_source->addItem(tr("As combed, before it falls"));
+    if (m_groups.size() > 1)
+        form->addRow(tr("Groups"), buildGroups());
+    m_hairs = new BarSlider(tr("Hairs"), this);
+    m_hairs->setExponent(2.0);
+    m_hairs->setHint(tr("An even share of the hairs that are there."));
+    form->addRow(m_hairs);
+    m_tolerance = new BarSlider(tr("Tolerance"), this);
+    m_tolerance->setRange(0.0, kGreatestToleranceMm, 2);
+    m_tolerance->setExponent(3.0);
+    m_tolerance->setDefaultValue(0.0);
+    m_tolerance->setUnit(tr("mm"));
+    m_tolerance->setHint(tr("Leaves out points of the hairs that lie so near to the line without them; with 0 all "
+                            "points are kept."));
+    form->addRow(m_tolerance);
+    return form;
+}
+
+QLayout* ExportHairDialog::buildGroups()
+{
+    constexpr int kMostShown = 6;
+    auto* list = new QWidget;
+    auto* rows = plainColumn(list);
+    for (const ExportableGroup& group : m_groups) {
+        QString text = group.name;
+        auto* box = new QCheckBox(text.replace(QLatin1Char('&'), QLatin1String("&&")), list);
+        box->setChecked(true);
+        rows->addWidget(box);
+        m_boxes.push_back(box);
+        connect(box, &QCheckBox::toggled, this, &ExportHairDialog::follow);
+    }
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(list);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setFixedHeight(std::min(list->sizeHint().height(), kMostShown * metrics::kRow));
+    auto* column = plainColumn();
+    column->addWidget(scroll);
+    return column;
+}
+
+void ExportHairDialog::fill(const HairExportChoice& before)
+{
+    m_format->setCurrentIndex(static_cast<int>(before.request.format - model::exportFormats().data()));
+    m_target->setCurrentIndex(static_cast<int>(before.request.target - model::exportTargets().data()));
+    m_source->setCurrentIndex(static_cast<int>(before.source));
+    m_tolerance->setValue(static_cast<double>(before.request.curves.toleranceM) * kMmPerMetre);
+    m_hairs->setRange(0.0, 0.0);
+}
+
+std::size_t ExportHairDialog::hairsOfChosen() const
+{
+    std::size_t hairs = 0;
+    for (std::size_t i = 0; i < m_groups.size(); ++i)
+        if (m_boxes.empty() || m_boxes[i]->isChecked())
+            hairs += m_groups[i].hairs;
+    return hairs;
+}
+
+void ExportHairDialog::follow()
+{
+    const model::ExportFormat& format = model::exportFormats()[static_cast<std::size_t>(m_format->currentIndex())];
+    // A format that has its own space is the same for every program.
+    m_target->setEnabled(format.space != model::FormatSpace::Own);
+    const auto hairs = static_cast<double>(hairsOfChosen());
+    m_use->setText(hairs > 0.0 ? format.useText() : tr("There are no hairs to be exported here."));
+    const bool all = m_hairs->value() >= m_hairs->maximum();
+    const double kept = m_hairs->value();
+    m_hairs->setRange(std::min(1.0, hairs), hairs);
+    m_hairs->setDefaultValue(hairs);
+    m_hairs->setValue(all ? hairs : std::min(kept, hairs));
+    m_hairs->setEnabled(hairs > 1.0);
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(hairs > 0.0);
+}
+
+HairExportChoice ExportHairDialog::choice() const
+{
+    HairExportChoice choice;
+    choice.request.format = &model::exportFormats()[static_cast<std::size_t>(m_format->currentIndex())];
+    choice.request.target = &model::exportTargets()[static_cast<std::size_t>(m_target->currentIndex())];
+    choice.source = static_cast<HairSource>(m_source->currentIndex());
+    model::CurveOptions& curves = choice.request.curves;
+    for (std::size_t i = 0; i < m_groups.size(); ++i)
+        if (m_boxes.empty() || m_boxes[i]->isChecked())
+            curves.groups.push_back({.id = m_groups[i].id, .name = m_groups[i].name});
+    if (m_hairs->value() < m_hairs->maximum())
+        curves.hairs = static_cast<std::size_t>(m_hairs->value());
+    curves.toleranceM = static_cast<float>(m_tolerance->value() / kMmPerMetre);
+    return choice;
+}
+
+} // namespace hairpaint::view

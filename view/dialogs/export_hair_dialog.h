@@ -1,0 +1,73 @@
+// Asks what of the hair is exported, as what, and for which program.
+#pragma once
+
+#include "model/exporting/export_format.h"
+
+#include <QDialog>
+
+#include <cstdint>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QFormLayout;
+class QLabel;
+class QLayout;
+
+namespace hairpaint::view {
+
+class BarSlider;
+
+/// Which hair is exported.
+enum class HairSource : std::uint8_t
+{
+    Now,     ///< As the 3D area shows it.
+    Settled, ///< After it has fallen for two seconds.
+    Rest     ///< As it is combed, before it falls.
+};
+
+/// A visible hair group, and how many hairs it has to export.
+struct ExportableGroup
+{
+    int id = 0;
+    QString name;
+    std::size_t hairs = 0;
+};
+
+struct HairExportChoice
+{
+    model::ExportRequest request{
+        .format = &model::exportFormats().front(), .target = &model::exportTargets().front(), .curves = {}};
+    HairSource source = HairSource::Now;
+};
+
+/// Modal. Nothing is exported by it: when accepted, ask for choice().
+class ExportHairDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// Begins with format, target, source and tolerance of the choice before, and with all groups and all hairs.
+    ExportHairDialog(std::vector<ExportableGroup> groups, const HairExportChoice& before, QWidget* parent = nullptr);
+    [[nodiscard]] HairExportChoice choice() const;
+
+private:
+    [[nodiscard]] QFormLayout* buildForm();
+    [[nodiscard]] QLayout* buildGroups();
+    [[nodiscard]] QComboBox* addChoice(QFormLayout& form, const QString& label);
+    void fill(const HairExportChoice& before);
+    [[nodiscard]] std::size_t hairsOfChosen() const;
+    void follow();
+
+    std::vector<ExportableGroup> m_groups;
+    std::vector<QCheckBox*> m_boxes; ///< As many; none where there is one group.
+    QComboBox* m_format = nullptr;
+    QComboBox* m_target = nullptr;
+    QComboBox* m_source = nullptr;
+    BarSlider* m_hairs = nullptr;
+    BarSlider* m_tolerance = nullptr;
+    QLabel* m_use = nullptr;
+    QDialogButtonBox* m_buttons = nullptr;
+};
+
+} // namespace hairpaint::view
