@@ -119,6 +119,44 @@ std::optional<PngParts> readPngParts(const QByteArray& png)
     return std::nullopt;
 }
 
+std::optional<PngParts> readPngHeader(const QByteArray& png)
+{
+    constexpr quint32 kHeaderBytes = 13;
+    const char* chunk = png.constData() + kSignature.size();
+    PngParts parts;
+    if (png.size() < qsizetype{kSignature.size() + kFrameBytes + kHeaderBytes} ||
+        QByteArrayView(chunk + 4, 4) != QByteArrayView("IHDR") ||
+        checksum(chunk + 4, kHeaderBytes + 4) != qFromBigEndian<quint32>(chunk + 8 + kHeaderBytes) ||
+        !readHeader(chunk + 8, qFromBigEndian<quint32>(chunk), parts))
+        return std::nullopt;
+    return parts;
+}
+
+QByteArray packedPixelsOf(const QByteArray& png)
+{
+    QByteArray packed;
+    const auto size = static_cast<std::size_t>(png.size());
+    for (std::size_t at = kSignature.size(); at + kFrameBytes <= size;) {
+        const char* chunk = png.constData() + at;
+        const auto length = qFromBigEndian<quint32>(chunk);
+        const bool isPixels = QByteArrayView(chunk + 4, 4) == QByteArrayView("IDAT");
+        const std::size_t there = size - at - kFrameBytes;
+        if (length > there) {
+            if (isPixels)
+                packed.append(chunk + 8, static_cast<qsizetype>(std::min<std::size_t>(length, size - at - 8)));
+            break;
+        }
+        if (checksum(chunk + 4, std::size_t{length} + 4) == qFromBigEndian<quint32>(chunk + 8 + length)) {
+            if (isPixels)
+                packed.append(chunk + 8, static_cast<qsizetype>(length));
+        } else if (isPixels || !packed.isEmpty()) {
+            break; // One before the pixels says nothing that is not known of a layer.
+        }
+        at += kFrameBytes + length;
+    }
+    return packed;
+}
+
 struct PngRows::Stream
 {
     z_stream zlib{};
