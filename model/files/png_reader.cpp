@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <vector>
 
 namespace hairpaint::model {
@@ -174,6 +175,8 @@ struct PngRows::Stream
         zlib.avail_out = static_cast<uInt>(count);
         while (zlib.avail_out > 0 && good && !ended) {
             const int result = inflate(&zlib, Z_NO_FLUSH);
+            if (result == Z_MEM_ERROR)
+                throw std::bad_alloc(); // Its own, and no damage.
             ended = result == Z_STREAM_END;
             good = ended || result == Z_OK;
         }
@@ -206,7 +209,10 @@ PngRows::PngRows(const QByteArray& packedPixels, std::size_t rowBytes, int pixel
     stream.above.resize(rowBytes + 1);
     stream.zlib.next_in = reinterpret_cast<const Bytef*>(packedPixels.constData());
     stream.zlib.avail_in = static_cast<uInt>(packedPixels.size());
-    stream.good = inflateInit(&stream.zlib) == Z_OK;
+    const int result = inflateInit(&stream.zlib);
+    if (result == Z_MEM_ERROR)
+        throw std::bad_alloc();
+    stream.good = result == Z_OK;
 }
 
 PngRows::~PngRows()

@@ -34,7 +34,8 @@ struct PngParts
 /// belongs to it. Empty where there is none.
 [[nodiscard]] QByteArray packedPixelsOf(const QByteArray& png);
 
-/// Inflates and unfilters one row after another. Holds two rows and zlib's window, however large the image is.
+/// Inflates and unfilters one row after another. Throws std::bad_alloc where zlib finds no memory. Holds two rows and
+/// zlib's window, however large the image is.
 class PngRows
 {
 public:

@@ -9,6 +9,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <new>
 
 namespace hairpaint::model {
 
@@ -50,7 +51,7 @@ QByteArray inflated(const QByteArray& packed, qint64 mostBytes)
     z_stream stream{};
     QByteArray bytes;
     if (inflateInit2(&stream, kRaw) != Z_OK)
-        return bytes;
+        throw std::bad_alloc(); // Nothing else can be wrong with it.
     const std::unique_ptr<z_stream, int (*)(z_stream*)> ended(&stream, inflateEnd);
     stream.next_in = reinterpret_cast<const Bytef*>(packed.constData());
     stream.avail_in = static_cast<uInt>(packed.size());
@@ -61,6 +62,8 @@ QByteArray inflated(const QByteArray& packed, qint64 mostBytes)
         stream.avail_out = static_cast<uInt>(std::min<qint64>(piece.size(), mostBytes - bytes.size()));
         const uInt room = stream.avail_out;
         result = inflate(&stream, Z_NO_FLUSH);
+        if (result == Z_MEM_ERROR)
+            throw std::bad_alloc();
         bytes.append(piece.constData(), static_cast<qsizetype>(room - stream.avail_out));
     }
     return bytes;
