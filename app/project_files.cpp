@@ -11,7 +11,10 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QUndoStack>
+
+#include <utility>
 
 namespace hairpaint::app {
 
@@ -30,7 +33,9 @@ const QUndoCommand* newestStep(model::Document& document)
 ProjectFiles::ProjectFiles(Session& session, Settings& settings, Jobs& jobs, QWidget& window)
     : QObject(&window), m_session(session), m_settings(settings), m_jobs(jobs), m_window(window),
       m_encoded(model::makeEncodedLayers())
-{}
+{
+    connect(&m_watch, &FileWatch::maybeChanged, this, &ProjectFiles::tellOfOutside);
+}
 
 QString ProjectFiles::displayName() const
 {
@@ -47,6 +52,8 @@ void ProjectFiles::setThumbnailMaker(std::function<Picture()> maker)
 void ProjectFiles::setPath(const QString& path, const QString& nameWithoutPath)
 {
     m_file.set(path);
+    m_watch.setPath(path);
+    m_toldOfOutside.clear();
     m_nameWithoutPath = nameWithoutPath;
     if (!path.isEmpty()) {
         m_settings.addRecentFile(QFileInfo(path).absoluteFilePath());
@@ -141,6 +148,19 @@ ProjectFiles::Outside ProjectFiles::askAboutOutside()
     return box.clickedButton() == replace ? Outside::Replace
            : box.clickedButton() == other ? Outside::SaveAs
                                           : Outside::Stop;
+}
+
+void ProjectFiles::tellOfOutside()
+{
+    if (m_saving)
+        return;
+    QString text;
+    if (m_file.gone())
+        text = tr("'%1' is no longer where it was; saving writes it again.").arg(displayName());
+    else if (m_file.changedOutside())
+        text = tr("'%1' was changed by another program; saving asks before it replaces that.").arg(displayName());
+    if (std::exchange(m_toldOfOutside, text) != text && !text.isEmpty())
+        Q_EMIT changedOutside(text);
 }
 
 bool ProjectFiles::openPath(const QString& path)
@@ -274,6 +294,7 @@ bool ProjectFiles::saveTo(const QString& path)
     const model::Project project = document.committed();
     const QUndoCommand* newest = newestStep(document);
     const bool keepsEarlier = m_settings.preferences().earlierVersions;
+    const QScopedValueRollback saves(m_saving, true);
     const std::optional<model::Result<void>> saved =
         m_jobs.await<void>(saving, [&](const model::Progress& progress) -> model::Result<void> {
             const QImage thumbnail =

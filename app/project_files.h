@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/background/jobs.h"
+#include "app/file_watch.h"
 #include "app/open_file.h"
 #include "app/session.h"
 #include "app/settings.h"
@@ -40,9 +41,13 @@ public:
     bool saveAs();
     /// Offers to save; false where the user wants to stay.
     bool mayDiscard();
+    /// Looks whether others have changed the file; not every system tells of it.
+    void lookOutside() { m_watch.look(); }
 
 Q_SIGNALS:
     void pathChanged();
+    /// The file was changed or removed by others: a sentence, once for each time.
+    void changedOutside(const QString& text);
 
 private:
     /// Without a file.
@@ -62,6 +67,7 @@ private:
         Stop
     };
     [[nodiscard]] Outside askAboutOutside();
+    void tellOfOutside();
     [[nodiscard]] bool offerAnotherPlace(const QString& problem);
     [[nodiscard]] bool offerRepair(const QString& problem);
     void complain(const QString& message);
@@ -71,6 +77,9 @@ private:
     Jobs& m_jobs;
     QWidget& m_window;
     OpenFile m_file;
+    FileWatch m_watch;
+    QString m_toldOfOutside;   ///< That it is not said again.
+    bool m_saving = false;     ///< Then it is this window that changes the file.
     QString m_nameWithoutPath; ///< Empty: untitled.
     std::function<Picture()> m_thumbnail;
     std::shared_ptr<model::EncodedLayers> m_encoded;
