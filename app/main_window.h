@@ -2,12 +2,12 @@
 #pragma once
 
 #include "app/action_set.h"
+#include "app/background/journal.h"
 #include "app/clip_commands.h"
 #include "app/exchange.h"
 #include "app/live_preferences.h"
 #include "app/physical_keys.h"
 #include "app/project_files.h"
-#include "app/background/journal.h"
 #include "app/session.h"
 #include "app/settings.h"
 #include "app/window_dialogs.h"

@@ -378,6 +378,14 @@
         <source>Nothing was lost.</source>
         <translation>No se ha perdido nada.</translation>
     </message>
+    <message>
+        <source>With &apos;%1&apos; the maps would be larger than a project can be; use smaller images, or fewer.</source>
+        <translation>Con «%1» los mapas serían mayores de lo que puede ser un proyecto; usa imágenes más pequeñas, o menos.</translation>
+    </message>
+    <message>
+        <source>A picture in linear light has at most %1 million pixels; give a smaller --size, or a name that ends in .png</source>
+        <translation>Una imagen en luz lineal tiene como mucho %1 millones de píxeles; indica un --size menor o un nombre que termine en .png</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -564,10 +572,6 @@
     <message>
         <source>it has too many groups or layers; remove some</source>
         <translation>tiene demasiados grupos o capas; quita algunos</translation>
-    </message>
-    <message>
-        <source>the hair has too many points for this format</source>
-        <translation>el pelo tiene demasiados puntos para este formato</translation>
     </message>
     <message>
         <source>its head is %1 m large, and heads of 1 mm to 100 m can be used; choose another unit</source>
@@ -816,6 +820,10 @@
     <message>
         <source>nothing of a project could be found in it; try an earlier copy of it</source>
         <translation>no se ha encontrado en él nada de un proyecto; prueba con una copia anterior</translation>
+    </message>
+    <message>
+        <source>it would take %1, and %2 is the most; make the hair less dense or less curled, or export fewer hairs</source>
+        <translation>ocuparía %1, y lo máximo es %2; haz el pelo menos denso o menos rizado, o exporta menos pelos</translation>
     </message>
 </context>
 <context>
@@ -1623,6 +1631,10 @@
     <message>
         <source>Drawing the picture was cancelled.</source>
         <translation>Se canceló el dibujo de la imagen.</translation>
+    </message>
+    <message>
+        <source>pictures in linear light have at most %1 million pixels; choose a smaller size, or PNG</source>
+        <translation>las imágenes en luz lineal tienen como mucho %1 millones de píxeles; elige un tamaño menor, o PNG</translation>
     </message>
 </context>
 <context>
@@ -2446,6 +2458,14 @@
     <message>
         <source>&amp;Open what can be read</source>
         <translation>&amp;Abrir lo que se pueda leer</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no longer where it was; saving writes it again.</source>
+        <translation>«%1» ya no está donde estaba; al guardar se escribe de nuevo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was changed by another program; saving asks before it replaces that.</source>
+        <translation>Otro programa ha cambiado «%1»; al guardar se pregunta antes de reemplazarlo.</translation>
     </message>
 </context>
 <context>

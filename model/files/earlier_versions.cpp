@@ -6,7 +6,6 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -22,8 +21,8 @@ class Renames
 public:
     ~Renames()
     {
-        for (const auto& [from, to] : std::views::reverse(m_done))
-            (void)replaceFile(to, from);
+        for (auto last = m_done.rbegin(); last != m_done.rend(); ++last)
+            (void)replaceFile(last->second, last->first);
     }
     Renames() = default;
     Renames(const Renames&) = delete;

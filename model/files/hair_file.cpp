@@ -7,13 +7,12 @@
 #include "sim/base/parallel.h"
 #include "sim/groom/strand_curve.h"
 
-#include <QtEndian>
+#include <QLocale>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
-#include <limits>
 #include <span>
 
 namespace hairpaint::model {
@@ -27,6 +26,8 @@ constexpr quint32 kTransparencyFlag = 8;
 constexpr quint32 kColoursFlag = 16;
 constexpr std::size_t kHeaderBytes = 128;
 constexpr std::size_t kTextBytes = 88;
+constexpr std::size_t kPointBytes = 32;                   ///< Place, thickness, transparency, colour.
+constexpr std::size_t kMostHairFileBytes = 2'000'000'000; ///< More is no file that anyone can use.
 constexpr const char* kText = "Hair Paint: metres, y up, face toward +z; root to tip; thickness is the diameter in m";
 static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
 
@@ -176,9 +177,12 @@ Result<void> write(const sim::StrandFrame& frame, const QString& path, const Pro
 {
     const std::vector<Strand> strands = collectStrands(frame);
     const std::size_t pointCount = strands.empty() ? 0 : strands.back().endPoint();
-    if (pointCount > std::numeric_limits<quint32>::max())
-        return cannotWrite(path,
-                           {.text = say(QT_TRANSLATE_NOOP("Files", "the hair has too many points for this format"))});
+    if (pointCount > kMostHairFileBytes / kPointBytes)
+        return cannotWrite(
+            path, {.text = say(QT_TRANSLATE_NOOP("Files", "it would take %1, and %2 is the most; make the hair less "
+                                                          "dense or less curled, or export fewer hairs"))
+                               .arg(QLocale().formattedDataSize(static_cast<qint64>(pointCount * kPointBytes)),
+                                    QLocale().formattedDataSize(static_cast<qint64>(kMostHairFileBytes)))});
     AtomicFile file(path);
     if (const Checked<void> opened = file.open(); !opened)
         return cannotWrite(path, opened.error());
