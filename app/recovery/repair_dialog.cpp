@@ -13,9 +13,9 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr int kWidth = 560;
+constexpr int kRepairWidth = 560;
 constexpr int kListHeight = 240;
-constexpr int kSpacing = 12;
+constexpr int kRepairSpacing = 12;
 
 } // namespace
 
@@ -33,7 +33,7 @@ RepairDialog::RepairDialog(const QString& path, const QStringList& losses, QWidg
                   .arg(name));
     text->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
-    layout->setSpacing(kSpacing);
+    layout->setSpacing(kRepairSpacing);
     layout->addWidget(text);
     if (!losses.isEmpty()) {
         auto* list = new QPlainTextEdit(losses.join(QLatin1Char('\n')));
@@ -45,7 +45,7 @@ RepairDialog::RepairDialog(const QString& path, const QStringList& losses, QWidg
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
-    setMinimumWidth(kWidth);
+    setMinimumWidth(kRepairWidth);
     buttons->button(QDialogButtonBox::Close)->setFocus();
 }
 

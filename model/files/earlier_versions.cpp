@@ -13,7 +13,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr qint64 kPieceBytes = 1 << 20;
+constexpr qint64 kCopiedBytes = 1 << 20;
 
 /// Renames that are taken back where not all of them could be done.
 class Renames
@@ -48,16 +48,16 @@ bool haveSameBytes(QFile& one, const QString& path)
         return false;
     bool same = true;
     while (same && !one.atEnd())
-        same = one.read(kPieceBytes) == other.read(kPieceBytes);
+        same = one.read(kCopiedBytes) == other.read(kCopiedBytes);
     return one.seek(0) && same;
 }
 
-Checked<void> copyTo(QFile& from, const QString& path)
+Checked<void> copyFile(QFile& from, const QString& path)
 {
     AtomicFile copy(path);
     if (Checked<void> opened = copy.open(); !opened)
         return opened;
-    for (QByteArray piece = from.read(kPieceBytes); !piece.isEmpty(); piece = from.read(kPieceBytes))
+    for (QByteArray piece = from.read(kCopiedBytes); !piece.isEmpty(); piece = from.read(kCopiedBytes))
         copy.write(piece);
     if (from.error() != QFileDevice::NoError)
         return refuse(from.errorString());
@@ -86,7 +86,7 @@ Checked<void> keepEarlierVersions(const QString& path)
     // A copy, so that the file is never missing; the renames wait until it is whole.
     const QString newest = earlierVersion(path, 0);
     const QString oldest = earlierVersion(path, kEarlierVersions + 1);
-    if (Checked<void> copied = copyTo(now, newest); !copied)
+    if (Checked<void> copied = copyFile(now, newest); !copied)
         return copied;
     Renames renames;
     for (int number = kEarlierVersions; number >= 0; --number) {

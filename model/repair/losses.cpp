@@ -13,7 +13,7 @@ namespace hairpaint::model {
 namespace {
 
 /// As it stands in a sentence.
-QString quoted(const QString& name)
+QString quotedName(const QString& name)
 {
     return shownPath(shownName(name));
 }
@@ -36,19 +36,19 @@ void Losses::head(const QString& name)
     add(name.isEmpty()
             ? say(QT_TRANSLATE_NOOP("Files", "Its head is lost; that of a new project takes its place."))
             : say(QT_TRANSLATE_NOOP("Files", "Its head '%1' is lost; that of a new project takes its place."))
-                  .arg(quoted(name)));
+                  .arg(quotedName(name)));
 }
 
 void Losses::groupSettings(const QString& group)
 {
     add(say(QT_TRANSLATE_NOOP("Files", "Settings of the group '%1' are lost; the usual ones take their place."))
-            .arg(quoted(group)));
+            .arg(quotedName(group)));
 }
 
 void Losses::groupSetting(const QString& group, const QString& key)
 {
     add(say(QT_TRANSLATE_NOOP("Files", "'%2' of the group '%1' is lost; the usual takes its place."))
-            .arg(quoted(group), quoted(key)));
+            .arg(quotedName(group), quotedName(key)));
 }
 
 void Losses::group(qsizetype number)
@@ -58,20 +58,21 @@ void Losses::group(qsizetype number)
 
 void Losses::map(const QString& group, const QString& id)
 {
-    add(say(QT_TRANSLATE_NOOP("Files", "The map '%2' of the group '%1' is lost.")).arg(quoted(group), quoted(id)));
+    add(say(QT_TRANSLATE_NOOP("Files", "The map '%2' of the group '%1' is lost."))
+            .arg(quotedName(group), quotedName(id)));
 }
 
 void Losses::layerProperties(const QString& group, const MapSpec& spec, const QString& layer)
 {
     add(say(QT_TRANSLATE_NOOP("Files", "Name, order and blending of the layer '%3' of %2 in the group '%1' are lost; "
                                        "its paint is there."))
-            .arg(quoted(group), spec.titleText(), quoted(layer)));
+            .arg(quotedName(group), spec.titleText(), quotedName(layer)));
 }
 
 void Losses::layer(const QString& group, const MapSpec& spec, const QString& layer)
 {
     add(say(QT_TRANSLATE_NOOP("Files", "The paint of the layer '%3' of %2 in the group '%1' is lost."))
-            .arg(quoted(group), spec.titleText(), quoted(layer)));
+            .arg(quotedName(group), spec.titleText(), quotedName(layer)));
 }
 
 void Losses::layerRows(const QString& group, const MapSpec& spec, const QString& layer, int rows, int size)
@@ -79,7 +80,7 @@ void Losses::layerRows(const QString& group, const MapSpec& spec, const QString&
     const int lostPercent = std::max(1, 100 - 100 * rows / size);
     add(say(QT_TRANSLATE_NOOP("Files", "The lower %4 % of the paint of the layer '%3' of %2 in the group '%1' are "
                                        "lost."))
-            .arg(quoted(group), spec.titleText(), quoted(layer), QString::number(lostPercent)));
+            .arg(quotedName(group), spec.titleText(), quotedName(layer), QString::number(lostPercent)));
 }
 
 void Losses::unproven()

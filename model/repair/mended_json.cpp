@@ -17,7 +17,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr auto kFormat = "hairpaint project";
+constexpr auto kMendedFormat = "hairpaint project";
 /// Of project.json, in the order in which they are written; without the head, the groups and what is found anew.
 constexpr std::array kRootKeys = {"background", "ellipsoids", "light", "max_hairs", "seed", "skin", "wind"};
 
@@ -78,7 +78,7 @@ public:
     {
         const int version = valueAt(json.root, "format_version").toInt(0);
         m_good = {
-            {QStringLiteral("format"), QLatin1StringView(kFormat)},
+            {QStringLiteral("format"), QLatin1StringView(kMendedFormat)},
             {QStringLiteral("format_version"), version >= 1 && version <= kFormatVersion ? version : kFormatVersion},
             {QStringLiteral("next_id"), kGreatestNextId},
             {QStringLiteral("head"), QJsonObject{{QStringLiteral("name"), QStringLiteral("bust-1")}}},

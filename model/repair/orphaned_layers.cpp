@@ -17,13 +17,13 @@ namespace hairpaint::model {
 
 namespace {
 
-const QString kId = QStringLiteral("id");
-const QString kName = QStringLiteral("name");
-const QString kMaps = QStringLiteral("maps");
-const QString kSize = QStringLiteral("size");
-const QString kLayers = QStringLiteral("layers");
-const QString kGroups = QStringLiteral("groups");
-const QString kNextId = QStringLiteral("next_id");
+const QString kIdKey = QStringLiteral("id");
+const QString kNameKey = QStringLiteral("name");
+const QString kMapsKey = QStringLiteral("maps");
+const QString kSizeKey = QStringLiteral("size");
+const QString kLayersKey = QStringLiteral("layers");
+const QString kGroupsKey = QStringLiteral("groups");
+const QString kNextIdKey = QStringLiteral("next_id");
 
 /// A layer that has an image; where the JSON does not name it, it is an orphan.
 struct Orphan
@@ -59,14 +59,15 @@ public:
     {
         for (const QJsonValueConstRef value : groups) {
             QJsonObject group = value.toObject();
-            m_ids.insert(group.value(kId).toInt());
-            QJsonObject maps = group.value(kMaps).toObject();
+            m_ids.insert(group.value(kIdKey).toInt());
+            QJsonObject maps = group.value(kMapsKey).toObject();
             for (const QString& map : maps.keys()) {
                 QJsonObject stack = maps.value(map).toObject();
-                stack.insert(kLayers, withoutMislaid(group.value(kId).toInt(), map, stack.value(kLayers).toArray()));
+                stack.insert(kLayersKey,
+                             withoutMislaid(group.value(kIdKey).toInt(), map, stack.value(kLayersKey).toArray()));
                 maps.insert(map, stack);
             }
-            group.insert(kMaps, maps);
+            group.insert(kMapsKey, maps);
             m_groups.push_back(group);
         }
     }
@@ -80,20 +81,20 @@ public:
         QJsonObject* group = groupOf(orphan.group);
         if (group == nullptr)
             return;
-        QJsonObject maps = group->value(kMaps).toObject();
-        QJsonObject stack = maps.value(map).toObject({{kSize, size}});
-        const QString name = layerName(stack.value(kLayers).toArray().size() + 1);
-        const QString groupTitle = group->value(kName).toString(QString::number(orphan.group));
-        if (size == 0 || stack.value(kSize).toInt() != size) {
+        QJsonObject maps = group->value(kMapsKey).toObject();
+        QJsonObject stack = maps.value(map).toObject({{kSizeKey, size}});
+        const QString name = layerName(stack.value(kLayersKey).toArray().size() + 1);
+        const QString groupTitle = group->value(kNameKey).toString(QString::number(orphan.group));
+        if (size == 0 || stack.value(kSizeKey).toInt() != size) {
             m_losses.layer(groupTitle, *orphan.spec, name);
             return;
         }
-        QJsonArray layers = stack.value(kLayers).toArray();
-        layers.append(QJsonObject{{kId, orphan.layer}, {kName, name}});
+        QJsonArray layers = stack.value(kLayersKey).toArray();
+        layers.append(QJsonObject{{kIdKey, orphan.layer}, {kNameKey, name}});
         m_ids.insert(orphan.layer);
-        stack.insert(kLayers, layers);
+        stack.insert(kLayersKey, layers);
         maps.insert(map, stack);
-        group->insert(kMaps, maps);
+        group->insert(kMapsKey, maps);
         m_losses.layerProperties(groupTitle, *orphan.spec, name);
     }
 
@@ -112,7 +113,7 @@ private:
     {
         QJsonArray kept;
         for (const QJsonValueConstRef layer : layers) {
-            const Id id = layer.toObject().value(kId).toInt();
+            const Id id = layer.toObject().value(kIdKey).toInt();
             const auto isHere = [&](const Orphan& one) {
                 return one.layer == id && one.group == group && map == QLatin1StringView(one.spec->id);
             };
@@ -128,15 +129,15 @@ private:
     /// Null where there is none and none can be made.
     [[nodiscard]] QJsonObject* groupOf(Id id)
     {
-        const auto found =
-            std::ranges::find_if(m_groups, [id](const QJsonObject& group) { return group.value(kId).toInt() == id; });
+        const auto found = std::ranges::find_if(
+            m_groups, [id](const QJsonObject& group) { return group.value(kIdKey).toInt() == id; });
         if (found != m_groups.end())
             return &*found;
         if (m_groups.size() >= kMostGroups || !m_ids.insert(id).second)
             return nullptr;
         const QString name = groupName(static_cast<qsizetype>(m_groups.size()) + 1);
         m_losses.groupSettings(name);
-        m_groups.push_back({{kId, id}, {kName, name}});
+        m_groups.push_back({{kIdKey, id}, {kNameKey, name}});
         return &m_groups.back();
     }
 
@@ -152,11 +153,11 @@ private:
 void adoptOrphans(QJsonObject& root, const QStringList& names, const SizeOfLayer& sizeOfLayer, Losses& losses)
 {
     const std::vector<Orphan> there = layersIn(names);
-    Adoption adoption(root.value(kGroups).toArray(), there, sizeOfLayer, losses);
+    Adoption adoption(root.value(kGroupsKey).toArray(), there, sizeOfLayer, losses);
     for (const Orphan& orphan : there)
         adoption.adopt(orphan);
-    root.insert(kGroups, adoption.groups());
-    root.insert(kNextId, std::clamp(root.value(kNextId).toInt(), adoption.greatestId() + 1, kGreatestNextId));
+    root.insert(kGroupsKey, adoption.groups());
+    root.insert(kNextIdKey, std::clamp(root.value(kNextIdKey).toInt(), adoption.greatestId() + 1, kGreatestNextId));
 }
 
 } // namespace hairpaint::model

@@ -25,7 +25,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr qint64 kMostHeadBytes = 192 << 20;
+constexpr qint64 kMostSalvagedHeadBytes = 192 << 20;
 
 tl::unexpected<Clause> nothingLeft()
 {
@@ -177,7 +177,8 @@ private:
     /// Null where it was stopped.
     [[nodiscard]] Checked<void> readHead(ProjectManifest& manifest)
     {
-        const std::optional<SalvagedArchive::Content> glb = m_archive.read(QStringLiteral("head.glb"), kMostHeadBytes);
+        const std::optional<SalvagedArchive::Content> glb =
+            m_archive.read(QStringLiteral("head.glb"), kMostSalvagedHeadBytes);
         HeadReference& reference = manifest.head;
         Checked<std::shared_ptr<const Head>> head = nothingLeft();
         if (!m_headIsNamed && glb) {

@@ -17,9 +17,9 @@ namespace {
 
 constexpr qint64 kLocalBytes = 30;   ///< Of a header before its name (APPNOTE 4.3.7).
 constexpr qint64 kCentralBytes = 46; ///< Likewise (4.3.12).
-constexpr qint64 kPieceBytes = 1 << 20;
-constexpr qint64 kMarkBytes = 4;
-constexpr int kLongestName = 200;
+constexpr qint64 kScannedBytes = 1 << 20;
+constexpr qint64 kSignatureBytes = 4;
+constexpr int kLongestEntryName = 200;
 constexpr std::size_t kMostHeaders = 4 * std::size_t{kMostArchiveEntries};
 constexpr std::size_t kMostRecords = 8; ///< Of one name.
 constexpr quint16 kDeflated = 8;
@@ -38,7 +38,7 @@ quint32 longAt(const QByteArray& bytes, qsizetype at)
     return qFromLittleEndian<quint32>(bytes.constData() + at);
 }
 
-quint32 checksumOf(const QByteArray& bytes)
+quint32 crcOfBytes(const QByteArray& bytes)
 {
     return static_cast<quint32>(
         crc32_z(0, reinterpret_cast<const Bytef*>(bytes.constData()), static_cast<std::size_t>(bytes.size())));
@@ -55,7 +55,7 @@ QByteArray inflated(const QByteArray& packed, qint64 mostBytes)
     const std::unique_ptr<z_stream, int (*)(z_stream*)> ended(&stream, inflateEnd);
     stream.next_in = reinterpret_cast<const Bytef*>(packed.constData());
     stream.avail_in = static_cast<uInt>(packed.size());
-    QByteArray piece(kPieceBytes / 16, Qt::Uninitialized);
+    QByteArray piece(kScannedBytes / 16, Qt::Uninitialized);
     int result = Z_OK;
     while (result == Z_OK && bytes.size() < mostBytes) {
         stream.next_out = reinterpret_cast<Bytef*>(piece.data());
@@ -90,19 +90,19 @@ Checked<SalvagedArchive> SalvagedArchive::open(const QString& path, const std::f
 Checked<void> SalvagedArchive::findHeaders(const std::function<bool()>& goesOn)
 {
     QByteArray piece;
-    for (qint64 at = 0; at < m_file->size() && m_headers.size() < kMostHeaders; at += kPieceBytes) {
+    for (qint64 at = 0; at < m_file->size() && m_headers.size() < kMostHeaders; at += kScannedBytes) {
         if (goesOn && !goesOn())
             return {};
-        piece = bytesAt(at, kPieceBytes + kMarkBytes - 1); // A mark may lie across two pieces.
-        for (qsizetype found = piece.indexOf("PK"); found >= 0 && found < kPieceBytes;
+        piece = bytesAt(at, kScannedBytes + kSignatureBytes - 1); // A mark may lie across two pieces.
+        for (qsizetype found = piece.indexOf("PK"); found >= 0 && found < kScannedBytes;
              found = piece.indexOf("PK", found + 1)) {
-            const QByteArray mark = piece.mid(found, kMarkBytes);
+            const QByteArray mark = piece.mid(found, kSignatureBytes);
             if ((mark == kLocalMark || mark == kCentralMark || mark == kEndMark) && m_headers.size() < kMostHeaders)
                 m_headers.push_back(at + found);
         }
     }
     for (const qint64 header : m_headers) {
-        const QByteArray mark = bytesAt(header, kMarkBytes);
+        const QByteArray mark = bytesAt(header, kSignatureBytes);
         if (mark == kLocalMark)
             readLocal(header);
         else if (mark == kCentralMark)
@@ -113,7 +113,7 @@ Checked<void> SalvagedArchive::findHeaders(const std::function<bool()>& goesOn)
 
 void SalvagedArchive::readLocal(qint64 at)
 {
-    const QByteArray header = bytesAt(at, kLocalBytes + kLongestName);
+    const QByteArray header = bytesAt(at, kLocalBytes + kLongestEntryName);
     if (header.size() < kLocalBytes)
         return;
     const quint16 nameBytes = shortAt(header, 26);
@@ -126,7 +126,7 @@ void SalvagedArchive::readLocal(qint64 at)
 
 void SalvagedArchive::readCentral(qint64 at)
 {
-    const QByteArray header = bytesAt(at, kCentralBytes + kLongestName);
+    const QByteArray header = bytesAt(at, kCentralBytes + kLongestEntryName);
     if (header.size() < kCentralBytes)
         return;
     const quint16 nameBytes = shortAt(header, 28);
@@ -183,7 +183,7 @@ qint64 SalvagedArchive::endOf(qint64 at) const
 
 SalvagedArchive::Content SalvagedArchive::contentOf(const Record& record, qint64 mostBytes)
 {
-    const auto isWhole = [&record](const QByteArray& bytes) { return checksumOf(bytes) == record.checksum; };
+    const auto isWhole = [&record](const QByteArray& bytes) { return crcOfBytes(bytes) == record.checksum; };
     // Its length may be what is damaged.
     const qint64 reach = endOf(record.at) - record.at;
     if (record.deflated) {

@@ -16,7 +16,7 @@ constexpr int kAxisBits = 20;
 constexpr float kMostCells = static_cast<float>(1 << kAxisBits) - 1.0F;
 
 /// The cell, and which of eight ways the skin faces there, so that the two sides of an ear stay apart.
-std::uint64_t keyOf(glm::vec3 place, glm::vec3 normal)
+std::uint64_t clusterKeyOf(glm::vec3 place, glm::vec3 normal)
 {
     std::uint64_t key = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -49,7 +49,7 @@ CoarseMesh coarsened(const HeadMesh& mesh, std::size_t mostVertices)
         for (std::size_t i = 0; i < count && fits; ++i) {
             const glm::vec3 place = (mesh.positionsHd[i] - bounds.least) / cellM;
             const auto next = static_cast<unsigned>(clusters.size());
-            const unsigned cluster = clusters.try_emplace(keyOf(place, mesh.normalsHd[i]), next).first->second;
+            const unsigned cluster = clusters.try_emplace(clusterKeyOf(place, mesh.normalsHd[i]), next).first->second;
             if (cluster == next) {
                 coarse.mesh.positionsHd.emplace_back(0.0F);
                 members.push_back(0.0F);
