@@ -187,7 +187,7 @@ private Q_SLOTS:
 
     void aFileCutShortAnywhereGivesWhatStandsBefore()
     {
-        const qsizetype step = std::max<qsizetype>(1, m_bytes.size() / 100);
+        const qsizetype step = std::max<qsizetype>(1, m_bytes.size() / 60);
         for (qsizetype length = m_bytes.size() - 1; length > 0; length -= length < 4000 ? 97 : step) {
             const QString fault =
                 faultOf(m_bytes.first(length), [length](qsizetype, qsizetype to) { return to > length; });
@@ -199,7 +199,7 @@ private Q_SLOTS:
     {
         std::mt19937 random(11);
         const EntrySpan& json = spanOf(QStringLiteral("project.json"));
-        for (int round = 0; round < 210; ++round) {
+        for (int round = 0; round < 120; ++round) {
             // A third where the directory lies, a third in the JSON and about it.
             const qsizetype from = round % 3 == 0 ? m_spans.back().end : 0;
             const qsizetype to = round % 3 == 1 ? json.end : m_bytes.size();
@@ -214,7 +214,7 @@ private Q_SLOTS:
     void aHoleTakesOnlyWhatItHits()
     {
         std::mt19937 random(5);
-        for (int round = 0; round < 80; ++round) {
+        for (int round = 0; round < 40; ++round) {
             const auto length = static_cast<qsizetype>(random() % 8000);
             const auto at = static_cast<qsizetype>(random() % static_cast<quint32>(m_bytes.size() - length));
             QByteArray bytes = m_bytes;
