@@ -43,7 +43,7 @@ namespace {
 constexpr QSize kSmallestWindow(1100, 680);
 constexpr QSize kFirstWindow(1440, 900);
 constexpr QSize kThumbnail(256, 256);
-constexpr int kReasonMs = 20'000; ///< For reading why there is no picture or no hair.
+constexpr int kReasonMs = 20'000; ///< For reading why there is no picture or no hair, or what others did.
 
 /// Draws what the 3D area shows now.
 ProjectFiles::Picture thumbnailOf(rendering::Scene scene)
@@ -208,6 +208,8 @@ void MainWindow::connectFiles()
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
     connect(&m_files, &ProjectFiles::pathChanged, this, [this] { m_journal.setPath(m_files.path()); });
     view::StatusReadout& status = m_workspace->status();
+    connect(&m_files, &ProjectFiles::changedOutside, &status,
+            [&status](const QString& text) { status.showMessage(text, true, kReasonMs); });
     connect(&m_journal, &Journal::stopped, &status, &view::StatusReadout::setUnprotected);
     connect(&m_journal, &Journal::resumed, &status, [&status] { status.setUnprotected({}); });
     const auto addHelp = [this](QDialog& dialog, view::HelpDialog::Topic topic) {
@@ -312,6 +314,8 @@ bool MainWindow::event(QEvent* event)
     // Another window gets the release of a key that is held now.
     if (event->type() == QEvent::WindowDeactivate && m_workspace != nullptr)
         lookAt(std::nullopt);
+    if (event->type() == QEvent::WindowActivate)
+        m_files.lookOutside();
     return QMainWindow::event(event);
 }
 

@@ -49,6 +49,7 @@ void OpenFile::set(const QString& path)
         }
     }
     const QFileInfo file(path);
+    m_existed = !path.isEmpty() && file.exists();
     m_size = file.size();
     m_modified = file.lastModified();
 }
@@ -57,6 +58,11 @@ bool OpenFile::changedOutside() const
 {
     const QFileInfo file(m_path);
     return !m_path.isEmpty() && file.exists() && (file.size() != m_size || file.lastModified() != m_modified);
+}
+
+bool OpenFile::gone() const
+{
+    return m_existed && !QFileInfo::exists(m_path);
 }
 
 } // namespace hairpaint::app

@@ -23,9 +23,12 @@ public:
     [[nodiscard]] const QString& path() const { return m_path; } ///< Empty: never saved.
     /// It is there, but another program has written it since.
     [[nodiscard]] bool changedOutside() const;
+    /// It was there, and is no more.
+    [[nodiscard]] bool gone() const;
 
 private:
     QString m_path;
+    bool m_existed = false;
     qint64 m_size = 0;
     QDateTime m_modified;
     std::unique_ptr<QLockFile> m_lock;

@@ -63,15 +63,26 @@ model::Result<QImage> PictureMaker::sketch(const rendering::Scene& scene, QSize 
     return draw(scene, quality, size, progress);
 }
 
-model::Result<QImage> PictureMaker::draw(const rendering::Scene& scene, rendering::Quality quality, QSize size,
-                                         const model::Progress& progress)
+model::Result<void> PictureMaker::drawOnly(const rendering::Scene& scene, rendering::Quality quality, QSize size,
+                                           const model::Progress& progress)
 {
     if (std::max(size.width(), size.height()) > kLargestFinePx)
         quality.samples = 1;
     if (!m_renderer->drawPatiently(scene, quality, size.width(), size.height(), progress))
         return model::failure(QCoreApplication::translate("Picture", "Drawing the picture was cancelled."));
+    return {};
+}
+
+model::Result<QImage> PictureMaker::draw(const rendering::Scene& scene, const rendering::Quality& quality, QSize size,
+                                         const model::Progress& progress)
+{
+    if (const model::Result<void> drawn = drawOnly(scene, quality, size, progress); !drawn)
+        return tl::unexpected(drawn.error());
     std::vector<std::uint8_t> pixels;
-    m_renderer->read(pixels);
+    if (std::max(size.width(), size.height()) > kLargestFinePx)
+        pixels = m_renderer->takePicture();
+    else
+        m_renderer->read(pixels); // Another of the kind may follow.
     const QImage drawn(pixels.data(), size.width(), size.height(), size.width() * 4, QImage::Format_RGBA8888);
     QImage picture = drawn.convertToFormat(scene.transparent ? QImage::Format_ARGB32 : QImage::Format_RGB888);
     constexpr int kDotsPerMetre = 2835; // 72 an inch; else the file would tell of this machine's screen.
@@ -86,14 +97,18 @@ model::Result<void> PictureMaker::save(const rendering::Scene& scene, QSize size
     rendering::Quality quality = rendering::pictureQuality();
     quality.samples = look.samples;
     quality.linear = isExr(path);
-    const model::Result<QImage> picture = draw(scene, quality, size, progress);
-    if (!picture)
-        return tl::unexpected(picture.error());
-    if (!quality.linear)
-        return writePicture(*picture, path);
-    std::vector<float> linear;
-    m_renderer->readLinear(linear);
-    return writeBytes(exrBytes(linear, size), path);
+    if (!quality.linear) {
+        const model::Result<QImage> picture = draw(scene, quality, size, progress);
+        return picture ? writePicture(*picture, path) : tl::unexpected(picture.error());
+    }
+    if (qint64{size.width()} * size.height() > kMostLinearPixels)
+        return model::cannotWrite(
+            path, {.text = QCoreApplication::translate("Picture", "pictures in linear light have at most %1 million "
+                                                                  "pixels; choose a smaller size, or PNG")
+                               .arg(kMostLinearPixels / 1'000'000)});
+    if (model::Result<void> drawn = drawOnly(scene, quality, size, progress); !drawn)
+        return drawn;
+    return writeBytes(exrBytes(m_renderer->takeLinear(), size), path);
 }
 
 model::Result<void> writePicture(const QImage& picture, const QString& path)

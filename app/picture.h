@@ -13,6 +13,9 @@ namespace hairpaint::app {
 
 inline constexpr int kLargestFinePx = 4096; ///< Pictures larger than that have one sample a pixel, for want of memory.
 
+/// Pictures in linear light take twice the memory of others: so many pixels at most.
+inline constexpr qint64 kMostLinearPixels = qint64{4096} * 4096;
+
 /// How a picture that is kept is drawn.
 struct PictureLook
 {
@@ -41,8 +44,10 @@ public:
                                                const model::Progress& progress = {});
 
 private:
-    [[nodiscard]] model::Result<QImage> draw(const rendering::Scene& scene, rendering::Quality quality, QSize size,
-                                             const model::Progress& progress);
+    [[nodiscard]] model::Result<void> drawOnly(const rendering::Scene& scene, rendering::Quality quality, QSize size,
+                                               const model::Progress& progress);
+    [[nodiscard]] model::Result<QImage> draw(const rendering::Scene& scene, const rendering::Quality& quality,
+                                             QSize size, const model::Progress& progress);
 
     std::unique_ptr<rendering::SoftwareRenderer> m_renderer;
 };

@@ -2,14 +2,19 @@
 #include "app/project_files.h"
 
 #include "app/library.h"
+#include "app/recovery/repair_dialog.h"
 #include "app/save_dialog.h"
 #include "model/files/earlier_versions.h"
+#include "model/repair/project_repair.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QUndoStack>
+
+#include <utility>
 
 namespace hairpaint::app {
 
@@ -28,11 +33,15 @@ const QUndoCommand* newestStep(model::Document& document)
 ProjectFiles::ProjectFiles(Session& session, Settings& settings, Jobs& jobs, QWidget& window)
     : QObject(&window), m_session(session), m_settings(settings), m_jobs(jobs), m_window(window),
       m_encoded(model::makeEncodedLayers())
-{}
+{
+    connect(&m_watch, &FileWatch::maybeChanged, this, &ProjectFiles::tellOfOutside);
+}
 
 QString ProjectFiles::displayName() const
 {
-    return path().isEmpty() ? tr("Untitled") : QFileInfo(path()).completeBaseName();
+    if (!path().isEmpty())
+        return QFileInfo(path()).completeBaseName();
+    return m_nameWithoutPath.isEmpty() ? tr("Untitled") : m_nameWithoutPath;
 }
 
 void ProjectFiles::setThumbnailMaker(std::function<Picture()> maker)
@@ -40,9 +49,12 @@ void ProjectFiles::setThumbnailMaker(std::function<Picture()> maker)
     m_thumbnail = std::move(maker);
 }
 
-void ProjectFiles::setPath(const QString& path)
+void ProjectFiles::setPath(const QString& path, const QString& nameWithoutPath)
 {
     m_file.set(path);
+    m_watch.setPath(path);
+    m_toldOfOutside.clear();
+    m_nameWithoutPath = nameWithoutPath;
     if (!path.isEmpty()) {
         m_settings.addRecentFile(QFileInfo(path).absoluteFilePath());
         m_settings.setLastFolder(QFileInfo(path).absolutePath());
@@ -89,7 +101,8 @@ bool ProjectFiles::take(const QString& doing, std::shared_ptr<model::EncodedLaye
     if (!ready)
         return false;
     if (!*ready) {
-        complain(ready->error().message);
+        if (!ready->error().isDamage) // For that there is more than words.
+            complain(ready->error().message);
         return false;
     }
     m_encoded = std::move(encoded);
@@ -137,12 +150,26 @@ ProjectFiles::Outside ProjectFiles::askAboutOutside()
                                           : Outside::Stop;
 }
 
+void ProjectFiles::tellOfOutside()
+{
+    if (m_saving)
+        return;
+    QString text;
+    if (m_file.gone())
+        text = tr("'%1' is no longer where it was; saving writes it again.").arg(displayName());
+    else if (m_file.changedOutside())
+        text = tr("'%1' was changed by another program; saving asks before it replaces that.").arg(displayName());
+    if (std::exchange(m_toldOfOutside, text) != text && !text.isEmpty())
+        Q_EMIT changedOutside(text);
+}
+
 bool ProjectFiles::openPath(const QString& path)
 {
     if (!mayOpenTwice(path) || !mayDiscard())
         return false;
     const auto encoded = model::makeEncodedLayers();
     bool unreadable = false;
+    std::optional<model::Error> damage;
     const bool taken =
         take(tr("Opening %1").arg(QFileInfo(path).fileName()), encoded, path, [&](const model::Progress& progress) {
             bool goesOn = true;
@@ -151,10 +178,14 @@ bool ProjectFiles::openPath(const QString& path)
                 return goesOn;
             });
             unreadable = !project && goesOn;
+            if (unreadable && project.error().isDamage)
+                damage = project.error();
             return project;
         });
     if (unreadable)
         m_settings.removeRecentFile(QFileInfo(path).absoluteFilePath());
+    if (damage)
+        return offerRepair(damage->message) && openRepaired(path);
     return taken;
 }
 
@@ -174,6 +205,39 @@ bool ProjectFiles::restore(const model::RecoveredWork& work)
     m_encoded = model::makeEncodedLayers();
     m_session.document().restore(work, std::move(**maps));
     setPath(state.path);
+    return true;
+}
+
+bool ProjectFiles::openRepaired(const QString& path)
+{
+    struct Ready
+    {
+        model::RepairedProject repaired;
+        model::ResolvedMaps maps;
+    };
+    std::optional<model::Result<Ready>> ready =
+        m_jobs.await<Ready>(tr("Repairing %1").arg(QFileInfo(path).fileName()),
+                            [&path](const model::Progress& progress) -> model::Result<Ready> {
+                                model::Result<model::RepairedProject> repaired = model::repairProject(path, progress);
+                                if (!repaired)
+                                    return tl::unexpected(repaired.error());
+                                model::ResolvedMaps maps(repaired->project);
+                                return Ready{.repaired = std::move(*repaired), .maps = std::move(maps)};
+                            });
+    if (!ready)
+        return false;
+    if (!*ready) {
+        complain(ready->error().message);
+        return false;
+    }
+    model::RepairedProject& repaired = (*ready)->repaired;
+    m_encoded = model::makeEncodedLayers();
+    model::RecoveredWork work;
+    work.steps.emplace_back().project = std::move(repaired.project);
+    m_session.document().restore(work, std::move((*ready)->maps));
+    m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    setPath({}, tr("%1 (repaired)").arg(QFileInfo(path).completeBaseName()));
+    RepairDialog(path, repaired.losses, &m_window).exec();
     return true;
 }
 
@@ -230,6 +294,7 @@ bool ProjectFiles::saveTo(const QString& path)
     const model::Project project = document.committed();
     const QUndoCommand* newest = newestStep(document);
     const bool keepsEarlier = m_settings.preferences().earlierVersions;
+    const QScopedValueRollback saves(m_saving, true);
     const std::optional<model::Result<void>> saved =
         m_jobs.await<void>(saving, [&](const model::Progress& progress) -> model::Result<void> {
             const QImage thumbnail =
@@ -258,6 +323,15 @@ bool ProjectFiles::offerAnotherPlace(const QString& problem)
     const QPushButton* other = box.addButton(tr("&Save under another name..."), QMessageBox::AcceptRole);
     box.exec();
     return box.clickedButton() == other;
+}
+
+bool ProjectFiles::offerRepair(const QString& problem)
+{
+    QMessageBox box(QMessageBox::Warning, tr("Open project"), problem, QMessageBox::Cancel, &m_window);
+    const QPushButton* repair = box.addButton(tr("&Open what can be read"), QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == repair;
 }
 
 void ProjectFiles::complain(const QString& message)

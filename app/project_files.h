@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/background/jobs.h"
+#include "app/file_watch.h"
 #include "app/open_file.h"
 #include "app/session.h"
 #include "app/settings.h"
@@ -27,8 +28,8 @@ public:
     /// Draws the picture that files are saved with, on a thread of the jobs'; made anew for each file, on this one.
     using Picture = std::function<QImage(const model::Progress&)>;
     void setThumbnailMaker(std::function<Picture()> maker);
-    /// The open project came from here.
-    void setPath(const QString& path);
+    /// The open project came from here; from nowhere, it may have a name all the same.
+    void setPath(const QString& path, const QString& nameWithoutPath = {});
 
     void newProject();     ///< With the first of the built-in styles.
     bool newBaldProject(); ///< With an empty group; false where the user wants to keep what is open.
@@ -40,9 +41,13 @@ public:
     bool saveAs();
     /// Offers to save; false where the user wants to stay.
     bool mayDiscard();
+    /// Looks whether others have changed the file; not every system tells of it.
+    void lookOutside() { m_watch.look(); }
 
 Q_SIGNALS:
     void pathChanged();
+    /// The file was changed or removed by others: a sentence, once for each time.
+    void changedOutside(const QString& text);
 
 private:
     /// Without a file.
@@ -50,6 +55,8 @@ private:
     /// Reads a project and resolves its maps in the background; then it takes the place of the one that is open.
     bool take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
               const Work<model::Project>& read);
+    /// What can be read of a damaged file takes the place of the project that is open, as one that was never saved.
+    bool openRepaired(const QString& path);
     bool saveTo(const QString& path);
     /// Asks before this window saves over what another one does, or another program has done.
     [[nodiscard]] bool mayOpenTwice(const QString& path);
@@ -60,7 +67,9 @@ private:
         Stop
     };
     [[nodiscard]] Outside askAboutOutside();
+    void tellOfOutside();
     [[nodiscard]] bool offerAnotherPlace(const QString& problem);
+    [[nodiscard]] bool offerRepair(const QString& problem);
     void complain(const QString& message);
 
     Session& m_session;
@@ -68,6 +77,10 @@ private:
     Jobs& m_jobs;
     QWidget& m_window;
     OpenFile m_file;
+    FileWatch m_watch;
+    QString m_toldOfOutside;   ///< That it is not said again.
+    bool m_saving = false;     ///< Then it is this window that changes the file.
+    QString m_nameWithoutPath; ///< Empty: untitled.
     std::function<Picture()> m_thumbnail;
     std::shared_ptr<model::EncodedLayers> m_encoded;
 };

@@ -11,6 +11,7 @@ namespace hairpaint::model {
 struct Error
 {
     QString message;
+    bool isDamage = false; ///< Of a file of ours, of which some may still be read.
 };
 
 template<typename T>
@@ -18,7 +19,7 @@ using Result = tl::expected<T, Error>;
 
 [[nodiscard]] inline tl::unexpected<Error> failure(QString message)
 {
-    return tl::unexpected<Error>(Error{std::move(message)});
+    return tl::unexpected<Error>(Error{.message = std::move(message)});
 }
 
 } // namespace hairpaint::model

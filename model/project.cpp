@@ -48,11 +48,16 @@ Layer* Project::layer(Id groupId, MapKind kind, Id layerId)
     return &owner.map(kind).layers[static_cast<std::size_t>(index)];
 }
 
-sim::TiledRaster emptyRaster(const MapSpec& spec, int size)
+sim::Texel emptyTexel(const MapSpec& spec)
 {
     sim::Texel empty = spec.defaultValue;
     empty[static_cast<std::size_t>(spec.valueChannels)] = 0;
-    return {size, spec.layerChannels(), empty};
+    return empty;
+}
+
+sim::TiledRaster emptyRaster(const MapSpec& spec, int size)
+{
+    return {size, spec.layerChannels(), emptyTexel(spec)};
 }
 
 Layer makeLayer(Project& project, const MapSpec& spec, int size, const QString& name)

@@ -125,7 +125,9 @@ struct Project
 
 /// A group named `name` with every map present and empty (default values, one empty layer a map).
 [[nodiscard]] HairGroup makeGroup(Project& project, const QString& name, int mapSize = 1024);
-/// What a layer without paint holds.
+/// What a layer holds where nothing is painted.
+[[nodiscard]] sim::Texel emptyTexel(const MapSpec& spec);
+/// A layer without paint.
 [[nodiscard]] sim::TiledRaster emptyRaster(const MapSpec& spec, int size);
 [[nodiscard]] Layer makeLayer(Project& project, const MapSpec& spec, int size, const QString& name);
 

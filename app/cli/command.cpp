@@ -89,7 +89,11 @@ constexpr std::array<OptionHelp, 15> kRenderOptions = {{
     {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves from frame 0 on, again and again; for films")},
 }};
 
-constexpr std::array<Command, 5> kCommands = {{
+constexpr std::array<OptionHelp, 1> kRepairOptions = {{
+    {"-o, --output FILE", QT_TRANSLATE_NOOP("CommandLine", "the project to write")},
+}};
+
+constexpr std::array<Command, 6> kCommands = {{
     {"new",
      "-o P.hairpaint [--head MESH] [--preset NAME] [--map [GROUP/]KIND[:grey]=IMAGE]... [--seed N] "
      "[--max-candidates N]",
@@ -109,6 +113,9 @@ constexpr std::array<Command, 5> kCommands = {{
      "[--light NAME] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z] "
      "[--motion nod|shake|turn]",
      QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},
+    {"repair", "DAMAGED.hairpaint -o P.hairpaint",
+     QT_TRANSLATE_NOOP("CommandLine", "writes what can be read of a damaged project, and tells what was lost"),
+     kRepairOptions, runRepair},
 }};
 
 /// The project that a verb is about, else its first file.

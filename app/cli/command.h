@@ -36,7 +36,7 @@ struct OptionHelp
     const char* meaning; ///< To be translated in context "CommandLine".
 };
 
-/// One verb: "new", "info", "presets", "export", "render".
+/// One verb: "new", "info", "presets", "export", "render", "repair".
 struct Command
 {
     const char* name;
@@ -60,6 +60,7 @@ ExitCode runInfo(const QStringList& arguments);
 ExitCode runPresets(const QStringList& arguments);
 ExitCode runExport(const QStringList& arguments);
 ExitCode runRender(const QStringList& arguments);
+ExitCode runRepair(const QStringList& arguments);
 
 /// Prints one line on standard error.
 ExitCode failed(const model::Error& error);

@@ -3,8 +3,10 @@
 #include "app/cli/command.h"
 #include "app/library.h"
 #include "model/commands/commands.h"
+#include "model/content_budget.h"
 #include "model/files/image_map.h"
 #include "model/files/project_file.h"
+#include "model/files/sentences.h"
 #include "model/names.h"
 
 #include <QFileInfo>
@@ -139,9 +141,15 @@ ExitCode runNew(const QStringList& arguments)
             return failed(preset.error());
         model::applyPreset(project, *preset);
     }
-    for (const MapArgument& map : maps)
+    for (const MapArgument& map : maps) {
         if (const model::Result<void> imported = importMap(project, map); !imported)
             return failed(imported.error());
+        // Before the next is read, and long before they are encoded.
+        if (model::excessOf(project.groups) != model::ContentExcess::None)
+            return failed({CommandLine::tr("With '%1' the maps would be larger than a project can be; use smaller "
+                                           "images, or fewer.")
+                               .arg(model::shownPath(map.image))});
+    }
     if (const model::Result<void> saved = model::saveProject(project, output, {}); !saved)
         return failed(saved.error());
     return ExitCode::Done;

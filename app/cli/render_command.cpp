@@ -226,6 +226,10 @@ ExitCode runRender(const QStringList& arguments)
     tl::expected<RenderOptions, QString> options = readOptions(parser);
     if (!options)
         return wrongUsage(kName, options.error());
+    if (isExr(output) && qint64{options->size.width()} * options->size.height() > kMostLinearPixels)
+        return wrongUsage(kName, CommandLine::tr("A picture in linear light has at most %1 million pixels; give a "
+                                                 "smaller --size, or a name that ends in .png")
+                                     .arg(kMostLinearPixels / 1'000'000));
     constexpr double kSettleSeconds = 2.0;
     const auto settle = numberOption(parser, kName, QStringLiteral("settle"), kSettleSeconds, 0.0, 60.0);
     const auto rate = numberOption(parser, kName, QStringLiteral("fps"), options->film.framesPerSecond, 1.0, 240.0);

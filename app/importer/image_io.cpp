@@ -58,6 +58,20 @@ wire::Reason reasonOf(const std::string& message)
     return wire::Reason::UnknownFormat;
 }
 
+/// All pixels with 16 bits a channel. The library takes the way from 8 bits through floats, to the same values.
+bool readSamples(OIIO::ImageInput& input, int channels, std::vector<std::uint16_t>& samples)
+{
+    if (input.spec().format != OIIO::TypeDesc::UINT8)
+        return input.read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT16, samples.data());
+    std::vector<std::uint8_t> bytes(samples.size());
+    if (!input.read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, bytes.data()))
+        return false;
+    constexpr unsigned kSpread = 0xFFFFU / 0xFFU;
+    std::ranges::transform(bytes, samples.begin(),
+                           [](std::uint8_t byte) { return static_cast<std::uint16_t>(kSpread * byte); });
+    return true;
+}
+
 /// Channels as grey, grey and alpha, RGB or RGBA. An alpha that stands elsewhere than second or fourth is left out.
 int keptChannels(const OIIO::ImageSpec& spec)
 {
@@ -92,7 +106,7 @@ tl::expected<wire::Image, wire::Reason> readImage(const std::string& path)
         return tl::unexpected(wire::Reason::TooLarge);
     image.samples.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
                          static_cast<std::size_t>(channels));
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT16, image.samples.data()))
+    if (!readSamples(*input, channels, image.samples))
         return tl::unexpected(input->geterror().find("ompression") != std::string::npos
                                   ? wire::Reason::UnknownCompression
                                   : wire::Reason::Damaged);

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 namespace hairpaint::importer {
 
@@ -101,6 +102,9 @@ tl::expected<sim::HeadMesh, wire::Reason> readMesh(const std::string& path)
         importer.ReadFile(path, static_cast<unsigned>(aiProcess_Triangulate) | aiProcess_GenSmoothNormals |
                                     aiProcess_JoinIdenticalVertices | aiProcess_ValidateDataStructure);
     if (scene == nullptr) {
+        // It catches what is thrown, and keeps the words.
+        if (std::string_view(importer.GetErrorString()).find("bad_alloc") != std::string_view::npos)
+            return tl::unexpected(wire::Reason::OutOfMemory);
         const std::string ending = std::filesystem::path(path).extension().string();
         const bool known = ending.size() > 1 && importer.IsExtensionSupported(ending);
         return tl::unexpected(known ? wire::Reason::Damaged : wire::Reason::UnknownFormat);

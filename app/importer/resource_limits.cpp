@@ -1,4 +1,4 @@
-// Address space on POSIX systems, a job object on Windows.
+// Memory that is written to on Linux, address space on other POSIX systems, a job object on Windows.
 #include "app/importer/resource_limits.h"
 
 #include <cstdint>
@@ -36,14 +36,29 @@ void limitResources()
 
 #elif (defined(__unix__) || defined(__APPLE__)) && !defined(__SANITIZE_ADDRESS__)
 
+namespace {
+
+template<typename Resource>
+void lower(Resource resource, std::uint64_t most)
+{
+    rlimit limit{};
+    if (getrlimit(resource, &limit) != 0)
+        return;
+    if (limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur > most)
+        limit.rlim_cur = most;
+    setrlimit(resource, &limit);
+}
+
+} // namespace
+
 void limitResources()
 {
-    rlimit memory{};
-    if (getrlimit(RLIMIT_AS, &memory) != 0)
-        return;
-    if (memory.rlim_cur == RLIM_INFINITY || memory.rlim_cur > kMostMemoryBytes)
-        memory.rlim_cur = kMostMemoryBytes;
-    setrlimit(RLIMIT_AS, &memory);
+#ifdef __linux__
+    // What is written to; libraries alone map most of a gigabyte that is never in memory.
+    lower(RLIMIT_DATA, kMostMemoryBytes);
+#else
+    lower(RLIMIT_AS, kMostMemoryBytes);
+#endif
 }
 
 #else

@@ -10,7 +10,6 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <limits>
 
 namespace hairpaint::model {
 
@@ -23,6 +22,7 @@ constexpr quint32 kTransparencyFlag = 8;
 constexpr quint32 kColoursFlag = 16;
 constexpr std::size_t kHairHeaderBytes = 128;
 constexpr std::size_t kHairTextBytes = 88;
+constexpr std::size_t kHairPointBytes = 32; ///< Place, thickness, transparency, colour.
 constexpr float kUsualWidthM = 80e-6F;
 static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
 
@@ -65,32 +65,31 @@ Result<void> writeHairFile(const CurveSet& curves, const ExportSettings& setting
                            const Progress& progress)
 {
     const ExportSpace& space = settings.space;
-    return writeInPieces(path, progress, [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
-        if (curves.pointCount() > std::numeric_limits<quint32>::max())
-            return tooManyPoints();
-        const std::array<char, kHairHeaderBytes> header = makeHairHeader(curves, space);
-        writer.write({header.data(), header.size()});
-        const std::span<const Curve> all = curves.curves();
-        writer.write(all, 0.1, [](std::span<const Curve> some, CurveScratch&, std::string& out) {
-            for (const Curve& curve : some)
-                appendBytes(out, static_cast<quint16>(curve.points - 1));
+    return writeInPieces(
+        path, curves.pointCount() * kHairPointBytes, progress, [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
+            const std::array<char, kHairHeaderBytes> header = makeHairHeader(curves, space);
+            writer.write({header.data(), header.size()});
+            const std::span<const Curve> all = curves.curves();
+            writer.write(all, 0.1, [](std::span<const Curve> some, CurveScratch&, std::string& out) {
+                for (const Curve& curve : some)
+                    appendBytes(out, static_cast<quint16>(curve.points - 1));
+            });
+            writer.write(all, 0.5, [&](std::span<const Curve> some, CurveScratch& scratch, std::string& out) {
+                for (const Curve& curve : some)
+                    for (const glm::vec3& point : curves.points(curve, scratch))
+                        appendBytes(out, space.position(point));
+            });
+            writer.write(all, 0.6, perPoint(curves, [&](const Curve& curve, float fraction) {
+                             return space.length(curves.width(curve, fraction));
+                         }));
+            writer.write(all, 0.7, perPoint(curves, [&](const Curve& curve, float fraction) {
+                             return 1.0F - curves.opacity(curve, fraction);
+                         }));
+            writer.write(all, 1.0, perPoint(curves, [&](const Curve& curve, float fraction) {
+                             return curves.encodedColour(curve, fraction);
+                         }));
+            return {};
         });
-        writer.write(all, 0.5, [&](std::span<const Curve> some, CurveScratch& scratch, std::string& out) {
-            for (const Curve& curve : some)
-                for (const glm::vec3& point : curves.points(curve, scratch))
-                    appendBytes(out, space.position(point));
-        });
-        writer.write(all, 0.6, perPoint(curves, [&](const Curve& curve, float fraction) {
-                         return space.length(curves.width(curve, fraction));
-                     }));
-        writer.write(all, 0.7, perPoint(curves, [&](const Curve& curve, float fraction) {
-                         return 1.0F - curves.opacity(curve, fraction);
-                     }));
-        writer.write(all, 1.0, perPoint(curves, [&](const Curve& curve, float fraction) {
-                         return curves.encodedColour(curve, fraction);
-                     }));
-        return {};
-    });
 }
 
 } // namespace hairpaint::model

@@ -7,6 +7,7 @@ namespace hairpaint::model {
 
 namespace {
 
+constexpr std::size_t kObjPointBytes = 60; ///< About: a vertex and its line, as text.
 constexpr int kObjColourDecimals = 4;
 
 /// A name on one line, without the spaces that end it for some readers.
@@ -64,23 +65,25 @@ void writeLines(const CurveGroup& group, double until, PieceWriter& writer)
 Result<void> writeObjFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                           const Progress& progress)
 {
-    return writeInPieces(path, progress, [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
-        writer.write(std::string("# Hair Paint: ") + (settings.space.unitsPerMetre == 1.0F ? "metres" : "centimetres") +
-                     ", y up, face toward +z\n");
-        constexpr double kVertexWork = 0.8;
-        double before = 0.0;
-        for (const CurveGroup& group : curves.groups()) {
-            if (group.curves.empty())
-                continue;
-            const double share =
-                static_cast<double>(group.curves.back().endPoint()) / static_cast<double>(curves.pointCount());
-            writer.write("o " + objectName(group.name) + "\n");
-            writeVertices(curves, group, settings.space, before + kVertexWork * (share - before), writer);
-            writeLines(group, share, writer);
-            before = share;
-        }
-        return {};
-    });
+    return writeInPieces(
+        path, curves.pointCount() * kObjPointBytes, progress, [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
+            writer.write(std::string("# Hair Paint: ") +
+                         (settings.space.unitsPerMetre == 1.0F ? "metres" : "centimetres") +
+                         ", y up, face toward +z\n");
+            constexpr double kVertexWork = 0.8;
+            double before = 0.0;
+            for (const CurveGroup& group : curves.groups()) {
+                if (group.curves.empty())
+                    continue;
+                const double share =
+                    static_cast<double>(group.curves.back().endPoint()) / static_cast<double>(curves.pointCount());
+                writer.write("o " + objectName(group.name) + "\n");
+                writeVertices(curves, group, settings.space, before + kVertexWork * (share - before), writer);
+                writeLines(group, share, writer);
+                before = share;
+            }
+            return {};
+        });
 }
 
 } // namespace hairpaint::model

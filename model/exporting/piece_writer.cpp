@@ -3,6 +3,8 @@
 
 #include "sim/base/parallel.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -80,9 +82,16 @@ void PieceWriter::end()
         tell(1.0);
 }
 
-Result<void> writeInPieces(const QString& path, const Progress& progress,
+Result<void> writeInPieces(const QString& path, std::size_t bytes, const Progress& progress,
                            const std::function<Checked<void>(AtomicFile&, PieceWriter&)>& write)
 {
+    constexpr std::size_t kMostBytes = 2'000'000'000; // More is no file that anyone can use.
+    if (bytes > kMostBytes)
+        return cannotWrite(
+            path, {.text = say(QT_TRANSLATE_NOOP("Files", "it would take %1, and %2 is the most; make the hair "
+                                                          "less dense or less curled, or export fewer hairs"))
+                               .arg(QLocale().formattedDataSize(static_cast<qint64>(bytes)),
+                                    QLocale().formattedDataSize(static_cast<qint64>(kMostBytes)))});
     AtomicFile file(path);
     if (const Checked<void> opened = file.open(); !opened)
         return cannotWrite(path, opened.error());

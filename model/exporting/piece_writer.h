@@ -43,7 +43,8 @@ private:
 };
 
 /// Has `write` fill a file that takes its name once it is whole, and not where anything fails or `progress` cancels.
-[[nodiscard]] Result<void> writeInPieces(const QString& path, const Progress& progress,
+/// Refuses before anything is written where `bytes`, about what it will take, is more than 2 GB.
+[[nodiscard]] Result<void> writeInPieces(const QString& path, std::size_t bytes, const Progress& progress,
                                          const std::function<Checked<void>(AtomicFile&, PieceWriter&)>& write);
 
 /// What a format whose counts or sizes end too early refuses with.

@@ -19,6 +19,7 @@ namespace hairpaint::model {
 
 namespace {
 
+constexpr std::size_t kRibbonPointBytes = 90; ///< About: two vertices and their triangles.
 constexpr int kFloatType = 5126;
 constexpr int kShortType = 5123;
 constexpr int kIntType = 5125;
@@ -235,36 +236,37 @@ private:
 Result<void> writeRibbonFile(const CurveSet& curves, const ExportSettings& /*settings*/, const QString& path,
                              const Progress& progress)
 {
-    return writeInPieces(path, progress, [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
-        constexpr double kMeasuredPart = 0.4;
-        constexpr double kVertexPart = 0.9; // Of the rest.
-        const auto doneWith = [&curves](const RibbonGroup& group) {
-            return static_cast<double>(group.curves->curves.back().endPoint()) /
-                   static_cast<double>(curves.pointCount());
-        };
-        std::vector<RibbonGroup> groups;
-        RibbonJson json;
-        for (const CurveGroup& group : curves.groups()) {
-            if (group.curves.empty())
-                continue;
-            groups.push_back({.curves = &group});
-            measureRibbons(curves, groups.back(), kMeasuredPart * doneWith(groups.back()), writer);
-            json.add(curves, groups.back());
-        }
-        constexpr quint64 kMostJsonBytes = 1U << 20U;
-        if (json.bytes() > std::numeric_limits<quint32>::max() - kMostJsonBytes)
-            return tooManyPoints();
-        const QByteArray head = glbHead(json.finish(), static_cast<quint32>(json.bytes()));
-        writer.write({head.constData(), static_cast<std::size_t>(head.size())});
-        double before = kMeasuredPart;
-        for (const RibbonGroup& group : groups) {
-            const double after = kMeasuredPart + (1.0 - kMeasuredPart) * doneWith(group);
-            writeRibbonVertices(curves, group, before + kVertexPart * (after - before), writer);
-            writeRibbonIndices(group, after, writer);
-            before = after;
-        }
-        return {};
-    });
+    return writeInPieces(path, curves.pointCount() * kRibbonPointBytes, progress,
+                         [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
+                             constexpr double kMeasuredPart = 0.4;
+                             constexpr double kVertexPart = 0.9; // Of the rest.
+                             const auto doneWith = [&curves](const RibbonGroup& group) {
+                                 return static_cast<double>(group.curves->curves.back().endPoint()) /
+                                        static_cast<double>(curves.pointCount());
+                             };
+                             std::vector<RibbonGroup> groups;
+                             RibbonJson json;
+                             for (const CurveGroup& group : curves.groups()) {
+                                 if (group.curves.empty())
+                                     continue;
+                                 groups.push_back({.curves = &group});
+                                 measureRibbons(curves, groups.back(), kMeasuredPart * doneWith(groups.back()), writer);
+                                 json.add(curves, groups.back());
+                             }
+                             constexpr quint64 kMostJsonBytes = 1U << 20U;
+                             if (json.bytes() > std::numeric_limits<quint32>::max() - kMostJsonBytes)
+                                 return tooManyPoints();
+                             const QByteArray head = glbHead(json.finish(), static_cast<quint32>(json.bytes()));
+                             writer.write({head.constData(), static_cast<std::size_t>(head.size())});
+                             double before = kMeasuredPart;
+                             for (const RibbonGroup& group : groups) {
+                                 const double after = kMeasuredPart + (1.0 - kMeasuredPart) * doneWith(group);
+                                 writeRibbonVertices(curves, group, before + kVertexPart * (after - before), writer);
+                                 writeRibbonIndices(group, after, writer);
+                                 before = after;
+                             }
+                             return {};
+                         });
 }
 
 } // namespace hairpaint::model

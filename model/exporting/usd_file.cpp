@@ -13,6 +13,7 @@ namespace hairpaint::model {
 
 namespace {
 
+constexpr std::size_t kUsdPointBytes = 60; ///< About, as text.
 constexpr int kColourDecimals = 4;
 constexpr float kCentimetresPerMetre = 100.0F; ///< groom_width is in Unreal's unit, whatever the stage's is.
 
@@ -256,21 +257,23 @@ private:
 Result<void> writeUsdFile(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                           const Progress& progress)
 {
-    return writeInPieces(path, progress, [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
-        UsdText(curves, settings, writer).write();
-        return {};
-    });
+    return writeInPieces(path, curves.pointCount() * kUsdPointBytes, progress,
+                         [&](AtomicFile&, PieceWriter& writer) -> Checked<void> {
+                             UsdText(curves, settings, writer).write();
+                             return {};
+                         });
 }
 
 Result<void> writeUsdArchive(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                              const Progress& progress)
 {
-    return writeInPieces(path, progress, [&](AtomicFile& file, PieceWriter& writer) {
-        StoredEntry entry(file, "hair.usda");
-        writer.divert([&entry](std::string_view bytes) { entry.write(bytes); });
-        UsdText(curves, settings, writer).write();
-        return entry.finish();
-    });
+    return writeInPieces(path, curves.pointCount() * kUsdPointBytes, progress,
+                         [&](AtomicFile& file, PieceWriter& writer) {
+                             StoredEntry entry(file, "hair.usda");
+                             writer.divert([&entry](std::string_view bytes) { entry.write(bytes); });
+                             UsdText(curves, settings, writer).write();
+                             return entry.finish();
+                         });
 }
 
 } // namespace hairpaint::model

@@ -8,6 +8,7 @@
 #include <zip.h>
 
 #include <algorithm>
+#include <new>
 
 namespace hairpaint::model {
 
@@ -20,6 +21,21 @@ constexpr zip_uint16_t kDosDate1980 = (0U << 9U) | (1U << 5U) | 1U;
 tl::unexpected<Clause> brokenArchive()
 {
     return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive is cut short or broken")));
+}
+
+/// Want of memory, libzip's own or zlib's, is no damage.
+bool lacksMemory(zip_error_t* error)
+{
+    constexpr int kZlibMemory = -4; // Z_MEM_ERROR
+    return error != nullptr &&
+           (zip_error_code_zip(error) == ZIP_ER_MEMORY ||
+            (zip_error_code_zip(error) == ZIP_ER_ZLIB && zip_error_code_system(error) == kZlibMemory));
+}
+
+void throwIfMemoryLacks(zip_error_t* error)
+{
+    if (lacksMemory(error))
+        throw std::bad_alloc();
 }
 
 struct ErrorHolder
@@ -150,11 +166,13 @@ Checked<ArchiveReader> ArchiveReader::open(const QString& path)
 
     ErrorHolder error;
     zip_source_t* source = zip_source_function_create(readFile, &reader.m_handle->source, &error.error);
+    throwIfMemoryLacks(&error.error);
     if (source == nullptr)
         return brokenArchive();
     reader.m_handle->zip = zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error.error);
     if (reader.m_handle->zip == nullptr) {
         zip_source_free(source);
+        throwIfMemoryLacks(&error.error);
         return brokenArchive();
     }
     if (Checked<void> directory = reader.readDirectory(); !directory)
@@ -200,8 +218,10 @@ Checked<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes) c
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is broken")).arg(name));
     };
     zip_file_t* file = zip_fopen_index(m_handle->zip, found.index, 0);
-    if (file == nullptr)
+    if (file == nullptr) {
+        throwIfMemoryLacks(zip_get_error(m_handle->zip));
         return broken();
+    }
     QByteArray bytes(static_cast<qsizetype>(found.size), Qt::Uninitialized);
     quint64 done = 0;
     while (done < found.size) {
@@ -213,8 +233,12 @@ Checked<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes) c
     // One more read runs into the end, where libzip compares the checksum.
     char more = 0;
     const bool ended = done == found.size && zip_fread(file, &more, 1) == 0;
-    if (zip_fclose(file) != 0 || !ended)
+    const bool isStarved = lacksMemory(zip_file_get_error(file));
+    if (zip_fclose(file) != 0 || !ended) {
+        if (isStarved)
+            throw std::bad_alloc();
         return broken();
+    }
     return bytes;
 }
 

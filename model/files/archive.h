@@ -15,7 +15,7 @@ namespace hairpaint::model {
 inline constexpr int kMostArchiveEntries = 8192;
 
 /// Names and sizes are checked when it opens (see the limits in hairpaint_format.md); bytes are read on demand.
-/// One thread at a time.
+/// One thread at a time. Throws std::bad_alloc where memory runs out.
 class ArchiveReader
 {
 public:

@@ -1,6 +1,7 @@
 // Checked writing through QSaveFile.
 #include "model/files/atomic_file.h"
 
+#include <QFile>
 #include <QFileInfo>
 #include <QStorageInfo>
 
@@ -9,6 +10,7 @@
 
 #ifdef Q_OS_UNIX
 #include <cerrno>
+#include <fcntl.h>
 #include <unistd.h>
 #endif
 
@@ -31,6 +33,18 @@ QString syncProblem([[maybe_unused]] const QFileDevice& file)
         return errno == ENOSPC ? noSpace() : qt_error_string(errno);
 #endif
     return {};
+}
+
+/// So that a new name outlives a power cut; not every file system can, and the file itself is safe by now.
+void flushFolder([[maybe_unused]] const QString& folder)
+{
+#ifdef Q_OS_UNIX
+    const int descriptor = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    (void)::fsync(descriptor);
+    (void)::close(descriptor);
+#endif
 }
 
 } // namespace
@@ -104,8 +118,10 @@ Checked<void> AtomicFile::commit()
         m_problem = syncProblem(m_file);
     if (failed())
         return refuse(m_problem);
+    const QString folder = QFileInfo(m_file.fileName()).absolutePath();
     if (!m_file.commit())
         return refuse(writeProblem(m_file));
+    flushFolder(folder);
     return {};
 }
 

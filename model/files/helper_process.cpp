@@ -23,6 +23,7 @@ namespace {
 constexpr int kPollMs = 50;
 /// More than the greatest request and its encoded answer need together.
 [[maybe_unused]] constexpr quint64 kMostMemoryBytes = 1'900'000'000;
+[[maybe_unused]] constexpr quint64 kMappedBytes = 1'500'000'000;
 
 #ifdef Q_OS_UNIX
 
@@ -46,7 +47,14 @@ void confineChild(int timeoutMs)
     const rlimit processor{.rlim_cur = 2 * seconds, .rlim_max = 2 * seconds + 1};
     setrlimit(RLIMIT_CPU, &processor);
     if (kLimitMemory) {
+#ifdef Q_OS_LINUX
+        // What it writes to; libraries alone map most of a gigabyte that is never in memory.
+        const rlimit written{.rlim_cur = kMostMemoryBytes, .rlim_max = kMostMemoryBytes};
+        setrlimit(RLIMIT_DATA, &written);
+        const rlimit memory{.rlim_cur = kMostMemoryBytes + kMappedBytes, .rlim_max = kMostMemoryBytes + kMappedBytes};
+#else
         const rlimit memory{.rlim_cur = kMostMemoryBytes, .rlim_max = kMostMemoryBytes};
+#endif
         setrlimit(RLIMIT_AS, &memory);
     }
 }

@@ -3,6 +3,7 @@
 
 #include "model/files/png_reader.h"
 #include "model/new_image.h"
+#include "model/project.h"
 #include "model/texel_ops.h"
 
 #include <QBuffer>
@@ -82,6 +83,59 @@ private:
     sim::RasterTilePtr m_lastUniform;
 };
 
+bool isLayer(const PngParts& parts, int size)
+{
+    const auto side = static_cast<std::uint32_t>(size);
+    return parts.width == side && parts.height == side && parts.depth == 16 && parts.colourType == kRgba &&
+           !parts.interlaced;
+}
+
+/// Texels on which nothing is painted.
+void leaveEmpty(std::span<std::uint16_t> texels, const MapSpec& spec)
+{
+    const sim::Texel empty = emptyTexel(spec);
+    const auto channels = static_cast<std::size_t>(spec.layerChannels());
+    for (std::size_t at = 0; at < texels.size(); at += channels)
+        std::copy_n(empty.begin(), channels, texels.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+/// Fills the layer from the top with what rows there are, at most its own; how many they were.
+int takeRows(PngRows& rows, const MapSpec& spec, DecodedLayer& layer)
+{
+    const int channels = layer.raster.channels();
+    const std::uint16_t greatest = texelOps(spec).greatest(spec);
+    TileFolder folder(layer.raster);
+    const int across = layer.raster.size() / kTile;
+    std::vector<std::vector<std::uint16_t>> tiles(static_cast<std::size_t>(across));
+    for (int tileRow = 0; tileRow < across; ++tileRow) {
+        for (std::vector<std::uint16_t>& pixels : tiles)
+            pixels.resize(static_cast<std::size_t>(kTile) * kTile * static_cast<std::size_t>(channels));
+        int taken = 0;
+        for (; taken < kTile; ++taken) {
+            const std::span<const std::uint8_t> row = rows.next();
+            if (row.empty())
+                break;
+            for (int column = 0; column < across; ++column) {
+                std::uint16_t* texels =
+                    tiles[static_cast<std::size_t>(column)].data() + std::ptrdiff_t{taken} * kTile * channels;
+                const std::uint8_t* bytes =
+                    row.data() + std::size_t{kPixelBytes} * kTile * static_cast<std::size_t>(column);
+                layer.ours = takeRow(bytes, texels, kTile, channels, greatest) && layer.ours;
+            }
+        }
+        for (int column = 0; column < across && taken > 0; ++column) {
+            std::vector<std::uint16_t>& pixels = tiles[static_cast<std::size_t>(column)];
+            leaveEmpty(
+                std::span(pixels).subspan(static_cast<std::size_t>(taken) * kTile * static_cast<std::size_t>(channels)),
+                spec);
+            folder.put(tileRow * across + column, pixels);
+        }
+        if (taken < kTile)
+            return tileRow * kTile + taken;
+    }
+    return layer.raster.size();
+}
+
 } // namespace
 
 QByteArray encodeLayer(const sim::TiledRaster& raster)
@@ -122,39 +176,26 @@ Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, in
     const std::optional<PngParts> parts = readPngParts(png);
     if (!parts)
         return brokenImage();
-    const auto side = static_cast<std::uint32_t>(size);
-    if (parts->width != side || parts->height != side || parts->depth != 16 || parts->colourType != kRgba ||
-        parts->interlaced)
+    if (!isLayer(*parts, size))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not %1 x %1 in 16-bit RGBA")).arg(size));
 
-    const int channels = spec.layerChannels();
-    const std::uint16_t greatest = texelOps(spec).greatest(spec);
-    DecodedLayer layer{.raster = sim::TiledRaster(size, channels), .ours = parts->onlyPixelsAndDpi};
+    DecodedLayer layer{.raster = sim::TiledRaster(size, spec.layerChannels()), .ours = parts->onlyPixelsAndDpi};
     PngRows rows(parts->packedPixels, kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
-    TileFolder folder(layer.raster);
-    const int across = size / kTile;
-    std::vector<std::vector<std::uint16_t>> tiles(static_cast<std::size_t>(across));
-    for (int tileRow = 0; tileRow < across; ++tileRow) {
-        for (std::vector<std::uint16_t>& pixels : tiles)
-            pixels.resize(static_cast<std::size_t>(kTile) * kTile * static_cast<std::size_t>(channels));
-        for (int y = 0; y < kTile; ++y) {
-            const std::span<const std::uint8_t> row = rows.next();
-            if (row.empty())
-                return brokenImage();
-            for (int column = 0; column < across; ++column) {
-                std::uint16_t* texels =
-                    tiles[static_cast<std::size_t>(column)].data() + std::ptrdiff_t{y} * kTile * channels;
-                const std::uint8_t* bytes =
-                    row.data() + std::size_t{kPixelBytes} * kTile * static_cast<std::size_t>(column);
-                layer.ours = takeRow(bytes, texels, kTile, channels, greatest) && layer.ours;
-            }
-        }
-        for (int column = 0; column < across; ++column)
-            folder.put(tileRow * across + column, tiles[static_cast<std::size_t>(column)]);
-    }
-    if (!rows.atEnd())
+    if (takeRows(rows, spec, layer) != size || !rows.atEnd())
         return brokenImage();
     return layer;
+}
+
+SalvagedLayer salvageLayer(const QByteArray& png, const MapSpec& spec, int size)
+{
+    DecodedLayer layer{.raster = emptyRaster(spec, size)};
+    const std::optional<PngParts> header = readPngHeader(png);
+    if (header && !isLayer(*header, size))
+        return {.raster = std::move(layer.raster)};
+    const QByteArray packed = packedPixelsOf(png);
+    PngRows rows(packed, kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
+    const int count = takeRows(rows, spec, layer);
+    return {.raster = std::move(layer.raster), .rows = count};
 }
 
 QImage decodePicture(const QByteArray& png, int mostSide)

@@ -30,6 +30,14 @@ struct DecodedLayer
 /// `size`: the side that the image must have. Tiles of one value are folded.
 [[nodiscard]] Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, int size);
 
+/// What stands before the damage in a layer's image, from the top down; below it nothing is painted.
+struct SalvagedLayer
+{
+    sim::TiledRaster raster;
+    int rows = 0; ///< That could be read, 0..size.
+};
+[[nodiscard]] SalvagedLayer salvageLayer(const QByteArray& png, const MapSpec& spec, int size);
+
 /// A picture of 8 bits a channel, such as QImage writes, neither side over `mostSide`; null where it is anything else.
 [[nodiscard]] QImage decodePicture(const QByteArray& png, int mostSide);
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <vector>
 
 namespace hairpaint::model {
@@ -119,6 +120,44 @@ std::optional<PngParts> readPngParts(const QByteArray& png)
     return std::nullopt;
 }
 
+std::optional<PngParts> readPngHeader(const QByteArray& png)
+{
+    constexpr quint32 kHeaderBytes = 13;
+    const char* chunk = png.constData() + kSignature.size();
+    PngParts parts;
+    if (png.size() < qsizetype{kSignature.size() + kFrameBytes + kHeaderBytes} ||
+        QByteArrayView(chunk + 4, 4) != QByteArrayView("IHDR") ||
+        checksum(chunk + 4, kHeaderBytes + 4) != qFromBigEndian<quint32>(chunk + 8 + kHeaderBytes) ||
+        !readHeader(chunk + 8, qFromBigEndian<quint32>(chunk), parts))
+        return std::nullopt;
+    return parts;
+}
+
+QByteArray packedPixelsOf(const QByteArray& png)
+{
+    QByteArray packed;
+    const auto size = static_cast<std::size_t>(png.size());
+    for (std::size_t at = kSignature.size(); at + kFrameBytes <= size;) {
+        const char* chunk = png.constData() + at;
+        const auto length = qFromBigEndian<quint32>(chunk);
+        const bool isPixels = QByteArrayView(chunk + 4, 4) == QByteArrayView("IDAT");
+        const std::size_t there = size - at - kFrameBytes;
+        if (length > there) {
+            if (isPixels)
+                packed.append(chunk + 8, static_cast<qsizetype>(std::min<std::size_t>(length, size - at - 8)));
+            break;
+        }
+        if (checksum(chunk + 4, std::size_t{length} + 4) == qFromBigEndian<quint32>(chunk + 8 + length)) {
+            if (isPixels)
+                packed.append(chunk + 8, static_cast<qsizetype>(length));
+        } else if (isPixels || !packed.isEmpty()) {
+            break; // One before the pixels says nothing that is not known of a layer.
+        }
+        at += kFrameBytes + length;
+    }
+    return packed;
+}
+
 struct PngRows::Stream
 {
     z_stream zlib{};
@@ -136,6 +175,8 @@ struct PngRows::Stream
         zlib.avail_out = static_cast<uInt>(count);
         while (zlib.avail_out > 0 && good && !ended) {
             const int result = inflate(&zlib, Z_NO_FLUSH);
+            if (result == Z_MEM_ERROR)
+                throw std::bad_alloc(); // Its own, and no damage.
             ended = result == Z_STREAM_END;
             good = ended || result == Z_OK;
         }
@@ -168,7 +209,10 @@ PngRows::PngRows(const QByteArray& packedPixels, std::size_t rowBytes, int pixel
     stream.above.resize(rowBytes + 1);
     stream.zlib.next_in = reinterpret_cast<const Bytef*>(packedPixels.constData());
     stream.zlib.avail_in = static_cast<uInt>(packedPixels.size());
-    stream.good = inflateInit(&stream.zlib) == Z_OK;
+    const int result = inflateInit(&stream.zlib);
+    if (result == Z_MEM_ERROR)
+        throw std::bad_alloc();
+    stream.good = result == Z_OK;
 }
 
 PngRows::~PngRows()

@@ -27,7 +27,15 @@ struct PngParts
 /// None where anything about the chunks is wrong. Allocates no more than the file's own size.
 [[nodiscard]] std::optional<PngParts> readPngParts(const QByteArray& png);
 
-/// Inflates and unfilters one row after another. Holds two rows and zlib's window, however large the image is.
+/// What its first chunk says, without pixels; none where that chunk is broken.
+[[nodiscard]] std::optional<PngParts> readPngHeader(const QByteArray& png);
+
+/// The pixels' stream of a damaged one, up to the first chunk that is broken; what a chunk holds that the end cuts off
+/// belongs to it. Empty where there is none.
+[[nodiscard]] QByteArray packedPixelsOf(const QByteArray& png);
+
+/// Inflates and unfilters one row after another. Throws std::bad_alloc where zlib finds no memory. Holds two rows and
+/// zlib's window, however large the image is.
 class PngRows
 {
 public:

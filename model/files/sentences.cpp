@@ -41,7 +41,8 @@ tl::unexpected<Error> cannotOpen(const QString& path, const Clause& clause)
         }
         return say(QT_TRANSLATE_NOOP("Files", "'%1' is damaged: %2; try an earlier copy of it."));
     };
-    return failure(sentence().arg(shownPath(path), clause.text));
+    return tl::unexpected<Error>(Error{.message = sentence().arg(shownPath(path), clause.text),
+                                       .isDamage = clause.cure == Clause::Cure::EarlierCopy});
 }
 
 tl::unexpected<Error> cannotWrite(const QString& path, const Clause& clause)

@@ -36,7 +36,7 @@ else()
     # Contraction would fuse a multiply and an add on some machines and not on others.
     target_compile_options(hairpaint_options INTERFACE -Wall -Wextra -Wconversion -Werror -ffp-contract=off)
 endif()
-if(CMAKE_UNITY_BUILD AND NOT MSVC)
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Where several sources are compiled as one, a source's own types look like a header's.
     target_compile_options(hairpaint_options INTERFACE -Wno-subobject-linkage)
 endif()
@@ -48,5 +48,7 @@ if(HAIRPAINT_SANITIZE)
     target_compile_definitions(hairpaint_options INTERFACE
         "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
     # Instrumented code confuses these two in GCC 12; the plain builds check them.
-    target_compile_options(hairpaint_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        target_compile_options(hairpaint_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
+    endif()
 endif()

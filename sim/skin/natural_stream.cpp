@@ -2,6 +2,7 @@
 #include "sim/skin/natural_stream.h"
 
 #include "sim/base/deterministic.h"
+#include "sim/skin/vertex_clusters.h"
 #include "sim/skin/vertex_weld.h"
 
 #include <Eigen/SparseCholesky>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace hairpaint::sim {
 
@@ -20,6 +22,7 @@ constexpr double kHeatReachM = 0.04;  ///< Root of the time after which heat is 
 constexpr float kSwirlRad = 1.1F;     ///< At the whorl,
 constexpr float kSwirlReachM = 0.03F; ///< and gone about here.
 constexpr int kSmoothings = 4;
+constexpr std::size_t kMostHeated = 60'000; ///< Vertices.
 
 struct Whorl
 {
@@ -142,6 +145,24 @@ glm::vec3 onTangentPlane(glm::vec3 v, glm::vec3 normal)
     return unitOrZero(glm::dvec3(v - normal * glm::dot(v, normal)));
 }
 
+/// Of the welded vertices, zero where the heat does not come. The finest meshes take a coarser one's, or the heat alone
+/// would take minutes.
+std::vector<glm::vec3> awayFrom(const Whorl& whorl, const HeadMesh& mesh, const std::vector<unsigned>& welded)
+{
+    const double reachM = kHeatReachM * static_cast<double>(whorl.scale);
+    if (mesh.positionsHd.size() <= kMostHeated)
+        return awayFromHeat(heatFrom(whorl.positionHd, reachM, mesh, welded), mesh, welded);
+    const CoarseMesh coarse = coarsened(mesh, kMostHeated);
+    std::vector<unsigned> all(coarse.mesh.positionsHd.size());
+    std::iota(all.begin(), all.end(), 0U);
+    const std::vector<glm::vec3> coarseAway =
+        awayFromHeat(heatFrom(whorl.positionHd, reachM, coarse.mesh, all), coarse.mesh, all);
+    std::vector<glm::vec3> away(welded.size());
+    for (std::size_t i = 0; i < away.size(); ++i)
+        away[i] = coarseAway[coarse.clusterOf[welded[i]]];
+    return away;
+}
+
 } // namespace
 
 std::vector<glm::vec3> naturalStream(const Skin& skin, const std::optional<HeadLandmarks>& landmarks,
@@ -151,11 +172,9 @@ std::vector<glm::vec3> naturalStream(const Skin& skin, const std::optional<HeadL
     const std::size_t count = mesh.positionsHd.size();
     const std::vector<unsigned> welded = weldedVertices(mesh);
     const Whorl whorl = whorlOf(skin, landmarks);
-    const std::vector<double> heat =
-        heatFrom(whorl.positionHd, kHeatReachM * static_cast<double>(whorl.scale), mesh, welded);
+    std::vector<glm::vec3> direction = awayFrom(whorl, mesh, welded);
     if (goesOn && !goesOn())
         return {};
-    std::vector<glm::vec3> direction = awayFromHeat(heat, mesh, welded);
     std::vector<glm::vec3> normals(count, glm::vec3(0.0F));
     for (std::size_t i = 0; i < count; ++i)
         normals[welded[i]] += mesh.normalsHd[i];

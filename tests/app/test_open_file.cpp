@@ -5,8 +5,11 @@
 #include "tests/support/test_program.h"
 
 #include <QFileDialog>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+
+#include <algorithm>
 
 namespace hairpaint::app {
 
@@ -113,6 +116,30 @@ private Q_SLOTS:
         changeBackground(0xFF778899U);
         QVERIFY(m_window->files().save());
         QCOMPARE(replace.asked.size(), 1);
+    }
+
+    void whatAnotherProgramDoesIsSaidAtOnce()
+    {
+        openSaved();
+        changeBackground(0xFF112233U);
+        QSignalSpy told(&m_window->files(), &ProjectFiles::changedOutside);
+        writeOutside("theirs");
+        QTRY_COMPARE_WITH_TIMEOUT(told.size(), 1, kPatienceMs);
+        const QString text = told.front().front().toString();
+        QVERIFY2(text.contains(QStringLiteral("shared")), qPrintable(text));
+        const auto labels = m_window->findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == text; }));
+        m_window->files().lookOutside(); // Said once.
+        QVERIFY(QFile::remove(m_path));
+        QTRY_COMPARE_WITH_TIMEOUT(told.size(), 2, kPatienceMs);
+        QVERIFY(told.back().front().toString() != text);
+        QVERIFY(m_window->files().save()); // It is not there to be replaced.
+        changeBackground(0xFF445566U);
+        QVERIFY(m_window->files().save());
+        // What this window does is no news, so the next that is heard of is theirs.
+        writeOutside("theirs again");
+        QTRY_COMPARE_WITH_TIMEOUT(told.size(), 3, kPatienceMs);
+        QCOMPARE(told.back().front().toString(), text);
     }
 
     void earlierVersionsAreKeptOnDemand()

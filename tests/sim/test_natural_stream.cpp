@@ -18,6 +18,7 @@ class TestNaturalStream : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    void aBallHasOneWhorlAndItsCounterpart_data();
     void aBallHasOneWhorlAndItsCounterpart();
     void landmarksPlaceTheWhorl();
     void piecesApartHang();
@@ -25,9 +26,17 @@ private Q_SLOTS:
     void itIsTheSameEveryTime();
 };
 
+void TestNaturalStream::aBallHasOneWhorlAndItsCounterpart_data()
+{
+    QTest::addColumn<int>("segments");
+    QTest::newRow("as fine as heads are") << 96;
+    QTest::newRow("so fine that heat takes a coarser one") << 384;
+}
+
 void TestNaturalStream::aBallHasOneWhorlAndItsCounterpart()
 {
-    const Skin skin(makeBallHead(96, 0.1F));
+    QFETCH(const int, segments);
+    const Skin skin(makeBallHead(segments, 0.1F));
     const std::vector<glm::vec3> stream = naturalStream(skin, std::nullopt);
     const HeadMesh& mesh = skin.mesh();
     QCOMPARE(stream.size(), mesh.positionsHd.size());

@@ -1,4 +1,4 @@
-// operator new that can be made to fail.
+// operator new and malloc that can be made to fail.
 #include "tests/support/allocation_limit.h"
 
 #include <atomic>
@@ -6,20 +6,47 @@
 #include <limits>
 #include <new>
 
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#define HAIRPAINT_MALLOC_CAN_FAIL
+// What malloc is in glibc, under a name that nobody takes the place of.
+extern "C" void* __libc_malloc(std::size_t bytes);
+extern "C" void* __libc_calloc(std::size_t count, std::size_t bytes);
+extern "C" void* __libc_realloc(void* memory, std::size_t bytes);
+#endif
+
 namespace {
 
-std::atomic<std::size_t> leastRefused{std::numeric_limits<std::size_t>::max()};
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+std::atomic<std::size_t> leastRefused{kNone};
+std::atomic<std::size_t> leastCounted{kNone};
+std::atomic<int> untilFault{0};
+
+/// Whether this is the one that fails.
+bool isFault(std::size_t bytes)
+{
+    return bytes >= leastCounted.load(std::memory_order_relaxed) && untilFault.fetch_sub(1) == 1;
+}
+
+void* plainMalloc(std::size_t bytes)
+{
+#ifdef HAIRPAINT_MALLOC_CAN_FAIL
+    return __libc_malloc(bytes);
+#else
+    return std::malloc(bytes);
+#endif
+}
 
 void* allocate(std::size_t bytes, std::size_t alignment)
 {
-    if (bytes >= leastRefused.load(std::memory_order_relaxed))
+    if (bytes >= leastRefused.load(std::memory_order_relaxed) || isFault(bytes))
         throw std::bad_alloc();
 #ifdef _WIN32
     void* memory = _aligned_malloc(bytes, alignment);
 #else
     // The size is a multiple of the alignment, as std::aligned_alloc wants it.
     void* memory = alignment <= alignof(std::max_align_t)
-                       ? std::malloc(bytes == 0 ? 1 : bytes)
+                       ? plainMalloc(bytes == 0 ? 1 : bytes)
                        : std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
 #endif
     if (memory == nullptr)
@@ -47,10 +74,43 @@ AllocationLimit::AllocationLimit(std::size_t bytes)
 
 AllocationLimit::~AllocationLimit()
 {
-    leastRefused = std::numeric_limits<std::size_t>::max();
+    leastRefused = kNone;
+}
+
+AllocationFault::AllocationFault(int nth, std::size_t leastBytes)
+{
+    untilFault = nth;
+    leastCounted = leastBytes;
+}
+
+AllocationFault::~AllocationFault()
+{
+    leastCounted = kNone;
+}
+
+bool AllocationFault::happened()
+{
+    return untilFault <= 0;
 }
 
 } // namespace hairpaint::test
+
+#ifdef HAIRPAINT_MALLOC_CAN_FAIL
+extern "C" void* malloc(std::size_t bytes) noexcept
+{
+    return isFault(bytes) ? nullptr : __libc_malloc(bytes);
+}
+
+extern "C" void* calloc(std::size_t count, std::size_t bytes) noexcept
+{
+    return isFault(count * bytes) ? nullptr : __libc_calloc(count, bytes);
+}
+
+extern "C" void* realloc(void* memory, std::size_t bytes) noexcept
+{
+    return isFault(bytes) ? nullptr : __libc_realloc(memory, bytes);
+}
+#endif
 
 void* operator new(std::size_t bytes)
 {

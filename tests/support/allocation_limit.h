@@ -1,4 +1,5 @@
-// Want of memory on order: while a limit lives, allocations of its size or more fail, on every thread.
+// Want of memory on order, on every thread: while a limit lives, all allocations of its size or more fail; while a
+// fault lives, one large one does.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +14,20 @@ public:
     ~AllocationLimit();
     AllocationLimit(const AllocationLimit&) = delete;
     AllocationLimit& operator=(const AllocationLimit&) = delete;
+};
+
+/// The n-th allocation of `leastBytes` or more fails, by operator new and, on Linux without the address sanitizer, by
+/// malloc, which Qt and C libraries use. One at a time.
+class AllocationFault
+{
+public:
+    AllocationFault(int nth, std::size_t leastBytes);
+    ~AllocationFault();
+    AllocationFault(const AllocationFault&) = delete;
+    AllocationFault& operator=(const AllocationFault&) = delete;
+
+    /// There were so many.
+    [[nodiscard]] static bool happened();
 };
 
 } // namespace hairpaint::test

@@ -304,6 +304,20 @@ void SoftwareRenderer::readLinear(std::vector<float>& pixels)
     pixels = m_state->linear;
 }
 
+std::vector<std::uint8_t> SoftwareRenderer::takePicture()
+{
+    std::vector<std::uint8_t> pixels = std::move(m_state->pixels);
+    m_state = std::make_unique<State>();
+    return pixels;
+}
+
+std::vector<float> SoftwareRenderer::takeLinear()
+{
+    std::vector<float> linear = std::move(m_state->linear);
+    m_state = std::make_unique<State>();
+    return linear;
+}
+
 const FrameStatistics& SoftwareRenderer::statistics() const
 {
     return m_state->statistics;

@@ -28,6 +28,10 @@ public:
     /// The same in linear light before it is encoded: RGBA, colours times alpha, row 0 on top. Empty unless the picture
     /// was drawn with Quality::linear.
     void readLinear(std::vector<float>& pixels);
+    /// As read() and readLinear() give them, but for good, with all that was needed for drawing: of a large picture
+    /// that is more than a gigabyte.
+    [[nodiscard]] std::vector<std::uint8_t> takePicture();
+    [[nodiscard]] std::vector<float> takeLinear();
     [[nodiscard]] const FrameStatistics& statistics() const override;
     [[nodiscard]] bool software() const override { return true; }
     [[nodiscard]] const std::string& description() const override;

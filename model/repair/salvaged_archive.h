@@ -1,0 +1,61 @@
+// What is left of a damaged archive of hairpaint_format.md: entries are looked for by their headers, wherever they lie,
+// and by what the directory says, and the two may disagree.
+#pragma once
+
+#include "model/files/sentences.h"
+
+#include <QByteArray>
+#include <QFile>
+#include <QStringList>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// Only reads the file. One thread at a time.
+class SalvagedArchive
+{
+public:
+    /// Looks through the whole file. `goesOn`, asked now and then, may stop it: then what was found by then is there.
+    [[nodiscard]] static Checked<SalvagedArchive> open(const QString& path, const std::function<bool()>& goesOn);
+
+    [[nodiscard]] QStringList names() const;
+
+    struct Content
+    {
+        QByteArray bytes;
+        bool whole = false; ///< Of the size and the checksum that were written down; else bytes may lack or be wrong.
+    };
+    /// At most so many bytes; none where nothing of that name was found.
+    [[nodiscard]] std::optional<Content> read(const QString& name, qint64 mostBytes);
+
+private:
+    /// What one header says of an entry.
+    struct Record
+    {
+        qint64 at = 0; ///< Of its first byte in the file.
+        qint64 packedBytes = 0;
+        qint64 bytes = 0;
+        quint32 checksum = 0;
+        bool deflated = false;
+        int witnesses = 1; ///< Headers that place an entry of that name there.
+    };
+    [[nodiscard]] Checked<void> findHeaders(const std::function<bool()>& goesOn);
+    void readLocal(qint64 at);
+    void readCentral(qint64 at);
+    void add(const QByteArray& name, const Record& record);
+    [[nodiscard]] QByteArray bytesAt(qint64 at, qint64 count);
+    /// Where the header after that place lies, or the file ends.
+    [[nodiscard]] qint64 endOf(qint64 at) const;
+    [[nodiscard]] Content contentOf(const Record& record, qint64 mostBytes);
+
+    std::unique_ptr<QFile> m_file;
+    std::vector<qint64> m_headers; ///< In the order of the file.
+    std::map<QString, std::vector<Record>> m_entries;
+};
+
+} // namespace hairpaint::model

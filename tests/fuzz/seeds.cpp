@@ -1,0 +1,144 @@
+// Writes the first inputs of the fuzz targets: hairpaint_fuzz_seeds tests/data/fuzz
+#include "model/files/glb.h"
+#include "model/files/image_map.h"
+#include "model/files/png_codec.h"
+#include "model/files/project_file.h"
+#include "model/files/project_json.h"
+#include "model/files/wire_format.h"
+#include "model/journal/journal_format.h"
+#include "model/journal/journal_writer.h"
+#include "tests/fuzz/made_archive.h"
+#include "tests/model/sample_project.h"
+
+#include <QDir>
+
+#include <cstdio>
+
+using namespace hairpaint;
+
+namespace {
+
+class Seeds
+{
+public:
+    explicit Seeds(QString folder) : m_folder(std::move(folder)) {}
+
+    void write(const char* target, const char* name, const QByteArray& bytes) const
+    {
+        const QDir folder(m_folder + QLatin1Char('/') + QString::fromLatin1(target));
+        if (!folder.mkpath(QStringLiteral(".")))
+            std::abort();
+        test::writeBytes(folder.filePath(QString::fromLatin1(name)), bytes);
+    }
+
+private:
+    QString m_folder;
+};
+
+/// One group of which only the first layer of density is there.
+model::Project smallProject()
+{
+    model::Project project = model::newProject();
+    model::HairGroup& group = project.groups.front();
+    for (model::SharedStack& stack : group.maps) {
+        stack.write().size = 256;
+        stack.write().layers.clear();
+    }
+    model::Layer layer = model::makeLayer(project, model::mapSpec(model::MapKind::Density), 256, QStringLiteral("One"));
+    layer.raster.setUniform(3, {20'000, 65'535, 0, 0});
+    group.map(model::MapKind::Density).layers.push_back(layer);
+    return project;
+}
+
+QByteArray imageOf(const model::Project& project)
+{
+    return model::encodeLayer(project.groups.front().map(model::MapKind::Density).layers.front().raster);
+}
+
+QByteArray fileOf(const model::Project& project)
+{
+    const QString path = fuzz::scratchPath(QStringLiteral("seed.hairpaint"));
+    if (!model::saveProject(project, path, {}))
+        std::abort();
+    return test::readBytes(path);
+}
+
+/// As made_archive.h reads it; its one layer lies in group 1, density.
+QByteArray madeOf(const QByteArray& json, const QByteArray& glb, int layer, const QByteArray& png)
+{
+    return QByteArray("\x01", 1) + fuzz::pieceOf(json) + fuzz::pieceOf(glb) + QByteArray("\x01\x00", 2) +
+           QByteArray(1, static_cast<char>(layer)) + fuzz::pieceOf(png);
+}
+
+QByteArray bytesOf(const wire::Bytes& message, char kind)
+{
+    const auto body = std::span(message).subspan(wire::kHeaderBytes);
+    return QByteArray(1, kind) +
+           QByteArray(reinterpret_cast<const char*>(body.data()), static_cast<qsizetype>(body.size()));
+}
+
+QByteArray stateBytes(const QByteArray& json, int layer)
+{
+    QByteArray bytes("\x04", 1); // RecordKind::State
+    bytes += fuzz::pieceOf(json) + QByteArray("\xFF", 1) + QByteArray(8, '\0') + QByteArray("\x01", 1);
+    return bytes + QByteArray(1, static_cast<char>(layer)) + QByteArray(2, '\0');
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 2) {
+        std::puts("hairpaint_fuzz_seeds FOLDER");
+        return 2;
+    }
+    const Seeds seeds(QString::fromLocal8Bit(argv[1]));
+    const model::Project project = smallProject();
+    const QByteArray json = model::projectToJson(project).value();
+    const QByteArray png = imageOf(project);
+    const QByteArray glb = model::glbFromMesh(test::makePatchHead(2));
+    const int layer = project.groups.front().map(model::MapKind::Density).layers.front().id;
+
+    seeds.write("project", "file", QByteArray(1, '\0') + fileOf(project));
+    seeds.write("project", "made", madeOf(json, {}, layer, png));
+    QByteArray imported = json;
+    imported.replace(R"("built_in": true)", R"("built_in": false)");
+    seeds.write("project", "imported_head", madeOf(imported, glb, layer, png));
+    QByteArray first = json;
+    first.replace(R"("format_version": 2)", R"("format_version": 1)");
+    seeds.write("project", "version_1", madeOf(first, {}, layer, png));
+    seeds.write("project", "json_cut", madeOf(json.first(json.size() / 2), {}, layer, png));
+
+    QByteArray preset = json;
+    preset.replace("hairpaint project", "hairpaint preset");
+    seeds.write("preset", "made", madeOf(preset, {}, layer, png));
+
+    seeds.write("png", "layer", QByteArray("\x01\x00", 2) + png);
+    seeds.write("png", "picture", QByteArray("\x01\x00", 2) + test::pngOf(4, 4, 8, 6, test::packedZeros(4 * 17)));
+    seeds.write("png", "picture_rgb", QByteArray("\x01\x00", 2) + test::pngOf(4, 4, 8, 2, test::packedZeros(4 * 13)));
+
+    seeds.write("glb", "patch", QByteArray("\x00", 1) + glb);
+    seeds.write("glb", "ball", QByteArray("\x01", 1) + model::glbFromMesh(test::makeBallHead(4)));
+
+    seeds.write("wire", "path", bytesOf(wire::encodeText(wire::Kind::ReadImage, "/a/b.png"), '\0'));
+    const wire::Image image{.width = 2, .height = 2, .channels = 3, .samples = std::vector<std::uint16_t>(12, 7)};
+    seeds.write("wire", "image", bytesOf(wire::encodeImage(image), '\x01'));
+    seeds.write("wire", "request", bytesOf(wire::encodeRequest({.bits = 8, .ending = "png", .image = image}), '\x02'));
+    seeds.write("wire", "mesh", bytesOf(wire::encodeMesh(test::makePatchHead(2)), '\x03'));
+    seeds.write("wire", "refusal", bytesOf(wire::encodeRefusal(wire::Reason::NoUvs), '\x04'));
+
+    seeds.write("import", "mesh",
+                QByteArray(1, '\0') + QByteArray("\x01\x10\x20\x30\x00\x00\x10\x08\x08", 9).repeated(6));
+    seeds.write("import", "image", QByteArray("\x01\x04\x04\x02\x00\x00", 6) + QByteArray(96, '\x33'));
+
+    const QString journal = fuzz::scratchPath(QStringLiteral("journal"));
+    {
+        model::JournalWriter writer(journal);
+        if (!writer.append({.project = project, .path = {}, .step = {}, .index = 0, .count = 0, .timeMs = 0}))
+            return 1;
+    }
+    seeds.write("journal", "file", QByteArray(1, '\0') + test::readBytes(journal));
+    const QByteArray tile = QByteArray("\x02\x02\x01", 3) + fuzz::pieceOf(QByteArray(8, '\x11'));
+    seeds.write("journal", "made", QByteArray("\x01", 1) + tile + stateBytes(json, layer));
+    return 0;
+}

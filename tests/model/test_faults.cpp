@@ -1,0 +1,265 @@
+// Whichever call to the disk fails, and whichever large piece of memory is refused: what was to be done is done, or all
+// is as it was.
+#include "model/files/atomic_file.h"
+#include "model/files/earlier_versions.h"
+#include "model/files/preset_file.h"
+#include "model/files/project_file.h"
+#include "model/journal/journal_reader.h"
+#include "model/journal/journal_writer.h"
+#include "model/repair/project_repair.h"
+#include "tests/model/archive_maker.h"
+#include "tests/model/fixtures.h"
+#include "tests/model/sample_project.h"
+#include "tests/support/allocation_limit.h"
+#include "tests/support/file_faults.h"
+#include "tests/support/test_program.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <functional>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+
+namespace {
+
+constexpr int kMostFaults = 2000; ///< More than anything here asks for.
+constexpr std::size_t kLargeBytes = 32 << 10;
+
+/// Names and bytes.
+using FolderContent = QMap<QString, QByteArray>;
+
+FolderContent contentOf(const QString& folder)
+{
+    FolderContent content;
+    for (const QString& name : QDir(folder).entryList(QDir::Files | QDir::Hidden))
+        content.insert(name, test::readBytes(folder + QLatin1Char('/') + name));
+    return content;
+}
+
+/// Does `work` with a fault at the first call, the second, and so on until none is left to fail; `judge` says each time
+/// what is wrong. Empty where nothing was, and where there were faults.
+template<typename Fault, typename... Options>
+QString underEachFault(const std::function<bool()>& work, const std::function<QString(bool done)>& judge,
+                       Options... options)
+{
+    for (int nth = 1; nth < kMostFaults; ++nth) {
+        bool happened = false;
+        const bool done = [&] {
+            const Fault fault(nth, options...);
+            const bool came = work();
+            happened = Fault::happened();
+            return came;
+        }();
+        if (const QString wrong = judge(done); !wrong.isEmpty())
+            return QStringLiteral("fault %1: %2").arg(nth).arg(wrong);
+        if (!happened)
+            return done && nth > 2 ? QString() : QStringLiteral("without a fault: done %1, %2").arg(done).arg(nth);
+    }
+    return QStringLiteral("there is no end of faults");
+}
+
+} // namespace
+
+class TestFaults : public QObject
+{
+    Q_OBJECT
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_path;
+    QString m_message; ///< Of the last failure.
+
+    template<typename T>
+    [[nodiscard]] bool noted(const Result<T>& result)
+    {
+        m_message = result ? QString() : result.error().message;
+        if (!result && result.error().isDamage)
+            m_message += QStringLiteral(" It is taken for damage!");
+        return result.has_value();
+    }
+
+    /// `before`, or `after` where it was done, and else a sentence.
+    [[nodiscard]] QString judge(bool done, const FolderContent& before, const FolderContent& after)
+    {
+        const FolderContent now = contentOf(m_folder->path());
+        if (now != (done ? after : before))
+            return QStringLiteral("done %1, and the folder holds %2")
+                .arg(done)
+                .arg(QStringList(now.keys()).join(QLatin1Char(' ')));
+        if (!done && !test::isOneSentenceNaming(m_message, m_path))
+            return m_message;
+        return {};
+    }
+
+    void putBack(const FolderContent& content) const
+    {
+        for (const QString& name : QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden))
+            QFile::remove(m_folder->filePath(name));
+        for (const auto& [name, bytes] : content.asKeyValueRange())
+            test::writeBytes(m_folder->filePath(name), bytes);
+    }
+
+    /// The same from the same start, again and again.
+    [[nodiscard]] QString underEachFileFault(const std::function<bool()>& work)
+    {
+        const FolderContent before = contentOf(m_folder->path());
+        if (!work())
+            return QStringLiteral("it fails without a fault: ") + m_message;
+        const FolderContent after = contentOf(m_folder->path());
+        putBack(before);
+        return underEachFault<test::FileFault>(work, [&](bool done) {
+            const QString wrong = judge(done, before, after);
+            putBack(before);
+            return wrong;
+        });
+    }
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_path = m_folder->filePath(QStringLiteral("a.hairpaint"));
+    }
+
+#ifdef Q_OS_LINUX
+    void aProjectIsSavedOrTheOldOneIsThere()
+    {
+        const Project project = test::makeSampleProject();
+        test::writeBytes(m_path, "old");
+        QCOMPARE(underEachFileFault([&] { return noted(saveProject(project, m_path, {})); }), QString());
+    }
+
+    void aStyleIsSavedOrTheOldOneIsThere()
+    {
+        m_path = m_folder->filePath(QStringLiteral("a.hairpreset"));
+        const Preset preset = loadPreset(builtInPresets().front()).value();
+        QCOMPARE(underEachFileFault([&] { return noted(savePreset(preset, m_path)); }), QString());
+    }
+
+    void earlierVersionsMoveUpTogetherOrNotAtAll()
+    {
+        test::writeBytes(m_path, QByteArray(3'000'000, '0'));
+        for (int number = 1; number <= kEarlierVersions; ++number)
+            test::writeBytes(earlierVersion(m_path, number), QByteArray::number(number));
+        QCOMPARE(underEachFileFault([&] {
+                     const Checked<void> kept = keepEarlierVersions(m_path);
+                     return noted(kept ? Result<void>() : Result<void>(cannotWrite(m_path, kept.error())));
+                 }),
+                 QString());
+    }
+
+    void whatAJournalHasTakenIsThere()
+    {
+        // Small enough that it is written anew on the way.
+        constexpr qint64 kRewriteBytes = 4000;
+        std::vector<JournalState> states;
+        Project project = test::filledPatch(MapKind::Length, 1234);
+        project.head = builtInHead();
+        for (int step = 0; step < 6; ++step) {
+            for (int tile = 0; tile < 4; ++tile)
+                project.groups.front()
+                    .map(MapKind::Length)
+                    .layers.front()
+                    .raster.setTexel(tile * 64, 0, {static_cast<std::uint16_t>(step + 1), 65535, 0, 0});
+            states.push_back({.project = project,
+                              .path = m_path,
+                              .step = QString::number(step),
+                              .index = step,
+                              .count = step,
+                              .timeMs = step});
+        }
+        const QString file = m_folder->filePath(QStringLiteral("journal"));
+        int taken = 0;
+        const QString wrong = underEachFault<test::FileFault>(
+            [&] {
+                QFile::remove(file);
+                taken = 0;
+                JournalWriter writer(file, kRewriteBytes);
+                bool all = true;
+                for (const JournalState& state : states) {
+                    all = all && writer.append(state);
+                    taken += all ? 1 : 0;
+                }
+                return all;
+            },
+            [&](bool done) -> QString {
+                if (taken == 0)
+                    return {};
+                const Result<std::optional<RecoveredWork>> work = readJournal(file);
+                if (!work || !*work)
+                    return QStringLiteral("nothing came back of %1").arg(taken);
+                // One that was not acknowledged may be there all the same.
+                const RecoveredWork& found = **work;
+                const int newest = found.steps[found.current].index;
+                if (newest != taken - 1 && (done || newest != taken))
+                    return QStringLiteral("step %1 came back of %2").arg(newest).arg(taken);
+                const JournalState& was = states[static_cast<std::size_t>(newest)];
+                return test::difference(was.project, found.steps[found.current].project);
+            });
+        QCOMPARE(wrong, QString());
+    }
+#endif
+
+    void whereMemoryIsRefusedAProjectIsOpenedOrASentenceSaysWhyNot()
+    {
+        const Project project = test::makeSampleProject();
+        QVERIFY(saveProject(project, m_path, {}));
+        Result<Project> opened = failure({});
+        QCOMPARE(underEachFault<test::AllocationFault>(
+                     [&] {
+                         opened = loadProject(m_path);
+                         return noted(opened);
+                     },
+                     [&](bool done) {
+                         return done                                           ? test::difference(project, *opened)
+                                : test::isOneSentenceNaming(m_message, m_path) ? QString()
+                                                                               : m_message;
+                     },
+                     kLargeBytes),
+                 QString());
+    }
+
+    void whereMemoryIsRefusedAProjectIsSavedOrTheOldOneIsThere()
+    {
+        const Project project = test::makeSampleProject();
+        test::writeBytes(m_path, "old");
+        const FolderContent before = contentOf(m_folder->path());
+        QVERIFY(saveProject(project, m_path, {}));
+        const FolderContent after = contentOf(m_folder->path());
+        putBack(before);
+        QCOMPARE(underEachFault<test::AllocationFault>([&] { return noted(saveProject(project, m_path, {})); },
+                                                       [&](bool done) {
+                                                           const QString wrong = judge(done, before, after);
+                                                           putBack(before);
+                                                           return wrong;
+                                                       },
+                                                       kLargeBytes),
+                 QString());
+    }
+
+    void whereMemoryIsRefusedADamagedProjectIsRepairedOrASentenceSaysWhyNot()
+    {
+        QVERIFY(saveProject(test::makeSampleProject(), m_path, {}));
+        const QByteArray whole = test::readBytes(m_path);
+        test::writeBytes(m_path, whole.chopped(3000));
+        const Project expected = repairProject(m_path).value().project;
+        Result<RepairedProject> repaired = failure({});
+        QCOMPARE(underEachFault<test::AllocationFault>(
+                     [&] {
+                         repaired = repairProject(m_path);
+                         return noted(repaired);
+                     },
+                     [&](bool done) {
+                         return done ? test::difference(expected, repaired->project)
+                                : test::isOneSentenceNaming(m_message, m_path) ? QString()
+                                                                               : m_message;
+                     },
+                     kLargeBytes),
+                 QString());
+    }
+};
+
+HAIRPAINT_TEST(TestFaults, Gui)
+#include "test_faults.moc"
