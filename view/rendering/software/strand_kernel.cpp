@@ -138,6 +138,8 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     const Triple<Lanes> tipColour = colourOf(block.tipColour);
     const Triple<Lanes> rootDepth = fibreDepth(rootColour); // Pigment fades evenly toward the tip.
     const Triple<Lanes> tipDepth = fibreDepth(tipColour);
+    const Triple<Lanes> rootLight = lightShownAs(rootColour);
+    const Triple<Lanes> tipLight = lightShownAs(tipColour);
     const float* pointsWo = out.pointsWo.data() + lane;
     const auto at = [&](int j) { return loaded3(pointsWo + static_cast<std::size_t>(j) * kRow); };
     const float before = 1.5F / static_cast<float>(view.gridSide); // A strand does not shade itself.
@@ -186,7 +188,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
 
         const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - towardEye, Lanes(0.0F));
         const Triple<Lanes> lit =
-            hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootColour + (tipColour - rootColour) * Lanes(s),
+            hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootLight + (tipLight - rootLight) * Lanes(s),
                                                       rootDepth + (tipDepth - rootDepth) * Lanes(s), variation,
                                                       towardLight, towardEye, behind});
         const Ints packed =
