@@ -334,6 +334,39 @@ private Q_SLOTS:
         QVERIFY(softly(scene).difference(bald, 60, 60, 100, 100) > 1.0);
     }
 
+    void crossingLayersMeetWhereTheyCross_data()
+    {
+        QTest::addColumn<int>("height");
+        for (const int height : {448, 456, 464, 472, 480})
+            QTest::addRow("%d samples high", height) << height;
+    }
+
+    /// Wherever the borders of tiles lie: green hair comes out of red hair at half the picture's height.
+    void crossingLayersMeetWhereTheyCross()
+    {
+        QFETCH(int, height);
+        constexpr int kAcross = 96;
+        constexpr float kLean = 0.8F;
+        Scene scene = emptyScene();
+        std::vector<HandMadeStrand> strands = comb(0xFF0000FFU, 120, 0.04F, 1e-3F);
+        for (HandMadeStrand& strand : comb(0xFF00FF00U, 120, 0.04F, 1e-3F)) {
+            for (glm::vec3& node : strand.nodesWo)
+                node.z = kLean * node.y;
+            strands.push_back(strand);
+        }
+        scene.hair = makeFrame(strands, plainSettings());
+        const Picture picture = softly(scene, {}, kAcross, height);
+        for (int x = kAcross / 2 - 16; x < kAcross / 2 + 16; x += 4)
+            for (int y = height / 4; y < height * 3 / 4; ++y) {
+                constexpr int kMargin = 5;
+                if (std::abs(y - height / 2) < kMargin)
+                    continue;
+                const auto colour = picture.at(x, y);
+                QVERIFY2((colour[1] > colour[0]) == (y < height / 2),
+                         qPrintable(QStringLiteral("%1, %2").arg(x).arg(y - height / 2)));
+            }
+    }
+
     void hairOutOfThePictureDoesNoHarm()
     {
         Scene scene = ringedHair();

@@ -176,7 +176,7 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
         const SegmentBatch& batch = hair.batch(b);
         for (const TileEntry* entry = batch.begin(tile); entry != batch.end(tile); ++entry)
             samples.entries.push_back(
-                {.segment = entry->segment, .depth = entry->depth, .batch = static_cast<std::uint16_t>(b)});
+                {.piece = entry->piece, .depth = entry->depth, .batch = static_cast<std::uint16_t>(b)});
     }
     layHair(task, segments, samples);
     const ResolveTask resolve{.samplesX = picture.target.samples.x,
