@@ -66,12 +66,11 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
             // The chord of an nth of a circle lies r (pi/n)^2 / 2 inside it.
             const Lanes scale = perM(before) * Lanes(0.5F / view.toleranceSp);
             const Lanes curlR = loaded(block.curlRadiusM.data() + lane);
-            Lanes wanted =
-                loaded(block.turns.data() + lane) * clamped(root(curlR * scale) * Lanes(3.1416F), 4.0F, 24.0F);
+            Lanes wanted = loaded(block.turns.data() + lane) * most(root(curlR * scale) * Lanes(3.1416F), Lanes(4.0F));
             wanted = select(curlR > Lanes(0.0F), wanted, Lanes(0.0F));
             const Lanes braid = root(loaded(block.braidRadiusM.data() + lane) * scale);
             const Lanes plaited = loaded(block.braidTurns.data() + lane) *
-                                  clamped(braid * Lanes(2.0F * 3.1416F), 16.0F, 48.0F) /
+                                  most(braid * Lanes(2.0F * 3.1416F), Lanes(16.0F)) /
                                   most(Lanes(1.0F) - loaded(block.braidStart.data() + lane), Lanes(0.1F));
             wanted = most(wanted, select(loaded(block.braid.data() + lane) > Lanes(0.5F), plaited, Lanes(0.0F)));
             turnSegments = std::max(turnSegments, hn::GetLane(biggest(select(there, wanted, Lanes(0.0F))).v));
