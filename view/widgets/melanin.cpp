@@ -16,7 +16,7 @@ constexpr Absorption kPheomelanin{0.187, 0.4, 1.05};
 constexpr double kMostPigment = 2.5;    ///< Times the absorption above: a coat of it is black.
 constexpr double kOfRoughness = 5.8877; ///< Chiang's polynomial at an azimuthal roughness of 0.3.
 
-double encoded(double linear)
+double shownOf(double linear)
 {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
@@ -39,7 +39,7 @@ QColor melaninColour(const Melanin& melanin)
     std::array<double, 3> shown{};
     for (std::size_t c = 0; c < shown.size(); ++c) {
         const double absorbed = pigment * std::lerp(kEumelanin.at(c), kPheomelanin.at(c), melanin.redness);
-        shown.at(c) = std::clamp(encoded(std::exp(-kOfRoughness * std::sqrt(absorbed))), 0.0, 1.0);
+        shown.at(c) = std::clamp(shownOf(std::exp(-kOfRoughness * std::sqrt(absorbed))), 0.0, 1.0);
     }
     return QColor::fromRgbF(static_cast<float>(shown[0]), static_cast<float>(shown[1]), static_cast<float>(shown[2]));
 }
