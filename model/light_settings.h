@@ -41,11 +41,11 @@ struct LightSettings
 {
     float azimuthRad = 0.6F;                       ///< Around y from +z toward +x.
     float elevationRad = 0.7F;                     ///< Above the horizon.
-    float intensity = 1.0F;                        ///< 0..4
+    float intensity = 0.9F;                        ///< 0..4
     float ambient = 0.35F;                         ///< 0..1: how bright the surroundings are.
     float red = 1.0F, green = 0.97F, blue = 0.93F; ///< 0..1, linear.
     float temperatureK = kNeutralTemperatureK;     ///< Of the key light, whose colour it multiplies.
-    float fill = 0.25F;                            ///< 0..2
+    float fill = 0.4F;                             ///< 0..2
     float rim = 0.6F;                              ///< 0..4
     Surroundings surroundings = Surroundings::Studio;
     Scattering scattering = Scattering::Marschner;

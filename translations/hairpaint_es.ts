@@ -4087,6 +4087,22 @@
         <source>Upright</source>
         <translation>De pie</translation>
     </message>
+    <message>
+        <source>Melanin</source>
+        <translation>Melanina</translation>
+    </message>
+    <message>
+        <source>The pigment of hair that is not dyed: from white to black</source>
+        <translation>El pigmento del pelo sin teñir: de blanco a negro</translation>
+    </message>
+    <message>
+        <source>Redness</source>
+        <translation>Rojez</translation>
+    </message>
+    <message>
+        <source>How much of the pigment is the red one</source>
+        <translation>Qué parte del pigmento es la rojiza</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::ViewSigns</name>

@@ -11,10 +11,26 @@ vec3 irradianceAt(vec3 n)
 const float kMostLight = 4.0; // What samples hold at most; a white wall in full light is 1.
 const float kToneKnee = 0.5;
 
+const float kPaling = 0.5; // How much of its colour the brightest light loses.
+const float kMostPainted = 0.875; // What is painted lighter would take too much light to show.
+
+// By the brightest channel, so that no colour changes its hue; what is far too bright pales.
 vec3 toneOf(vec3 light)
 {
-    vec3 over = max(light - kToneKnee, 0.0) / (1.0 - kToneKnee);
-    return min(light, kToneKnee) + (1.0 - kToneKnee) * over / (1.0 + over);
+    float brightest = max(max(light.r, light.g), max(light.b, 1e-6));
+    float over = max(brightest - kToneKnee, 0.0) / (1.0 - kToneKnee);
+    float rolledOff = over / (1.0 + over);
+    float shown = min(brightest, kToneKnee) + (1.0 - kToneKnee) * rolledOff;
+    float square = rolledOff * rolledOff;
+    return mix(light * (shown / brightest), vec3(shown), square * square * kPaling);
+}
+
+// Light that toneOf() shows as `shown`.
+vec3 lightShownAs(vec3 shown)
+{
+    float brightest = max(max(shown.r, shown.g), max(shown.b, 1e-6));
+    float over = clamp(brightest - kToneKnee, 0.0, kMostPainted - kToneKnee);
+    return shown * ((min(brightest, kToneKnee) + over * (1.0 - kToneKnee) / (1.0 - kToneKnee - over)) / brightest);
 }
 
 // Light up to kMostLight <-> 0..1, by its brightest channel: dim light keeps its steps.

@@ -161,6 +161,7 @@ struct HairPoint
     float towardKey, towardEye, towardRim;
 };
 
+const float kCoat = 1.1; // Evens out what the coat keeps in its own shade.
 const int kMarschner = 0;
 const int kKajiyaKay = 1;
 const int kAll = 0; // Lobes that a light needs.
@@ -168,12 +169,10 @@ const int kBack = 1;
 const int kForward = 2;
 
 vec3 lightOf(int lobeSet, vec3 toward, vec3 lampColour, HairPoint point, vec3 view, vec3 normal, float sinO, vec4 passed,
-             float shineOf, float roughness)
+             float shine, float roughness)
 {
-    const float kCoat = 2.0;
     const float kForwardPart = 0.5;
     FibreAngles at = fibreAngles(dot(point.tangent, toward), sinO, cosineOf(sinO), dot(toward, view));
-    float shine = 3.0 * shineOf;
     float wrap = clamp(dot(normal, toward) * 0.62 + 0.38, 0.0, 1.0);
     float facing = 0.1 + 0.9 * wrap * wrap;
     float deviation = 0.02 + 0.18 * roughness;
@@ -211,7 +210,7 @@ vec3 hairLight(HairPoint point, float shine, float roughness)
     vec4 fromKey = passedThrough(point.towardKey, point.depth);
     vec4 fromEye = passedThrough(point.towardEye, point.depth);
     vec4 fromRim = passedThrough(point.towardRim, point.depth);
-    vec3 lit = irradianceAt(normal) * point.colour * fromEye.rgb;
+    vec3 lit = irradianceAt(normal) * point.colour * fromEye.rgb * kCoat;
     lit += lightOf(kBack, fillWo.xyz, fillColour.rgb, point, view, normal, sinO, fromEye, shine, roughness);
     float keyLeft = besideHead(fromHead, headWo.w, keyWo.xyz);
     if (keyLeft > 0.0)

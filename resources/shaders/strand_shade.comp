@@ -84,7 +84,7 @@ void main()
     width = hidden < kUndrawn ? width : 0.0;
 
     // Pigment fades evenly toward the tip.
-    HairPoint point = HairPoint(position, tangent, mix(rootColour, tipColour, s),
+    HairPoint point = HairPoint(position, tangent, mix(lightShownAs(rootColour), lightShownAs(tipColour), s),
                                 mix(fibreDepth(rootColour), fibreDepth(tipColour), s), variation, towardKey, towardEye,
                                 max(column - towardEye, 0.0));
     vec3 lit = heldLight(hairLight(point, material.x, material.y));

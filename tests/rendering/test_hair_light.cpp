@@ -331,6 +331,35 @@ private Q_SLOTS:
         QVERIFY(last > 0.9F);
     }
 
+    void theToneCurveKeepsTheHueAndPalesWhatGlares()
+    {
+        const simd::Triple<float> dim{0.5F, 0.2F, 0.1F};
+        QCOMPARE(simd::toneOf(dim).y, 0.2F);
+        const auto hueOf = [](const simd::Triple<float>& c) { return (c.y - c.z) / (c.x - c.z); };
+        const auto chromaOf = [](const simd::Triple<float>& c) { return (c.x - c.z) / c.x; };
+        float last = 1.0F;
+        for (const float gain : {1.0F, 2.0F, 4.0F, 8.0F}) {
+            const auto shown = simd::toneOf(dim * gain);
+            QVERIFY(isNear(static_cast<double>(hueOf(shown)), static_cast<double>(hueOf(dim)), 1e-3, 0.0));
+            QVERIFY(chromaOf(shown) < last);
+            last = chromaOf(shown);
+        }
+        QVERIFY(last < 0.6F);
+    }
+
+    /// The tone curve shows it so, but for a little paleness of what is bright.
+    void lightIsFoundForWhatIsPainted()
+    {
+        for (const float brightest : {0.01F, 0.3F, 0.5F, 0.7F, 0.87F}) {
+            const simd::Triple<float> painted{brightest, brightest * 0.6F, brightest * 0.4F};
+            const auto shown = simd::toneOf(simd::lightShownAs(painted));
+            QVERIFY(isNear(static_cast<double>(shown.x), static_cast<double>(painted.x), 1e-3, 0.0));
+            QVERIFY(isNear(static_cast<double>(shown.z), static_cast<double>(painted.z), 0.25, 0.0));
+        }
+        const simd::Triple<float> white{1.0F, 1.0F, 1.0F};
+        QCOMPARE(simd::lightShownAs(white).x, 2.0F);
+    }
+
     void aFloatAndALaneGiveTheSameBits()
     {
         RandomNumbers random;

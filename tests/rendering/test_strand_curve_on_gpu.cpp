@@ -74,7 +74,7 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
         frame->pose.rotation = glm::angleAxis(0.7F, glm::normalize(glm::vec3(1.0F, 2.0F, 0.5F)));
     rendering::Scene scene;
     scene.hair = frame;
-    const rendering::FrameConstants constants = rendering::frameConstants(scene, {.width = 64, .height = 64});
+    const rendering::FrameConstants constants = rendering::frameConstants(scene, {.width = 64, .height = 64}, 0.0F);
 
     auto pass = rendering::HairPass::create();
     QVERIFY2(pass.has_value(), pass.has_value() ? "" : pass.error().c_str());

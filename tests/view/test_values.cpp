@@ -2,6 +2,8 @@
 #include "panel_fixture.h"
 
 #include "tests/support/test_program.h"
+#include "view/widgets/bar_slider.h"
+#include "view/widgets/melanin.h"
 #include "view/widgets/swatch.h"
 #include "view/widgets/value_pair.h"
 #include "view/widgets/value_palette.h"
@@ -13,6 +15,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace hairpaint;
@@ -116,6 +119,56 @@ private Q_SLOTS:
         QTest::keyClick(hex, Qt::Key_Return);
         model::ToolSettings settings = f.state.toolSettings();
         QCOMPARE(settings.value(MapKind::Colour).colour.name(), QStringLiteral("#b3182b"));
+    }
+
+    void natural_colours_are_set_by_their_pigment()
+    {
+        PanelFixture f;
+        f.state.setActiveMap(MapKind::Colour);
+        ValuePalette palette(f.state);
+        palette.show();
+        const auto slider = [&](const QString& label) {
+            const auto sliders = palette.findChildren<BarSlider*>();
+            const auto found = std::ranges::find_if(sliders, [&](BarSlider* s) { return s->label() == label; });
+            return found == sliders.end() ? nullptr : *found;
+        };
+        BarSlider* melanin = slider(QStringLiteral("Melanin"));
+        BarSlider* redness = slider(QStringLiteral("Redness"));
+        QVERIFY(melanin != nullptr && redness != nullptr);
+        const auto painted = [&] {
+            model::ToolSettings settings = f.state.toolSettings();
+            return settings.value(MapKind::Colour).colour;
+        };
+        const auto clickAt = [](BarSlider* s, double fraction) {
+            QTest::mouseClick(s, Qt::LeftButton, {}, QPoint(qRound(fraction * s->width()), s->height() / 2));
+        };
+        clickAt(redness, 0.5);
+        clickAt(melanin, 0.9);
+        const QColor black = painted();
+        clickAt(melanin, 0.2);
+        const QColor blond = painted();
+        QVERIFY(black.lightness() < 30 && blond.lightness() > 120);
+        QVERIFY(blond.red() > blond.green() && blond.green() > blond.blue());
+        clickAt(redness, 0.95);
+        const double warmth = static_cast<double>(painted().red()) / painted().blue();
+        QVERIFY(warmth > static_cast<double>(blond.red()) / blond.blue());
+        QVERIFY(std::abs(melanin->value() - 20.0) < 3.0); // It stayed where it was put.
+        QCOMPARE(f.steps(), 0);
+    }
+
+    void the_sliders_of_pigment_show_the_colour_that_is_painted()
+    {
+        for (int amount = 10; amount <= 90; amount += 20)
+            for (int redness = 0; redness <= 100; redness += 25) {
+                const Melanin put{.amount = amount / 100.0, .redness = redness / 100.0};
+                const Melanin found = nearestMelanin(melaninColour(put));
+                QVERIFY(std::abs(found.amount - put.amount) < 0.01 && std::abs(found.redness - put.redness) < 0.02);
+            }
+        for (const QRgb dyed : {0xFF2A4FB0U, 0xFFE86CA8U, 0xFF00FF00U, 0xFF000000U, 0xFFFFFFFFU}) {
+            const Melanin nearest = nearestMelanin(QColor::fromRgb(dyed));
+            QVERIFY(nearest.amount >= 0.0 && nearest.amount <= 1.0);
+            QVERIFY(nearest.redness >= 0.0 && nearest.redness <= 1.0);
+        }
     }
 
     void swapping_twice_gives_the_same_values()

@@ -62,23 +62,6 @@ glm::mat3 axesAlong(glm::vec3 away)
     return glm::transpose(glm::mat3(x, glm::cross(z, x), z));
 }
 
-/// Mean distance of the upper head's skin from its middle, from some of its vertices; 0 without any.
-float skullRadiusM(const sim::HeadMesh& head)
-{
-    const std::size_t step = std::max<std::size_t>(1, head.positionsHd.size() / 1024);
-    float top = 0.0F;
-    for (std::size_t i = 0; i < head.positionsHd.size(); i += step)
-        top = std::max(top, head.positionsHd[i].y);
-    float sum = 0.0F;
-    int count = 0;
-    for (std::size_t i = 0; i < head.positionsHd.size(); i += step)
-        if (head.positionsHd[i].y > 0.3F * top) {
-            sum += glm::length(head.positionsHd[i]);
-            ++count;
-        }
-    return count > 0 ? sum / static_cast<float>(count) : 0.0F;
-}
-
 /// `axesWo`: the eye's right, up and backward.
 void setLights(const Light& light, glm::vec3 keyWo, const glm::mat3& axesWo, FrameConstants& c)
 {
@@ -120,7 +103,7 @@ glm::vec3 srgbFromLinear(glm::vec3 linear)
 
 } // namespace
 
-FrameConstants frameConstants(const Scene& scene, const Target& target)
+FrameConstants frameConstants(const Scene& scene, const Target& target, float skullRadiusM)
 {
     FrameConstants c{};
     const float aspect = static_cast<float>(target.width) / static_cast<float>(target.height);
@@ -137,7 +120,7 @@ FrameConstants frameConstants(const Scene& scene, const Target& target)
     c.eyeWo = glm::vec4(scene.camera.eyeWo(), 1.0F);
     const glm::vec3 light = glm::length(scene.light.directionWo) > 0.0F ? glm::normalize(scene.light.directionWo)
                                                                         : glm::vec3(0.0F, 1.0F, 0.0F);
-    c.headWo = glm::vec4(glm::vec3(c.woFromHd[3]), scene.head ? skullRadiusM(*scene.head) : 0.0F);
+    c.headWo = glm::vec4(glm::vec3(c.woFromHd[3]), skullRadiusM);
     setLights(scene.light, light, glm::transpose(glm::mat3(view)), c);
 
     const std::array<glm::mat3, 2> axes{axesAlong(-light), axesAlong(scene.camera.targetWo - glm::vec3(c.eyeWo))};

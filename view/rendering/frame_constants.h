@@ -50,6 +50,7 @@ inline constexpr std::array kSampleDefines{"#define SAMPLES_X 1\n#define SAMPLES
 
 inline constexpr int kGridSide = 48; ///< Voxels of the opacity grid in each direction.
 
-[[nodiscard]] FrameConstants frameConstants(const Scene& scene, const Target& target);
+/// `skullRadiusM`: SkullSize of the scene's head.
+[[nodiscard]] FrameConstants frameConstants(const Scene& scene, const Target& target, float skullRadiusM);
 
 } // namespace hairpaint::rendering

@@ -31,8 +31,8 @@ struct Camera
 struct Light
 {
     glm::vec3 directionWo{0.4F, 0.6F, 0.7F}; ///< Toward the key light, unit.
-    glm::vec3 colour{1.0F};                  ///< Of the key light; linear, intensity included.
-    float fill = 0.25F;
+    glm::vec3 colour{0.9F};                  ///< Of the key light; linear, intensity included.
+    float fill = 0.4F;
     float rim = 0.6F;
     float ambient = 0.35F; ///< How bright the surroundings are.
     Surroundings surroundings = Surroundings::Studio;

@@ -7,6 +7,7 @@
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/hair_colours.h"
 #include "view/widgets/map_badge.h"
+#include "view/widgets/melanin.h"
 #include "view/widgets/swatch.h"
 #include "view/widgets/value_pair.h"
 #include "view/widgets/value_text.h"
@@ -122,6 +123,8 @@ void ValuePalette::rebuild()
     m_slider = nullptr;
     m_angle = nullptr;
     m_flatness = nullptr;
+    m_melanin = nullptr;
+    m_redness = nullptr;
     m_hex = nullptr;
     m_body = new QWidget(this);
     auto* column = new QVBoxLayout(m_body);
@@ -186,6 +189,8 @@ void ValuePalette::refresh()
             m_angle->setValue(angleDeg(value.direction));
         m_flatness->setValue(kPercents * static_cast<double>(glm::length(value.direction)));
     }
+    if (m_melanin != nullptr)
+        showMelanin(value.colour);
     if (m_hex != nullptr && !m_hex->hasFocus())
         m_hex->setText(value.colour.name());
 }
@@ -347,6 +352,7 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
         ++line;
     }
     layout.addLayout(grid);
+    buildMelanin(layout);
     auto* row = new QHBoxLayout;
     row->setSpacing(metrics::kGap);
     auto* label = new QLabel(tr("&Hex"), m_body);
@@ -372,6 +378,51 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
     row->addStretch(1);
     row->addWidget(custom);
     layout.addLayout(row);
+}
+
+void ValuePalette::buildMelanin(QVBoxLayout& layout)
+{
+    const auto slider = [&](const QString& label, const QString& hint) {
+        auto* made = new BarSlider(label, m_body);
+        made->setRange(0.0, kPercents);
+        made->setUnit(QStringLiteral("%"));
+        made->setHint(hint);
+        layout.addWidget(made);
+        connect(made, &BarSlider::valueChanged, this, [this] {
+            PaintValue value = edited(m_state.activeMap());
+            value.colour = melaninColour(shownMelanin());
+            setValue(value);
+        });
+        return made;
+    };
+    m_melanin = slider(tr("Melanin"), tr("The pigment of hair that is not dyed: from white to black"));
+    m_redness = slider(tr("Redness"), tr("How much of the pigment is the red one"));
+}
+
+Melanin ValuePalette::shownMelanin() const
+{
+    return {.amount = m_melanin->value() / kPercents, .redness = m_redness->value() / kPercents};
+}
+
+/// The natural colour nearest to `colour`; sliders that stand for it already stay.
+void ValuePalette::showMelanin(const QColor& colour)
+{
+    if (melaninColour(shownMelanin()).rgb() != colour.rgb()) {
+        const Melanin nearest = nearestMelanin(colour);
+        m_melanin->setValue(kPercents * nearest.amount);
+        m_redness->setValue(kPercents * nearest.redness);
+    }
+    const Melanin shown = shownMelanin();
+    QList<QColor> darker;
+    QList<QColor> redder;
+    constexpr int kSteps = 17;
+    for (int i = 0; i < kSteps; ++i) {
+        const double along = static_cast<double>(i) / (kSteps - 1);
+        darker.append(melaninColour({.amount = along, .redness = shown.redness}));
+        redder.append(melaninColour({.amount = shown.amount, .redness = along}));
+    }
+    m_melanin->setGradient(darker);
+    m_redness->setGradient(redder);
 }
 
 void ValuePalette::chooseColour()

@@ -13,6 +13,7 @@ namespace hairpaint::view {
 
 class BarSlider;
 class Swatch;
+struct Melanin;
 
 /// Follows the active map and group and edits the value that is painted, or the second one. Also keys: X swaps the two,
 /// D resets both.
@@ -40,6 +41,9 @@ private:
     void buildScalar(QVBoxLayout& layout);
     void buildIndex(QVBoxLayout& layout);
     void buildColour(QVBoxLayout& layout);
+    void buildMelanin(QVBoxLayout& layout);
+    [[nodiscard]] Melanin shownMelanin() const;
+    void showMelanin(const QColor& colour);
     void buildVector(QVBoxLayout& layout);
     void chooseColour();
     Swatch* addSwatch(const model::PaintValue& value, const QString& name);
@@ -50,6 +54,8 @@ private:
     BarSlider* m_slider = nullptr;
     BarSlider* m_angle = nullptr; ///< Of a vector, degrees.
     BarSlider* m_flatness = nullptr;
+    BarSlider* m_melanin = nullptr; ///< Of a colour that hair grows in, percent.
+    BarSlider* m_redness = nullptr;
     QLabel* m_title = nullptr;
     QLineEdit* m_hex = nullptr;
     std::vector<std::pair<Swatch*, model::PaintValue>> m_swatches;

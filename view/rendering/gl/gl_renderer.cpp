@@ -8,6 +8,7 @@
 #include "view/rendering/gl/ring_pass.h"
 #include "view/rendering/gl/skin_shade.h"
 #include "view/rendering/gl/state_guard.h"
+#include "view/rendering/skull_size.h"
 
 #include <epoxy/gl.h>
 
@@ -56,6 +57,7 @@ struct GlRenderer::State
     std::string description;
     bool software = false;
     FrameStatistics statistics;
+    SkullSize skull;
     std::unique_ptr<HeadLayer> head;
     std::unique_ptr<HairPass> hair;
     SkinShade shade;
@@ -209,7 +211,7 @@ GlRenderer::Picture GlRenderer::prepare(const Scene& scene, const Quality& quali
     picture.target.samples = quality.samples >= 4 ? glm::ivec2(2, 2) : glm::ivec2(quality.samples >= 2 ? 2 : 1, 1);
     const Target& target = picture.target;
     const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
-    picture.constants = frameConstants(scene, target);
+    picture.constants = frameConstants(scene, target, state.skull.radiusM(scene.head));
     const FrameConstants& constants = picture.constants;
     state.constants.assign(&constants, sizeof(constants));
     state.constants.bindUniform(0);

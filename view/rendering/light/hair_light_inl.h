@@ -52,17 +52,20 @@ struct CoatPoint
     F sinO, cosO;
 };
 
+/// Evens out what the coat keeps in its own shade: seen from all around in studio light it then shows the colour that
+/// was painted (test_painted_colour).
+inline constexpr float kCoat = 1.1F;
+
 /// Light of one lamp: `passed` is what comes through the hair on its way.
 template<LobeSet set, class F>
 HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, const HairPoint<F>& point,
                              const CoatPoint<F>& coat, const Passed<F>& passed)
 {
     constexpr float kPi = 3.14159265F;
-    constexpr float kCoat = 2.0F; ///< A coat shows its colour though half of it lies in its own shade.
     const Triple<F> toward = tripleOf<F>(lamp.towardWo);
     const FibreAngles<F> at = fibreAngles(dot(point.tangent, toward), coat.sinO, coat.cosO, dot(toward, coat.view));
     constexpr float kForward = 0.5F; ///< Of what goes on past one hair, that meets no other right after.
-    const F shine(3.0F * given.shine);
+    const F shine(given.shine);
     // Softly around the coat, since light scatters on within it; what shines through its thin parts is there too.
     const F wrap = clamped(dot(coat.normal, toward) * F(0.62F) + F(0.38F), 0.0F, 1.0F);
     const F facing = F(0.1F) + F(0.9F) * wrap * wrap;
@@ -111,7 +114,7 @@ HWY_INLINE Triple<F> hairLight(const HairLighting& given, const HairPoint<F>& po
     const F keyLeft = besideHead(coat.fromHead, given.headRadiusM, tripleOf<F>(given.key.towardWo));
     const F rimLeft = besideHead(coat.fromHead, given.headRadiusM, tripleOf<F>(given.rim.towardWo));
     // Surroundings come from the side where the coat is open, which is about where the eye looks in.
-    const Triple<F> around = irradianceAt(given.around, coat.normal) * point.colour * fromEye.all;
+    const Triple<F> around = irradianceAt(given.around, coat.normal) * point.colour * fromEye.all * F(kCoat);
     Triple<F> lit = around + lightOf<LobeSet::Back>(given, given.fill, point, coat, fromEye);
     if (any(keyLeft > F(0.0F)))
         lit = lit + lightOf<LobeSet::All>(given, given.key, point, coat, fromKey) * keyLeft;

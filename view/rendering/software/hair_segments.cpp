@@ -57,13 +57,19 @@ struct Depth
 constexpr Depth kFineDepth{.undrawnCoverings = 6.0F, .widest = 0.55F, .leastFraction = 0.45F};
 constexpr Depth kMovingDepth{.undrawnCoverings = 4.5F, .widest = 1.67F, .leastFraction = 0.3F};
 
-/// Of a group's hairs where the hair is nearest, samples.
-float widthOf(const sim::StrandMaterial& material, const FrameConstants& constants)
+/// Where the hair is nearest.
+float samplesPerM(const FrameConstants& constants)
 {
     constexpr float kHeadM = 0.12F; ///< Hair is about so much nearer than the head's middle.
     const float distanceM =
         std::max(glm::distance(glm::vec3(constants.eyeWo), glm::vec3(constants.headWo)) - kHeadM, 0.05F);
-    return material.widthM * constants.gridSize.z / distanceM;
+    return constants.gridSize.z / distanceM;
+}
+
+/// Of a group's hairs there, samples.
+float widthOf(const sim::StrandMaterial& material, const FrameConstants& constants)
+{
+    return material.widthM * samplesPerM(constants);
 }
 
 /// The fraction of hairs of that width that are wide enough to be told apart, each on its own.
@@ -139,7 +145,6 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     m_pieces.clear();
     m_batchCount = 0;
     m_hairs = 0;
-    m_tiles = TileGrid(static_cast<int>(constants.target.x), static_cast<int>(constants.target.y));
     m_turnWoFromHd = glm::mat3(constants.woFromHd);
     const Depth& depth = fine ? kFineDepth : kMovingDepth;
     m_undrawnCoverings = depth.undrawnCoverings;
@@ -148,6 +153,10 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     constexpr float kDepths = 65535.0F;
     m_nearestM = constants.depthRange.x;
     m_depthsPerM = constants.depthRange.y * (kDepths / kKeys);
+    // As far as a cell is across: what leans less is sorted well enough by its middle.
+    const float cellM = static_cast<float>(kCellSp) / samplesPerM(constants);
+    m_tiles =
+        TileGrid(static_cast<int>(constants.target.x), static_cast<int>(constants.target.y), cellM * m_depthsPerM);
     if (!frame) {
         m_lists.clear();
         return;

@@ -191,7 +191,7 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
                     storeLinear(over(lightThere), alpha, used, resolve.linear + 4 * (first + x));
                 // Only the scene's light is toned; the background is the screen's own colour.
                 const Triple<Lanes> own = lightThere * (Lanes(1.0F) / most(cover, Lanes(1e-6F)));
-                const Triple<Lanes> toned{toneOf(own.x), toneOf(own.y), toneOf(own.z)};
+                const Triple<Lanes> toned = toneOf(own);
                 const Triple<Lanes> screen = resolve.transparent ? toned : over(toned * cover);
                 const Ints lit = rgba(byteOf(fastSrgb(screen.x)), byteOf(fastSrgb(screen.y)),
                                       byteOf(fastSrgb(screen.z)), byteOf(alpha));

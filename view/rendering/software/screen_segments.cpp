@@ -52,6 +52,39 @@ void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int se
         }
 }
 
+/// Hair that crosses other hair within a tile has to be sorted where it crosses: a segment that goes far in depth is
+/// sorted cell by cell.
+void SegmentBatch::addToTile(const TileGrid& tiles, const ScreenSegment& segment, int tileX, int tileY)
+{
+    const bool steep = std::abs(segment.y1 - segment.y0) > std::abs(segment.x1 - segment.x0);
+    const auto corner = static_cast<float>((steep ? tileY : tileX) * kTileSp);
+    const float main0 = (steep ? segment.y0 : segment.x0) - corner;
+    const float main1 = (steep ? segment.y1 : segment.x1) - corner;
+    const float low = std::clamp(std::min(main0, main1), 0.0F, static_cast<float>(kTileSp));
+    const float high = std::clamp(std::max(main0, main1), low, static_cast<float>(kTileSp));
+    const float depth0 = segment.depth[0];
+    const float length = main1 - main0;
+    const float perSample = std::abs(length) > 1e-3F ? (static_cast<float>(segment.depth[1]) - depth0) / length : 0.0F;
+    const auto number = static_cast<std::uint32_t>(m_segmentCount);
+    const auto tile = static_cast<std::uint32_t>(tileY * tiles.across + tileX);
+    const auto found = [&](int firstCell, int lastCell, float from, float to) {
+        const float depth = depth0 + perSample * (0.5F * (from + to) - main0);
+        m_found[m_foundCount++] = {.piece = SegmentPiece::of(number, firstCell, lastCell),
+                                   .tile = tile,
+                                   .depth = static_cast<std::uint16_t>(std::clamp(depth, 0.0F, 65535.0F))};
+    };
+    if (std::abs(perSample) * (high - low) <= tiles.evenDepths) {
+        found(0, kCells - 1, low, high);
+        return;
+    }
+    constexpr auto kCell = static_cast<float>(kCellSp);
+    const int last = std::min(static_cast<int>(high) / kCellSp, kCells - 1);
+    for (int cell = std::min(static_cast<int>(low) / kCellSp, kCells - 1); cell <= last; ++cell) {
+        const float begin = static_cast<float>(cell) * kCell;
+        found(cell, cell, std::max(low, begin), std::min(high, begin + kCell));
+    }
+}
+
 void SegmentBatch::addToTiles(const TileGrid& tiles, const ScreenSegment& segment, std::uint32_t tilesX,
                               std::uint32_t tilesY)
 {
@@ -59,22 +92,15 @@ void SegmentBatch::addToTiles(const TileGrid& tiles, const ScreenSegment& segmen
     const auto right = static_cast<int>(tilesX >> 16U);
     const auto low = static_cast<int>(tilesY & kLowHalf);
     const auto high = static_cast<int>(tilesY >> 16U);
-    const auto number = static_cast<std::uint32_t>(m_segmentCount);
     reserveMore(m_found, m_foundCount,
-                static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(high - low + 1));
-    const auto tileAt = [&](int tx, int ty) { return static_cast<std::uint32_t>(ty * tiles.across + tx); };
+                static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(high - low + 1) * kCells);
     if (left == right && low == high) {
-        const std::uint32_t sum = std::uint32_t{segment.depth[0]} + segment.depth[1];
-        m_found[m_foundCount++] = {
-            .segment = number, .tile = tileAt(left, low), .depth = static_cast<std::uint16_t>(sum / 2)};
+        addToTile(tiles, segment, left, low);
         return;
     }
     const float reach = 1.0F + 0.5F * kWidthUnit * static_cast<float>(std::max(segment.width[0], segment.width[1]));
     const float dx = segment.x1 - segment.x0;
     const float dy = segment.y1 - segment.y0;
-    const float perLength2 = 1.0F / std::max(dx * dx + dy * dy, 1e-6F);
-    const float depth0 = segment.depth[0];
-    const float deeper = static_cast<float>(segment.depth[1]) - depth0;
     // Half a tile's diagonal along each axis, as far as the segment's side reaches.
     const float side = (std::abs(dx) + std::abs(dy)) * (0.5F * kTileSp + reach);
     for (int ty = low; ty <= high; ++ty)
@@ -83,9 +109,7 @@ void SegmentBatch::addToTiles(const TileGrid& tiles, const ScreenSegment& segmen
             const float cy = (static_cast<float>(ty) + 0.5F) * kTileSp - segment.y0;
             if (left != right && low != high && std::abs(cx * dy - cy * dx) > side)
                 continue;
-            const float t = std::clamp((cx * dx + cy * dy) * perLength2, 0.0F, 1.0F);
-            m_found[m_foundCount++] = {
-                .segment = number, .tile = tileAt(tx, ty), .depth = static_cast<std::uint16_t>(depth0 + deeper * t)};
+            addToTile(tiles, segment, tx, ty);
         }
 }
 
@@ -100,7 +124,7 @@ void SegmentBatch::sort(const TileGrid& tiles)
     if (m_sorted.size() < m_foundCount)
         m_sorted.resize(m_found.size());
     for (auto found = m_found.begin(); found != end; ++found)
-        m_sorted[m_tileBegin[found->tile]++] = {.segment = found->segment, .depth = found->depth, .batch = 0};
+        m_sorted[m_tileBegin[found->tile]++] = {.piece = found->piece, .depth = found->depth, .batch = 0};
     // Each now holds its end, which is the next one's beginning.
     for (std::size_t tile = tiles.count(); tile > 0; --tile)
         m_tileBegin[tile] = m_tileBegin[tile - 1];

@@ -9,7 +9,9 @@
 
 namespace hairpaint::rendering {
 
-inline constexpr int kTileSp = 32;                  ///< Samples across a tile.
+inline constexpr int kTileSp = 32; ///< Samples across a tile,
+inline constexpr int kCellSp = 8;  ///< and across a cell of it.
+inline constexpr int kCells = kTileSp / kCellSp;
 inline constexpr float kWidthUnit = 1.0F / 1900.0F; ///< Samples that a unit of a segment's width stands for.
 
 /// From one point of a strand to the next. Samples; x right, y up.
@@ -32,12 +34,28 @@ struct SegmentBounds
     void resize(std::size_t segments);
 };
 
-/// That a segment lies in a tile.
+/// A piece of a segment: what of it lies in some cells of a tile, one after the other along its main direction.
+struct SegmentPiece
+{
+    static constexpr unsigned kNumberBits = 28;
+    std::uint32_t bits; ///< The segment's number in its batch, the first cell in two bits, the last in two.
+    [[nodiscard]] static SegmentPiece of(std::uint32_t segment, int firstCell, int lastCell)
+    {
+        return {segment | static_cast<std::uint32_t>(firstCell) << kNumberBits |
+                static_cast<std::uint32_t>(lastCell) << (kNumberBits + 2)};
+    }
+    [[nodiscard]] std::uint32_t segment() const { return bits & ((1U << kNumberBits) - 1); }
+    [[nodiscard]] int firstCell() const { return static_cast<int>((bits >> kNumberBits) & 3U); }
+    [[nodiscard]] int lastCell() const { return static_cast<int>(bits >> (kNumberBits + 2)); }
+};
+static_assert(kCells == 4);
+
+/// That a piece lies in a tile.
 struct TileEntry
 {
-    std::uint32_t segment; ///< Of its batch.
-    std::uint16_t depth;   ///< Where it passes the tile's middle.
-    std::uint16_t batch;   ///< Its batch; while they are collected, meaningless.
+    SegmentPiece piece;
+    std::uint16_t depth; ///< In its middle.
+    std::uint16_t batch; ///< Its batch; while they are collected, meaningless.
 };
 
 struct TileGrid
@@ -46,10 +64,11 @@ struct TileGrid
     int up = 0;
     int width = 0; ///< Samples.
     int height = 0;
+    float evenDepths = 0.0F; ///< A segment that reaches over more in a tile is cut at the cells.
     TileGrid() = default;
-    TileGrid(int widthSp, int heightSp)
+    TileGrid(int widthSp, int heightSp, float evenDepthsWanted)
         : across((widthSp + kTileSp - 1) / kTileSp), up((heightSp + kTileSp - 1) / kTileSp), width(widthSp),
-          height(heightSp)
+          height(heightSp), evenDepths(evenDepthsWanted)
     {}
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(across) * static_cast<std::size_t>(up); }
 };
@@ -74,10 +93,11 @@ public:
 private:
     struct Found
     {
-        std::uint32_t segment;
+        SegmentPiece piece;
         std::uint32_t tile;
         std::uint16_t depth;
     };
+    void addToTile(const TileGrid& tiles, const ScreenSegment& segment, int tileX, int tileY);
     void addToTiles(const TileGrid& tiles, const ScreenSegment& segment, std::uint32_t tilesX, std::uint32_t tilesY);
 
     SegmentBounds m_bounds;

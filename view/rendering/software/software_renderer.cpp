@@ -2,6 +2,7 @@
 #include "view/rendering/software/software_renderer.h"
 
 #include "sim/base/parallel.h"
+#include "view/rendering/skull_size.h"
 #include "view/rendering/software/hair_segments.h"
 #include "view/rendering/software/head_picture.h"
 #include "view/rendering/software/ring_overlay.h"
@@ -55,6 +56,7 @@ struct SoftwareRenderer::State
 
     std::string description = "Hair Paint's own, in software";
     FrameStatistics statistics;
+    SkullSize skull;
     HeadPicture head;
     HairSegments hair;
     std::vector<const ScreenSegment*> segments; ///< By batch.
@@ -86,7 +88,7 @@ void SoftwareRenderer::State::prepare(const Scene& scene, const Quality& quality
     picture.target.height = std::clamp(height, 1, kMostSide);
     picture.target.samples = glm::ivec2(quality.samples > 4 ? 4 : quality.samples > 1 ? 2 : 1);
     picture.transparent = scene.transparent;
-    picture.constants = frameConstants(scene, picture.target);
+    picture.constants = frameConstants(scene, picture.target, skull.radiusM(scene.head));
     const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
     head.update(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, picture.constants);
     hair.begin(scene.hair, picture.constants, detail, quality.samples > 1);
@@ -174,7 +176,7 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
         const SegmentBatch& batch = hair.batch(b);
         for (const TileEntry* entry = batch.begin(tile); entry != batch.end(tile); ++entry)
             samples.entries.push_back(
-                {.segment = entry->segment, .depth = entry->depth, .batch = static_cast<std::uint16_t>(b)});
+                {.piece = entry->piece, .depth = entry->depth, .batch = static_cast<std::uint16_t>(b)});
     }
     layHair(task, segments, samples);
     const ResolveTask resolve{.samplesX = picture.target.samples.x,

@@ -15,7 +15,7 @@ namespace hairpaint::rendering {
 
 inline constexpr std::size_t kBlockLanes = 16;
 inline constexpr int kMostNodes = 32;
-inline constexpr int kMostOfSpan = 32;
+inline constexpr int kMostOfSpan = 256;
 inline constexpr float kFadingPart = 0.15F; ///< Of the drawn hairs: more that thin out instead of vanishing.
 using LaneRow = std::array<float, kBlockLanes>;
 

@@ -66,12 +66,11 @@ void segmentsForAll(const StrandView& view, const StrandBlock& block, SpanSegmen
             // The chord of an nth of a circle lies r (pi/n)^2 / 2 inside it.
             const Lanes scale = perM(before) * Lanes(0.5F / view.toleranceSp);
             const Lanes curlR = loaded(block.curlRadiusM.data() + lane);
-            Lanes wanted =
-                loaded(block.turns.data() + lane) * clamped(root(curlR * scale) * Lanes(3.1416F), 4.0F, 24.0F);
+            Lanes wanted = loaded(block.turns.data() + lane) * most(root(curlR * scale) * Lanes(3.1416F), Lanes(4.0F));
             wanted = select(curlR > Lanes(0.0F), wanted, Lanes(0.0F));
             const Lanes braid = root(loaded(block.braidRadiusM.data() + lane) * scale);
             const Lanes plaited = loaded(block.braidTurns.data() + lane) *
-                                  clamped(braid * Lanes(2.0F * 3.1416F), 16.0F, 48.0F) /
+                                  most(braid * Lanes(2.0F * 3.1416F), Lanes(16.0F)) /
                                   most(Lanes(1.0F) - loaded(block.braidStart.data() + lane), Lanes(0.1F));
             wanted = most(wanted, select(loaded(block.braid.data() + lane) > Lanes(0.5F), plaited, Lanes(0.0F)));
             turnSegments = std::max(turnSegments, hn::GetLane(biggest(select(there, wanted, Lanes(0.0F))).v));
@@ -138,6 +137,8 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     const Triple<Lanes> tipColour = colourOf(block.tipColour);
     const Triple<Lanes> rootDepth = fibreDepth(rootColour); // Pigment fades evenly toward the tip.
     const Triple<Lanes> tipDepth = fibreDepth(tipColour);
+    const Triple<Lanes> rootLight = lightShownAs(rootColour);
+    const Triple<Lanes> tipLight = lightShownAs(tipColour);
     const float* pointsWo = out.pointsWo.data() + lane;
     const auto at = [&](int j) { return loaded3(pointsWo + static_cast<std::size_t>(j) * kRow); };
     const float before = 1.5F / static_cast<float>(view.gridSide); // A strand does not shade itself.
@@ -186,7 +187,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
 
         const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - towardEye, Lanes(0.0F));
         const Triple<Lanes> lit =
-            hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootColour + (tipColour - rootColour) * Lanes(s),
+            hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootLight + (tipLight - rootLight) * Lanes(s),
                                                       rootDepth + (tipDepth - rootDepth) * Lanes(s), variation,
                                                       towardLight, towardEye, behind});
         const Ints packed =

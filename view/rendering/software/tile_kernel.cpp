@@ -341,16 +341,17 @@ HWY_INLINE void layWide(Canvas& canvas, int begin, int end, Pace at, const Pace&
     }
 }
 
-/// Walks a segment; a sample gets as much of it as the strand covers. Cells that are opaque already are stepped over.
+/// Walks a piece of a segment; a sample gets as much of it as the strand covers. Cells that are opaque already are
+/// stepped over.
 template<bool kSteep, bool kHead>
-HWY_INLINE void layOne(Canvas& canvas, const ScreenSegment& segment)
+HWY_INLINE void layOne(Canvas& canvas, const ScreenSegment& segment, SegmentPiece piece)
 {
     const Walk walk = walkOf<kSteep>(canvas.task, segment);
     const int mainEnd = kSteep ? canvas.task.height : canvas.task.width;
     // Samples whose middle lies in main0..main1.
     const auto cut = [](float place) { return static_cast<int>(std::clamp(place, -1.0F, 64.0F) + 1.5F) - 1; };
-    const int begin = std::max(cut(walk.main0), 0);
-    const int end = std::min(cut(walk.main1), mainEnd);
+    const int begin = std::max(cut(walk.main0), piece.firstCell() * kCellSp);
+    const int end = std::min({cut(walk.main1), mainEnd, (piece.lastCell() + 1) * kCellSp});
     if (begin >= end)
         return;
     const float inverse = 1.0F / std::max(walk.main1 - walk.main0, 1e-6F);
@@ -443,15 +444,17 @@ void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
     constexpr std::size_t kAhead = 8;
     for (std::size_t i = 0; i < samples.sorted.size() && canvas.open > 0; ++i) {
         const TileEntry& ahead = samples.sorted[std::min(i + kAhead, samples.sorted.size() - 1)];
-        hwy::Prefetch(&segments[ahead.batch][ahead.segment]);
+        hwy::Prefetch(&segments[ahead.batch][ahead.piece.segment()]);
         const TileEntry& entry = samples.sorted[i];
-        const ScreenSegment& segment = segments[entry.batch][entry.segment];
+        const ScreenSegment& segment = segments[entry.batch][entry.piece.segment()];
         const bool steep = std::abs(segment.y1 - segment.y0) > std::abs(segment.x1 - segment.x0);
         const bool head = static_cast<float>(std::max(segment.depth[0], segment.depth[1])) > nearestHead;
         if (head)
-            steep ? layOne<true, true>(canvas, segment) : layOne<false, true>(canvas, segment);
+            steep ? layOne<true, true>(canvas, segment, entry.piece)
+                  : layOne<false, true>(canvas, segment, entry.piece);
         else
-            steep ? layOne<true, false>(canvas, segment) : layOne<false, false>(canvas, segment);
+            steep ? layOne<true, false>(canvas, segment, entry.piece)
+                  : layOne<false, false>(canvas, segment, entry.piece);
     }
 }
 

@@ -20,8 +20,6 @@ struct HeadSample
 };
 
 inline constexpr int kTileRow = kTileSp + 2; ///< A tile's samples with one more around it, which is never seen.
-inline constexpr int kCellSp = 8;            ///< Samples across a cell of a tile.
-inline constexpr int kCells = kTileSp / kCellSp;
 
 /// Where a sample of the tile is.
 [[nodiscard]] constexpr int inTile(int x, int y)

@@ -1,0 +1,165 @@
+// Strands are drawn as round as the picture's samples need, at any zoom.
+#include "sim/groom/strand_curve.h"
+#include "tests/support/test_program.h"
+#include "view/rendering/frame_constants.h"
+#include "view/rendering/software/strand_block.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace hairpaint;
+using namespace hairpaint::rendering;
+
+namespace {
+
+constexpr int kNodes = 8;
+constexpr float kToleranceSp = 0.2F; ///< Of stills, which have two samples across a pixel.
+constexpr float kSeenSp = 0.5F;      ///< Nobody sees less.
+
+/// What makes a strand round, in its first lane; the others hold nothing.
+struct RoundStrand
+{
+    float bendRad = 0.0F; ///< From root to tip.
+    float turns = 0.0F;
+    float curlRadiusM = 0.0F;
+    sim::BraidKind braid = sim::BraidKind::None;
+};
+
+StrandBlock blockOf(const RoundStrand& strand)
+{
+    constexpr float kLengthM = 0.2F;
+    constexpr float kBraidRadiusM = 0.012F;
+    constexpr float kBraidTurns = 4.0F;
+    StrandBlock block{};
+    block.nodes = kNodes;
+    block.anyCurl = strand.turns > 0.0F;
+    block.anyBraid = strand.braid != sim::BraidKind::None;
+    block.anyFrame = block.anyCurl || block.anyBraid;
+    block.turns[0] = strand.turns;
+    block.curlRadiusM[0] = strand.curlRadiusM;
+    block.width[0] = 1.0F;
+    block.braid[0] = static_cast<float>(strand.braid);
+    block.braidRadiusM[0] = kBraidRadiusM;
+    block.braidTurns[0] = kBraidTurns;
+    block.nodesWo.assign(std::size_t{kNodes} * 3 * kBlockLanes, 0.0F);
+    block.tangentWo[0] = 1.0F;
+    for (int n = 0; n < kNodes; ++n) {
+        const float s = static_cast<float>(n) / (kNodes - 1);
+        glm::vec3 place(0.0F, kLengthM * (0.5F - s), 0.0F);
+        if (strand.bendRad > 0.0F) {
+            const float radiusM = kLengthM / strand.bendRad;
+            const float angle = strand.bendRad * (s - 0.5F);
+            place = {radiusM * (std::cos(angle) - 1.0F), -radiusM * std::sin(angle), 0.0F};
+        }
+        for (std::size_t lane = 0; lane < kBlockLanes; ++lane)
+            for (int axis = 0; axis < 3; ++axis)
+                block.nodesWo[(static_cast<std::size_t>(n) * 3 + static_cast<std::size_t>(axis)) * kBlockLanes + lane] =
+                    place[axis];
+    }
+    return block;
+}
+
+StrandView viewFrom(float distanceM, float toleranceSp)
+{
+    static const std::vector<std::uint32_t> empty(std::size_t{kGridSide} * kGridSide * kGridSide * 2, 0U);
+    Scene scene;
+    scene.camera.targetWo = glm::vec3(0.0F);
+    scene.camera.elevationRad = 0.0F;
+    scene.camera.distanceM = distanceM;
+    const FrameConstants constants =
+        frameConstants(scene, {.width = 1000, .height = 1000, .samples = glm::ivec2(2)}, 0.0F);
+    return {.projectionFromWo = constants.projectionFromWo,
+            .gridFromWo = constants.gridFromWo[0],
+            .eyeGrid = {},
+            .opacity = {empty.data(), empty.data()},
+            .gridSide = kGridSide,
+            .sizeSp = glm::vec2(constants.target),
+            .samplesPerM = constants.gridSize.z,
+            .groupWidthM = 1e-3F,
+            .nearestM = constants.depthRange.x,
+            .depthsPerM = constants.depthRange.y,
+            .toleranceSp = toleranceSp,
+            .lighting = {}};
+}
+
+/// Of the first lane, samples.
+std::vector<glm::vec2> drawn(const StrandView& view, const RoundStrand& strand)
+{
+    const StrandBlock block = blockOf(strand);
+    const SpanSegments segments = segmentsFor(view, block);
+    StrandPoints points;
+    drawnPoints(view, block, segments, points);
+    std::vector<glm::vec2> line;
+    line.reserve(static_cast<std::size_t>(segments.total) + 1);
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(segments.total); ++i)
+        line.emplace_back(points.x[i * kBlockLanes], points.y[i * kBlockLanes]);
+    return line;
+}
+
+float distanceTo(glm::vec2 p, glm::vec2 a, glm::vec2 b)
+{
+    const glm::vec2 along = b - a;
+    const float t = std::clamp(glm::dot(p - a, along) / std::max(glm::dot(along, along), 1e-12F), 0.0F, 1.0F);
+    return glm::distance(p, a + along * t);
+}
+
+} // namespace
+
+class TestCurveRoundness : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void noCornerIsSeen_data()
+    {
+        QTest::addColumn<RoundStrand>("strand");
+        QTest::addColumn<float>("distanceM");
+        const std::array strands{
+            std::pair{"bent", RoundStrand{.bendRad = 2.5F}},
+            std::pair{"wavy", RoundStrand{.turns = 2.0F, .curlRadiusM = 0.006F}},
+            std::pair{"ringlet", RoundStrand{.turns = 8.0F, .curlRadiusM = 0.006F}},
+            std::pair{"bent coil", RoundStrand{.bendRad = 1.5F, .turns = 16.0F, .curlRadiusM = 0.003F}},
+            std::pair{"plait", RoundStrand{.braid = sim::BraidKind::Plait}},
+            std::pair{"twist", RoundStrand{.braid = sim::BraidKind::Twist}}};
+        for (const auto& [name, strand] : strands)
+            for (const float distance : {2.5F, 0.75F, 0.3F, 0.1F, 0.04F})
+                QTest::addRow("%s at %g m", name, double{distance}) << strand << distance;
+    }
+
+    /// The line drawn is nowhere further from the curve than half a sample.
+    void noCornerIsSeen()
+    {
+        QFETCH(RoundStrand, strand);
+        QFETCH(float, distanceM);
+        const std::vector<glm::vec2> line = drawn(viewFrom(distanceM, kToleranceSp), strand);
+        const std::vector<glm::vec2> curve = drawn(viewFrom(distanceM, kToleranceSp / 8.0F), strand);
+        QVERIFY(curve.size() > line.size());
+        const auto inPicture = [](glm::vec2 p) { return p.x > 0.0F && p.x < 2000.0F && p.y > 0.0F && p.y < 2000.0F; };
+        constexpr std::size_t kAround = 3;
+        float worst = 0.0F;
+        std::size_t at = 0; // Both go the same way: the segment nearest by number is the one.
+        for (std::size_t i = 0; i < curve.size(); ++i) {
+            if (!inPicture(curve[i]))
+                continue;
+            const std::size_t guess = i * (line.size() - 1) / (curve.size() - 1);
+            const std::size_t first = guess > 2 * kAround ? guess - 2 * kAround : 0;
+            const std::size_t last = std::min(guess + 2 * kAround, line.size() - 2);
+            float nearest = std::numeric_limits<float>::max();
+            for (std::size_t s = first; s <= last; ++s)
+                nearest = std::min(nearest, distanceTo(curve[i], line[s], line[s + 1]));
+            if (nearest > worst) {
+                worst = nearest;
+                at = i;
+            }
+        }
+        QVERIFY2(worst < kSeenSp,
+                 qPrintable(QStringLiteral("%1 samples, point %2 of %3").arg(worst).arg(at).arg(curve.size())));
+    }
+};
+
+HAIRPAINT_TEST(TestCurveRoundness, None)
+#include "test_curve_roundness.moc"
