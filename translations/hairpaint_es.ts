@@ -430,6 +430,26 @@
         <source>--tolerance and --frames exclude each other</source>
         <translation>--tolerance y --frames se excluyen</translation>
     </message>
+    <message>
+        <source>writes what can be read of a damaged project, and tells what was lost</source>
+        <translation>escribe lo que se puede leer de un proyecto dañado y dice qué se ha perdido</translation>
+    </message>
+    <message>
+        <source>With &apos;%1&apos; the maps would be larger than a project can be; use smaller images, or fewer.</source>
+        <translation>Con «%1» los mapas serían mayores de lo que puede ser un proyecto; usa imágenes más pequeñas, o menos.</translation>
+    </message>
+    <message>
+        <source>A picture in linear light has at most %1 million pixels; give a smaller --size, or a name that ends in .png</source>
+        <translation>Una imagen en luz lineal tiene como mucho %1 millones de píxeles; indica un --size menor o un nombre que termine en .png</translation>
+    </message>
+    <message>
+        <source>-o takes a name that ends in .hairpaint</source>
+        <translation>-o espera un nombre que termine en .hairpaint</translation>
+    </message>
+    <message>
+        <source>Nothing was lost.</source>
+        <translation>No se ha perdido nada.</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -867,6 +887,58 @@
     <message>
         <source>an earlier part of it could not be written</source>
         <translation>no se pudo escribir una parte anterior</translation>
+    </message>
+    <message>
+        <source>it would take %1, and %2 is the most; make the hair less dense or less curled, or export fewer hairs</source>
+        <translation>ocuparía %1, y lo máximo es %2; haz el pelo menos denso o menos rizado, o exporta menos pelos</translation>
+    </message>
+    <message>
+        <source>What it said of &apos;%1&apos; is lost; the usual takes its place.</source>
+        <translation>Se ha perdido lo que decía de «%1»; en su lugar queda lo habitual.</translation>
+    </message>
+    <message>
+        <source>Its head is lost; that of a new project takes its place.</source>
+        <translation>Se ha perdido su cabeza; en su lugar queda la de un proyecto nuevo.</translation>
+    </message>
+    <message>
+        <source>Its head &apos;%1&apos; is lost; that of a new project takes its place.</source>
+        <translation>Se ha perdido su cabeza «%1»; en su lugar queda la de un proyecto nuevo.</translation>
+    </message>
+    <message>
+        <source>Settings of the group &apos;%1&apos; are lost; the usual ones take their place.</source>
+        <translation>Se han perdido ajustes del grupo «%1»; en su lugar quedan los habituales.</translation>
+    </message>
+    <message>
+        <source>&apos;%2&apos; of the group &apos;%1&apos; is lost; the usual takes its place.</source>
+        <translation>Se ha perdido «%2» del grupo «%1»; en su lugar queda lo habitual.</translation>
+    </message>
+    <message>
+        <source>Group number %1 is lost.</source>
+        <translation>Se ha perdido el grupo número %1.</translation>
+    </message>
+    <message>
+        <source>The map &apos;%2&apos; of the group &apos;%1&apos; is lost.</source>
+        <translation>Se ha perdido el mapa «%2» del grupo «%1».</translation>
+    </message>
+    <message>
+        <source>Name, order and blending of the layer &apos;%3&apos; of %2 in the group &apos;%1&apos; are lost; its paint is there.</source>
+        <translation>Se han perdido el nombre, el orden y la fusión de la capa «%3» de %2 en el grupo «%1»; lo pintado sigue ahí.</translation>
+    </message>
+    <message>
+        <source>The paint of the layer &apos;%3&apos; of %2 in the group &apos;%1&apos; is lost.</source>
+        <translation>Se ha perdido lo pintado en la capa «%3» de %2 en el grupo «%1».</translation>
+    </message>
+    <message>
+        <source>The lower %4 % of the paint of the layer &apos;%3&apos; of %2 in the group &apos;%1&apos; are lost.</source>
+        <translation>Se ha perdido el %4 % inferior de lo pintado en la capa «%3» de %2 en el grupo «%1».</translation>
+    </message>
+    <message>
+        <source>Its settings don&apos;t agree with their checksum; look over those that are there.</source>
+        <translation>Sus ajustes no coinciden con su suma de comprobación; revisa los que hay.</translation>
+    </message>
+    <message>
+        <source>nothing of a project could be found in it; try an earlier copy of it</source>
+        <translation>no se ha encontrado en él nada de un proyecto; prueba con una copia anterior</translation>
     </message>
 </context>
 <context>
@@ -1674,6 +1746,10 @@
     <message>
         <source>Drawing the picture was cancelled.</source>
         <translation>Se canceló el dibujo de la imagen.</translation>
+    </message>
+    <message>
+        <source>pictures in linear light have at most %1 million pixels; choose a smaller size, or PNG</source>
+        <translation>las imágenes en luz lineal tienen como mucho %1 millones de píxeles; elige un tamaño menor, o PNG</translation>
     </message>
 </context>
 <context>
@@ -2610,6 +2686,26 @@
         <source>&amp;Replace</source>
         <translation>&amp;Reemplazar</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is no longer where it was; saving writes it again.</source>
+        <translation>«%1» ya no está donde estaba; al guardar se escribe de nuevo.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was changed by another program; saving asks before it replaces that.</source>
+        <translation>Otro programa ha cambiado «%1»; al guardar se pregunta antes de reemplazarlo.</translation>
+    </message>
+    <message>
+        <source>Repairing %1</source>
+        <translation>Reparando %1</translation>
+    </message>
+    <message>
+        <source>%1 (repaired)</source>
+        <translation>%1 (reparado)</translation>
+    </message>
+    <message>
+        <source>&amp;Open what can be read</source>
+        <translation>&amp;Abrir lo que se pueda leer</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::RecoveryDialog</name>
@@ -2659,6 +2755,29 @@
     <message>
         <source>Discard the unsaved work on &apos;%1&apos;? This can&apos;t be undone.</source>
         <translation>¿Descartar el trabajo sin guardar en «%1»? No se puede deshacer.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::RepairDialog</name>
+    <message>
+        <source>Repaired project</source>
+        <translation>Proyecto reparado</translation>
+    </message>
+    <message>
+        <source>Everything in &apos;%1&apos; could be read. The damaged file stays as it is; save what was read under another name.</source>
+        <translation>Se ha podido leer todo lo que hay en «%1». El archivo dañado queda como está; guarda lo leído con otro nombre.</translation>
+    </message>
+    <message>
+        <source>What could be read of &apos;%1&apos; is open. The damaged file stays as it is; save what was read under another name.
+
+This was lost:</source>
+        <translation>Está abierto lo que se ha podido leer de «%1». El archivo dañado queda como está; guarda lo leído con otro nombre.
+
+Se ha perdido esto:</translation>
+    </message>
+    <message>
+        <source>What was lost</source>
+        <translation>Lo que se ha perdido</translation>
     </message>
 </context>
 <context>

@@ -1,50 +1,15 @@
 // A project's file that others work on too: nothing of theirs is replaced without a question.
 #include "model/files/earlier_versions.h"
+#include "tests/app/box_answer.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_program.h"
 
-#include <QFileDialog>
 #include <QLabel>
-#include <QMessageBox>
-#include <QPushButton>
 
 #include <algorithm>
 
 namespace hairpaint::app {
-
-namespace {
-
-/// Presses the button of that name in each message box; dialogs of files are cancelled.
-class BoxAnswer : public QObject
-{
-public:
-    explicit BoxAnswer(QString button) : m_button(std::move(button)) { startTimer(20); }
-    QStringList asked;
-    bool sawFileDialog = false;
-
-protected:
-    void timerEvent(QTimerEvent* /*event*/) override
-    {
-        QWidget* waiting = QApplication::activeModalWidget();
-        if (auto* files = qobject_cast<QFileDialog*>(waiting)) {
-            sawFileDialog = true;
-            return files->reject();
-        }
-        auto* box = qobject_cast<QMessageBox*>(waiting);
-        if (box == nullptr)
-            return;
-        asked += box->text();
-        for (QAbstractButton* button : box->buttons())
-            if (button->text().remove(QLatin1Char('&')) == m_button)
-                return button->click();
-    }
-
-private:
-    QString m_button;
-};
-
-} // namespace
 
 class TestOpenFile : public QObject, private WindowFixture
 {

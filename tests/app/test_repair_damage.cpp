@@ -1,48 +1,35 @@
 // A damaged project in the window and on the command line: what can be read of it opens, and the file stays as it is.
 #include "app/recovery/repair_dialog.h"
+#include "tests/app/box_answer.h"
 #include "tests/app/program.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_program.h"
 
-#include <QFileDialog>
-#include <QMessageBox>
 #include <QPlainTextEdit>
-#include <QPushButton>
 
 namespace hairpaint::app {
 
 namespace {
 
-/// Presses a button in the box that says what is wrong, and closes the list of what was lost.
-class DamageAnswer : public QObject
+/// Answers the box that says what is wrong, and closes the list of what was lost.
+class DamageAnswer : public BoxAnswer
 {
 public:
-    explicit DamageAnswer(QString button) : m_button(std::move(button)) { startTimer(20); }
-    QStringList asked;
+    using BoxAnswer::BoxAnswer;
     QStringList told; ///< What the list says.
 
 protected:
-    void timerEvent(QTimerEvent* /*event*/) override
+    bool ends(QWidget& dialog) override
     {
-        QWidget* waiting = QApplication::activeModalWidget();
-        if (auto* list = qobject_cast<RepairDialog*>(waiting)) {
-            const auto* text = list->findChild<QPlainTextEdit*>();
-            told += text != nullptr ? text->toPlainText() : QString();
-            return list->reject();
-        }
-        auto* box = qobject_cast<QMessageBox*>(waiting);
-        if (box == nullptr)
-            return;
-        asked += box->text();
-        for (QAbstractButton* button : box->buttons())
-            if (button->text().remove(QLatin1Char('&')) == m_button)
-                return button->click();
-        box->reject();
+        auto* list = qobject_cast<RepairDialog*>(&dialog);
+        if (list == nullptr)
+            return false;
+        const auto* text = list->findChild<QPlainTextEdit*>();
+        told += text != nullptr ? text->toPlainText() : QString();
+        list->reject();
+        return true;
     }
-
-private:
-    QString m_button;
 };
 
 } // namespace
