@@ -8,13 +8,12 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QScopedValueRollback>
 #include <QUrl>
 
 namespace hairpaint::app {
 
 namespace {
-
-constexpr int kQuietMs = 400;
 
 QByteArray contentOf(const QString& path)
 {
@@ -24,15 +23,7 @@ QByteArray contentOf(const QString& path)
 
 } // namespace
 
-OutsideEdit::OutsideEdit(Session& session, Jobs& jobs) : m_session(session), m_jobs(jobs)
-{
-    m_quiet.setSingleShot(true);
-    m_quiet.setInterval(kQuietMs);
-    // Many programs put another file in the place of the old one, which only the folder tells of.
-    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, [this] { m_quiet.start(); });
-    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, [this] { m_quiet.start(); });
-    connect(&m_quiet, &QTimer::timeout, this, &OutsideEdit::look);
-}
+OutsideEdit::OutsideEdit(Session& session, Jobs& jobs) : m_session(session), m_jobs(jobs) {}
 
 void OutsideEdit::begin()
 {
@@ -42,10 +33,8 @@ void OutsideEdit::begin()
         return Q_EMIT failed(tr("There is no layer to be edited; add one in the panel Layers."));
     if (layer->locked)
         return Q_EMIT failed(tr("The layer '%1' is locked; unlock it in the panel Layers first.").arg(layer->name));
-    if (m_folder == nullptr) {
+    if (m_folder == nullptr)
         m_folder = std::make_unique<QTemporaryDir>();
-        m_watcher.addPath(m_folder->path());
-    }
     const model::MapSpec& spec = model::mapSpec(target.map);
     const QString path =
         m_folder->filePath(QStringLiteral("%1-%2.png").arg(QLatin1StringView(spec.id)).arg(++m_number));
@@ -57,8 +46,10 @@ void OutsideEdit::begin()
         return;
     if (!*written)
         return Q_EMIT failed(written->error().message);
-    m_away[path] = {.layer = target, .bytes = contentOf(path)};
-    m_watcher.addPath(path);
+    auto watch = std::make_unique<FileWatch>();
+    connect(watch.get(), &FileWatch::maybeChanged, this, [this, path] { look(path); });
+    watch->setPath(path);
+    m_away[path] = {.layer = target, .bytes = contentOf(path), .watch = std::move(watch)};
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
         return Q_EMIT failed(
             tr("The system knows no program that opens '%1'; open it yourself: what is saved there comes back.")
@@ -66,17 +57,17 @@ void OutsideEdit::begin()
     Q_EMIT told(tr("%1 is open elsewhere: what is saved there comes back").arg(QFileInfo(path).fileName()));
 }
 
-void OutsideEdit::look()
+void OutsideEdit::look(const QString& path)
 {
-    for (auto& [path, away] : m_away) {
-        const QByteArray bytes = contentOf(path);
-        if (bytes.isEmpty() || bytes == away.bytes)
-            continue;
-        away.bytes = bytes;
-        m_watcher.addPath(path); // Another file is there by now.
-        takeBack(path, away.layer);
-        return m_quiet.start(); // There may be more.
-    }
+    Away& away = m_away.at(path);
+    const QByteArray bytes = contentOf(path);
+    if (bytes.isEmpty() || bytes == away.bytes)
+        return;
+    if (m_isTaking)
+        return away.watch->look();
+    const QScopedValueRollback taking(m_isTaking, true);
+    away.bytes = bytes;
+    takeBack(path, away.layer);
 }
 
 void OutsideEdit::takeBack(const QString& path, const model::LayerAddress& layer)

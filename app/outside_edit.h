@@ -2,12 +2,11 @@
 #pragma once
 
 #include "app/background/jobs.h"
+#include "app/file_watch.h"
 #include "app/session.h"
 
-#include <QFileSystemWatcher>
 #include <QObject>
 #include <QTemporaryDir>
-#include <QTimer>
 
 #include <map>
 #include <memory>
@@ -35,19 +34,19 @@ private:
     {
         model::LayerAddress layer;
         QByteArray bytes; ///< Of the file, as last written or read.
+        std::unique_ptr<FileWatch> watch;
     };
 
-    void look();
+    void look(const QString& path);
     void takeBack(const QString& path, const model::LayerAddress& layer);
     void replaceLayer(const model::LayerAddress& address, sim::TiledRaster raster);
 
     Session& m_session;
     Jobs& m_jobs;
     std::unique_ptr<QTemporaryDir> m_folder; ///< From the first layer on.
-    QFileSystemWatcher m_watcher;
-    QTimer m_quiet;                 ///< Programs write in several steps: it is looked at once they are done.
-    std::map<QString, Away> m_away; ///< By path.
+    std::map<QString, Away> m_away;          ///< By path.
     int m_number = 0;
+    bool m_isTaking = false; ///< One comes back; others wait.
 };
 
 } // namespace hairpaint::app
