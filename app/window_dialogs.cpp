@@ -75,6 +75,7 @@ void WindowDialogs::showPreferences()
     QObject::connect(dialog, &view::PreferencesDialog::keyChanged, &m_actions, &ActionSet::remember);
     QObject::connect(dialog, &view::PreferencesDialog::keyReset, &m_actions, &ActionSet::forget);
     dialog->show();
+    dialog->activateWindow();
 }
 
 void WindowDialogs::showHelp(view::HelpDialog::Topic topic)
