@@ -142,16 +142,21 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
     const float lengthM = styles.segmentLengths[slot] * static_cast<float>(last);
     const Lead own = leadOf(groom, styles.restPositions, slot, lengthM, 1.0F / lengthM);
     const auto agreed = [&](std::uint32_t basis) { return agreement(own, m_leads[basis]); };
-    const auto agrees = [&](std::uint32_t basis) { return agreed(basis) > kStranger; };
+    std::array<float, RootSet::kNeighbours> agreements{};
+    std::ranges::transform(nearest, agreements.begin(), agreed);
     if (!chunk.followed.empty())
         chunk.followed[slot] = nearest;
-    if (std::ranges::none_of(nearest, agrees)) {
+    if (std::ranges::max(agreements) <= kStranger) {
         chunk.parted.push_back(static_cast<std::uint16_t>(slot));
         std::uint32_t best = nearest[0];
+        float most = kStranger;
         for (const std::uint32_t basis : nearest)
             for (const std::uint32_t next : roots.neighbours[roots.basisSlot[basis]])
-                best = agreed(next) > agreed(best) ? next : best;
-        if (agrees(best)) {
+                if (const float agreement = agreed(next); agreement > most) {
+                    most = agreement;
+                    best = next;
+                }
+        if (most > kStranger) {
             if (chunk.followed.empty()) {
                 const auto first = roots.neighbours.begin() + static_cast<std::ptrdiff_t>(index * kChunkSlots);
                 chunk.followed.assign(first,
@@ -167,13 +172,13 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
     weights = roots.weights[index * kChunkSlots + slot];
     for (std::size_t k = 0; k < weights.size(); ++k)
         // A hair that lies to another side is none to follow.
-        weights[k] *= likeness(lengthM, m_leads[nearest[k]].lengthM) * std::max(agreed(nearest[k]), 1e-3F);
+        weights[k] *= likeness(lengthM, m_leads[nearest[k]].lengthM) * std::max(agreements[k], 1e-3F);
     // The mean of two sides is neither: beside the foremost, those count that lie as it does.
     const auto foremost = static_cast<std::size_t>(std::ranges::max_element(weights) - weights.begin());
     for (std::size_t k = 0; k < weights.size(); ++k)
         if (k != foremost)
             weights[k] *= agreement(m_leads[nearest[foremost]], m_leads[nearest[k]]);
-    const float clump = styles.clump[slot] * likeness(lengthM, m_leads[nearest[0]].lengthM) * agreed(nearest[0]);
+    const float clump = styles.clump[slot] * likeness(lengthM, m_leads[nearest[0]].lengthM) * agreements[0];
     const float together = weights[0] + weights[1] + weights[2];
     for (std::size_t k = 0; k < weights.size(); ++k)
         weights[k] += ((k == 0 ? together : 0.0F) - weights[k]) * clump;
