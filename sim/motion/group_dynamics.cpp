@@ -56,11 +56,12 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
 
     std::vector<std::size_t> arrived;
     if (sameStrands(before, *m_groom)) {
+        m_state.setColliders(m_colliders.count);
         if (before.basis != m_groom->basis)
             arrived = takeStrands(before, {}, m_state);
     } else {
         StrandState old = std::exchange(m_state, {});
-        m_state.resize(m_groom->nodes, m_groom->basis->blockCount());
+        m_state.resize(m_groom->nodes, m_groom->basis->blockCount(), m_colliders.count);
         arrived = takeStrands(before, originsOf(before, *m_groom), old);
     }
     if (otherGains || otherColliders) {
@@ -135,7 +136,7 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
     const auto nodes = static_cast<std::size_t>(m_groom->nodes);
     StrandState alone;
     alone.present = 0;
-    alone.resize(m_groom->nodes, blocksFor(strands.size()));
+    alone.resize(m_groom->nodes, blocksFor(strands.size()), m_colliders.count);
     std::vector<float> rest(alone.positions[0].size(), 0.0F);
     const GroupGains gains = [this] {
         PhysicsSettings physics = m_groom->settings.physics;
@@ -154,10 +155,10 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
             const std::size_t strand = strands[i];
             m_groom->blocks().read(m_groom->basis->restPositions, strand, std::span(shape).first(nodes));
             alone.shape().write(rest, i, std::span(shape).first(nodes));
-            for (int row = 0; row < kLaneFields; ++row)
+            for (int row = 0; row < m_state.laneRows; ++row)
                 alone.field(i, row) = m_state.field(strand, row);
-            for (std::size_t c = 0; c < kMaxColliders; ++c)
-                scales[c] = std::sqrt(alone.field(i, kScale + static_cast<int>(c)));
+            for (int c = 0; c < m_colliders.count; ++c)
+                scales[static_cast<std::size_t>(c)] = std::sqrt(alone.field(i, kScale + c));
             const float hold = alone.field(i, kHold);
             const HangingStrand wanted{.segmentM = alone.field(i, kSegmentLength),
                                        .stiffnessM = m_groom->settings.physics.stiffnessM,

@@ -345,7 +345,7 @@ void StepBlocks(const SolverBlocks& blocks, const GroupGains& gains, const Colli
     const std::size_t width = hn::Lanes(d);
     const std::size_t vectors = kLanes / width; // in a block
     const auto placeOf = [&](std::size_t v) { return VectorPlace{v / vectors, v % vectors * width}; };
-    const auto lanesOf = [&](VectorPlace at) { return blocks.lanes + at.block * kLaneStride + at.lane; };
+    const auto lanesOf = [&](VectorPlace at) { return blocks.lanes + at.block * blocks.laneRows * kLanes + at.lane; };
     HWY_ALIGN float scratch[kTogether][std::size_t{kMostNodes} * StrandBlocks::kNodeStride];
     std::fill(blocks.awake + begin, blocks.awake + end, std::uint8_t{0});
     for (std::size_t first = begin * vectors; first < end * vectors; first += kTogether) {

@@ -12,7 +12,7 @@ namespace hairpaint::sim {
 inline constexpr double kStepSeconds = 1.0 / 120.0; ///< The solver's fixed step.
 inline constexpr int kMaxPuffs = 4;
 
-/// Constants of a strand, one row of kLanes floats each; kMaxColliders rows of squared collider scales follow.
+/// Constants of a strand, one row of kLanes floats each; a row of squared scales for each collider follows.
 enum LaneField : std::uint8_t
 {
     kSegmentLength, ///< m
@@ -38,10 +38,8 @@ enum LaneField : std::uint8_t
     kTipX, ///< and the tip.
     kTipY,
     kTipZ,
-    kScale, ///< [kMaxColliders] rows.
-    kLaneFields = kScale + kMaxColliders
+    kScale ///< The first collider's row.
 };
-inline constexpr std::size_t kLaneStride = std::size_t{kLaneFields} * kLanes;
 
 inline constexpr float kUnwanted = 1e30F;
 inline constexpr float kStillSteps = 60.0F; ///< A strand that lay still for so long falls asleep.
@@ -107,13 +105,14 @@ struct GroupGains
 };
 
 /// Blocks of kLanes strands. `rest`, `positions` and `previous`: [blocks][nodes][3][kLanes]; `lanes`:
-/// [blocks][kLaneFields][kLanes]. Positions of the step before and of the present one take turns in `positions`.
+/// [blocks][laneRows][kLanes]. Positions of the step before and of the present one take turns in `positions`.
 struct SolverBlocks
 {
     const float* rest = nullptr;
     std::array<float*, 2> positions{};
     float* previous = nullptr; ///< x* of equation 5: the present position less the velocity.
     float* lanes = nullptr;
+    std::size_t laneRows = kScale; ///< kScale and the colliders.
     std::uint8_t* awake = nullptr; ///< [blocks] whether anything may still move; written by the kernel.
 };
 

@@ -1,11 +1,13 @@
 // Strands in blocks of lanes.
 #include "sim/solver/strand_state.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hairpaint::sim {
 
-void StrandState::resize(int nodeCount, std::size_t blockCount)
+void StrandState::resize(int nodeCount, std::size_t blockCount, int colliders)
 {
     nodes = nodeCount;
     blocks = blockCount;
@@ -13,15 +15,31 @@ void StrandState::resize(int nodeCount, std::size_t blockCount)
     for (AlignedFloats& side : positions)
         side.assign(floats, 0.0F);
     previous.assign(floats, 0.0F);
-    lanes.assign(blockCount * kLaneStride, 0.0F);
+    laneRows = kScale + colliders;
+    lanes.assign(blockCount * static_cast<std::size_t>(laneRows) * kLanes, 0.0F);
     awake.assign(blockCount, 0);
     for (std::size_t strand = 0; strand < blockCount * kLanes; ++strand)
         field(strand, kStill) = kUnwanted;
 }
 
+void StrandState::setColliders(int colliders)
+{
+    if (laneRows == kScale + colliders)
+        return;
+    const auto rowsBefore = static_cast<std::size_t>(laneRows);
+    const AlignedFloats lanesBefore = std::exchange(lanes, {});
+    laneRows = kScale + colliders;
+    const auto rows = static_cast<std::size_t>(laneRows);
+    lanes.assign(blocks * rows * kLanes, 0.0F);
+    for (std::size_t block = 0; block < blocks; ++block)
+        std::copy_n(lanesBefore.data() + block * rowsBefore * kLanes, std::size_t{kScale} * kLanes,
+                    lanes.data() + block * rows * kLanes);
+}
+
 SolverBlocks StrandState::view(const float* rest)
 {
-    return {rest, {positions[0].data(), positions[1].data()}, previous.data(), lanes.data(), awake.data()};
+    return {rest,         {positions[0].data(), positions[1].data()}, previous.data(),
+            lanes.data(), static_cast<std::size_t>(laneRows),         awake.data()};
 }
 
 void StrandState::copyStrand(const StrandState& from, std::size_t fromStrand, std::size_t toStrand)
@@ -31,7 +49,7 @@ void StrandState::copyStrand(const StrandState& from, std::size_t fromStrand, st
         shape().setNode(before(), toStrand, node, shape().node(from.before(), fromStrand, node));
         shape().setNode(previous, toStrand, node, shape().node(from.previous, fromStrand, node));
     }
-    for (int row = 0; row < kLaneFields; ++row)
+    for (int row = 0; row < std::min(laneRows, from.laneRows); ++row)
         field(toStrand, row) = from.field(fromStrand, row);
 }
 

@@ -20,10 +20,13 @@ struct StrandState
     std::array<AlignedFloats, 2> positions;
     AlignedFloats previous;
     AlignedFloats lanes;
+    int laneRows = kScale; ///< kScale and the colliders.
     std::vector<std::uint8_t> awake;
 
     /// Zeros, and no strand wanted.
-    void resize(int nodeCount, std::size_t blockCount);
+    void resize(int nodeCount, std::size_t blockCount, int colliders);
+    /// Room for the scales of so many; where their number changes all are zero.
+    void setColliders(int colliders);
     [[nodiscard]] SolverBlocks view(const float* rest);
     [[nodiscard]] StrandBlocks shape() const { return StrandBlocks(nodes); }
     /// The nodes now, and a step ago.
@@ -46,9 +49,9 @@ struct StrandState
     void wakeStrand(std::size_t strand);
 
 private:
-    [[nodiscard]] static std::size_t laneIndex(std::size_t strand, int row)
+    [[nodiscard]] std::size_t laneIndex(std::size_t strand, int row) const
     {
-        return rowIndex(strand, static_cast<std::size_t>(row), kLaneFields);
+        return rowIndex(strand, static_cast<std::size_t>(row), static_cast<std::size_t>(laneRows));
     }
 };
 

@@ -110,7 +110,7 @@ void TestDependents::hairFollowsBasisHairsThatChangeInOtherChunks()
 
     // Every basis hair as far from its rest shape as no other.
     StrandState state;
-    state.resize(after->nodes, after->basis->blockCount());
+    state.resize(after->nodes, after->basis->blockCount(), 0);
     for (AlignedFloats& positions : state.positions)
         for (std::size_t i = 0; i < positions.size(); ++i)
             positions[i] = after->basis->restPositions[i] + 0.002F * static_cast<float>(i / kLanes % 7);
