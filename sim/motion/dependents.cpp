@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kDependentBlocksAtOnce = 8;
 constexpr std::size_t kBasisBlocksAtOnce = 64;
-constexpr float kStranger = 0.05F; ///< A basis hair that agrees less lies to another side.
+constexpr float kStranger = 0.25F; ///< A basis hair that agrees less lies to another side, or is laid otherwise.
 
 /// By what a basis hair's displacements are divided: its length, but what stubble does in contact with the skin would
 /// be zigzags on long hair beside it.

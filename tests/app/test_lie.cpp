@@ -96,6 +96,7 @@ private Q_SLOTS:
     void combedAndGelledHairStays_data();
     void combedAndGelledHairStays();
     void hairBesideAPartingNeitherStandsNorCrossesIt();
+    void longHairAboveTheEarsHangsAsItsNeighboursDo();
 };
 
 void TestLie::naturalHairHasNoSpikes()
@@ -196,6 +197,25 @@ void TestLie::hairBesideAPartingNeitherStandsNorCrossesIt()
     }
     const QString found = QStringLiteral("%1 stand and %2 cross of %3").arg(standing).arg(crossing).arg(beside);
     QVERIFY2(beside > 4000 && standing == 0 && crossing < 0.02 * beside, qPrintable(found));
+}
+
+void TestLie::longHairAboveTheEarsHangsAsItsNeighboursDo()
+{
+    const QString file = path("long.hairpaint");
+    QVERIFY(runProgram({QStringLiteral("new"), QStringLiteral("-o"), file, QStringLiteral("--preset"),
+                        QStringLiteral("Long straight")})
+                .error.isEmpty());
+    QVERIFY(runProgram({QStringLiteral("export"), file, QStringLiteral("-o"), path("long.hair"),
+                        QStringLiteral("--settle"), QStringLiteral("3")})
+                .error.isEmpty());
+    const auto hairs = readHair(path("long.hair"));
+    QVERIFY(hairs.size() > 70000);
+    // What is laid over an ear points away from the head, and sinks.
+    const auto aside = std::ranges::count_if(hairs, [](const std::vector<glm::vec3>& hair) {
+        return std::ranges::any_of(
+            hair, [](const glm::vec3& p) { return p.y > -0.14F && p.x * p.x + p.z * p.z > 0.165F * 0.165F; });
+    });
+    QVERIFY2(aside < 6, qPrintable(QString::number(aside)));
 }
 
 HAIRPAINT_TEST(TestLie, Core)
