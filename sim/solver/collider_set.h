@@ -22,6 +22,8 @@ struct Collider
     float meanAxisM = 1.0F;
     friend bool operator==(const Collider&, const Collider&) = default;
 
+    /// Its axes are x, y and z.
+    [[nodiscard]] bool aligned() const { return mixed == std::array<float, 3>{}; }
     /// The form's value: of the ellipsoid scaled by s it is s2.
     [[nodiscard]] float radius2(glm::vec3 pHd) const;
     /// The nearest point outside the ellipsoid scaled by `scale`, to first order; pHd itself where it is outside.

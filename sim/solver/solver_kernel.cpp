@@ -230,16 +230,16 @@ struct StrandRows
     float* HWY_RESTRICT p; ///< Scratch.
 };
 
-/// One step of as many strands as D has lanes: predict(), restore(), place() of each node down to the tip, finish().
+/// One step of as many strands as D has lanes, from their prediction on: restore(), place() of each node down to the
+/// tip, finish().
 template<class D>
 class StrandStep
 {
 public:
     using V = hn::Vec<D>;
 
-    HWY_INLINE void begin(D d, const GroupGains& gains, const StepForces& step, const StrandRows& rows)
+    HWY_INLINE StrandStep(D d, const GroupGains& gains, const StepForces& step, const StrandRows& rows) : m_rows(rows)
     {
-        m_rows = rows;
         m_stillBefore = hn::LoadU(d, rows.lanes + kStill * kLanes);
         m_moving = hn::Lt(m_stillBefore, hn::Set(d, step.windy ? kUnwanted : kStillSteps));
         const V ownLength = hn::LoadU(d, rows.lanes + kSegmentLength * kLanes);
@@ -322,15 +322,6 @@ private:
     Vec3<V> m_parent;
 };
 
-/// So many vectors of strands go through a step together: while one waits for its divisions another is computed.
-constexpr std::size_t kTogether = 2;
-
-/// A vector's worth of strands: its block, and its first lane there.
-struct VectorPlace
-{
-    std::size_t block, lane;
-};
-
 template<class D>
 HWY_INLINE bool asleep(D d, const float* HWY_RESTRICT lanes, float steps)
 {
@@ -343,42 +334,30 @@ void StepBlocks(const SolverBlocks& blocks, const GroupGains& gains, const Colli
     using D = hn::CappedTag<float, kLanes>;
     const D d;
     const std::size_t width = hn::Lanes(d);
-    const std::size_t vectors = kLanes / width; // in a block
-    const auto placeOf = [&](std::size_t v) { return VectorPlace{v / vectors, v % vectors * width}; };
-    const auto lanesOf = [&](VectorPlace at) { return blocks.lanes + at.block * blocks.laneRows * kLanes + at.lane; };
-    HWY_ALIGN float scratch[kTogether][std::size_t{kMostNodes} * StrandBlocks::kNodeStride];
+    const std::size_t blockFloats = static_cast<std::size_t>(gains.nodes) * StrandBlocks::kNodeStride;
+    HWY_ALIGN float scratch[std::size_t{kMostNodes} * StrandBlocks::kNodeStride];
     std::fill(blocks.awake + begin, blocks.awake + end, std::uint8_t{0});
-    for (std::size_t first = begin * vectors; first < end * vectors; first += kTogether) {
-        const std::size_t past = std::min(first + kTogether, end * vectors);
-        auto read = static_cast<std::size_t>(from);
-        for (const StepForces& step : steps) {
-            StrandStep<D> strands[kTogether];
-            std::size_t count = 0;
-            for (std::size_t v = first; v < past; ++v) {
-                const VectorPlace place = placeOf(v);
+    for (std::size_t block = begin; block < end; ++block) {
+        for (std::size_t lane = 0; lane < kLanes; lane += width) {
+            const std::size_t at = block * blockFloats + lane;
+            float* const lanes = blocks.lanes + block * blocks.laneRows * kLanes + lane;
+            // All steps while the strands are in the cache.
+            auto read = static_cast<std::size_t>(from);
+            for (const StepForces& step : steps) {
                 // Asleep for two steps: both positions are the same, and nothing needs to be written.
-                if (asleep(d, lanesOf(place), step.windy ? kUnwanted : kStillSteps + 2.0F))
-                    continue;
-                const std::size_t at =
-                    place.block * static_cast<std::size_t>(gains.nodes) * StrandBlocks::kNodeStride + place.lane;
-                strands[count].begin(d, gains, step,
-                                     {blocks.rest + at, blocks.positions[read] + at, blocks.positions[1 - read] + at,
-                                      blocks.previous + at, lanesOf(place), scratch[count]});
-                ++count;
+                if (!asleep(d, lanes, step.windy ? kUnwanted : kStillSteps + 2.0F)) {
+                    StrandStep<D> strands(d, gains, step,
+                                          {blocks.rest + at, blocks.positions[read] + at,
+                                           blocks.positions[1 - read] + at, blocks.previous + at, lanes, scratch});
+                    strands.restore(d, gains);
+                    for (int node = 1; node < gains.nodes; ++node)
+                        strands.place(d, gains, colliders, step, node);
+                    strands.finish(d, gains, step);
+                }
+                read = 1 - read;
             }
-            for (std::size_t i = 0; i < count; ++i)
-                strands[i].restore(d, gains);
-            for (int node = 1; node < gains.nodes; ++node)
-                for (std::size_t i = 0; i < count; ++i)
-                    strands[i].place(d, gains, colliders, step, node);
-            for (std::size_t i = 0; i < count; ++i)
-                strands[i].finish(d, gains, step);
-            read = 1 - read;
-        }
-        for (std::size_t v = first; v < past; ++v) {
-            const VectorPlace place = placeOf(v);
-            if (!asleep(d, lanesOf(place), kStillSteps + 2.0F))
-                blocks.awake[place.block] = 1;
+            if (!asleep(d, lanes, kStillSteps + 2.0F))
+                blocks.awake[block] = 1;
         }
     }
 }

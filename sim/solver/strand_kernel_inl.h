@@ -70,17 +70,21 @@ HWY_INLINE bool pushOut(D d, const Collider& collider, hn::Vec<D> scale2, hn::Ve
     const Vec3<V> q = sub(p, set3(d, collider.centre));
     const Vec3<V> square{hn::Mul(q.x, hn::Set(d, squares[0])), hn::Mul(q.y, hn::Set(d, squares[1])),
                          hn::Mul(q.z, hn::Set(d, squares[2]))};
-    const V acrossX = hn::Add(hn::Mul(q.y, hn::Set(d, mixed[0])), hn::Mul(q.z, hn::Set(d, mixed[1])));
-    const V zAcrossY = hn::Mul(q.z, hn::Set(d, mixed[2]));
-    const V r2 = dot(q, {hn::Add(square.x, acrossX), hn::Add(square.y, zAcrossY), square.z});
+    const V zero = hn::Zero(d);
+    Vec3<V> across{zero, zero, zero}; // What comes of the products of two axes.
+    V r2 = dot(q, square);
+    if (!collider.aligned()) {
+        const V zAcrossY = hn::Mul(q.z, hn::Set(d, mixed[2]));
+        across = {hn::Add(hn::Mul(q.y, hn::Set(d, mixed[0])), hn::Mul(q.z, hn::Set(d, mixed[1]))),
+                  hn::Add(hn::Mul(q.x, hn::Set(d, mixed[0])), zAcrossY),
+                  hn::Add(hn::Mul(q.x, hn::Set(d, mixed[1])), hn::Mul(q.y, hn::Set(d, mixed[2])))};
+        r2 = dot(q, {hn::Add(square.x, across.x), hn::Add(square.y, zAcrossY), square.z});
+    }
     const auto inside = hn::Lt(r2, scale2);
     if (hn::AllFalse(d, inside))
         return false;
     // Half the gradient of r2.
-    const V half = hn::Set(d, 0.5F);
-    const V acrossY = hn::Add(hn::Mul(q.x, hn::Set(d, mixed[0])), zAcrossY);
-    const V acrossZ = hn::Add(hn::Mul(q.x, hn::Set(d, mixed[1])), hn::Mul(q.y, hn::Set(d, mixed[2])));
-    const Vec3<V> g = addScaled(square, Vec3<V>{acrossX, acrossY, acrossZ}, half);
+    const Vec3<V> g = addScaled(square, across, hn::Set(d, 0.5F));
     const auto g2 = hn::Max(dot(g, g), hn::Set(d, 1e-8F));
     const auto inverse = hn::Div(hn::Set(d, 1.0F), g2);
     // The change of the radius r over a metre is |g|/r, and (scale - r) r is sqrt(scale2 r2) - r2.
