@@ -17,6 +17,8 @@ const float kWispRadiusFraction = 0.8;
 const float kTwistFraction = 0.6;
 const float kTwistWispFraction = 0.65;
 const float kLocWispFraction = 0.9;
+const float kPlaitRoomTurns = 0.2;
+const float kTwistRoomTurns = 0.3;
 const float kTuftFraction = 0.12;
 const float kTuftBraidFraction = 0.35;
 const float kTuftWispFraction = 1.5;
@@ -50,9 +52,10 @@ vec3 perpendicular(vec3 reference, vec3 tangent)
     return normalize(v - tangent * dot(v, tangent));
 }
 
-// Across the braid at fraction q of it: equation 3 for the wisp of a plait, a circle for that of a twist, and the hair's
-// place in the wisp, of which a loc has one; in the end the wisps close up and open into a tuft.
-vec2 braidedOffset(uint slot, uint braid, float q)
+// Along the frame's first axis, the strand and the third, at fraction q of a braid of so many metres: equation 3 for the
+// wisp of a plait, a circle for that of a twist, and the hair's place in the wisp, of which a loc has one; in the end the
+// wisps close up and open into a tuft.
+vec3 braidedOffset(uint slot, uint braid, float q, float metres)
 {
     uint kind = braid & 0xFFu;
     float wisp = float((braid >> 8) & 3u);
@@ -60,11 +63,21 @@ vec2 braidedOffset(uint slot, uint braid, float q)
     float tuft = kind == kLoc ? 0.0 : max(q - (1.0 - kTuftFraction), 0.0) / kTuftFraction;
     float r = styles[slot].braidRadiusM * min(q * turns / kBraidEaseTurns, 1.0);
     float angle = 2.0 * kPi * (turns * q + wisp / (kind == kTwist ? 2.0 : 3.0));
-    vec2 axis = vec2(cos(angle), sin(kind == kTwist ? angle : 2.0 * angle));
-    axis *= kind == kLoc ? 0.0 : kind == kTwist ? kTwistFraction : 1.0;
+    float swing = kind == kTwist ? 1.0 : 2.0;
+    float pathR = (kind == kLoc ? 0.0 : kind == kTwist ? kTwistFraction : 1.0) * r * mix(1.0, kTuftBraidFraction, tuft);
     float wispFraction = kind == kLoc ? kLocWispFraction : kind == kTwist ? kTwistWispFraction : kWispRadiusFraction;
-    return axis * (r * mix(1.0, kTuftBraidFraction, tuft))
-           + vec2(styles[slot].wispOffsetX, styles[slot].wispOffsetY) * (r * wispFraction * mix(1.0, kTuftWispFraction, tuft));
+    float wispR = r * wispFraction * mix(1.0, kTuftWispFraction, tuft);
+    // A hair's place in the wisp lies across the wisp's own path, so that wisps are round.
+    float perFraction = pathR * turns * 2.0 * kPi;
+    vec3 along = normalize(vec3(-sin(angle) * perFraction, max(metres, 1e-6), swing * cos(swing * angle) * perFraction));
+    float aside = length(along.yz);
+    vec2 place = vec2(styles[slot].wispOffsetX, styles[slot].wispOffsetY) * wispR;
+    // Along the braid they have the room that their number leaves.
+    float room = metres * (kind == kTwist ? kTwistRoomTurns : kPlaitRoomTurns) / max(turns, 1e-3);
+    float squash = min(1.0, room / max(wispR, 1e-6));
+    return vec3(cos(angle), 0.0, sin(swing * angle)) * pathR +
+           vec3(place.x * aside, -(place.x * along.x * along.y + place.y * along.z) / aside * squash,
+                (place.y * along.y - place.x * along.x * along.z) / aside);
 }
 
 void main()
@@ -130,8 +143,9 @@ void main()
 
         if (isBraided && s > braidStart) {
             vec3 across = perpendicular(rootTangent, tangent);
-            vec2 offset = braidedOffset(slot, braid, (s - braidStart) / (1.0 - braidStart));
-            point += across * offset.x + cross(across, tangent) * offset.y;
+            float metres = sqrt(length2) * float(nodes - 1) * (1.0 - braidStart);
+            vec3 offset = braidedOffset(slot, braid, (s - braidStart) / (1.0 - braidStart), metres);
+            point += across * offset.x + tangent * offset.y + cross(across, tangent) * offset.z;
         } else if (isCurled) {
             float angle = phase + 2.0 * kPi * turns * s;
             float c = cos(angle);

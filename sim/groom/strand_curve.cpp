@@ -64,27 +64,52 @@ glm::vec3 carried(glm::vec3 reference, glm::vec3 lastPoint, glm::vec3 lastTangen
     return reflected - second * (2.0F * glm::dot(second, reflected) / secondSquared);
 }
 
-/// The wisp's and the hair's offset at a fraction q of the braid: x along the frame's first axis, y along the strand, z
-/// along the third.
-glm::vec3 braidedOffset(const StrandStyle& style, float q)
+/// Where the middle of a wisp is at an angle of its turn, and how it goes on by a radian; across the braid, in units of
+/// r.
+struct WispPath
+{
+    glm::vec2 middle, onward;
+};
+
+WispPath wispPath(const StrandStyle& style, float turned)
 {
     const auto wisp = static_cast<float>(style.wisp);
-    const float parted = std::min(q * style.braidTurns / kBraidEaseTurns, 1.0F);
-    const float tuft = std::max(q - (1.0F - kTuftFraction), 0.0F) / kTuftFraction;
-    const float r = style.braidRadiusM * parted;
-    const float turned = glm::two_pi<float>() * style.braidTurns * q;
-    const glm::vec3 inWisp(style.wispOffset.x, 0.0F, style.wispOffset.y);
-    if (style.braid == BraidKind::Loc)
-        return inWisp * (r * kLocWispFraction);
-    glm::vec3 axis = braidOffset(turned, wisp * (glm::two_pi<float>() / 3.0F));
-    float wispR = r * kWispRadiusFraction;
     if (style.braid == BraidKind::Twist) {
-        const float angle = turned + wisp * (0.5F * glm::two_pi<float>());
-        axis = glm::vec3(cosDet(angle), 0.0F, sinDet(angle)) * kTwistFraction;
-        wispR = r * kTwistWispFraction;
+        const float angle = turned + wisp * glm::pi<float>();
+        return {kTwistFraction * glm::vec2(cosDet(angle), sinDet(angle)),
+                kTwistFraction * glm::vec2(-sinDet(angle), cosDet(angle))};
     }
-    return axis * (r * (1.0F + (kTuftBraidFraction - 1.0F) * tuft)) +
-           inWisp * (wispR * (1.0F + (kTuftWispFraction - 1.0F) * tuft));
+    const float w = wisp * (glm::two_pi<float>() / 3.0F);
+    const glm::vec3 offset = braidOffset(turned, w);
+    return {glm::vec2(offset.x, offset.z), glm::vec2(-sinDet(turned + w), 2.0F * cosDet(2.0F * (turned + w)))};
+}
+
+/// The wisp's and the hair's offset at a fraction q of a braid of `lengthM`: x along the frame's first axis, y along
+/// the strand, z along the third.
+glm::vec3 braidedOffset(const StrandStyle& style, float q, float lengthM)
+{
+    const float parted = std::min(q * style.braidTurns / kBraidEaseTurns, 1.0F);
+    const float r = style.braidRadiusM * parted;
+    if (style.braid == BraidKind::Loc)
+        return glm::vec3(style.wispOffset.x, 0.0F, style.wispOffset.y) * (r * kLocWispFraction);
+    const bool twist = style.braid == BraidKind::Twist;
+    const float tuft = std::max(q - (1.0F - kTuftFraction), 0.0F) / kTuftFraction;
+    const float pathR = r * (1.0F + (kTuftBraidFraction - 1.0F) * tuft);
+    const float wispR =
+        r * (twist ? kTwistWispFraction : kWispRadiusFraction) * (1.0F + (kTuftWispFraction - 1.0F) * tuft);
+    const float turnRad = glm::two_pi<float>() * style.braidTurns;
+    const WispPath path = wispPath(style, turnRad * q);
+    // A hair's place in the wisp lies across the wisp's own path, so that wisps are round.
+    const glm::vec3 onward(path.onward.x * pathR * turnRad, std::max(lengthM, 1e-6F), path.onward.y * pathR * turnRad);
+    const glm::vec3 along = onward / std::sqrt(glm::dot(onward, onward));
+    const float aside = std::sqrt(along.y * along.y + along.z * along.z);
+    const glm::vec2 place = style.wispOffset * wispR;
+    glm::vec3 inWisp(place.x * aside, -(place.x * along.x * along.y + place.y * along.z) / aside,
+                     (place.y * along.y - place.x * along.x * along.z) / aside);
+    // Along the braid they have the room that their number leaves.
+    const float roomM = lengthM * (twist ? kTwistRoomTurns : kPlaitRoomTurns) / std::max(style.braidTurns, 1e-3F);
+    inWisp.y *= std::min(1.0F, roomM / std::max(wispR, 1e-6F));
+    return glm::vec3(path.middle.x, 0.0F, path.middle.y) * pathR + inWisp;
 }
 
 } // namespace
@@ -153,7 +178,9 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
         glm::vec3 point = position;
         if (isBraided && s > style.braidStart) {
             const glm::vec3 first = across(rootTangentHd, tangent);
-            const glm::vec3 offset = braidedOffset(style, (s - style.braidStart) / (1.0F - style.braidStart));
+            const float braidM =
+                std::sqrt(squared) * static_cast<float>(skeletonHd.size() - 1) * (1.0F - style.braidStart);
+            const glm::vec3 offset = braidedOffset(style, (s - style.braidStart) / (1.0F - style.braidStart), braidM);
             point += first * offset.x + tangent * offset.y + glm::cross(first, tangent) * offset.z;
         } else if (isCurled) {
             const glm::vec3 offset = curlOffset(style.phase + glm::two_pi<float>() * style.turns * s) *

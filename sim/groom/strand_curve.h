@@ -24,6 +24,9 @@ inline constexpr float kWispRadiusFraction = 0.8F; ///< A wisp's radius in units
 inline constexpr float kTwistFraction = 0.6F;
 inline constexpr float kTwistWispFraction = 0.65F;
 inline constexpr float kLocWispFraction = 0.9F;
+/// A wisp's greatest radius along the braid, in turns of it, so that three, or two, of them fill a turn.
+inline constexpr float kPlaitRoomTurns = 0.2F;
+inline constexpr float kTwistRoomTurns = 0.3F;
 /// Last fraction of the braid, a tuft: there the wisps close up to kTuftBraidFraction of r while each opens by
 /// kTuftWispFraction.
 inline constexpr float kTuftFraction = 0.12F;

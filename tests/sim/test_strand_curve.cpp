@@ -85,7 +85,9 @@ private Q_SLOTS:
     void aBentStrandFollowsItsSkeleton();
     void curlsKeepTheirRadiusAroundABend();
     void wispsAreAThirdOfATurnApartAndCentredOnTheSkeleton();
-    void placesSpreadAWispInItsRadius();
+    void wispsAreRoundAboutTheirOwnPath_data();
+    void wispsAreRoundAboutTheirOwnPath();
+    void wispsOfATightBraidHaveRoomBesideEachOther();
     void aTwistHasTwoWispsOnOppositeSides();
     void aLocIsOneWispToItsEnd();
     void hairsOfABraidAreTurnedAlikeFromWhereverTheyCome();
@@ -253,18 +255,50 @@ void TestStrandCurve::wispsAreAThirdOfATurnApartAndCentredOnTheSkeleton()
     }
 }
 
-void TestStrandCurve::placesSpreadAWispInItsRadius()
+void TestStrandCurve::wispsAreRoundAboutTheirOwnPath_data()
 {
+    QTest::addColumn<int>("kind");
+    QTest::newRow("plait") << static_cast<int>(BraidKind::Plait);
+    QTest::newRow("twist") << static_cast<int>(BraidKind::Twist);
+}
+
+void TestStrandCurve::wispsAreRoundAboutTheirOwnPath()
+{
+    QFETCH(int, kind);
+    constexpr int kSegments = 1000;
     const auto skeleton = straightSkeleton({0.0F, 1.0F, 0.0F}, 0.3F);
-    StrandStyle style = braidedStyle(0, 0.0F);
+    StrandStyle style = braidedStyle(0, 0.0F, static_cast<BraidKind>(kind));
+    const float radius =
+        (style.braid == BraidKind::Twist ? kTwistWispFraction : kWispRadiusFraction) * style.braidRadiusM;
     std::vector<glm::vec3> middle;
     std::vector<glm::vec3> aside;
-    evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 100, middle);
+    evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, kSegments, middle);
     style.wispOffset = {0.6F, -0.8F};
-    evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 100, aside);
-    const glm::vec3 offset = aside[50] - middle[50];
-    QVERIFY(std::abs(glm::length(offset) - kWispRadiusFraction * style.braidRadiusM) < 1e-6F);
-    QVERIFY(std::abs(offset.y) < 1e-6F);
+    evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, kSegments, aside);
+    for (std::size_t i = 200; i < 800; ++i) {
+        const glm::vec3 offset = aside[i] - middle[i];
+        QVERIFY(std::abs(glm::length(offset) - radius) < 1e-5F);
+        QVERIFY(std::abs(glm::dot(offset, glm::normalize(middle[i + 1] - middle[i - 1]))) < 0.01F * radius);
+    }
+}
+
+void TestStrandCurve::wispsOfATightBraidHaveRoomBesideEachOther()
+{
+    constexpr int kSegments = 1000;
+    const auto skeleton = straightSkeleton({0.0F, 1.0F, 0.0F}, 0.3F);
+    StrandStyle style = braidedStyle(0, 0.0F);
+    style.braidTurns = 20.0F;
+    const float turnM = 0.3F / style.braidTurns;
+    std::vector<glm::vec3> middle;
+    std::vector<glm::vec3> aside;
+    evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, kSegments, middle);
+    style.wispOffset = {0.0F, 1.0F};
+    evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, kSegments, aside);
+    float furthest = 0.0F;
+    for (std::size_t i = 200; i < 800; ++i)
+        furthest = std::max(furthest, std::abs(aside[i].y - middle[i].y));
+    QVERIFY(furthest <= kPlaitRoomTurns * turnM * 1.001F);
+    QVERIFY(furthest > turnM / 6.0F); // Three of them leave no gap.
 }
 
 void TestStrandCurve::aTwistHasTwoWispsOnOppositeSides()

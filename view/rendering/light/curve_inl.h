@@ -49,31 +49,41 @@ HWY_INLINE Triple<F> carried(const Triple<F>& reference, const Triple<F>& lastPo
     return select(square > F(kTinySquare), select(secondSquare > F(kTinySquare), turned, reflected), reference);
 }
 
-/// Across the braid at fraction q of it, along the frame's first and third axis.
-struct BraidOffset
+/// At fraction q of a braid of `lengthM`: along the frame's first axis, the strand, and the third.
+HWY_INLINE Triple<Lanes> braidedOffset(const StrandBlock& block, std::size_t lane, Lanes q, Lanes lengthM)
 {
-    Lanes first, third;
-};
-HWY_INLINE BraidOffset braidedOffset(const StrandBlock& block, std::size_t lane, Lanes q)
-{
+    const Lanes one(1.0F);
+    const Lanes zero(0.0F);
     const Lanes kind = loaded(block.braid.data() + lane);
     const Lanes wisp = loaded(block.wisp.data() + lane);
     const Lanes turns = loaded(block.braidTurns.data() + lane);
     const Yes isLoc = kind > Lanes(2.5F);
     const Yes isTwist = (kind > Lanes(1.5F)) & (kind < Lanes(2.5F));
-    const Lanes parted = least(q * turns * Lanes(1.0F / sim::kBraidEaseTurns), Lanes(1.0F));
-    const Lanes tuft = select(
-        isLoc, Lanes(0.0F), most(q - Lanes(1.0F - sim::kTuftFraction), Lanes(0.0F)) * Lanes(1.0F / sim::kTuftFraction));
+    const Lanes parted = least(q * turns * Lanes(1.0F / sim::kBraidEaseTurns), one);
+    const Lanes tuft =
+        select(isLoc, zero, most(q - Lanes(1.0F - sim::kTuftFraction), zero) * Lanes(1.0F / sim::kTuftFraction));
     const Lanes r = loaded(block.braidRadiusM.data() + lane) * parted;
     const Lanes angle = (turns * q + wisp * select(isTwist, Lanes(0.5F), Lanes(1.0F / 3.0F))) * Lanes(kTwoPi);
-    const Lanes scale = select(isLoc, Lanes(0.0F), select(isTwist, Lanes(sim::kTwistFraction), Lanes(1.0F))) * r *
-                        mixed(Lanes(1.0F), Lanes(sim::kTuftBraidFraction), tuft);
+    const Lanes pathR = select(isLoc, zero, select(isTwist, Lanes(sim::kTwistFraction), one)) * r *
+                        mixed(one, Lanes(sim::kTuftBraidFraction), tuft);
     const Lanes wispR = r *
                         select(isLoc, Lanes(sim::kLocWispFraction),
                                select(isTwist, Lanes(sim::kTwistWispFraction), Lanes(sim::kWispRadiusFraction))) *
-                        mixed(Lanes(1.0F), Lanes(sim::kTuftWispFraction), tuft);
-    return {cosOf(angle) * scale + loaded(block.wispX.data() + lane) * wispR,
-            sinOf(select(isTwist, angle, angle * Lanes(2.0F))) * scale + loaded(block.wispY.data() + lane) * wispR};
+                        mixed(one, Lanes(sim::kTuftWispFraction), tuft);
+    const Lanes swing = select(isTwist, one, Lanes(2.0F)); // Of the third axis, for one of the first.
+    // A hair's place in the wisp lies across the wisp's own path, so that wisps are round.
+    const Lanes perFraction = pathR * turns * Lanes(kTwoPi);
+    const Triple<Lanes> along = unit(Triple<Lanes>{zero - sinOf(angle) * perFraction, most(lengthM, Lanes(1e-6F)),
+                                                   cosOf(angle * swing) * swing * perFraction});
+    const Lanes aside = root(along.y * along.y + along.z * along.z);
+    const Lanes x = loaded(block.wispX.data() + lane) * wispR;
+    const Lanes y = loaded(block.wispY.data() + lane) * wispR;
+    // Along the braid they have the room that their number leaves; a loc is alone.
+    const Lanes room =
+        lengthM * select(isTwist, Lanes(sim::kTwistRoomTurns), Lanes(sim::kPlaitRoomTurns)) / most(turns, Lanes(1e-3F));
+    const Lanes squash = least(one, room / most(wispR, Lanes(1e-6F)));
+    return {cosOf(angle) * pathR + x * aside, zero - (x * along.x * along.y + y * along.z) / aside * squash,
+            sinOf(angle * swing) * pathR + (y * along.y - x * along.x * along.z) / aside};
 }
 
 /// Writes spans.total + 1 points [point][3][kMostLanes] of the lanes from `lane` on, Wo.
@@ -126,9 +136,12 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
                 const Lanes start = loaded(block.braidStart.data() + lane);
                 braided = (loaded(block.braid.data() + lane) > Lanes(0.5F)) & (Lanes(s) > start);
                 const Lanes q = clamped((Lanes(s) - start) / most(Lanes(1.0F) - start, Lanes(1e-6F)), 0.0F, 1.0F);
-                const BraidOffset offset = braidedOffset(block, lane, q);
+                const Lanes braidM =
+                    root(square) * Lanes(static_cast<float>(nodes - 1)) * most(Lanes(1.0F) - start, Lanes(1e-6F));
+                const Triple<Lanes> offset = braidedOffset(block, lane, q, braidM);
                 const Triple<Lanes> first = across(rootTangent, tangent);
-                point = select(braided, axis + first * offset.first + cross(first, tangent) * offset.third, axis);
+                point = select(braided, axis + first * offset.x + tangent * offset.y + cross(first, tangent) * offset.z,
+                               axis);
             }
             if (block.anyCurl) {
                 const Lanes angle =
