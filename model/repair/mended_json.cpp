@@ -194,7 +194,7 @@ private:
                 if (takesSettings({{key, longer}}))
                     part = longer;
                 else
-                    m_losses.groupSetting(m_group, innerKey);
+                    m_losses.groupSetting(m_group, key + QLatin1Char('.') + innerKey);
             }
             mended.insert(key, part);
         }
