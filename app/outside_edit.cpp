@@ -3,6 +3,7 @@
 
 #include "model/commands/commands.h"
 #include "model/files/image_map.h"
+#include "model/names.h"
 
 #include <QDesktopServices>
 #include <QDir>
@@ -40,7 +41,8 @@ void OutsideEdit::begin()
     if (layer == nullptr)
         return Q_EMIT failed(tr("There is no layer to be edited; add one in the panel Layers."));
     if (layer->locked)
-        return Q_EMIT failed(tr("The layer '%1' is locked; unlock it in the panel Layers first.").arg(layer->name));
+        return Q_EMIT failed(
+            tr("The layer '%1' is locked; unlock it in the panel Layers first.").arg(model::shownName(layer->name)));
     if (m_folder == nullptr || !m_folder->isValid())
         m_folder = std::make_unique<QTemporaryDir>();
     if (!m_folder->isValid())
@@ -98,7 +100,7 @@ void OutsideEdit::takeBack(const QString& path, model::LayerAddress layer)
                                  .arg(QFileInfo(path).fileName()));
     if (current()->locked)
         return Q_EMIT failed(tr("The layer '%1' is locked; unlock it in the panel Layers and save '%2' again.")
-                                 .arg(current()->name, QFileInfo(path).fileName()));
+                                 .arg(model::shownName(current()->name), QFileInfo(path).fileName()));
     const int size = current()->raster.size();
     std::optional<model::Result<model::ImageLayer>> read = m_jobs.await<model::ImageLayer>(
         tr("Reading %1").arg(QFileInfo(path).fileName()), [&path, &layer, size](const model::Progress& progress) {

@@ -1,12 +1,15 @@
 // Maps for other programs, by the window's menus: images, the sheet, the clipboard, and layers edited elsewhere.
+#include "app/languages.h"
 #include "app/map_exchange.h"
 #include "model/commands/commands.h"
 #include "model/exporting/map_images.h"
+#include "model/names.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/test_program.h"
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDesktopServices>
@@ -147,6 +150,32 @@ private Q_SLOTS:
         QVERIFY2(m_answers->said.back().contains(QStringLiteral("Scalp-length.png")),
                  qPrintable(m_answers->said.back()));
         QCOMPARE(QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), qsizetype{1});
+    }
+
+    void dialogsCallGroupsAsTheWindowDoes()
+    {
+        QCOMPARE(speak(QStringLiteral("es")), QStringLiteral("es"));
+        const auto back = qScopeGuard([] { speak(QStringLiteral("en")); });
+        model::Project project = test::thinned(starterProject());
+        model::HairGroup beard = project.groups.front();
+        beard.id += 100;
+        beard.name = QStringLiteral("Beard");
+        project.groups.push_back(beard);
+        const QString scalp = model::shownName(project.groups.front().name);
+        QVERIFY(scalp != project.groups.front().name);
+        openTold(std::move(project));
+        QStringList shown;
+        m_answers->choosesMaps = [&shown](view::ExportMapsDialog& dialog) {
+            shown += dialog.findChildren<QComboBox*>()[0]->itemText(1);
+        };
+        m_answers->choosesExport = [&shown](view::ExportHairDialog& dialog) {
+            shown += dialog.findChildren<QCheckBox*>()[0]->text();
+        };
+        trigger("file.saveImages"); // Cancelled, for want of a file's name.
+        trigger("file.exportHair");
+        QCOMPARE(shown.size(), qsizetype{2});
+        for (const QString& text : shown)
+            QVERIFY2(text.contains(scalp), qPrintable(text));
     }
 
     void theSheetIsSaved()
