@@ -6,7 +6,6 @@
 #include "app/hair_export.h"
 #include "app/library.h"
 #include "app/picture.h"
-#include "app/save_dialog.h"
 #include "app/style_pictures.h"
 #include "model/commands/commands.h"
 #include "model/files/glb.h"
@@ -101,8 +100,11 @@ void Exchange::exportMap()
 {
     const view::EditorState& editor = m_session.editor();
     const model::MapSpec& spec = model::mapSpec(editor.activeMap());
-    const QString path = askSavePath(tr("Save %1 as image").arg(spec.titleText()), QLatin1StringView(spec.id),
-                                     tr("Images (*.png *.tif *.exr *.tga)"), QStringLiteral("png"));
+    const QString path = askSavePath({.title = tr("Save %1 as image").arg(spec.titleText()),
+                                      .suggestedPath = QLatin1StringView(spec.id),
+                                      .filter = tr("Images (*.png *.tif *.exr *.tga)"),
+                                      .suffix = QStringLiteral("png"),
+                                      .otherSuffixes = {QStringLiteral("tiff")}});
     if (path.isEmpty())
         return;
     m_session.endPreviews(); // What is only shown is no part of the map.
@@ -252,9 +254,15 @@ void Exchange::exportHair()
     view::HairExportChoice choice = dialog.choice();
     m_export = choice;
     const QString suffix = QString::fromLatin1(choice.request.format->suffix);
+    QStringList suffixes;
+    for (const model::ExportFormat& format : model::exportFormats())
+        suffixes += QString::fromLatin1(format.suffix);
     const QString path =
-        askSavePath(tr("Export hair"), tr("hair"),
-                    QStringLiteral("%1 (*.%2)").arg(choice.request.format->titleText(), suffix), suffix);
+        askSavePath({.title = tr("Export hair"),
+                     .suggestedPath = tr("hair"),
+                     .filter = QStringLiteral("%1 (*.%2)").arg(choice.request.format->titleText(), suffix),
+                     .suffix = suffix,
+                     .otherSuffixes = suffixes});
     if (path.isEmpty())
         return;
     // The name's ending may tell of another format.
@@ -268,8 +276,10 @@ void Exchange::installBlenderAddon()
     const QStringList folders = blenderAddonFolders();
     if (folders.isEmpty()) {
         const QString name = blenderAddonName();
-        const QString path = askSavePath(tr("Save Blender add-on"), QFileInfo(name).completeBaseName(),
-                                         tr("Python scripts (*.py)"), QFileInfo(name).suffix());
+        const QString path = askSavePath({.title = tr("Save Blender add-on"),
+                                          .suggestedPath = QFileInfo(name).completeBaseName(),
+                                          .filter = tr("Python scripts (*.py)"),
+                                          .suffix = QFileInfo(name).suffix()});
         if (!path.isEmpty())
             write(path, [&path](const model::Progress&) { return saveBlenderAddon(path); });
         return;
@@ -292,8 +302,11 @@ void Exchange::savePicture()
     const QStringList filters{tr("PNG images (*.png)"), transparent,
                               tr("OpenEXR images in linear light, without background (*.exr)")};
     QString filter;
-    const QString path = askSavePath(tr("Save picture"), tr("hairstyle"), filters.join(QLatin1String(";;")),
-                                     QStringLiteral("png"), &filter);
+    const QString path = askSavePath({.title = tr("Save picture"),
+                                      .suggestedPath = tr("hairstyle"),
+                                      .filter = filters.join(QLatin1String(";;")),
+                                      .suffix = QStringLiteral("png")},
+                                     &filter);
     if (path.isEmpty() || currentHair() == nullptr)
         return;
     rendering::Scene scene = m_scene();
@@ -393,12 +406,11 @@ void Exchange::complain(const QString& message)
     QMessageBox::warning(&m_window, tr("Hair Paint"), message);
 }
 
-QString Exchange::askSavePath(const QString& title, const QString& name, const QString& filter, const QString& suffix,
-                              QString* chosenFilter)
+QString Exchange::askSavePath(SaveQuestion question, QString* chosenFilter)
 {
-    const QString suggested = m_settings.lastFolder() + QLatin1Char('/') + name + QLatin1Char('.') + suffix;
-    const QString path = app::askSavePath(
-        m_window, {.title = title, .suggestedPath = suggested, .filter = filter, .suffix = suffix}, chosenFilter);
+    question.suggestedPath =
+        m_settings.lastFolder() + QLatin1Char('/') + question.suggestedPath + QLatin1Char('.') + question.suffix;
+    const QString path = app::askSavePath(m_window, question, chosenFilter);
     if (!path.isEmpty())
         m_settings.setLastFolder(QFileInfo(path).absolutePath());
     return path;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/background/jobs.h"
+#include "app/save_dialog.h"
 #include "app/session.h"
 #include "app/settings.h"
 #include "model/files/head_file.h"
@@ -61,9 +62,8 @@ private:
                      bool carriesHair);
     /// Has a file written with progress, and tells of it.
     void write(const QString& path, const Work<void>& work);
-    /// The chosen path with `suffix` added where it has none; empty where cancelled.
-    [[nodiscard]] QString askSavePath(const QString& title, const QString& name, const QString& filter,
-                                      const QString& suffix, QString* chosenFilter = nullptr);
+    /// Asks in the last folder; see app::askSavePath. `question.suggestedPath`: a name without folder and ending.
+    [[nodiscard]] QString askSavePath(SaveQuestion question, QString* chosenFilter = nullptr);
     [[nodiscard]] QString askOpenPath(const QString& title, const QString& filter);
 
     Session& m_session;

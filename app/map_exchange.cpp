@@ -4,6 +4,7 @@
 #include "app/save_dialog.h"
 #include "model/exporting/uv_sheet.h"
 #include "model/files/sentences.h"
+#include "model/names.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -45,7 +46,8 @@ void MapExchange::saveMaps()
     const model::HairGroup* group = m_session.document().committed().group(editor.activeGroup());
     if (group == nullptr)
         return complain(tr("There is no hair group whose maps they could be; add one in the panel Hair."));
-    view::ExportMapsDialog dialog(model::mapSpec(editor.activeMap()).titleText(), group->name, m_choice, &m_window);
+    view::ExportMapsDialog dialog(model::mapSpec(editor.activeMap()).titleText(), model::shownName(group->name),
+                                  m_choice, &m_window);
     Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::MapExport);
     if (dialog.exec() != QDialog::Accepted)
         return;

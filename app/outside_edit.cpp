@@ -3,6 +3,7 @@
 
 #include "model/commands/commands.h"
 #include "model/files/image_map.h"
+#include "model/names.h"
 
 #include <QDesktopServices>
 #include <QDir>
@@ -23,7 +24,15 @@ QByteArray contentOf(const QString& path)
 
 } // namespace
 
-OutsideEdit::OutsideEdit(Session& session, Jobs& jobs) : m_session(session), m_jobs(jobs) {}
+OutsideEdit::OutsideEdit(Session& session, Jobs& jobs) : m_session(session), m_jobs(jobs)
+{
+    // Its layers have the same numbers, and are others.
+    connect(&session.document(), &model::Document::changed, this, [this](const model::Change& change) {
+        if (change.aspect == model::Change::Aspect::Everything)
+            for (auto& [path, away] : m_away)
+                away.layer.reset();
+    });
+}
 
 void OutsideEdit::begin()
 {
@@ -32,9 +41,14 @@ void OutsideEdit::begin()
     if (layer == nullptr)
         return Q_EMIT failed(tr("There is no layer to be edited; add one in the panel Layers."));
     if (layer->locked)
-        return Q_EMIT failed(tr("The layer '%1' is locked; unlock it in the panel Layers first.").arg(layer->name));
-    if (m_folder == nullptr)
+        return Q_EMIT failed(
+            tr("The layer '%1' is locked; unlock it in the panel Layers first.").arg(model::shownName(layer->name)));
+    if (m_folder == nullptr || !m_folder->isValid())
         m_folder = std::make_unique<QTemporaryDir>();
+    if (!m_folder->isValid())
+        return Q_EMIT failed(
+            tr("The image for the other program can't be written: %1; check that you may write to '%2'.")
+                .arg(m_folder->errorString(), QDir::toNativeSeparators(QDir::tempPath())));
     const model::MapSpec& spec = model::mapSpec(target.map);
     const QString path =
         m_folder->filePath(QStringLiteral("%1-%2.png").arg(QLatin1StringView(spec.id)).arg(++m_number));
@@ -67,10 +81,15 @@ void OutsideEdit::look(const QString& path)
         return away.watch->look();
     const QScopedValueRollback taking(m_isTaking, true);
     away.bytes = bytes;
-    takeBack(path, away.layer);
+    if (!away.layer)
+        return Q_EMIT failed(
+            tr("The layer of '%1' is in another project; open that one and load the image into its map "
+               "with File > Load image into map.")
+                .arg(QDir::toNativeSeparators(path)));
+    takeBack(path, *away.layer);
 }
 
-void OutsideEdit::takeBack(const QString& path, const model::LayerAddress& layer)
+void OutsideEdit::takeBack(const QString& path, model::LayerAddress layer)
 {
     m_session.endPreviews();
     const auto current = [this, &layer] {
@@ -79,6 +98,9 @@ void OutsideEdit::takeBack(const QString& path, const model::LayerAddress& layer
     if (current() == nullptr)
         return Q_EMIT failed(tr("The layer of '%1' is no longer there; undo what removed it and save the image again.")
                                  .arg(QFileInfo(path).fileName()));
+    if (current()->locked)
+        return Q_EMIT failed(tr("The layer '%1' is locked; unlock it in the panel Layers and save '%2' again.")
+                                 .arg(model::shownName(current()->name), QFileInfo(path).fileName()));
     const int size = current()->raster.size();
     std::optional<model::Result<model::ImageLayer>> read = m_jobs.await<model::ImageLayer>(
         tr("Reading %1").arg(QFileInfo(path).fileName()), [&path, &layer, size](const model::Progress& progress) {

@@ -10,11 +10,12 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace hairpaint::app {
 
 /// Each time the program saves, the layer becomes what the image holds: one undo step. Several layers may be away at
-/// once; the images go when this does. GUI thread.
+/// once, until another project is opened; the images go when this does. GUI thread.
 class OutsideEdit : public QObject
 {
     Q_OBJECT
@@ -32,13 +33,13 @@ private:
     /// A layer that is away.
     struct Away
     {
-        model::LayerAddress layer;
-        QByteArray bytes; ///< Of the file, as last written or read.
+        std::optional<model::LayerAddress> layer; ///< None: its project is no longer open.
+        QByteArray bytes;                         ///< Of the file, as last written or read.
         std::unique_ptr<FileWatch> watch;
     };
 
     void look(const QString& path);
-    void takeBack(const QString& path, const model::LayerAddress& layer);
+    void takeBack(const QString& path, model::LayerAddress layer);
     void replaceLayer(const model::LayerAddress& address, sim::TiledRaster raster);
 
     Session& m_session;

@@ -328,6 +328,7 @@ bool ProjectFiles::offerAnotherPlace(const QString& problem)
 bool ProjectFiles::offerRepair(const QString& problem)
 {
     QMessageBox box(QMessageBox::Warning, tr("Open project"), problem, QMessageBox::Cancel, &m_window);
+    box.setInformativeText(tr("What is left of it can be opened as a new project; the file stays as it is."));
     const QPushButton* repair = box.addButton(tr("&Open what can be read"), QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();

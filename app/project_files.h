@@ -46,7 +46,7 @@ public:
 
 Q_SIGNALS:
     void pathChanged();
-    /// The file was changed or removed by others: a sentence, once for each time.
+    /// The file was changed or removed by others: a sentence, once until it is opened or saved again.
     void changedOutside(const QString& text);
 
 private:

@@ -16,6 +16,16 @@ struct SaveDialog
     Q_DECLARE_TR_FUNCTIONS(SaveDialog)
 };
 
+/// "png", "exr" of "PNG images (*.png);;OpenEXR images (*.exr)".
+QStringList suffixesOf(const QString& filter)
+{
+    static const QRegularExpression ending(QStringLiteral("\\*\\.(\\w+)"));
+    QStringList suffixes;
+    for (auto match = ending.globalMatch(filter); match.hasNext();)
+        suffixes += match.next().captured(1);
+    return suffixes;
+}
+
 bool mayReplace(QWidget& window, const SaveQuestion& question, const QString& path)
 {
     return !QFileInfo(path).isFile() ||
@@ -29,17 +39,22 @@ bool mayReplace(QWidget& window, const SaveQuestion& question, const QString& pa
 
 QString askSavePath(QWidget& window, const SaveQuestion& question, QString* filter)
 {
+    // What stands behind a dot may be part of a name: "take 1.2".
+    const QStringList known = suffixesOf(question.filter) + question.otherSuffixes;
     QString suggested = question.suggestedPath;
+    QString chosenFilter = filter != nullptr ? *filter : QString();
     for (;;) {
         // Dialogs of some systems ask before they add the suffix, so they are told not to ask at all.
-        const QString chosen = QFileDialog::getSaveFileName(&window, question.title, suggested, question.filter, filter,
-                                                            QFileDialog::DontConfirmOverwrite);
+        const QString chosen = QFileDialog::getSaveFileName(&window, question.title, suggested, question.filter,
+                                                            &chosenFilter, QFileDialog::DontConfirmOverwrite);
         if (chosen.isEmpty())
             return {};
-        const auto wanted =
-            QRegularExpression(QStringLiteral("\\(\\*\\.(\\w+)\\)")).match(filter ? *filter : QString());
-        const QString suffix = wanted.hasMatch() ? wanted.captured(1) : question.suffix;
-        const QString path = QFileInfo(chosen).suffix().isEmpty() ? chosen + QLatin1Char('.') + suffix : chosen;
+        if (filter != nullptr)
+            *filter = chosenFilter;
+        const QStringList offered = suffixesOf(chosenFilter);
+        const QString suffix = offered.size() == 1 ? offered.front() : question.suffix;
+        const bool isKnown = known.contains(QFileInfo(chosen).suffix(), Qt::CaseInsensitive);
+        const QString path = isKnown ? chosen : chosen + QLatin1Char('.') + suffix;
         if (mayReplace(window, question, path))
             return path;
         suggested = path;

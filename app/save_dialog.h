@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 class QWidget;
 
@@ -12,7 +13,8 @@ struct SaveQuestion
     QString title;
     QString suggestedPath;
     QString filter;
-    QString suffix; ///< "png"; added where neither the name that is given nor the filter that is chosen has one.
+    QString suffix; ///< "png"; added, or the chosen filter's, where the name ends in none of those that are known.
+    QStringList otherSuffixes = {}; ///< Known besides those of the filters.
 };
 
 /// The chosen path; empty where cancelled. Before a file that is there is replaced, asks, and for the name with which

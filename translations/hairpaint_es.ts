@@ -893,10 +893,6 @@
         <translation>ocuparía %1, y lo máximo es %2; haz el pelo menos denso o menos rizado, o exporta menos pelos</translation>
     </message>
     <message>
-        <source>What it said of &apos;%1&apos; is lost; the usual takes its place.</source>
-        <translation>Se ha perdido lo que decía de «%1»; en su lugar queda lo habitual.</translation>
-    </message>
-    <message>
         <source>Its head is lost; that of a new project takes its place.</source>
         <translation>Se ha perdido su cabeza; en su lugar queda la de un proyecto nuevo.</translation>
     </message>
@@ -939,6 +935,50 @@
     <message>
         <source>nothing of a project could be found in it; try an earlier copy of it</source>
         <translation>no se ha encontrado en él nada de un proyecto; prueba con una copia anterior</translation>
+    </message>
+    <message>
+        <source>%1; check that you may write to its folder</source>
+        <translation>%1; comprueba que puedes escribir en su carpeta</translation>
+    </message>
+    <message>
+        <source>Its background colour is lost; the usual takes its place.</source>
+        <translation>Se ha perdido su color de fondo; en su lugar queda el habitual.</translation>
+    </message>
+    <message>
+        <source>Its colliders are lost; the usual ones take their place.</source>
+        <translation>Se han perdido sus elipsoides de colisión; en su lugar quedan los habituales.</translation>
+    </message>
+    <message>
+        <source>The name, unit and landmarks of its head are lost; they are guessed anew.</source>
+        <translation>Se han perdido el nombre, la unidad y los puntos de referencia de su cabeza; se deducen de nuevo.</translation>
+    </message>
+    <message>
+        <source>Its light is lost; the usual takes its place.</source>
+        <translation>Se ha perdido su luz; en su lugar queda la habitual.</translation>
+    </message>
+    <message>
+        <source>Its limit on hair candidates is lost; the usual takes its place.</source>
+        <translation>Se ha perdido su límite de candidatos a pelo; en su lugar queda el habitual.</translation>
+    </message>
+    <message>
+        <source>The seed of its roots is lost; the usual takes its place, and each hair stands elsewhere.</source>
+        <translation>Se ha perdido la semilla de sus raíces; en su lugar queda la habitual, y cada pelo nace en otro sitio.</translation>
+    </message>
+    <message>
+        <source>Its skin tone is lost; the usual takes its place.</source>
+        <translation>Se ha perdido su tono de piel; en su lugar queda el habitual.</translation>
+    </message>
+    <message>
+        <source>Its wind is lost; the usual takes its place.</source>
+        <translation>Se ha perdido su viento; en su lugar queda el habitual.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Visibilidad</translation>
     </message>
 </context>
 <context>
@@ -2619,6 +2659,18 @@
         <source>Edit %1 elsewhere</source>
         <translation>Editar %1 en otro programa</translation>
     </message>
+    <message>
+        <source>The image for the other program can&apos;t be written: %1; check that you may write to &apos;%2&apos;.</source>
+        <translation>No se puede escribir la imagen para el otro programa: %1; comprueba que puedes escribir en «%2».</translation>
+    </message>
+    <message>
+        <source>The layer of &apos;%1&apos; is in another project; open that one and load the image into its map with File &gt; Load image into map.</source>
+        <translation>La capa de «%1» está en otro proyecto; abre ese y carga la imagen en su mapa con Archivo &gt; Cargar imagen en el mapa.</translation>
+    </message>
+    <message>
+        <source>The layer &apos;%1&apos; is locked; unlock it in the panel Layers and save &apos;%2&apos; again.</source>
+        <translation>La capa «%1» está bloqueada; desbloquéala en el panel Capas y guarda «%2» de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ProjectFiles</name>
@@ -2705,6 +2757,10 @@
     <message>
         <source>&amp;Open what can be read</source>
         <translation>&amp;Abrir lo que se pueda leer</translation>
+    </message>
+    <message>
+        <source>What is left of it can be opened as a new project; the file stays as it is.</source>
+        <translation>Lo que queda de él se puede abrir como un proyecto nuevo; el archivo queda como está.</translation>
     </message>
 </context>
 <context>

@@ -119,6 +119,8 @@ model::Result<void> exportFilm(SettledHair& hair, const HairMotion& wanted, cons
                                const QString& output)
 {
     const model::StagedFiles staged(QFileInfo(output).absolutePath());
+    if (model::Result<void> ready = staged.check(framePath(output, wanted.film.first)); !ready)
+        return ready;
     QStringList places;
     hair.setMotion(wanted.motion);
     for (int number = 0; number <= wanted.film.last; ++number) {

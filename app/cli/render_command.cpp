@@ -162,6 +162,8 @@ model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const Ren
 {
     // Pictures of a film lie beside their places until the last one is there.
     const model::StagedFiles folder(QFileInfo(output).absolutePath());
+    if (model::Result<void> ready = folder.check(framePath(output, options.film.first)); !ready)
+        return ready;
     QStringList frames;
     for (int number = 0; number <= options.film.last; ++number) {
         // From the film's start, also through frames that nobody wants: a frame is the same whichever one is the first.

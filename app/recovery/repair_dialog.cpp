@@ -16,6 +16,7 @@ namespace {
 constexpr int kRepairWidth = 560;
 constexpr int kListHeight = 240;
 constexpr int kRepairSpacing = 12;
+constexpr int kRepairMargin = 16;
 
 } // namespace
 
@@ -33,10 +34,14 @@ RepairDialog::RepairDialog(const QString& path, const QStringList& losses, QWidg
                   .arg(name));
     text->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(kRepairMargin, kRepairMargin, kRepairMargin, kRepairMargin);
     layout->setSpacing(kRepairSpacing);
     layout->addWidget(text);
     if (!losses.isEmpty()) {
-        auto* list = new QPlainTextEdit(losses.join(QLatin1Char('\n')));
+        QString points;
+        for (const QString& loss : losses)
+            points += (points.isEmpty() ? QString() : QStringLiteral("\n")) + QStringLiteral("•\u00A0") + loss;
+        auto* list = new QPlainTextEdit(points);
         list->setReadOnly(true);
         list->setMinimumHeight(kListHeight);
         list->setAccessibleName(tr("What was lost"));

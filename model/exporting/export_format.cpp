@@ -119,14 +119,6 @@ const ExportFormat* findExportFormat(const QString& path)
     return found == kFormats.end() ? nullptr : &*found;
 }
 
-QStringList exportFilters()
-{
-    QStringList filters;
-    for (const ExportFormat& format : kFormats)
-        filters += QStringLiteral("%1 (*.%2)").arg(format.titleText(), QLatin1StringView(format.suffix));
-    return filters;
-}
-
 Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, const ExportRequest& request,
                         const QString& path, const Progress& progress)
 {

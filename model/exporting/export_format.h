@@ -7,7 +7,6 @@
 #include "model/exporting/export_space.h"
 
 #include <QString>
-#include <QStringList>
 
 #include <cstdint>
 #include <memory>
@@ -54,8 +53,6 @@ struct ExportFormat
 [[nodiscard]] std::span<const ExportFormat> exportFormats();
 /// By the name's ending; null where it is none of theirs.
 [[nodiscard]] const ExportFormat* findExportFormat(const QString& path);
-/// "Hair curves (*.hair)" and so on, one a format.
-[[nodiscard]] QStringList exportFilters();
 
 struct ExportRequest
 {

@@ -70,7 +70,11 @@ Result<void> writeMapImages(std::span<const WantedMap> maps, const QString& fold
     for (const QString& place : places)
         if (const Checked<void> writable = checkWritable(place); !writable)
             return cannotWrite(place, writable.error());
+    if (places.isEmpty())
+        return {};
     const StagedFiles staged(folder);
+    if (Result<void> ready = staged.check(places.front()); !ready)
+        return ready;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const QString& place = places[static_cast<qsizetype>(i)];
         const auto part = [&](double done) {

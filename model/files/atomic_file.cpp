@@ -72,7 +72,8 @@ Checked<void> AtomicFile::open()
         return writable;
     // QSaveFile commits also where flushing its own buffer failed, so it gets none.
     if (!m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
-        return refuse(m_file.errorString());
+        return refuse(
+            say(QT_TRANSLATE_NOOP("Files", "%1; check that you may write to its folder")).arg(m_file.errorString()));
     return {};
 }
 

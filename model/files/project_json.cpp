@@ -3,6 +3,7 @@
 
 #include "model/files/group_json.h"
 #include "model/files/json_fields.h"
+#include "model/files/json_structure.h"
 #include "model/files/migrations.h"
 #include "sim/groom/roots.h"
 
@@ -129,24 +130,11 @@ void readReference(FieldReader& fields, HeadReference& head)
 bool nestsTooDeep(const QByteArray& json)
 {
     int depth = 0;
-    bool inString = false;
-    for (qsizetype i = 0; i < json.size(); ++i) {
-        const char c = json[i];
-        if (inString) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                inString = false;
-        } else if (c == '"') {
-            inString = true;
-        } else if (c == '{' || c == '[') {
-            if (++depth > kDeepestJson)
-                return true;
-        } else if (c == '}' || c == ']') {
-            --depth;
-        }
-    }
-    return false;
+    visitJsonStructure(json, [&depth](qsizetype /*at*/, char c) {
+        depth += c == '{' || c == '[' ? 1 : c == ',' ? 0 : -1;
+        return depth <= kDeepestJson;
+    });
+    return depth > kDeepestJson;
 }
 
 /// As it was written.

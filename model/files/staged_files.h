@@ -15,6 +15,8 @@ public:
     /// `folder`: that of the places.
     explicit StagedFiles(const QString& folder);
 
+    /// Fails where nothing can be put there; to be asked before the rest. `place`: what the sentence names.
+    [[nodiscard]] Result<void> check(const QString& place) const;
     /// Where the file of that place lies meanwhile.
     [[nodiscard]] QString pathFor(const QString& place) const;
     /// The error with the place named, not where the file lay meanwhile.

@@ -2,20 +2,61 @@
 #include "model/repair/losses.h"
 
 #include "model/files/sentences.h"
+#include "model/group_schema.h"
 #include "model/names.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 
 namespace hairpaint::model {
 
 namespace {
 
+struct SettingLoss
+{
+    const char* key;      ///< Of the root.
+    const char* sentence; ///< In context "Files".
+};
+
+constexpr std::array<SettingLoss, 8> kSettingLosses = {{
+    {"background", QT_TRANSLATE_NOOP("Files", "Its background colour is lost; the usual takes its place.")},
+    {"ellipsoids", QT_TRANSLATE_NOOP("Files", "Its colliders are lost; the usual ones take their place.")},
+    {"head", QT_TRANSLATE_NOOP("Files", "The name, unit and landmarks of its head are lost; they are guessed anew.")},
+    {"light", QT_TRANSLATE_NOOP("Files", "Its light is lost; the usual takes its place.")},
+    {"max_hairs", QT_TRANSLATE_NOOP("Files", "Its limit on hair candidates is lost; the usual takes its place.")},
+    {"seed",
+     QT_TRANSLATE_NOOP("Files", "The seed of its roots is lost; the usual takes its place, and each hair stands "
+                                "elsewhere.")},
+    {"skin", QT_TRANSLATE_NOOP("Files", "Its skin tone is lost; the usual takes its place.")},
+    {"wind", QT_TRANSLATE_NOOP("Files", "Its wind is lost; the usual takes its place.")},
+}};
+
+/// As the window calls it.
+QString settingTitle(const QString& key)
+{
+    if (key == QLatin1String("name"))
+        return say(QT_TRANSLATE_NOOP("Files", "Name"));
+    if (key == QLatin1String("visible"))
+        return say(QT_TRANSLATE_NOOP("Files", "Visibility"));
+    const auto found = std::ranges::find_if(
+        groupSchema(), [&key](const GroupSetting& row) { return key == QLatin1StringView(row.key); });
+    return found != groupSchema().end() ? schemaText(found->label) : key;
+}
+
 /// As it stands in a sentence.
 QString quotedName(const QString& name)
 {
     return shownPath(shownName(name));
+}
+
+QString layerPropertiesText(const QString& group, const MapSpec& spec, const QString& layer)
+{
+    return say(QT_TRANSLATE_NOOP("Files",
+                                 "Name, order and blending of the layer '%3' of %2 in the group '%1' are lost; "
+                                 "its paint is there."))
+        .arg(quotedName(group), spec.titleText(), quotedName(layer));
 }
 
 } // namespace
@@ -28,7 +69,10 @@ void Losses::add(const QString& sentence)
 
 void Losses::setting(const QString& key)
 {
-    add(say(QT_TRANSLATE_NOOP("Files", "What it said of '%1' is lost; the usual takes its place.")).arg(key));
+    const auto* const found = std::ranges::find_if(
+        kSettingLosses, [&key](const SettingLoss& loss) { return key == QLatin1StringView(loss.key); });
+    Q_ASSERT(found != kSettingLosses.end());
+    add(say(found->sentence));
 }
 
 void Losses::head(const QString& name)
@@ -48,7 +92,7 @@ void Losses::groupSettings(const QString& group)
 void Losses::groupSetting(const QString& group, const QString& key)
 {
     add(say(QT_TRANSLATE_NOOP("Files", "'%2' of the group '%1' is lost; the usual takes its place."))
-            .arg(quotedName(group), quotedName(key)));
+            .arg(quotedName(group), quotedName(settingTitle(key))));
 }
 
 void Losses::group(qsizetype number)
@@ -64,13 +108,12 @@ void Losses::map(const QString& group, const QString& id)
 
 void Losses::layerProperties(const QString& group, const MapSpec& spec, const QString& layer)
 {
-    add(say(QT_TRANSLATE_NOOP("Files", "Name, order and blending of the layer '%3' of %2 in the group '%1' are lost; "
-                                       "its paint is there."))
-            .arg(quotedName(group), spec.titleText(), quotedName(layer)));
+    add(layerPropertiesText(group, spec, layer));
 }
 
 void Losses::layer(const QString& group, const MapSpec& spec, const QString& layer)
 {
+    m_sentences.removeAll(layerPropertiesText(group, spec, layer)); // Of nothing they are no loss.
     add(say(QT_TRANSLATE_NOOP("Files", "The paint of the layer '%3' of %2 in the group '%1' is lost."))
             .arg(quotedName(group), spec.titleText(), quotedName(layer)));
 }

@@ -10,16 +10,16 @@ namespace hairpaint::model {
 class Losses
 {
 public:
-    /// A key of project.json, outside the groups.
+    /// A key of project.json, outside the groups: one that mendedJson looks at, or "head".
     void setting(const QString& key);
     void head(const QString& name);
     /// All of them, or some: where the JSON ends, they have their usual values.
     void groupSettings(const QString& group);
-    /// One or more of them were not what they should be.
+    /// `key`: "name", "visible", or one of groupSchema().
     void groupSetting(const QString& group, const QString& key);
     void group(qsizetype number);
     void map(const QString& group, const QString& id);
-    /// Name, order and blending.
+    /// Name, order and blending. Where the paint is lost, too, only that is said.
     void layerProperties(const QString& group, const MapSpec& spec, const QString& layer);
     void layer(const QString& group, const MapSpec& spec, const QString& layer);
     /// `rows` of `size` are left, from the top.

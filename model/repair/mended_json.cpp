@@ -2,6 +2,7 @@
 #include "model/repair/mended_json.h"
 
 #include "model/files/group_json.h"
+#include "model/files/json_structure.h"
 #include "model/files/migrations.h"
 #include "model/files/project_json.h"
 
@@ -41,26 +42,14 @@ std::vector<SafePlace> safePlaces(const QByteArray& json, qsizetype end)
             places.erase(places.begin(), places.begin() + kMost);
         places.push_back({.at = at, .closing = std::move(closing)});
     };
-    bool inString = false;
-    for (qsizetype i = 0; i < std::min(end, json.size()); ++i) {
-        const char c = json[i];
-        if (inString) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                inString = false;
-        } else if (c == '"') {
-            inString = true;
-        } else if (c == '{' || c == '[') {
+    visitJsonStructure(QByteArrayView(json).first(std::min(end, json.size())), [&](qsizetype at, char c) {
+        if (c == '{' || c == '[')
             open.append(c == '{' ? '}' : ']');
-            note(i + 1);
-        } else if (c == ',') {
-            note(i);
-        } else if ((c == '}' || c == ']') && !open.isEmpty()) {
+        else if (c != ',' && !open.isEmpty())
             open.chop(1);
-            note(i + 1);
-        }
-    }
+        note(c == ',' ? at : at + 1);
+        return true;
+    });
     std::ranges::reverse(places);
     return places;
 }
@@ -205,7 +194,7 @@ private:
                 if (takesSettings({{key, longer}}))
                     part = longer;
                 else
-                    m_losses.groupSetting(m_group, innerKey);
+                    m_losses.groupSetting(m_group, key + QLatin1Char('.') + innerKey);
             }
             mended.insert(key, part);
         }

@@ -17,6 +17,7 @@
 #include <QJsonDocument>
 
 #include <bit>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -34,12 +35,37 @@ tl::unexpected<Clause> nothingLeft()
                   Clause::Cure::OtherFile);
 }
 
+/// How far a repair is, and whether it goes on: once stopped, never again.
+class RepairProgress
+{
+public:
+    /// Of all work: finding out whether the file is damaged, looking for its entries, reading layers.
+    static constexpr double kTried = 0.4;
+    static constexpr double kFound = 0.5;
+    static constexpr double kLayers = 0.9;
+
+    explicit RepairProgress(const Progress& progress) : m_progress(progress) {}
+    [[nodiscard]] bool advance(double done)
+    {
+        m_done = done;
+        return goesOn();
+    }
+    [[nodiscard]] bool goesOn()
+    {
+        m_isStopped = m_isStopped || (m_progress && !m_progress(m_done));
+        return !m_isStopped;
+    }
+
+private:
+    const Progress& m_progress;
+    double m_done = 0.0;
+    bool m_isStopped = false;
+};
+
 class Repair
 {
 public:
-    Repair(SalvagedArchive archive, const std::function<bool()>& goesOn)
-        : m_archive(std::move(archive)), m_goesOn(goesOn)
-    {}
+    Repair(SalvagedArchive archive, RepairProgress& progress) : m_archive(std::move(archive)), m_progress(progress) {}
 
     /// None where it was stopped.
     Checked<std::optional<RepairedProject>> run()
@@ -54,7 +80,8 @@ public:
             return tl::unexpected(layers.error());
         if (Checked<void> head = readHead(*manifest); !head)
             return tl::unexpected(head.error());
-        if (!m_goesOn() || project.head == nullptr || !paintFormerCombing(project, manifest->formerCombing, m_goesOn))
+        const auto goesOn = [this] { return m_progress.goesOn(); };
+        if (!goesOn() || project.head == nullptr || !paintFormerCombing(project, manifest->formerCombing, goesOn))
             return std::nullopt;
         if (m_isEmpty && m_json.root.isEmpty())
             return nothingLeft();
@@ -115,11 +142,20 @@ private:
         for (const HairGroup& group : groups)
             for (const MapStack& stack : group.maps)
                 texels += qint64{stack.size} * stack.size * static_cast<qint64>(stack.layers.size());
+        qint64 read = 0;
+        const auto doneWith = [&](const MapStack& stack) {
+            read += qint64{stack.size} * stack.size;
+            return std::lerp(RepairProgress::kFound, RepairProgress::kLayers,
+                             static_cast<double>(read) / static_cast<double>(texels));
+        };
         for (HairGroup& group : groups)
             for (SharedStack& map : group.maps)
-                for (Layer& layer : map.write().layers)
+                for (Layer& layer : map.write().layers) {
                     if (texels > kMostTexels || !readLayer(group, *map, layer))
                         return tooMuch();
+                    if (!m_progress.advance(doneWith(*map)))
+                        return {};
+                }
         if (excessOf(groups) != ContentExcess::None)
             return tooMuch();
         return {};
@@ -135,8 +171,8 @@ private:
     /// False where it is too much.
     [[nodiscard]] bool readLayer(const HairGroup& group, const MapStack& stack, Layer& layer)
     {
-        if (layer.raster.size() == stack.size || !m_goesOn())
-            return true; // The first stands for a map that the file lacks.
+        if (layer.raster.size() == stack.size)
+            return true; // It stands for a map that the file lacks.
         const MapSpec& spec = mapSpec(stack.kind);
         const QString title = group.name.isEmpty() ? QString::number(group.id) : group.name;
         const std::optional<SalvagedArchive::Content> png =
@@ -194,8 +230,9 @@ private:
         if (reference.builtIn && m_headIsNamed)
             head = builtInHead(reference.name);
         else if (!reference.builtIn && glb)
-            head = headFromGlb(reference.name, glb->bytes, reference.unitScale, reference.upAxis, m_goesOn,
-                               reference.landmarks);
+            head = headFromGlb(
+                reference.name, glb->bytes, reference.unitScale, reference.upAxis,
+                [this] { return m_progress.goesOn(); }, reference.landmarks);
         if (!head) {
             m_losses.head(m_headIsNamed ? reference.name : QString());
             manifest.project.ellipsoids = builtInEllipsoids();
@@ -206,7 +243,7 @@ private:
     }
 
     SalvagedArchive m_archive;
-    const std::function<bool()>& m_goesOn;
+    RepairProgress& m_progress;
     Losses m_losses;
     CutJson m_json;
     bool m_headIsNamed = true; ///< By the JSON.
@@ -219,15 +256,22 @@ private:
 Result<RepairedProject> repaired(const QString& path, const Progress& progress)
 {
     // What is whole has lost nothing, whatever the headers look like.
-    if (Result<Project> whole = loadProject(path, nullptr, progress))
+    RepairProgress repairProgress(progress);
+    if (Result<Project> whole = loadProject(path, nullptr, [&repairProgress](double done) {
+            return repairProgress.advance(RepairProgress::kTried * done);
+        }))
         return RepairedProject{.project = std::move(*whole), .losses = {}};
     if (Result<void> readable = checkReadable(path, kMostFileBytes); !readable)
         return tl::unexpected(readable.error());
-    const std::function<bool()> goesOn = [&progress] { return !progress || progress(0.0); };
-    Checked<SalvagedArchive> archive = SalvagedArchive::open(path, goesOn);
+    if (!repairProgress.advance(RepairProgress::kTried))
+        return cancelled(path);
+    Checked<SalvagedArchive> archive =
+        SalvagedArchive::open(path, [&repairProgress] { return repairProgress.goesOn(); });
     if (!archive)
         return cannotOpen(path, archive.error());
-    Checked<std::optional<RepairedProject>> project = Repair(std::move(*archive), goesOn).run();
+    if (!repairProgress.advance(RepairProgress::kFound))
+        return cancelled(path);
+    Checked<std::optional<RepairedProject>> project = Repair(std::move(*archive), repairProgress).run();
     if (!project)
         return cannotOpen(path, project.error());
     if (!*project)

@@ -28,7 +28,7 @@ class Hair:
         with open(path, "rb") as file:
             data = file.read()
         if len(data) < HEADER_BYTES or data[:4] != b"HAIR":
-            raise ValueError("it is no .hair file")
+            raise ValueError("it is no .hair file; choose another")
         strands, points, flags, default_segments = struct.unpack_from("<4I", data, 4)
         width, transparency, *colour = struct.unpack_from("<5f", data, 20)
         text = data[40:HEADER_BYTES].split(b"\0")[0].decode("ascii", "replace")
@@ -37,13 +37,15 @@ class Hair:
         def take(flag, kind, count, width_of_row, default):
             if not flags & flag:
                 return numpy.broadcast_to(numpy.asarray(default, numpy.float32), (count, width_of_row))
+            if self.at + count * width_of_row * numpy.dtype(kind).itemsize > len(data):
+                raise ValueError("it is cut short; export it again")
             values = numpy.frombuffer(data, kind, count * width_of_row, self.at)
             self.at += values.nbytes
             return values.reshape(count, width_of_row)
 
         segments = take(SEGMENTS, "<u2", strands, 1, default_segments)[:, 0].astype(numpy.int64)
         if not flags & POINTS or int(segments.sum()) + strands != points:
-            raise ValueError("its counts do not fit together")
+            raise ValueError("its counts do not fit together; export it again")
         self.sizes = (segments + 1).tolist()
         unit = 0.01 if "centimetres" in text else 1.0
         positions = take(POINTS, "<f4", points, 3, 0.0).astype(numpy.float32) * unit
@@ -131,7 +133,8 @@ class ImportHairPaint(bpy.types.Operator, ImportHelper):
         try:
             read_hair(self.filepath, bpy.path.display_name_from_filepath(self.filepath))
         except (OSError, ValueError) as problem:
-            self.report({"ERROR"}, f"'{self.filepath}' can't be read: {problem}.")
+            reason = getattr(problem, "strerror", None) or problem
+            self.report({"ERROR"}, f"'{self.filepath}' can't be read: {reason}.")
             return {"CANCELLED"}
         return {"FINISHED"}
 

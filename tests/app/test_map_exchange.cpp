@@ -1,11 +1,15 @@
 // Maps for other programs, by the window's menus: images, the sheet, the clipboard, and layers edited elsewhere.
+#include "app/languages.h"
 #include "app/map_exchange.h"
+#include "model/commands/commands.h"
 #include "model/exporting/map_images.h"
+#include "model/names.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/test_program.h"
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDesktopServices>
@@ -52,6 +56,13 @@ private:
 #endif
         folder.removeRecursively();
         return folder;
+    }
+    /// Another program saves: all is blue.
+    static bool paintOver(const QString& file)
+    {
+        QImage image = QImage(file).convertToFormat(QImage::Format_ARGB32);
+        image.fill(Qt::blue);
+        return image.save(file);
     }
     [[nodiscard]] QString freshFolder(const char* name) const
     {
@@ -190,6 +201,55 @@ private Q_SLOTS:
         QCOMPARE(texel(10)[1], std::uint16_t{0});
     }
 
+    void whatBelongsToAnotherProjectStaysOut()
+    {
+        openTold(model::newProject());
+        editor().setActiveMap(model::MapKind::Length);
+        trigger("file.editOutside");
+        session().document().replace(model::newProject());
+        const sim::TiledRaster before = layers().front().raster;
+        QVERIFY(paintOver(m_painter.opened));
+        QTRY_COMPARE_WITH_TIMEOUT(m_answers->said.size(), qsizetype{1}, kPatienceMs);
+        QVERIFY2(m_answers->said.front().contains(QFileInfo(m_painter.opened).fileName()),
+                 qPrintable(m_answers->said.front()));
+        QCOMPARE(stack().count(), 0);
+        QVERIFY(layers().front().raster == before);
+    }
+
+    void aLayerThatWasLockedMeanwhileStays()
+    {
+        openTold(model::newProject());
+        editor().setActiveMap(model::MapKind::Length);
+        trigger("file.editOutside");
+        const model::LayerAddress target = editor().target();
+        model::Document& document = session().document();
+        model::LayerProperties locked =
+            model::propertiesOf(*document.committed().layer(target.group, target.map, target.layer));
+        locked.locked = true;
+        document.push(model::setLayerPropertiesCommand(document, target, locked, QStringLiteral("Lock")));
+        const int steps = stack().count();
+        QVERIFY(paintOver(m_painter.opened));
+        QTRY_COMPARE_WITH_TIMEOUT(m_answers->said.size(), qsizetype{1}, kPatienceMs);
+        QVERIFY2(m_answers->said.front().contains(QStringLiteral("locked")), qPrintable(m_answers->said.front()));
+        QCOMPARE(stack().count(), steps);
+    }
+
+#ifdef Q_OS_LINUX
+    void withoutAFolderForItTheImageIsToldOf()
+    {
+        openTold(model::newProject());
+        const QByteArray before = qgetenv("TMPDIR");
+        qputenv("TMPDIR", "/proc");
+        trigger("file.editOutside");
+        before.isNull() ? qunsetenv("TMPDIR") : qputenv("TMPDIR", before);
+        QCOMPARE(m_answers->said.size(), qsizetype{1});
+        QVERIFY2(m_answers->said.front().contains(QStringLiteral("'/proc'")), qPrintable(m_answers->said.front()));
+        QVERIFY(m_painter.opened.isEmpty());
+        trigger("file.editOutside");
+        QVERIFY(!m_painter.opened.isEmpty());
+    }
+#endif
+
     void theAddonGoesIntoEveryBlenderThatIsThere()
     {
         const QDir blender = freshBlender();
@@ -240,6 +300,32 @@ private Q_SLOTS:
         QCOMPARE(layers().back().raster.texel(middle, middle)[1], std::uint16_t{0});
         trigger("edit.paste");
         QVERIFY(isBlue());
+    }
+
+    /// The last: there is no way back to the language of the sources.
+    void dialogsCallGroupsAsTheWindowDoes()
+    {
+        QCOMPARE(speak(QStringLiteral("es")), QStringLiteral("es"));
+        model::Project project = test::thinned(starterProject());
+        model::HairGroup beard = project.groups.front();
+        beard.id += 100;
+        beard.name = QStringLiteral("Beard");
+        project.groups.push_back(beard);
+        const QString scalp = model::shownName(project.groups.front().name);
+        QVERIFY(scalp != project.groups.front().name);
+        openTold(std::move(project));
+        QStringList shown;
+        m_answers->choosesMaps = [&shown](view::ExportMapsDialog& dialog) {
+            shown += dialog.findChildren<QComboBox*>()[0]->itemText(1);
+        };
+        m_answers->choosesExport = [&shown](view::ExportHairDialog& dialog) {
+            shown += dialog.findChildren<QCheckBox*>()[0]->text();
+        };
+        trigger("file.saveImages"); // Cancelled, for want of a file's name.
+        trigger("file.exportHair");
+        QCOMPARE(shown.size(), qsizetype{2});
+        for (const QString& text : shown)
+            QVERIFY2(text.contains(scalp), qPrintable(text));
     }
 };
 

@@ -102,6 +102,45 @@ private Q_SLOTS:
         QCOMPARE(saver.asked.size(), 4);
         QVERIFY(test::readBytes(bare + suffix).size() > 100);
     }
+
+    void aDotInTheNameIsNoEnding_data()
+    {
+        actions();
+        QTest::newRow("sheet") << QByteArray("file.uvSheet") << QStringLiteral(".pdf");
+    }
+    void aDotInTheNameIsNoEnding()
+    {
+        QFETCH(QByteArray, action);
+        QFETCH(QString, suffix);
+        openWindow(model::newProject());
+        const QString name = m_folder.filePath(QStringLiteral("take 1.2"));
+        Saver saver;
+        saver.names = {name};
+        m_window->actions().find(QLatin1StringView(action))->trigger();
+        QVERIFY(QFileInfo::exists(name + suffix));
+        QVERIFY(!QFileInfo::exists(name));
+    }
+
+    void anEndingOfTheSameKindIsKept_data()
+    {
+        QTest::addColumn<QByteArray>("action");
+        QTest::addColumn<QString>("name");
+        QTest::newRow("another format of hair") << QByteArray("file.exportHair") << QStringLiteral("other.obj");
+        QTest::newRow("a drawing") << QByteArray("file.uvSheet") << QStringLiteral("sheet.svg");
+        QTest::newRow("in capitals") << QByteArray("file.saveImage") << QStringLiteral("MAP.TGA");
+        QTest::newRow("a longer ending") << QByteArray("file.saveImage") << QStringLiteral("map.tiff");
+        QTest::newRow("linear light") << QByteArray("file.picture") << QStringLiteral("picture.exr");
+    }
+    void anEndingOfTheSameKindIsKept()
+    {
+        QFETCH(QByteArray, action);
+        QFETCH(QString, name);
+        openWindow(model::newProject());
+        Saver saver;
+        saver.names = {m_folder.filePath(name)};
+        m_window->actions().find(QLatin1StringView(action))->trigger();
+        QVERIFY(QFileInfo::exists(m_folder.filePath(name)));
+    }
 };
 
 } // namespace hairpaint::app

@@ -82,6 +82,15 @@ private Q_SLOTS:
         rows("a folder", path(QStringLiteral("folder")));
 #ifdef Q_OS_LINUX
         rows("a place for no one", QStringLiteral("/proc/out"));
+        for (const auto& [verb, output] : {std::pair("render", "/proc/out.png"), std::pair("export", "/proc/out.hair")})
+            QTest::newRow(qPrintable(QStringLiteral("a place for no one, film, %1").arg(QLatin1StringView(verb))))
+                << QStringList{QLatin1StringView(verb),    m_good,
+                               QStringLiteral("-o"),       QLatin1StringView(output),
+                               QStringLiteral("--frames"), QStringLiteral("0-1")}
+                << QStringLiteral("/proc/out.0000");
+        QTest::newRow("a place for no one, maps")
+            << QStringList{QStringLiteral("export"), m_good, QStringLiteral("--maps"), QStringLiteral("/proc")}
+            << QStringLiteral("/proc/Scalp-density.png");
         // As root a file could be renamed over a device.
         for (const QString& ending : endings)
             QFile::link(QStringLiteral("/dev/full"), path(QStringLiteral("device.") + ending));

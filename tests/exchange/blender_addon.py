@@ -4,6 +4,7 @@ import importlib.util
 import json
 import math
 import sys
+import tempfile
 
 import bpy
 import numpy
@@ -14,6 +15,13 @@ spec = importlib.util.spec_from_file_location("hair_paint_import", script)
 addon = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(addon)
 addon.register()
+cut = tempfile.NamedTemporaryFile(suffix=".hair")
+cut.write(open(path, "rb").read()[:1000])
+cut.flush()
+try:
+    bpy.ops.import_curves.hair_paint(filepath=cut.name)
+except RuntimeError as problem:
+    print("CUT " + str(problem).strip())
 bpy.ops.import_curves.hair_paint(filepath=path)
 made = bpy.context.view_layer.objects.active
 curves = made.data

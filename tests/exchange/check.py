@@ -82,6 +82,7 @@ def check_addon(judge, style, counts, points):
         made = json.loads(found[1]) if found else {"type": done.stderr}
         judge.check(f"{style}: our add-on makes Curves in Blender of the file for {target}",
                     made["type"] == "CURVES", made["type"])
+        judge.check(f"{style}: our add-on says what is wrong with a part of it", "it is cut short" in done.stdout)
         if not found:
             continue
         upright = [(x, -z, y) for x, y, z in points]

@@ -246,6 +246,29 @@ private Q_SLOTS:
         QVERIFY(loadProject(m_folder.filePath(QStringLiteral("again.hairpaint"))));
     }
 
+    void aLayerWithoutPaintIsSaidOnce()
+    {
+        QByteArray bytes = m_bytes;
+        const auto spoil = [&bytes](const EntrySpan& span, qsizetype from) {
+            bytes.replace(span.at + from, span.end - span.at - from, QByteArray(span.end - span.at - from, '\x7F'));
+        };
+        spoil(spanOf(QStringLiteral("project.json")), 0);
+        const auto png = std::ranges::find_if(
+            m_spans, [](const EntrySpan& span) { return span.name.contains(QStringLiteral("/density/")); });
+        QVERIFY(png != m_spans.end());
+        spoil(*png, 40); // Its size can be read.
+        const Result<RepairedProject> repaired = repair(bytes);
+        QVERIFY(repaired);
+        const QString begin = QStringLiteral("The paint of the ");
+        const QStringList paint = repaired->losses.filter(begin);
+        QCOMPARE(paint.size(), qsizetype{1});
+        const QString layer = paint.front().section(begin, 1).section(QStringLiteral(" is lost"), 0, 0);
+        QVERIFY2(repaired->losses.filter(layer).size() == 1, qPrintable(repaired->losses.join(QLatin1Char('\n'))));
+        // Words of the window, not of the file.
+        for (const QString& loss : repaired->losses)
+            QVERIFY2(!loss.contains(QLatin1Char('_')), qPrintable(loss));
+    }
+
     void anImportedHeadThatIsLostIsSaid()
     {
         const Project small = m_project;
@@ -285,7 +308,9 @@ private Q_SLOTS:
         row("an unknown blending", QStringLiteral("'blend': 'multiply'"), QStringLiteral("'blend': 'glue'"),
             "Obere Lage");
         row("a size that is none", QStringLiteral("'size': 256"), QStringLiteral("'size': 255"), "");
-        row("friction of text", QStringLiteral("'friction': 0.66"), QStringLiteral("'friction': 'some'"), "friction");
+        row("friction of text", QStringLiteral("'friction': 0.66"), QStringLiteral("'friction': 'some'"), "Friction");
+        row("a limit that is a list", QStringLiteral("'max_hairs': "), QStringLiteral("'max_hairs': [], 'x': "),
+            "hair candidates");
     }
 
     void wrongValuesInTheSettingsTakeOnlyThemselves()
@@ -346,6 +371,21 @@ private Q_SLOTS:
         test::writeBytes(m_path, m_bytes.chopped(500));
         int asked = 0;
         QVERIFY(!repairProject(m_path, [&asked](double) { return ++asked < 3; }));
+        const Result<RepairedProject> never = repairProject(m_path, [](double) { return false; });
+        QVERIFY(!never);
+        QVERIFY2(never.error().message.contains(QStringLiteral("cancelled")), qPrintable(never.error().message));
+    }
+
+    void itTellsHowFarItIs()
+    {
+        test::writeBytes(m_path, m_bytes.chopped(500));
+        std::vector<double> told;
+        QVERIFY(repairProject(m_path, [&told](double done) {
+            told.push_back(done);
+            return true;
+        }));
+        QVERIFY(std::ranges::is_sorted(told));
+        QVERIFY(told.back() > 0.8 && told.back() <= 1.0);
     }
 };
 

@@ -1,6 +1,7 @@
 // Format, program, source, groups, number of hairs, tolerance.
 #include "view/dialogs/export_hair_dialog.h"
 
+#include "model/names.h"
 #include "view/theme.h"
 #include "view/widgets/bar_slider.h"
 
@@ -104,7 +105,7 @@ QLayout* ExportHairDialog::buildGroups()
     auto* list = new QWidget;
     auto* rows = plainColumn(list);
     for (const ExportableGroup& group : m_groups) {
-        QString text = group.name;
+        QString text = model::shownName(group.name);
         auto* box = new QCheckBox(text.replace(QLatin1Char('&'), QLatin1String("&&")), list);
         box->setChecked(true);
         rows->addWidget(box);
