@@ -45,6 +45,9 @@ HWY_INLINE hn::Vec<DI> cellsAt(D d, const SkinBand::Grid& grid, const Vec3<hn::V
     return hn::IfThenElse(hn::RebindMask(di, inside), hn::GatherIndex(di, grid.indices, index), hn::Set(di, -1));
 }
 
+constexpr float kAgainst = -0.5F; ///< Cosine between a hair at its root and a field that is the other side's.
+constexpr float kEdgeM = 0.006F;  ///< A cell and a half.
+
 /// As turnedBetween() of direction_texel.h.
 template<class D>
 HWY_INLINE Vec3<hn::Vec<D>> turned(D d, const Vec3<hn::Vec<D>>& grown, const Vec3<hn::Vec<D>>& fallen, hn::Vec<D> falls)
@@ -128,6 +131,13 @@ HWY_INLINE void layFrom(D d, const LayTask& task, std::size_t lane)
                 place = addScaled(place, normal, hn::IfThenElseZero(sinks, rise));
 
                 const V flatness = hn::Min(hn::Sqrt(dot(growth, growth)), one);
+                // Cells are coarse: at the edge of a parting hair begins in one of the other side, and goes on as it
+                // does.
+                const Vec3<V> onward = sub(direction, scale(normal, dot(direction, normal)));
+                const V onward2 = hn::Max(dot(onward, onward), hn::Set(d, 1e-6F));
+                const M strange = hn::And(hn::Lt(path, hn::Set(d, kEdgeM)),
+                                          hn::Lt(dot(onward, growth), hn::Mul(hn::Set(d, kAgainst), flatness)));
+                growth = choose(strange, scale(onward, hn::Div(flatness, hn::Sqrt(onward2))), growth);
                 const V sine =
                     hn::Min(hn::Max(hn::Mul(hn::Sub(coat, height), perClimb), diving), hn::Set(d, kSteepest));
                 const V sine2 = hn::Mul(sine, sine);

@@ -97,6 +97,7 @@ private Q_SLOTS:
     void combedAndGelledHairStays();
     void hairBesideAPartingNeitherStandsNorCrossesIt();
     void longHairAboveTheEarsHangsAsItsNeighboursDo();
+    void hairAtTheEdgeOfAPartingLiesToItsOwnSide();
 };
 
 void TestLie::naturalHairHasNoSpikes()
@@ -216,6 +217,28 @@ void TestLie::longHairAboveTheEarsHangsAsItsNeighboursDo()
             hair, [](const glm::vec3& p) { return p.y > -0.14F && p.x * p.x + p.z * p.z > 0.165F * 0.165F; });
     });
     QVERIFY2(aside < 6, qPrintable(QString::number(aside)));
+}
+
+void TestLie::hairAtTheEdgeOfAPartingLiesToItsOwnSide()
+{
+    const QString file = path("split.hairpaint");
+    QVERIFY(runProgram({QStringLiteral("new"), QStringLiteral("-o"), file, QStringLiteral("--preset"),
+                        QStringLiteral("Split dye")})
+                .error.isEmpty());
+    QVERIFY(runProgram({QStringLiteral("export"), file, QStringLiteral("-o"), path("split.hair"),
+                        QStringLiteral("--settle"), QStringLiteral("0")})
+                .error.isEmpty());
+    constexpr std::size_t kNode = 4;
+    int beside = 0;
+    int crossing = 0;
+    for (const std::vector<glm::vec3>& hair : readHair(path("split.hair"))) {
+        const glm::vec3 root = hair.front();
+        if (std::abs(root.x) > 0.015F || root.y < 0.06F)
+            continue;
+        ++beside;
+        crossing += hair[kNode].x * (root.x > 0.0F ? 1.0F : -1.0F) < -0.01F ? 1 : 0;
+    }
+    QVERIFY2(beside > 6000 && crossing == 0, qPrintable(QStringLiteral("%1 of %2").arg(crossing).arg(beside)));
 }
 
 HAIRPAINT_TEST(TestLie, Core)
