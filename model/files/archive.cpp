@@ -157,7 +157,7 @@ Checked<ArchiveReader> ArchiveReader::open(const QString& path)
     QFile& file = reader.m_handle->source.file;
     file.setFileName(path);
     if (!file.open(QIODevice::ReadOnly))
-        return refuse(file.errorString());
+        return refuse(readRefusal(file.errorString()), Clause::Cure::OtherFile);
     if (!file.peek(2).startsWith("PK"))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "it is not a file of Hair Paint; choose another")),
                       Clause::Cure::OtherFile);
@@ -379,7 +379,8 @@ Checked<void> ArchiveWriter::writeTo(const QString& path) const
     if (target.isStarved)
         throw std::bad_alloc();
     if (!isWritten && !target.file.failed())
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
+        return refuse(
+            say(QT_TRANSLATE_NOOP("Files", "its archive could not be made; close other programs and try again")));
     return target.file.commit();
 }
 

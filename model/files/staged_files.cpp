@@ -30,7 +30,7 @@ Result<void> StagedFiles::publish(const QStringList& places) const
         std::filesystem::rename(QFileInfo(pathFor(place)).filesystemFilePath(), QFileInfo(place).filesystemFilePath(),
                                 problem);
         if (problem)
-            return cannotWrite(place, {.text = QString::fromStdString(problem.message())});
+            return cannotWrite(place, {.text = writeRefusal(QString::fromStdString(problem.message()))});
     }
     return {};
 }
