@@ -118,7 +118,8 @@ model::Result<void> writePicture(const QImage& picture, const QString& path)
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     if (!picture.save(&buffer, "PNG"))
-        return model::cannotWrite(path, {.text = QCoreApplication::translate("Picture", "there is no picture")});
+        return model::cannotWrite(
+            path, {.text = QCoreApplication::translate("Picture", "there is no picture of that size; choose another")});
     return writeBytes(bytes, path);
 }
 

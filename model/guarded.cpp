@@ -14,7 +14,7 @@ Error memoryError(const QString& doing)
 
 Error thrownError(const QString& doing, const std::exception& thrown)
 {
-    return {QCoreApplication::translate("Guarded", "%1 failed: %2.")
+    return {QCoreApplication::translate("Guarded", "%1 failed: %2; try again, and report it where it fails again.")
                 .arg(doing, QString::fromLocal8Bit(thrown.what()).simplified())};
 }
 

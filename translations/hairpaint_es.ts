@@ -119,10 +119,6 @@
         <translation>hace imágenes</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; goes to the hair group &apos;%2&apos;, and the project has none of that name.</source>
-        <translation>«%1» es para el grupo de pelo «%2», y el proyecto no tiene ninguno con ese nombre.</translation>
-    </message>
-    <message>
         <source>-o and the project&apos;s name are needed</source>
         <translation>Faltan -o y el nombre del proyecto</translation>
     </message>
@@ -247,10 +243,6 @@
     <message>
         <source>There is not enough memory for what is wanted of &apos;%1&apos;; give a smaller size or fewer hairs.</source>
         <translation>No hay memoria suficiente para lo que se pide de «%1»; da un tamaño menor o menos pelos.</translation>
-    </message>
-    <message>
-        <source>What is wanted of &apos;%1&apos; failed: %2.</source>
-        <translation>Falló lo que se pide de «%1»: %2.</translation>
     </message>
     <message>
         <source>  Fewer hairs than painted: the limit of %1 candidates for the whole head is reached</source>
@@ -449,6 +441,14 @@
     <message>
         <source>Nothing was lost.</source>
         <translation>No se ha perdido nada.</translation>
+    </message>
+    <message>
+        <source>What is wanted of &apos;%1&apos; failed: %2; try again, and report it where it fails again.</source>
+        <translation>Falló lo que se pide de «%1»: %2; inténtalo de nuevo e informa de ello si vuelve a fallar.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; goes to the hair group &apos;%2&apos;, and the project has none of that name; name one that it has.</source>
+        <translation>«%1» es para el grupo de pelo «%2», y el proyecto no tiene ninguno con ese nombre; indica uno que tenga.</translation>
     </message>
 </context>
 <context>
@@ -661,10 +661,6 @@
         <translation>su entrada «%1» está dañada</translation>
     </message>
     <message>
-        <source>its archive could not be made</source>
-        <translation>no se pudo comprimir su contenido</translation>
-    </message>
-    <message>
         <source>its head&apos;s mesh is broken</source>
         <translation>la malla de su cabeza está dañada</translation>
     </message>
@@ -759,10 +755,6 @@
     <message>
         <source>it is a file of another kind (%1); choose another</source>
         <translation>es un archivo de otro tipo (%1); elige otro</translation>
-    </message>
-    <message>
-        <source>there is not enough memory to encode its maps</source>
-        <translation>no hay memoria suficiente para codificar sus mapas</translation>
     </message>
     <message>
         <source>its format version is missing</source>
@@ -881,10 +873,6 @@
         <translation>lo que contiene está dañado</translation>
     </message>
     <message>
-        <source>it can&apos;t take the place of the one before</source>
-        <translation>no puede ocupar el lugar del anterior</translation>
-    </message>
-    <message>
         <source>an earlier part of it could not be written</source>
         <translation>no se pudo escribir una parte anterior</translation>
     </message>
@@ -937,10 +925,6 @@
         <translation>no se ha encontrado en él nada de un proyecto; prueba con una copia anterior</translation>
     </message>
     <message>
-        <source>%1; check that you may write to its folder</source>
-        <translation>%1; comprueba que puedes escribir en su carpeta</translation>
-    </message>
-    <message>
         <source>Its background colour is lost; the usual takes its place.</source>
         <translation>Se ha perdido su color de fondo; en su lugar queda el habitual.</translation>
     </message>
@@ -979,6 +963,18 @@
     <message>
         <source>Visibility</source>
         <translation>Visibilidad</translation>
+    </message>
+    <message>
+        <source>its archive could not be made; close other programs and try again</source>
+        <translation>no se pudo comprimir su contenido; cierra otros programas e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>it can&apos;t take the place of the one before; close what has that open and try again</source>
+        <translation>no puede ocupar el lugar del anterior; cierra lo que lo tenga abierto e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>%1; check that you may write there, or choose another place</source>
+        <translation>%1; comprueba que puedes escribir ahí o elige otro lugar</translation>
     </message>
 </context>
 <context>
@@ -1203,8 +1199,8 @@
         <translation>%1: no hay memoria suficiente; cierra otros programas o elige algo más pequeño.</translation>
     </message>
     <message>
-        <source>%1 failed: %2.</source>
-        <translation>%1: falló (%2).</translation>
+        <source>%1 failed: %2; try again, and report it where it fails again.</source>
+        <translation>%1: falló (%2); inténtalo de nuevo e informa de ello si vuelve a fallar.</translation>
     </message>
 </context>
 <context>
@@ -1780,16 +1776,16 @@
 <context>
     <name>Picture</name>
     <message>
-        <source>there is no picture</source>
-        <translation>no hay ninguna imagen</translation>
-    </message>
-    <message>
         <source>Drawing the picture was cancelled.</source>
         <translation>Se canceló el dibujo de la imagen.</translation>
     </message>
     <message>
         <source>pictures in linear light have at most %1 million pixels; choose a smaller size, or PNG</source>
         <translation>las imágenes en luz lineal tienen como mucho %1 millones de píxeles; elige un tamaño menor, o PNG</translation>
+    </message>
+    <message>
+        <source>there is no picture of that size; choose another</source>
+        <translation>no hay ninguna imagen de ese tamaño; elige otro</translation>
     </message>
 </context>
 <context>
@@ -2490,8 +2486,8 @@
 <context>
     <name>hairpaint::app::Journal</name>
     <message>
-        <source>its folder can&apos;t be written to</source>
-        <translation>no se puede escribir en su carpeta</translation>
+        <source>its folder can&apos;t be written to; check that you may write there</source>
+        <translation>no se puede escribir en su carpeta; comprueba que puedes escribir ahí</translation>
     </message>
 </context>
 <context>
@@ -4160,8 +4156,8 @@ Se ha perdido esto:</translation>
         <translation>▲ Sin guardar y sin copia de seguridad</translation>
     </message>
     <message>
-        <source>A crash would lose what is not saved: the program could not keep a copy of it (%1).</source>
-        <translation>Un fallo haría perder lo que no está guardado: el programa no pudo guardar una copia (%1).</translation>
+        <source>A crash would lose what is not saved: the program could not keep a copy of it (%1). Save it now and then.</source>
+        <translation>Un fallo haría perder lo que no está guardado: el programa no pudo guardar una copia (%1). Guárdalo de vez en cuando.</translation>
     </message>
 </context>
 <context>

@@ -153,7 +153,7 @@ void Journal::work(const std::stop_token& stop)
         if (!folder)
             folder = JournalFolder::create(m_root);
         if (!folder)
-            return model::refuse(tr("its folder can't be written to"));
+            return model::refuse(tr("its folder can't be written to; check that you may write there"));
         if (!writer)
             writer = std::make_unique<model::JournalWriter>(folder->file());
         return writer->append(*task.state);

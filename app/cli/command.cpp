@@ -180,7 +180,8 @@ ExitCode run(const Command& command, const QStringList& arguments)
                            .arg(about())});
     } catch (const std::exception& other) {
         return failed(
-            {CommandLine::tr("What is wanted of '%1' failed: %2.").arg(about(), QString::fromLocal8Bit(other.what()))});
+            {CommandLine::tr("What is wanted of '%1' failed: %2; try again, and report it where it fails again.")
+                 .arg(about(), QString::fromLocal8Bit(other.what()))});
     }
 }
 

@@ -65,7 +65,8 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
     model::HairGroup* group = findGroup(project, argument.group);
     if (group == nullptr)
         return model::failure(
-            CommandLine::tr("'%1' goes to the hair group '%2', and the project has none of that name.")
+            CommandLine::tr("'%1' goes to the hair group '%2', and the project has none of that name; "
+                            "name one that it has.")
                 .arg(argument.image, argument.group));
     model::Result<model::ImageLayer> image = model::layerFromFile(argument.image, *argument.spec, argument.grey, 0);
     if (!image)

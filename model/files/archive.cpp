@@ -157,7 +157,7 @@ Checked<ArchiveReader> ArchiveReader::open(const QString& path)
     QFile& file = reader.m_handle->source.file;
     file.setFileName(path);
     if (!file.open(QIODevice::ReadOnly))
-        return refuse(file.errorString());
+        return refuse(readRefusal(file.errorString()), Clause::Cure::OtherFile);
     if (!file.peek(2).startsWith("PK"))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "it is not a file of Hair Paint; choose another")),
                       Clause::Cure::OtherFile);
@@ -249,41 +249,100 @@ void ArchiveWriter::add(const QByteArray& name, const QByteArray& bytes, Method 
 
 namespace {
 
-/// The archive lies in a memory source; it is copied out in pieces.
-Checked<void> copyOut(zip_source_t* source, const QString& path)
+/// What libzip writes an archive to: straight into the file beside its place.
+struct FileTarget
 {
-    AtomicFile file(path);
-    if (Checked<void> opened = file.open(); !opened)
-        return opened;
-    if (zip_source_open(source) != 0)
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
-    QByteArray piece(1 << 20, Qt::Uninitialized);
-    zip_int64_t got = 0;
-    while (!file.failed() && (got = zip_source_read(source, piece.data(), static_cast<zip_uint64_t>(piece.size()))) > 0)
-        file.write(QByteArrayView(piece).first(static_cast<qsizetype>(got)));
-    zip_source_close(source);
-    if (got < 0)
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made")));
-    return file.commit();
+    explicit FileTarget(const QString& path) : file(path) {}
+    AtomicFile file;
+    qint64 at = 0;          ///< Where the next bytes go.
+    qint64 end = 0;         ///< Bytes written.
+    bool isStarved = false; ///< Memory ran out, which must not be thrown through libzip.
+
+    /// False where it fails; the file remembers why, for its commit.
+    bool write(QByteArrayView bytes)
+    {
+        try {
+            if (at == end)
+                file.write(bytes);
+            else
+                file.rewrite(at, bytes);
+        } catch (const std::bad_alloc&) {
+            isStarved = true;
+            return false;
+        }
+        at += bytes.size();
+        end = std::max(end, at);
+        return !file.failed();
+    }
+};
+
+zip_int64_t writeFile(void* user, void* data, zip_uint64_t length, zip_source_cmd_t command)
+{
+    auto& target = *static_cast<FileTarget*>(user);
+    switch (command) {
+    case ZIP_SOURCE_WRITE:
+        return target.write(QByteArrayView(static_cast<const char*>(data), static_cast<qsizetype>(length)))
+                   ? static_cast<zip_int64_t>(length)
+                   : -1;
+    case ZIP_SOURCE_TELL_WRITE:
+        return target.at;
+    case ZIP_SOURCE_SEEK_WRITE: {
+        ErrorHolder error;
+        const zip_int64_t at = zip_source_seek_compute_offset(
+            static_cast<zip_uint64_t>(target.at), static_cast<zip_uint64_t>(target.end), data, length, &error.error);
+        if (at < 0)
+            return -1;
+        target.at = at;
+        return 0;
+    }
+    case ZIP_SOURCE_STAT: {
+        auto* stat = static_cast<zip_stat_t*>(data);
+        zip_stat_init(stat);
+        stat->valid = ZIP_STAT_SIZE;
+        stat->size = 0;
+        return sizeof(*stat);
+    }
+    case ZIP_SOURCE_ERROR: {
+        auto* codes = static_cast<int*>(data);
+        codes[0] = ZIP_ER_WRITE;
+        codes[1] = 0;
+        return 2 * sizeof(int);
+    }
+    case ZIP_SOURCE_SUPPORTS:
+        return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT,
+                                              ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, ZIP_SOURCE_SEEK, ZIP_SOURCE_TELL,
+                                              ZIP_SOURCE_SUPPORTS, ZIP_SOURCE_BEGIN_WRITE, ZIP_SOURCE_COMMIT_WRITE,
+                                              ZIP_SOURCE_ROLLBACK_WRITE, ZIP_SOURCE_SEEK_WRITE, ZIP_SOURCE_TELL_WRITE,
+                                              ZIP_SOURCE_WRITE, ZIP_SOURCE_REMOVE, -1);
+    case ZIP_SOURCE_OPEN: // Nothing is there yet that could be read.
+    case ZIP_SOURCE_READ:
+    case ZIP_SOURCE_CLOSE:
+    case ZIP_SOURCE_SEEK:
+    case ZIP_SOURCE_TELL:
+    case ZIP_SOURCE_FREE:
+    case ZIP_SOURCE_BEGIN_WRITE: // The file itself begins, commits and takes back.
+    case ZIP_SOURCE_COMMIT_WRITE:
+    case ZIP_SOURCE_ROLLBACK_WRITE:
+    case ZIP_SOURCE_REMOVE:
+        return 0;
+    default:
+        return -1;
+    }
 }
 
-} // namespace
-
-Checked<void> ArchiveWriter::writeTo(const QString& path) const
+/// False where libzip fails, on its own or because the file did.
+bool writeEntries(const std::vector<ArchiveWriter::Entry>& entries, FileTarget& target)
 {
-    const auto unmade = [] { return refuse(say(QT_TRANSLATE_NOOP("Files", "its archive could not be made"))); };
     ErrorHolder error;
-    zip_source_t* target = zip_source_buffer_create(nullptr, 0, 0, &error.error);
-    if (target == nullptr)
-        return unmade();
-    const std::unique_ptr<zip_source_t, decltype(&zip_source_free)> kept(target, zip_source_free);
-    zip_source_keep(target);
-    zip_t* zip = zip_open_from_source(target, ZIP_CREATE | ZIP_TRUNCATE, &error.error);
+    zip_source_t* source = zip_source_function_create(writeFile, &target, &error.error);
+    if (source == nullptr)
+        return false;
+    zip_t* zip = zip_open_from_source(source, ZIP_CREATE | ZIP_TRUNCATE, &error.error);
     if (zip == nullptr) {
-        zip_source_free(target);
-        return unmade();
+        zip_source_free(source);
+        return false;
     }
-    for (const Entry& entry : m_entries) {
+    for (const ArchiveWriter::Entry& entry : entries) {
         zip_source_t* content =
             zip_source_buffer(zip, entry.bytes.constData(), static_cast<zip_uint64_t>(entry.bytes.size()), 0);
         const zip_int64_t index =
@@ -292,21 +351,37 @@ Checked<void> ArchiveWriter::writeTo(const QString& path) const
             if (content != nullptr)
                 zip_source_free(content);
             zip_discard(zip);
-            return unmade();
+            return false;
         }
         const auto at = static_cast<zip_uint64_t>(index);
-        const zip_int32_t method = entry.method == Method::Stored ? ZIP_CM_STORE : ZIP_CM_DEFLATE;
+        const zip_int32_t method = entry.method == ArchiveWriter::Method::Stored ? ZIP_CM_STORE : ZIP_CM_DEFLATE;
         if (zip_set_file_compression(zip, at, method, 0) != 0 ||
             zip_file_set_dostime(zip, at, 0, kDosDate1980, 0) != 0) {
             zip_discard(zip);
-            return unmade();
+            return false;
         }
     }
     if (zip_close(zip) != 0) {
         zip_discard(zip);
-        return unmade();
+        return false;
     }
-    return copyOut(target, path);
+    return true;
+}
+
+} // namespace
+
+Checked<void> ArchiveWriter::writeTo(const QString& path) const
+{
+    FileTarget target(path);
+    if (Checked<void> opened = target.file.open(); !opened)
+        return opened;
+    const bool isWritten = writeEntries(m_entries, target);
+    if (target.isStarved)
+        throw std::bad_alloc();
+    if (!isWritten && !target.file.failed())
+        return refuse(
+            say(QT_TRANSLATE_NOOP("Files", "its archive could not be made; close other programs and try again")));
+    return target.file.commit();
 }
 
 } // namespace hairpaint::model

@@ -61,13 +61,14 @@ public:
     /// Atomic: afterwards `path` holds the archive, or what it held before.
     [[nodiscard]] Checked<void> writeTo(const QString& path) const;
 
-private:
     struct Entry
     {
         QByteArray name;
         QByteArray bytes;
         Method method = Method::Stored;
     };
+
+private:
     std::vector<Entry> m_entries;
 };
 

@@ -30,7 +30,7 @@ QString syncProblem([[maybe_unused]] const QFileDevice& file)
 {
 #ifdef Q_OS_UNIX
     if (::fsync(file.handle()) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS)
-        return errno == ENOSPC ? noSpace() : qt_error_string(errno);
+        return errno == ENOSPC ? noSpace() : writeRefusal(qt_error_string(errno));
 #endif
     return {};
 }
@@ -61,7 +61,7 @@ QString writeProblem(const QFileDevice& file)
     // A file that takes a part of what it was given has no error to tell of.
     return file.error() == QFileDevice::NoError
                ? say(QT_TRANSLATE_NOOP("Files", "only a part of it could be written; check that its disk has room"))
-               : file.errorString();
+               : writeRefusal(file.errorString());
 }
 
 AtomicFile::AtomicFile(const QString& path) : m_file(path) {}
@@ -72,8 +72,7 @@ Checked<void> AtomicFile::open()
         return writable;
     // QSaveFile commits also where flushing its own buffer failed, so it gets none.
     if (!m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
-        return refuse(
-            say(QT_TRANSLATE_NOOP("Files", "%1; check that you may write to its folder")).arg(m_file.errorString()));
+        return refuse(writeRefusal(m_file.errorString()));
     return {};
 }
 

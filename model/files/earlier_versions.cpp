@@ -60,7 +60,7 @@ Checked<void> copyFile(QFile& from, const QString& path)
     for (QByteArray piece = from.read(kCopiedBytes); !piece.isEmpty(); piece = from.read(kCopiedBytes))
         copy.write(piece);
     if (from.error() != QFileDevice::NoError)
-        return refuse(from.errorString());
+        return refuse(readRefusal(from.errorString()));
     return copy.commit();
 }
 
@@ -79,7 +79,7 @@ Checked<void> keepEarlierVersions(const QString& path)
     if (!now.exists())
         return {};
     if (!now.open(QIODevice::ReadOnly))
-        return refuse(now.errorString());
+        return refuse(readRefusal(now.errorString()));
     // Where saving failed after this and is tried again, it is there already.
     if (haveSameBytes(now, earlierVersion(path, 1)))
         return {};
@@ -93,7 +93,8 @@ Checked<void> keepEarlierVersions(const QString& path)
         const QString from = earlierVersion(path, number);
         if (QFileInfo::exists(from) && !renames.rename(from, earlierVersion(path, number + 1))) {
             QFile::remove(newest);
-            return refuse(say(QT_TRANSLATE_NOOP("Files", "it can't take the place of the one before")));
+            return refuse(say(QT_TRANSLATE_NOOP(
+                "Files", "it can't take the place of the one before; close what has that open and try again")));
         }
     }
     renames.keep();

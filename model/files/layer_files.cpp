@@ -210,11 +210,8 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
         return tooMuch();
     if (!inBatches<Encoding>(missing, progress, [](Encoding& one) { one.png = encodeLayer(one.raster); }))
         return false;
-    for (const Encoding& one : missing) {
-        if (one.png.isEmpty())
-            return refuse(say(QT_TRANSLATE_NOOP("Files", "there is not enough memory to encode its maps")));
+    for (const Encoding& one : missing)
         cache.insert(one.raster, one.png);
-    }
     ImageBudget budget;
     bool fits = true;
     for (const StoredLayer& stored : storedLayers) {

@@ -2,13 +2,13 @@
 #include "model/files/png_codec.h"
 
 #include "model/files/png_reader.h"
+#include "model/files/png_writer.h"
 #include "model/new_image.h"
 #include "model/project.h"
 #include "model/texel_ops.h"
+#include "sim/base/parallel.h"
 
-#include <QBuffer>
 #include <QImage>
-#include <QImageWriter>
 #include <QtEndian>
 
 #include <algorithm>
@@ -20,9 +20,7 @@ namespace hairpaint::model {
 namespace {
 
 constexpr int kTile = sim::TiledRaster::kTileSize;
-constexpr int kDotsPerMeter = 2835; // 72 to an inch; Qt would write the screen's own
-constexpr int kCompression = 20;    // of 100: zlib's level 1 or 2
-constexpr int kRgb = 2;             // PNG's numbers of colour types
+constexpr int kRgb = 2; // PNG's numbers of colour types
 constexpr int kRgba = 6;
 constexpr std::size_t kPixelBytes = 8;
 constexpr std::uint16_t kVectorBlue = 32768; ///< Of layers of vectors, which have two values.
@@ -33,27 +31,44 @@ tl::unexpected<Clause> brokenImage()
 }
 
 /// Fills one row of texels from RGBA64 in PNG's byte order; true where it held just what encodeLayer would write.
-bool takeRow(const std::uint8_t* bytes, std::uint16_t* texels, int count, int channels, std::uint16_t greatestIndex)
+template<int channels>
+bool takeChannels(const std::uint8_t* bytes, std::uint16_t* texels, int count, std::uint16_t greatestIndex)
 {
+    const auto channel = [](quint64 rgba, unsigned number) {
+        return static_cast<std::uint16_t>(rgba >> (48U - 16U * number));
+    };
     bool ours = true;
     for (int x = 0; x < count; ++x, bytes += kPixelBytes, texels += channels) {
-        std::array<std::uint16_t, 4> rgba{};
-        qFromBigEndian<quint16>(bytes, 4, rgba.data());
-        if (channels == 4) {
-            std::copy_n(rgba.begin(), 4, texels);
-            continue;
+        const auto rgba = qFromBigEndian<quint64>(bytes);
+        if constexpr (channels == 4) {
+            for (unsigned i = 0; i < 4; ++i)
+                texels[i] = channel(rgba, i);
+        } else if constexpr (channels == 3) {
+            ours &= channel(rgba, 2) == kVectorBlue;
+            texels[0] = channel(rgba, 0);
+            texels[1] = channel(rgba, 1);
+            texels[2] = channel(rgba, 3);
+        } else {
+            const std::uint16_t value = channel(rgba, 0);
+            const bool isKnown = value <= greatestIndex;
+            ours &= isKnown && channel(rgba, 1) == value && channel(rgba, 2) == value;
+            texels[0] = isKnown ? value : std::uint16_t{0};
+            texels[1] = channel(rgba, 3);
         }
-        if (channels == 3) {
-            ours = ours && rgba[2] == kVectorBlue;
-            std::copy_n(rgba.begin(), 2, texels);
-            texels[2] = rgba[3];
-            continue;
-        }
-        ours = ours && rgba[1] == rgba[0] && rgba[2] == rgba[0] && rgba[0] <= greatestIndex;
-        texels[0] = rgba[0] <= greatestIndex ? rgba[0] : std::uint16_t{0};
-        texels[1] = rgba[3];
     }
     return ours;
+}
+
+bool takeRow(const std::uint8_t* bytes, std::uint16_t* texels, int count, int channels, std::uint16_t greatestIndex)
+{
+    switch (channels) {
+    case 4:
+        return takeChannels<4>(bytes, texels, count, greatestIndex);
+    case 3:
+        return takeChannels<3>(bytes, texels, count, greatestIndex);
+    default:
+        return takeChannels<2>(bytes, texels, count, greatestIndex);
+    }
 }
 
 /// Puts tiles into a raster; those of one value are folded, and neighbours of the same value share one tile.
@@ -136,39 +151,41 @@ int takeRows(PngRows& rows, const MapSpec& spec, DecodedLayer& layer)
     return layer.raster.size();
 }
 
+/// Writes a tile's texels where they lie among those of its row of tiles.
+void giveTile(const sim::TiledRaster& raster, int index, PngRowBuffer& rows)
+{
+    const sim::RasterTile& tile = *raster.tile(index);
+    const int channels = raster.channels();
+    const std::size_t first = kPixelBytes * static_cast<std::size_t>(raster.tileRect(index).x0);
+    const int step = tile.isUniform() ? 0 : channels;
+    for (int y = 0; y < kTile; ++y) {
+        std::uint8_t* bytes = rows.row(y).data() + first;
+        const std::uint16_t* texel =
+            tile.isUniform() ? tile.uniform.data() : tile.pixels.data() + std::ptrdiff_t{y} * kTile * channels;
+        for (int x = 0; x < kTile; ++x, bytes += kPixelBytes, texel += step) {
+            const quint64 red = texel[0];
+            const quint64 green = texel[channels > 2 ? 1 : 0];
+            const quint64 blue = channels == 4 ? texel[2] : channels == 3 ? kVectorBlue : texel[0];
+            qToBigEndian(red << 48U | green << 32U | blue << 16U | texel[channels - 1], bytes);
+        }
+    }
+}
+
 } // namespace
 
 QByteArray encodeLayer(const sim::TiledRaster& raster)
 {
-    const int size = raster.size();
-    const int channels = raster.channels();
-    QImage image = newImage(size, size, QImage::Format_RGBA64);
-    for (int index = 0; index < raster.tileCount(); ++index) {
-        const sim::RasterTile& tile = *raster.tile(index);
-        const sim::TexelRect rect = raster.tileRect(index);
-        for (int y = 0; y < kTile; ++y) {
-            auto* rgba = reinterpret_cast<quint16*>(image.scanLine(rect.y0 + y)) + std::ptrdiff_t{4} * rect.x0;
-            const std::uint16_t* texel =
-                tile.isUniform() ? tile.uniform.data() : tile.pixels.data() + std::ptrdiff_t{y} * kTile * channels;
-            const int step = tile.isUniform() ? 0 : channels;
-            for (int x = 0; x < kTile; ++x, rgba += 4, texel += step) {
-                rgba[0] = texel[0];
-                rgba[1] = texel[channels > 2 ? 1 : 0];
-                rgba[2] = channels == 4 ? texel[2] : channels == 3 ? kVectorBlue : texel[0];
-                rgba[3] = texel[channels - 1];
-            }
+    const int across = raster.tilesAcross();
+    std::vector<PngBand> bands(static_cast<std::size_t>(across));
+    sim::parallelFor(bands.size(), 1, [&](std::size_t begin, std::size_t end) {
+        PngRowBuffer rows(raster.size(), kTile);
+        for (std::size_t band = begin; band < end; ++band) {
+            for (int column = 0; column < across; ++column)
+                giveTile(raster, static_cast<int>(band) * across + column, rows);
+            bands[band] = packBand(rows);
         }
-    }
-    image.setDotsPerMeterX(kDotsPerMeter);
-    image.setDotsPerMeterY(kDotsPerMeter);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    QImageWriter writer(&buffer, "png");
-    writer.setCompression(kCompression);
-    if (!writer.write(image))
-        bytes.clear();
-    return bytes;
+    });
+    return pngOf(raster.size(), raster.size(), bands);
 }
 
 Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, int size)
@@ -180,7 +197,7 @@ Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, in
         return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not %1 x %1 in 16-bit RGBA")).arg(size));
 
     DecodedLayer layer{.raster = sim::TiledRaster(size, spec.layerChannels()), .ours = parts->onlyPixelsAndDpi};
-    PngRows rows(parts->packedPixels, kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
+    PngRows rows(parts->pixelChunks, kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
     if (takeRows(rows, spec, layer) != size || !rows.atEnd())
         return brokenImage();
     return layer;
@@ -192,8 +209,7 @@ SalvagedLayer salvageLayer(const QByteArray& png, const MapSpec& spec, int size)
     const std::optional<PngParts> header = readPngHeader(png);
     if (header && !isLayer(*header, size))
         return {.raster = std::move(layer.raster)};
-    const QByteArray packed = packedPixelsOf(png);
-    PngRows rows(packed, kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
+    PngRows rows(pixelChunksOf(png), kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
     const int count = takeRows(rows, spec, layer);
     return {.raster = std::move(layer.raster), .rows = count};
 }
@@ -208,7 +224,7 @@ QImage decodePicture(const QByteArray& png, int mostSide)
     const bool hasAlpha = parts->colourType == kRgba;
     QImage image = newImage(static_cast<int>(parts->width), static_cast<int>(parts->height),
                             hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
-    PngRows rows(parts->packedPixels, std::size_t{parts->width} * (hasAlpha ? 4 : 3), hasAlpha ? 4 : 3);
+    PngRows rows(parts->pixelChunks, std::size_t{parts->width} * (hasAlpha ? 4 : 3), hasAlpha ? 4 : 3);
     for (int y = 0; y < image.height(); ++y) {
         const std::span<const std::uint8_t> row = rows.next();
         if (row.empty())

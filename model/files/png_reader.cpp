@@ -20,6 +20,12 @@ namespace {
 constexpr std::array<char, 8> kSignature = {'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
 constexpr std::size_t kFrameBytes = 12; // length, type and checksum around a chunk's data
 constexpr quint32 kLongestChunk = 0x7FFFFFFF;
+constexpr QByteArrayView kPixels("IDAT");
+
+QByteArrayView partOf(const QByteArray& bytes, std::size_t begin, std::size_t end)
+{
+    return QByteArrayView(bytes).sliced(static_cast<qsizetype>(begin), static_cast<qsizetype>(end - begin));
+}
 
 quint32 checksum(const char* bytes, std::size_t count)
 {
@@ -91,6 +97,8 @@ std::optional<PngParts> readPngParts(const QByteArray& png)
         return std::nullopt;
     PngParts parts;
     bool sawHeader = false;
+    std::size_t firstPixels = 0;
+    std::size_t pixelsEnd = 0;
     const auto size = static_cast<std::size_t>(png.size());
     for (std::size_t at = kSignature.size(); at + kFrameBytes <= size;) {
         const char* chunk = png.constData() + at;
@@ -105,17 +113,20 @@ std::optional<PngParts> readPngParts(const QByteArray& png)
         sawHeader = true;
         at += kFrameBytes + length;
         if (type == QByteArrayView("IEND")) {
-            if (at != size || parts.packedPixels.isEmpty())
+            if (at != size || pixelsEnd == 0)
                 return std::nullopt;
+            parts.pixelChunks = partOf(png, firstPixels, pixelsEnd);
             return parts;
         }
         const bool isAncillary = (static_cast<unsigned char>(chunk[4]) & 0x20U) != 0;
-        if (type == QByteArrayView("IDAT"))
-            parts.packedPixels.append(chunk + 8, static_cast<qsizetype>(length));
-        else if (!isHeader && !isAncillary && type != QByteArrayView("PLTE"))
+        if (type == kPixels) {
+            firstPixels = pixelsEnd == 0 ? at - kFrameBytes - length : firstPixels;
+            pixelsEnd = at;
+        } else if (!isHeader && !isAncillary && type != QByteArrayView("PLTE")) {
             return std::nullopt;
-        else if (!isHeader)
+        } else if (!isHeader) {
             parts.onlyPixelsAndDpi = parts.onlyPixelsAndDpi && type == QByteArrayView("pHYs");
+        }
     }
     return std::nullopt;
 }
@@ -133,29 +144,29 @@ std::optional<PngParts> readPngHeader(const QByteArray& png)
     return parts;
 }
 
-QByteArray packedPixelsOf(const QByteArray& png)
+QByteArrayView pixelChunksOf(const QByteArray& png)
 {
-    QByteArray packed;
+    std::size_t firstPixels = 0;
+    std::size_t pixelsEnd = 0;
     const auto size = static_cast<std::size_t>(png.size());
     for (std::size_t at = kSignature.size(); at + kFrameBytes <= size;) {
         const char* chunk = png.constData() + at;
         const auto length = qFromBigEndian<quint32>(chunk);
-        const bool isPixels = QByteArrayView(chunk + 4, 4) == QByteArrayView("IDAT");
-        const std::size_t there = size - at - kFrameBytes;
-        if (length > there) {
-            if (isPixels)
-                packed.append(chunk + 8, static_cast<qsizetype>(std::min<std::size_t>(length, size - at - 8)));
-            break;
-        }
-        if (checksum(chunk + 4, std::size_t{length} + 4) == qFromBigEndian<quint32>(chunk + 8 + length)) {
-            if (isPixels)
-                packed.append(chunk + 8, static_cast<qsizetype>(length));
-        } else if (isPixels || !packed.isEmpty()) {
+        const bool isPixels = QByteArrayView(chunk + 4, 4) == kPixels;
+        const bool isCut = length > size - at - kFrameBytes;
+        const bool isGood =
+            isCut || checksum(chunk + 4, std::size_t{length} + 4) == qFromBigEndian<quint32>(chunk + 8 + length);
+        if (!isGood && (isPixels || pixelsEnd != 0))
             break; // One before the pixels says nothing that is not known of a layer.
+        if (isPixels) {
+            firstPixels = pixelsEnd == 0 ? at : firstPixels;
+            pixelsEnd = isCut ? size : at + kFrameBytes + length;
         }
+        if (isCut)
+            break;
         at += kFrameBytes + length;
     }
-    return packed;
+    return partOf(png, firstPixels, pixelsEnd);
 }
 
 struct PngRows::Stream
@@ -167,6 +178,23 @@ struct PngRows::Stream
     int pixelBytes = 0;
     std::vector<std::uint8_t> row;   ///< The filter's number, then the row.
     std::vector<std::uint8_t> above; ///< Likewise.
+    QByteArrayView chunks;           ///< Not begun yet.
+
+    /// Hands the next chunk of pixels to zlib; false where there is none.
+    bool nextChunk()
+    {
+        while (chunks.size() >= qsizetype{kFrameBytes} - 4) {
+            const auto length = qFromBigEndian<quint32>(chunks.data());
+            const bool isPixels = chunks.sliced(4, 4) == kPixels;
+            const qsizetype there = std::min<qsizetype>(length, chunks.size() - 8); // The last one may be cut off.
+            zlib.next_in = reinterpret_cast<const Bytef*>(chunks.data() + 8);
+            zlib.avail_in = isPixels ? static_cast<uInt>(there) : 0;
+            chunks = chunks.sliced(std::min<qsizetype>(qsizetype{length} + qsizetype{kFrameBytes}, chunks.size()));
+            if (zlib.avail_in > 0)
+                return true;
+        }
+        return false;
+    }
 
     /// Inflates `count` bytes; false where there are fewer.
     bool inflateTo(std::uint8_t* target, std::size_t count)
@@ -174,6 +202,10 @@ struct PngRows::Stream
         zlib.next_out = target;
         zlib.avail_out = static_cast<uInt>(count);
         while (zlib.avail_out > 0 && good && !ended) {
+            if (zlib.avail_in == 0 && !nextChunk()) {
+                good = false;
+                break;
+            }
             const int result = inflate(&zlib, Z_NO_FLUSH);
             if (result == Z_MEM_ERROR)
                 throw std::bad_alloc(); // Its own, and no damage.
@@ -199,7 +231,7 @@ struct PngRows::Stream
     }
 };
 
-PngRows::PngRows(const QByteArray& packedPixels, std::size_t rowBytes, int pixelBytes)
+PngRows::PngRows(QByteArrayView pixelChunks, std::size_t rowBytes, int pixelBytes)
     : m_stream(std::make_unique<Stream>())
 {
     Stream& stream = *m_stream;
@@ -207,8 +239,7 @@ PngRows::PngRows(const QByteArray& packedPixels, std::size_t rowBytes, int pixel
     stream.pixelBytes = pixelBytes;
     stream.row.resize(rowBytes + 1);
     stream.above.resize(rowBytes + 1);
-    stream.zlib.next_in = reinterpret_cast<const Bytef*>(packedPixels.constData());
-    stream.zlib.avail_in = static_cast<uInt>(packedPixels.size());
+    stream.chunks = pixelChunks;
     const int result = inflateInit(&stream.zlib);
     if (result == Z_MEM_ERROR)
         throw std::bad_alloc();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QByteArrayView>
 
 #include <cstdint>
 #include <memory>
@@ -20,27 +21,28 @@ struct PngParts
     int depth = 0;      ///< Bits a channel.
     int colourType = 0; ///< 2 RGB, 6 RGBA, ...
     bool interlaced = false;
-    QByteArray packedPixels;      ///< All IDAT together: one zlib stream.
+    /// Of the bytes given, the chunks from the first IDAT to the last; theirs together are one zlib stream.
+    QByteArrayView pixelChunks;
     bool onlyPixelsAndDpi = true; ///< No chunk was left out but pHYs, which says the resolution.
 };
 
-/// None where anything about the chunks is wrong. Allocates no more than the file's own size.
+/// None where anything about the chunks is wrong. Allocates nothing.
 [[nodiscard]] std::optional<PngParts> readPngParts(const QByteArray& png);
 
 /// What its first chunk says, without pixels; none where that chunk is broken.
 [[nodiscard]] std::optional<PngParts> readPngHeader(const QByteArray& png);
 
-/// The pixels' stream of a damaged one, up to the first chunk that is broken; what a chunk holds that the end cuts off
-/// belongs to it. Empty where there is none.
-[[nodiscard]] QByteArray packedPixelsOf(const QByteArray& png);
+/// The pixels' chunks of a damaged one, up to the first chunk that is broken; one that the end cuts off belongs to
+/// them. Empty where there is none.
+[[nodiscard]] QByteArrayView pixelChunksOf(const QByteArray& png);
 
 /// Inflates and unfilters one row after another. Throws std::bad_alloc where zlib finds no memory. Holds two rows and
 /// zlib's window, however large the image is.
 class PngRows
 {
 public:
-    /// `pixelBytes`: 3, 4, 6 or 8. `packedPixels` must outlive this.
-    PngRows(const QByteArray& packedPixels, std::size_t rowBytes, int pixelBytes);
+    /// `pixelBytes`: 3, 4, 6 or 8. What `pixelChunks` shows must outlive this.
+    PngRows(QByteArrayView pixelChunks, std::size_t rowBytes, int pixelBytes);
     ~PngRows();
     PngRows(const PngRows&) = delete;
     PngRows& operator=(const PngRows&) = delete;

@@ -56,6 +56,16 @@ tl::unexpected<Error> cancelled(const QString& path)
         say(QT_TRANSLATE_NOOP("Files", "Working on '%1' was cancelled; nothing has changed.")).arg(shownPath(path)));
 }
 
+QString readRefusal(const QString& reason)
+{
+    return say(QT_TRANSLATE_NOOP("Files", "%1; check that you may read it")).arg(reason);
+}
+
+QString writeRefusal(const QString& reason)
+{
+    return say(QT_TRANSLATE_NOOP("Files", "%1; check that you may write there, or choose another place")).arg(reason);
+}
+
 Clause notEnoughMemory()
 {
     return {.text = say(QT_TRANSLATE_NOOP("Files", "there is not enough memory for it; close other programs and try "
@@ -83,7 +93,7 @@ Result<void> checkReadable(const QString& path, qint64 mostBytes)
                 .arg(QLocale().formattedDataSize(mostBytes)));
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return refused(say(QT_TRANSLATE_NOOP("Files", "%1; check that you may read it")).arg(file.errorString()));
+        return refused(readRefusal(file.errorString()));
     return {};
 }
 

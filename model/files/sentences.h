@@ -37,6 +37,10 @@ using Checked = tl::expected<T, Clause>;
 [[nodiscard]] tl::unexpected<Error> cannotWrite(const QString& path, const Clause& clause);
 [[nodiscard]] tl::unexpected<Error> cancelled(const QString& path);
 
+/// The system's reason for refusing, as a clause with the way on.
+[[nodiscard]] QString readRefusal(const QString& reason);
+[[nodiscard]] QString writeRefusal(const QString& reason);
+
 /// A clause: want of memory.
 [[nodiscard]] Clause notEnoughMemory();
 

@@ -10,23 +10,13 @@
 
 namespace hairpaint::model {
 
-namespace {
-
-tl::unexpected<Error> notInFolder(const QString& place, const QString& problem)
-{
-    return cannotWrite(
-        place, {.text = say(QT_TRANSLATE_NOOP("Files", "%1; check that you may write to its folder")).arg(problem)});
-}
-
-} // namespace
-
 StagedFiles::StagedFiles(const QString& folder) : m_folder(folder + QStringLiteral("/hairpaint-XXXXXX")) {}
 
 Result<void> StagedFiles::check(const QString& place) const
 {
     if (m_folder.isValid())
         return {};
-    return notInFolder(place, m_folder.errorString());
+    return cannotWrite(place, {.text = writeRefusal(m_folder.errorString())});
 }
 
 QString StagedFiles::pathFor(const QString& place) const
@@ -47,7 +37,7 @@ Result<void> StagedFiles::publish(const QStringList& places) const
         std::filesystem::rename(QFileInfo(pathFor(place)).filesystemFilePath(), QFileInfo(place).filesystemFilePath(),
                                 problem);
         if (problem)
-            return notInFolder(place, QString::fromLocal8Bit(problem.message()));
+            return cannotWrite(place, {.text = writeRefusal(QString::fromLocal8Bit(problem.message()))});
     }
     return {};
 }

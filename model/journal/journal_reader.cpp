@@ -228,7 +228,7 @@ Result<std::optional<RecoveredWork>> read(const QString& path, const Progress& p
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return cannotOpen(path, {.text = file.errorString()});
+        return cannotOpen(path, {.text = readRefusal(file.errorString()), .cure = Clause::Cure::OtherFile});
     Scan scan(file);
     if (!scan.walk(progress))
         return cancelled(path);

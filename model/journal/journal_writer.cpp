@@ -60,7 +60,7 @@ Checked<void> JournalWriter::start(QFile& file)
     forget();
     if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered)) {
         m_failed = true;
-        return refuse(file.errorString());
+        return refuse(writeRefusal(file.errorString()));
     }
     return put(file, recordBytes(RecordKind::Start, journalStart()));
 }
@@ -147,12 +147,13 @@ Checked<void> JournalWriter::rewrite()
     file->close();
     if (!replaceFile(beside, m_path)) {
         m_failed = true;
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "it can't take the place of the one before")));
+        return refuse(say(QT_TRANSLATE_NOOP(
+            "Files", "it can't take the place of the one before; close what has that open and try again")));
     }
     m_file = std::make_unique<QFile>(m_path);
     if (!m_file->open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered)) {
         m_failed = true;
-        return refuse(m_file->errorString());
+        return refuse(writeRefusal(m_file->errorString()));
     }
     m_rewrittenBytes = m_bytes;
     return {};

@@ -165,7 +165,8 @@ private Q_SLOTS:
     void aHelperThatFailsCostsOneSentence_data()
     {
         QTest::addColumn<QByteArray>("mode");
-        for (const char* mode : {"abort", "silent", "hang", "endless garbage", "missing"})
+        for (const char* mode : {"abort", "silent", "hang", "endless garbage", "missing", "image of wrong size",
+                                 "mesh with a wrong index", "mesh with NaN", "good"})
             QTest::newRow(mode) << QByteArray(mode);
     }
     void aHelperThatFailsCostsOneSentence()

@@ -81,8 +81,12 @@ void openNoise(benchmark::State& state)
             return state.SkipWithError("not read");
 }
 
-BENCHMARK(saveCold)->Name("save_noise_cold")->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(saveAfterAnEdit)->Name("save_noise_after_an_edit")->UseRealTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(openNoise)->Name("open_noise")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(saveCold)->Name("save_noise_cold")->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(saveAfterAnEdit)
+    ->Name("save_noise_after_an_edit")
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(openNoise)->Name("open_noise")->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -60,13 +60,13 @@ bool isCutFromBelow(const sim::TiledRaster& left, const sim::TiledRaster& was, c
     return true;
 }
 
-const Layer* layerOf(const Project& project, Id id)
+/// Of that map: where the settings are cut off, the ids beyond are given anew, also to layers of other maps.
+const Layer* layerOf(const Project& project, MapKind kind, Id id)
 {
     for (const HairGroup& group : project.groups)
-        for (const MapStack& stack : group.maps)
-            for (const Layer& layer : stack.layers)
-                if (layer.id == id)
-                    return &layer;
+        for (const Layer& layer : group.map(kind).layers)
+            if (layer.id == id)
+                return &layer;
     return nullptr;
 }
 
@@ -150,8 +150,8 @@ private:
                 continue;
             const Id id = span.name.section(QLatin1Char('/'), 3).section(QLatin1Char('.'), 0, 0).toInt();
             const MapSpec& spec = *findMapSpec(span.name.section(QLatin1Char('/'), 2, 2));
-            const Layer* left = layerOf(project, id);
-            const Layer* was = layerOf(m_project, id);
+            const Layer* left = layerOf(project, spec.kind, id);
+            const Layer* was = layerOf(m_project, spec.kind, id);
             if (isWhole(span) && (left == nullptr || !(left->raster == was->raster)))
                 return QStringLiteral("%1 is whole and was lost; said '%2'").arg(span.name, said);
             if (left != nullptr && left->raster.channels() == was->raster.channels() &&

@@ -137,7 +137,8 @@ void StatusReadout::setSaved(Saved saved)
     m_savedState = saved;
     if (saved == Saved::No && !m_unprotected.isEmpty()) {
         m_saved->setText(tr("▲ Not saved, no safety copy"));
-        m_saved->setToolTip(tr("A crash would lose what is not saved: the program could not keep a copy of it (%1).")
+        m_saved->setToolTip(tr("A crash would lose what is not saved: the program could not keep a copy of it "
+                               "(%1). Save it now and then.")
                                 .arg(m_unprotected));
         return;
     }

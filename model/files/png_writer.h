@@ -1,0 +1,42 @@
+// Writes PNG files of 16-bit RGBA: bands of rows, each packed alone, so that several threads can pack one image and a
+// band that has not changed keeps its bytes. Any thread. Throws std::bad_alloc where memory runs out.
+#pragma once
+
+#include <QByteArray>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// Rows of an image, to be filled before they are packed.
+class PngRowBuffer
+{
+public:
+    PngRowBuffer(int width, int rows);
+
+    [[nodiscard]] int rows() const { return m_rows; }
+    /// 8 bytes a pixel, big-endian: red, green, blue, alpha.
+    [[nodiscard]] std::span<std::uint8_t> row(int y);
+    [[nodiscard]] std::span<const std::uint8_t> row(int y) const;
+
+private:
+    std::size_t m_rowBytes;
+    int m_rows;
+    std::vector<std::uint8_t> m_bytes; ///< A pixel of zeros before each row, to its left.
+};
+
+/// Rows as a piece of a deflate stream that refers to no other piece and ends on a whole byte.
+struct PngBand
+{
+    QByteArray packed;
+    std::uint32_t checksum = 0; ///< Adler-32 of the rows with the numbers of their filters.
+    std::size_t plainBytes = 0; ///< Of these.
+};
+[[nodiscard]] PngBand packBand(const PngRowBuffer& rows);
+
+/// An image of 72 dots an inch from its bands, the top one first.
+[[nodiscard]] QByteArray pngOf(int width, int height, std::span<const PngBand> bands);
+
+} // namespace hairpaint::model
