@@ -3,6 +3,7 @@
 
 #include "model/commands/commands.h"
 #include "model/files/image_map.h"
+#include "model/files/sentences.h"
 #include "model/names.h"
 
 #include <QDesktopServices>
@@ -47,8 +48,9 @@ void OutsideEdit::begin()
         m_folder = std::make_unique<QTemporaryDir>();
     if (!m_folder->isValid())
         return Q_EMIT failed(
-            tr("The image for the other program can't be written: %1; check that you may write to '%2'.")
-                .arg(m_folder->errorString(), QDir::toNativeSeparators(QDir::tempPath())));
+            model::cannotWrite(QDir::tempPath(), {.text = model::writeRefusal(m_folder->errorString())})
+                .value()
+                .message);
     const model::MapSpec& spec = model::mapSpec(target.map);
     const QString path =
         m_folder->filePath(QStringLiteral("%1-%2.png").arg(QLatin1StringView(spec.id)).arg(++m_number));

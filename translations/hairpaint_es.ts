@@ -2656,10 +2656,6 @@
         <translation>Editar %1 en otro programa</translation>
     </message>
     <message>
-        <source>The image for the other program can&apos;t be written: %1; check that you may write to &apos;%2&apos;.</source>
-        <translation>No se puede escribir la imagen para el otro programa: %1; comprueba que puedes escribir en «%2».</translation>
-    </message>
-    <message>
         <source>The layer of &apos;%1&apos; is in another project; open that one and load the image into its map with File &gt; Load image into map.</source>
         <translation>La capa de «%1» está en otro proyecto; abre ese y carga la imagen en su mapa con Archivo &gt; Cargar imagen en el mapa.</translation>
     </message>

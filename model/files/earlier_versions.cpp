@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -21,8 +22,8 @@ class Renames
 public:
     ~Renames()
     {
-        for (auto last = m_done.rbegin(); last != m_done.rend(); ++last)
-            (void)replaceFile(last->second, last->first);
+        for (const auto& [from, to] : std::views::reverse(m_done))
+            (void)replaceFile(to, from);
     }
     Renames() = default;
     Renames(const Renames&) = delete;

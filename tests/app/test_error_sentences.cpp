@@ -113,7 +113,6 @@ const Exceptions& otherSentences()
         {QStringLiteral("'%1' has changes that are not saved."), QStringLiteral("a question's; its buttons go on")},
         {QStringLiteral("'%1' can't be opened: %2."), QStringLiteral("its reasons say how to go on")},
         {QStringLiteral("'%1' can't be written: %2."), QStringLiteral("its reasons say how to go on")},
-        {QStringLiteral("What it said of '%1' is lost; the usual takes its place."), QStringLiteral("a repair's list")},
         {QStringLiteral("Settings of the group '%1' are lost; the usual ones take their place."),
          QStringLiteral("a repair's list")},
         {QStringLiteral("'%2' of the group '%1' is lost; the usual takes its place."),
