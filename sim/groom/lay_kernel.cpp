@@ -133,11 +133,14 @@ HWY_INLINE void layFrom(D d, const LayTask& task, std::size_t lane)
                 const V flatness = hn::Min(hn::Sqrt(dot(growth, growth)), one);
                 // Cells are coarse: at the edge of a parting hair begins in one of the other side, and goes on as it
                 // does.
-                const Vec3<V> onward = sub(direction, scale(normal, dot(direction, normal)));
-                const V onward2 = hn::Max(dot(onward, onward), hn::Set(d, 1e-6F));
-                const M strange = hn::And(hn::Lt(path, hn::Set(d, kEdgeM)),
-                                          hn::Lt(dot(onward, growth), hn::Mul(hn::Set(d, kAgainst), flatness)));
-                growth = choose(strange, scale(onward, hn::Div(flatness, hn::Sqrt(onward2))), growth);
+                const M atEdge = hn::And(held, hn::Lt(path, hn::Set(d, kEdgeM)));
+                if (!hn::AllFalse(d, atEdge)) {
+                    const Vec3<V> onward = sub(direction, scale(normal, dot(direction, normal)));
+                    const V onward2 = hn::Max(dot(onward, onward), hn::Set(d, 1e-6F));
+                    const M strange =
+                        hn::And(atEdge, hn::Lt(dot(onward, growth), hn::Mul(hn::Set(d, kAgainst), flatness)));
+                    growth = choose(strange, scale(onward, hn::Div(flatness, hn::Sqrt(onward2))), growth);
+                }
                 const V sine =
                     hn::Min(hn::Max(hn::Mul(hn::Sub(coat, height), perClimb), diving), hn::Set(d, kSteepest));
                 const V sine2 = hn::Mul(sine, sine);
