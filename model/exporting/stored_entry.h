@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/files/atomic_file.h"
+#include "model/files/zip_records.h"
 
-#include <string>
 #include <string_view>
 
 namespace hairpaint::model {
@@ -14,7 +14,7 @@ class StoredEntry
 {
 public:
     /// `name`: ASCII. The file is open and empty.
-    StoredEntry(AtomicFile& file, std::string name);
+    StoredEntry(AtomicFile& file, const QByteArray& name);
 
     void write(std::string_view bytes);
     /// The archive's directory, and the entry's size and checksum in its head. Refuses what is too large for a ZIP
@@ -22,13 +22,9 @@ public:
     [[nodiscard]] Checked<void> finish();
 
 private:
-    [[nodiscard]] std::string commonFields() const;
-
     AtomicFile& m_file;
-    std::string m_name;
-    std::string m_padding; ///< An extra field that moves the bytes to a multiple of 64.
-    quint64 m_size = 0;
-    quint32 m_checksum = 0;
+    ZipRecord m_record;
+    qint64 m_bytes = 0;
 };
 
 } // namespace hairpaint::model

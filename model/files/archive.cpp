@@ -2,10 +2,12 @@
 #include "model/files/archive.h"
 
 #include "model/files/atomic_file.h"
+#include "model/files/zip_records.h"
 
 #include <QFile>
 
 #include <zip.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <new>
@@ -15,8 +17,8 @@ namespace hairpaint::model {
 namespace {
 
 constexpr qsizetype kEndRecordBytes = 22;
+constexpr qint64 kMostTailBytes = 1024;     ///< More than a header and the end of the directory take.
 constexpr quint64 kMostDeflateRatio = 1032; // one bit of deflate stands for at most 258 bytes, twice over a code of 2
-constexpr zip_uint16_t kDosDate1980 = (0U << 9U) | (1U << 5U) | 1U;
 
 tl::unexpected<Clause> brokenArchive()
 {
@@ -201,12 +203,17 @@ Checked<void> ArchiveReader::readDirectory()
         if ((!stored && stat.comp_method != ZIP_CM_DEFLATE) || stat.encryption_method != ZIP_EM_NONE ||
             stat.comp_size > (1ULL << 32U) || stat.size > plausible)
             return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is packed in an unacceptable way")).arg(name));
-        m_entries.emplace(name, Entry{.index = index, .size = stat.size, .crc = stat.crc});
+        m_entries.emplace(name, Entry{.index = index, .size = stat.size, .crc = stat.crc, .isStored = stored});
     }
     return {};
 }
 
-Checked<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes) const
+tl::unexpected<Clause> brokenEntry(const QString& name)
+{
+    return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is broken")).arg(name));
+}
+
+Checked<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes, Check check) const
 {
     const auto entry = m_entries.find(name);
     if (entry == m_entries.end())
@@ -214,10 +221,9 @@ Checked<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes) c
     const Entry& found = entry->second;
     if (found.size > static_cast<quint64>(mostBytes))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is too large")).arg(name));
-    const auto broken = [&name] {
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is broken")).arg(name));
-    };
-    zip_file_t* file = zip_fopen_index(m_handle->zip, found.index, 0);
+    const auto broken = [&name] { return brokenEntry(name); };
+    const bool isRaw = check == Check::ByCaller && found.isStored; // libzip compares what it unpacks.
+    zip_file_t* file = zip_fopen_index(m_handle->zip, found.index, isRaw ? ZIP_FL_COMPRESSED : 0);
     if (file == nullptr) {
         throwIfMemoryLacks(zip_get_error(m_handle->zip));
         return broken();
@@ -242,146 +248,59 @@ Checked<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes) c
     return bytes;
 }
 
-void ArchiveWriter::add(const QByteArray& name, const QByteArray& bytes, Method method)
+void ArchiveWriter::add(const QByteArray& name, const QByteArray& bytes, Method method, std::optional<quint32> checksum)
 {
-    m_entries.push_back({.name = name, .bytes = bytes, .method = method});
+    m_entries.push_back({.name = name, .bytes = bytes, .method = method, .checksum = checksum});
 }
 
 namespace {
 
-/// What libzip writes an archive to: straight into the file beside its place.
-struct FileTarget
+/// A deflate stream, as small as zlib makes it.
+QByteArray deflated(const QByteArray& bytes)
 {
-    explicit FileTarget(const QString& path) : file(path) {}
-    AtomicFile file;
-    qint64 at = 0;          ///< Where the next bytes go.
-    qint64 end = 0;         ///< Bytes written.
-    bool isStarved = false; ///< Memory ran out, which must not be thrown through libzip.
-
-    /// False where it fails; the file remembers why, for its commit.
-    bool write(QByteArrayView bytes)
-    {
-        try {
-            if (at == end)
-                file.write(bytes);
-            else
-                file.rewrite(at, bytes);
-        } catch (const std::bad_alloc&) {
-            isStarved = true;
-            return false;
-        }
-        at += bytes.size();
-        end = std::max(end, at);
-        return !file.failed();
-    }
-};
-
-zip_int64_t writeFile(void* user, void* data, zip_uint64_t length, zip_source_cmd_t command)
-{
-    auto& target = *static_cast<FileTarget*>(user);
-    switch (command) {
-    case ZIP_SOURCE_WRITE:
-        return target.write(QByteArrayView(static_cast<const char*>(data), static_cast<qsizetype>(length)))
-                   ? static_cast<zip_int64_t>(length)
-                   : -1;
-    case ZIP_SOURCE_TELL_WRITE:
-        return target.at;
-    case ZIP_SOURCE_SEEK_WRITE: {
-        ErrorHolder error;
-        const zip_int64_t at = zip_source_seek_compute_offset(
-            static_cast<zip_uint64_t>(target.at), static_cast<zip_uint64_t>(target.end), data, length, &error.error);
-        if (at < 0)
-            return -1;
-        target.at = at;
-        return 0;
-    }
-    case ZIP_SOURCE_STAT: {
-        auto* stat = static_cast<zip_stat_t*>(data);
-        zip_stat_init(stat);
-        stat->valid = ZIP_STAT_SIZE;
-        stat->size = 0;
-        return sizeof(*stat);
-    }
-    case ZIP_SOURCE_ERROR: {
-        auto* codes = static_cast<int*>(data);
-        codes[0] = ZIP_ER_WRITE;
-        codes[1] = 0;
-        return 2 * sizeof(int);
-    }
-    case ZIP_SOURCE_SUPPORTS:
-        return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT,
-                                              ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, ZIP_SOURCE_SEEK, ZIP_SOURCE_TELL,
-                                              ZIP_SOURCE_SUPPORTS, ZIP_SOURCE_BEGIN_WRITE, ZIP_SOURCE_COMMIT_WRITE,
-                                              ZIP_SOURCE_ROLLBACK_WRITE, ZIP_SOURCE_SEEK_WRITE, ZIP_SOURCE_TELL_WRITE,
-                                              ZIP_SOURCE_WRITE, ZIP_SOURCE_REMOVE, -1);
-    case ZIP_SOURCE_OPEN: // Nothing is there yet that could be read.
-    case ZIP_SOURCE_READ:
-    case ZIP_SOURCE_CLOSE:
-    case ZIP_SOURCE_SEEK:
-    case ZIP_SOURCE_TELL:
-    case ZIP_SOURCE_FREE:
-    case ZIP_SOURCE_BEGIN_WRITE: // The file itself begins, commits and takes back.
-    case ZIP_SOURCE_COMMIT_WRITE:
-    case ZIP_SOURCE_ROLLBACK_WRITE:
-    case ZIP_SOURCE_REMOVE:
-        return 0;
-    default:
-        return -1;
-    }
-}
-
-/// False where libzip fails, on its own or because the file did.
-bool writeEntries(const std::vector<ArchiveWriter::Entry>& entries, FileTarget& target)
-{
-    ErrorHolder error;
-    zip_source_t* source = zip_source_function_create(writeFile, &target, &error.error);
-    if (source == nullptr)
-        return false;
-    zip_t* zip = zip_open_from_source(source, ZIP_CREATE | ZIP_TRUNCATE, &error.error);
-    if (zip == nullptr) {
-        zip_source_free(source);
-        return false;
-    }
-    for (const ArchiveWriter::Entry& entry : entries) {
-        zip_source_t* content =
-            zip_source_buffer(zip, entry.bytes.constData(), static_cast<zip_uint64_t>(entry.bytes.size()), 0);
-        const zip_int64_t index =
-            content == nullptr ? -1 : zip_file_add(zip, entry.name.constData(), content, ZIP_FL_ENC_UTF_8);
-        if (index < 0) {
-            if (content != nullptr)
-                zip_source_free(content);
-            zip_discard(zip);
-            return false;
-        }
-        const auto at = static_cast<zip_uint64_t>(index);
-        const zip_int32_t method = entry.method == ArchiveWriter::Method::Stored ? ZIP_CM_STORE : ZIP_CM_DEFLATE;
-        if (zip_set_file_compression(zip, at, method, 0) != 0 ||
-            zip_file_set_dostime(zip, at, 0, kDosDate1980, 0) != 0) {
-            zip_discard(zip);
-            return false;
-        }
-    }
-    if (zip_close(zip) != 0) {
-        zip_discard(zip);
-        return false;
-    }
-    return true;
+    constexpr int kSmallest = 9;
+    constexpr qsizetype kZlibHeader = 2;
+    constexpr qsizetype kZlibEnd = 4;
+    auto packedBytes = compressBound(static_cast<uLong>(bytes.size()));
+    QByteArray packed(static_cast<qsizetype>(packedBytes), Qt::Uninitialized);
+    if (compress2(reinterpret_cast<Bytef*>(packed.data()), &packedBytes,
+                  reinterpret_cast<const Bytef*>(bytes.constData()), static_cast<uLong>(bytes.size()),
+                  kSmallest) != Z_OK)
+        throw std::bad_alloc(); // Nothing else can fail.
+    return packed.sliced(kZlibHeader, static_cast<qsizetype>(packedBytes) - kZlibHeader - kZlibEnd);
 }
 
 } // namespace
 
 Checked<void> ArchiveWriter::writeTo(const QString& path) const
 {
-    FileTarget target(path);
-    if (Checked<void> opened = target.file.open(); !opened)
+    AtomicFile file(path);
+    if (Checked<void> opened = file.open(); !opened)
         return opened;
-    const bool isWritten = writeEntries(m_entries, target);
-    if (target.isStarved)
-        throw std::bad_alloc();
-    if (!isWritten && !target.file.failed())
-        return refuse(
-            say(QT_TRANSLATE_NOOP("Files", "its archive could not be made; close other programs and try again")));
-    return target.file.commit();
+    qint64 at = 0;
+    QByteArray directory;
+    for (const Entry& entry : m_entries) {
+        const bool isDeflated = entry.method == Method::Deflated;
+        const QByteArray packed = isDeflated ? deflated(entry.bytes) : entry.bytes;
+        const ZipRecord record{.name = entry.name,
+                               .padding = {},
+                               .isDeflated = isDeflated,
+                               .checksum = entry.checksum ? *entry.checksum : checksumOf(entry.bytes),
+                               .packedBytes = static_cast<quint32>(packed.size()),
+                               .bytes = static_cast<quint32>(entry.bytes.size()),
+                               .at = static_cast<quint32>(at)};
+        const QByteArray header = localHeader(record);
+        directory += directoryHeader(record);
+        at += header.size() + packed.size();
+        if (at + directory.size() + kMostTailBytes > kMostZipBytes)
+            return refuse(say(QT_TRANSLATE_NOOP("Files", "it would be larger than 4 GB; use fewer layers or smaller "
+                                                         "maps")));
+        file.write(header);
+        file.write(packed);
+    }
+    file.write(directory);
+    file.write(endOfDirectory(static_cast<int>(m_entries.size()), directory.size(), at));
+    return file.commit();
 }
 
 } // namespace hairpaint::model

@@ -1,4 +1,4 @@
-// ZIP archives as project and preset files use them. Wraps libzip.
+// ZIP archives as project and preset files use them. Wraps libzip, which reads.
 // Errors: clauses for a sentence of sentences.h.
 #pragma once
 
@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace hairpaint::model {
@@ -27,8 +28,13 @@ public:
     ~ArchiveReader();
 
     [[nodiscard]] bool contains(const QString& name) const { return m_entries.contains(name); }
+    enum class Check
+    {
+        Checksum,
+        ByCaller ///< Who compares it, on whatever thread, and refuses with brokenEntry().
+    };
     /// Refuses an entry that is missing, larger than `mostBytes`, or does not match its checksum.
-    [[nodiscard]] Checked<QByteArray> read(const QString& name, qint64 mostBytes) const;
+    [[nodiscard]] Checked<QByteArray> read(const QString& name, qint64 mostBytes, Check check = Check::Checksum) const;
     /// Of an entry that there is.
     [[nodiscard]] quint32 checksum(const QString& name) const { return m_entries.at(name).crc; }
 
@@ -38,6 +44,7 @@ private:
         quint64 index = 0;
         quint64 size = 0;
         quint32 crc = 0;
+        bool isStored = false;
     };
     struct Handle;
     ArchiveReader();
@@ -46,6 +53,8 @@ private:
     std::unique_ptr<Handle> m_handle;
     std::map<QString, Entry> m_entries; ///< A QHash ends the program where memory runs out.
 };
+
+[[nodiscard]] tl::unexpected<Clause> brokenEntry(const QString& name);
 
 /// Collects entries and writes them all at once. The same entries give the same bytes.
 class ArchiveWriter
@@ -56,19 +65,19 @@ public:
         Stored,
         Deflated
     };
-    /// `name`: ASCII.
-    void add(const QByteArray& name, const QByteArray& bytes, Method method);
+    /// `name`: ASCII; `checksum`: CRC-32 of the bytes, where it is known.
+    void add(const QByteArray& name, const QByteArray& bytes, Method method, std::optional<quint32> checksum = {});
     /// Atomic: afterwards `path` holds the archive, or what it held before.
     [[nodiscard]] Checked<void> writeTo(const QString& path) const;
 
+private:
     struct Entry
     {
         QByteArray name;
         QByteArray bytes;
         Method method = Method::Stored;
+        std::optional<quint32> checksum;
     };
-
-private:
     std::vector<Entry> m_entries;
 };
 

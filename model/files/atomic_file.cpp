@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QStorageInfo>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -19,6 +20,7 @@ namespace hairpaint::model {
 namespace {
 
 constexpr qsizetype kBufferBytes = 1 << 18;
+constexpr qsizetype kMostAtOnce = 1 << 23;
 
 QString noSpace()
 {
@@ -33,6 +35,15 @@ QString syncProblem([[maybe_unused]] const QFileDevice& file)
         return errno == ENOSPC ? noSpace() : writeRefusal(qt_error_string(errno));
 #endif
     return {};
+}
+
+/// Has the disk begin with bytes that commit() will wait for, while more are written; a hint, which may do nothing.
+void beginFlush([[maybe_unused]] const QFileDevice& file, [[maybe_unused]] qint64 at, [[maybe_unused]] qint64 count)
+{
+#ifdef Q_OS_LINUX
+    if (count == kMostAtOnce)
+        (void)::sync_file_range(file.handle(), at, count, SYNC_FILE_RANGE_WRITE);
+#endif
 }
 
 /// So that a new name outlives a power cut; not every file system can, and the file itself is safe by now.
@@ -91,11 +102,14 @@ void AtomicFile::writeThrough(QByteArrayView bytes)
 {
     while (!bytes.isEmpty() && !failed()) {
         // A disk that is filling up takes a part, and says why only when asked again.
-        const qint64 written = m_file.write(bytes.data(), bytes.size());
-        if (written <= 0)
+        const qint64 at = m_file.pos();
+        const qint64 written = m_file.write(bytes.data(), std::min(bytes.size(), kMostAtOnce));
+        if (written <= 0) {
             m_problem = writeProblem(m_file);
-        else
-            bytes = bytes.sliced(static_cast<qsizetype>(written));
+            continue;
+        }
+        beginFlush(m_file, at, written);
+        bytes = bytes.sliced(static_cast<qsizetype>(written));
     }
 }
 

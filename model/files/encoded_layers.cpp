@@ -9,12 +9,14 @@ namespace hairpaint::model {
 
 namespace {
 
-bool sameTiles(const sim::TiledRaster& a, const sim::TiledRaster& b)
+int commonTiles(const sim::TiledRaster& a, const sim::TiledRaster& b)
 {
+    if (a.size() != b.size() || a.channels() != b.channels())
+        return 0;
+    int count = 0;
     for (int index = 0; index < a.tileCount(); ++index)
-        if (a.tile(index) != b.tile(index))
-            return false;
-    return true;
+        count += a.tile(index) == b.tile(index) ? 1 : 0;
+    return count;
 }
 
 } // namespace
@@ -22,13 +24,14 @@ bool sameTiles(const sim::TiledRaster& a, const sim::TiledRaster& b)
 EncodedLayers::Entry* EncodedLayers::entryOf(const sim::TiledRaster& raster, const std::optional<sim::Texel>& uniform)
 {
     const auto found = std::ranges::find_if(m_entries, [&](const Entry& entry) {
-        return entry.raster.size() == raster.size() && entry.raster.channels() == raster.channels() &&
-               entry.uniform == uniform && (uniform || sameTiles(entry.raster, raster));
+        const sim::TiledRaster& known = entry.layer.raster;
+        return known.size() == raster.size() && known.channels() == raster.channels() && entry.uniform == uniform &&
+               (uniform || commonTiles(known, raster) == raster.tileCount());
     });
     return found == m_entries.end() ? nullptr : &*found;
 }
 
-std::optional<QByteArray> EncodedLayers::find(const sim::TiledRaster& raster)
+std::optional<PngFile> EncodedLayers::find(const sim::TiledRaster& raster)
 {
     const std::optional<sim::Texel> uniform = raster.uniformValue();
     const std::scoped_lock lock(m_mutex);
@@ -38,15 +41,28 @@ std::optional<QByteArray> EncodedLayers::find(const sim::TiledRaster& raster)
         return std::nullopt;
     }
     entry->used = true;
-    return entry->bytes;
+    return entry->layer.png;
 }
 
-void EncodedLayers::insert(const sim::TiledRaster& raster, const QByteArray& bytes)
+void EncodedLayers::insert(const sim::TiledRaster& raster, const PngFile& png)
 {
     const std::optional<sim::Texel> uniform = raster.uniformValue();
     const std::scoped_lock lock(m_mutex);
     if (entryOf(raster, uniform) == nullptr)
-        m_entries.push_back({.raster = raster, .uniform = uniform, .bytes = bytes});
+        m_entries.push_back({.layer = {.raster = raster, .png = png}, .uniform = uniform});
+}
+
+std::optional<EncodedLayer> EncodedLayers::nearest(const sim::TiledRaster& raster)
+{
+    const std::scoped_lock lock(m_mutex);
+    const Entry* best = nullptr;
+    int most = 0;
+    for (const Entry& entry : m_entries)
+        if (const int count = commonTiles(entry.layer.raster, raster); count > most) {
+            best = &entry;
+            most = count;
+        }
+    return best != nullptr ? std::optional(best->layer) : std::nullopt;
 }
 
 void EncodedLayers::dropUnused()

@@ -2,9 +2,7 @@
 // Any thread: one lock. Holds the tiles it knows, so that their addresses can't come back with other texels.
 #pragma once
 
-#include "sim/base/tiled_raster.h"
-
-#include <QByteArray>
+#include "model/files/png_codec.h"
 
 #include <mutex>
 #include <optional>
@@ -16,8 +14,10 @@ class EncodedLayers
 {
 public:
     /// Known where every tile is the very tile that was inserted, or all texels have the one inserted value.
-    [[nodiscard]] std::optional<QByteArray> find(const sim::TiledRaster& raster);
-    void insert(const sim::TiledRaster& raster, const QByteArray& bytes);
+    [[nodiscard]] std::optional<PngFile> find(const sim::TiledRaster& raster);
+    void insert(const sim::TiledRaster& raster, const PngFile& png);
+    /// The one that has most tiles in common with a raster that is not known, for encodeLayer.
+    [[nodiscard]] std::optional<EncodedLayer> nearest(const sim::TiledRaster& raster);
     /// Forgets what was neither found nor inserted since the last call.
     void dropUnused();
 
@@ -27,9 +27,8 @@ public:
 private:
     struct Entry
     {
-        sim::TiledRaster raster;
+        EncodedLayer layer;
         std::optional<sim::Texel> uniform;
-        QByteArray bytes;
         bool used = true;
     };
     Entry* entryOf(const sim::TiledRaster& raster, const std::optional<sim::Texel>& uniform);

@@ -4,6 +4,7 @@
 #include "model/files/group_json.h"
 #include "model/files/png_codec.h"
 #include "model/files/project_json.h"
+#include "model/files/zip_records.h"
 #include "sim/base/parallel.h"
 
 #include <QBuffer>
@@ -102,13 +103,15 @@ struct Encoding
 {
     sim::TiledRaster raster;
     int size = 0;
-    QByteArray png;
+    PngFile png;
 };
 
 /// An image that several layers may have. Equal checksums alone don't make images equal.
 struct Decoding
 {
     QByteArray png;
+    QString entry;
+    quint32 checksum = 0; ///< That the archive says.
     const MapSpec* spec = nullptr;
     int size = 0;
     std::vector<Layer*> layers;
@@ -127,7 +130,7 @@ Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const
         const int size = stored.stack->size;
         if (stored.layer->raster.size() == size)
             continue; // stands for a map that the file lacks
-        Checked<QByteArray> png = archive.read(stored.entry, mostLayerBytes(size));
+        Checked<QByteArray> png = archive.read(stored.entry, mostLayerBytes(size), ArchiveReader::Check::ByCaller);
         if (!png)
             return tl::unexpected(png.error());
         const MapSpec& spec = mapSpec(stored.stack->kind);
@@ -144,9 +147,23 @@ Checked<std::vector<Decoding>> collectImages(const ArchiveReader& archive, const
         if (!budget.take(size, *png))
             return tooMuch();
         byChecksum.emplace(checksum, images.size());
-        images.push_back({.png = std::move(*png), .spec = &spec, .size = size, .layers = {stored.layer}});
+        images.push_back({.png = std::move(*png),
+                          .entry = stored.entry,
+                          .checksum = checksum,
+                          .spec = &spec,
+                          .size = size,
+                          .layers = {stored.layer}});
     }
     return images;
+}
+
+/// With the archive's checksum, which follows from the image's own.
+Checked<DecodedLayer> decodeChecked(const Decoding& image)
+{
+    Checked<DecodedLayer> layer = decodeLayer(image.png, *image.spec, image.size);
+    if ((layer ? layer->checksum : checksumOf(image.png)) != image.checksum)
+        return brokenEntry(image.entry);
+    return layer;
 }
 
 Checked<void> checkMimetype(const ArchiveReader& archive, const QByteArray& mimetype)
@@ -208,16 +225,19 @@ Checked<bool> addLayers(ArchiveWriter& archive, const std::vector<HairGroup>& gr
     }
     if (excessOf(groups) != ContentExcess::None)
         return tooMuch();
-    if (!inBatches<Encoding>(missing, progress, [](Encoding& one) { one.png = encodeLayer(one.raster); }))
+    if (!inBatches<Encoding>(missing, progress, [&cache](Encoding& one) {
+            const std::optional<EncodedLayer> former = cache.nearest(one.raster);
+            one.png = encodeLayer(one.raster, former ? &*former : nullptr);
+        }))
         return false;
     for (const Encoding& one : missing)
         cache.insert(one.raster, one.png);
     ImageBudget budget;
     bool fits = true;
     for (const StoredLayer& stored : storedLayers) {
-        const QByteArray png = cache.find(stored.layer->raster).value_or(QByteArray());
-        fits = fits && budget.take(stored.stack->size, png);
-        archive.add(stored.entry.toLatin1(), png, ArchiveWriter::Method::Stored);
+        const PngFile png = cache.find(stored.layer->raster).value_or(PngFile());
+        fits = fits && budget.take(stored.stack->size, png.bytes);
+        archive.add(stored.entry.toLatin1(), png.bytes, ArchiveWriter::Method::Stored, png.checksum);
     }
     cache.dropUnused();
     if (!fits)
@@ -234,8 +254,7 @@ Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& g
         return tl::unexpected(images.error());
     std::atomic<std::size_t> heldBytes = 0;
     const bool finished = inBatches<Decoding>(*images, progress, [&heldBytes](Decoding& image) {
-        image.result = heldBytes > kMostHeldBytes ? Checked<DecodedLayer>(tooMuch())
-                                                  : decodeLayer(image.png, *image.spec, image.size);
+        image.result = heldBytes > kMostHeldBytes ? Checked<DecodedLayer>(tooMuch()) : decodeChecked(image);
         if (image.result && (heldBytes += image.result->raster.byteCount()) > kMostHeldBytes)
             image.result = Checked<DecodedLayer>(tooMuch());
     });
@@ -247,7 +266,7 @@ Checked<bool> readLayers(const ArchiveReader& archive, std::vector<HairGroup>& g
         for (Layer* layer : image.layers)
             layer->raster = image.result->raster;
         if (image.result->ours)
-            cache.insert(image.result->raster, image.png);
+            cache.insert(image.result->raster, {.bytes = image.png, .checksum = image.checksum, .places = {}});
     }
     // Layers of one image, and those of maps that the file lacks, count as they do when it is edited and saved.
     if (excessOf(groups) != ContentExcess::None)

@@ -2,7 +2,6 @@
 #include "model/files/png_codec.h"
 
 #include "model/files/png_reader.h"
-#include "model/files/png_writer.h"
 #include "model/new_image.h"
 #include "model/project.h"
 #include "model/texel_ops.h"
@@ -151,6 +150,19 @@ int takeRows(PngRows& rows, const MapSpec& spec, DecodedLayer& layer)
     return layer.raster.size();
 }
 
+/// Whether a row of tiles holds the very tiles, or uniform ones of the same values, of another.
+bool sameTiles(const sim::TiledRaster& a, std::size_t rowOfA, const sim::TiledRaster& b, std::size_t rowOfB)
+{
+    const int across = a.tilesAcross();
+    for (int column = 0; column < across; ++column) {
+        const sim::RasterTilePtr& one = a.tile(static_cast<int>(rowOfA) * across + column);
+        const sim::RasterTilePtr& other = b.tile(static_cast<int>(rowOfB) * across + column);
+        if (one != other && !(one->isUniform() && other->isUniform() && one->uniform == other->uniform))
+            return false;
+    }
+    return true;
+}
+
 /// Writes a tile's texels where they lie among those of its row of tiles.
 void giveTile(const sim::TiledRaster& raster, int index, PngRowBuffer& rows)
 {
@@ -173,18 +185,32 @@ void giveTile(const sim::TiledRaster& raster, int index, PngRowBuffer& rows)
 
 } // namespace
 
-QByteArray encodeLayer(const sim::TiledRaster& raster)
+PngFile encodeLayer(const sim::TiledRaster& raster, const EncodedLayer* former)
 {
     const int across = raster.tilesAcross();
     std::vector<PngBand> bands(static_cast<std::size_t>(across));
+    std::vector<std::size_t> sources(bands.size());
+    for (std::size_t band = 1; band < bands.size(); ++band)
+        sources[band] = sameTiles(raster, band, raster, band - 1) ? sources[band - 1] : band;
+    const bool isKept = former != nullptr && former->png.places.size() == bands.size();
     sim::parallelFor(bands.size(), 1, [&](std::size_t begin, std::size_t end) {
-        PngRowBuffer rows(raster.size(), kTile);
+        std::optional<PngRowBuffer> rows;
         for (std::size_t band = begin; band < end; ++band) {
+            if (sources[band] != band)
+                continue;
+            if (isKept && sameTiles(raster, band, former->raster, band)) {
+                bands[band] = former->png.band(band);
+                continue;
+            }
+            if (!rows)
+                rows.emplace(raster.size(), kTile);
             for (int column = 0; column < across; ++column)
-                giveTile(raster, static_cast<int>(band) * across + column, rows);
-            bands[band] = packBand(rows);
+                giveTile(raster, static_cast<int>(band) * across + column, *rows);
+            bands[band] = packBand(*rows);
         }
     });
+    for (std::size_t band = 0; band < bands.size(); ++band)
+        bands[band] = bands[sources[band]];
     return pngOf(raster.size(), raster.size(), bands);
 }
 
@@ -196,7 +222,9 @@ Checked<DecodedLayer> decodeLayer(const QByteArray& png, const MapSpec& spec, in
     if (!isLayer(*parts, size))
         return refuse(say(QT_TRANSLATE_NOOP("Files", "one of its images is not %1 x %1 in 16-bit RGBA")).arg(size));
 
-    DecodedLayer layer{.raster = sim::TiledRaster(size, spec.layerChannels()), .ours = parts->onlyPixelsAndDpi};
+    DecodedLayer layer{.raster = sim::TiledRaster(size, spec.layerChannels()),
+                       .ours = parts->onlyPixelsAndDpi,
+                       .checksum = parts->checksum};
     PngRows rows(parts->pixelChunks, kPixelBytes * static_cast<std::size_t>(size), kPixelBytes);
     if (takeRows(rows, spec, layer) != size || !rows.atEnd())
         return brokenImage();

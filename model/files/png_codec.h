@@ -2,6 +2,7 @@
 // Any thread. Errors: clauses for a sentence of sentences.h.
 #pragma once
 
+#include "model/files/png_writer.h"
 #include "model/files/sentences.h"
 #include "model/map_spec.h"
 
@@ -17,14 +18,22 @@ namespace hairpaint::model {
     return pixels + pixels / 64 + 65'536;
 }
 
-/// The same texels give the same bytes.
-[[nodiscard]] QByteArray encodeLayer(const sim::TiledRaster& raster);
+/// A layer and its image.
+struct EncodedLayer
+{
+    sim::TiledRaster raster;
+    PngFile png;
+};
+/// The same texels give the same bytes. Rows of tiles that are those of `former`, of the same shape, are not packed
+/// again.
+[[nodiscard]] PngFile encodeLayer(const sim::TiledRaster& raster, const EncodedLayer* former = nullptr);
 
 struct DecodedLayer
 {
     sim::TiledRaster raster;
     /// encodeLayer(raster) may be taken to give the bytes read: nothing in them was left out or mended.
     bool ours = true;
+    std::uint32_t checksum = 0; ///< CRC-32 of the image's bytes.
 };
 
 /// `size`: the side that the image must have. Tiles of one value are folded.

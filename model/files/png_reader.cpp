@@ -27,9 +27,9 @@ QByteArrayView partOf(const QByteArray& bytes, std::size_t begin, std::size_t en
     return QByteArrayView(bytes).sliced(static_cast<qsizetype>(begin), static_cast<qsizetype>(end - begin));
 }
 
-quint32 checksum(const char* bytes, std::size_t count)
+quint32 checksum(const char* bytes, std::size_t count, quint32 before = 0)
 {
-    return static_cast<quint32>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes), count));
+    return static_cast<quint32>(crc32_z(before, reinterpret_cast<const Bytef*>(bytes), count));
 }
 
 bool readHeader(const char* data, quint32 length, PngParts& parts)
@@ -96,6 +96,7 @@ std::optional<PngParts> readPngParts(const QByteArray& png)
     if (png.size() < 8 || std::memcmp(png.constData(), kSignature.data(), kSignature.size()) != 0)
         return std::nullopt;
     PngParts parts;
+    parts.checksum = checksum(png.constData(), kSignature.size());
     bool sawHeader = false;
     std::size_t firstPixels = 0;
     std::size_t pixelsEnd = 0;
@@ -103,9 +104,14 @@ std::optional<PngParts> readPngParts(const QByteArray& png)
     for (std::size_t at = kSignature.size(); at + kFrameBytes <= size;) {
         const char* chunk = png.constData() + at;
         const auto length = qFromBigEndian<quint32>(chunk);
-        if (length > kLongestChunk || length > size - at - kFrameBytes ||
-            checksum(chunk + 4, std::size_t{length} + 4) != qFromBigEndian<quint32>(chunk + 8 + length))
+        if (length > kLongestChunk || length > size - at - kFrameBytes)
             return std::nullopt;
+        const quint32 content = checksum(chunk + 4, std::size_t{length} + 4);
+        if (content != qFromBigEndian<quint32>(chunk + 8 + length))
+            return std::nullopt;
+        parts.checksum = checksum(chunk, 4, parts.checksum);
+        parts.checksum = static_cast<quint32>(crc32_combine(parts.checksum, content, static_cast<z_off_t>(length) + 4));
+        parts.checksum = checksum(chunk + 8 + length, 4, parts.checksum);
         const QByteArrayView type(chunk + 4, 4);
         const bool isHeader = type == QByteArrayView("IHDR");
         if (isHeader == sawHeader || (isHeader && !readHeader(chunk + 8, length, parts)))

@@ -24,6 +24,7 @@ struct PngParts
     /// Of the bytes given, the chunks from the first IDAT to the last; theirs together are one zlib stream.
     QByteArrayView pixelChunks;
     bool onlyPixelsAndDpi = true; ///< No chunk was left out but pHYs, which says the resolution.
+    std::uint32_t checksum = 0;   ///< CRC-32 of all bytes.
 };
 
 /// None where anything about the chunks is wrong. Allocates nothing.

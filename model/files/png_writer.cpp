@@ -2,6 +2,7 @@
 #include "model/files/png_writer.h"
 
 #include "model/files/pixel_huffman.h"
+#include "model/files/zip_records.h"
 
 #include <QtEndian>
 
@@ -179,19 +180,46 @@ std::uint32_t adlerOf(std::uint32_t before, RowBytes bytes)
     return static_cast<std::uint32_t>(adler32_z(before, bytes.data(), bytes.size()));
 }
 
-void addChunk(QByteArray& png, const char* type, std::initializer_list<QByteArrayView> parts)
+/// Bytes and their CRC-32.
+struct Checked32
 {
-    const qsizetype at = png.size();
-    png.append(4, '\0').append(type, 4);
-    for (const QByteArrayView part : parts)
-        png.append(part.data(), part.size());
-    const qsizetype length = png.size() - at - 8;
-    qToBigEndian(static_cast<quint32>(length), png.data() + at);
-    const auto checksum = static_cast<quint32>(
-        crc32_z(0, reinterpret_cast<const Bytef*>(png.constData() + at + 4), static_cast<std::size_t>(length) + 4));
-    std::array<char, 4> tail{};
-    qToBigEndian(checksum, tail.data());
-    png.append(tail.data(), tail.size());
+    Checked32(QByteArrayView view) : bytes(view), checksum(checksumOf(view)) {}
+    Checked32(QByteArrayView view, std::uint32_t known) : bytes(view), checksum(known) {}
+    QByteArrayView bytes;
+    std::uint32_t checksum;
+};
+
+/// Appends them to what `checksum` is of.
+void join(std::uint32_t& checksum, const Checked32& part)
+{
+    checksum =
+        static_cast<std::uint32_t>(crc32_combine(checksum, part.checksum, static_cast<z_off_t>(part.bytes.size())));
+}
+
+void addPlain(PngFile& png, QByteArrayView bytes)
+{
+    png.bytes.append(bytes);
+    join(png.checksum, bytes);
+}
+
+void addChunk(PngFile& png, const char* type, std::initializer_list<Checked32> parts)
+{
+    qsizetype length = 0;
+    Checked32 content(QByteArrayView(type, 4));
+    for (const Checked32& part : parts) {
+        length += part.bytes.size();
+        join(content.checksum, part);
+    }
+    std::array<char, 4> number{};
+    qToBigEndian(static_cast<quint32>(length), number.data());
+    addPlain(png, number);
+    png.bytes.append(type, 4);
+    for (const Checked32& part : parts)
+        png.bytes.append(part.bytes);
+    content.bytes = QByteArrayView(png.bytes).last(length + 4);
+    join(png.checksum, content);
+    qToBigEndian(content.checksum, number.data());
+    addPlain(png, number);
 }
 
 } // namespace
@@ -214,7 +242,7 @@ std::span<const std::uint8_t> PngRowBuffer::row(int y) const
 PngBand packBand(const PngRowBuffer& rows)
 {
     const auto count = static_cast<std::size_t>(rows.rows());
-    PngBand band{.packed = {}, .checksum = 1, .plainBytes = count * (1 + rows.row(0).size())};
+    PngBand band{.packed = {}, .packedChecksum = 0, .checksum = 1, .plainBytes = count * (1 + rows.row(0).size())};
     std::vector<RowBytes> plain;
     plain.reserve(count);
     for (int y = 0; y < rows.rows(); ++y)
@@ -225,6 +253,7 @@ PngBand packBand(const PngRowBuffer& rows)
         for (const RowBytes row : plain)
             band.checksum = adlerOf(adlerOf(band.checksum, kNoFilter), row);
         codes.pack(band.packed);
+        band.packedChecksum = checksumOf(band.packed);
         return band;
     }
     RowFilter filter(rows);
@@ -236,10 +265,19 @@ PngBand packBand(const PngRowBuffer& rows)
     }
     band.packed = deflater.takeFlushed();
     band.packed.squeeze();
+    band.packedChecksum = checksumOf(band.packed);
     return band;
 }
 
-QByteArray pngOf(int width, int height, std::span<const PngBand> bands)
+PngBand PngFile::band(std::size_t index) const
+{
+    const Place& place = places[index];
+    PngBand band = place.band;
+    band.packed = bytes.sliced(place.at, place.count);
+    return band;
+}
+
+PngFile pngOf(int width, int height, std::span<const PngBand> bands)
 {
     std::array<char, 13> header{}; // After the sides: 16 bits, RGBA, the only packing and filters, not interlaced.
     qToBigEndian(static_cast<quint32>(width), header.data());
@@ -263,17 +301,19 @@ QByteArray pngOf(int width, int height, std::span<const PngBand> bands)
     std::array<char, 6> end = {'\x03', '\x00'};
     qToBigEndian(checksum, end.data() + 2);
 
-    QByteArray png;
-    png.reserve(packedBytes + 128);
-    png.append("\x89PNG\r\n\x1a\n", 8);
-    addChunk(png, "IHDR", {header});
-    addChunk(png, "pHYs", {dots});
+    PngFile png;
+    png.bytes.reserve(packedBytes + 128);
+    png.places.reserve(bands.size());
+    addPlain(png, QByteArrayView("\x89PNG\r\n\x1a\n", 8));
+    addChunk(png, "IHDR", {QByteArrayView(header)});
+    addChunk(png, "pHYs", {QByteArrayView(dots)});
     for (const PngBand& band : bands) {
-        const bool isFirst = &band == &bands.front();
-        const bool isLast = &band == &bands.back();
-        addChunk(png, "IDAT",
-                 {isFirst ? QByteArrayView(kBegin) : QByteArrayView(), band.packed,
-                  isLast ? QByteArrayView(end) : QByteArrayView()});
+        const QByteArrayView before = &band == &bands.front() ? QByteArrayView(kBegin) : QByteArrayView();
+        const QByteArrayView after = &band == &bands.back() ? QByteArrayView(end) : QByteArrayView();
+        PngFile::Place place{.band = band, .at = png.bytes.size() + 8 + before.size(), .count = band.packed.size()};
+        place.band.packed.clear();
+        png.places.push_back(std::move(place));
+        addChunk(png, "IDAT", {before, {band.packed, band.packedChecksum}, after});
     }
     addChunk(png, "IEND", {});
     return png;

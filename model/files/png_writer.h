@@ -31,12 +31,30 @@ private:
 struct PngBand
 {
     QByteArray packed;
-    std::uint32_t checksum = 0; ///< Adler-32 of the rows with the numbers of their filters.
-    std::size_t plainBytes = 0; ///< Of these.
+    std::uint32_t packedChecksum = 0; ///< CRC-32 of `packed`.
+    std::uint32_t checksum = 0;       ///< Adler-32 of the rows with the numbers of their filters.
+    std::size_t plainBytes = 0;       ///< Of these.
 };
 [[nodiscard]] PngBand packBand(const PngRowBuffer& rows);
 
+/// A file, and what is known of it for the next one, in which most is the same.
+struct PngFile
+{
+    QByteArray bytes;
+    std::uint32_t checksum = 0; ///< CRC-32 of all bytes.
+    /// Its bands without what they hold, and where that lies in `bytes`; none where the file was only read.
+    struct Place
+    {
+        PngBand band;
+        qsizetype at = 0;
+        qsizetype count = 0;
+    };
+    std::vector<Place> places;
+
+    [[nodiscard]] PngBand band(std::size_t index) const;
+};
+
 /// An image of 72 dots an inch from its bands, the top one first.
-[[nodiscard]] QByteArray pngOf(int width, int height, std::span<const PngBand> bands);
+[[nodiscard]] PngFile pngOf(int width, int height, std::span<const PngBand> bands);
 
 } // namespace hairpaint::model

@@ -144,14 +144,16 @@ private Q_SLOTS:
 
     void aKilledWindowLosesTheLastSecondAtMost()
     {
+        // HAIRPAINT_KILLS=100 HAIRPAINT_KILLS_FIRST=300: the fourth hundred of many.
         const int kills = std::max(qEnvironmentVariableIntValue("HAIRPAINT_KILLS"), 2);
+        const int first = qEnvironmentVariableIntValue("HAIRPAINT_KILLS_FIRST");
         const QString log = m_folder.filePath(QStringLiteral("log"));
         const QString saved = m_folder.filePath(QStringLiteral("work.hairpaint"));
         int fromJournal = 0;
         int stepsLost = 0;
         qint64 longestMs = 0;
-        m_random.seed(4);
-        for (int turn = 0; turn < kills; ++turn) {
+        m_random.seed(4 + static_cast<unsigned>(first));
+        for (int turn = first; turn < first + kills; ++turn) {
             QFile::remove(log);
             QProcess window;
             window.setProcessChannelMode(QProcess::ForwardedErrorChannel);
@@ -180,9 +182,9 @@ private Q_SLOTS:
                 folder->remove();
             }
             const std::vector<Moment> moments = momentsIn(log);
-            const std::size_t first = firstAllowed(moments, killedMs);
+            const std::size_t oldest = firstAllowed(moments, killedMs);
             const auto among = [&](const QByteArray& content) {
-                for (std::size_t i = moments.size(); i > first; --i)
+                for (std::size_t i = moments.size(); i > oldest; --i)
                     if (moments[i - 1].content == content)
                         return static_cast<int>(moments.size() - i);
                 return -1;
@@ -204,11 +206,11 @@ private Q_SLOTS:
                                                           "moments; log:\n%4")
                                                .arg(turn)
                                                .arg(work ? QLatin1String("journal") : QLatin1String("file"))
-                                               .arg(moments.size() - first)
+                                               .arg(moments.size() - oldest)
                                                .arg(written)));
             stepsLost += lost > 0 ? 1 : 0;
             if (turn % 50 == 49)
-                qInfo("%d killed, %d from the journal", turn + 1, fromJournal);
+                qInfo("%d killed, %d from the journal", turn + 1 - first, fromJournal);
             if (lost > 0)
                 longestMs =
                     std::max(longestMs, killedMs - moments[moments.size() - static_cast<std::size_t>(lost)].timeMs);

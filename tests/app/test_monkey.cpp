@@ -1,4 +1,5 @@
 // Somebody who knows nothing clicks, drags and types at random: nothing may break, and undo leads all the way back.
+#include "tests/app/program.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 #include "view/panels/sidebar.h"
@@ -33,6 +34,8 @@ protected:
             QMetaObject::invokeMethod(dialog, &QDialog::reject, Qt::QueuedConnection);
     }
 };
+
+constexpr int kFifths = 5;
 
 /// So many, or as the environment says: HAIRPAINT_MONKEY_ACTIONS=100000 HAIRPAINT_MONKEY_SEED=7.
 int fromEnvironment(const char* name, int otherwise)
@@ -172,11 +175,17 @@ private Q_SLOTS:
         const int actions = fromEnvironment("HAIRPAINT_MONKEY_ACTIONS", 400);
         m_random.seed(static_cast<unsigned>(fromEnvironment("HAIRPAINT_MONKEY_SEED", 1)));
         openWindow(model::newProject());
+        // So little that long runs forget their first steps, and hold no more from then on.
+        session().document().setUndoBudget(std::size_t{64} << 20U);
         const Closer closer;
+        std::array<double, kFifths> megabytes{}; // What each fifth of the actions held, on average.
         for (int i = 0; i < actions; ++i) {
             act();
             if (i % 8 == 0)
                 QCoreApplication::processEvents();
+            const auto fifth = static_cast<std::size_t>(qint64{i} * kFifths / actions);
+            megabytes[fifth] += static_cast<double>(test::residentBytes(QCoreApplication::applicationPid())) * kFifths /
+                                (1e6 * actions);
         }
         m_window->findChild<view::StyleStrip*>()->setFocus();
         model::Document& document = session().document();
@@ -192,7 +201,8 @@ private Q_SLOTS:
         while (stack().index() < steps)
             document.redo();
         QVERIFY(savedBytes("again.hairpaint") == after);
-        qInfo("%d actions, %d steps", actions, steps);
+        qInfo("%d actions, %d steps; MB in each fifth: %.0f %.0f %.0f %.0f %.0f", actions, steps, megabytes[0],
+              megabytes[1], megabytes[2], megabytes[3], megabytes[4]);
     }
 };
 

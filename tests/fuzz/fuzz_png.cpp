@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!layer)
         return 0;
     fuzz::require(left.rows == kSize && left.raster == layer->raster);
-    const QByteArray encoded = model::encodeLayer(layer->raster);
+    const QByteArray encoded = model::encodeLayer(layer->raster).bytes;
     const model::Checked<model::DecodedLayer> again = model::decodeLayer(encoded, spec, kSize);
     fuzz::require(again && again->raster == layer->raster && again->ours);
     return 0;

@@ -52,7 +52,7 @@ model::Project smallProject()
 
 QByteArray imageOf(const model::Project& project)
 {
-    return model::encodeLayer(project.groups.front().map(model::MapKind::Density).layers.front().raster);
+    return model::encodeLayer(project.groups.front().map(model::MapKind::Density).layers.front().raster).bytes;
 }
 
 QByteArray fileOf(const model::Project& project)

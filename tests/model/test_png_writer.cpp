@@ -96,7 +96,7 @@ private Q_SLOTS:
         QFETCH(MapKind, kind);
         const MapSpec& spec = mapSpec(kind);
         const sim::TiledRaster raster = rasterOf(content, spec.layerChannels());
-        const QByteArray png = encodeLayer(raster);
+        const QByteArray png = encodeLayer(raster).bytes;
         const Checked<DecodedLayer> layer = decodeLayer(png, spec, kSize);
         QVERIFY(layer && layer->ours);
         QVERIFY(layer->raster == raster);
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QFETCH(Content, content);
         QFETCH(int, channels);
         QFETCH(double, mostBytesATexel);
-        const auto bytes = static_cast<double>(encodeLayer(rasterOf(content, channels)).size());
+        const auto bytes = static_cast<double>(encodeLayer(rasterOf(content, channels)).bytes.size());
         const double bytesATexel = bytes / (kSize * kSize);
         QVERIFY2(bytesATexel < mostBytesATexel, qPrintable(QString::number(bytesATexel)));
     }
@@ -142,9 +142,9 @@ private Q_SLOTS:
     {
         const sim::TiledRaster raster = rasterOf(Content::NoiseBelowWaves, 2);
         sim::setThreadCount(1);
-        const QByteArray alone = encodeLayer(raster);
+        const QByteArray alone = encodeLayer(raster).bytes;
         sim::setThreadCount(5);
-        const QByteArray together = encodeLayer(raster);
+        const QByteArray together = encodeLayer(raster).bytes;
         sim::setThreadCount(0);
         QVERIFY(alone == together);
     }
