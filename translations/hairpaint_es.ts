@@ -450,6 +450,14 @@
         <source>&apos;%1&apos; goes to the hair group &apos;%2&apos;, and the project has none of that name; name one that it has.</source>
         <translation>«%1» es para el grupo de pelo «%2», y el proyecto no tiene ninguno con ese nombre; indica uno que tenga.</translation>
     </message>
+    <message>
+        <source>--%1 is for hair; give -o too</source>
+        <translation>--%1 es para el pelo; indica también -o</translation>
+    </message>
+    <message>
+        <source>--%1 is for images of maps; give --maps too</source>
+        <translation>--%1 es para imágenes de mapas; indica también --maps</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -679,10 +687,6 @@
     <message>
         <source>it has too many groups or layers; remove some</source>
         <translation>tiene demasiados grupos o capas; quita algunos</translation>
-    </message>
-    <message>
-        <source>the hair has too many points for this format</source>
-        <translation>el pelo tiene demasiados puntos para este formato</translation>
     </message>
     <message>
         <source>its head is %1 m large, and heads of 1 mm to 100 m can be used; choose another unit</source>
@@ -965,16 +969,20 @@
         <translation>Visibilidad</translation>
     </message>
     <message>
-        <source>its archive could not be made; close other programs and try again</source>
-        <translation>no se pudo comprimir su contenido; cierra otros programas e inténtalo de nuevo</translation>
-    </message>
-    <message>
         <source>it can&apos;t take the place of the one before; close what has that open and try again</source>
         <translation>no puede ocupar el lugar del anterior; cierra lo que lo tenga abierto e inténtalo de nuevo</translation>
     </message>
     <message>
         <source>%1; check that you may write there, or choose another place</source>
         <translation>%1; comprueba que puedes escribir ahí o elige otro lugar</translation>
+    </message>
+    <message>
+        <source>the hair has too many points for this format; export fewer hairs</source>
+        <translation>el pelo tiene demasiados puntos para este formato; exporta menos pelos</translation>
+    </message>
+    <message>
+        <source>it would be larger than 4 GB; use fewer layers or smaller maps</source>
+        <translation>sería mayor de 4 GB; usa menos capas o mapas más pequeños</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,9 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+#include <array>
+
 namespace hairpaint::app {
 
 namespace {
@@ -162,6 +165,19 @@ model::Result<void> checkShapes(const QString& output, const Film& film, const Q
     return {};
 }
 
+/// What would be given for nothing; empty where there is none.
+QString uselessOption(const QCommandLineParser& parser)
+{
+    constexpr std::array kOfHair = {"target", "tolerance", "settle", "hairs", "wind", "motion", "frames", "fps"};
+    constexpr std::array kOfMaps = {"image", "depth", "grey"};
+    const auto isGiven = [&parser](const char* name) { return parser.isSet(QString::fromLatin1(name)); };
+    if (const auto* const name = std::ranges::find_if(kOfHair, isGiven); !isGiven("o") && name != kOfHair.end())
+        return CommandLine::tr("--%1 is for hair; give -o too").arg(QLatin1StringView(*name));
+    if (const auto* const name = std::ranges::find_if(kOfMaps, isGiven); !isGiven("maps") && name != kOfMaps.end())
+        return CommandLine::tr("--%1 is for images of maps; give --maps too").arg(QLatin1StringView(*name));
+    return {};
+}
+
 } // namespace
 
 ExitCode runExport(const QStringList& arguments)
@@ -190,6 +206,8 @@ ExitCode runExport(const QStringList& arguments)
     const QString sheet = parser.value(QStringLiteral("uv-sheet"));
     if (output.isEmpty() && mapFolder.isEmpty() && sheet.isEmpty())
         return wrongUsage(kExport, CommandLine::tr("Nothing to export is named: give -o, --maps or --uv-sheet"));
+    if (const QString useless = uselessOption(parser); !useless.isEmpty())
+        return wrongUsage(kExport, useless);
     tl::expected<model::ExportRequest, QString> request = readRequest(parser, output);
     if (!request)
         return wrongUsage(kExport, request.error());

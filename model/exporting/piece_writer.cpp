@@ -108,7 +108,8 @@ Result<void> writeInPieces(const QString& path, std::size_t bytes, const Progres
 
 tl::unexpected<Clause> tooManyPoints()
 {
-    return refuse(say(QT_TRANSLATE_NOOP("Files", "the hair has too many points for this format")));
+    return refuse(say(QT_TRANSLATE_NOOP("Files", "the hair has too many points for this format; export fewer "
+                                                 "hairs")));
 }
 
 void appendNumber(std::string& out, float value)

@@ -81,7 +81,7 @@ Checked<SalvagedArchive> SalvagedArchive::open(const QString& path, const std::f
     SalvagedArchive archive;
     archive.m_file = std::make_unique<QFile>(path);
     if (!archive.m_file->open(QIODevice::ReadOnly))
-        return refuse(archive.m_file->errorString(), Clause::Cure::OtherFile);
+        return refuse(readRefusal(archive.m_file->errorString()), Clause::Cure::OtherFile);
     if (Checked<void> found = archive.findHeaders(goesOn); !found)
         return tl::unexpected(found.error());
     return archive;

@@ -109,6 +109,11 @@ private Q_SLOTS:
         row("export p.hairpaint --maps . --depth 12");
         row("export p.hairpaint --maps . --image gif");
         row("export p.hairpaint --uv-sheet p.png");
+        row("export p.hairpaint -o p.hair --grey");
+        row("export p.hairpaint -o p.hair --depth 8");
+        row("export p.hairpaint --uv-sheet p.svg --image png");
+        row("export p.hairpaint --maps . --frames 1-2");
+        row("export p.hairpaint --maps . --target blender");
         row("render p.hairpaint -o p.png --size 9x9");
         row("render p.hairpaint -o p.png --view inside");
         row("render p.hairpaint -o p.png --frames 9-3");

@@ -2,6 +2,7 @@
 #include "model/files/pixel_huffman.h"
 #include "model/files/png_codec.h"
 #include "model/files/png_writer.h"
+#include "model/files/zip_records.h"
 #include "sim/base/deterministic.h"
 #include "sim/base/parallel.h"
 #include "tests/support/test_program.h"
@@ -147,6 +148,29 @@ private Q_SLOTS:
         const QByteArray together = encodeLayer(raster).bytes;
         sim::setThreadCount(0);
         QVERIFY(alone == together);
+    }
+
+    void whatStayedSinceTheFormerImageMakesNoDifference_data()
+    {
+        QTest::addColumn<Content>("content");
+        QTest::newRow("nothing") << Content::Nothing;
+        QTest::newRow("noise") << Content::Noise;
+        QTest::newRow("noise below waves") << Content::NoiseBelowWaves;
+    }
+    void whatStayedSinceTheFormerImageMakesNoDifference()
+    {
+        QFETCH(Content, content);
+        EncodedLayer former{.raster = rasterOf(content, 2), .png = {}};
+        former.png = encodeLayer(former.raster);
+        sim::TiledRaster raster = former.raster;
+        for (const int y : {0, kSize / 2, kSize - 1}) {
+            raster.setTexel(5, y, {1, 2, 0, 0});
+            const PngFile anew = encodeLayer(raster);
+            const PngFile mostlyKept = encodeLayer(raster, &former);
+            QVERIFY(mostlyKept.bytes == anew.bytes);
+            QCOMPARE(mostlyKept.checksum, checksumOf(anew.bytes));
+            former = {.raster = raster, .png = mostlyKept};
+        }
     }
 
     void valuesOfAnyFrequencyHaveCodes()

@@ -119,6 +119,8 @@ private Q_SLOTS:
         QCOMPARE(cache.misses(), 1);
         QVERIFY(saveProject(project, path("b.hairpaint"), {}, &cache));
         QCOMPARE(cache.misses(), 1);
+        QVERIFY(saveProject(project, path("c.hairpaint"), {}));
+        QVERIFY(test::readBytes(path("b.hairpaint")) == test::readBytes(path("c.hairpaint")));
         QCOMPARE(test::difference(project, opened(path("b.hairpaint"))), QString());
     }
 
