@@ -264,4 +264,9 @@ const sim::StrandMaterial& CurveSet::material(const Curve& curve) const
     return groom(curve).settings.material;
 }
 
+const sim::Skin* CurveSet::skin() const
+{
+    return m_grooms.empty() ? nullptr : m_grooms.front()->roots->skin.get();
+}
+
 } // namespace hairpaint::model

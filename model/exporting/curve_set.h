@@ -103,6 +103,9 @@ public:
     [[nodiscard]] std::uint32_t id(const Curve& curve) const;
     [[nodiscard]] glm::vec2 rootUv(const Curve& curve) const;
     [[nodiscard]] const sim::StrandMaterial& material(const Curve& curve) const;
+    /// The head that the hair stands on; null where no group has roots. Valid as long as the set.
+    [[nodiscard]] const sim::Skin* skin() const;
+    [[nodiscard]] const sim::HeadPose& pose() const { return m_frame->pose; }
 
 private:
     CurveSet() = default;

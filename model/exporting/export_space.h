@@ -1,6 +1,8 @@
 // Units and axes of what is exported.
 #pragma once
 
+#include "model/exporting/cards/card_settings.h"
+
 #include <glm/glm.hpp>
 
 namespace hairpaint::model {
@@ -25,6 +27,7 @@ struct ExportSettings
 {
     ExportSpace space;
     bool groomColours = false; ///< Its reader takes colours from Unreal's groom attributes alone.
+    CardSettings cards{};      ///< For formats that make some.
 };
 
 } // namespace hairpaint::model
