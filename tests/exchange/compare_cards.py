@@ -18,7 +18,8 @@ import numpy as np
 PIXELS = 192  # A side of the compared pictures;
 FINER = 3  # each pixel is the mean of so many drawn ones, squared.
 MOST_STRANDS = 20000  # Fewer that are as much wider cover as much.
-SIDES = {"front": (0, 2, 1), "right": (2, 0, -1), "back": (0, 2, -1), "left": (2, 0, 1)}
+# Degrees from the face toward the head's left; without perspective the silhouettes of the other sides mirror these.
+SIDES = {"front": 0, "front left": 45, "left": 90, "back left": 135}
 
 
 def read_strands(path):
@@ -73,12 +74,11 @@ class Cards:
 
 
 def projected(places, side, centre, scale):
-    across, depth, sign = SIDES[side]
+    turn = np.radians(SIDES[side])
     moved = places - centre
-    x = moved[..., across] * sign * scale + PIXELS * FINER / 2
+    x = (moved[..., 0] * np.cos(turn) - moved[..., 2] * np.sin(turn)) * scale + PIXELS * FINER / 2
     y = PIXELS * FINER / 2 - moved[..., 1] * scale
-    towards = moved[..., depth] * (sign if across == 0 else -sign)
-    return x, y, towards
+    return x, y, moved[..., 0] * np.sin(turn) + moved[..., 2] * np.cos(turn)
 
 
 def means(values):
@@ -167,7 +167,7 @@ def shown(alpha, seen):
 def compare(strands, cards, sides=tuple(SIDES)):
     places = strands[1]
     low, high = places.min(axis=0), places.max(axis=0)
-    centre, extent = (low + high) / 2, (high - low).max()
+    centre, extent = (low + high) / 2, max(high[1] - low[1], np.hypot(high[0] - low[0], high[2] - low[2]))
     scale = 0.94 * PIXELS * FINER / extent
     found, rows = {}, []
     for side in sides:

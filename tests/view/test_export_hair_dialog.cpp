@@ -125,6 +125,26 @@ private Q_SLOTS:
         QVERIFY(!boxAt(dialog, 1)->isEnabled());
     }
 
+    void cards_ask_for_triangles_and_textures()
+    {
+        ExportHairDialog dialog(twoGroups(), {});
+        dialog.show();
+        BarSlider* triangles = sliderNamed(dialog, QStringLiteral("Triangles"));
+        BarSlider* tolerance = sliderNamed(dialog, QStringLiteral("Tolerance"));
+        QVERIFY(!triangles->isVisible() && !boxAt(dialog, 3)->isVisible() && tolerance->isVisible());
+        boxAt(dialog, 0)->setCurrentIndex(static_cast<int>(&model::cardFormat() - model::exportFormats().data()));
+        QVERIFY(triangles->isVisible() && boxAt(dialog, 3)->isVisible() && !tolerance->isVisible());
+        QCOMPARE(dialog.choice().request.cards, model::CardSettings{});
+        type(*triangles, QStringLiteral("8000"));
+        QTest::keyClick(boxAt(dialog, 3), Qt::Key_Up);
+        const HairExportChoice choice = dialog.choice();
+        QCOMPARE(choice.request.format->id, "cards");
+        QCOMPARE(choice.request.cards.triangles, 8000);
+        QCOMPARE(choice.request.cards.atlasPx, 1024);
+        const ExportHairDialog next(twoGroups(), choice);
+        QCOMPARE(next.choice().request.cards, choice.request.cards);
+    }
+
     void one_group_needs_no_list()
     {
         const ExportHairDialog dialog({{.id = 1, .name = QStringLiteral("Scalp"), .hairs = 10}}, {});

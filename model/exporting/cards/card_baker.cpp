@@ -1,6 +1,7 @@
 // A rasteriser of lines with width, with a depth of its own for every texel of the patch.
 #include "model/exporting/cards/card_baker.h"
 
+#include "model/srgb.h"
 #include "sim/base/deterministic.h"
 
 #include <algorithm>
@@ -11,6 +12,8 @@ namespace hairpaint::model {
 namespace {
 
 constexpr float kLeastWidthPx = 1.25F; ///< Thinner lines would be alpha alone.
+/// Cards are as dense as their hairs times this, since where they lie over each other gaps lie over gaps.
+constexpr double kOverlap = 1.3;
 constexpr float kFull = 255.0F;
 
 std::uint8_t byteOf(float value)
@@ -23,6 +26,13 @@ glm::u8vec3 vectorByte(const glm::vec3& v)
     return {byteOf(0.5F + 0.5F * v.x), byteOf(0.5F + 0.5F * v.y), byteOf(0.5F + 0.5F * v.z)};
 }
 
+/// sRGB as encoded, with the hair's own lightness.
+glm::vec3 shownColour(const CurveSet& set, const Curve& curve, float fraction)
+{
+    const glm::vec3 linear = glm::min(set.lightness(curve) * set.linearColour(curve, fraction), glm::vec3(1.0F));
+    return {srgbFromLinear(linear.r), srgbFromLinear(linear.g), srgbFromLinear(linear.b)};
+}
+
 /// A hair's point on the patch.
 struct LinePoint
 {
@@ -30,7 +40,7 @@ struct LinePoint
     float heightM = 0.0F;
     float fraction = 0.0F; ///< 0 at the root.
     float openness = 1.0F;
-    glm::vec3 colour{0.0F};
+    glm::vec3 colour{0.0F};    ///< sRGB as encoded.
     glm::vec3 direction{0.0F}; ///< To the next point in the card's space, right, up, out; unit.
 };
 
@@ -123,7 +133,8 @@ LineCount linesFor(const SampledHair& hair, const CardStrip& strip, const AtlasP
     // Of lines that are at least so wide, as many as have the hairs' area: what lies over another is counted in both.
     const double meanLengthPx = lengthM / static_cast<double>(strip.hairs.size()) /
                                 static_cast<double>(strip.lengthM()) * static_cast<double>(patch.height);
-    const double wantedPx = areaM2 / cardM2 * static_cast<double>(patch.width) * static_cast<double>(patch.height);
+    const double wantedPx =
+        kOverlap * areaM2 / cardM2 * static_cast<double>(patch.width) * static_cast<double>(patch.height);
     const double count = std::max(wantedPx / (meanLengthPx * static_cast<double>(kLeastWidthPx)), 1.0);
     if (count <= static_cast<double>(strip.hairs.size()))
         return {.count = static_cast<std::size_t>(std::lround(count))};
@@ -131,25 +142,29 @@ LineCount linesFor(const SampledHair& hair, const CardStrip& strip, const AtlasP
             .widthPx = static_cast<float>(wantedPx / (meanLengthPx * static_cast<double>(strip.hairs.size())))};
 }
 
-} // namespace
-
-void bakeCard(const CurveSet& set, const SampledHair& hair, const HairField& field, const CardStrip& strip,
-              const AtlasPatch& patch, CardImages& images)
+/// Of some hairs so many, the same ones each time.
+std::vector<std::pair<std::uint64_t, std::uint32_t>> chosenOf(const CurveSet& set, const SampledHair& hair,
+                                                              std::span<const std::uint32_t> hairs, std::size_t count)
 {
     constexpr std::uint64_t kChance = 0x63617264; // "card"
-    const LineCount lines = linesFor(hair, strip, patch);
-    PatchPainter painter(patch, images, 0.5F * strip.greatestWidthM());
     std::vector<std::pair<std::uint64_t, std::uint32_t>> chosen;
-    chosen.reserve(strip.hairs.size());
-    for (const std::uint32_t i : strip.hairs)
+    chosen.reserve(hairs.size());
+    for (const std::uint32_t i : hairs)
         chosen.emplace_back(sim::hash64(kChance, set.id(set.curves()[hair.curve[i]])), i);
     std::ranges::sort(chosen);
-    chosen.resize(std::min(chosen.size(), lines.count));
+    chosen.resize(std::min(chosen.size(), count));
+    return chosen;
+}
 
+/// Where a curve's points lie on a patch: made anew for each curve, called with each of its points, root first.
+template<typename PlaceOf>
+void drawHairs(const CurveSet& set, const SampledHair& hair, const HairField& field,
+               std::span<const std::uint32_t> hairs, const LineCount& lines, const glm::vec2& metresPerTexel,
+               const PlaceOf& placeOf, PatchPainter& painter)
+{
     CurveScratch scratch;
     std::vector<LinePoint> points;
-    const auto width = static_cast<float>(patch.width);
-    const auto height = static_cast<float>(patch.height);
+    const auto chosen = chosenOf(set, hair, hairs, lines.count);
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         const auto& [hash, i] = chosen[k];
         const Curve& curve = set.curves()[hair.curve[i]];
@@ -157,32 +172,68 @@ void bakeCard(const CurveSet& set, const SampledHair& hair, const HairField& fie
         // Where hair thins out toward its tip, so many lines end.
         const float rootOpacity = set.opacity(curve, 0.0F);
         const float endsBelow = rootOpacity * (static_cast<float>(k) + 0.5F) / static_cast<float>(chosen.size());
-        StripProjector projector(strip);
+        auto place = placeOf();
         points.clear();
         points.reserve(own.size());
         for (std::uint32_t p = 0; p < own.size(); ++p) {
             const float fraction = set.fraction(curve, p);
             if (p > 1 && set.opacity(curve, fraction) < endsBelow)
                 break;
-            const StripPlace place = projector.next(own[p]);
-            points.push_back({.tx = {(0.5F + 0.5F * place.across) * width, place.alongM / strip.lengthM() * height},
-                              .heightM = place.heightM,
-                              .fraction = fraction,
-                              .openness = std::sqrt(field.openness(own[p])),
-                              .colour = set.encodedColour(curve, fraction)});
+            LinePoint point = place(own[p]);
+            point.fraction = fraction;
+            point.openness = std::sqrt(field.openness(own[p]));
+            point.colour = shownColour(set, curve, fraction);
+            points.push_back(point);
         }
-        const float metresAcross = strip.areaM2() / strip.lengthM() / width;
-        const float metresAlong = strip.lengthM() / height;
         const std::uint8_t id = byteOf(sim::unitFloat(sim::hash64(hash, 1)));
         for (std::size_t p = 0; p + 1 < points.size(); ++p) {
-            const glm::vec2 step = points[p + 1].tx - points[p].tx;
-            const glm::vec3 direction(step.x * metresAcross, -step.y * metresAlong,
-                                      points[p + 1].heightM - points[p].heightM);
+            const glm::vec2 step = (points[p + 1].tx - points[p].tx) * metresPerTexel;
+            const glm::vec3 direction(step.x, -step.y, points[p + 1].heightM - points[p].heightM);
             const float length = glm::length(direction);
             points[p].direction = length > 0.0F ? direction / length : glm::vec3(0.0F, -1.0F, 0.0F);
             painter.line(points[p], points[p + 1], lines.widthPx, id);
         }
     }
+}
+
+} // namespace
+
+void bakeCard(const CurveSet& set, const SampledHair& hair, const HairField& field, const CardStrip& strip,
+              const AtlasPatch& patch, CardImages& images)
+{
+    PatchPainter painter(patch, images, 0.5F * strip.greatestWidthM());
+    const glm::vec2 sizePx(patch.width, patch.height);
+    const auto placeOf = [&] {
+        return [&, projector = StripProjector(strip)](const glm::vec3& pointWo) mutable {
+            const StripPlace place = projector.next(pointWo);
+            return LinePoint{.tx = sizePx * glm::vec2(0.5F + 0.5F * place.across, place.alongM / strip.lengthM()),
+                             .heightM = place.heightM};
+        };
+    };
+    const glm::vec2 metresPerTexel = glm::vec2(strip.areaM2() / strip.lengthM(), strip.lengthM()) / sizePx;
+    drawHairs(set, hair, field, strip.hairs, linesFor(hair, strip, patch), metresPerTexel, placeOf, painter);
+}
+
+void bakeCap(const CurveSet& set, const SampledHair& hair, const HairField& field, const ScalpCap& cap,
+             const AtlasPatch& patch, CardImages& images)
+{
+    PatchPainter painter(patch, images, kShortestOnStripsM);
+    const glm::vec2 sizePx(patch.width, patch.height);
+    const auto placeOf = [&] {
+        return [&](const glm::vec3& pointWo) {
+            return LinePoint{.tx = sizePx * cap.uv(cap.flat(pointWo)),
+                             .heightM = glm::distance(pointWo, cap.middleWo) - cap.radiusM};
+        };
+    };
+    const glm::vec2 metresPerTexel = (cap.greatestM - cap.leastM) / sizePx;
+    float widthM = 0.0F;
+    for (const std::uint32_t i : cap.hairs)
+        widthM += hair.widthM[i] / static_cast<float>(cap.hairs.size());
+    const float widthPx = widthM / std::sqrt(metresPerTexel.x * metresPerTexel.y);
+    const float part = std::min(widthPx / kLeastWidthPx, 1.0F);
+    const auto count = static_cast<std::size_t>(std::ceil(part * static_cast<float>(cap.hairs.size())));
+    drawHairs(set, hair, field, cap.hairs, {.count = count, .widthPx = std::max(widthPx, kLeastWidthPx)},
+              metresPerTexel, placeOf, painter);
 }
 
 } // namespace hairpaint::model

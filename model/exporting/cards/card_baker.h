@@ -1,8 +1,10 @@
 // Hair drawn onto its card.
 #pragma once
 
+#include "model/exporting/cards/atlas_layout.h"
 #include "model/exporting/cards/card_images.h"
 #include "model/exporting/cards/card_strip.h"
+#include "model/exporting/cards/scalp_cap.h"
 
 namespace hairpaint::model {
 
@@ -10,5 +12,8 @@ namespace hairpaint::model {
 /// in truth, each at least wide enough to be seen. Several threads may bake into patches of one atlas.
 void bakeCard(const CurveSet& set, const SampledHair& hair, const HairField& field, const CardStrip& strip,
               const AtlasPatch& patch, CardImages& images);
+/// The same of the hairs of a cap.
+void bakeCap(const CurveSet& set, const SampledHair& hair, const HairField& field, const ScalpCap& cap,
+             const AtlasPatch& patch, CardImages& images);
 
 } // namespace hairpaint::model

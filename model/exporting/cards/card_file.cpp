@@ -161,7 +161,7 @@ QByteArray glbOf(const CurveSet& curves, const HairCards& cards, std::span<const
     for (std::size_t group = 0; group < curves.groups().size(); ++group)
         if (const CardMesh mesh = cardMesh(cards, group); !mesh.indices.empty())
             glb.addMesh(curves.groups()[group].name, mesh);
-    if (cards.strips.empty())
+    if (cards.patches.empty())
         return glb.finish(1.0F);
     for (std::size_t i = 0; i < pngs.size(); ++i)
         if (cardImageKinds()[i].embedded)
@@ -202,7 +202,7 @@ Result<void> writeCardFile(const CurveSet& curves, const ExportSettings& setting
         return cancelled(path);
 
     std::vector<QByteArray> pngs(cardImageKinds().size());
-    if (!cards->strips.empty())
+    if (!cards->patches.empty())
         sim::parallelFor(pngs.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 pngs[i] = cardImagePng(cards->images, cardImageKinds()[i]);

@@ -1,8 +1,6 @@
 // Planes of texels, and their PNG files.
 #include "model/exporting/cards/card_images.h"
 
-#include "model/exporting/cards/card_settings.h"
-
 #include <QBuffer>
 #include <QImage>
 
@@ -124,8 +122,6 @@ void CardImages::dilate()
             m_texels[i] = m_texels[seed];
     }
 }
-
-void CardImages::keepCoverage(std::span<const AtlasPatch> /*patches*/) {}
 
 std::span<const CardImageKind> cardImageKinds()
 {

@@ -1,8 +1,6 @@
 // The textures of cards.
 #pragma once
 
-#include "model/exporting/cards/atlas_layout.h"
-
 #include <QByteArray>
 
 #include <glm/glm.hpp>
@@ -43,9 +41,6 @@ public:
     /// Gives every texel without hair what the nearest one with hair has, so that no border shines through when the
     /// texture is filtered.
     void dilate();
-    /// Moves alpha away from or toward the cutoff, never across it, so that about as much of each patch stays above it
-    /// in the levels of its mipmap as in the image itself.
-    void keepCoverage(std::span<const AtlasPatch> patches);
 
 private:
     int m_size;

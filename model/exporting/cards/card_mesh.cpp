@@ -1,9 +1,19 @@
 // Two vertices a node, two triangles a segment.
 #include "model/exporting/cards/card_mesh.h"
 
+#include <cmath>
+
 namespace hairpaint::model {
 
 namespace {
+
+constexpr float kSteep = 1e-3F;
+
+glm::vec3 anyTangent(const glm::vec3& normal)
+{
+    const glm::vec3 axis = std::abs(normal.x) < 0.7F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0.0F, 0.0F, 1.0F);
+    return glm::normalize(glm::cross(axis, normal));
+}
 
 CardVertex vertexOf(const CardStrip& strip, const StripNode& node, const AtlasPatch& patch, float right, float atlasPx)
 {
@@ -19,11 +29,41 @@ CardVertex vertexOf(const CardStrip& strip, const StripNode& node, const AtlasPa
     return vertex;
 }
 
+/// Its triangles come first: it lies under all others.
+void addCap(const HairCards& cards, std::size_t group, CardMesh& mesh)
+{
+    if (!cards.caps[group])
+        return;
+    std::size_t at = cards.strips.size();
+    for (std::size_t other = 0; other < group; ++other)
+        at += cards.caps[other] ? 1U : 0U;
+    const AtlasPatch& patch = cards.patches[at];
+    const ScalpCap& cap = *cards.caps[group];
+    const auto atlasPx = static_cast<float>(cards.images.size());
+    mesh.vertices.reserve(cap.corners.size());
+    for (const ScalpCap::Corner& corner : cap.corners) {
+        // To the right on the flattened skin is about across the way out, seen from there.
+        const glm::vec3 right = glm::cross(cap.upWo(), corner.normalWo);
+        const float length = glm::length(right);
+        const glm::vec3 tangent = length > kSteep ? right / length : anyTangent(corner.normalWo);
+        mesh.vertices.push_back(
+            {.position = corner.placeWo,
+             .normal = corner.normalWo,
+             .tangent = glm::vec4(tangent, 1.0F),
+             .uv = (glm::vec2(patch.x, patch.y) + glm::vec2(patch.width, patch.height) * cap.uv(corner.flatM)) /
+                   atlasPx});
+    }
+    for (const glm::uvec3& triangle : cap.triangles)
+        for (int i = 0; i < 3; ++i)
+            mesh.indices.push_back(triangle[i]);
+}
+
 } // namespace
 
 CardMesh cardMesh(const HairCards& cards, std::size_t group)
 {
     CardMesh mesh;
+    addCap(cards, group, mesh);
     const auto atlasPx = static_cast<float>(cards.images.size());
     for (std::size_t i = 0; i < cards.strips.size(); ++i) {
         if (cards.groups[i] != group)

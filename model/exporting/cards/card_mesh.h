@@ -24,7 +24,7 @@ struct CardMesh
     std::vector<std::uint32_t> indices; ///< Three a triangle, counter-clockwise from outside.
 };
 
-/// Of the strips of one group. Normals lean to the strip's sides, so that it is lit like a round lock.
+/// Of the cap and the strips of one group. Normals lean to the strip's sides, so that it is lit like a round lock.
 [[nodiscard]] CardMesh cardMesh(const HairCards& cards, std::size_t group);
 
 } // namespace hairpaint::model

@@ -1,12 +1,13 @@
 // Sampling, locks, strips, atlas and baking, one after another.
 #include "model/exporting/cards/hair_cards.h"
 
+#include "model/exporting/cards/alpha_coverage.h"
 #include "model/exporting/cards/card_baker.h"
 #include "sim/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <tuple>
 
 namespace hairpaint::model {
 
@@ -71,12 +72,12 @@ std::vector<float> weightsOf(const SampledHair& hair, const HairField& field)
     return weights;
 }
 
-std::vector<CardStrip> stripsOf(const CurveSet& set, const SampledHair& hair, const HairField& field, int triangles)
+using HairsByGroup = std::vector<std::vector<std::uint32_t>>;
+
+std::vector<CardStrip> stripsOf(const CurveSet& set, const SampledHair& hair, const HairField& field,
+                                const HairsByGroup& byGroup, int triangles)
 {
     const std::vector<float> weights = weightsOf(hair, field);
-    std::vector<std::vector<std::uint32_t>> byGroup(set.groups().size());
-    for (std::uint32_t i = 0; i < hair.count(); ++i)
-        byGroup[groupOf(set, hair, i)].push_back(i);
     const auto forFlyaways = static_cast<int>(static_cast<float>(triangles) * kFlyawayPart);
     std::vector<HairLock> locks = dividedIntoLocks(hair, byGroup, weights, triangles - forFlyaways);
     Strays strays = straysFrom(set, hair, locks);
@@ -105,6 +106,42 @@ std::vector<CardStrip> stripsOf(const CurveSet& set, const SampledHair& hair, co
     return strips;
 }
 
+/// Over hair too short for strips, which leaves `byGroup`; the triangles that are left.
+int addCaps(const CurveSet& set, const SampledHair& hair, HairsByGroup& byGroup, HairCards& cards, int triangles)
+{
+    constexpr int kPart = 8; ///< Of the triangles, at most, for each.
+    const int most = triangles / kPart;
+    cards.caps.resize(byGroup.size());
+    for (std::size_t group = 0; group < byGroup.size() && triangles > 2 * most; ++group) {
+        const auto isShort = [&hair](std::uint32_t i) { return hair.lengthM[i] < kShortestOnStripsM; };
+        std::vector<std::uint32_t> shortHairs;
+        std::ranges::copy_if(byGroup[group], std::back_inserter(shortHairs), isShort);
+        constexpr std::size_t kFew = 500; // Those are better on strips.
+        if (shortHairs.size() < kFew)
+            continue;
+        cards.caps[group] = capOver(set, hair, std::move(shortHairs), most);
+        if (!cards.caps[group])
+            continue;
+        std::erase_if(byGroup[group], isShort);
+        triangles -= static_cast<int>(cards.caps[group]->triangles.size());
+    }
+    return triangles;
+}
+
+std::vector<PatchWish> wishesOf(const HairCards& cards)
+{
+    std::vector<PatchWish> wishes;
+    wishes.reserve(cards.strips.size() + cards.caps.size());
+    for (const CardStrip& strip : cards.strips)
+        wishes.push_back({.widthM = strip.greatestWidthM(), .heightM = strip.lengthM()});
+    for (const std::optional<ScalpCap>& cap : cards.caps)
+        if (cap) {
+            const glm::vec2 size = cap->greatestM - cap->leastM;
+            wishes.push_back({.widthM = size.x, .heightM = size.y});
+        }
+    return wishes;
+}
+
 bool bakeAll(const CurveSet& set, const SampledHair& hair, const HairField& field, HairCards& cards,
              const Progress& progress)
 {
@@ -119,6 +156,10 @@ bool bakeAll(const CurveSet& set, const SampledHair& hair, const HairField& fiel
                 bakeCard(set, hair, field, cards.strips[i], cards.patches[i], cards.images);
         });
     }
+    std::size_t patch = cards.strips.size();
+    for (const std::optional<ScalpCap>& cap : cards.caps)
+        if (cap)
+            bakeCap(set, hair, field, *cap, cards.patches[patch++], cards.images);
     return !progress || progress(kBaked);
 }
 
@@ -126,8 +167,12 @@ bool bakeAll(const CurveSet& set, const SampledHair& hair, const HairField& fiel
 
 int HairCards::triangles() const
 {
-    return std::accumulate(strips.begin(), strips.end(), 0,
-                           [](int sum, const CardStrip& strip) { return sum + strip.triangles(); });
+    int sum = 0;
+    for (const CardStrip& strip : strips)
+        sum += strip.triangles();
+    for (const std::optional<ScalpCap>& cap : caps)
+        sum += cap ? static_cast<int>(cap->triangles.size()) : 0;
+    return sum;
 }
 
 std::optional<HairCards> makeCards(const CurveSet& set, const CardSettings& settings, const Progress& progress)
@@ -137,22 +182,20 @@ std::optional<HairCards> makeCards(const CurveSet& set, const CardSettings& sett
     if (!hair || (progress && !progress(kSampled)))
         return std::nullopt;
     const HairField field(set, *hair);
-    HairCards cards{.strips = stripsOf(set, *hair, field, settings.triangles),
-                    .patches = {},
-                    .groups = {},
-                    .images = CardImages(settings.atlasPx)};
-    std::vector<PatchWish> wishes;
-    wishes.reserve(cards.strips.size());
+    HairsByGroup byGroup(set.groups().size());
+    for (std::uint32_t i = 0; i < hair->count(); ++i)
+        byGroup[groupOf(set, *hair, i)].push_back(i);
+    HairCards cards{.strips = {}, .groups = {}, .caps = {}, .patches = {}, .images = CardImages(settings.atlasPx)};
+    const int left = addCaps(set, *hair, byGroup, cards, settings.triangles);
+    cards.strips = stripsOf(set, *hair, field, byGroup, left);
     cards.groups.reserve(cards.strips.size());
-    for (const CardStrip& strip : cards.strips) {
-        wishes.push_back({.widthM = strip.greatestWidthM(), .heightM = strip.lengthM()});
+    for (const CardStrip& strip : cards.strips)
         cards.groups.push_back(groupOf(set, *hair, strip.hairs.front()));
-    }
-    cards.patches = packedAtlas(wishes, settings.atlasPx);
+    cards.patches = packedAtlas(wishesOf(cards), settings.atlasPx);
     if (!bakeAll(set, *hair, field, cards, progress))
         return std::nullopt;
-    cards.images.keepCoverage(cards.patches);
     cards.images.dilate();
+    keepAlphaCoverage(cards.images.alpha(), settings.atlasPx, cards.patches);
     if (progress && !progress(1.0))
         return std::nullopt;
     return cards;

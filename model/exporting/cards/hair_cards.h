@@ -1,9 +1,11 @@
 // Hair as cards: strips along locks of hair, and the textures that are drawn on them.
 #pragma once
 
+#include "model/exporting/cards/atlas_layout.h"
 #include "model/exporting/cards/card_images.h"
 #include "model/exporting/cards/card_settings.h"
 #include "model/exporting/cards/card_strip.h"
+#include "model/exporting/cards/scalp_cap.h"
 
 #include <optional>
 #include <vector>
@@ -14,8 +16,9 @@ struct HairCards
 {
     std::vector<CardStrip>
         strips; ///< Those of a group together; in a group from the skin to the surface, flyaways last.
-    std::vector<AtlasPatch> patches; ///< A strip's each.
-    std::vector<std::size_t> groups; ///< By strip: index into CurveSet::groups().
+    std::vector<std::size_t> groups;           ///< By strip: index into CurveSet::groups().
+    std::vector<std::optional<ScalpCap>> caps; ///< By group.
+    std::vector<AtlasPatch> patches;           ///< A strip's each, then those of the caps that are there.
     CardImages images;
     [[nodiscard]] int triangles() const;
 };

@@ -1,0 +1,127 @@
+// Bisection of how far each patch's alpha is moved.
+#include "model/exporting/cards/alpha_coverage.h"
+
+#include "model/exporting/cards/card_settings.h"
+#include "sim/base/parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr int kLevels = 3; ///< That are heeded; further ones are a few texels of a card.
+constexpr float kFull = 255.0F;
+constexpr float kFarthest = 0.8F; ///< Of the distance to the cutoff: programs that blend need some of the rest.
+
+struct Plane
+{
+    int width = 0;
+    int height = 0;
+    std::vector<float> values;
+};
+
+Plane planeOf(const std::vector<std::uint8_t>& alpha, int sizePx, const AtlasPatch& patch)
+{
+    Plane plane{.width = patch.width, .height = patch.height, .values = {}};
+    plane.values.reserve(static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height));
+    for (int y = patch.y; y < patch.y + patch.height; ++y)
+        for (int x = patch.x; x < patch.x + patch.width; ++x)
+            plane.values.push_back(
+                static_cast<float>(alpha[static_cast<std::size_t>(y) * static_cast<std::size_t>(sizePx) +
+                                         static_cast<std::size_t>(x)]) /
+                kFull);
+    return plane;
+}
+
+Plane halved(const Plane& plane)
+{
+    Plane half{.width = std::max(plane.width / 2, 1), .height = std::max(plane.height / 2, 1), .values = {}};
+    half.values.reserve(static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
+    const auto at = [&plane](int x, int y) {
+        return plane
+            .values[static_cast<std::size_t>(std::min(y, plane.height - 1)) * static_cast<std::size_t>(plane.width) +
+                    static_cast<std::size_t>(std::min(x, plane.width - 1))];
+    };
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x)
+            half.values.push_back(
+                0.25F * (at(2 * x, 2 * y) + at(2 * x + 1, 2 * y) + at(2 * x, 2 * y + 1) + at(2 * x + 1, 2 * y + 1)));
+    return half;
+}
+
+float coverageOf(const Plane& plane)
+{
+    const auto hair = std::ranges::count_if(plane.values, [](float alpha) { return alpha >= kCardCutoff; });
+    return static_cast<float>(hair) / static_cast<float>(plane.values.size());
+}
+
+/// `amount` above 0 raises what lies below the cutoff, below 0 lowers what lies above it.
+std::uint8_t moved(std::uint8_t alpha, float amount)
+{
+    const float cutoff = kCardCutoff * kFull;
+    const auto value = static_cast<float>(alpha);
+    if (value >= cutoff)
+        return amount < 0.0F ? static_cast<std::uint8_t>(std::ceil(value - amount * (cutoff - value))) : alpha;
+    return amount > 0.0F ? static_cast<std::uint8_t>(value + amount * (cutoff - 1.0F - value)) : alpha;
+}
+
+/// Mean of the first levels' coverage once alpha is moved by `amount`.
+float laterCoverage(const Plane& plane, float amount)
+{
+    std::array<float, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table.at(i) = static_cast<float>(moved(static_cast<std::uint8_t>(i), amount)) / kFull;
+    Plane level = plane;
+    for (float& value : level.values)
+        value = table.at(static_cast<std::size_t>(std::lround(value * kFull)));
+    float sum = 0.0F;
+    for (int i = 0; i < kLevels; ++i) {
+        level = halved(level);
+        sum += coverageOf(level) / static_cast<float>(kLevels);
+    }
+    return sum;
+}
+
+float amountFor(const Plane& plane)
+{
+    constexpr int kHalvings = 6;
+    const float wanted = coverageOf(plane);
+    float low = -kFarthest;
+    float high = kFarthest;
+    for (int i = 0; i < kHalvings; ++i) {
+        const float middle = 0.5F * (low + high);
+        (laterCoverage(plane, middle) < wanted ? low : high) = middle;
+    }
+    return 0.5F * (low + high);
+}
+
+} // namespace
+
+float alphaCoverage(const std::vector<std::uint8_t>& alpha, int sizePx, const AtlasPatch& patch, int level)
+{
+    Plane plane = planeOf(alpha, sizePx, patch);
+    for (int i = 0; i < level; ++i)
+        plane = halved(plane);
+    return coverageOf(plane);
+}
+
+void keepAlphaCoverage(std::vector<std::uint8_t>& alpha, int sizePx, std::span<const AtlasPatch> patches)
+{
+    sim::parallelFor(patches.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const AtlasPatch& patch = patches[i];
+            const float amount = amountFor(planeOf(alpha, sizePx, patch));
+            for (int y = patch.y; y < patch.y + patch.height; ++y)
+                for (int x = patch.x; x < patch.x + patch.width; ++x) {
+                    std::uint8_t& value = alpha[static_cast<std::size_t>(y) * static_cast<std::size_t>(sizePx) +
+                                                static_cast<std::size_t>(x)];
+                    value = moved(value, amount);
+                }
+        }
+    });
+}
+
+} // namespace hairpaint::model
