@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace hairpaint;
@@ -37,6 +38,14 @@ sim::GroomInput::Group denseGroup(std::uint16_t length, std::uint16_t curl)
 HairCards cardsOf(const CurveSet& set, const CardSettings& settings = kSmall)
 {
     return *makeCards(set, settings, {});
+}
+
+/// Cosine by which the side turns around the strip, whose bends do not count.
+float turned(const StripNode& from, const StripNode& to)
+{
+    const glm::vec3 tangent = glm::cross(to.sideWo, to.normalWo);
+    const glm::vec3 kept = from.sideWo - glm::dot(from.sideWo, tangent) * tangent;
+    return glm::dot(kept, to.sideWo) / std::max(glm::length(kept), 1e-6F);
 }
 
 /// Empty where all is well.
@@ -158,33 +167,36 @@ private Q_SLOTS:
         std::size_t all = 0;
         for (const CardStrip& strip : cards.strips)
             for (std::size_t n = 1; n < strip.nodes.size(); ++n, ++all)
-                sharp += glm::dot(strip.nodes[n].sideWo, strip.nodes[n - 1].sideWo) < 0.5F ? 1U : 0U;
-        QVERIFY2(sharp * 50 < all, qPrintable(QStringLiteral("%1 of %2").arg(sharp).arg(all)));
+                sharp += turned(strip.nodes[n - 1], strip.nodes[n]) < 0.5F ? 1U : 0U;
+        QVERIFY2(sharp * 10 < all, qPrintable(QStringLiteral("%1 of %2").arg(sharp).arg(all)));
     }
 
     void alphaCoversAsMuchInSmallerLevels()
     {
         const HairCards cards = cardsOf(curvesOf(frameOf({denseGroup(65535, 0)})));
         const int size = cards.images.size();
-        for (const int level : {1, 2, 3}) {
-            double first = 0.0;
-            double later = 0.0;
-            for (const AtlasPatch& patch : cards.patches) {
-                const double area = static_cast<double>(patch.width) * patch.height;
-                first += area * static_cast<double>(alphaCoverage(cards.images.alpha(), size, patch, 0));
-                later += area * static_cast<double>(alphaCoverage(cards.images.alpha(), size, patch, level));
-            }
-            QVERIFY2(std::abs(later / first - 1.0) < 0.1,
-                     qPrintable(QStringLiteral("level %1: %2").arg(level).arg(later / first)));
-        }
+        const auto covered = [&](int level) {
+            double sum = 0.0;
+            for (const AtlasPatch& patch : cards.patches)
+                sum += static_cast<double>(patch.width) * patch.height *
+                       static_cast<double>(alphaCoverage(cards.images.alpha(), size, patch, level));
+            return sum;
+        };
+        const double whole = covered(0);
+        const std::array<double, 3> later{covered(1) / whole, covered(2) / whole, covered(3) / whole};
+        for (const double part : later)
+            QVERIFY2(std::abs(part - 1.0) < 0.2,
+                     qPrintable(QStringLiteral("%1 %2 %3").arg(later[0]).arg(later[1]).arg(later[2])));
     }
 
     void texelsBesideHairHaveItsColour()
     {
-        HairCards cards = cardsOf(curvesOf(frameOf({denseGroup(65535, 0)})));
-        // The hair is orange: no texel is black.
+        sim::GroomInput::Group group = denseGroup(65535, 0);
+        group.maps[sim::MapSlot::TipColour] = group.maps[sim::MapSlot::Colour];
+        HairCards cards = cardsOf(curvesOf(frameOf({group})));
+        // The hair is orange, and no texel of another colour shines in from beside it.
         for (const CardTexel& texel : cards.images.texels())
-            QVERIFY(texel.colour.r > 100 && texel.colour.b < 60);
+            QVERIFY(texel.colour.r > 200 && texel.colour.g > 90 && texel.colour.g < 170 && texel.colour.b < 10);
     }
 
     void rootsAreOnTopOfPatches()
@@ -246,10 +258,10 @@ private Q_SLOTS:
             const CardVertex& a = mesh.vertices[mesh.indices[i]];
             const CardVertex& b = mesh.vertices[mesh.indices[i + 1]];
             const CardVertex& c = mesh.vertices[mesh.indices[i + 2]];
-            QVERIFY(glm::dot(glm::cross(b.position - a.position, c.position - a.position), a.normal) > -1e-6F);
+            QVERIFY(glm::dot(glm::cross(b.position - a.position, c.position - a.position), a.normal) >= 0.0F);
         }
         const float covered = alphaCoverage(cards.images.alpha(), cards.images.size(), cards.patches[0], 0);
-        QVERIFY2(covered > 0.1F, qPrintable(QString::number(covered)));
+        QVERIFY2(covered > 0.02F, qPrintable(QString::number(covered)));
     }
 
     void noHairGivesNoCards()

@@ -1,4 +1,4 @@
-// Bisection of how far each patch's alpha is moved.
+// The best of some moves of each patch's alpha.
 #include "model/exporting/cards/alpha_coverage.h"
 
 #include "model/exporting/cards/card_settings.h"
@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kLevels = 3; ///< That are heeded; further ones are a few texels of a card.
 constexpr float kFull = 255.0F;
-constexpr float kFarthest = 0.8F; ///< Of the distance to the cutoff: programs that blend need some of the rest.
 
 struct Plane
 {
@@ -58,44 +57,57 @@ float coverageOf(const Plane& plane)
     return static_cast<float>(hair) / static_cast<float>(plane.values.size());
 }
 
-/// `amount` above 0 raises what lies below the cutoff, below 0 lowers what lies above it.
-std::uint8_t moved(std::uint8_t alpha, float amount)
+/// How far alpha goes to the cutoff, 0..1.
+struct Move
+{
+    float raised = 0.0F;  ///< What lies below it.
+    float lowered = 0.0F; ///< What lies above it.
+};
+
+std::uint8_t moved(std::uint8_t alpha, const Move& move)
 {
     const float cutoff = kCardCutoff * kFull;
     const auto value = static_cast<float>(alpha);
     if (value >= cutoff)
-        return amount < 0.0F ? static_cast<std::uint8_t>(std::ceil(value - amount * (cutoff - value))) : alpha;
-    return amount > 0.0F ? static_cast<std::uint8_t>(value + amount * (cutoff - 1.0F - value)) : alpha;
+        return static_cast<std::uint8_t>(std::ceil(value - move.lowered * (value - cutoff)));
+    return static_cast<std::uint8_t>(value + move.raised * (cutoff - 1.0F - value));
 }
 
-/// Mean of the first levels' coverage once alpha is moved by `amount`.
-float laterCoverage(const Plane& plane, float amount)
+/// How much the first levels' coverage differs from `wanted` once alpha is moved: sum of squares.
+float awayAfter(const Plane& plane, const Move& move, float wanted)
 {
     std::array<float, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i)
-        table.at(i) = static_cast<float>(moved(static_cast<std::uint8_t>(i), amount)) / kFull;
+        table.at(i) = static_cast<float>(moved(static_cast<std::uint8_t>(i), move)) / kFull;
     Plane level = plane;
     for (float& value : level.values)
         value = table.at(static_cast<std::size_t>(std::lround(value * kFull)));
     float sum = 0.0F;
     for (int i = 0; i < kLevels; ++i) {
         level = halved(level);
-        sum += coverageOf(level) / static_cast<float>(kLevels);
+        const float away = coverageOf(level) - wanted;
+        sum += away * away;
     }
     return sum;
 }
 
-float amountFor(const Plane& plane)
+Move bestMove(const Plane& plane)
 {
-    constexpr int kHalvings = 6;
+    constexpr int kSteps = 5;
+    constexpr float kFarthest = 0.8F; // Programs that blend need some of the rest.
     const float wanted = coverageOf(plane);
-    float low = -kFarthest;
-    float high = kFarthest;
-    for (int i = 0; i < kHalvings; ++i) {
-        const float middle = 0.5F * (low + high);
-        (laterCoverage(plane, middle) < wanted ? low : high) = middle;
+    Move best;
+    float least = awayAfter(plane, best, wanted);
+    for (int i = 0; i < kSteps * kSteps; ++i) {
+        const Move move{.raised = kFarthest * static_cast<float>(i / kSteps) / (kSteps - 1),
+                        .lowered = kFarthest * static_cast<float>(i % kSteps) / (kSteps - 1)};
+        const float away = awayAfter(plane, move, wanted);
+        if (away < least) {
+            least = away;
+            best = move;
+        }
     }
-    return 0.5F * (low + high);
+    return best;
 }
 
 } // namespace
@@ -113,12 +125,12 @@ void keepAlphaCoverage(std::vector<std::uint8_t>& alpha, int sizePx, std::span<c
     sim::parallelFor(patches.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const AtlasPatch& patch = patches[i];
-            const float amount = amountFor(planeOf(alpha, sizePx, patch));
+            const Move move = bestMove(planeOf(alpha, sizePx, patch));
             for (int y = patch.y; y < patch.y + patch.height; ++y)
                 for (int x = patch.x; x < patch.x + patch.width; ++x) {
                     std::uint8_t& value = alpha[static_cast<std::size_t>(y) * static_cast<std::size_t>(sizePx) +
                                                 static_cast<std::size_t>(x)];
-                    value = moved(value, amount);
+                    value = moved(value, move);
                 }
         }
     });

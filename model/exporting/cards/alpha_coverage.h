@@ -14,9 +14,9 @@ namespace hairpaint::model {
 [[nodiscard]] float alphaCoverage(const std::vector<std::uint8_t>& alpha, int sizePx, const AtlasPatch& patch,
                                   int level);
 
-/// Moves each patch's alpha nearer to the cutoff, from one side and never across it, so that as much of it as can be is
-/// hair in the first levels of its mipmap as in the image itself, which keeps its own. (After Castano 2010, who scales
-/// each level, which a file without levels can't.) Runs on several threads.
+/// Moves each patch's alpha nearer to the cutoff, from both sides and never across it, so that as much of it as can be
+/// is hair in the first levels of its mipmap as in the image itself, which keeps its own. (After Castano 2010, who
+/// scales each level, which a file without levels can't.) Runs on several threads.
 void keepAlphaCoverage(std::vector<std::uint8_t>& alpha, int sizePx, std::span<const AtlasPatch> patches);
 
 } // namespace hairpaint::model

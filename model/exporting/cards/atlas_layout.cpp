@@ -9,7 +9,8 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr float kTexelLengths = 2.0F; ///< How much longer than wide a texel is.
+constexpr float kTexelLengths = 2.0F;  ///< How much longer than wide a texel is,
+constexpr float kLeastPatchPx = 12.0F; ///< unless patches were narrower than that; mean, with the border.
 
 struct Shelf
 {
@@ -42,8 +43,8 @@ std::vector<Shelf> shelvesOf(std::span<const float> widths, std::size_t count)
     return shelves;
 }
 
-/// Borders of parts of a length, as whole numbers: each at least 1 long.
-std::vector<int> edgesOf(std::span<const float> parts, int length)
+/// Borders of parts of a length, as whole numbers: each at least `least` long.
+std::vector<int> edgesOf(std::span<const float> parts, int length, int least)
 {
     const float total = std::accumulate(parts.begin(), parts.end(), 0.0F);
     std::vector<int> edges{0};
@@ -53,7 +54,8 @@ std::vector<int> edgesOf(std::span<const float> parts, int length)
         sum += parts[i];
         const auto ideal = static_cast<int>(std::lround(static_cast<float>(length) * sum / total));
         const auto left = static_cast<int>(parts.size() - 1 - i);
-        edges.push_back(std::clamp(ideal, edges.back() + 1, length - left));
+        const int first = edges.back() + least;
+        edges.push_back(std::clamp(ideal, first, std::max(first, length - left * least)));
     }
     return edges;
 }
@@ -91,7 +93,8 @@ std::vector<AtlasPatch> packedAtlas(std::span<const PatchWish> wishes, int sizeP
         const std::vector<float> heights = tallestOf(shelves);
         const float height = std::accumulate(heights.begin(), heights.end(), 0.0F);
         const float width = std::accumulate(widths.begin(), widths.end(), 0.0F) / static_cast<float>(shelves.size());
-        if (height >= width * kTexelLengths)
+        const auto widthPx = static_cast<float>(sizePx) * static_cast<float>(count) / static_cast<float>(wishes.size());
+        if (height >= width * kTexelLengths && widthPx >= kLeastPatchPx)
             break;
     }
     const int border = borderOf(wishes.size(), sizePx);
@@ -101,7 +104,7 @@ std::vector<AtlasPatch> packedAtlas(std::span<const PatchWish> wishes, int sizeP
     const auto room = static_cast<float>(sizePx - 2 * border * static_cast<int>(shelves.size()));
     for (float& height : heights)
         height = height / heightSum * room + 2.0F * static_cast<float>(border);
-    const std::vector<int> rows = edgesOf(heights, sizePx);
+    const std::vector<int> rows = edgesOf(heights, sizePx, 1 + 2 * border);
     for (std::size_t s = 0; s < shelves.size(); ++s) {
         const Shelf& shelf = shelves[s];
         const auto inside = static_cast<float>(sizePx) -
@@ -110,7 +113,7 @@ std::vector<AtlasPatch> packedAtlas(std::span<const PatchWish> wishes, int sizeP
         parts.reserve(shelf.end - shelf.begin);
         for (std::size_t i = shelf.begin; i < shelf.end; ++i)
             parts.push_back(std::max(widths[i] / shelf.width * inside, 1.0F) + 2.0F * static_cast<float>(border));
-        const std::vector<int> columns = edgesOf(parts, sizePx);
+        const std::vector<int> columns = edgesOf(parts, sizePx, 1 + 2 * border);
         for (std::size_t i = shelf.begin; i < shelf.end; ++i) {
             const std::size_t column = i - shelf.begin;
             patches[order[i]] = {.x = columns[column] + border,

@@ -25,7 +25,7 @@ struct PatchWish
 
 /// A patch a wish, in their order, in shelves of patches of about one height that are stretched to fill a square of
 /// `sizePx`: patches are disjoint, `borderPx` of nothing is around each. Texels are about twice as long as wide, since
-/// hair varies least along itself. At most 40,000 wishes.
+/// hair varies least along itself; longer where patches would be too narrow. At most 40,000 wishes.
 [[nodiscard]] std::vector<AtlasPatch> packedAtlas(std::span<const PatchWish> wishes, int sizePx);
 
 /// Of the atlas' area, 0..1.

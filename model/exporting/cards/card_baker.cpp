@@ -11,7 +11,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr float kLeastWidthPx = 1.25F; ///< Thinner lines would be alpha alone.
+constexpr float kLeastWidthPx = 1.5F; ///< Thinner lines would be alpha alone.
 /// Cards are as dense as their hairs times this, since where they lie over each other gaps lie over gaps.
 constexpr double kOverlap = 1.3;
 constexpr float kFull = 255.0F;
@@ -142,6 +142,29 @@ LineCount linesFor(const SampledHair& hair, const CardStrip& strip, const AtlasP
             .widthPx = static_cast<float>(wantedPx / (meanLengthPx * static_cast<double>(strip.hairs.size())))};
 }
 
+/// How many lines of which width cover as much of the cap as its hairs do when they are seen from their side: from
+/// above those that stand up would be dots.
+LineCount linesOn(const ScalpCap& cap, const SampledHair& hair, const glm::vec2& metresPerTexel)
+{
+    double areaM2 = 0.0;
+    double lengthPx = 0.0;
+    for (const std::uint32_t i : cap.hairs) {
+        areaM2 += static_cast<double>(hair.lengthM[i]) * static_cast<double>(hair.widthM[i]);
+        const auto places = hair.places(i);
+        lengthPx +=
+            static_cast<double>(glm::length((cap.flat(places.back()) - cap.flat(places.front())) / metresPerTexel));
+    }
+    const auto hairs = static_cast<double>(cap.hairs.size());
+    const double lengthEach = lengthPx / hairs;
+    const double areaEach = kOverlap * areaM2 / hairs / static_cast<double>(metresPerTexel.x * metresPerTexel.y);
+    // A line covers its length and half a width more on both sides.
+    const double width = 0.5 * (std::sqrt(lengthEach * lengthEach + 4.0 * areaEach) - lengthEach);
+    const auto least = static_cast<double>(kLeastWidthPx);
+    if (width >= least)
+        return {.count = cap.hairs.size(), .widthPx = static_cast<float>(width)};
+    return {.count = static_cast<std::size_t>(std::ceil(hairs * areaEach / (least * (lengthEach + least))))};
+}
+
 /// Of some hairs so many, the same ones each time.
 std::vector<std::pair<std::uint64_t, std::uint32_t>> chosenOf(const CurveSet& set, const SampledHair& hair,
                                                               std::span<const std::uint32_t> hairs, std::size_t count)
@@ -226,14 +249,7 @@ void bakeCap(const CurveSet& set, const SampledHair& hair, const HairField& fiel
         };
     };
     const glm::vec2 metresPerTexel = (cap.greatestM - cap.leastM) / sizePx;
-    float widthM = 0.0F;
-    for (const std::uint32_t i : cap.hairs)
-        widthM += hair.widthM[i] / static_cast<float>(cap.hairs.size());
-    const float widthPx = widthM / std::sqrt(metresPerTexel.x * metresPerTexel.y);
-    const float part = std::min(widthPx / kLeastWidthPx, 1.0F);
-    const auto count = static_cast<std::size_t>(std::ceil(part * static_cast<float>(cap.hairs.size())));
-    drawHairs(set, hair, field, cap.hairs, {.count = count, .widthPx = std::max(widthPx, kLeastWidthPx)},
-              metresPerTexel, placeOf, painter);
+    drawHairs(set, hair, field, cap.hairs, linesOn(cap, hair, metresPerTexel), metresPerTexel, placeOf, painter);
 }
 
 } // namespace hairpaint::model

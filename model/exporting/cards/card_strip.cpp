@@ -13,7 +13,7 @@ constexpr float kTiny = 1e-12F;
 constexpr float kLeftOut = 0.05F; ///< Of the hairs, on each side.
 constexpr float kNarrowestM = 0.2e-3F;
 constexpr float kShortestM = 0.2e-3F;
-constexpr int kFrameRounds = 12;
+constexpr int kFrameRounds = 24;
 
 using Vectors = std::array<glm::vec3, kPlaces>;
 using Numbers = std::array<float, kPlaces>;
@@ -87,7 +87,7 @@ Vectors normalsOf(const Vectors& path, const Vectors& tangents, const HairField&
         last = unitOr(last + wanted.at(i), last);
         normals.at(i) = last;
     }
-    constexpr float kKept = 2.0F; ///< Of the neighbours, against what is wanted there.
+    constexpr float kKept = 6.0F; ///< Of the neighbours, against what is wanted there.
     for (int round = 0; round < kFrameRounds; ++round)
         for (std::size_t i = 0; i < kPlaces; ++i) {
             const glm::vec3 around = normals.at(i > 0 ? i - 1 : 0) + normals.at(std::min(i + 1, kPlaces - 1));

@@ -139,6 +139,14 @@ std::optional<ScalpCap> capOver(const CurveSet& set, const SampledHair& hair, st
     for (glm::uvec3& triangle : cap.triangles)
         for (int i = 0; i < 3; ++i)
             triangle[i] = cornerOf(triangle[i]);
+    // Where the coarse skin folds over, it is turned to face outward.
+    for (glm::uvec3& triangle : cap.triangles) {
+        const ScalpCap::Corner& first = cap.corners[triangle.x];
+        const glm::vec3 face = glm::cross(cap.corners[triangle.y].placeWo - first.placeWo,
+                                          cap.corners[triangle.z].placeWo - first.placeWo);
+        if (glm::dot(face, first.normalWo) < 0.0F)
+            std::swap(triangle.y, triangle.z);
+    }
     const glm::vec2 size = cap.greatestM - cap.leastM;
     if (cap.triangles.empty() || size.x <= 0.0F || size.y <= 0.0F)
         return std::nullopt;
