@@ -463,10 +463,6 @@
         <translation>un lado de las texturas de las tarjetas: 1024, 2048 o 4096; 2048 si no se indica</translation>
     </message>
     <message>
-        <source>--triangles and --atlas are for cards; give --cards too</source>
-        <translation>--triangles y --atlas son para tarjetas; indique también --cards</translation>
-    </message>
-    <message>
         <source>Cards are written as glTF; with --cards -o takes a name that ends in .glb</source>
         <translation>Las tarjetas se escriben como glTF; con --cards, -o toma un nombre que acaba en .glb</translation>
     </message>
@@ -481,6 +477,14 @@
     <message>
         <source>--atlas takes %1, not &apos;%2&apos;</source>
         <translation>--atlas toma %1, no «%2»</translation>
+    </message>
+    <message>
+        <source>joints along the cards&apos; locks, with spring bones (VRMC_springBone) for avatar programs</source>
+        <translation>articulaciones a lo largo de los mechones, con huesos de muelle (VRMC_springBone) para programas de avatares</translation>
+    </message>
+    <message>
+        <source>--triangles, --atlas and --bones are for cards; give --cards too</source>
+        <translation>--triangles, --atlas y --bones son para tarjetas; indique también --cards</translation>
     </message>
 </context>
 <context>
@@ -3185,6 +3189,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>%1 × %1 pixels</source>
         <translation>%1 × %1 píxeles</translation>
+    </message>
+    <message>
+        <source>&amp;Spring bones</source>
+        <translation>Hue&amp;sos de muelle</translation>
+    </message>
+    <message>
+        <source>Joints along the locks, so that avatar programs let the hair swing.</source>
+        <translation>Articulaciones a lo largo de los mechones, para que los programas de avatares dejen que el pelo se balancee.</translation>
     </message>
 </context>
 <context>

@@ -61,15 +61,16 @@ std::optional<QString> readCards(const QCommandLineParser& parser, const QString
     const QString triangles = parser.value(QStringLiteral("triangles"));
     const QString atlas = parser.value(QStringLiteral("atlas"));
     if (!parser.isSet(QStringLiteral("cards"))) {
-        if (triangles.isEmpty() && atlas.isEmpty())
+        if (triangles.isEmpty() && atlas.isEmpty() && !parser.isSet(QStringLiteral("bones")))
             return std::nullopt;
-        return CommandLine::tr("--triangles and --atlas are for cards; give --cards too");
+        return CommandLine::tr("--triangles, --atlas and --bones are for cards; give --cards too");
     }
     request.format = model::findExportFormat(output, &model::cardFormat());
     if (request.format != &model::cardFormat())
         return CommandLine::tr("Cards are written as glTF; with --cards -o takes a name that ends in .glb");
     if (parser.isSet(QStringLiteral("frames")))
         return CommandLine::tr("--cards and --frames exclude each other");
+    request.cards.springBones = parser.isSet(QStringLiteral("bones"));
     using Cards = model::CardSettings;
     if (!triangles.isEmpty()) {
         bool isNumber = false;
@@ -214,6 +215,7 @@ ExitCode runExport(const QStringList& arguments)
                        {QStringLiteral("cards"), {}},
                        {QStringLiteral("triangles"), {}, QStringLiteral("number")},
                        {QStringLiteral("atlas"), {}, QStringLiteral("size")},
+                       {QStringLiteral("bones"), {}},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("hairs"), {}, QStringLiteral("number")},
                        {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
@@ -282,6 +284,7 @@ ExitCode runExport(const QStringList& arguments)
     if (output.isEmpty())
         return ExitCode::Done;
     request->curves.groups = std::move(*groups);
+    request->colliders = project->ellipsoids;
     if (const model::Result<void> written = exportShape(std::move(*project), wanted, *request, output); !written)
         return failed(written.error());
     return ExitCode::Done;

@@ -271,6 +271,11 @@ const sim::StrandMaterial& CurveSet::material(const Curve& curve) const
     return groom(curve).settings.material;
 }
 
+const sim::PhysicsSettings& CurveSet::physics(std::size_t group) const
+{
+    return m_grooms[group]->settings.physics;
+}
+
 const sim::RootSet& CurveSet::roots(const Curve& curve) const
 {
     return *groom(curve).roots;

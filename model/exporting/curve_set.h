@@ -107,6 +107,7 @@ public:
     /// Those of the curve's group, by slot.
     [[nodiscard]] const sim::RootSet& roots(const Curve& curve) const;
     [[nodiscard]] const sim::StrandMaterial& material(const Curve& curve) const;
+    [[nodiscard]] const sim::PhysicsSettings& physics(std::size_t group) const;
     /// The head that the hair stands on; null where no group has roots. Valid as long as the set.
     [[nodiscard]] const sim::Skin* skin() const;
     [[nodiscard]] const sim::HeadPose& pose() const { return m_frame->pose; }

@@ -153,6 +153,7 @@ Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, co
             return cancelled(path);
         ExportSettings settings = request.format->settingsFor(*request.target);
         settings.cards = request.cards;
+        settings.colliders = request.colliders;
         return request.format->write(*curves, settings, path, part(kMeasured, 1.0));
     });
 }

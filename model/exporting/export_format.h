@@ -64,6 +64,7 @@ struct ExportRequest
     const ExportTarget* target = nullptr;
     CurveOptions curves{};
     CardSettings cards{};
+    std::vector<sim::Ellipsoid> colliders{}; ///< See ExportSettings.
 };
 
 /// Atomic: nothing is written where it fails or `progress`, which never steps back, cancels. Any thread.

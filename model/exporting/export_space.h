@@ -3,7 +3,11 @@
 
 #include "model/exporting/cards/card_settings.h"
 
+#include "sim/skin/ellipsoid.h"
+
 #include <glm/glm.hpp>
+
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -26,8 +30,9 @@ struct ExportSpace
 struct ExportSettings
 {
     ExportSpace space;
-    bool groomColours = false; ///< Its reader takes colours from Unreal's groom attributes alone.
-    CardSettings cards{};      ///< For formats that make some.
+    bool groomColours = false;               ///< Its reader takes colours from Unreal's groom attributes alone.
+    CardSettings cards{};                    ///< For formats that make some;
+    std::vector<sim::Ellipsoid> colliders{}; ///< that stand for the head where those swing.
 };
 
 } // namespace hairpaint::model

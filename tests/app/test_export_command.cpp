@@ -95,6 +95,34 @@ private Q_SLOTS:
         }
     }
 
+    void bonesLetCardsSwing()
+    {
+        const Outcome outcome = exported("bones.glb", {QStringLiteral("--cards"), QStringLiteral("--bones"),
+                                                       QStringLiteral("--atlas"), QStringLiteral("1024")});
+        QCOMPARE(outcome.error, QString());
+        const QByteArray glb = contentOf(path("bones.glb"));
+        const qsizetype length = qFromLittleEndian<quint32>(glb.constData() + 12);
+        const QJsonObject json = QJsonDocument::fromJson(glb.sliced(20, length)).object();
+        const QJsonObject springBone = json[QLatin1String("extensions")][QLatin1String("VRMC_springBone")].toObject();
+        QCOMPARE(springBone[QLatin1String("specVersion")].toString(), QStringLiteral("1.0"));
+        const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
+        const QJsonArray springs = springBone[QLatin1String("springs")].toArray();
+        QVERIFY(springs.size() > 5 && springs.size() < 100);
+        for (const QJsonValue spring : springs) {
+            const QJsonArray joints = spring[QLatin1String("joints")].toArray();
+            QCOMPARE(joints.size(), qsizetype{5});
+            // Each is the child of the one before.
+            for (qsizetype j = 1; j < joints.size(); ++j)
+                QCOMPARE(nodes[joints[j - 1][QLatin1String("node")].toInt()][QLatin1String("children")][0],
+                         joints[j][QLatin1String("node")]);
+        }
+        const model::Result<model::Project> project = model::loadProject(m_project);
+        QCOMPARE(static_cast<std::size_t>(springBone[QLatin1String("colliders")].toArray().size()),
+                 project->ellipsoids.size());
+        const QJsonArray joints = json[QLatin1String("skins")][0][QLatin1String("joints")].toArray();
+        QCOMPARE(joints.size(), 1 + 5 * springs.size());
+    }
+
     void cardsThatMakeNoSenseAreWrongUsage_data()
     {
         QTest::addColumn<QString>("options");
@@ -104,6 +132,7 @@ private Q_SLOTS:
         };
         row("-o a.glb --triangles 5000", "--cards");
         row("-o a.glb --atlas 2048", "--cards");
+        row("-o a.glb --bones", "--cards");
         row("-o a.hair --cards", ".glb");
         row("-o a.glb --cards --frames 1-2", "--frames");
         row("-o a.glb --cards --triangles 999", "1000 to 60000");

@@ -160,6 +160,25 @@ private Q_SLOTS:
         QVERIFY2(outward / area > 0.1, qPrintable(QString::number(outward / area)));
     }
 
+    void noStripCutsThroughTheHead()
+    {
+        // Hair that lies flat.
+        sim::GroomInput::Group group = denseGroup(65535, 0);
+        group.settings.greatestLengthM = 0.1F;
+        group.maps[sim::MapSlot::Direction] = test::flat(2, {65535, 32768});
+        const CurveSet set = curvesOf(frameOf({group}));
+        const HairCards cards = cardsOf(set);
+        std::size_t inside = 0;
+        std::size_t all = 0;
+        for (const CardStrip& strip : cards.strips)
+            for (std::size_t n = 0; n + 1 < strip.nodes.size(); ++n, ++all) {
+                const glm::vec3 middle = 0.5F * (strip.nodes[n].middleWo + strip.nodes[n + 1].middleWo);
+                const sim::SurfacePoint near = set.skin()->nearest(middle);
+                inside += glm::dot(middle - near.positionHd, near.normalHd) < 0.0F ? 1U : 0U;
+            }
+        QVERIFY2(inside * 100 < all, qPrintable(QStringLiteral("%1 of %2").arg(inside).arg(all)));
+    }
+
     void stripsDoNotTwist()
     {
         const HairCards cards = cardsOf(curvesOf(frameOf({denseGroup(65535, 20'000)})));
@@ -212,6 +231,28 @@ private Q_SLOTS:
             const int low = texels[cards.images.indexOf(x, patch.y + patch.height * 7 / 8)].rootToTip;
             QVERIFY2(top < low, qPrintable(QStringLiteral("%1: %2 %3").arg(i).arg(top).arg(low)));
         }
+    }
+
+    void bonesHoldEveryVertexAndRootsStayWithTheHead()
+    {
+        const CurveSet set = curvesOf(frameOf({denseGroup(65535, 0), hairGroup(2, 30'000, 20'000, 0)}));
+        const HairCards cards = cardsOf(set, {.triangles = 2'000, .atlasPx = 1024, .springBones = true});
+        QVERIFY(cards.bones && cards.bones->chains.size() > 5);
+        for (std::size_t i = 0; i < cards.strips.size(); ++i) {
+            const BoneChain& chain = cards.bones->chains[cards.bones->chainOf[i]];
+            QCOMPARE(chain.group, cards.groups[i]);
+            for (const StripNode& node : cards.strips[i].nodes) {
+                const BoneWeights own = cards.bones->weightsAt(i, node.middleWo);
+                QVERIFY(std::abs(own.weights.x + own.weights.y - 1.0F) < 1e-5F && own.weights.x >= 0.0F);
+                QVERIFY(std::ranges::all_of(own.joints,
+                                            [&](std::size_t joint) { return joint < cards.bones->jointCount(); }));
+            }
+            const BoneWeights root = cards.bones->weightsAt(i, chain.jointsWo.front());
+            QVERIFY(root.joints[0] == 0 && root.weights.x == 1.0F);
+        }
+        const CardMesh mesh = cardMesh(cards, 0);
+        QCOMPARE(mesh.bones.size(), mesh.vertices.size());
+        QVERIFY(cardMesh(cardsOf(set), 0).bones.empty());
     }
 
     void hardlyAnyHairIsNoProblem_data()

@@ -114,6 +114,9 @@ void ExportHairDialog::addCardRows(QFormLayout& form)
     m_atlas = addChoice(form, tr("Te&xture"));
     for (int size = Cards::kSmallestAtlasPx; size <= Cards::kLargestAtlasPx; size *= 2)
         m_atlas->addItem(tr("%1 × %1 pixels").arg(size), size);
+    m_bones = new QCheckBox(tr("&Spring bones"), this);
+    m_bones->setToolTip(tr("Joints along the locks, so that avatar programs let the hair swing."));
+    form.addRow(QString(), m_bones);
 }
 
 QLayout* ExportHairDialog::buildGroups()
@@ -147,6 +150,7 @@ void ExportHairDialog::fill(const HairExportChoice& before)
     m_tolerance->setValue(static_cast<double>(before.request.curves.toleranceM) * kMmPerMetre);
     m_triangles->setValue(before.request.cards.triangles);
     m_atlas->setCurrentIndex(m_atlas->findData(before.request.cards.atlasPx));
+    m_bones->setChecked(before.request.cards.springBones);
     m_hairs->setRange(0.0, 0.0);
 }
 
@@ -166,6 +170,7 @@ void ExportHairDialog::follow()
     m_target->setEnabled(format.space != model::FormatSpace::Own);
     m_form->setRowVisible(m_triangles, format.hasCards);
     m_form->setRowVisible(m_atlas, format.hasCards);
+    m_form->setRowVisible(m_bones, format.hasCards);
     // Cards follow hairs by themselves.
     m_form->setRowVisible(m_tolerance, !format.hasCards);
     const auto hairs = static_cast<double>(hairsOfChosen());
@@ -194,7 +199,8 @@ HairExportChoice ExportHairDialog::choice() const
     const double toleranceMm = choice.request.format->hasCards ? 0.0 : m_tolerance->value();
     curves.toleranceM = static_cast<float>(toleranceMm / kMmPerMetre);
     choice.request.cards = {.triangles = static_cast<int>(m_triangles->value()),
-                            .atlasPx = m_atlas->currentData().toInt()};
+                            .atlasPx = m_atlas->currentData().toInt(),
+                            .springBones = m_bones->isChecked()};
     return choice;
 }
 

@@ -68,8 +68,9 @@ private:
     QComboBox* m_source = nullptr;
     BarSlider* m_hairs = nullptr;
     BarSlider* m_tolerance = nullptr;
-    BarSlider* m_triangles = nullptr; ///< Seen with formats of cards, as is the next.
+    BarSlider* m_triangles = nullptr; ///< Seen with formats of cards, as are the next two.
     QComboBox* m_atlas = nullptr;
+    QCheckBox* m_bones = nullptr;
     QLabel* m_use = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
 };

@@ -64,6 +64,8 @@ CardMesh cardMesh(const HairCards& cards, std::size_t group)
 {
     CardMesh mesh;
     addCap(cards, group, mesh);
+    if (cards.bones)
+        mesh.bones.resize(mesh.vertices.size()); // The cap stays with the head.
     const auto atlasPx = static_cast<float>(cards.images.size());
     for (std::size_t i = 0; i < cards.strips.size(); ++i) {
         if (cards.groups[i] != group)
@@ -73,6 +75,8 @@ CardMesh cardMesh(const HairCards& cards, std::size_t group)
             const auto at = static_cast<std::uint32_t>(mesh.vertices.size());
             mesh.vertices.push_back(vertexOf(strip, strip.nodes[n], cards.patches[i], -1.0F, atlasPx));
             mesh.vertices.push_back(vertexOf(strip, strip.nodes[n], cards.patches[i], 1.0F, atlasPx));
+            if (cards.bones)
+                mesh.bones.insert(mesh.bones.end(), 2, cards.bones->weightsAt(i, strip.nodes[n].middleWo));
             if (n + 1 < strip.nodes.size())
                 for (const std::uint32_t corner : {0U, 2U, 1U, 1U, 2U, 3U})
                     mesh.indices.push_back(at + corner);

@@ -21,6 +21,7 @@ static_assert(sizeof(CardVertex) == 48);
 struct CardMesh
 {
     std::vector<CardVertex> vertices;
+    std::vector<BoneWeights> bones;     ///< One a vertex, where there are bones.
     std::vector<std::uint32_t> indices; ///< Three a triangle, counter-clockwise from outside.
 };
 

@@ -3,6 +3,7 @@
 
 #include "model/exporting/cards/alpha_coverage.h"
 #include "model/exporting/cards/card_baker.h"
+#include "model/exporting/cards/skin_clearance.h"
 #include "sim/base/parallel.h"
 
 #include <algorithm>
@@ -96,6 +97,7 @@ std::vector<CardStrip> stripsOf(const CurveSet& set, const SampledHair& hair, co
     sim::parallelFor(locks.size(), 4, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             strips[i] = stripOf(hair, locks[i], field);
+            keepAboveSkin(set, strips[i]);
             strips[i].flyaway = i >= firstFlyaway;
         }
     });
@@ -185,12 +187,15 @@ std::optional<HairCards> makeCards(const CurveSet& set, const CardSettings& sett
     HairsByGroup byGroup(set.groups().size());
     for (std::uint32_t i = 0; i < hair->count(); ++i)
         byGroup[groupOf(set, *hair, i)].push_back(i);
-    HairCards cards{.strips = {}, .groups = {}, .caps = {}, .patches = {}, .images = CardImages(settings.atlasPx)};
+    HairCards cards{
+        .strips = {}, .groups = {}, .caps = {}, .patches = {}, .images = CardImages(settings.atlasPx), .bones = {}};
     const int left = addCaps(set, *hair, byGroup, cards, settings.triangles);
     cards.strips = stripsOf(set, *hair, field, byGroup, left);
     cards.groups.reserve(cards.strips.size());
     for (const CardStrip& strip : cards.strips)
         cards.groups.push_back(groupOf(set, *hair, strip.hairs.front()));
+    if (settings.springBones && !cards.strips.empty())
+        cards.bones = bonesFor(*hair, std::move(byGroup), cards.strips);
     cards.patches = packedAtlas(wishesOf(cards), settings.atlasPx);
     if (!bakeAll(set, *hair, field, cards, progress))
         return std::nullopt;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/exporting/cards/atlas_layout.h"
+#include "model/exporting/cards/card_bones.h"
 #include "model/exporting/cards/card_images.h"
 #include "model/exporting/cards/card_settings.h"
 #include "model/exporting/cards/card_strip.h"
@@ -20,6 +21,7 @@ struct HairCards
     std::vector<std::optional<ScalpCap>> caps; ///< By group.
     std::vector<AtlasPatch> patches;           ///< A strip's each, then those of the caps that are there.
     CardImages images;
+    std::optional<CardBones> bones{}; ///< Where they are wanted and there are strips.
     [[nodiscard]] int triangles() const;
 };
 
