@@ -13,7 +13,7 @@ namespace hairpaint::model {
 namespace {
 
 constexpr int kLevels = 3; ///< That are heeded; further ones are a few texels of a card.
-constexpr float kFull = 255.0F;
+constexpr float kOpaque = 255.0F;
 
 struct Plane
 {
@@ -22,7 +22,7 @@ struct Plane
     std::vector<float> values;
 };
 
-Plane planeOf(const std::vector<std::uint8_t>& alpha, int sizePx, const AtlasPatch& patch)
+Plane alphaPlane(const std::vector<std::uint8_t>& alpha, int sizePx, const AtlasPatch& patch)
 {
     Plane plane{.width = patch.width, .height = patch.height, .values = {}};
     plane.values.reserve(static_cast<std::size_t>(patch.width) * static_cast<std::size_t>(patch.height));
@@ -31,7 +31,7 @@ Plane planeOf(const std::vector<std::uint8_t>& alpha, int sizePx, const AtlasPat
             plane.values.push_back(
                 static_cast<float>(alpha[static_cast<std::size_t>(y) * static_cast<std::size_t>(sizePx) +
                                          static_cast<std::size_t>(x)]) /
-                kFull);
+                kOpaque);
     return plane;
 }
 
@@ -66,7 +66,7 @@ struct Move
 
 std::uint8_t moved(std::uint8_t alpha, const Move& move)
 {
-    const float cutoff = kCardCutoff * kFull;
+    const float cutoff = kCardCutoff * kOpaque;
     const auto value = static_cast<float>(alpha);
     if (value >= cutoff)
         return static_cast<std::uint8_t>(std::ceil(value - move.lowered * (value - cutoff)));
@@ -78,10 +78,10 @@ float awayAfter(const Plane& plane, const Move& move, float wanted)
 {
     std::array<float, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i)
-        table.at(i) = static_cast<float>(moved(static_cast<std::uint8_t>(i), move)) / kFull;
+        table.at(i) = static_cast<float>(moved(static_cast<std::uint8_t>(i), move)) / kOpaque;
     Plane level = plane;
     for (float& value : level.values)
-        value = table.at(static_cast<std::size_t>(std::lround(value * kFull)));
+        value = table.at(static_cast<std::size_t>(std::lround(value * kOpaque)));
     float sum = 0.0F;
     for (int i = 0; i < kLevels; ++i) {
         level = halved(level);
@@ -114,7 +114,7 @@ Move bestMove(const Plane& plane)
 
 float alphaCoverage(const std::vector<std::uint8_t>& alpha, int sizePx, const AtlasPatch& patch, int level)
 {
-    Plane plane = planeOf(alpha, sizePx, patch);
+    Plane plane = alphaPlane(alpha, sizePx, patch);
     for (int i = 0; i < level; ++i)
         plane = halved(plane);
     return coverageOf(plane);
@@ -125,7 +125,7 @@ void keepAlphaCoverage(std::vector<std::uint8_t>& alpha, int sizePx, std::span<c
     sim::parallelFor(patches.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const AtlasPatch& patch = patches[i];
-            const Move move = bestMove(planeOf(alpha, sizePx, patch));
+            const Move move = bestMove(alphaPlane(alpha, sizePx, patch));
             for (int y = patch.y; y < patch.y + patch.height; ++y)
                 for (int x = patch.x; x < patch.x + patch.width; ++x) {
                     std::uint8_t& value = alpha[static_cast<std::size_t>(y) * static_cast<std::size_t>(sizePx) +

@@ -14,16 +14,16 @@ namespace {
 constexpr float kLeastWidthPx = 1.5F; ///< Thinner lines would be alpha alone.
 /// Cards are as dense as their hairs times this, since where they lie over each other gaps lie over gaps.
 constexpr double kOverlap = 1.3;
-constexpr float kFull = 255.0F;
+constexpr float kChannelMost = 255.0F;
 
-std::uint8_t byteOf(float value)
+std::uint8_t channelOf(float value)
 {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * kFull));
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * kChannelMost));
 }
 
 glm::u8vec3 vectorByte(const glm::vec3& v)
 {
-    return {byteOf(0.5F + 0.5F * v.x), byteOf(0.5F + 0.5F * v.y), byteOf(0.5F + 0.5F * v.z)};
+    return {channelOf(0.5F + 0.5F * v.x), channelOf(0.5F + 0.5F * v.y), channelOf(0.5F + 0.5F * v.z)};
 }
 
 /// sRGB as encoded, with the hair's own lightness.
@@ -82,7 +82,7 @@ private:
         float& height = m_heights[static_cast<std::size_t>(y) * static_cast<std::size_t>(m_patch.width) +
                                   static_cast<std::size_t>(x)];
         const float own = glm::mix(from.heightM, to.heightM, part);
-        const std::uint8_t alpha = byteOf(cover);
+        const std::uint8_t alpha = channelOf(cover);
         std::uint8_t& before = m_images.alpha()[index];
         constexpr std::uint8_t kSolid = 128;
         const bool inFront = alpha >= kSolid ? before < kSolid || own > height : alpha > before;
@@ -95,15 +95,15 @@ private:
         const float lean = kRound * glm::clamp(aside, -1.0F, 1.0F);
         const glm::vec3 normal(lean * right.x, -lean * right.y, std::sqrt(1.0F - lean * lean));
         const float depth = m_depthRangeM > 0.0F ? 0.5F + 0.5F * own / m_depthRangeM : 0.5F;
-        m_images.texels()[index] = {.colour = {byteOf(glm::mix(from.colour.r, to.colour.r, part)),
-                                               byteOf(glm::mix(from.colour.g, to.colour.g, part)),
-                                               byteOf(glm::mix(from.colour.b, to.colour.b, part))},
+        m_images.texels()[index] = {.colour = {channelOf(glm::mix(from.colour.r, to.colour.r, part)),
+                                               channelOf(glm::mix(from.colour.g, to.colour.g, part)),
+                                               channelOf(glm::mix(from.colour.b, to.colour.b, part))},
                                     .normal = vectorByte(normal),
                                     .flow = vectorByte(from.direction),
-                                    .rootToTip = byteOf(glm::mix(from.fraction, to.fraction, part)),
+                                    .rootToTip = channelOf(glm::mix(from.fraction, to.fraction, part)),
                                     .strandId = id,
-                                    .occlusion = byteOf(glm::mix(from.openness, to.openness, part)),
-                                    .depth = byteOf(depth)};
+                                    .occlusion = channelOf(glm::mix(from.openness, to.openness, part)),
+                                    .depth = channelOf(depth)};
     }
 
     const AtlasPatch& m_patch;
@@ -208,7 +208,7 @@ void drawHairs(const CurveSet& set, const SampledHair& hair, const HairField& fi
             point.colour = shownColour(set, curve, fraction);
             points.push_back(point);
         }
-        const std::uint8_t id = byteOf(sim::unitFloat(sim::hash64(hash, 1)));
+        const std::uint8_t id = channelOf(sim::unitFloat(sim::hash64(hash, 1)));
         for (std::size_t p = 0; p + 1 < points.size(); ++p) {
             const glm::vec2 step = (points[p + 1].tx - points[p].tx) * metresPerTexel;
             const glm::vec3 direction(step.x, -step.y, points[p + 1].heightM - points[p].heightM);

@@ -13,7 +13,7 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::array<CardImageKind, 7> kKinds = {{
+constexpr std::array<CardImageKind, 7> kImageKinds = {{
     {.name = "baseColor", .embedded = true},
     {.name = "normal", .embedded = true},
     {.name = "rootToTip", .embedded = false},
@@ -125,12 +125,12 @@ void CardImages::dilate()
 
 std::span<const CardImageKind> cardImageKinds()
 {
-    return kKinds;
+    return kImageKinds;
 }
 
 QByteArray cardImagePng(CardImages& images, const CardImageKind& kind)
 {
-    const auto number = static_cast<std::size_t>(&kind - kKinds.data());
+    const auto number = static_cast<std::size_t>(&kind - kImageKinds.data());
     const bool hasAlpha = number == 0;
     const bool isGrey = number >= 2 && number <= 5;
     QImage image(images.size(), images.size(),

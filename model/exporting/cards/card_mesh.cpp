@@ -1,19 +1,13 @@
 // Two vertices a node, two triangles a segment.
 #include "model/exporting/cards/card_mesh.h"
 
-#include <cmath>
+#include "model/exporting/unit_vectors.h"
 
 namespace hairpaint::model {
 
 namespace {
 
 constexpr float kSteep = 1e-3F;
-
-glm::vec3 anyTangent(const glm::vec3& normal)
-{
-    const glm::vec3 axis = std::abs(normal.x) < 0.7F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0.0F, 0.0F, 1.0F);
-    return glm::normalize(glm::cross(axis, normal));
-}
 
 CardVertex vertexOf(const CardStrip& strip, const StripNode& node, const AtlasPatch& patch, float right, float atlasPx)
 {
@@ -45,7 +39,7 @@ void addCap(const HairCards& cards, std::size_t group, CardMesh& mesh)
         // To the right on the flattened skin is about across the way out, seen from there.
         const glm::vec3 right = glm::cross(cap.upWo(), corner.normalWo);
         const float length = glm::length(right);
-        const glm::vec3 tangent = length > kSteep ? right / length : anyTangent(corner.normalWo);
+        const glm::vec3 tangent = length > kSteep ? right / length : anyAcross(corner.normalWo);
         mesh.vertices.push_back(
             {.position = corner.placeWo,
              .normal = corner.normalWo,

@@ -1,6 +1,8 @@
 // Path, frames and widths of a strip.
 #include "model/exporting/cards/card_strip.h"
 
+#include "model/exporting/unit_vectors.h"
+
 #include <algorithm>
 #include <array>
 
@@ -9,26 +11,13 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::size_t kPlaces = SampledHair::kPlaces;
-constexpr float kTiny = 1e-12F;
 constexpr float kLeftOut = 0.05F; ///< Of the hairs, on each side.
-constexpr float kNarrowestM = 0.2e-3F;
+constexpr float kNarrowestHalfM = 0.2e-3F;
 constexpr float kShortestM = 0.2e-3F;
-constexpr int kFrameRounds = 24;
+constexpr int kFrameRounds = 12;
 
 using Vectors = std::array<glm::vec3, kPlaces>;
 using Numbers = std::array<float, kPlaces>;
-
-glm::vec3 unitOr(const glm::vec3& vector, const glm::vec3& instead)
-{
-    const float square = glm::dot(vector, vector);
-    return square > kTiny ? vector / glm::sqrt(square) : instead;
-}
-
-glm::vec3 anyAcross(const glm::vec3& tangent)
-{
-    const glm::vec3 axis = glm::abs(tangent.x) < 0.7F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
-    return glm::normalize(glm::cross(tangent, axis));
-}
 
 /// The value that this fraction of them stays under.
 float quantile(std::vector<float>& values, float fraction)
@@ -87,7 +76,7 @@ Vectors normalsOf(const Vectors& path, const Vectors& tangents, const HairField&
         last = unitOr(last + wanted.at(i), last);
         normals.at(i) = last;
     }
-    constexpr float kKept = 6.0F; ///< Of the neighbours, against what is wanted there.
+    constexpr float kKept = 2.0F; ///< Of the neighbours, against what is wanted there.
     for (int round = 0; round < kFrameRounds; ++round)
         for (std::size_t i = 0; i < kPlaces; ++i) {
             const glm::vec3 around = normals.at(i > 0 ? i - 1 : 0) + normals.at(std::min(i + 1, kPlaces - 1));
@@ -110,7 +99,7 @@ Numbers halfWidthsOf(const SampledHair& hair, const HairLock& lock, const Vector
         const float low = quantile(across, kLeftOut);
         const float high = quantile(across, 1.0F - kLeftOut);
         shifts.at(i) = 0.5F * (low + high);
-        widths.at(i) = std::max(0.5F * (high - low), kNarrowestM);
+        widths.at(i) = std::max(0.5F * (high - low), kNarrowestHalfM);
     }
     Numbers smooth{};
     for (std::size_t i = 0; i < kPlaces; ++i) {

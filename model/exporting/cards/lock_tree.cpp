@@ -14,8 +14,8 @@ namespace {
 using Path = std::array<glm::vec3, SampledHair::kPlaces>;
 
 constexpr std::size_t kMostCompared = 2048; ///< Of a lock's hairs, while its halves are sought.
-constexpr int kRounds = 4;
-constexpr float kNarrowestM = 0.25e-3F; ///< A spread that needs no division.
+constexpr int kMeanRounds = 4;
+constexpr float kAlikeM = 0.25e-3F; ///< A spread that needs no division.
 
 float squaredAway(std::span<const glm::vec3> hair, std::span<const glm::vec3> path)
 {
@@ -96,7 +96,7 @@ public:
         Path left = placesOf(farthestFrom(lock.meanWo, lock.hairs));
         Path right = placesOf(farthestFrom(left, lock.hairs));
         const std::size_t step = (lock.hairs.size() + kMostCompared - 1) / kMostCompared;
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < kMeanRounds; ++round) {
             PathMean leftMean;
             PathMean rightMean;
             for (std::size_t i = 0; i < lock.hairs.size(); i += step) {
@@ -176,7 +176,7 @@ std::vector<HairLock> dividedIntoLocks(const SampledHair& hair, std::vector<std:
         std::ranges::pop_heap(open, less);
         Candidate next = std::move(open.back());
         open.pop_back();
-        if (next.lock.spreadM > kNarrowestM && refusals < kMostRefusals) {
+        if (next.lock.spreadM > kAlikeM && refusals < kMostRefusals) {
             auto halves = divider.halves(next.lock);
             const int more = halves ? halves->first.triangles + halves->second.triangles - next.triangles : 0;
             if (halves && used + more <= triangles) {

@@ -34,7 +34,7 @@ float stepAlong(std::span<const glm::vec3> points, std::vector<float>& along, st
     return length;
 }
 
-void placeAlong(const std::array<glm::vec3, kSteps + 1>& steps, std::span<glm::vec3> places)
+void averageAlong(const std::array<glm::vec3, kSteps + 1>& steps, std::span<glm::vec3> places)
 {
     places.front() = steps.front();
     for (std::size_t i = 1; i < places.size(); ++i) {
@@ -72,7 +72,7 @@ std::optional<SampledHair> sampledHair(const CurveSet& set, const Progress& prog
                 const Curve& curve = set.curves()[hair.curve[i]];
                 hair.lengthM[i] = stepAlong(set.points(curve, scratch), along, steps);
                 hair.widthM[i] = set.width(curve, 0.0F) * others;
-                placeAlong(steps, std::span(hair.placesWo).subspan(i * SampledHair::kPlaces, SampledHair::kPlaces));
+                averageAlong(steps, std::span(hair.placesWo).subspan(i * SampledHair::kPlaces, SampledHair::kPlaces));
             }
         });
     }

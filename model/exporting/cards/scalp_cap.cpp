@@ -18,7 +18,7 @@ constexpr float kFarthestCosine = -0.9F; ///< From the axis: beyond it the proje
 constexpr std::size_t kFinestVertices = 6'000;
 
 /// Right and up of the plane that the axis stands on.
-void planeOf(const glm::vec3& axis, glm::vec3& right, glm::vec3& up)
+void mapAxes(const glm::vec3& axis, glm::vec3& right, glm::vec3& up)
 {
     const glm::vec3 upward =
         std::abs(axis.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(0.0F, 0.0F, axis.y > 0.0F ? -1.0F : 1.0F);
@@ -66,7 +66,7 @@ glm::vec3 ScalpCap::upWo() const
 {
     glm::vec3 right;
     glm::vec3 up;
-    planeOf(axisWo, right, up);
+    mapAxes(axisWo, right, up);
     return up;
 }
 
@@ -74,7 +74,7 @@ glm::vec2 ScalpCap::flat(const glm::vec3& placeWo) const
 {
     glm::vec3 right;
     glm::vec3 up;
-    planeOf(axisWo, right, up);
+    mapAxes(axisWo, right, up);
     const glm::vec3 away = placeWo - middleWo;
     const glm::vec2 around(glm::dot(away, right), -glm::dot(away, up));
     const float aside = glm::length(around);

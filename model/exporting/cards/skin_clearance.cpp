@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kClearanceM = 0.8e-3F;
 constexpr float kDeepestM = 0.02F; ///< Deeper is not what a strip's straightness does.
-constexpr int kRounds = 8;
+constexpr int kLiftRounds = 8;
 constexpr int kStepsAlong = 4;
 
 /// How a place has to move to be clear of the skin, Wo; 0 where it is.
@@ -64,7 +64,7 @@ void keepAboveSkin(const CurveSet& set, CardStrip& strip)
     if (skin == nullptr)
         return;
     bool any = false;
-    for (int round = 0; round < kRounds && lifted(*skin, set.pose(), strip.nodes); ++round)
+    for (int round = 0; round < kLiftRounds && lifted(*skin, set.pose(), strip.nodes); ++round)
         any = true;
     if (!any)
         return;
