@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kPlaces = SampledHair::kPlaces;
 constexpr float kLeftOut = 0.05F; ///< Of the hairs, on each side.
+constexpr float kOuter = 0.8F;    ///< So many of the hairs lie under the strip.
 constexpr float kNarrowestHalfM = 0.2e-3F;
 constexpr float kShortestM = 0.2e-3F;
 constexpr int kFrameRounds = 12;
@@ -85,27 +86,35 @@ Vectors normalsOf(const Vectors& path, const Vectors& tangents, const HairField&
     return normals;
 }
 
-/// Moves the path to the middle of the hairs and tells how far they reach to each side of it.
-Numbers halfWidthsOf(const SampledHair& hair, const HairLock& lock, const Vectors& sides, Vectors& path)
+/// Moves the path to the middle of the hairs' breadth and to the outer side of their depth, where they are seen, and
+/// tells how far they reach to each side of it.
+Numbers halfWidthsOf(const SampledHair& hair, const HairLock& lock, const Vectors& sides, const Vectors& normals,
+                     Vectors& path)
 {
     Numbers widths{};
-    Numbers shifts{};
+    Vectors shifts{};
     std::vector<float> across;
+    std::vector<float> heights;
     for (std::size_t i = 0; i < kPlaces; ++i) {
         across.clear();
         across.reserve(lock.hairs.size());
-        for (const std::uint32_t h : lock.hairs)
-            across.push_back(glm::dot(hair.places(h)[i] - lock.meanWo.at(i), sides.at(i)));
+        heights.clear();
+        heights.reserve(lock.hairs.size());
+        for (const std::uint32_t h : lock.hairs) {
+            const glm::vec3 away = hair.places(h)[i] - lock.meanWo.at(i);
+            across.push_back(glm::dot(away, sides.at(i)));
+            heights.push_back(glm::dot(away, normals.at(i)));
+        }
         const float low = quantile(across, kLeftOut);
         const float high = quantile(across, 1.0F - kLeftOut);
-        shifts.at(i) = 0.5F * (low + high);
+        shifts.at(i) = 0.5F * (low + high) * sides.at(i) + quantile(heights, kOuter) * normals.at(i);
         widths.at(i) = std::max(0.5F * (high - low), kNarrowestHalfM);
     }
     Numbers smooth{};
     for (std::size_t i = 0; i < kPlaces; ++i) {
         const std::size_t before = i > 0 ? i - 1 : 0;
         const std::size_t after = std::min(i + 1, kPlaces - 1);
-        path.at(i) += (0.25F * (shifts.at(before) + shifts.at(after)) + 0.5F * shifts.at(i)) * sides.at(i);
+        path.at(i) += 0.25F * (shifts.at(before) + shifts.at(after)) + 0.5F * shifts.at(i);
         smooth.at(i) = std::max({widths.at(before), widths.at(i), widths.at(after)});
     }
     return smooth;
@@ -173,7 +182,7 @@ CardStrip stripOf(const SampledHair& hair, const HairLock& lock, const HairField
     Vectors sides{};
     for (std::size_t i = 0; i < kPlaces; ++i)
         sides.at(i) = glm::cross(normals.at(i), tangents.at(i));
-    const Numbers widths = halfWidthsOf(hair, lock, sides, path);
+    const Numbers widths = halfWidthsOf(hair, lock, sides, normals, path);
 
     CardStrip strip;
     std::vector<std::uint16_t> kept;
