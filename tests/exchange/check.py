@@ -130,6 +130,7 @@ def check_cards(judge, style):
     found = json.loads(done.stdout)
     judge.check(f"{style}: Blender reads all {found['triangles']} triangles, 15,000 at most",
                 sum(i["faces"] for i in objects) == found["triangles"] <= 15000)
+    judge.check(f"{style}: their atlas is full enough ({found['filled']})", found["filled"] >= 0.7)
     sides = found["sides"]
     overlap, away = min(s["overlap"] for s in sides.values()), max(s["away"] for s in sides.values())
     judge.check(f"{style}: the cards' silhouettes are the strands' from four sides (least overlap {overlap})",

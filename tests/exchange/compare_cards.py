@@ -5,8 +5,9 @@
 
 Both are drawn by a small rasteriser of this script's own, without perspective: strands by the area that they cover, cards
 with their alpha cut off as the material says. Prints, as one line of JSON, by side: the overlap of the silhouettes
-(intersection over union, where at least half of a pixel is covered), and the mean colours (sRGB) and their distance over
-the strands' length; and the part of the atlas that is within patches. The picture shows both, one above the other.
+(intersection over union, where at least half of a pixel is covered), and the mean colours (sRGB) and how far they are
+apart, as a part of the strands' own; and the part of the atlas that cards show. The picture shows both, one above the
+other.
 """
 import json
 import struct
@@ -193,7 +194,9 @@ def main():
         flat = (picture.clip(0, 1) * 255).astype(np.uint8)
         with open(sys.argv[3], "wb") as file:
             file.write(b"P6 %d %d 255\n" % (flat.shape[1], flat.shape[0]) + flat.tobytes())
-    print(json.dumps({"triangles": len(cards.corners), "sides": found}))
+    first, second = cards.uvs[:, 1] - cards.uvs[:, 0], cards.uvs[:, 2] - cards.uvs[:, 0]
+    filled = np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]).sum() / 2
+    print(json.dumps({"triangles": len(cards.corners), "filled": round(float(filled), 4), "sides": found}))
 
 
 if __name__ == "__main__":

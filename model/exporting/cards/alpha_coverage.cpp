@@ -99,8 +99,10 @@ Move bestMove(const Plane& plane)
     Move best;
     float least = awayAfter(plane, best, wanted);
     for (int i = 0; i < kSteps * kSteps; ++i) {
-        const Move move{.raised = kFarthest * static_cast<float>(i / kSteps) / (kSteps - 1),
-                        .lowered = kFarthest * static_cast<float>(i % kSteps) / (kSteps - 1)};
+        const int raise = i / kSteps;
+        const int lower = i % kSteps;
+        const Move move{.raised = kFarthest * static_cast<float>(raise) / static_cast<float>(kSteps - 1),
+                        .lowered = kFarthest * static_cast<float>(lower) / static_cast<float>(kSteps - 1)};
         const float away = awayAfter(plane, move, wanted);
         if (away < least) {
             least = away;

@@ -56,7 +56,7 @@ BoneWeights CardBones::weightsAt(std::size_t strip, const glm::vec3& placeWo) co
 CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets,
                    std::span<const CardStrip> strips)
 {
-    constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+    constexpr auto kNone = static_cast<std::size_t>(-1);
     std::vector<std::size_t> groupOf(hair.count(), kNone);
     for (std::size_t group = 0; group < sets.size(); ++group)
         for (const std::uint32_t i : sets[group])

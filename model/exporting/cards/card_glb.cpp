@@ -117,7 +117,7 @@ public:
         m_nodes.append(QJsonObject{{QStringLiteral("name"), QStringLiteral("Head")},
                                    {QStringLiteral("translation"), numbers(headWo)},
                                    {QStringLiteral("children"), below}});
-        for (const QJsonValue& joint : std::as_const(chains))
+        for (const auto& joint : std::as_const(chains))
             m_nodes.append(joint);
         const int view = addView(inverse.data(), inverse.size() * sizeof(glm::mat4), 0, 0);
         m_skins.append(QJsonObject{

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace hairpaint::model {
 
@@ -23,7 +24,7 @@ using Numbers = std::array<float, kPlaces>;
 /// The value that this fraction of them stays under.
 float quantile(std::vector<float>& values, float fraction)
 {
-    const auto at = static_cast<std::ptrdiff_t>(fraction * static_cast<float>(values.size() - 1) + 0.5F);
+    const auto at = static_cast<std::ptrdiff_t>(std::lround(fraction * static_cast<float>(values.size() - 1)));
     std::nth_element(values.begin(), values.begin() + at, values.end());
     return values[static_cast<std::size_t>(at)];
 }
