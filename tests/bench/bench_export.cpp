@@ -49,6 +49,10 @@ void exportHair(benchmark::State& state)
     state.counters["points"] = static_cast<double>(model::CurveSet::of(frame, request.curves)->pointCount());
 }
 
-BENCHMARK(exportHair)->Name("export_hair")->DenseRange(0, static_cast<std::int64_t>(model::exportFormats().size()) - 1)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(exportHair)
+    ->Name("export_hair")
+    ->DenseRange(0, static_cast<std::int64_t>(model::exportFormats().size()) - 1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 } // namespace
