@@ -3191,7 +3191,7 @@ Se ha perdido esto:</translation>
         <translation>%1 × %1 píxeles</translation>
     </message>
     <message>
-        <source>&amp;Spring bones</source>
+        <source>Spring &amp;bones</source>
         <translation>Hue&amp;sos de muelle</translation>
     </message>
     <message>

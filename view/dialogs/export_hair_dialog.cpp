@@ -114,7 +114,7 @@ void ExportHairDialog::addCardRows(QFormLayout& form)
     m_atlas = addChoice(form, tr("Te&xture"));
     for (int size = Cards::kSmallestAtlasPx; size <= Cards::kLargestAtlasPx; size *= 2)
         m_atlas->addItem(tr("%1 × %1 pixels").arg(size), size);
-    m_bones = new QCheckBox(tr("&Spring bones"), this);
+    m_bones = new QCheckBox(tr("Spring &bones"), this);
     m_bones->setToolTip(tr("Joints along the locks, so that avatar programs let the hair swing."));
     form.addRow(QString(), m_bones);
 }
