@@ -257,6 +257,7 @@ void Exchange::exportHair()
     QStringList suffixes;
     for (const model::ExportFormat& format : model::exportFormats())
         suffixes += QString::fromLatin1(format.suffix);
+    suffixes.removeDuplicates();
     const QString path =
         askSavePath({.title = tr("Export hair"),
                      .suggestedPath = tr("hair"),
@@ -266,7 +267,7 @@ void Exchange::exportHair()
     if (path.isEmpty())
         return;
     // The name's ending may tell of another format.
-    if (const model::ExportFormat* named = model::findExportFormat(path))
+    if (const model::ExportFormat* named = model::findExportFormat(path, choice.request.format))
         choice.request.format = named;
     write(path, [&](const model::Progress& progress) { return exportChosen(project, frame, choice, path, progress); });
 }

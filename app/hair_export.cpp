@@ -41,14 +41,16 @@ model::Result<void> exportChosen(const model::Project& project, const std::share
                                  const view::HairExportChoice& choice, const QString& path,
                                  const model::Progress& progress)
 {
+    model::ExportRequest request = choice.request;
+    request.colliders = project.ellipsoids;
     if (choice.source == view::HairSource::Now)
-        return model::exportHair(frame, choice.request, path, progress);
+        return model::exportHair(frame, request, path, progress);
     if (choice.source == view::HairSource::Rest)
-        return model::exportHair(SettledHair(project, 0.0).frame(), choice.request, path, progress);
+        return model::exportHair(SettledHair(project, 0.0).frame(), request, path, progress);
     const std::shared_ptr<const sim::StrandFrame> settled = settledFrame(project, progress);
     if (settled == nullptr)
         return model::cancelled(path);
-    return model::exportHair(settled, choice.request, path,
+    return model::exportHair(settled, request, path,
                              [&progress](double done) { return progress(kSettledPart + (1.0 - kSettledPart) * done); });
 }
 

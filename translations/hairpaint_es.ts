@@ -458,6 +458,42 @@
         <source>--%1 is for images of maps; give --maps too</source>
         <translation>--%1 es para imágenes de mapas; indica también --maps</translation>
     </message>
+    <message>
+        <source>as .glb: strips along locks of hair, with textures made from the hair, instead of a ribbon a hair</source>
+        <translation>como .glb: tiras a lo largo de los mechones, con texturas hechas del pelo, en vez de una cinta por pelo</translation>
+    </message>
+    <message>
+        <source>at most so many of all cards, 1000 to 60000; 15000 unless given</source>
+        <translation>como mucho tantos entre todas las tarjetas, de 1000 a 60000; 15000 si no se indica</translation>
+    </message>
+    <message>
+        <source>a side of the cards&apos; textures: 1024, 2048 or 4096; 2048 unless given</source>
+        <translation>un lado de las texturas de las tarjetas: 1024, 2048 o 4096; 2048 si no se indica</translation>
+    </message>
+    <message>
+        <source>Cards are written as glTF; with --cards -o takes a name that ends in .glb</source>
+        <translation>Las tarjetas se escriben como glTF; con --cards, -o toma un nombre que acaba en .glb</translation>
+    </message>
+    <message>
+        <source>--cards and --frames exclude each other</source>
+        <translation>--cards y --frames se excluyen</translation>
+    </message>
+    <message>
+        <source>--triangles takes a number from %1 to %2, not &apos;%3&apos;</source>
+        <translation>--triangles toma un número de %1 a %2, no «%3»</translation>
+    </message>
+    <message>
+        <source>--atlas takes %1, not &apos;%2&apos;</source>
+        <translation>--atlas toma %1, no «%2»</translation>
+    </message>
+    <message>
+        <source>joints along the cards&apos; locks, with spring bones (VRMC_springBone) for avatar programs</source>
+        <translation>articulaciones a lo largo de los mechones, con huesos de muelle (VRMC_springBone) para programas de avatares</translation>
+    </message>
+    <message>
+        <source>--triangles, --atlas and --bones are for cards; give --cards too</source>
+        <translation>--triangles, --atlas y --bones son para tarjetas; indica también --cards</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -613,6 +649,14 @@
     <message>
         <source>A flat ribbon a strand, as a mesh for engines and the web. Fewer hairs are wider, so that they cover as much.</source>
         <translation>Una cinta plana por pelo, como malla para motores y la web. Cuantos menos pelos, más anchos, para que cubran lo mismo.</translation>
+    </message>
+    <message>
+        <source>glTF cards</source>
+        <translation>Tarjetas glTF</translation>
+    </message>
+    <message>
+        <source>Strips along locks of hair with textures made from the hair, for games and avatars; further textures lie beside the file.</source>
+        <translation>Tiras a lo largo de los mechones con texturas hechas del pelo, para juegos y avatares; hay más texturas junto al archivo.</translation>
     </message>
 </context>
 <context>
@@ -3137,6 +3181,30 @@ Se ha perdido esto:</translation>
     <message>
         <source>There are no hairs to be exported here.</source>
         <translation>Aquí no hay pelos que exportar.</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triángulos</translation>
+    </message>
+    <message>
+        <source>At most so many of all cards together: 2,000 to 8,000 for phones and avatars, 10,000 to 20,000 for consoles and PCs.</source>
+        <translation>Como mucho tantos entre todas las tarjetas: de 2000 a 8000 para teléfonos y avatares, de 10 000 a 20 000 para consolas y ordenadores.</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture</source>
+        <translation>Te&amp;xtura</translation>
+    </message>
+    <message>
+        <source>%1 × %1 pixels</source>
+        <translation>%1 × %1 píxeles</translation>
+    </message>
+    <message>
+        <source>Spring &amp;bones</source>
+        <translation>Hue&amp;sos de muelle</translation>
+    </message>
+    <message>
+        <source>Joints along the locks, so that avatar programs let the hair swing.</source>
+        <translation>Articulaciones a lo largo de los mechones, para que los programas de avatares dejen que el pelo se balancee.</translation>
     </message>
 </context>
 <context>

@@ -39,7 +39,7 @@ constexpr OptionHelp kWind{
 constexpr OptionHelp kRate{"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")};
 constexpr const char* kMotion = "--motion nod|shake|turn";
 constexpr std::array<OptionHelp, 1> kJsonOptions = {{kJson}};
-constexpr std::array<OptionHelp, 15> kExportOptions = {{
+constexpr std::array<OptionHelp, 19> kExportOptions = {{
     {"-o, --output FILE.hair|.usda|.usdz|.obj|.glb",
      QT_TRANSLATE_NOOP("CommandLine", "the file to write: curves, USD, lines, or ribbons as a mesh")},
     {"--target NAME",
@@ -48,6 +48,16 @@ constexpr std::array<OptionHelp, 15> kExportOptions = {{
     {"--group NAME", QT_TRANSLATE_NOOP("CommandLine", "only this hair group; may be given again for more")},
     {"--tolerance MM",
      QT_TRANSLATE_NOOP("CommandLine", "leaves out points of the hairs that lie so near to the line without them")},
+    {"--cards",
+     QT_TRANSLATE_NOOP("CommandLine", "as .glb: strips along locks of hair, with textures made from the hair, "
+                                      "instead of a ribbon a hair")},
+    {"--triangles N",
+     QT_TRANSLATE_NOOP("CommandLine", "at most so many of all cards, 1000 to 60000; 15000 unless given")},
+    {"--atlas SIZE",
+     QT_TRANSLATE_NOOP("CommandLine", "a side of the cards' textures: 1024, 2048 or 4096; 2048 unless given")},
+    {"--bones",
+     QT_TRANSLATE_NOOP("CommandLine",
+                       "joints along the cards' locks, with spring bones (VRMC_springBone) for avatar programs")},
     kSettle,
     kHairs,
     kWind,
@@ -103,7 +113,9 @@ constexpr std::array<Command, 6> kCommands = {{
     {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), kJsonOptions, runPresets},
     {"export",
      "P.hairpaint [-o FILE.hair|.usda|.usdz|.obj|.glb] [--target NAME] [--group NAME]... [--tolerance MM] "
-     "[--settle SECONDS] [--hairs N] [--wind X,Y,Z] [--motion nod|shake|turn] [--frames A-B] [--fps F] "
+     "[--cards] [--triangles N] [--atlas 1024|2048|4096] [--bones] [--settle SECONDS] [--hairs N] [--wind X,Y,Z] "
+     "[--motion "
+     "nod|shake|turn] [--frames A-B] [--fps F] "
      "[--maps FOLDER] [--image png|tif|exr|tga] [--depth 8|16] [--grey] [--uv-sheet FILE.pdf|.svg]",
      QT_TRANSLATE_NOOP("CommandLine", "writes hair, maps and the UV layout for other programs"), kExportOptions,
      runExport},

@@ -28,6 +28,7 @@ QString formatList()
     QStringList suffixes;
     for (const model::ExportFormat& format : model::exportFormats())
         suffixes += QLatin1Char('.') + QLatin1StringView(format.suffix);
+    suffixes.removeDuplicates();
     return suffixes.join(QLatin1String(", "));
 }
 
@@ -57,6 +58,44 @@ model::Result<std::vector<model::CurveGroupName>> groupsNamed(const model::Proje
             .arg(missing.front(), model::shownPath(path)));
 }
 
+/// --cards and what belongs to it; the problem in words.
+std::optional<QString> readCards(const QCommandLineParser& parser, const QString& output, model::ExportRequest& request)
+{
+    const QString triangles = parser.value(QStringLiteral("triangles"));
+    const QString atlas = parser.value(QStringLiteral("atlas"));
+    if (!parser.isSet(QStringLiteral("cards"))) {
+        if (triangles.isEmpty() && atlas.isEmpty() && !parser.isSet(QStringLiteral("bones")))
+            return std::nullopt;
+        return CommandLine::tr("--triangles, --atlas and --bones are for cards; give --cards too");
+    }
+    request.format = model::findExportFormat(output, &model::cardFormat());
+    if (request.format != &model::cardFormat())
+        return CommandLine::tr("Cards are written as glTF; with --cards -o takes a name that ends in .glb");
+    if (parser.isSet(QStringLiteral("frames")))
+        return CommandLine::tr("--cards and --frames exclude each other");
+    request.cards.springBones = parser.isSet(QStringLiteral("bones"));
+    using Cards = model::CardSettings;
+    if (!triangles.isEmpty()) {
+        bool isNumber = false;
+        request.cards.triangles = triangles.toInt(&isNumber);
+        if (!isNumber || request.cards.triangles < Cards::kFewestTriangles ||
+            request.cards.triangles > Cards::kMostTriangles)
+            return CommandLine::tr("--triangles takes a number from %1 to %2, not '%3'")
+                .arg(Cards::kFewestTriangles)
+                .arg(Cards::kMostTriangles)
+                .arg(triangles);
+    }
+    if (!atlas.isEmpty()) {
+        QStringList sizes;
+        for (int size = Cards::kSmallestAtlasPx; size <= Cards::kLargestAtlasPx; size *= 2)
+            sizes += QString::number(size);
+        if (!sizes.contains(atlas))
+            return CommandLine::tr("--atlas takes %1, not '%2'").arg(sizes.join(QLatin1String(", ")), atlas);
+        request.cards.atlasPx = atlas.toInt();
+    }
+    return std::nullopt;
+}
+
 /// What is wanted of the hair, without its groups; the problem in words.
 tl::expected<model::ExportRequest, QString> readRequest(const QCommandLineParser& parser, const QString& output)
 {
@@ -66,6 +105,8 @@ tl::expected<model::ExportRequest, QString> readRequest(const QCommandLineParser
         request.format = model::findExportFormat(output);
     if (request.format == nullptr)
         return tl::unexpected(CommandLine::tr("-o takes a name that ends in %1").arg(formatList()));
+    if (const auto problem = readCards(parser, output, request); problem)
+        return tl::unexpected(*problem);
     request.target = &model::exportTargets().front();
     if (parser.isSet(QStringLiteral("target"))) {
         const QString id = parser.value(QStringLiteral("target"));
@@ -187,6 +228,10 @@ ExitCode runExport(const QStringList& arguments)
                        {QStringLiteral("target"), {}, QStringLiteral("name")},
                        {QStringLiteral("group"), {}, QStringLiteral("name")},
                        {QStringLiteral("tolerance"), {}, QStringLiteral("mm")},
+                       {QStringLiteral("cards"), {}},
+                       {QStringLiteral("triangles"), {}, QStringLiteral("number")},
+                       {QStringLiteral("atlas"), {}, QStringLiteral("size")},
+                       {QStringLiteral("bones"), {}},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("hairs"), {}, QStringLiteral("number")},
                        {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
@@ -257,6 +302,7 @@ ExitCode runExport(const QStringList& arguments)
     if (output.isEmpty())
         return ExitCode::Done;
     request->curves.groups = std::move(*groups);
+    request->colliders = project->ellipsoids;
     if (const model::Result<void> written = exportShape(std::move(*project), wanted, *request, output); !written)
         return failed(written.error());
     return ExitCode::Done;

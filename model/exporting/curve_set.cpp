@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace hairpaint::model {
@@ -249,6 +250,12 @@ glm::vec3 CurveSet::encodedColour(const Curve& curve, float fraction) const
     return {channel(0, linear.r), channel(8, linear.g), channel(16, linear.b)};
 }
 
+float CurveSet::lightness(const Curve& curve) const
+{
+    constexpr float kStops = 3.0F; // As the hair is drawn on the screen.
+    return std::exp2(kStops * groom(curve).style(curve.slot).variation * material(curve).colourVariation);
+}
+
 std::uint32_t CurveSet::id(const Curve& curve) const
 {
     return m_groups[curve.group].firstId + groom(curve).roots->rankOfSlot[curve.slot];
@@ -262,6 +269,21 @@ glm::vec2 CurveSet::rootUv(const Curve& curve) const
 const sim::StrandMaterial& CurveSet::material(const Curve& curve) const
 {
     return groom(curve).settings.material;
+}
+
+const sim::PhysicsSettings& CurveSet::physics(std::size_t group) const
+{
+    return m_grooms[group]->settings.physics;
+}
+
+const sim::RootSet& CurveSet::roots(const Curve& curve) const
+{
+    return *groom(curve).roots;
+}
+
+const sim::Skin* CurveSet::skin() const
+{
+    return m_grooms.empty() ? nullptr : m_grooms.front()->roots->skin.get();
 }
 
 } // namespace hairpaint::model

@@ -100,9 +100,17 @@ public:
     [[nodiscard]] glm::vec3 linearColour(const Curve& curve, float fraction) const;
     /// The same in sRGB as encoded. A channel that is equal at root and tip keeps its exact value.
     [[nodiscard]] glm::vec3 encodedColour(const Curve& curve, float fraction) const;
+    /// This hair's own lightness, about 1, for linear light: the colours above are without it.
+    [[nodiscard]] float lightness(const Curve& curve) const;
     [[nodiscard]] std::uint32_t id(const Curve& curve) const;
     [[nodiscard]] glm::vec2 rootUv(const Curve& curve) const;
+    /// Those of the curve's group, by slot.
+    [[nodiscard]] const sim::RootSet& roots(const Curve& curve) const;
     [[nodiscard]] const sim::StrandMaterial& material(const Curve& curve) const;
+    [[nodiscard]] const sim::PhysicsSettings& physics(std::size_t group) const;
+    /// The head that the hair stands on; null where no group has roots. Valid as long as the set.
+    [[nodiscard]] const sim::Skin* skin() const;
+    [[nodiscard]] const sim::HeadPose& pose() const { return m_frame->pose; }
 
 private:
     CurveSet() = default;

@@ -1,6 +1,7 @@
 // The rows, and how one of them is carried out.
 #include "model/exporting/export_format.h"
 
+#include "model/exporting/cards/card_file.h"
 #include "model/exporting/hair_file.h"
 #include "model/exporting/obj_file.h"
 #include "model/exporting/ribbon_file.h"
@@ -30,33 +31,46 @@ constexpr std::array<ExportTarget, 6> kTargets = {{
     {.id = "maya", .title = "Maya", .space = kCentimetres},
 }};
 
-constexpr std::array<ExportFormat, 5> kFormats = {{
-    {.suffix = "hair",
+constexpr std::array<ExportFormat, 6> kFormats = {{
+    {.id = "hair",
+     .suffix = "hair",
      .title = QT_TRANSLATE_NOOP("Export", "Hair curves"),
      .use = QT_TRANSLATE_NOOP("Export", "Strands with width, transparency and colour, small and quickly read."),
      .space = FormatSpace::Target,
      .write = writeHairFile},
-    {.suffix = "usda",
+    {.id = "usda",
+     .suffix = "usda",
      .title = QT_TRANSLATE_NOOP("Export", "USD text"),
      .use = QT_TRANSLATE_NOOP("Export", "Strands and guides for Unreal, Houdini, Maya and Blender 4."),
      .space = FormatSpace::Target,
      .write = writeUsdFile},
-    {.suffix = "usdz",
+    {.id = "usdz",
+     .suffix = "usdz",
      .title = QT_TRANSLATE_NOOP("Export", "USD archive"),
      .use = QT_TRANSLATE_NOOP("Export", "The same as USD text, in one archive."),
      .space = FormatSpace::Target,
      .write = writeUsdArchive},
-    {.suffix = "obj",
+    {.id = "obj",
+     .suffix = "obj",
      .title = QT_TRANSLATE_NOOP("Export", "OBJ lines"),
      .use = QT_TRANSLATE_NOOP("Export", "Lines that nearly every program reads; without widths."),
      .space = FormatSpace::TargetUnit,
      .write = writeObjFile},
-    {.suffix = "glb",
+    {.id = "ribbons",
+     .suffix = "glb",
      .title = QT_TRANSLATE_NOOP("Export", "glTF ribbons"),
      .use = QT_TRANSLATE_NOOP("Export", "A flat ribbon a strand, as a mesh for engines and the web. Fewer hairs are "
                                         "wider, so that they cover as much."),
      .space = FormatSpace::Own,
      .write = writeRibbonFile},
+    {.id = "cards",
+     .suffix = "glb",
+     .title = QT_TRANSLATE_NOOP("Export", "glTF cards"),
+     .use = QT_TRANSLATE_NOOP("Export", "Strips along locks of hair with textures made from the hair, for games and "
+                                        "avatars; further textures lie beside the file."),
+     .space = FormatSpace::Own,
+     .write = writeCardFile,
+     .hasCards = true},
 }};
 
 /// Of all work, finding the curves.
@@ -111,12 +125,20 @@ std::span<const ExportFormat> exportFormats()
     return kFormats;
 }
 
-const ExportFormat* findExportFormat(const QString& path)
+const ExportFormat* findExportFormat(const QString& path, const ExportFormat* preferred)
 {
-    const auto* const found = std::ranges::find_if(kFormats, [&path](const ExportFormat& format) {
+    const auto fits = [&path](const ExportFormat& format) {
         return path.endsWith(QLatin1Char('.') + QLatin1StringView(format.suffix), Qt::CaseInsensitive);
-    });
+    };
+    if (preferred != nullptr && fits(*preferred))
+        return preferred;
+    const auto* const found = std::ranges::find_if(kFormats, fits);
     return found == kFormats.end() ? nullptr : &*found;
+}
+
+const ExportFormat& cardFormat()
+{
+    return *std::ranges::find_if(kFormats, &ExportFormat::hasCards);
 }
 
 Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, const ExportRequest& request,
@@ -129,7 +151,10 @@ Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, co
         const std::optional<CurveSet> curves = CurveSet::of(frame, request.curves, part(0.0, kMeasured));
         if (!curves)
             return cancelled(path);
-        return request.format->write(*curves, request.format->settingsFor(*request.target), path, part(kMeasured, 1.0));
+        ExportSettings settings = request.format->settingsFor(*request.target);
+        settings.cards = request.cards;
+        settings.colliders = request.colliders;
+        return request.format->write(*curves, settings, path, part(kMeasured, 1.0));
     });
 }
 

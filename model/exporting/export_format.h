@@ -39,26 +39,32 @@ enum class FormatSpace : std::uint8_t
 
 struct ExportFormat
 {
+    const char* id;     ///< "cards": what tests and scripts call it.
     const char* suffix; ///< "hair", without the dot.
     const char* title;  ///< "Hair curves", translated in context "Export".
     const char* use;    ///< A sentence on what it is good for; translated in context "Export".
     FormatSpace space;
     Result<void> (*write)(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                           const Progress& progress);
+    bool hasCards = false; ///< Made by ExportRequest::cards.
     [[nodiscard]] QString titleText() const;
     [[nodiscard]] QString useText() const;
     [[nodiscard]] ExportSettings settingsFor(const ExportTarget& target) const;
 };
 
 [[nodiscard]] std::span<const ExportFormat> exportFormats();
-/// By the name's ending; null where it is none of theirs.
-[[nodiscard]] const ExportFormat* findExportFormat(const QString& path);
+/// By the name's ending; null where it is none of theirs. Of those with that ending `preferred`, else the first.
+[[nodiscard]] const ExportFormat* findExportFormat(const QString& path, const ExportFormat* preferred = nullptr);
+/// The one with cards.
+[[nodiscard]] const ExportFormat& cardFormat();
 
 struct ExportRequest
 {
     const ExportFormat* format = nullptr;
     const ExportTarget* target = nullptr;
-    CurveOptions curves;
+    CurveOptions curves{};
+    CardSettings cards{};
+    std::vector<sim::Ellipsoid> colliders{}; ///< See ExportSettings.
 };
 
 /// Atomic: nothing is written where it fails or `progress`, which never steps back, cancels. Any thread.

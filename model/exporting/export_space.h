@@ -1,7 +1,13 @@
 // Units and axes of what is exported.
 #pragma once
 
+#include "model/exporting/cards/card_settings.h"
+
+#include "sim/skin/ellipsoid.h"
+
 #include <glm/glm.hpp>
+
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -24,7 +30,9 @@ struct ExportSpace
 struct ExportSettings
 {
     ExportSpace space;
-    bool groomColours = false; ///< Its reader takes colours from Unreal's groom attributes alone.
+    bool groomColours = false;               ///< Its reader takes colours from Unreal's groom attributes alone.
+    CardSettings cards{};                    ///< For formats that make some;
+    std::vector<sim::Ellipsoid> colliders{}; ///< that stand for the head where those swing.
 };
 
 } // namespace hairpaint::model

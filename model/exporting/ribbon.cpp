@@ -1,27 +1,11 @@
 // Sides across the strand and the way out.
 #include "model/exporting/ribbon.h"
 
+#include "model/exporting/unit_vectors.h"
+
 #include <algorithm>
 
 namespace hairpaint::model {
-
-namespace {
-
-constexpr float kSmallest = 1e-12F;
-
-glm::vec3 unitOr(const glm::vec3& vector, const glm::vec3& instead)
-{
-    const float square = glm::dot(vector, vector);
-    return square > kSmallest ? vector / glm::sqrt(square) : instead;
-}
-
-glm::vec3 anyAcross(const glm::vec3& tangent)
-{
-    const glm::vec3 axis = glm::abs(tangent.x) < 0.7F ? glm::vec3(1.0F, 0.0F, 0.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
-    return glm::normalize(glm::cross(tangent, axis));
-}
-
-} // namespace
 
 void ribbonFrames(std::span<const glm::vec3> points, const glm::vec3& middle, std::vector<RibbonFrame>& frames)
 {

@@ -6,8 +6,12 @@
 #include "tests/app/thin_project.h"
 #include "tests/support/test_program.h"
 
+#include <QImage>
 #include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
+#include <QtEndian>
 #include <QtTest>
 
 using namespace hairpaint;
@@ -49,17 +53,111 @@ private Q_SLOTS:
     void everyFormatIsWritten_data()
     {
         QTest::addColumn<QString>("suffix");
+        QTest::addColumn<QStringList>("options");
         for (const model::ExportFormat& format : model::exportFormats())
-            QTest::newRow(format.suffix) << QString::fromLatin1(format.suffix);
+            QTest::newRow(format.id) << QString::fromLatin1(format.suffix)
+                                     << (format.hasCards ? QStringList{QStringLiteral("--cards")} : QStringList{});
     }
     void everyFormatIsWritten()
     {
         QFETCH(QString, suffix);
+        QFETCH(QStringList, options);
         const QByteArray name = "all." + suffix.toLatin1();
-        const Outcome outcome = exported(name.constData(), {QStringLiteral("--target"), QStringLiteral("blender")});
+        const Outcome outcome =
+            exported(name.constData(), options + QStringList{QStringLiteral("--target"), QStringLiteral("blender")});
         QCOMPARE(outcome.error, QString());
         QCOMPARE(outcome.code, 0);
         QVERIFY(contentOf(path(name.constData())).size() > 10'000);
+    }
+
+    void cardsAreAsManyAndAsLargeAsAsked()
+    {
+        const Outcome outcome =
+            exported("cards.glb", {QStringLiteral("--cards"), QStringLiteral("--triangles"), QStringLiteral("2000"),
+                                   QStringLiteral("--atlas"), QStringLiteral("1024")});
+        QCOMPARE(outcome.error, QString());
+        QCOMPARE(outcome.code, 0);
+        const QByteArray glb = contentOf(path("cards.glb"));
+        const qsizetype length = qFromLittleEndian<quint32>(glb.constData() + 12);
+        const QJsonObject json = QJsonDocument::fromJson(glb.sliced(20, length)).object();
+        QCOMPARE(json[QLatin1String("meshes")].toArray().size(), qsizetype{2}); // A group each.
+        const QJsonArray accessors = json[QLatin1String("accessors")].toArray();
+        qint64 triangles = 0;
+        for (const QJsonValue mesh : json[QLatin1String("meshes")].toArray())
+            triangles += accessors[mesh[QLatin1String("primitives")][0][QLatin1String("indices")].toInt()]
+                             .toObject()[QLatin1String("count")]
+                             .toInteger() /
+                         3;
+        QVERIFY2(triangles > 1800 && triangles <= 2000, qPrintable(QString::number(triangles)));
+        for (const char* kind : {"rootToTip", "strandId", "occlusion", "depth", "flow"}) {
+            const QImage image(path(("cards-" + QByteArray(kind) + ".png").constData()));
+            QCOMPARE(image.size(), QSize(1024, 1024));
+        }
+    }
+
+    void bonesLetCardsSwing()
+    {
+        const Outcome outcome = exported("bones.glb", {QStringLiteral("--cards"), QStringLiteral("--bones"),
+                                                       QStringLiteral("--atlas"), QStringLiteral("1024")});
+        QCOMPARE(outcome.error, QString());
+        const QByteArray glb = contentOf(path("bones.glb"));
+        const qsizetype length = qFromLittleEndian<quint32>(glb.constData() + 12);
+        const QJsonObject json = QJsonDocument::fromJson(glb.sliced(20, length)).object();
+        const QJsonObject springBone = json[QLatin1String("extensions")][QLatin1String("VRMC_springBone")].toObject();
+        QCOMPARE(springBone[QLatin1String("specVersion")].toString(), QStringLiteral("1.0"));
+        const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
+        const QJsonArray springs = springBone[QLatin1String("springs")].toArray();
+        QVERIFY(springs.size() > 5 && springs.size() < 100);
+        for (const QJsonValue spring : springs) {
+            const QJsonArray joints = spring[QLatin1String("joints")].toArray();
+            QCOMPARE(joints.size(), qsizetype{5});
+            // Each is the child of the one before.
+            for (qsizetype j = 1; j < joints.size(); ++j)
+                QCOMPARE(nodes[joints[j - 1][QLatin1String("node")].toInt()][QLatin1String("children")][0],
+                         joints[j][QLatin1String("node")]);
+        }
+        const model::Result<model::Project> project = model::loadProject(m_project);
+        QCOMPARE(static_cast<std::size_t>(springBone[QLatin1String("colliders")].toArray().size()),
+                 project->ellipsoids.size());
+        const QJsonArray joints = json[QLatin1String("skins")][0][QLatin1String("joints")].toArray();
+        QCOMPARE(joints.size(), 1 + 5 * springs.size());
+    }
+
+    void cardsThatMakeNoSenseAreWrongUsage_data()
+    {
+        QTest::addColumn<QString>("options");
+        QTest::addColumn<QString>("named");
+        const auto row = [](const char* options, const char* named) {
+            QTest::newRow(options) << QString::fromLatin1(options) << QString::fromLatin1(named);
+        };
+        row("-o a.glb --triangles 5000", "--cards");
+        row("-o a.glb --atlas 2048", "--cards");
+        row("-o a.glb --bones", "--cards");
+        row("-o a.hair --cards", ".glb");
+        row("-o a.glb --cards --frames 1-2", "--frames");
+        row("-o a.glb --cards --triangles 999", "1000 to 60000");
+        row("-o a.glb --cards --triangles 60001", "1000 to 60000");
+        row("-o a.glb --cards --triangles many", "many");
+        row("-o a.glb --cards --atlas 2000", "1024, 2048, 4096");
+    }
+    void cardsThatMakeNoSenseAreWrongUsage()
+    {
+        QFETCH(QString, options);
+        QFETCH(QString, named);
+        const Outcome outcome =
+            runProgram(QStringList{QStringLiteral("export"), m_project} + options.split(QLatin1Char(' ')));
+        QCOMPARE(outcome.code, 2);
+        QVERIFY2(outcome.error.contains(named), qPrintable(outcome.error));
+    }
+
+    void cardsThatCantAllBeWrittenLeaveNothing()
+    {
+        QVERIFY(QDir().mkpath(path("half-flow.png")));
+        QCOMPARE(faultOf(m_folder.path(),
+                         {QStringLiteral("export"), m_project, QStringLiteral("-o"), path("half.glb"),
+                          QStringLiteral("--cards")},
+                         QStringLiteral("half-flow.png")),
+                 QString());
     }
 
     void oneGroupIsPartOfAll()

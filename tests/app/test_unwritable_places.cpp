@@ -64,8 +64,10 @@ private Q_SLOTS:
                 << path + QStringLiteral(".hairpaint");
             for (const model::ExportFormat& format : model::exportFormats()) {
                 const QString output = path + QLatin1Char('.') + QLatin1StringView(format.suffix);
-                QTest::newRow((row + ", export " + format.suffix).constData())
-                    << QStringList{QStringLiteral("export"), m_good, QStringLiteral("-o"), output} << output;
+                QStringList arguments{QStringLiteral("export"), m_good, QStringLiteral("-o"), output};
+                if (format.hasCards)
+                    arguments += QStringLiteral("--cards");
+                QTest::newRow((row + ", export " + format.id).constData()) << arguments << output;
             }
             QTest::newRow((row + ", render").constData())
                 << QStringList{QStringLiteral("render"), m_good,

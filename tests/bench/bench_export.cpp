@@ -44,11 +44,15 @@ void exportHair(benchmark::State& state)
             return;
         }
     }
-    state.SetLabel(format.suffix);
+    state.SetLabel(format.id);
     state.counters["hairs"] = static_cast<double>(frame->groups.front().groom->drawnCount);
     state.counters["points"] = static_cast<double>(model::CurveSet::of(frame, request.curves)->pointCount());
 }
 
-BENCHMARK(exportHair)->Name("export_hair")->DenseRange(0, 4)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(exportHair)
+    ->Name("export_hair")
+    ->DenseRange(0, static_cast<std::int64_t>(model::exportFormats().size()) - 1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 } // namespace

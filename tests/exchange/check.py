@@ -3,8 +3,9 @@
 
     check.py PROGRAM FOLDER     PROGRAM: hairpaint; FOLDER: where the judges' packages are installed and files are written
 
-Judges: Blender (its own importers of OBJ and glTF, and our add-on), the Khronos validator (glTF), tinyusdz (USD). What the
-files are to hold is read from the `.hair` of the same hair. Prints a line a check and ends with "N passed, M failed".
+Judges: Blender (its own importers of OBJ and glTF, and our add-on), the Khronos validator (glTF), tinyusdz (USD); of
+cards also compare_cards.py. What the files are to hold is read from the `.hair` of the same hair. Prints a line a check
+and ends with "N passed, M failed".
 """
 import json
 import re
@@ -15,6 +16,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 STYLES = {"straight": "Long straight", "plaits": "Two plaits", "curls": "Ringlets"}
+CARD_STYLES = STYLES | {"bob": "Bob", "afro": "Round afro"}
 OPTIONS = ["--hairs", "3000", "--tolerance", "0.2"]
 NEAR = 2e-6
 
@@ -109,6 +111,33 @@ def check_gltf(judge, style, counts, points):
     judge.check(f"{style}: along the strands", farthest(middles, upright) < NEAR, farthest(middles, upright))
 
 
+def check_cards(judge, style):
+    """At the usual budget, fallen as `render` shows it."""
+    project = judge.folder / f"{style}.hairpaint"
+    cards, strands = judge.folder / f"{style}-cards.glb", judge.folder / f"{style}-all.hair"
+    for path, options in ((cards, ["--cards"]), (strands, [])):
+        done = judge.run(judge.program, "export", project, "-o", path, "--settle", "2", *options)
+        if done.returncode != 0:
+            sys.exit(done.stderr)
+    done = judge.run("node", HERE / "validate_gltf.js", cards)
+    report = json.loads(done.stdout)["issues"] if done.returncode == 0 else {"numErrors": done.stderr}
+    judge.check(f"{style}: the cards' glTF has no errors", report.get("numErrors") == 0, report)
+    judge.check(f"{style}: and no warnings", report.get("numWarnings") == 0, report)
+    objects = blender_reads(judge, cards)
+    done = judge.run("/usr/bin/python3", HERE / "compare_cards.py", strands, cards)
+    if done.returncode != 0:
+        sys.exit(done.stderr)
+    found = json.loads(done.stdout)
+    judge.check(f"{style}: Blender reads all {found['triangles']} triangles, 15,000 at most",
+                sum(i["faces"] for i in objects) == found["triangles"] <= 15000)
+    judge.check(f"{style}: their atlas is full enough ({found['filled']})", found["filled"] >= 0.7)
+    sides = found["sides"]
+    overlap, away = min(s["overlap"] for s in sides.values()), max(s["away"] for s in sides.values())
+    judge.check(f"{style}: the cards' silhouettes are the strands' from four sides (least overlap {overlap})",
+                overlap >= 0.9, sides)
+    judge.check(f"{style}: and so are their colours (farthest {away})", away <= 0.05, sides)
+
+
 def numbers_of(text, name):
     found = re.search(re.escape(name) + r" = \[(.*?)\]", text, re.S)
     return [float(word) for word in re.findall(r"-?[0-9.]+(?:e-?[0-9]+)?", found[1])] if found else []
@@ -134,17 +163,25 @@ def check_usd(judge, style, counts, points):
     judge.check(f"{style}: tinyusdz reads the USD archive", done.returncode == 0 and json.loads(done.stdout)["ok"])
 
 
+def make_project(judge, style, preset):
+    made = judge.run(judge.program, "new", "-o", judge.folder / f"{style}.hairpaint", "--preset", preset)
+    if made.returncode != 0:
+        sys.exit(made.stderr)
+
+
 def main():
     judge = Judge(*sys.argv[1:3])
     for style, preset in STYLES.items():
-        made = judge.run(judge.program, "new", "-o", judge.folder / f"{style}.hairpaint", "--preset", preset)
-        if made.returncode != 0:
-            sys.exit(made.stderr)
+        make_project(judge, style, preset)
         counts, points = read_hair(judge.export(style, "hair"))
         check_obj(judge, style, counts, points)
         check_addon(judge, style, counts, points)
         check_gltf(judge, style, counts, points)
         check_usd(judge, style, counts, points)
+    for style, preset in CARD_STYLES.items():
+        if style not in STYLES:
+            make_project(judge, style, preset)
+        check_cards(judge, style)
     print(f"{judge.passed} passed, {judge.failed} failed")
     sys.exit(judge.failed != 0)
 

@@ -67,4 +67,18 @@ inline model::Result<void> exported(const std::shared_ptr<const sim::StrandFrame
                              path, progress);
 }
 
+/// In that format; cards small, so that they are soon there.
+inline model::Result<void> exportedAs(const model::ExportFormat& format,
+                                      const std::shared_ptr<const sim::StrandFrame>& frame, const QString& path,
+                                      const model::Progress& progress = {})
+{
+    return model::exportHair(frame,
+                             {.format = &format,
+                              .target = &model::exportTargets().front(),
+                              .curves = allOf(*frame),
+                              .cards = {.triangles = model::CardSettings::kFewestTriangles,
+                                        .atlasPx = model::CardSettings::kSmallestAtlasPx}},
+                             path, progress);
+}
+
 } // namespace hairpaint::test

@@ -19,6 +19,7 @@
 using namespace hairpaint;
 using namespace hairpaint::model;
 using test::exported;
+using test::exportedAs;
 using test::frameOf;
 using test::hairGroup;
 
@@ -104,9 +105,9 @@ private:
     [[nodiscard]] QString text(const char* suffix) const { return QString::fromUtf8(test::readBytes(path(suffix))); }
     static void formats()
     {
-        QTest::addColumn<QString>("suffix");
+        QTest::addColumn<int>("number");
         for (const ExportFormat& format : exportFormats())
-            QTest::newRow(format.suffix) << QString::fromLatin1(format.suffix);
+            QTest::newRow(format.id) << static_cast<int>(&format - exportFormats().data());
     }
 
 private Q_SLOTS:
@@ -288,32 +289,38 @@ private Q_SLOTS:
     void noHairIsAFileToo_data() { formats(); }
     void noHairIsAFileToo()
     {
-        QFETCH(QString, suffix);
+        QFETCH(int, number);
+        const ExportFormat& format = exportFormats()[static_cast<std::size_t>(number)];
+        const QString suffix = QString::fromLatin1(format.suffix);
         const QString file = m_folder.filePath(QStringLiteral("bald.") + suffix);
-        QVERIFY(exported(frameOf({hairGroup(1, 0, 65535, 0)}), file));
+        QVERIFY(exportedAs(format, frameOf({hairGroup(1, 0, 65535, 0)}), file));
         QVERIFY(!test::readBytes(file).isEmpty());
     }
 
     void theSameFrameGivesTheSameBytes_data() { formats(); }
     void theSameFrameGivesTheSameBytes()
     {
-        QFETCH(QString, suffix);
+        QFETCH(int, number);
+        const ExportFormat& format = exportFormats()[static_cast<std::size_t>(number)];
+        const QString suffix = QString::fromLatin1(format.suffix);
         const QString file = m_folder.filePath(QStringLiteral("same.") + suffix);
         const std::vector<sim::GroomInput::Group> groups = {hairGroup(1, 20'000, 50'000, 30'000)};
-        QVERIFY(exported(frameOf(groups), file));
+        QVERIFY(exportedAs(format, frameOf(groups), file));
         const QByteArray once = test::readBytes(file);
-        QVERIFY(exported(frameOf(groups), file));
+        QVERIFY(exportedAs(format, frameOf(groups), file));
         QVERIFY(once == test::readBytes(file) && once.size() > 128);
     }
 
     void writingStopsWhereverItIsAsked_data() { formats(); }
     void writingStopsWhereverItIsAsked()
     {
-        QFETCH(QString, suffix);
+        QFETCH(int, number);
+        const ExportFormat& format = exportFormats()[static_cast<std::size_t>(number)];
+        const QString suffix = QString::fromLatin1(format.suffix);
         const QString file = m_folder.filePath(QStringLiteral("stopped.") + suffix);
         const auto frame = frameOf({hairGroup(1, 20'000, 65535, 0)});
         std::vector<double> told;
-        QVERIFY(exported(frame, file, [&told](double fraction) {
+        QVERIFY(exportedAs(format, frame, file, [&told](double fraction) {
             told.push_back(fraction);
             return true;
         }));
@@ -323,7 +330,7 @@ private Q_SLOTS:
         const QByteArray before = test::readBytes(file);
         for (std::size_t stopAt = 1; stopAt <= told.size(); ++stopAt) {
             std::size_t count = 0;
-            QVERIFY(!exported(frame, file, [&](double) { return ++count < stopAt; }));
+            QVERIFY(!exportedAs(format, frame, file, [&](double) { return ++count < stopAt; }));
             QVERIFY(test::readBytes(file) == before);
         }
         QCOMPARE(QDir(m_folder.path())
@@ -335,12 +342,14 @@ private Q_SLOTS:
     void whereItCannotBeWrittenNothingIs_data() { formats(); }
     void whereItCannotBeWrittenNothingIs()
     {
-        QFETCH(QString, suffix);
+        QFETCH(int, number);
+        const ExportFormat& format = exportFormats()[static_cast<std::size_t>(number)];
+        const QString suffix = QString::fromLatin1(format.suffix);
         const auto frame = frameOf({hairGroup(1, 9000, 65535, 0)});
         const QString long300(300, QLatin1Char('x'));
         for (const QString& nowhere :
              {m_folder.filePath(QStringLiteral("none/a.")), m_folder.filePath(long300 + QLatin1Char('.'))}) {
-            const Result<void> result = exported(frame, nowhere + suffix);
+            const Result<void> result = exportedAs(format, frame, nowhere + suffix);
             QVERIFY(!result);
             QVERIFY2(test::isOneSentenceNaming(result.error().message, nowhere + suffix),
                      qPrintable(result.error().message));
@@ -352,6 +361,9 @@ private Q_SLOTS:
     {
         QCOMPARE(findExportFormat(QStringLiteral("a/b.USDA"))->suffix, "usda");
         QVERIFY(findExportFormat(QStringLiteral("a/b.fbx")) == nullptr);
+        QCOMPARE(findExportFormat(QStringLiteral("a/b.glb"))->id, "ribbons");
+        QCOMPARE(findExportFormat(QStringLiteral("a/b.glb"), &cardFormat())->id, "cards");
+        QCOMPARE(findExportFormat(QStringLiteral("a/b.obj"), &cardFormat())->id, "obj");
         QVERIFY(findExportTarget(QStringLiteral("cinema")) == nullptr);
     }
 };

@@ -41,6 +41,14 @@ void type(BarSlider& slider, const QString& text)
     QTest::keyClick(line, Qt::Key_Return);
 }
 
+/// Not that of the bones.
+QList<QCheckBox*> groupBoxes(const ExportHairDialog& dialog)
+{
+    QList<QCheckBox*> boxes = dialog.findChildren<QCheckBox*>();
+    boxes.removeIf([&dialog](const QCheckBox* box) { return box->parent() == &dialog; });
+    return boxes;
+}
+
 QPushButton* acceptButton(const ExportHairDialog& dialog)
 {
     return dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
@@ -95,7 +103,7 @@ private Q_SLOTS:
     {
         ExportHairDialog dialog(twoGroups(), {});
         dialog.show();
-        const QList<QCheckBox*> boxes = dialog.findChildren<QCheckBox*>();
+        const QList<QCheckBox*> boxes = groupBoxes(dialog);
         QCOMPARE(boxes.size(), qsizetype{2});
         BarSlider* hairs = sliderNamed(dialog, QStringLiteral("Hairs"));
         boxes[0]->click();
@@ -125,10 +133,33 @@ private Q_SLOTS:
         QVERIFY(!boxAt(dialog, 1)->isEnabled());
     }
 
+    void cards_ask_for_triangles_and_textures()
+    {
+        ExportHairDialog dialog(twoGroups(), {});
+        dialog.show();
+        BarSlider* triangles = sliderNamed(dialog, QStringLiteral("Triangles"));
+        BarSlider* tolerance = sliderNamed(dialog, QStringLiteral("Tolerance"));
+        QVERIFY(!triangles->isVisible() && !boxAt(dialog, 3)->isVisible() && tolerance->isVisible());
+        boxAt(dialog, 0)->setCurrentIndex(static_cast<int>(&model::cardFormat() - model::exportFormats().data()));
+        QVERIFY(triangles->isVisible() && boxAt(dialog, 3)->isVisible() && !tolerance->isVisible());
+        QCOMPARE(dialog.choice().request.cards, model::CardSettings{});
+        type(*triangles, QStringLiteral("8000"));
+        QTest::keyClick(boxAt(dialog, 3), Qt::Key_Up);
+        QTest::mouseClick(dialog.findChild<QCheckBox*>({}, Qt::FindDirectChildrenOnly), Qt::LeftButton, {},
+                          QPoint(8, 8));
+        const HairExportChoice choice = dialog.choice();
+        QCOMPARE(choice.request.format->id, "cards");
+        QCOMPARE(choice.request.cards.triangles, 8000);
+        QCOMPARE(choice.request.cards.atlasPx, 1024);
+        QVERIFY(choice.request.cards.springBones);
+        const ExportHairDialog next(twoGroups(), choice);
+        QCOMPARE(next.choice().request.cards, choice.request.cards);
+    }
+
     void one_group_needs_no_list()
     {
         const ExportHairDialog dialog({{.id = 1, .name = QStringLiteral("Scalp"), .hairs = 10}}, {});
-        QVERIFY(dialog.findChildren<QCheckBox*>().isEmpty());
+        QVERIFY(groupBoxes(dialog).isEmpty());
         QCOMPARE(dialog.choice().request.curves.groups.size(), std::size_t{1});
     }
 };

@@ -1,4 +1,4 @@
-// Format, program, source, groups, number of hairs, tolerance.
+// Format, program, source, groups, number of hairs, tolerance, cards.
 #include "view/dialogs/export_hair_dialog.h"
 
 #include "model/names.h"
@@ -42,7 +42,8 @@ ExportHairDialog::ExportHairDialog(std::vector<ExportableGroup> groups, const Ha
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     layout->setSpacing(metrics::kPadding);
-    layout->addLayout(buildForm());
+    m_form = buildForm();
+    layout->addLayout(m_form);
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Export…"));
     m_buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
@@ -96,7 +97,26 @@ QFormLayout* ExportHairDialog::buildForm()
     m_tolerance->setHint(tr("Leaves out points of the hairs that lie so near to the line without them; with 0 all "
                             "points are kept."));
     form->addRow(m_tolerance);
+    addCardRows(*form);
     return form;
+}
+
+void ExportHairDialog::addCardRows(QFormLayout& form)
+{
+    using Cards = model::CardSettings;
+    m_triangles = new BarSlider(tr("Triangles"), this);
+    m_triangles->setRange(Cards::kFewestTriangles, Cards::kMostTriangles);
+    m_triangles->setExponent(2.0);
+    m_triangles->setDefaultValue(Cards{}.triangles);
+    m_triangles->setHint(tr("At most so many of all cards together: 2,000 to 8,000 for phones and avatars, 10,000 to "
+                            "20,000 for consoles and PCs."));
+    form.addRow(m_triangles);
+    m_atlas = addChoice(form, tr("Te&xture"));
+    for (int size = Cards::kSmallestAtlasPx; size <= Cards::kLargestAtlasPx; size *= 2)
+        m_atlas->addItem(tr("%1 × %1 pixels").arg(size), size);
+    m_bones = new QCheckBox(tr("Spring &bones"), this);
+    m_bones->setToolTip(tr("Joints along the locks, so that avatar programs let the hair swing."));
+    form.addRow(QString(), m_bones);
 }
 
 QLayout* ExportHairDialog::buildGroups()
@@ -128,6 +148,9 @@ void ExportHairDialog::fill(const HairExportChoice& before)
     m_target->setCurrentIndex(static_cast<int>(before.request.target - model::exportTargets().data()));
     m_source->setCurrentIndex(static_cast<int>(before.source));
     m_tolerance->setValue(static_cast<double>(before.request.curves.toleranceM) * kMmPerMetre);
+    m_triangles->setValue(before.request.cards.triangles);
+    m_atlas->setCurrentIndex(m_atlas->findData(before.request.cards.atlasPx));
+    m_bones->setChecked(before.request.cards.springBones);
     m_hairs->setRange(0.0, 0.0);
 }
 
@@ -145,6 +168,11 @@ void ExportHairDialog::follow()
     const model::ExportFormat& format = model::exportFormats()[static_cast<std::size_t>(m_format->currentIndex())];
     // A format that has its own space is the same for every program.
     m_target->setEnabled(format.space != model::FormatSpace::Own);
+    m_form->setRowVisible(m_triangles, format.hasCards);
+    m_form->setRowVisible(m_atlas, format.hasCards);
+    m_form->setRowVisible(m_bones, format.hasCards);
+    // Cards follow hairs by themselves.
+    m_form->setRowVisible(m_tolerance, !format.hasCards);
     const auto hairs = static_cast<double>(hairsOfChosen());
     m_use->setText(hairs > 0.0 ? format.useText() : tr("There are no hairs to be exported here."));
     const bool all = m_hairs->value() >= m_hairs->maximum();
@@ -168,7 +196,11 @@ HairExportChoice ExportHairDialog::choice() const
             curves.groups.push_back({.id = m_groups[i].id, .name = m_groups[i].name});
     if (m_hairs->value() < m_hairs->maximum())
         curves.hairs = static_cast<std::size_t>(m_hairs->value());
-    curves.toleranceM = static_cast<float>(m_tolerance->value() / kMmPerMetre);
+    const double toleranceMm = choice.request.format->hasCards ? 0.0 : m_tolerance->value();
+    curves.toleranceM = static_cast<float>(toleranceMm / kMmPerMetre);
+    choice.request.cards = {.triangles = static_cast<int>(m_triangles->value()),
+                            .atlasPx = m_atlas->currentData().toInt(),
+                            .springBones = m_bones->isChecked()};
     return choice;
 }
 

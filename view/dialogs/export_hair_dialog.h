@@ -47,7 +47,7 @@ class ExportHairDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// Begins with format, target, source and tolerance of the choice before, and with all groups and all hairs.
+    /// Begins with format, target, source, tolerance and cards of the choice before, and with all groups and all hairs.
     ExportHairDialog(std::vector<ExportableGroup> groups, const HairExportChoice& before, QWidget* parent = nullptr);
     [[nodiscard]] HairExportChoice choice() const;
 
@@ -57,15 +57,20 @@ private:
     [[nodiscard]] QComboBox* addChoice(QFormLayout& form, const QString& label);
     void fill(const HairExportChoice& before);
     [[nodiscard]] std::size_t hairsOfChosen() const;
+    void addCardRows(QFormLayout& form);
     void follow();
 
     std::vector<ExportableGroup> m_groups;
     std::vector<QCheckBox*> m_boxes; ///< As many; none where there is one group.
+    QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_target = nullptr;
     QComboBox* m_source = nullptr;
     BarSlider* m_hairs = nullptr;
     BarSlider* m_tolerance = nullptr;
+    BarSlider* m_triangles = nullptr; ///< Seen with formats of cards, as are the next two.
+    QComboBox* m_atlas = nullptr;
+    QCheckBox* m_bones = nullptr;
     QLabel* m_use = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
 };

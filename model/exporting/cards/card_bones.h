@@ -1,0 +1,41 @@
+// Joints along locks of cards, for programs that let hair swing.
+#pragma once
+
+#include "model/exporting/cards/card_strip.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// Some joints one after another, each the parent of the next; the last only tells where the hair ends.
+struct BoneChain
+{
+    static constexpr std::size_t kJoints = 5;
+    std::array<glm::vec3, kJoints> jointsWo{}; ///< The first where the hair grows.
+    std::size_t group = 0;                     ///< Index into CurveSet::groups().
+};
+
+/// What moves a vertex. Joint 0 is the head, 1 + kJoints * chain + j the chain's joint j. Weights sum to 1.
+struct BoneWeights
+{
+    std::array<std::uint16_t, 4> joints{};
+    glm::vec4 weights{1.0F, 0.0F, 0.0F, 0.0F};
+};
+
+struct CardBones
+{
+    std::vector<BoneChain> chains;
+    std::vector<std::size_t> chainOf; ///< By strip.
+    [[nodiscard]] std::size_t jointCount() const { return 1 + BoneChain::kJoints * chains.size(); }
+    /// At the root a strip stays with the head.
+    [[nodiscard]] BoneWeights weightsAt(std::size_t strip, const glm::vec3& placeWo) const;
+};
+
+/// Some two dozen chains or fewer for all hair. `sets`: hairs by group.
+[[nodiscard]] CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets,
+                                 std::span<const CardStrip> strips);
+
+} // namespace hairpaint::model

@@ -1,0 +1,31 @@
+// Hair divided into locks.
+#pragma once
+
+#include "model/exporting/cards/sampled_hair.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// Hairs that run nearly alike.
+struct HairLock
+{
+    std::vector<std::uint32_t> hairs; ///< Of SampledHair.
+    std::array<glm::vec3, SampledHair::kPlaces> meanWo{};
+    float spreadM = 0.0F; ///< Root of the mean squared distance from there.
+};
+
+/// Which of its places a strip along the lock has nodes at, both ends among them.
+void stripPlaces(const HairLock& lock, std::vector<std::uint16_t>& kept);
+
+/// Divides what runs most apart again and again, as long as the strips along all locks have at most `triangles`
+/// together, two a segment; a lock of less than a hair's few widths stays whole. `sets`: hairs that are never in one
+/// lock, of which those without hairs give none and the others at least one. `weights`: by hair of SampledHair, above
+/// 0: how much it matters. The same hairs give the same locks.
+[[nodiscard]] std::vector<HairLock> dividedIntoLocks(const SampledHair& hair,
+                                                     std::vector<std::vector<std::uint32_t>> sets,
+                                                     std::span<const float> weights, int triangles);
+
+} // namespace hairpaint::model
