@@ -46,7 +46,7 @@ if(HAIRPAINT_SANITIZE)
     add_link_options(-fsanitize=${HAIRPAINT_SANITIZE})
     # Each of Highway's instruction sets is half a minute of compiling instrumented kernels: the least and one wide one do.
     target_compile_definitions(hairpaint_options INTERFACE
-        "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
+        "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX2|HWY_AVX3|HWY_AVX3_DL)")
     # Instrumented code confuses these two in GCC 12; the plain builds check them.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         target_compile_options(hairpaint_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
