@@ -6,7 +6,6 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -22,8 +21,11 @@ class Renames
 public:
     ~Renames()
     {
-        for (const auto& [from, to] : std::views::reverse(m_done))
+        while (!m_done.empty()) {
+            const auto& [from, to] = m_done.back();
             (void)replaceFile(to, from);
+            m_done.pop_back();
+        }
     }
     Renames() = default;
     Renames(const Renames&) = delete;
