@@ -32,7 +32,8 @@ enum class Content : std::uint8_t
 
 std::uint16_t noiseAt(int x, int y, int channel)
 {
-    return static_cast<std::uint16_t>(sim::hash64(3, static_cast<std::uint64_t>((y * kSize + x) * 4 + channel)));
+    const int number = (y * kSize + x) * 4 + channel;
+    return static_cast<std::uint16_t>(sim::hash64(3, static_cast<std::uint64_t>(number)));
 }
 
 std::uint16_t valueAt(Content content, int x, int y, int channel, bool isCoverage)
