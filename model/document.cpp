@@ -334,8 +334,10 @@ void Document::undo()
     if (m_state->running) {
         // By value: it may end the edit that holds it.
         const std::function<bool()> stepBack = m_state->running->owner.stepBack;
-        if (stepBack != nullptr && stepBack())
+        if (stepBack != nullptr && stepBack()) {
+            Q_EMIT editSteppedBack();
             return;
+        }
         const bool changing = m_state->changing();
         dropEdit();
         if (changing)

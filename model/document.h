@@ -85,7 +85,8 @@ public:
 Q_SIGNALS:
     void changed(const hairpaint::model::Change& change);
     void modifiedChanged(bool modified);
-    void editEnded(); ///< A session is over, whoever ended it.
+    void editSteppedBack(); ///< A session took back its last part and goes on.
+    void editEnded();       ///< A session is over, whoever ended it.
     /// What was asked for would make the content larger than can be saved, and was not done.
     void refused(const QString& reason);
     /// After undo() or redo() took the step of that name.

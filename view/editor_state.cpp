@@ -49,6 +49,7 @@ EditorState::EditorState(model::Document& document, QObject* parent)
         m_amounts.take(*settings, m_toolSettings);
     connect(&document, &model::Document::changed, this, &EditorState::onDocumentChanged);
     connect(&document, &model::Document::refused, this, &EditorState::refused);
+    connect(&document, &model::Document::editSteppedBack, this, &EditorState::overlayChanged);
     connect(&document, &model::Document::editEnded, this, &EditorState::overlayChanged);
     connect(&m_selection, &model::Selection::changed, this, &EditorState::overlayChanged);
 }

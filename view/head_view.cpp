@@ -32,7 +32,7 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
       m_pacer(std::make_unique<FramePacer>()), m_directions(std::make_unique<DirectionHairs>()),
       m_flight([this](const rendering::Camera& camera) {
           m_scene->setCamera(camera);
-          cameraMoved();
+          m_pacer->wake();
       })
 {
     setObjectName(QStringLiteral("headArea"));
@@ -89,6 +89,7 @@ void HeadView::connectParts()
 void HeadView::makePresenter(PresenterChoice choice)
 {
     m_presenter = FramePresenter::make(choice, this);
+    connect(m_presenter, &FramePresenter::shows, this, &HeadView::follow);
     connect(m_presenter, &FramePresenter::frameDrawn, this, &HeadView::frameDrawn);
     connect(m_presenter, &FramePresenter::refining, this, [this](bool on) {
         m_refining = on;
@@ -131,10 +132,7 @@ void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
     const bool moved = m_stillness.moved(frame, m_scene->camera(), size());
     if (m_pacer->still() && !moved)
         return; // A picture that is being refined is worth more than a difference nobody sees.
-    const sim::HeadPose before = m_scene->shownPose();
     m_scene->setHair(std::move(frame));
-    if (m_scene->shownPose() != before)
-        refreshOverlay();
     if (moved)
         m_pacer->wake();
     else
@@ -152,7 +150,7 @@ void HeadView::setCamera(const rendering::Camera& camera)
     if (camera == m_scene->camera())
         return;
     m_scene->setCamera(camera);
-    cameraMoved();
+    m_pacer->wake();
 }
 
 void HeadView::setView(rendering::StandardView view)
@@ -196,12 +194,6 @@ void HeadView::animateTo(const std::optional<rendering::Camera>& camera)
 {
     if (camera)
         m_flight.start(m_scene->camera(), *camera);
-}
-
-void HeadView::cameraMoved()
-{
-    refreshOverlay();
-    m_pacer->wake();
 }
 
 bool HeadView::awake() const
@@ -311,12 +303,28 @@ void HeadView::refreshRings()
     m_pointer->updateCursor();
 }
 
+/// What lies over the picture moves with it, not with the camera or the hair, which may be pictures ahead.
+void HeadView::follow(const Sight& sight)
+{
+    if (std::exchange(m_shown, sight) == sight)
+        return;
+    refreshOverlay();
+    m_directionsTimer.stop();
+    refreshDirections();
+}
+
+Sight HeadView::shown() const
+{
+    return m_shown.value_or(Sight{.camera = m_scene->camera(), .pose = m_scene->shownPose()});
+}
+
 void HeadView::refreshOverlay()
 {
-    m_overlay->setShapes(m_state.overlay(), m_scene->skin(), m_scene->camera(), m_scene->shownPose());
+    const Sight sight = shown();
+    m_overlay->setShapes(m_state.overlay(), m_scene->skin(), sight.camera, sight.pose);
     m_overlay->setColliders(m_state.collidersShown() ? m_state.document().project().ellipsoids
                                                      : std::vector<sim::Ellipsoid>(),
-                            m_state.chosenCollider(), m_scene->camera(), m_scene->shownPose());
+                            m_state.chosenCollider(), sight.camera, sight.pose);
     m_overlay->setGhost(m_scene->hiddenRing());
     m_directionsTimer.start();
 }
@@ -331,8 +339,9 @@ void HeadView::refreshDirections()
                  .density = document.resolved(m_state.activeGroup(), model::MapKind::Density)};
     }
     const std::shared_ptr<const model::Head>& head = m_state.document().project().head;
-    m_overlay->setDirections(m_directions->seen(head ? head->skin : nullptr, field, m_scene->camera(),
-                                                m_scene->shownPose(), QSizeF(m_overlay->size())));
+    const Sight sight = shown();
+    m_overlay->setDirections(
+        m_directions->seen(head ? head->skin : nullptr, field, sight.camera, sight.pose, QSizeF(m_overlay->size())));
 }
 
 void HeadView::setLookedAt(std::optional<model::MapKind> map)
@@ -381,7 +390,8 @@ void HeadView::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     placeChildren();
-    cameraMoved();
+    refreshOverlay();
+    m_pacer->wake();
 }
 
 bool HeadView::event(QEvent* event)

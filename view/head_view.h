@@ -5,9 +5,9 @@
 #include "sim/motion/neck_motion.h"
 #include "sim/motion/strand_frame.h"
 #include "view/head/camera_flight.h"
+#include "view/head/frame_presenter.h"
 #include "view/head/stillness.h"
 #include "view/painted_area.h"
-#include "view/presenter_choice.h"
 #include "view/rendering/backend.h"
 #include "view/rendering/scene.h"
 #include "view/rendering/standard_views.h"
@@ -116,9 +116,10 @@ private:
     void refreshEnvironment();
     void refreshRings();
     void refreshOverlay();
+    void follow(const Sight& sight);
+    [[nodiscard]] Sight shown() const;
     void refreshDirections();
     void refreshSigns();
-    void cameraMoved();
     void animateTo(const std::optional<rendering::Camera>& camera);
     void draw();
     void placeChildren();
@@ -140,6 +141,7 @@ private:
     std::unique_ptr<DirectionHairs> m_directions;
     QTimer m_directionsTimer; ///< Zero: however much changes, they are found once.
     std::optional<model::MapKind> m_lookedAt;
+    std::optional<Sight> m_shown; ///< By the picture on the screen; none before the first.
     Stillness m_stillness;
     CameraFlight m_flight;
     bool m_paused = false;

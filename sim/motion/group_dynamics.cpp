@@ -20,6 +20,29 @@ constexpr int kSettleSteps = 84; ///< 0.7 s
 constexpr float kSettleDamping = 5.0F;
 constexpr float kHeldFully = 0.05F; ///< A hold of which half is seen at once.
 
+/// By how much the edges of one shape point elsewhere than those of the other: 0 within 30 degrees, 1 from 70.
+float turnBetween(std::span<const glm::vec3> before, std::span<const glm::vec3> after)
+{
+    constexpr float kNone = 0.87F;
+    constexpr float kWhole = 0.34F;
+    float along = 0.0F;
+    float lengths = 0.0F;
+    for (std::size_t node = 1; node < before.size(); ++node) {
+        const glm::vec3 a = before[node] - before[node - 1];
+        const glm::vec3 b = after[node] - after[node - 1];
+        along += glm::dot(a, b);
+        lengths += std::sqrt(glm::dot(a, a) * glm::dot(b, b));
+    }
+    return lengths > 0.0F ? std::clamp((kNone - along / lengths) / (kNone - kWhole), 0.0F, 1.0F) : 0.0F;
+}
+
+glm::vec3 downOf(const StepForces& calm)
+{
+    const glm::vec3 gravity(calm.gravity[0], calm.gravity[1], calm.gravity[2]);
+    const float pull = std::sqrt(glm::dot(gravity, gravity));
+    return pull > 0.0F ? gravity / pull : glm::vec3(0.0F, -1.0F, 0.0F);
+}
+
 bool sameColliders(const ColliderSet& a, const ColliderSet& b)
 {
     if (a.count != b.count || a.grid != b.grid)
@@ -58,11 +81,11 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
     if (sameStrands(before, *m_groom)) {
         m_state.setColliders(m_colliders.count);
         if (before.basis != m_groom->basis)
-            arrived = takeStrands(before, {}, m_state);
+            arrived = takeStrands(before, {}, m_state, downOf(calm));
     } else {
         StrandState old = std::exchange(m_state, {});
         m_state.resize(m_groom->nodes, m_groom->basis->blockCount(), m_colliders.count);
-        arrived = takeStrands(before, originsOf(before, *m_groom), old);
+        arrived = takeStrands(before, originsOf(before, *m_groom), old, downOf(calm));
     }
     if (otherGains || otherColliders) {
         parallelFor(m_state.blocks, kBlocksAtOnce, [this](std::size_t begin, std::size_t end) {
@@ -80,7 +103,7 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
 }
 
 std::vector<std::size_t> GroupDynamics::takeStrands(const Groom& before, std::span<const std::int32_t> origin,
-                                                    const StrandState& old)
+                                                    const StrandState& old, glm::vec3 downHd)
 {
     const Groom& now = *m_groom;
     std::vector<std::uint16_t> arrivedLanes(m_state.blocks, 0);
@@ -103,18 +126,8 @@ std::vector<std::size_t> GroupDynamics::takeStrands(const Groom& before, std::sp
                 }
                 if (!origin.empty())
                     m_state.copyStrand(old, static_cast<std::size_t>(was), strand);
-                if (change == StrandChange::Shape) {
-                    const float lengthBefore = m_state.field(strand, kSegmentLength);
-                    setStrandConstants(m_state, now, strand, m_colliders);
-                    std::array<glm::vec3, kMostNodes> restBefore;
-                    std::array<glm::vec3, kMostNodes> restNow;
-                    const auto nodes = static_cast<std::size_t>(now.nodes);
-                    before.blocks().read(before.basis->restPositions, static_cast<std::size_t>(was),
-                                         std::span(restBefore).first(nodes));
-                    now.blocks().read(now.basis->restPositions, strand, std::span(restNow).first(nodes));
-                    const float length = m_state.field(strand, kSegmentLength);
-                    m_state.reshapeStrand(strand, restBefore, restNow, length / lengthBefore, length);
-                }
+                if (change == StrandChange::Shape)
+                    reshape(before, static_cast<std::size_t>(was), strand, downHd);
             }
         }
     });
@@ -126,6 +139,45 @@ std::vector<std::size_t> GroupDynamics::takeStrands(const Groom& before, std::sp
         }
     }
     return arrived;
+}
+
+/// A strand whose rest shape turns away cannot go along with that: as far from the new one as from the old, hair that
+/// hung would fly.
+void GroupDynamics::reshape(const Groom& before, std::size_t was, std::size_t strand, glm::vec3 downHd)
+{
+    const Groom& now = *m_groom;
+    const auto nodes = static_cast<std::size_t>(now.nodes);
+    std::array<glm::vec3, kMostNodes> restBefore;
+    std::array<glm::vec3, kMostNodes> restNow;
+    std::array<glm::vec3, kMostNodes> hanging;
+    before.blocks().read(before.basis->restPositions, was, std::span(restBefore).first(nodes));
+    now.blocks().read(now.basis->restPositions, strand, std::span(restNow).first(nodes));
+    const float lengthBefore = m_state.field(strand, kSegmentLength);
+    setStrandConstants(m_state, now, strand, m_colliders);
+    const float length = m_state.field(strand, kSegmentLength);
+    const float turned = turnBetween(std::span(restBefore).first(nodes), std::span(restNow).first(nodes));
+    if (turned > 0.0F)
+        hang(m_state, strand, std::span(restNow).first(nodes), downHd, std::span(hanging).first(nodes));
+    m_state.reshapeStrand(strand, {.beforeHd = restBefore,
+                                   .afterHd = restNow,
+                                   .hangingHd = hanging,
+                                   .turned = turned,
+                                   .factor = length / lengthBefore,
+                                   .segmentM = length});
+}
+
+void GroupDynamics::hang(const StrandState& state, std::size_t strand, std::span<const glm::vec3> restHd,
+                         glm::vec3 downHd, std::span<glm::vec3> nodesHd) const
+{
+    std::array<float, kMaxColliders> scales{};
+    for (int c = 0; c < m_colliders.count; ++c)
+        scales[static_cast<std::size_t>(c)] = std::sqrt(state.field(strand, kScale + c));
+    const float hold = state.field(strand, kHold);
+    const HangingStrand wanted{.segmentM = state.field(strand, kSegmentLength),
+                               .stiffnessM = m_groom->settings.physics.stiffnessM,
+                               .styled = std::min(hold / (kHeldFully + hold), 1.0F),
+                               .downHd = downHd};
+    hangStrand(nodesHd, restHd, wanted, m_colliders, scales);
 }
 
 void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForces& calm)
@@ -144,27 +196,17 @@ void GroupDynamics::settle(std::span<const std::size_t> strands, const StepForce
         return gainsOf(physics, m_groom->nodes);
     }();
     const std::vector<StepForces> steps(kSettleSteps, calm);
-    const glm::vec3 gravity(calm.gravity[0], calm.gravity[1], calm.gravity[2]);
-    const float pull = std::sqrt(glm::dot(gravity, gravity));
-    const glm::vec3 down = pull > 0.0F ? gravity / pull : glm::vec3(0.0F, -1.0F, 0.0F);
+    const glm::vec3 downHd = downOf(calm);
     parallelFor(alone.blocks, 4, [&](std::size_t begin, std::size_t end) {
         std::array<glm::vec3, kMostNodes> shape;
         std::array<glm::vec3, kMostNodes> hanging;
-        std::array<float, kMaxColliders> scales{};
         for (std::size_t i = begin * kLanes; i < std::min(end * kLanes, strands.size()); ++i) {
             const std::size_t strand = strands[i];
             m_groom->blocks().read(m_groom->basis->restPositions, strand, std::span(shape).first(nodes));
             alone.shape().write(rest, i, std::span(shape).first(nodes));
             for (int row = 0; row < m_state.laneRows; ++row)
                 alone.field(i, row) = m_state.field(strand, row);
-            for (int c = 0; c < m_colliders.count; ++c)
-                scales[static_cast<std::size_t>(c)] = std::sqrt(alone.field(i, kScale + c));
-            const float hold = alone.field(i, kHold);
-            const HangingStrand wanted{.segmentM = alone.field(i, kSegmentLength),
-                                       .stiffnessM = m_groom->settings.physics.stiffnessM,
-                                       .styled = std::min(hold / (kHeldFully + hold), 1.0F),
-                                       .downHd = down};
-            hangStrand(std::span(hanging).first(nodes), std::span(shape).first(nodes), wanted, m_colliders, scales);
+            hang(alone, i, std::span(shape).first(nodes), downHd, std::span(hanging).first(nodes));
             alone.placeStrand(i, std::span(hanging).first(nodes));
         }
         stepBlocks(alone.view(rest.data()), gains, m_colliders, steps, 0, begin, end);
@@ -191,6 +233,19 @@ void GroupDynamics::reset()
             m_state.placeStrand(strand, std::span(rest).first(nodes));
         }
     });
+    m_awake = true;
+}
+
+void GroupDynamics::hangAnew(const StepForces& calm)
+{
+    if (!m_groom)
+        return;
+    std::vector<std::size_t> wanted;
+    wanted.reserve(m_state.blocks * kLanes);
+    for (std::size_t strand = 0; strand < m_state.blocks * kLanes; ++strand)
+        if (m_state.field(strand, kStill) < kUnwanted)
+            wanted.push_back(strand);
+    settle(wanted, calm);
     m_awake = true;
 }
 

@@ -22,6 +22,8 @@ public:
     void setGroom(std::shared_ptr<const Groom> groom, const ColliderSet& colliders, const StepForces& calm);
     /// Every strand to its rest shape, without speed.
     void reset();
+    /// Every strand hanging still, as one that is new. `calm`: the forces where nothing moves.
+    void hangAnew(const StepForces& calm);
     void wake();
     /// No strand moves any more, or none is seen.
     [[nodiscard]] bool asleep() const;
@@ -35,7 +37,11 @@ public:
 
 private:
     [[nodiscard]] std::vector<std::size_t> takeStrands(const Groom& before, std::span<const std::int32_t> origin,
-                                                       const StrandState& old);
+                                                       const StrandState& old, glm::vec3 downHd);
+    void reshape(const Groom& before, std::size_t was, std::size_t strand, glm::vec3 downHd);
+    /// A strand of this state (of the groom now) as it hangs by its rest shape, root first.
+    void hang(const StrandState& state, std::size_t strand, std::span<const glm::vec3> restHd, glm::vec3 downHd,
+              std::span<glm::vec3> nodesHd) const;
     void settle(std::span<const std::size_t> strands, const StepForces& calm);
 
     std::shared_ptr<const Groom> m_groom;

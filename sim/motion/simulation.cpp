@@ -142,6 +142,17 @@ void Simulation::reset()
         group->reset();
 }
 
+void Simulation::hangAnew()
+{
+    State& s = *m_state;
+    s.pose = s.poseBefore = s.poseWanted;
+    s.leftover = 0.0;
+    StepForces calm = WindField::calm(s.pose);
+    calm.neck = neckTurn(s.neck, s.pose);
+    for (auto& group : s.groups)
+        group->hangAnew(calm);
+}
+
 void Simulation::advance(double seconds)
 {
     State& s = *m_state;

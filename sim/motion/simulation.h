@@ -32,8 +32,10 @@ public:
     void setPose(const HeadPose& pose);
     /// A puff of air: speed in m/s, falling off over `radiusM` around a point; lasts a tenth of a second.
     void puff(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);
-    /// Every strand back to its rest shape, without speed.
+    /// Every strand back to its rest shape, without speed: how the maps say it grows, before its weight.
     void reset();
+    /// Every strand as if it were new: hanging still.
+    void hangAnew();
 
     /// Advances by fixed substeps of kStepSeconds; at most 8 a call, the rest of a longer gap is dropped.
     void advance(double seconds);

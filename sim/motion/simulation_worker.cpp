@@ -105,7 +105,7 @@ public:
         for (const PuffRequest& puff : requests.puffs)
             m_simulation->puff(puff.centreWo, puff.velocity, puff.radiusM);
         if (requests.reset)
-            m_simulation->reset();
+            m_simulation->hangAnew();
         m_stale = m_stale || renewed;
     }
 

@@ -29,7 +29,7 @@ public:
     void setWind(const Wind& wind);     ///< Latest wins.
     void setPose(const HeadPose& pose); ///< Latest wins.
     void puff(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);
-    void reset();
+    void reset(); ///< Every strand hangs anew.
     void setPaused(bool paused);
     /// Frames a second wanted at most, 1..240; the GUI lowers it where drawing is slow. The motion keeps its pace:
     /// what is saved is the dependents of frames that nobody would see. New content comes at once all the same.

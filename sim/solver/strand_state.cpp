@@ -71,18 +71,21 @@ void StrandState::stopStrand(std::size_t strand)
     }
 }
 
-void StrandState::reshapeStrand(std::size_t strand, std::span<const glm::vec3> beforeHd,
-                                std::span<const glm::vec3> afterHd, float factor, float segmentM)
+void StrandState::reshapeStrand(std::size_t strand, const Reshaping& to)
 {
+    const float kept = to.factor * (1.0F - to.turned);
     glm::vec3 parent = shape().node(now(), strand, 0);
     for (std::size_t node = 1; node < static_cast<std::size_t>(nodes); ++node) {
         const glm::vec3 was = shape().node(now(), strand, node);
-        const glm::vec3 edge = afterHd[node] + (was - beforeHd[node]) * factor - parent;
+        glm::vec3 wanted = to.afterHd[node] + (was - to.beforeHd[node]) * to.factor;
+        if (to.turned > 0.0F)
+            wanted += (to.hangingHd[node] - wanted) * to.turned;
+        const glm::vec3 edge = wanted - parent;
         const float square = glm::dot(edge, edge);
-        const glm::vec3 straight = afterHd[node] - afterHd[node - 1];
-        const glm::vec3 place = parent + (square > 1e-12F ? edge * (segmentM / std::sqrt(square)) : straight);
+        const glm::vec3 straight = to.afterHd[node] - to.afterHd[node - 1];
+        const glm::vec3 place = parent + (square > 1e-12F ? edge * (to.segmentM / std::sqrt(square)) : straight);
         for (AlignedFloats* array : {&previous, &before()})
-            shape().setNode(*array, strand, node, place + (shape().node(*array, strand, node) - was) * factor);
+            shape().setNode(*array, strand, node, place + (shape().node(*array, strand, node) - was) * kept);
         shape().setNode(now(), strand, node, place);
         parent = place;
     }

@@ -42,10 +42,19 @@ struct StrandState
     void placeStrand(std::size_t strand, std::span<const glm::vec3> nodesHd);
     /// Without speed where it is.
     void stopStrand(std::size_t strand);
-    /// As far from another rest shape as it was from that before, times `factor`; with segments of `segmentM`. Speed is
-    /// kept, times `factor`.
-    void reshapeStrand(std::size_t strand, std::span<const glm::vec3> beforeHd, std::span<const glm::vec3> afterHd,
-                       float factor, float segmentM);
+    /// Another rest shape, root first.
+    struct Reshaping
+    {
+        std::span<const glm::vec3> beforeHd;
+        std::span<const glm::vec3> afterHd;
+        std::span<const glm::vec3> hangingHd; ///< How it would hang by it; not read where `turned` is 0.
+        float turned = 0.0F;                  ///< 0..1: how far it points elsewhere than the one before.
+        float factor = 1.0F;                  ///< Its length by that before.
+        float segmentM = 0.0F;
+    };
+    /// As far from the rest shape as it was from that before, times `factor`, with as much of its speed; as far as it
+    /// has `turned`, hanging still.
+    void reshapeStrand(std::size_t strand, const Reshaping& to);
     void wakeStrand(std::size_t strand);
 
 private:

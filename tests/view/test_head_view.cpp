@@ -1,6 +1,7 @@
 // The 3D area driven by mouse, wheel and keys; its pictures come from an off-screen context.
 #include "head_fixture.h"
 #include "model/commands/commands.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/head/head_camera.h"
 #include "view/head/head_overlay.h"
@@ -169,11 +170,14 @@ private Q_SLOTS:
         QVERIFY(endsAreTouched());
         f.area.setView(rendering::StandardView::Left);
         QTRY_VERIFY(!f.area.awake());
-        QVERIFY(endsAreTouched());
+        QTRY_VERIFY_WITH_TIMEOUT(endsAreTouched(), kPatienceMs);
         const auto frame = std::make_shared<sim::StrandFrame>(*f.frame());
         frame->pose.rotation = glm::angleAxis(0.7F, glm::vec3(0.0F, 1.0F, 0.0F));
+        const std::vector<QPolygonF> before = overlay->colliders();
         f.area.setFrame(frame);
-        QVERIFY(endsAreTouched());
+        // They lie over a picture in which the head has not turned yet.
+        QVERIFY(overlay->colliders() == before);
+        QTRY_VERIFY_WITH_TIMEOUT(endsAreTouched(), kPatienceMs);
         f.editor.document.undo();
         QVERIFY(overlay->colliders().empty());
         f.editor.document.redo();

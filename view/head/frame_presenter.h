@@ -11,12 +11,25 @@
 
 namespace hairpaint::view {
 
+/// From where a picture is seen, and how the head is turned in it.
+struct Sight
+{
+    rendering::Camera camera;
+    sim::HeadPose pose;
+    friend bool operator==(const Sight&, const Sight&) = default;
+};
+
 /// What to draw next.
 struct Shot
 {
     rendering::Scene scene;
     std::size_t allHairs = 0;
     bool still = false; ///< Nothing moves: there is time for a finer picture.
+
+    [[nodiscard]] Sight sight() const
+    {
+        return {.camera = scene.camera, .pose = scene.hair ? scene.hair->pose : sim::HeadPose()};
+    }
 };
 
 /// Lives on the GUI thread and owns a renderer, wherever that lives.
@@ -39,6 +52,8 @@ public:
     [[nodiscard]] virtual QString description() const = 0;
 
 Q_SIGNALS:
+    /// The picture that the next repaint of the widget shows is seen from there: what lies over it belongs there, too.
+    void shows(const hairpaint::view::Sight& sight);
     void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
     /// Whether a still picture is being made finer; false once it is as fine as a saved one or something moves.
     void refining(bool on);

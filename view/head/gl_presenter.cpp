@@ -56,6 +56,7 @@ public:
         }
         m_outdated = true;
         update();
+        Q_EMIT m_owner.shows(shot.sight());
     }
 
     [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size)

@@ -46,7 +46,7 @@ public:
                 return;
             m_governor.observe(m_renderer.statistics(), shot.allHairs);
             m_refines = shot.still && m_governor.wantsRefinement();
-            m_frames.put({readImage(m_last->size), m_renderer.statistics(), m_refines});
+            m_frames.put({readImage(m_last->size), shot.sight(), m_renderer.statistics(), m_refines});
         } catch (const std::bad_alloc&) {
             return; // The last picture stays until there is memory for another.
         }

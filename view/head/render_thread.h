@@ -26,6 +26,7 @@ public:
     struct Frame
     {
         QImage image;
+        Sight sight;
         rendering::FrameStatistics statistics;
         bool refines = false; ///< A finer one follows unless something moves.
     };

@@ -71,6 +71,7 @@ void SoftwarePresenter::onFrameReady()
 {
     if (std::optional<RenderThread::Frame> frame = m_thread->takeFrame()) {
         m_canvas->show(std::move(frame->image));
+        Q_EMIT shows(frame->sight);
         Q_EMIT refining(frame->refines);
         Q_EMIT frameDrawn(frame->statistics);
     }
