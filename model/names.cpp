@@ -64,6 +64,11 @@ QString groupName(qsizetype number)
     return QStringLiteral("Group %1").arg(number);
 }
 
+QString numberedName(const QString& name, qsizetype number)
+{
+    return QStringLiteral("%1 %2").arg(name).arg(number);
+}
+
 QString layerName(qsizetype number)
 {
     return QStringLiteral("Layer %1").arg(number);
@@ -80,6 +85,12 @@ QString shownName(const QString& name)
         for (const char* pattern : kNumbered)
             if (match.captured(1) + QStringLiteral("%1") == QLatin1StringView(pattern))
                 return translated(pattern).arg(match.captured(2));
+    const qsizetype end = name.lastIndexOf(QLatin1Char(' '));
+    bool isNumber = false;
+    const qlonglong last = name.mid(end + 1).toLongLong(&isNumber);
+    if (end > 0 && isNumber)
+        if (const QString known = shownName(name.left(end)); known != name.left(end))
+            return numberedName(known, last);
     return name;
 }
 

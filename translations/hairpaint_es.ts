@@ -2054,10 +2054,6 @@
         <translation>Fijar como está</translation>
     </message>
     <message>
-        <source>Drag over hair to lay it as flat, or to lift it as far, as Flatness says; its direction stays</source>
-        <translation>Arrastra sobre el pelo para tumbarlo o levantarlo tanto como diga Inclinación; la dirección no cambia</translation>
-    </message>
-    <message>
         <source>Drag over hair to lay it as its neighbours lie</source>
         <translation>Arrastra sobre el pelo para que caiga como el de alrededor</translation>
     </message>
@@ -2072,6 +2068,10 @@
     <message>
         <source>Drag over hair to hold it as it lies now, with at least that much gel</source>
         <translation>Arrastra sobre el pelo para fijarlo como está ahora, con al menos ese gel</translation>
+    </message>
+    <message>
+        <source>Drag over hair to lift it, with a Lift below zero to lay it; its direction stays</source>
+        <translation>Arrastra sobre el pelo para levantarlo o, con Elevación bajo cero, tumbarlo; su dirección se mantiene</translation>
     </message>
 </context>
 <context>
@@ -4041,6 +4041,18 @@ Se ha perdido esto:</translation>
     <message>
         <source>Hold as it lies now, with gel</source>
         <translation>Fijar como está ahora, con gel</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>Elevación</translation>
+    </message>
+    <message>
+        <source>How far hair is raised from where it lies; below zero it is laid flatter</source>
+        <translation>Cuánto se levanta el pelo desde donde está; bajo cero queda más plano</translation>
+    </message>
+    <message>
+        <source>The gel that keeps hair where it was pulled; long hair falls back without</source>
+        <translation>El gel que mantiene el pelo donde se llevó; sin él, el pelo largo vuelve a caer</translation>
     </message>
 </context>
 <context>

@@ -20,8 +20,8 @@ bool sameSettings(const model::ToolSettings& a, const model::ToolSettings& b)
            a.pressureSize == b.pressureSize && a.pressureOpacity == b.pressureOpacity &&
            a.fillTolerance == b.fillTolerance && a.shape == b.shape && a.gradient == b.gradient && a.comb == b.comb &&
            a.flatness == b.flatness && a.partReachM == b.partReachM && a.partGapM == b.partGapM &&
-           a.partZigzagM == b.partZigzagM && a.holdGel == b.holdGel && a.values == b.values &&
-           a.secondValues == b.secondValues;
+           a.partZigzagM == b.partZigzagM && a.holdGel == b.holdGel && a.grabGel == b.grabGel && a.lift == b.lift &&
+           a.values == b.values && a.secondValues == b.secondValues;
 }
 
 /// The Length brush is ready with 15 cm.

@@ -62,8 +62,8 @@ public:
     [[nodiscard]] QString hintFor(const ToolSettings& settings) const override;
     [[nodiscard]] std::vector<ToolOption> options() const override
     {
-        return {ToolOption::CombKind, ToolOption::Size,     ToolOption::Hardness,
-                ToolOption::Opacity,  ToolOption::Flatness, ToolOption::HoldGel};
+        return {ToolOption::CombKind, ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity,
+                ToolOption::Flatness, ToolOption::Lift, ToolOption::HoldGel};
     }
     [[nodiscard]] bool hasRing() const override { return true; }
     [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
@@ -135,7 +135,7 @@ QString CombTool::hintFor(const ToolSettings& settings) const
     case CombKind::Lay:
         break;
     case CombKind::Lift:
-        return tr("Drag over hair to lay it as flat, or to lift it as far, as Flatness says; its direction stays");
+        return tr("Drag over hair to lift it, with a Lift below zero to lay it; its direction stays");
     case CombKind::Smooth:
         return tr("Drag over hair to lay it as its neighbours lie");
     case CombKind::Noise:
@@ -350,7 +350,9 @@ glm::vec2 CombTool::restyled(glm::vec2 uv, const ToolSettings& settings)
         const glm::vec2 way = length > 0.0F ? was / length : glm::vec2(0.0F);
         return turnedBy(way * stretched, kRuffleRad * noiseAt(cell.x, cell.y, 1));
     }
-    return length > 1e-4F ? was * (settings.flatness / length) : was; // Upright hair has no way to lie.
+    const float flat =
+        settings.lift < 0.0F ? length + (1.0F - length) * -settings.lift : length * (1.0F - settings.lift);
+    return length > 1e-4F ? was * (flat / length) : was; // Upright hair has no way to lie.
 }
 
 glm::vec2 CombTool::smoothed(glm::vec2 uv, glm::vec2 reachUv)

@@ -19,13 +19,17 @@ namespace hairpaint::model {
 namespace {
 
 constexpr float kStillM = 0.001F;                  ///< A pointer that moved less has not moved.
+constexpr float kSameWay = 0.5F;                   ///< Cosine: hair that lies so goes along,
+constexpr float kOtherWay = 0.1F;                  ///< and hair that lies so stays.
 const glm::vec3 kOverTheMiddle(-1.0F, 1.0F, 1.0F); ///< Reflects Hd.
 
 /// One place of the skin whose hair goes along, and the way in which it goes.
 struct Held
 {
     sim::SurfacePoint root;
-    glm::vec3 across{1.0F}; ///< What reflects the pointer's way into this one's.
+    glm::vec3 across{1.0F};            ///< What reflects the pointer's way into this one's.
+    glm::vec3 lyingHd{0.0F};           ///< Unit: how it lay when it was taken hold of.
+    std::vector<float> agreement = {}; ///< [kSize][kSize] of SkinFrames; below 0: not asked for yet.
 };
 
 class GrabTool : public Tool
@@ -41,7 +45,7 @@ public:
     }
     [[nodiscard]] std::vector<ToolOption> options() const override
     {
-        return {ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity};
+        return {ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity, ToolOption::GrabGel};
     }
     [[nodiscard]] bool hasRing() const override { return true; }
     /// On hair it says that the length follows, too.
@@ -52,6 +56,10 @@ public:
         return area == Area::Head ? std::optional(MapKind::Length) : std::nullopt;
     }
     [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
+    [[nodiscard]] std::vector<MapKind> alsoPaints(const ToolSettings& settings) const override
+    {
+        return settings.grabGel > 0.0F ? std::vector{MapKind::Gel} : std::vector<MapKind>();
+    }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override;
@@ -75,19 +83,24 @@ public:
     [[nodiscard]] bool active() const override { return m_edit.active(); }
 
 private:
-    [[nodiscard]] StrokeBuffer masksFor(std::size_t layer, const ToolSettings& settings) const;
+    [[nodiscard]] StrokeBuffer masksFor(std::size_t layer, const ToolSettings& settings);
+    [[nodiscard]] glm::vec3 lyingHd(glm::vec2 uv, const sim::SkinFrame& frame);
+    [[nodiscard]] float agreement(Held& held, glm::vec2 place);
+    void layGel(const ToolSettings& settings);
     void layDirections(glm::vec3 wayHd, std::optional<float> flatness, const ToolSettings& settings);
     void layLengths(float factor, const sim::GroupSettings& group, const ToolSettings& settings);
     void drop();
 
     LiveEdit m_edit;                     ///< Of the direction layer.
     std::optional<std::size_t> m_length; ///< That layer's number in it; none where it can't be painted on.
+    std::optional<std::size_t> m_gel;    ///< The same.
     std::shared_ptr<const sim::TiledRaster> m_lengthBefore; ///< As it was seen.
     std::vector<Held> m_held;
-    std::optional<StrokeBuffer> m_masks, m_lengthMasks;
-    std::vector<int> m_tiles, m_lengthTiles; ///< That those masks touch.
-    std::unique_ptr<SkinFrames> m_frames;    ///< Kept from drag to drag.
-    std::optional<FallenHair> m_before;      ///< How hair lay when the drag began.
+    std::shared_ptr<const sim::TiledRaster> m_gelBefore; ///< The same.
+    std::optional<StrokeBuffer> m_masks, m_lengthMasks, m_gelMasks;
+    std::vector<int> m_tiles, m_lengthTiles, m_gelTiles; ///< That those masks touch.
+    std::unique_ptr<SkinFrames> m_frames;                ///< Kept from drag to drag.
+    std::optional<FallenHair> m_before;                  ///< How hair lay when the drag began.
     glm::vec3 m_startHd{0.0F};
     float m_alongM = 0.0F; ///< Of the place that was taken hold of, from the root; 0 in the paint area.
     bool m_moved = false;
@@ -104,6 +117,7 @@ void GrabTool::press(const ToolEvent& event, ToolContext& context)
         return;
     std::shared_ptr<const sim::TiledRaster> length =
         context.document.resolvedNow(context.target.group, MapKind::Length);
+    std::shared_ptr<const sim::TiledRaster> gel = context.document.resolvedNow(context.target.group, MapKind::Gel);
     if (!m_edit.begin(context, title()))
         return;
     m_edit.setText(title());
@@ -119,6 +133,8 @@ void GrabTool::press(const ToolEvent& event, ToolContext& context)
     if (m_frames == nullptr || !m_frames->isOf(head->skin))
         m_frames = std::make_unique<SkinFrames>(head->skin);
     m_before.emplace(context, *m_frames, m_edit.size());
+    for (Held& held : m_held)
+        held.lyingHd = lyingHd(held.root.uv, sim::SkinFrame::at(held.root));
     m_masks.emplace(masksFor(0, context.settings));
     m_tiles = m_masks->takeDirty();
     m_length = onHead ? m_edit.also(context, context.layer(MapKind::Length)) : std::nullopt;
@@ -126,6 +142,13 @@ void GrabTool::press(const ToolEvent& event, ToolContext& context)
         m_lengthBefore = std::move(length);
         m_lengthMasks.emplace(masksFor(*m_length, context.settings));
         m_lengthTiles = m_lengthMasks->takeDirty();
+    }
+    m_gel =
+        onHead && context.settings.grabGel > 0.0F ? m_edit.also(context, context.layer(MapKind::Gel)) : std::nullopt;
+    if (m_gel) {
+        m_gelBefore = std::move(gel);
+        m_gelMasks.emplace(masksFor(*m_gel, context.settings));
+        m_gelTiles = m_gelMasks->takeDirty();
     }
 }
 
@@ -137,15 +160,22 @@ void GrabTool::move(const ToolEvent& event, ToolContext& context)
     if (!active() || !target)
         return;
     m_moved = m_moved || glm::distance(*target, m_startHd) > kStillM;
-    const glm::vec3 way = *target - m_held.front().root.positionHd;
-    const float distanceM = glm::length(way);
-    if (!m_moved || distanceM < kStillM)
+    const HairGroup* group = context.document.project().group(context.target.group);
+    if (!m_moved || group == nullptr)
+        return;
+    const glm::vec3 rootHd = m_held.front().root.positionHd;
+    // Only so much of a hair shows where it goes at its root; the rest hangs, wherever that points.
+    const float carried = std::min(1.0F, group->settings.physics.stiffnessM / std::max(m_alongM, kStillM));
+    const glm::vec3 way = *target - m_startHd + (m_startHd - rootHd) * (m_alongM > 0.0F ? carried : 1.0F);
+    const float distanceM = glm::distance(*target, rootHd);
+    if (glm::length(way) < kStillM || distanceM < kStillM)
         return;
     const ToolSettings& settings = context.settings;
     const bool inTheAir = m_alongM > 0.0F;
-    layDirections(way / distanceM, inTheAir ? std::nullopt : std::optional(settings.flatness), settings);
-    const HairGroup* group = context.document.project().group(context.target.group);
-    if (!active() || !m_length || group == nullptr)
+    layDirections(glm::normalize(way), inTheAir ? std::nullopt : std::optional(settings.flatness), settings);
+    if (active() && m_gel)
+        layGel(settings);
+    if (!active() || !m_length)
         return;
     if (event.modifiers.testFlag(Qt::ControlModifier) && inTheAir)
         layLengths(distanceM / m_alongM, group->settings, settings);
@@ -153,18 +183,77 @@ void GrabTool::move(const ToolEvent& event, ToolContext& context)
         m_edit.replace({}, {}, *m_length);
 }
 
-/// Around what is held, by the brush.
-StrokeBuffer GrabTool::masksFor(std::size_t layer, const ToolSettings& settings) const
+/// Around what is held, by the brush: hair that lies the same way.
+StrokeBuffer GrabTool::masksFor(std::size_t layer, const ToolSettings& settings)
 {
     const int size = m_edit.size(layer);
     StrokeBuffer masks(size);
-    for (const Held& held : m_held) {
+    for (Held& held : m_held) {
         Dab dab = dabAt(SkinMetric::at(held.root), held.root.uv, 0.5F * settings.brushSizeM, size);
         dab.hardness = settings.hardness;
+        StrokeBuffer own(size);
         for (const sim::TexelRect& clip : m_edit.clips(layer))
-            masks.add(dab, clip);
+            own.add(dab, clip);
+        for (const int tile : own.takeDirty()) {
+            const StrokeBuffer::MaskTile& from = *own.mask(tile);
+            StrokeBuffer::MaskTile& to = masks.writableMask(tile);
+            const sim::TexelRect rect = m_edit.before(layer).tileRect(tile);
+            std::size_t texel = 0;
+            for (int y = rect.y0; y < rect.y1; ++y)
+                for (int x = rect.x0; x < rect.x1; ++x, ++texel) {
+                    if (from[texel] == 0)
+                        continue;
+                    const glm::vec2 place = (glm::vec2(x, y) + 0.5F) / static_cast<float>(size);
+                    const float along = agreement(held, place) * static_cast<float>(from[texel]);
+                    to[texel] = std::max(to[texel], static_cast<std::uint16_t>(along));
+                }
+        }
     }
     return masks;
+}
+
+/// Unit: how hair grows there, or where it is long, to which side it falls.
+glm::vec3 GrabTool::lyingHd(glm::vec2 uv, const sim::SkinFrame& frame)
+{
+    const glm::vec2 inPlane = m_before->at(uv);
+    const float up = std::sqrt(std::max(0.0F, 1.0F - glm::dot(inPlane, inPlane)));
+    return frame.toHd(inPlane) + frame.normal * up;
+}
+
+/// 1 where hair lies as that which is held, 0 where it lies elsewhere, as beyond a parting. Found once for each place
+/// of the frames' table. `place`: from the layout's upper left.
+float GrabTool::agreement(Held& held, glm::vec2 place)
+{
+    const glm::ivec2 cell = glm::clamp(glm::ivec2(place * static_cast<float>(SkinFrames::kSize)), glm::ivec2(0),
+                                       glm::ivec2(SkinFrames::kSize - 1));
+    if (held.agreement.empty())
+        held.agreement.resize(std::size_t{SkinFrames::kSize} * SkinFrames::kSize, -1.0F);
+    float& known =
+        held.agreement[static_cast<std::size_t>(cell.y) * SkinFrames::kSize + static_cast<std::size_t>(cell.x)];
+    if (known < 0.0F) {
+        const glm::vec2 middle = (glm::vec2(cell) + 0.5F) / static_cast<float>(SkinFrames::kSize);
+        const std::optional<SkinPlace>& there = m_frames->place(cell.x, cell.y);
+        const float along = there ? glm::dot(lyingHd({middle.x, 1.0F - middle.y}, there->frame), held.lyingHd) : 1.0F;
+        known = std::clamp((along - kOtherWay) / (kSameWay - kOtherWay), 0.0F, 1.0F);
+    }
+    return known;
+}
+
+/// Hair that is held has at least that gel.
+void GrabTool::layGel(const ToolSettings& settings)
+{
+    const std::uint16_t least = unit16(settings.grabGel);
+    const auto gelled = [&](int index, const sim::RasterTilePtr& before) {
+        StrokeBuffer::MaskTile mask = *m_gelMasks->mask(index);
+        const sim::TexelRect rect = m_gelBefore->tileRect(index);
+        std::size_t texel = 0;
+        for (int y = rect.y0; y < rect.y1; ++y)
+            for (int x = rect.x0; x < rect.x1; ++x, ++texel)
+                if (m_gelBefore->texel(x, y)[0] >= least)
+                    mask[texel] = 0;
+        return paintTile(m_edit.spec(*m_gel), before, mask, {.value = {least}, .opacity = unit16(settings.opacity)});
+    };
+    m_edit.update(m_gelTiles, gelled, *m_gel);
 }
 
 /// All go the same way as the hair that is held, `flatness` aside, each in the frame of its root.
@@ -220,10 +309,13 @@ void GrabTool::layLengths(float factor, const sim::GroupSettings& group, const T
 void GrabTool::drop()
 {
     m_length.reset();
+    m_gel.reset();
     m_lengthBefore.reset();
+    m_gelBefore.reset();
     m_before.reset();
     m_masks.reset();
     m_lengthMasks.reset();
+    m_gelMasks.reset();
     m_held.clear();
 }
 

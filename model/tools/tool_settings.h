@@ -22,7 +22,9 @@ enum class ToolOption : std::uint8_t
     PartReach,
     PartGap,
     Zigzag,
-    HoldGel
+    HoldGel,
+    Lift,
+    GrabGel
 };
 enum class ShapeKind : std::uint8_t
 {
@@ -34,7 +36,7 @@ enum class ShapeKind : std::uint8_t
 enum class CombKind : std::uint8_t
 {
     Lay,    ///< Lays it along the stroke.
-    Lift,   ///< Makes it as flat as asked for, the way it lies.
+    Lift,   ///< Raises it, or lays it, the way it lies.
     Smooth, ///< As its neighbours lie.
     Noise,
     Whorl, ///< Lays it in a spiral around the pointer.
@@ -65,7 +67,9 @@ struct ToolSettings
     float partReachM = 0.1F;  ///< 0.01..0.2 m to either side of a parting.
     float partGapM = 0.001F;  ///< 0..0.01 m: the width in which a parting has no hair.
     float partZigzagM = 0.0F; ///< 0..0.01 m: how far it leaves its curve.
-    float holdGel = 0.5F;     ///< 0..1: hair that is held as it lies gets at least so much gel.
+    float holdGel = 0.5F;     ///< 0..1: hair that is held as it lies gets at least so much gel,
+    float grabGel = 0.3F;     ///< 0..1: and hair that is pulled so much.
+    float lift = 0.5F;        ///< -1..1: from hair as it lies to upright, or to flat below 0.
     std::array<PaintValue, kMapKindCount> values = firstPaintValues(); ///< What each map is painted with.
     std::array<PaintValue, kMapKindCount> secondValues =
         secondPaintValues(); ///< What X swaps in; the far end of gradients.

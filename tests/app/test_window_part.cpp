@@ -5,6 +5,8 @@
 #include "tests/support/test_program.h"
 #include "view/widgets/bar_slider.h"
 
+#include <QLabel>
+
 #include <algorithm>
 
 namespace hairpaint::app {
@@ -142,6 +144,26 @@ private Q_SLOTS:
         QCOMPARE(stack().count(), 0);
         QVERIFY(savedBytes("part-after.hairpaint") == before);
         QCOMPARE(sidewaysAt(0.53F, 0.4F), 0.0F);
+    }
+
+    void undoShowsAtOnceWhatIsLeft()
+    {
+        open(true);
+        click(m_points[0]);
+        click(m_points[1]);
+        const auto says = [this](const QString& hint) {
+            const auto labels = m_window->findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == hint; });
+        };
+        QTest::mouseMove(m_area, m_points[1] + QPoint(0, 40));
+        const QString before = editor().activeTool().hint();
+        QVERIFY(says(before));
+        key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(handles(), qsizetype{1});
+        const QString after = editor().activeTool().hint();
+        QVERIFY(after != before);
+        QVERIFY(says(after));
+        QTest::keyClick(m_area, Qt::Key_Escape);
     }
 
     void aDoubleClickOrAnotherToolKeepsIt()

@@ -160,7 +160,12 @@ private Q_SLOTS:
         const std::vector<glm::vec3> way{{-0.05F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}, {0.05F, 0.0F, 0.0F}};
         comb.stroke(way);
         comb.settings.comb = CombKind::Lift;
-        comb.settings.flatness = 0.3F;
+        comb.stroke(way); // Half way up as it comes.
+        QVERIFY(glm::distance(comb.directionAt(glm::vec3(0.0F)), glm::vec3(0.45F, 0.0F, 0.0F)) < 0.01F);
+        comb.settings.lift = -0.2F;
+        comb.stroke(way);
+        QVERIFY(glm::distance(comb.directionAt(glm::vec3(0.0F)), glm::vec3(0.56F, 0.0F, 0.0F)) < 0.01F);
+        comb.settings.lift = 1.0F - 0.3F / 0.56F;
         comb.stroke(way);
         QVERIFY(glm::distance(comb.directionAt(glm::vec3(0.0F)), glm::vec3(0.3F, 0.0F, 0.0F)) < 0.01F);
         const auto roughness = [&] {

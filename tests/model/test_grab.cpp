@@ -56,6 +56,10 @@ struct Hand : HeadStudio
         const sim::SurfacePoint point = skin().nearest(placeHd);
         return sim::SkinFrame::at(point).toHd(sim::directionOf(shown()->sampleNearest(point.uv)));
     }
+    [[nodiscard]] float gelAt(glm::vec3 placeHd)
+    {
+        return document.resolved(context().target.group, MapKind::Gel)->sampleScalar(skin().nearest(placeHd).uv);
+    }
     [[nodiscard]] float lengthAt(glm::vec3 placeHd)
     {
         return document.resolved(context().target.group, MapKind::Length)->sampleScalar(skin().nearest(placeHd).uv);
@@ -192,6 +196,63 @@ private Q_SLOTS:
         QVERIFY(glm::distance(hand.directionAt(glm::vec3(0.0F)), glm::vec3(0.0F, 0.7F, 0.0F)) < 0.02F);
         QCOMPARE(hand.directionAt({0.0F, 0.04F, 0.0F}), glm::vec3(0.0F));
         QCOMPARE(hand.document.undoStack().count(), 1);
+    }
+
+    void longHairGoesWhereItIsPulledThoughMostOfItHangs()
+    {
+        Hand hand;
+        ToolContext now = hand.context();
+        ToolEvent event = hand.event(kRoot, {});
+        event.grabbed->alongM = 0.3F;
+        event.grabbed->positionHd = kRoot + glm::vec3(0.0F, 0.0F, 0.3F);
+        event.targetHd = event.grabbed->positionHd;
+        hand.tool(kGrab).press(event, now);
+        event.targetHd = event.grabbed->positionHd + glm::vec3(0.05F, 0.0F, 0.0F);
+        hand.tool(kGrab).move(event, now);
+        // As far to the side as the 5 cm go up that such hair carries.
+        QVERIFY(glm::distance(hand.directionAt(kRoot), glm::vec3(0.707F, 0.0F, 0.0F)) < 0.02F);
+        hand.tool(kGrab).cancel(now);
+    }
+
+    void hairBeyondAPartingStays()
+    {
+        Hand hand;
+        // To both sides of x = 0.
+        for (const float side : {-1.0F, 1.0F}) {
+            hand.settings.brushSizeM = 0.07F;
+            hand.take({0.036F * side, 0.02F, 0.0F}, {0.136F * side, 0.02F, 0.02F});
+            hand.letGo({0.036F * side, 0.02F, 0.0F}, {0.136F * side, 0.02F, 0.02F});
+        }
+        const glm::vec3 beyond(-0.008F, 0.02F, 0.0F);
+        const glm::vec3 before = hand.directionAt(beyond);
+        QVERIFY(before.x < -0.8F);
+        hand.settings.brushSizeM = 0.04F;
+        hand.take({0.008F, 0.02F, 0.0F}, {0.008F, 0.08F, 0.02F});
+        QVERIFY(hand.directionAt({0.008F, 0.02F, 0.0F}).y > 0.8F);
+        QVERIFY(hand.directionAt({0.016F, 0.02F, 0.0F}).y > 0.8F);
+        QCOMPARE(hand.directionAt(beyond), before);
+    }
+
+    void pulledHairGetsTheGelThatKeepsItThere()
+    {
+        Hand hand;
+        const glm::vec3 target = kRoot + glm::vec3(0.04F, 0.0F, 0.03F);
+        QCOMPARE(hand.gelAt(kRoot), 0.0F);
+        hand.take(kRoot, target);
+        QVERIFY(std::abs(hand.gelAt(kRoot) - 0.3F) < 0.01F);
+        hand.letGo(kRoot, target);
+        QCOMPARE(hand.document.undoStack().count(), 1);
+        hand.settings.grabGel = 0.2F; // It has more.
+        hand.take(kRoot, target);
+        hand.letGo(kRoot, target);
+        QVERIFY(std::abs(hand.gelAt(kRoot) - 0.3F) < 0.01F);
+        hand.document.undo();
+        hand.document.undo();
+        QCOMPARE(hand.gelAt(kRoot), 0.0F);
+        hand.settings.grabGel = 0.0F;
+        hand.take(kRoot, target);
+        hand.letGo(kRoot, target);
+        QCOMPARE(hand.gelAt(kRoot), 0.0F);
     }
 
     void besideHairThereIsNothingToGrab()

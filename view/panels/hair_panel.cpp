@@ -276,9 +276,16 @@ void HairPanel::addGroup(const model::HairKind& kind)
 {
     m_state.document().endEdit();
     const auto& groups = m_state.document().committed().groups;
-    QString name = QLatin1StringView(kind.name);
-    if (name.isEmpty() || std::ranges::find(groups, name, &model::HairGroup::name) != groups.end())
-        name = model::groupName(static_cast<qsizetype>(groups.size()) + 1);
+    const QString first = QLatin1StringView(kind.name);
+    const auto numbered = [&](qsizetype number) {
+        if (first.isEmpty())
+            return model::groupName(number);
+        return number > 1 ? model::numberedName(first, number) : first;
+    };
+    qsizetype number = first.isEmpty() ? static_cast<qsizetype>(groups.size()) + 1 : 1;
+    while (std::ranges::find(groups, numbered(number), &model::HairGroup::name) != groups.end())
+        ++number;
+    const QString name = numbered(number);
     GroupSettings settings = model::newGroupSettings(scalpFraction());
     kind.apply(settings);
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);

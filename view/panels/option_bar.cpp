@@ -156,6 +156,13 @@ void OptionBar::buildBrush()
     m_flatness = percentSlider(tr("Flatness"), this);
     m_flatness->setDefaultValue(static_cast<double>(ToolSettings{}.flatness) * kPercent);
     m_flatness->setToolTip(tr("How flat combed hair lies; pen pressure makes it less"));
+    m_lift = percentSlider(tr("Lift"), this);
+    m_lift->setRange(-kPercent, kPercent);
+    m_lift->setDefaultValue(static_cast<double>(ToolSettings{}.lift) * kPercent);
+    m_lift->setToolTip(tr("How far hair is raised from where it lies; below zero it is laid flatter"));
+    m_grabGel = percentSlider(tr("Gel at least"), this);
+    m_grabGel->setDefaultValue(static_cast<double>(ToolSettings{}.grabGel) * kPercent);
+    m_grabGel->setToolTip(tr("The gel that keeps hair where it was pulled; long hair falls back without"));
     m_holdGel = percentSlider(tr("Gel at least"), this);
     m_holdGel->setDefaultValue(static_cast<double>(ToolSettings{}.holdGel) * kPercent);
     m_holdGel->setToolTip(tr("The gel that keeps held hair as it lies"));
@@ -168,7 +175,9 @@ void OptionBar::buildBrush()
     bind(m_opacity, &ToolSettings::opacity);
     bind(m_tolerance, &ToolSettings::fillTolerance);
     bind(m_flatness, &ToolSettings::flatness);
+    bind(m_lift, &ToolSettings::lift);
     bind(m_holdGel, &ToolSettings::holdGel);
+    bind(m_grabGel, &ToolSettings::grabGel);
 
     m_pressureBox = box(this);
     m_pressureSize = toggle(QStringLiteral("pressure-size"), tr("Pen pressure changes the size"), m_pressureBox);
@@ -185,7 +194,7 @@ void OptionBar::buildBrush()
             [this](bool on) { change([on](ToolSettings& settings) { settings.pressureOpacity = on; }); });
     m_pressureBox->layout()->addWidget(m_pressureSize);
     m_pressureBox->layout()->addWidget(m_pressureOpacity);
-    for (BarSlider* slider : {m_size, m_hardness, m_opacity, m_tolerance, m_flatness, m_holdGel})
+    for (BarSlider* slider : {m_size, m_hardness, m_opacity, m_tolerance, m_flatness, m_lift, m_holdGel, m_grabGel})
         m_row->addWidget(slider);
     m_row->addWidget(m_pressureBox);
 }
@@ -324,11 +333,15 @@ void OptionBar::follow()
     m_gap->setValue(static_cast<double>(settings.partGapM) * kMm);
     m_zigzag->setValue(static_cast<double>(settings.partZigzagM) * kMm);
     m_holdGel->setValue(static_cast<double>(settings.holdGel) * kPercent);
+    m_grabGel->setValue(static_cast<double>(settings.grabGel) * kPercent);
+    m_lift->setValue(static_cast<double>(settings.lift) * kPercent);
     const std::vector<ToolOption> options = m_state.activeTool().options();
     const auto has = [&options](ToolOption option) { return std::ranges::find(options, option) != options.end(); };
-    const bool holds = has(ToolOption::HoldGel) && settings.comb == model::CombKind::Hold;
-    m_flatness->setVisible(has(ToolOption::Flatness) && !holds);
-    m_holdGel->setVisible(holds);
+    const auto combs = [&](model::CombKind kind) { return has(ToolOption::CombKind) && settings.comb == kind; };
+    m_flatness->setVisible(has(ToolOption::Flatness) && !combs(model::CombKind::Hold) && !combs(model::CombKind::Lift));
+    m_holdGel->setVisible(combs(model::CombKind::Hold));
+    m_lift->setVisible(combs(model::CombKind::Lift));
+    m_grabGel->setVisible(has(ToolOption::GrabGel));
     m_flatness->setEnabled(!has(ToolOption::CombKind) ||
                            (settings.comb != model::CombKind::Smooth && settings.comb != model::CombKind::Noise));
     m_pressureSize->setChecked(settings.pressureSize);

@@ -56,7 +56,9 @@ private:
     BarSlider* m_reach = nullptr;
     BarSlider* m_gap = nullptr;
     BarSlider* m_zigzag = nullptr;
+    BarSlider* m_lift = nullptr;
     BarSlider* m_holdGel = nullptr;
+    BarSlider* m_grabGel = nullptr;
     QWidget* m_pressureBox = nullptr;
     QToolButton* m_pressureSize = nullptr;
     QToolButton* m_pressureOpacity = nullptr;
