@@ -1,6 +1,7 @@
 // Hair Paint: with a verb it works without a window, else it opens the editor.
 #include "app/cli/command.h"
 #include "app/languages.h"
+#include "app/large_memory.h"
 #include "app/library.h"
 #include "app/main_window.h"
 #include "app/recovery/termination.h"
@@ -121,6 +122,7 @@ int runEditor(int argc, char** argv)
 {
     QElapsedTimer sinceStart;
     sinceStart.start();
+    hairpaint::app::returnLargeMemory();
     const std::unique_ptr<QApplication> application = openDisplay(argc, argv);
     hairpaint::app::speak(hairpaint::app::Settings().preferences().language);
     QApplication::setStyle(QStringLiteral("Fusion"));

@@ -1,4 +1,5 @@
 // Somebody who knows nothing clicks, drags and types at random: nothing may break, and undo leads all the way back.
+#include "app/large_memory.h"
 #include "tests/app/program.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
@@ -167,7 +168,11 @@ private:
     }
 
 private Q_SLOTS:
-    void initTestCase() { prepareApplication(); }
+    void initTestCase()
+    {
+        returnLargeMemory(); // As the program does.
+        prepareApplication();
+    }
     void cleanup() { m_window.reset(); }
 
     void randomActionsBreakNothing()
@@ -181,8 +186,11 @@ private Q_SLOTS:
         std::array<double, kFifths> megabytes{}; // What each fifth of the actions held, on average.
         for (int i = 0; i < actions; ++i) {
             act();
-            if (i % 8 == 0)
+            if (i % 8 == 0) {
                 QCoreApplication::processEvents();
+                // Without a loop that runs nobody else does it.
+                QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            }
             const auto fifth = static_cast<std::size_t>(qint64{i} * kFifths / actions);
             megabytes[fifth] += static_cast<double>(test::residentBytes(QCoreApplication::applicationPid())) * kFifths /
                                 (1e6 * actions);

@@ -72,8 +72,8 @@ QString pointerPage(const std::vector<KeyBinding>& bindings)
     Table table;
     const QString smaller = keyOf(bindings, QStringLiteral("tool.smaller"));
     const QString larger = keyOf(bindings, QStringLiteral("tool.larger"));
-    table.row(HelpDialog::tr("Paint the first nine maps"), HelpDialog::tr("1 to 9"));
-    table.row(HelpDialog::tr("See a map's colours on the hair"), HelpDialog::tr("Hold Alt and 1 to 9"));
+    table.row(HelpDialog::tr("Paint the first ten maps"), HelpDialog::tr("1 to 9, and 0"));
+    table.row(HelpDialog::tr("See a map's colours on the hair"), HelpDialog::tr("Hold Alt and 1 to 9, or 0"));
     if (!smaller.isEmpty() && !larger.isEmpty())
         table.row(HelpDialog::tr("Make the brush smaller or larger"), HelpDialog::tr("%1 and %2").arg(smaller, larger));
     table.row(HelpDialog::tr("Size sideways, hardness up and down"), HelpDialog::tr("Ctrl and right-drag"));
