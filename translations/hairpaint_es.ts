@@ -3412,10 +3412,6 @@ Se ha perdido esto:</translation>
         <translation>Cada herramienta funciona en las dos áreas: en el mapa plano y directamente en la cabeza. Lo que pinta va a la capa activa del mapa activo, dentro de la selección si la hay.</translation>
     </message>
     <message>
-        <source>1 to 9</source>
-        <translation>1 a 9</translation>
-    </message>
-    <message>
         <source>Make the brush smaller or larger</source>
         <translation>Achicar o agrandar el pincel</translation>
     </message>
@@ -3560,16 +3556,8 @@ Se ha perdido esto:</translation>
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>Paint the first nine maps</source>
-        <translation>Pintar los nueve primeros mapas</translation>
-    </message>
-    <message>
         <source>See a map&apos;s colours on the hair</source>
         <translation>Ver los colores de un mapa en el pelo</translation>
-    </message>
-    <message>
-        <source>Hold Alt and 1 to 9</source>
-        <translation>Mantener Alt y 1 a 9</translation>
     </message>
     <message>
         <source>%1 and %2</source>
@@ -3602,6 +3590,18 @@ Se ha perdido esto:</translation>
     <message>
         <source>Fewer hairs are an even share of all. A tolerance leaves out points that lie so near to the line without them that they are hardly missed.</source>
         <translation>Menos pelos son una parte uniforme de todos. La tolerancia omite puntos que quedan tan cerca de la línea sin ellos que apenas se echan en falta.</translation>
+    </message>
+    <message>
+        <source>Paint the first ten maps</source>
+        <translation>Pintar los diez primeros mapas</translation>
+    </message>
+    <message>
+        <source>1 to 9, and 0</source>
+        <translation>1 a 9, y 0</translation>
+    </message>
+    <message>
+        <source>Hold Alt and 1 to 9, or 0</source>
+        <translation>Mantener Alt y 1 a 9, o 0</translation>
     </message>
 </context>
 <context>
