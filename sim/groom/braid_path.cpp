@@ -1,6 +1,8 @@
 // A cubic over the scalp, lifted a little, and a straight line from the centre's root.
 #include "sim/groom/braid_path.h"
 
+#include "sim/groom/strand_curve.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,6 +50,28 @@ std::array<glm::vec3, kSamples> scalpPath(const RootFrame& from, const RootFrame
     return path;
 }
 
+/// Equation 3's radius r; that of a short braid is smaller.
+float braidRadiusM(const GroupSettings& settings, float lengthM)
+{
+    return std::min(settings.braidRadiusM, lengthM * 0.25F);
+}
+
+/// How far hairs are from the skeleton at most, in units of r: their wisp's path and its own radius.
+float girthFraction(BraidKind kind)
+{
+    switch (kind) {
+    case BraidKind::None:
+        return 0.0F;
+    case BraidKind::Plait:
+        return 1.25F + kWispRadiusFraction; // The furthest that (cos t, sin 2t) of equation 3 is from 0.
+    case BraidKind::Twist:
+        return kTwistFraction + kTwistWispFraction;
+    case BraidKind::Loc:
+        return kLocWispFraction;
+    }
+    return 0.0F;
+}
+
 } // namespace
 
 int gatheringNode(int nodes)
@@ -82,6 +106,11 @@ std::uint32_t wispCount(BraidKind kind)
     return kind == BraidKind::Plait ? 3 : kind == BraidKind::Twist ? 2 : 1;
 }
 
+float braidGirthM(const GroupSettings& settings, BraidKind kind, float lengthM)
+{
+    return braidRadiusM(settings, lengthM) * girthFraction(kind);
+}
+
 void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance& chance, float scalpM,
                 float centreLengthM, StrandStyle& style)
 {
@@ -91,7 +120,7 @@ void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance&
     style.phase = 0.0F;
     style.braid = kind;
     style.wisp = static_cast<std::uint8_t>(chance.wisp % wispCount(kind));
-    style.braidRadiusM = std::min(settings.braidRadiusM, centreLengthM * 0.25F);
+    style.braidRadiusM = braidRadiusM(settings, centreLengthM);
     style.braidStart =
         static_cast<float>(gatheringNode(settings.nodesPerHair)) / static_cast<float>(settings.nodesPerHair - 1);
     style.braidTurns = centreLengthM / (kPitchRadii * std::max(settings.braidRadiusM, 1e-4F));

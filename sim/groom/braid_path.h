@@ -20,6 +20,9 @@ namespace hairpaint::sim {
 /// A plait has three wisps, a twist two, a loc one.
 [[nodiscard]] std::uint32_t wispCount(BraidKind kind);
 
+/// Half the thickness of a braid `lengthM` long, m: how far its hairs are from its skeleton at most.
+[[nodiscard]] float braidGirthM(const GroupSettings& settings, BraidKind kind, float lengthM);
+
 /// Makes a style that of a hair in a braid, whose path is `scalpM` on the scalp and `centreLengthM` along its centre.
 void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance& chance, float scalpM,
                 float centreLengthM, StrandStyle& style);

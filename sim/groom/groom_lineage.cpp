@@ -63,7 +63,8 @@ StrandChange changeOf(const Groom& before, std::int32_t origin, const Groom& aft
     if (origin == kNoOrigin || !hasLane(old.wanted, was) || old.segmentLengths[was] <= 0.0F)
         return StrandChange::Arrived;
     bool same = now.segmentLengths[index] == old.segmentLengths[was] && now.gel[index] == old.gel[was] &&
-                now.give[index] == old.give[was] && now.height[index] == old.height[was];
+                now.give[index] == old.give[was] && now.girth[index] == old.girth[was] &&
+                now.height[index] == old.height[was];
     for (std::size_t node = 0; node < static_cast<std::size_t>(after.nodes); ++node) {
         const glm::vec3 a = before.blocks().node(old.restPositions, was, node);
         const glm::vec3 b = after.blocks().node(now.restPositions, index, node);
@@ -81,6 +82,7 @@ bool sameBlock(const BasisStyles& before, const BasisStyles& after, int nodes, s
            sameRange(before.segmentLengths, after.segmentLengths, block * kLanes, kLanes) &&
            sameRange(before.gel, after.gel, block * kLanes, kLanes) &&
            sameRange(before.give, after.give, block * kLanes, kLanes) &&
+           sameRange(before.girth, after.girth, block * kLanes, kLanes) &&
            sameRange(before.height, after.height, block * kLanes, kLanes) &&
            sameRange(before.restPositions, after.restPositions, block * floats, floats);
 }

@@ -2,6 +2,7 @@
 #include "sim/groom/group_builder.h"
 
 #include "sim/base/parallel.h"
+#include "sim/groom/braid_path.h"
 #include "sim/groom/chunk_builder.h"
 #include "sim/groom/rest_shape.h"
 #include "sim/groom/strand_style.h"
@@ -61,6 +62,7 @@ std::shared_ptr<BasisStyles> emptyBasis(const RootSet& roots, int nodes)
     basis->segmentLengths.resize(blocks * kLanes);
     basis->gel.resize(blocks * kLanes);
     basis->give.resize(blocks * kLanes);
+    basis->girth.resize(blocks * kLanes);
     basis->height.resize(blocks * kLanes);
     basis->wanted.resize(blocks);
     float crownY = -std::numeric_limits<float>::max();
@@ -254,6 +256,7 @@ void GroupBuilder::updateBasis(const GroupSettings& settings, const MapSamplers&
                 curl > 0.0F
                     ? giveOf(coilOf(settings, curl, maps[MapSlot::CurlSize].scalar(roots.uv[slot]), lengthM), lengthM)
                     : 0.0F;
+            basis.girth[i] = braidGirthM(settings, static_cast<BraidKind>(m_kinds[slot]), lengthM);
             if (lengthM != m_basisLengthM[i]) {
                 m_basisLengthM[i] = lengthM;
                 m_basisChanged[i] = 1;

@@ -175,6 +175,7 @@ void GroupDynamics::hang(const StrandState& state, std::size_t strand, std::span
     const float hold = state.field(strand, kHold);
     const HangingStrand wanted{.segmentM = state.field(strand, kSegmentLength),
                                .stiffnessM = m_groom->settings.physics.stiffnessM,
+                               .girthM = state.field(strand, kGirth),
                                .styled = std::min(hold / (kHeldFully + hold), 1.0F),
                                .downHd = downHd};
     hangStrand(nodesHd, restHd, wanted, m_colliders, scales);

@@ -130,19 +130,19 @@ HWY_INLINE void swing(D d, int nodes, hn::Mask<D> which, hn::Vec<D> pull, float*
 }
 
 /// Keeps a node outside every ellipsoid, and it and its segment outside the skin; true where any lane was inside one.
-/// `ofSkin`: the lanes that were inside the skin.
+/// `clearance`: from the skin, m; `ofSkin`: the lanes that were inside it.
 template<class D>
 HWY_INLINE bool collide(D d, const ColliderSet& colliders, const NeckTurn& neck, const float* HWY_RESTRICT lanes,
-                        bool first, const Vec3<hn::Vec<D>>& parent, Vec3<hn::Vec<D>>& p, Contact<D>& contact,
-                        hn::Mask<D>& ofSkin)
+                        hn::Vec<D> clearance, bool first, const Vec3<hn::Vec<D>>& parent, Vec3<hn::Vec<D>>& p,
+                        Contact<D>& contact, hn::Mask<D>& ofSkin)
 {
     bool any = false;
     for (int c = 0; c < colliders.count; ++c)
         any |= pushOut(d, colliders.items[static_cast<std::size_t>(c)], neck,
                        hn::LoadU(d, lanes + (kScale + c) * kLanes), hn::Set(d, kFastestLeaveM), p, contact);
     if (colliders.skin.pairs != nullptr &&
-        pushSegmentOutOfSkin(d, colliders.skin, neck, hn::Set(d, kSkinClearanceM), hn::Set(d, kFastestLeaveM), first,
-                             parent, p, contact)) {
+        pushSegmentOutOfSkin(d, colliders.skin, neck, clearance, hn::Set(d, kFastestLeaveM), first, parent, p,
+                             contact)) {
         ofSkin = contact.latest;
         any = true;
     }
@@ -153,16 +153,15 @@ HWY_INLINE bool collide(D d, const ColliderSet& colliders, const NeckTurn& neck,
 /// and of the ellipsoids where they are all there is.
 template<class D>
 HWY_INLINE bool collideAgain(D d, const ColliderSet& colliders, const NeckTurn& neck, const float* HWY_RESTRICT lanes,
-                             bool first, const Vec3<hn::Vec<D>>& parent, Vec3<hn::Vec<D>>& p, Contact<D>& contact,
-                             hn::Mask<D> ofSkin)
+                             hn::Vec<D> clearance, bool first, const Vec3<hn::Vec<D>>& parent, Vec3<hn::Vec<D>>& p,
+                             Contact<D>& contact, hn::Mask<D> ofSkin)
 {
     if (colliders.skin.pairs == nullptr)
-        return collide(d, colliders, neck, lanes, first, parent, p, contact, ofSkin);
+        return collide(d, colliders, neck, lanes, clearance, first, parent, p, contact, ofSkin);
     if (hn::AllFalse(d, ofSkin))
         return false;
-    const auto clearance = hn::IfThenElse(ofSkin, hn::Set(d, kSkinClearanceM), hn::Set(d, -kUnwanted));
-    return pushSegmentOutOfSkin(d, colliders.skin, neck, clearance, hn::Set(d, kFastestLeaveM), first, parent, p,
-                                contact);
+    const auto again = hn::IfThenElse(ofSkin, clearance, hn::Set(d, -kUnwanted));
+    return pushSegmentOutOfSkin(d, colliders.skin, neck, again, hn::Set(d, kFastestLeaveM), first, parent, p, contact);
 }
 
 /// Friction: what a node moved along the surface since `start` is undone where it is little against how deep the node
@@ -262,14 +261,18 @@ public:
         const std::size_t offset = static_cast<std::size_t>(i) * StrandBlocks::kNodeStride;
         const Vec3<V> start = load3(d, m_rows.current + offset);
         const Vec3<V> lie = load3(d, m_rows.lanes + kLieX * kLanes);
+        const V eased = hn::Mul(m_length, hn::Set(d, kGirthSlope * static_cast<float>(i)));
+        const V girth = hn::Min(hn::LoadU(d, m_rows.lanes + kGirth * kLanes), eased);
+        const V clearance = hn::Add(girth, hn::Set(d, kSkinClearanceM));
         Vec3<V> placed = atLength(d, m_parent, load3(d, m_rows.p + offset), m_length, lie);
         Contact<D> contact = noContact(d);
         hn::Mask<D> ofSkin = contact.touched;
-        if (collide(d, colliders, step.neck, m_rows.lanes, i == 1, m_parent, placed, contact, ofSkin)) {
+        if (collide(d, colliders, step.neck, m_rows.lanes, clearance, i == 1, m_parent, placed, contact, ofSkin)) {
             placed = rubbed(d, gains, contact, start, placed);
             placed = choose(contact.touched, atLength(d, m_parent, placed, m_length, lie), placed);
             Contact<D> second = noContact(d);
-            if (collideAgain(d, colliders, step.neck, m_rows.lanes, i == 1, m_parent, placed, second, ofSkin))
+            if (collideAgain(d, colliders, step.neck, m_rows.lanes, clearance, i == 1, m_parent, placed, second,
+                             ofSkin))
                 placed = choose(second.touched, atLength(d, m_parent, placed, m_length, lie), placed);
         }
 

@@ -27,6 +27,7 @@ enum LaneField : std::uint8_t
     kPhaseA,
     kPhaseB,
     kExposure,     ///< Fraction of the wind's strength.
+    kGirth,        ///< Half the thickness of the braid about it, m; 0: a hair.
     kGive,         ///< Fraction of its length by which the strand stretches and shortens; 0: not at all.
     kStretch,      ///< Fraction by which it is longer now, -kGive..kGive,
     kStretchSpeed, ///< and by how much more a second.
@@ -41,6 +42,8 @@ enum LaneField : std::uint8_t
     kScale ///< The first collider's row.
 };
 
+/// A braid reaches its girth over half a turn from its root: by this fraction of the length along it.
+inline constexpr float kGirthSlope = 0.4F;
 inline constexpr float kUnwanted = 1e30F;
 inline constexpr float kStillSteps = 60.0F; ///< A strand that lay still for so long falls asleep.
 inline constexpr float kStillM = 2e-4F; ///< What counts as lying still: middle and tip stay this close to their place.

@@ -115,6 +115,9 @@ void setStrandConstants(StrandState& state, const Groom& groom, std::size_t basi
     state.field(basisIndex, kPhaseA) = phases.a;
     state.field(basisIndex, kPhaseB) = phases.b;
     state.field(basisIndex, kExposure) = phases.exposure * physics.windScale;
+    // Further out nothing is known of the skin.
+    constexpr float kMostGirthM = DistanceGrid::kReachM - 0.5F * DistanceGrid::kCellM;
+    state.field(basisIndex, kGirth) = std::min(basis.girth[basisIndex], kMostGirthM);
     state.field(basisIndex, kGive) = basis.give[basisIndex] / (1.0F + hold);
     state.field(basisIndex, kStretch) =
         std::clamp(state.field(basisIndex, kStretch), -state.field(basisIndex, kGive), state.field(basisIndex, kGive));

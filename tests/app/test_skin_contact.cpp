@@ -36,7 +36,7 @@ private:
     }
 
 private Q_SLOTS:
-    void looseHairStaysOutOfTheWholeBust_data()
+    void hairStaysOutOfTheWholeBust_data()
     {
         QTest::addColumn<QString>("style");
         QTest::addColumn<QString>("wind");
@@ -48,8 +48,12 @@ private Q_SLOTS:
         row("Bob", "15,0,0");
         row("Ringlets", "0,0,0");
         row("Ringlets", "0,0,-15");
+        row("Two plaits", "0,0,0");
+        row("Two plaits", "15,0,0");
+        row("Two plaits", "0,0,15");
+        row("Two plaits", "0,0,-15");
     }
-    void looseHairStaysOutOfTheWholeBust()
+    void hairStaysOutOfTheWholeBust()
     {
         QFETCH(QString, style);
         QFETCH(QString, wind);

@@ -30,7 +30,8 @@ inline const char* differenceOf(const sim::Groom& a, const sim::Groom& b)
         return "wanted basis hairs";
     if (!sameBytes(a.basis->restPositions, b.basis->restPositions) ||
         !sameBytes(a.basis->segmentLengths, b.basis->segmentLengths) || !sameBytes(a.basis->gel, b.basis->gel) ||
-        !sameBytes(a.basis->give, b.basis->give) || !sameBytes(a.basis->height, b.basis->height))
+        !sameBytes(a.basis->give, b.basis->give) || !sameBytes(a.basis->girth, b.basis->girth) ||
+        !sameBytes(a.basis->height, b.basis->height))
         return "basis hairs";
     for (std::size_t i = 0; i < a.chunks.size(); ++i) {
         if (!a.chunks[i] && !b.chunks[i])

@@ -24,6 +24,7 @@ struct HandStrand
     float height = 0.0F;
     bool wanted = true;
     float give = 0.0F;
+    float girthM = 0.0F;
 };
 
 inline std::shared_ptr<sim::BasisStyles> basisOf(const std::vector<HandStrand>& strands, int nodes)
@@ -35,6 +36,7 @@ inline std::shared_ptr<sim::BasisStyles> basisOf(const std::vector<HandStrand>& 
     basis->segmentLengths.assign(blocks * sim::kLanes, 0.0F);
     basis->gel.assign(blocks * sim::kLanes, 0.0F);
     basis->give.assign(blocks * sim::kLanes, 0.0F);
+    basis->girth.assign(blocks * sim::kLanes, 0.0F);
     basis->height.assign(blocks * sim::kLanes, 0.0F);
     basis->wanted.assign(blocks, 0U);
     for (std::size_t i = 0; i < strands.size(); ++i) {
@@ -43,6 +45,7 @@ inline std::shared_ptr<sim::BasisStyles> basisOf(const std::vector<HandStrand>& 
         basis->segmentLengths[i] = segment;
         basis->gel[i] = strand.gel;
         basis->give[i] = strand.give;
+        basis->girth[i] = strand.girthM;
         basis->height[i] = strand.height;
         if (strand.wanted)
             sim::insertLane(basis->wanted, i);
