@@ -168,8 +168,9 @@ const int kAll = 0; // Lobes that a light needs.
 const int kBack = 1;
 const int kForward = 2;
 
-vec3 lightOf(int lobeSet, vec3 toward, vec3 lampColour, HairPoint point, vec3 view, vec3 normal, float sinO, vec4 passed,
-             float shine, float roughness)
+// open: nothing of the head stands right behind it, so that light goes on through it to the eye.
+vec3 lightOf(int lobeSet, vec3 toward, vec3 lampColour, HairPoint point, vec3 view, vec3 normal, float sinO, float open,
+             vec4 passed, float shine, float roughness)
 {
     const float kForwardPart = 0.5;
     FibreAngles at = fibreAngles(dot(point.tangent, toward), sinO, cosineOf(sinO), dot(toward, view));
@@ -185,7 +186,7 @@ vec3 lightOf(int lobeSet, vec3 toward, vec3 lampColour, HairPoint point, vec3 vi
         lit = point.colour * passed.rgb * ((0.35 + 0.65 * at.cosI) * facing * kCoat) +
               lobes.r * front * (lobeSet == kForward ? kForwardPart : 1.0);
         if (lobeSet != kBack)
-            lit += lobes.tt * lobes.through * lobes.through * lobes.through * passed.rgb * (kPi * kForwardPart);
+            lit += lobes.tt * lobes.through * lobes.through * lobes.through * passed.rgb * (open * kPi * kForwardPart);
         if (lobeSet != kForward)
             lit += lobes.trt * front;
     } else if (scattering == kKajiyaKay) {
@@ -207,16 +208,19 @@ vec3 hairLight(HairPoint point, float shine, float roughness)
     vec3 outward = fromHead * inversesqrt(dot(fromHead, fromHead) + 1e-8);
     vec3 normal = normalize(outward * 1.3 - point.tangent * dot(outward, point.tangent));
     float sinO = dot(point.tangent, view);
+    float open = besideHead(fromHead, headWo.w, -view);
     vec4 fromKey = passedThrough(point.towardKey, point.depth);
     vec4 fromEye = passedThrough(point.towardEye, point.depth);
     vec4 fromRim = passedThrough(point.towardRim, point.depth);
     vec3 lit = irradianceAt(normal) * point.colour * fromEye.rgb * kCoat;
-    lit += lightOf(kBack, fillWo.xyz, fillColour.rgb, point, view, normal, sinO, fromEye, shine, roughness);
+    lit += lightOf(kBack, fillWo.xyz, fillColour.rgb, point, view, normal, sinO, open, fromEye, shine, roughness);
     float keyLeft = besideHead(fromHead, headWo.w, keyWo.xyz);
     if (keyLeft > 0.0)
-        lit += keyLeft * lightOf(kAll, keyWo.xyz, keyColour.rgb, point, view, normal, sinO, fromKey, shine, roughness);
+        lit += keyLeft *
+               lightOf(kAll, keyWo.xyz, keyColour.rgb, point, view, normal, sinO, open, fromKey, shine, roughness);
     float rimLeft = besideHead(fromHead, headWo.w, rimWo.xyz);
     if (rimLeft > 0.0)
-        lit += rimLeft * lightOf(kForward, rimWo.xyz, rimColour.rgb, point, view, normal, sinO, fromRim, shine, roughness);
+        lit += rimLeft *
+               lightOf(kForward, rimWo.xyz, rimColour.rgb, point, view, normal, sinO, open, fromRim, shine, roughness);
     return lit;
 }

@@ -291,6 +291,32 @@ private Q_SLOTS:
         QCOMPARE(simd::besideHead(simd::Triple<float>{0.01F, -0.1F, 0.0F}, 0.0F, up), 1.0F); // No head.
     }
 
+    void lightShinesThroughHairBehindWhichNoHeadStands()
+    {
+        // Nothing but what goes through: black hair that takes nothing on the way, seen along z.
+        const auto glow = [](glm::vec3 fromHead, float headRadiusM) {
+            HairLighting lighting;
+            lighting.eyeWo = {0.0F, 0.0F, 100.0F};
+            lighting.rim = {.towardWo = glm::normalize(glm::vec3(0.95F, 0.0F, -0.31F)), .colour = glm::vec3(1.0F)};
+            lighting.headRadiusM = headRadiusM;
+            lighting.shine = 0.0F;
+            const simd::HairPoint<float> point{.place = {fromHead.x, fromHead.y, fromHead.z},
+                                               .tangent = {0.0F, 1.0F, 0.0F},
+                                               .colour = grey(0.0F),
+                                               .depth = grey(0.0F),
+                                               .variation = 0.0F,
+                                               .towardKey = 0.0F,
+                                               .towardEye = 0.0F,
+                                               .towardRim = 0.0F};
+            return simd::hairLight(lighting, point).x;
+        };
+        const glm::vec3 onHead(0.06F, 0.0F, 0.09F); // The light reaches it past the head's side.
+        const glm::vec3 besideHead(0.2F, 0.0F, 0.09F);
+        QVERIFY(glow(onHead, 0.0F) > 0.01F);
+        QVERIFY(glow(onHead, 0.1F) < 0.1F * glow(onHead, 0.0F));
+        QCOMPARE(glow(besideHead, 0.1F), glow(besideHead, 0.0F));
+    }
+
     void surroundingsAreAsBrightAsEachOtherAndNowhereNegative_data()
     {
         QTest::addColumn<int>("which");

@@ -50,6 +50,7 @@ struct CoatPoint
     Triple<F> fromHead; ///< m.
     Triple<F> normal;   ///< Of the coat, as the hair across it has it.
     F sinO, cosO;
+    F open; ///< 0..1: nothing of the head stands right behind it, so that light goes on through it to the eye.
 };
 
 /// Evens out what the coat keeps in its own shade: seen from all around in studio light it then shows the colour that
@@ -78,7 +79,8 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
         lit = point.colour * passed.all * body + Triple<F>{white, white, white};
         // What went through one hair goes through those beside it too: even a thin coat colours it.
         if constexpr (set != LobeSet::Back)
-            lit = lit + lobes.tt * lobes.through * lobes.through * lobes.through * passed.all * F(kPi * kForward);
+            lit = lit + lobes.tt * lobes.through * lobes.through * lobes.through * passed.all *
+                            (coat.open * F(kPi * kForward));
         if constexpr (set != LobeSet::Forward)
             lit = lit + lobes.trt * front;
     } else if (given.scattering == Scattering::KajiyaKay) {
@@ -107,6 +109,7 @@ HWY_INLINE Triple<F> hairLight(const HairLighting& given, const HairPoint<F>& po
     coat.normal = unit(outward * F(1.3F) - point.tangent * dot(outward, point.tangent));
     coat.sinO = dot(point.tangent, coat.view);
     coat.cosO = cosineOf(coat.sinO);
+    coat.open = besideHead(coat.fromHead, given.headRadiusM, coat.view * F(-1.0F));
 
     const Passed<F> fromKey = passedThrough(point.towardKey, point.depth);
     const Passed<F> fromEye = passedThrough(point.towardEye, point.depth);
