@@ -112,6 +112,31 @@ void slickBack(Recording& user, float flatness)
     }
 }
 
+/// The sides' lanes of the comb, from the temple back and down above the ear, and from behind it to the nape.
+constexpr std::array<Recording::Seen, 8> kUpperSide{{{52.0F, 0.052F},
+                                                     {66.0F, 0.047F},
+                                                     {82.0F, 0.041F},
+                                                     {98.0F, 0.034F},
+                                                     {114.0F, 0.024F},
+                                                     {128.0F, 0.010F},
+                                                     {138.0F, -0.008F},
+                                                     {143.0F, -0.032F}}};
+constexpr std::array<Recording::Seen, 7> kLowerSide{{{60.0F, 0.036F},
+                                                     {76.0F, 0.029F},
+                                                     {92.0F, 0.022F},
+                                                     {108.0F, 0.011F},
+                                                     {122.0F, -0.004F},
+                                                     {131.0F, -0.024F},
+                                                     {135.0F, -0.046F}}};
+
+/// So that the sides meet what is combed back over them.
+void slickSides(Recording& user, float flatness)
+{
+    const Ring ring{.sizeM = 0.035F};
+    user.comb(flatness, ring, user.along(kLowerSide));
+    user.comb(flatness, ring, user.along(kUpperSide));
+}
+
 } // namespace
 
 Style mohawk()
@@ -182,8 +207,9 @@ Style slickedUndercut()
                     user.polygon(MapKind::Length, user.length(0.105F), top);
                     user.polygon(MapKind::Length, user.length(0.075F), aroundBack(user));
                     user.polygon(MapKind::Clump, scalar(0.45F), top);
-                    user.polygon(MapKind::Gel, scalar(0.5F), top);
+                    user.polygon(MapKind::Gel, scalar(0.8F), top);
                     user.setMirror(true);
+                    slickSides(user, 0.9F);
                     slickBack(user, 0.95F);
                 }};
     style.settings.nodesPerHair = 10;
@@ -201,7 +227,7 @@ Style quiff()
                 .settings = settingsOf(0.15F, 0.06F, 0.010F),
                 .record = [](Recording& user) {
                     user.setLayerOpacity(MapKind::Density, 0.95F);
-                    user.fill(MapKind::Colour, colour(0xFF5B3A22));
+                    user.fill(MapKind::Colour, colour(0xFF493829));
                     graduate(user, 0.014F, 0.05F);
                     fade(user, 0.004F, 0.014F);
                     front(user, MapKind::Length, user.length(0.072F), 0.06F);
@@ -210,6 +236,7 @@ Style quiff()
                     user.polygon(MapKind::Gel, scalar(0.4F), aroundTop(user));
                     user.setMirror(true);
                     front(user, MapKind::Gel, scalar(0.7F), 0.07F);
+                    slickSides(user, 0.9F);
                     slickBack(user, 0.92F);
                     // Ever further up toward the front.
                     for (const auto& [flatness, toForwardM] :
@@ -233,7 +260,7 @@ Style sidePart()
                 .record = [](Recording& user) {
                     constexpr float kPartM = 0.030F; // On the head's left.
                     user.setLayerOpacity(MapKind::Density, 0.95F);
-                    user.fill(MapKind::Colour, colour(0xFF6B4325));
+                    user.fill(MapKind::Colour, colour(0xFF564334));
                     graduate(user, 0.016F, 0.08F);
                     fade(user, 0.004F, 0.016F);
                     front(user, MapKind::Length, user.length(0.075F), 0.05F);
