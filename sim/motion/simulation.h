@@ -15,7 +15,7 @@ namespace hairpaint::sim {
 ///
 /// Step: Verlet with drag (equation 5), gravity, wind against each segment's relative velocity, rest shape held by gel
 /// and body, length constraint (equation 4, algorithm 2, then one exact root-to-tip pass, Mueller et al. 2012),
-/// ellipsoids with friction; dependent hairs by displacement (algorithm 3), their length restored.
+/// ellipsoids and skin with friction; dependent hairs by displacement (algorithm 3), their length restored.
 /// Missing: hair against hair.
 class Simulation
 {

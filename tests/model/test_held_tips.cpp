@@ -9,6 +9,7 @@
 #include "sim/motion/simulation.h"
 #include "tests/model/fixtures.h"
 #include "tests/model/tool_studio.h"
+#include "tests/model/worn_style.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -22,6 +23,8 @@ using namespace hairpaint::test;
 
 namespace {
 
+constexpr int kHairs = 20000;
+
 sim::StrandFrame stillFrame(sim::Simulation& simulation, double seconds)
 {
     simulation.setWind({});
@@ -30,20 +33,6 @@ sim::StrandFrame stillFrame(sim::Simulation& simulation, double seconds)
     sim::StrandFrame frame;
     simulation.writeFrame(frame);
     return frame;
-}
-
-/// 20,000 hairs of a built-in style.
-Project wearing(const QString& style)
-{
-    Project project = newProject();
-    project.maxHairs = 20000;
-    Document document(std::move(project));
-    for (const QString& path : builtInPresets()) {
-        const auto preset = loadPreset(path);
-        if (preset && preset->name == style)
-            document.push(applyPresetCommand(document, *preset));
-    }
-    return document.project();
 }
 
 } // namespace
@@ -65,7 +54,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, style);
         QFETCH(double, part);
-        Document document(wearing(style));
+        Document document(wearing(style, kHairs));
         QCOMPARE(document.project().groups.front().map(MapKind::Length).layers.front().name, style);
         const Id group = document.project().groups.front().id;
         sim::Simulation simulation;
@@ -105,7 +94,7 @@ private Q_SLOTS:
 
     void theBrushHoldsWhatLiesOnTheShoulders()
     {
-        Studio studio(wearing(QStringLiteral("Long straight")));
+        Studio studio(wearing(QStringLiteral("Long straight"), kHairs));
         studio.map = MapKind::Direction;
         studio.settings.comb = CombKind::Hold;
         studio.settings.brushSizeM = 0.03F;

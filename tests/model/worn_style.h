@@ -1,0 +1,26 @@
+// A new project with one of the built-in styles on the bust.
+#pragma once
+
+#include "model/commands/commands.h"
+#include "model/document.h"
+#include "model/files/preset_file.h"
+#include "model/files/project_file.h"
+#include "model/preset.h"
+
+namespace hairpaint::test {
+
+/// At most `maxHairs` of the style named so in the strip. The first layer of each of its maps has its name.
+inline model::Project wearing(const QString& style, int maxHairs)
+{
+    model::Project project = model::newProject();
+    project.maxHairs = maxHairs;
+    model::Document document(std::move(project));
+    for (const QString& path : model::builtInPresets()) {
+        const auto preset = model::loadPreset(path);
+        if (preset && preset->name == style)
+            document.push(model::applyPresetCommand(document, *preset));
+    }
+    return document.project();
+}
+
+} // namespace hairpaint::test
