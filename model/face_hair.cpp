@@ -68,12 +68,13 @@ constexpr std::array kFaceGroups{
                   return Growth{.density = 1.0F - faded(0.0008F, 0.0014F, distance),
                                 .length = 0.35F + 0.25F * faded(0.0F, 0.3F, fromCorner) + 0.20F * along};
               }},
-    // A full beard of 2 cm, thinner and shorter toward its edge.
+    // A full beard of 2 cm, thinner and shorter toward its edge, thickest on lip and chin.
     FaceGroup{"Beard", false, kMapSize,
               [](const heads::HeadRegions& regions, const glm::vec3& place) { return regions.beardDistance(place); },
               [](const heads::HeadRegions& regions, const glm::vec3& place) {
                   const float inside = regions.beardDistance(place);
-                  return Growth{.density = faded(-0.003F, 0.0015F, inside),
+                  const float cheek = faded(0.025F, 0.045F, std::abs(place.x));
+                  return Growth{.density = faded(-0.003F, 0.0025F * cheek - 0.001F, inside) * (1.0F - 0.25F * cheek),
                                 .length = 0.12F + 0.14F * faded(0.0F, 0.010F, inside)};
               }},
 };

@@ -45,7 +45,7 @@ constexpr std::array kKinds{
              }},
     HairKind{"Beard", QT_TRANSLATE_NOOP("HairKinds", "Beard"),
              [](GroupSettings& settings) {
-                 putShort(settings, {0.08F, 0.6e6F, 110e-6F, 0.004F, 0.06F});
+                 putShort(settings, {0.08F, 0.8e6F, 110e-6F, 0.004F, 0.06F});
              }},
     HairKind{"", QT_TRANSLATE_NOOP("HairKinds", "Something else"),
              [](GroupSettings& settings) {

@@ -82,9 +82,12 @@ private Q_SLOTS:
         const std::optional<HairGroup> beard = grownHair(*std::ranges::find_if(kinds, isBeard), on);
         QVERIFY(beard && !isFaceHair(*beard));
         for (const float side : {-1.0F, 1.0F}) {
+            // Thickest on lip and chin.
             for (const glm::vec3& grows :
-                 {glm::vec3(side * 0.005F, -0.095F, 0.1F), glm::vec3(side * 0.045F, -0.07F, 0.07F)})
-                QVERIFY2(densityNear(*beard, *on, grows) > 0.9F, qPrintable(QString::number(grows.y)));
+                 {glm::vec3(side * 0.005F, -0.095F, 0.1F), glm::vec3(side * 0.010F, -0.054F, 0.105F)})
+                QVERIFY2(densityNear(*beard, *on, grows) > 0.9F, qPrintable(QStringLiteral("%1: %2").arg(grows.y).arg(densityNear(*beard, *on, grows))));
+            const float cheek = densityNear(*beard, *on, glm::vec3(side * 0.045F, -0.07F, 0.07F));
+            QVERIFY2(cheek > 0.7F && cheek < 0.85F, qPrintable(QString::number(cheek)));
             for (const glm::vec3& bare :
                  {glm::vec3(side * 0.03F, 0.027F, 0.09F), glm::vec3(side * 0.01F, 0.06F, 0.1F),
                   glm::vec3(side * 0.03F, 0.10F, 0.0F), glm::vec3(side * 0.004F, -0.01F, 0.115F)})
