@@ -98,6 +98,22 @@ sim::MapRaster naturalDirectionOf(const Head& head, const std::function<bool()>&
     return stream.empty() ? nullptr : sim::streamRaster(*head.skin, stream);
 }
 
+/// As it was computed when the head was made, and now where there is no such file. In it, x, y, z of each vertex:
+/// floats, little endian.
+std::vector<glm::vec3> builtInStream(const Head& head, const QString& resource)
+{
+    if (!QFile::exists(resource))
+        return sim::naturalStream(*head.skin, head.landmarks);
+    const QByteArray bytes = builtInFile(resource);
+    std::vector<glm::vec3> directionsHd(head.skin->mesh().positionsHd.size());
+    Q_ASSERT(bytes.size() == static_cast<qsizetype>(directionsHd.size() * sizeof(glm::vec3)));
+    const char* at = bytes.constData();
+    for (glm::vec3& direction : directionsHd)
+        for (int i = 0; i < 3; ++i, at += sizeof(float))
+            direction[i] = qFromLittleEndian<float>(at);
+    return directionsHd;
+}
+
 /// What is drawn of it: finer than what carries hair. bust-1 has a mesh of its own for that.
 sim::HeadMesh shownMesh(const sim::HeadMesh& carrying, const QString& resource)
 {
@@ -123,7 +139,7 @@ std::shared_ptr<const Head> loadBuiltIn(const heads::BuiltInHead& row)
     head->distances = builtInDistances(resource + QStringLiteral(".distances"));
     head->scalpFraction = row.scalpFraction;
     head->landmarks = row.landmarks;
-    head->naturalDirection = naturalDirectionOf(*head);
+    head->naturalDirection = sim::streamRaster(*head->skin, builtInStream(*head, resource + QStringLiteral(".stream")));
     // The bust's foot is open; it is shown as if it were solid.
     head->shownMesh = std::make_shared<const sim::HeadMesh>(sim::withOpeningsClosed(std::move(shown)));
     return head;

@@ -1,5 +1,6 @@
 // How hair grows on the heads that people get: around one whorl, and nowhere else without a way.
 #include "model/files/head_file.h"
+#include "sim/groom/stream_raster.h"
 #include "sim/skin/natural_stream.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
@@ -77,6 +78,20 @@ private Q_SLOTS:
         const glm::vec3 crown = (*bust->landmarks)[sim::HeadLandmark::Crown];
         QVERIFY(glm::distance(found.front().middleHd, crown) < 0.04F);
         QVERIFY(found.front().middleHd.x < 0.0F && found.front().middleHd.z < crown.z); // Behind it, on the right.
+    }
+
+    /// Whoever changes how hair grows bakes the bust's stream anew.
+    void theBakedStreamIsWhatIsComputed()
+    {
+        constexpr int kUnits = 16; // Of 65535, for what rounding leaves.
+        const std::shared_ptr<const model::Head> bust = *model::builtInHead(QStringLiteral("bust-2"));
+        const auto computed = sim::streamRaster(*bust->skin, sim::naturalStream(*bust->skin, bust->landmarks));
+        const sim::TiledRaster& baked = *bust->naturalDirection;
+        QCOMPARE(baked.size(), computed->size());
+        for (int y = 0; y < baked.size(); ++y)
+            for (int x = 0; x < baked.size(); ++x)
+                for (std::size_t channel = 0; channel < 2; ++channel)
+                    QVERIFY(std::abs(baked.texel(x, y)[channel] - computed->texel(x, y)[channel]) <= kUnits);
     }
 
     /// Closed, with a nose and ears, not even, not known to anybody.

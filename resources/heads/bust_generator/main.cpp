@@ -1,8 +1,8 @@
 // Makes bust-2: hairpaint_bust_generator OUTPUT_DIR [--preview DIR | --colliders]
 //
 // Writes bust-2.glb (roots, uv, picking), bust-2.displacement (of its edges' middles, for the finer mesh that is drawn)
-// and bust-2.marks (of the finer mesh's vertices), bust-2.distances (to the finer mesh), and prints what the tests will
-// measure.
+// and bust-2.marks (of the finer mesh's vertices), bust-2.distances (to the finer mesh), bust-2.stream (how hair grows
+// at the coarser one's vertices), and prints what the tests will measure.
 // --colliders instead fits the ellipsoids anew, from those in use, and prints them.
 #include <cstdio>
 #include <filesystem>
@@ -17,7 +17,9 @@
 #include "model/heads/built_in_heads.h"
 #include "preview.h"
 #include "sim/skin/mesh_subdivision.h"
+#include "sim/skin/natural_stream.h"
 #include "skin_marks.h"
+#include "stream_writer.h"
 #include "uv_solver.h"
 
 namespace {
@@ -101,7 +103,8 @@ int main(int argc, char** argv)
         writePreviews(fine, mesh, regionTint, argv[3]);
     if (!writeGlb(mesh, folder / "bust-2.glb") || !writeDisplacements(displacements, folder / "bust-2.displacement") ||
         !writeMarks(skinMarks(fine), folder / "bust-2.marks") ||
-        !writeDistances(*sim::DistanceGrid::make(fine), folder / "bust-2.distances")) {
+        !writeDistances(*sim::DistanceGrid::make(fine), folder / "bust-2.distances") ||
+        !writeStream(sim::naturalStream(sim::Skin(mesh), bust2().landmarks), folder / "bust-2.stream")) {
         std::fprintf(stderr, "hairpaint_bust_generator: cannot write to %s\n", folder.string().c_str());
         return 1;
     }
