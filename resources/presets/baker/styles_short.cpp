@@ -32,16 +32,17 @@ Recording::Places aroundTop(const Recording& user)
     return user.along(line);
 }
 
-/// The back of that, which is cut to end above the nape.
-Recording::Places aroundBack(const Recording& user)
+/// The back above its ridge, cut ever longer up to the crown, so that it ends in a soft line above the nape.
+void taperBack(Recording& user, float ridgeM, float crownM)
 {
-    std::vector<Recording::Seen> line;
-    for (const Recording::Seen& seen : kRidge)
-        if (seen.degrees > 90.0F)
-            line.push_back(seen);
-    for (std::size_t i = line.size() - 1; i-- > 0;)
-        line.push_back({360.0F - line[i].degrees, line[i].heightM});
-    return user.along(line);
+    std::vector<Band> bands;
+    constexpr int kSteps = 16;
+    for (int step = 0; step <= kSteps; ++step) {
+        const float fraction = static_cast<float>(step) / kSteps;
+        const float longer = fraction * (0.7F + 0.3F * fraction); // As far as it is from there to the ridge.
+        bands.push_back({0.036F + 0.069F * fraction, user.length(ridgeM + (crownM - ridgeM) * longer)});
+    }
+    user.bands(MapKind::Length, bands, 100.0F);
 }
 
 /// Scissors over the comb: `ridgeM` where clippers stop, ever longer up to the crown.
@@ -205,10 +206,10 @@ Style slickedUndercut()
                     fade(user, 0.003F, 0.006F);
                     user.setMirror(false);
                     user.polygon(MapKind::Length, user.length(0.105F), top);
-                    user.polygon(MapKind::Length, user.length(0.075F), aroundBack(user));
                     user.polygon(MapKind::Clump, scalar(0.45F), top);
                     user.polygon(MapKind::Gel, scalar(0.8F), top);
                     user.setMirror(true);
+                    taperBack(user, 0.012F, 0.085F);
                     slickSides(user, 0.9F);
                     slickBack(user, 0.95F);
                 }};
