@@ -229,6 +229,7 @@ void Exchange::replaceHead(const std::shared_ptr<const model::Head>& head, std::
 
 std::shared_ptr<const sim::StrandFrame> Exchange::currentHair()
 {
+    const std::shared_ptr<const void> whole = m_session.wholeHair();
     const bool came = m_jobs.awaitUntil(tr("Waiting for the newest hair"), [this] {
         m_session.endPreviews(); // Also those that come late.
         return m_session.hair() != Session::Hair::Underway;

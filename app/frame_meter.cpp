@@ -38,6 +38,7 @@ void FrameMeter::onFrameDrawn(const rendering::FrameStatistics& statistics)
         m_stopped.start();
     }
     m_sinceFrame.start();
+    m_session.setDrawnDetail(statistics.detail);
     const auto& frame = m_session.frame();
     // A fine picture takes its time, and one of hair that rests takes less than one of hair that moves.
     if (frame && !frame->asleep && !m_session.paused() && !statistics.inSteps)

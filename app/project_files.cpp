@@ -281,6 +281,7 @@ bool ProjectFiles::mayDiscard()
 bool ProjectFiles::saveTo(const QString& path)
 {
     // The picture is to show what is saved.
+    const std::shared_ptr<const void> whole = m_session.wholeHair();
     const QString saving = tr("Saving %1").arg(QFileInfo(path).fileName());
     const bool came = m_jobs.awaitUntil(saving, [this] {
         m_session.endPreviews(); // Also those that come late.

@@ -43,7 +43,7 @@ Session::~Session()
 
 Session::Hair Session::hair() const
 {
-    if (m_document.resolving())
+    if (m_document.resolving() || (!m_wholeHair.expired() && m_frame && sim::placedDetail(*m_frame) < 1.0F))
         return Hair::Underway;
     if (m_frame && m_frame->revision == m_document.revision() && !m_frame->preview)
         return Hair::Current;
@@ -137,6 +137,36 @@ void Session::setDrawTime(double milliseconds)
         return;
     m_frameRate = rate;
     m_worker->setFrameRate(rate);
+}
+
+void Session::setDrawnDetail(float detail)
+{
+    m_drawnDetail = detail;
+    tellDetail();
+}
+
+std::shared_ptr<const void> Session::wholeHair()
+{
+    std::shared_ptr<const void> holder = m_wholeHair.lock();
+    if (!holder) {
+        holder = std::make_shared<const char>();
+        m_wholeHair = holder;
+        tellDetail();
+    }
+    return holder;
+}
+
+/// With some to spare, so that the camera may come nearer, and only where it makes a difference.
+void Session::tellDetail()
+{
+    constexpr float kSpare = 1.25F;
+    constexpr float kWorthless = 1.6F;
+    const float needed = m_wholeHair.expired() ? std::min(m_drawnDetail, 1.0F) : 1.0F;
+    const float placed = std::min(needed * kSpare, 1.0F);
+    if (needed <= m_placedDetail && m_placedDetail <= placed * kWorthless)
+        return;
+    m_placedDetail = placed;
+    m_worker->setDetail(placed);
 }
 
 void Session::sendInput()

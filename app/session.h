@@ -44,6 +44,10 @@ public:
     void lookAt(std::optional<model::MapKind> map);
     /// How long the 3D area took to draw a frame of hair in motion: no more frames are made than it can draw.
     void setDrawTime(double milliseconds);
+    /// Hairs whose StrandStyle::detail is below are drawn: while hair moves no others need be placed.
+    void setDrawnDetail(float detail);
+    /// As long as somebody holds it frames place every hair, and hair() waits for one that does.
+    [[nodiscard]] std::shared_ptr<const void> wholeHair();
 
 public Q_SLOTS:
     void setPaused(bool paused);
@@ -64,6 +68,7 @@ Q_SIGNALS:
 private:
     void onChanged(const model::Change& change);
     void sendInput();
+    void tellDetail();
     void takeFrame();
 
     model::Document m_document;
@@ -79,7 +84,10 @@ private:
     std::map<model::Id, model::MapColours> m_colours; ///< Of the map looked at, by group.
     double m_drawMs = 0.0;                            ///< Smoothed.
     double m_frameRate = 0.0;                         ///< As the worker was told.
-    std::unique_ptr<sim::SimulationWorker> m_worker;  ///< Last: it calls back until it is gone.
+    float m_drawnDetail = 1.0F;
+    float m_placedDetail = 1.0F; ///< As the worker was told.
+    std::weak_ptr<const void> m_wholeHair;
+    std::unique_ptr<sim::SimulationWorker> m_worker; ///< Last: it calls back until it is gone.
 };
 
 } // namespace hairpaint::app

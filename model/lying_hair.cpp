@@ -128,7 +128,7 @@ std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadP
     hairs.reserve(groom.drawnCount);
     std::vector<glm::vec3> nodes(static_cast<std::size_t>(groom.nodes));
     for (std::size_t slot = 0; slot < roots.count(); ++slot) {
-        if (!groom.isDrawn(slot))
+        if (!group.places(slot))
             continue;
         blocks.read(group.positions, groom.frameStrand(slot), nodes);
         const float alongM = std::min(kAlongM, groom.style(slot).lengthM * kAlongPart);
@@ -155,7 +155,7 @@ std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::H
     std::vector<std::size_t> slots;
     std::size_t number = 0;
     for (std::size_t slot = 0; slot < roots.count(); ++slot)
-        if (groom.isDrawn(slot) && number++ % step == 0)
+        if (group.places(slot) && number++ % step == 0)
             slots.push_back(slot);
     const auto nodeCount = static_cast<std::size_t>(groom.nodes);
     std::vector<std::optional<LyingHair>> found(slots.size() * nodeCount);

@@ -130,7 +130,9 @@ void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
     if (frame && !m_scene->isOnHead(*frame))
         return; // Of the head before this one.
     const bool moved = m_stillness.moved(frame, m_scene->camera(), size());
-    if (m_pacer->still() && !moved)
+    const std::shared_ptr<const sim::StrandFrame>& shown = m_scene->scene().hair;
+    const bool finer = frame && shown && sim::placedDetail(*frame) > sim::placedDetail(*shown);
+    if (m_pacer->still() && !moved && !finer)
         return; // A picture that is being refined is worth more than a difference nobody sees.
     m_scene->setHair(std::move(frame));
     if (moved)

@@ -182,6 +182,14 @@ std::shared_ptr<StrandChunk> emptyChunk(int nodes)
     return chunk;
 }
 
+void findLeastDetails(StrandChunk& chunk)
+{
+    for (std::size_t block = 0; block < kBlocksPerChunk; ++block) {
+        const auto styles = std::span(chunk.styles).subspan(block * kLanes, kLanes);
+        chunk.leastDetail[block] = std::ranges::min_element(styles, {}, &StrandStyle::detail)->detail;
+    }
+}
+
 } // namespace
 
 std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
@@ -234,6 +242,7 @@ std::shared_ptr<const StrandChunk> rebuildChunk(const ChunkInputs& inputs,
             writer.clear(slot);
     });
     writer.finish();
+    findLeastDetails(*chunk);
     return chunk;
 }
 

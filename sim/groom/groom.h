@@ -5,6 +5,7 @@
 #include "sim/groom/groom_input.h"
 #include "sim/groom/roots.h"
 
+#include <array>
 #include <bitset>
 #include <cstdint>
 #include <memory>
@@ -12,8 +13,6 @@
 
 namespace hairpaint::sim {
 
-inline constexpr int kBlocksPerChunk = 64;
-inline constexpr int kChunkSlots = kLanes * kBlocksPerChunk;
 inline constexpr float kShortestDrawnM = 1e-4F; ///< Shorter hairs count, but are neither drawn nor exported.
 
 enum class BraidKind : std::uint8_t
@@ -59,6 +58,8 @@ struct StrandChunk
         clump; ///< [kChunkSlots], 0..1: how far each hair lies on its nearest basis hair, and follows it.
     /// For braided hairs: index into basis hairs of the braid's centre, else kNoCentre.
     std::vector<std::uint32_t> braidCentre; ///< [kChunkSlots]
+    /// The least StrandStyle::detail in a block: at a coarser level of detail nothing of it is drawn.
+    std::array<float, kBlocksPerChunk> leastDetail{};
 };
 inline constexpr std::uint32_t kNoCentre = 0xFFFFFFFFU;
 

@@ -10,6 +10,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 namespace hairpaint::sim {
 
@@ -193,6 +195,37 @@ void placeOnSkin(RootSet& roots, const CurveSequence& sequence, const AreaCurve&
     });
 }
 
+/// Within each chunk by rank: what a coarse picture leaves out lies in blocks of its own, which nobody need place.
+void orderChunksByRank(RootSet& roots)
+{
+    const std::size_t chunks = (roots.count() + kChunkSlots - 1) / kChunkSlots;
+    parallelFor(chunks, 16, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t> slots;
+        for (std::size_t chunk = begin; chunk < end; ++chunk) {
+            const std::size_t first = chunk * kChunkSlots;
+            slots.resize(std::min<std::size_t>(kChunkSlots, roots.count() - first));
+            std::iota(slots.begin(), slots.end(), static_cast<std::uint32_t>(first));
+            std::ranges::sort(slots, {}, [&](std::uint32_t slot) { return roots.rankOfSlot[slot]; });
+            const auto order = [&]<class T>(std::vector<T>& values) {
+                std::vector<T> ordered(slots.size());
+                std::ranges::transform(slots, ordered.begin(), [&](std::uint32_t slot) { return values[slot]; });
+                std::ranges::copy(ordered, values.begin() + static_cast<std::ptrdiff_t>(first));
+            };
+            order(roots.rankOfSlot);
+            order(roots.face);
+            order(roots.uv);
+            order(roots.positionHd);
+            order(roots.normalHd);
+            order(roots.tangentHd);
+            order(roots.mirrored);
+            order(roots.neighbours);
+            order(roots.weights);
+            for (std::size_t slot = first; slot < first + slots.size(); ++slot)
+                roots.slotOfRank[roots.rankOfSlot[slot]] = static_cast<std::uint32_t>(slot);
+        }
+    });
+}
+
 } // namespace
 
 std::shared_ptr<const RootSet> buildRoots(std::shared_ptr<const Skin> skin, std::size_t count, std::size_t basisCount,
@@ -214,6 +247,11 @@ std::shared_ptr<const RootSet> buildRoots(std::shared_ptr<const Skin> skin, std:
         if (roots->rankOfSlot[slot] < basis)
             roots->basisSlot.push_back(slot);
     findBasisNeighbours(*roots);
+
+    std::vector<std::uint32_t> basisRank(basis);
+    std::ranges::transform(roots->basisSlot, basisRank.begin(), [&](auto slot) { return roots->rankOfSlot[slot]; });
+    orderChunksByRank(*roots);
+    std::ranges::transform(basisRank, roots->basisSlot.begin(), [&](auto rank) { return roots->slotOfRank[rank]; });
     return roots;
 }
 

@@ -1,6 +1,7 @@
 // Candidate roots: drawn once per head and group, so that painting never moves a hair.
 #pragma once
 
+#include "sim/base/strand_blocks.h"
 #include "sim/skin/skin_frame.h"
 
 #include <array>
@@ -12,11 +13,14 @@
 namespace hairpaint::sim {
 
 inline constexpr int kRootsAlgorithm = 1; ///< Written to project files as `roots.algorithm`.
+inline constexpr int kBlocksPerChunk = 64;
+inline constexpr int kChunkSlots = kLanes * kBlocksPerChunk;
 
 /// Candidate i (its *rank*) of N has threshold (i + 1/2)/N and is a hair where the density at its uv is above that.
-/// Every prefix of the ranks is an even cover by area. Candidates are stored by *slot*, a spatial order, so that
-/// neighbours share blocks; `rank` and `slot` translate. Basis hairs are the candidates with rank < basisCount.
-/// Immutable. (Hernandez and Rudomin 2004, section on roots: uniform barycentrics; algorithm 3: basis hairs.)
+/// Every prefix of the ranks is an even cover by area. Candidates are stored by *slot*: neighbours on the skin share
+/// chunks of kChunkSlots, and within a chunk ranks rise; `rank` and `slot` translate. Basis hairs are the candidates
+/// with rank < basisCount. Immutable. (Hernandez and Rudomin 2004, section on roots: uniform barycentrics; algorithm 3:
+/// basis hairs.)
 struct RootSet
 {
     static constexpr int kNeighbours = 3;
@@ -34,7 +38,7 @@ struct RootSet
     /// The nearest basis hairs of each slot, nearest first, as indices into `basisSlot`; a basis hair's own first.
     std::vector<std::array<std::uint32_t, kNeighbours>> neighbours;
     std::vector<std::array<float, kNeighbours>> weights; ///< Sum to 1; a basis hair's own weighs 1.
-    /// Slots of the basis hairs, ascending: neighbours in space are neighbours here.
+    /// Slots of the basis hairs: neighbours in space are neighbours here.
     std::vector<std::uint32_t> basisSlot;
 
     [[nodiscard]] std::size_t count() const { return rankOfSlot.size(); }

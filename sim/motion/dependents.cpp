@@ -275,13 +275,16 @@ void Dependents::findDisplacements(const Groom& groom, const StrandState& state,
     });
 }
 
-void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const RigidMotion& world, float* out) const
+void Dependents::writeBraided(const Groom& groom, const Chunk& chunk, const RigidMotion& world, float detail,
+                              float* out) const
 {
     const auto nodes = static_cast<std::size_t>(groom.nodes);
     const BasisStyles& basis = *groom.basis;
     std::array<glm::vec3, kMostNodes> rest;
     std::array<glm::vec3, kMostNodes> centre;
     for (const std::uint16_t slot : chunk.braided) {
+        if (!(chunk.styles->styles[slot].detail < detail))
+            continue;
         const std::size_t basisIndex = chunk.styles->braidCentre[slot];
         groom.blocks().read(chunk.styles->restPositions, slot, std::span(rest).first(nodes));
         groom.blocks().read(basis.restPositions, basisIndex, std::span(centre).first(nodes));
@@ -323,6 +326,7 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
     common.colliders = &colliders;
     common.world = worldOfHead(pose);
     common.neck = neckTurn(neck, pose);
+    common.detail = frame.detail;
     parallelFor(m_placed.size() * kBlocksPerChunk, kDependentBlocksAtOnce, [&](std::size_t begin, std::size_t end) {
         for (std::size_t at = begin; at < end;) {
             const std::size_t index = m_placed[at / kBlocksPerChunk];
@@ -335,6 +339,7 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
             task.weights = chunk.weights.data();
             task.rest = chunk.styles->restPositions.data();
             task.lanes = chunk.lanes.data();
+            task.leastDetail = chunk.styles->leastDetail.data();
             task.out = frame.positions.data() + static_cast<std::size_t>(groom.packedChunk[index]) * chunkFloats;
             placeDependents(task, at - chunkBegin, until - chunkBegin);
             at = until;
@@ -345,7 +350,7 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
             const Chunk& chunk = m_chunks[m_placed[i]];
             const auto packed = static_cast<std::size_t>(groom.packedChunk[m_placed[i]]);
             if (!chunk.braided.empty())
-                writeBraided(groom, chunk, common.world, frame.positions.data() + packed * chunkFloats);
+                writeBraided(groom, chunk, common.world, frame.detail, frame.positions.data() + packed * chunkFloats);
         }
     });
 }

@@ -22,7 +22,8 @@ public:
     /// `everything`: the ellipsoids or the coat's thickness differ, so every chunk is prepared anew.
     void prepare(const Groom& groom, const ColliderSet& colliders, bool everything);
 
-    /// Fills frame.positions for this moment: `fraction` 0 is the step before, 1 the present one.
+    /// Fills frame.positions for this moment: `fraction` 0 is the step before, 1 the present one. Blocks in which no
+    /// hair is below frame.detail are left as they are.
     void write(const Groom& groom, const StrandState& state, const ColliderSet& colliders, float fraction,
                const HeadPose& pose, const Neck& neck, GroupFrame& frame);
 
@@ -60,7 +61,7 @@ private:
     void setClump(const Groom& groom, std::size_t index, std::size_t slot, float clump);
     void prepareChunk(const Groom& groom, const ColliderSet& colliders, std::size_t index);
     void findDisplacements(const Groom& groom, const StrandState& state, float fraction);
-    void writeBraided(const Groom& groom, const Chunk& chunk, const RigidMotion& world, float* out) const;
+    void writeBraided(const Groom& groom, const Chunk& chunk, const RigidMotion& world, float detail, float* out) const;
 
     std::shared_ptr<const BasisStyles> m_basis;
     std::vector<Lead> m_leads; ///< [basis lanes] of m_basis.

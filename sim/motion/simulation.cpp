@@ -183,7 +183,7 @@ bool Simulation::asleep() const
     return m_state->asleep();
 }
 
-void Simulation::writeFrame(StrandFrame& frame) const
+void Simulation::writeFrame(StrandFrame& frame, float detail) const
 {
     const State& s = *m_state;
     // Without time left over the present step is now; otherwise now lies between the two.
@@ -197,6 +197,7 @@ void Simulation::writeFrame(StrandFrame& frame) const
     frame.basisCount = 0;
     frame.limit = HairLimit::None;
     for (std::size_t i = 0; i < s.groups.size(); ++i) {
+        frame.groups[i].detail = detail;
         s.groups[i]->write(frame.groups[i], moment, frame.pose, s.neck);
         const Groom& groom = *s.groups[i]->groom();
         frame.hairCount += groom.hairCount;

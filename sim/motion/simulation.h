@@ -43,8 +43,9 @@ public:
     void settle(double seconds);
     [[nodiscard]] bool asleep() const;
 
-    /// Writes the present moment (interpolated between the last two steps) into `frame`, reusing its memory.
-    void writeFrame(StrandFrame& frame) const;
+    /// Writes the present moment (interpolated between the last two steps) into `frame`, reusing its memory. `detail`:
+    /// see GroupFrame.
+    void writeFrame(StrandFrame& frame, float detail = 1.0F) const;
 
     /// Sum over builds of strands evaluated.
     [[nodiscard]] std::size_t rebuiltStrands() const;

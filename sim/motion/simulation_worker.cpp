@@ -37,12 +37,14 @@ struct Requests
     std::optional<HeadPose> pose;
     std::optional<bool> paused;
     std::optional<double> frameRate;
+    std::optional<float> detail;
     std::vector<PuffRequest> puffs;
     bool reset = false;
     bool stop = false;
 };
 
 constexpr std::size_t kMostPuffs = 8;
+constexpr float kLeastDetail = 1.0F / 1024.0F;
 /// The simulation drops what lies behind more than a few steps, so it is advanced at least so often.
 constexpr double kLongestTickSeconds = 1.0 / 30.0;
 
@@ -84,6 +86,9 @@ public:
             m_pose = *requests.pose;
         if (requests.wind)
             m_wind = *requests.wind;
+        const bool finer = requests.detail && *requests.detail > m_detail;
+        if (requests.detail)
+            m_detail = *requests.detail;
         const bool renewed = requests.input || requests.reset;
         if (requests.input)
             m_input = *std::move(requests.input);
@@ -106,7 +111,7 @@ public:
             m_simulation->puff(puff.centreWo, puff.velocity, puff.radiusM);
         if (requests.reset)
             m_simulation->hangAnew();
-        m_stale = m_stale || renewed;
+        m_stale = m_stale || renewed || finer;
     }
 
     /// After a wait of any length: the clock starts anew.
@@ -135,7 +140,7 @@ public:
             return;
         m_nextFrame = after(m_nextFrame, m_period.count());
         const std::shared_ptr<StrandFrame> frame = m_pool.frame();
-        m_simulation->writeFrame(*frame);
+        m_simulation->writeFrame(*frame, m_detail);
         frame->number = ++m_number;
         m_stale = false;
         m_frames.put(frame);
@@ -163,6 +168,7 @@ private:
     Clock::time_point m_nextTick = m_last;
     Clock::time_point m_nextFrame = m_last;
     std::uint64_t m_number = 0;
+    float m_detail = 1.0F;
     bool m_paused = false;
     bool m_stale = false; ///< The last frame does not show what is there now.
 };
@@ -250,6 +256,11 @@ void SimulationWorker::setFrameRate(double framesPerSecond)
 {
     if (std::isfinite(framesPerSecond))
         m_state->requests.update([&](Requests& r) { r.frameRate = std::clamp(framesPerSecond, 1.0, 240.0); });
+}
+
+void SimulationWorker::setDetail(float detail)
+{
+    m_state->requests.update([&](Requests& r) { r.detail = std::clamp(detail, kLeastDetail, 1.0F); });
 }
 
 std::shared_ptr<const StrandFrame> SimulationWorker::takeFrame()

@@ -35,6 +35,10 @@ public:
     /// what is saved is the dependents of frames that nobody would see. New content comes at once all the same.
     void setFrameRate(double framesPerSecond);
 
+    /// Which hairs frames are to place, see GroupFrame; all unless told. More of them come at once, though nothing
+    /// moves.
+    void setDetail(float detail);
+
     /// The newest frame since the last call, or null.
     [[nodiscard]] std::shared_ptr<const StrandFrame> takeFrame();
     /// The revision of the newest content that could not be made into hair, for want of memory, since the last call.

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -27,6 +28,28 @@ struct GroupFrame
     /// Skeleton nodes of every slot of every placed chunk: [placedChunks][kBlocksPerChunk][nodes][3][kLanes], Wo, m.
     /// Slots that are no hair hold zeros. Empty where the group is hidden.
     std::vector<float> positions;
+    /// 0..1: only hairs whose StrandStyle::detail is below are where they belong; 1: all.
+    float detail = 1.0F;
+
+    /// Whether a slot's nodes are those of a drawn hair at this moment.
+    [[nodiscard]] bool places(std::size_t slot) const
+    {
+        return groom->isDrawn(slot) && groom->style(slot).detail < detail;
+    }
+    /// visit(block) for each block of positions in which hairs are placed.
+    template<class Visit>
+    void forEachPlacedBlock(const Visit& visit) const
+    {
+        if (!groom || positions.empty())
+            return;
+        for (std::size_t chunk = 0; chunk < groom->chunks.size(); ++chunk) {
+            if (!groom->chunks[chunk] || groom->packedChunk[chunk] < 0)
+                continue;
+            for (std::size_t block = 0; block < kBlocksPerChunk; ++block)
+                if (groom->chunks[chunk]->leastDetail[block] < detail)
+                    visit(static_cast<std::size_t>(groom->packedChunk[chunk]) * kBlocksPerChunk + block);
+        }
+    }
 };
 
 /// Immutable once published.
@@ -46,5 +69,14 @@ struct StrandFrame
     bool preview = false;           ///< That input held something not committed yet.
     std::size_t rebuiltStrands = 0; ///< Evaluated since the first frame, in all.
 };
+
+/// The least GroupFrame::detail; 1 where every hair is placed.
+[[nodiscard]] inline float placedDetail(const StrandFrame& frame)
+{
+    float least = 1.0F;
+    for (const GroupFrame& group : frame.groups)
+        least = std::min(least, group.detail);
+    return least;
+}
 
 } // namespace hairpaint::sim

@@ -148,6 +148,8 @@ void PlaceDependents(const DependentsTask& task, std::size_t begin, std::size_t 
     for (std::size_t i = 0; i < nodes * 2 * kLanes * 4; ++i)
         mean[i] = 0.0F;
     for (std::size_t block = begin; block < end; ++block) {
+        if (task.detail < 1.0F && !(task.leastDetail[block] < task.detail))
+            continue;
         const float* const lanes = task.lanes + block * laneStride;
         const std::size_t first = StrandBlocks(task.nodes).floatsFor(block);
         bool any = false;

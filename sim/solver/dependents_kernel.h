@@ -38,6 +38,9 @@ struct DependentsTask
     const std::array<float, 3>* weights = nullptr;            ///< [kChunkSlots], in any unit.
     const float* rest = nullptr;                              ///< [kBlocksPerChunk][nodes][3][kLanes]
     const float* lanes = nullptr;                             ///< [kBlocksPerChunk][dependentRows(colliders)][kLanes]
+    const float* leastDetail = nullptr;                       ///< [kBlocksPerChunk], see StrandChunk.
+    float detail = 1.0F;                                      ///< Blocks without a hair below are left as they are,
+                                                              ///< unless it is 1.
     const ColliderSet* colliders = nullptr;
     RigidMotion world; ///< From the head's frame.
     NeckTurn neck;

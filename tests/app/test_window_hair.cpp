@@ -42,6 +42,24 @@ private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
     void cleanup() { m_window.reset(); }
 
+    /// Moving hair is placed as far as it is drawn; what is exported or saved has every hair.
+    void whatIsMadeOfMovingHairHasAllOfIt()
+    {
+        model::Project project = starterProject();
+        project.wind = {.enabled = true, .velocity = {3.0F, 0.0F, 0.0F}, .gustiness = 0.5F, .turbulence = 0.3F};
+        openWindow(std::move(project));
+        awaitNewestHair();
+        const auto placed = [this] { return sim::placedDetail(*session().frame()); };
+        QTRY_VERIFY_WITH_TIMEOUT(placed() < 1.0F, kPatienceMs);
+        {
+            const std::shared_ptr<const void> whole = session().wholeHair();
+            QVERIFY(session().hair() == Session::Hair::Underway);
+            QTRY_VERIFY_WITH_TIMEOUT(session().hair() == Session::Hair::Current, kPatienceMs);
+            QCOMPARE(placed(), 1.0F);
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(placed() < 1.0F, kPatienceMs);
+    }
+
     /// From a bald head: the menu, and what grows.
     void aBeardIsTwoChoicesAway()
     {
@@ -71,6 +89,9 @@ private Q_SLOTS:
     void hairThatTheWindBlewIsHeldAsItLies()
     {
         openWithStyle("bob");
+        // What is held is compared with every hair.
+        const std::shared_ptr<const void> whole = session().wholeHair();
+        QTRY_VERIFY_WITH_TIMEOUT(session().hair() == Session::Hair::Current, kPatienceMs);
         const std::shared_ptr<const sim::StrandFrame> still = session().frame();
         session().changeWind({.enabled = true, .velocity = {12.0F, 0.0F, -4.0F}}, true);
         const auto blown = [&] {

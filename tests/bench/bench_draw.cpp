@@ -1,4 +1,5 @@
-// Drawing: 10,000 hairs of 8 segments off-screen, and beside it what the same segments cost as bare lines of OpenGL.
+// Drawing: 10,000 and 100,000 hairs of 8 segments off-screen, and beside it what the segments of 10,000 cost as bare
+// lines of OpenGL.
 #include "sim/base/deterministic.h"
 #include "sim/motion/strand_frame.h"
 #include "view/rendering/gl/gl_renderer.h"
@@ -19,25 +20,25 @@ namespace {
 
 constexpr int kWidth = 1024;
 constexpr int kHeight = 768;
-constexpr std::size_t kHairs = 10000;
+constexpr std::size_t kFewHairs = 10000;
 constexpr std::size_t kNodes = 9;
 
 /// Hairs of about 20 cm that hang from a cap.
-std::shared_ptr<const sim::StrandFrame> hangingHair()
+std::shared_ptr<const sim::StrandFrame> hangingHair(std::size_t hairs)
 {
     auto groom = std::make_shared<sim::Groom>();
     auto roots = std::make_shared<sim::RootSet>();
     sim::GroupFrame group;
     groom->groupId = 1;
     groom->nodes = kNodes;
-    const std::size_t chunks = (kHairs + sim::kChunkSlots - 1) / sim::kChunkSlots;
+    const std::size_t chunks = (hairs + sim::kChunkSlots - 1) / sim::kChunkSlots;
     group.positions.resize(chunks * sim::kChunkSlots * kNodes * 3);
     roots->tangentHd.assign(chunks * sim::kChunkSlots, glm::vec3(1.0F, 0.0F, 0.0F));
     for (std::size_t c = 0; c < chunks; ++c) {
         auto chunk = std::make_shared<sim::StrandChunk>();
         chunk->styles.resize(sim::kChunkSlots);
         chunk->braidCentre.assign(sim::kChunkSlots, sim::kNoCentre);
-        for (std::size_t slot = 0; slot < sim::kChunkSlots && c * sim::kChunkSlots + slot < kHairs; ++slot) {
+        for (std::size_t slot = 0; slot < sim::kChunkSlots && c * sim::kChunkSlots + slot < hairs; ++slot) {
             const std::size_t i = c * sim::kChunkSlots + slot;
             sim::StrandStyle& style = chunk->styles[slot];
             style.rootColour = 0xFF203A50U;
@@ -45,7 +46,7 @@ std::shared_ptr<const sim::StrandFrame> hangingHair()
             style.detail = std::fmod(static_cast<float>(i) * 0.7548777F, 1.0F); // Evenly, as a groom's.
             chunk->hairs.set(slot);
             chunk->drawn.set(slot);
-            const float y = 1.0F - static_cast<float>(i) / static_cast<float>(kHairs);
+            const float y = 1.0F - static_cast<float>(i) / static_cast<float>(hairs);
             const float angle = static_cast<float>(i) * 2.399963F;
             const float r = std::sqrt(1.0F - y * y);
             const glm::vec3 root(0.08F * r * std::sin(angle), 0.11F * y, 0.1F * r * std::cos(angle));
@@ -62,8 +63,8 @@ std::shared_ptr<const sim::StrandFrame> hangingHair()
     }
     groom->packedChunks = static_cast<std::int32_t>(chunks);
     groom->roots = std::move(roots);
-    groom->hairCount = kHairs;
-    groom->drawnCount = kHairs;
+    groom->hairCount = hairs;
+    groom->drawnCount = hairs;
     group.groom = std::move(groom);
     auto frame = std::make_shared<sim::StrandFrame>();
     frame->groups.push_back(std::move(group));
@@ -102,7 +103,7 @@ private:
 /// Positions are new in every frame, as when the hair moves.
 void drawWith(benchmark::State& state, rendering::Backend& backend, int samples)
 {
-    const auto still = hangingHair();
+    const auto still = hangingHair(static_cast<std::size_t>(state.range(0)));
     const auto moved = std::make_shared<const sim::StrandFrame>(*still);
     rendering::Scene scene;
     const rendering::Quality quality{.detail = 1.0F, .samples = samples, .smoothSegments = 8};
@@ -158,9 +159,9 @@ void drawBareLines(benchmark::State& state)
     const auto context = currentContext(state);
     if (!context)
         return;
-    const auto frame = hangingHair();
+    const auto frame = hangingHair(kFewHairs);
     std::vector<glm::vec3> points;
-    for (std::size_t i = 0; i < kHairs; ++i)
+    for (std::size_t i = 0; i < kFewHairs; ++i)
         for (std::size_t n = 0; n + 1 < kNodes; ++n)
             for (const std::size_t node : {n, n + 1})
                 points.push_back(sim::StrandBlocks(kNodes).node(frame->groups[0].positions, i, node));
@@ -211,31 +212,26 @@ void drawBareLines(benchmark::State& state)
     context->doneCurrent();
 }
 
-void drawOneSample(benchmark::State& state)
+void drawWithOpenGl(benchmark::State& state)
 {
-    drawHairs(state, 1);
+    drawHairs(state, static_cast<int>(state.range(1)));
 }
 
-void drawFourSamples(benchmark::State& state)
+void drawWithOurOwn(benchmark::State& state)
 {
-    drawHairs(state, 4);
+    drawHairsInSoftware(state, static_cast<int>(state.range(1)));
 }
 
-void softlyOneSample(benchmark::State& state)
-{
-    drawHairsInSoftware(state, 1);
-}
-
-void softlyFourSamples(benchmark::State& state)
-{
-    drawHairsInSoftware(state, 4);
-}
-
-BENCHMARK(drawOneSample)->Name("draw/hairs:10000/segments:8")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(drawFourSamples)->Name("draw/hairs:10000/segments:8/samples:4")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(softlyOneSample)->Name("draw_software/hairs:10000/segments:8")->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(softlyFourSamples)
-    ->Name("draw_software/hairs:10000/segments:8/samples:4")
+BENCHMARK(drawWithOpenGl)
+    ->Name("draw")
+    ->ArgNames({"hairs", "samples"})
+    ->ArgsProduct({{10000, 100000}, {1, 4}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(drawWithOurOwn)
+    ->Name("draw_software")
+    ->ArgNames({"hairs", "samples"})
+    ->ArgsProduct({{10000, 100000}, {1, 4}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(drawBareLines)->Name("draw_limit/lines:80000")->Unit(benchmark::kMillisecond)->UseRealTime();

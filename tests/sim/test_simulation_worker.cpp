@@ -66,7 +66,25 @@ private Q_SLOTS:
     void itStopsInTheMiddleOfAnything();
     void motionKeepsItsPaceWhereFewFramesAreWanted();
     void wantOfMemoryLeavesTheLastFrameAndIsToldOnce();
+    void moreHairsComeThoughNothingMoves();
 };
+
+void TestSimulationWorker::moreHairsComeThoughNothingMoves()
+{
+    SimulationWorker worker(nullptr);
+    worker.setDetail(0.25F);
+    worker.setPaused(true);
+    worker.setInput(paintedBall(3000, 200));
+    const auto coarse = awaitFrame(worker, hasHair);
+    QVERIFY(coarse);
+    QCOMPARE(placedDetail(*coarse), 0.25F);
+    worker.setDetail(0.2F); // Fewer change nothing that is there.
+    worker.setDetail(1.0F);
+    const auto whole = awaitFrame(worker, [](const StrandFrame& frame) { return placedDetail(frame) >= 1.0F; });
+    QVERIFY(whole);
+    QCOMPARE(whole->number, coarse->number + 1);
+    QCOMPARE(whole->simulatedSeconds, coarse->simulatedSeconds);
+}
 
 void TestSimulationWorker::framesComeByThemselvesAndAreNumbered()
 {

@@ -43,6 +43,27 @@ private Q_SLOTS:
         QTRY_COMPARE(drawn, frame->hairCount);
     }
 
+    /// Of moving hair a frame places what is drawn; the finest picture shows the rest as soon as it comes.
+    void hairThatAStillPictureLacksIsShownWhenItComes()
+    {
+        HeadFixture f;
+        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
+        f.editor.state.setHover(std::nullopt);
+        const std::shared_ptr<const sim::StrandFrame> whole = f.frame();
+        const auto coarse = std::make_shared<sim::StrandFrame>(*whole);
+        for (sim::GroupFrame& group : coarse->groups)
+            group.detail = 0.25F;
+        rendering::FrameStatistics last;
+        connect(&f.area, &view::HeadView::frameDrawn, this,
+                [&](const rendering::FrameStatistics& statistics) { last = statistics; });
+        f.area.setFrame(coarse);
+        QTRY_VERIFY(last.drawnHairs > 0 && !f.area.refining() && !f.area.awake());
+        QVERIFY(last.drawnHairs < whole->hairCount / 2);
+        QCOMPARE(last.detail, 1.0F); // So much was asked for.
+        f.area.setFrame(whole);
+        QTRY_COMPARE(last.drawnHairs, whole->hairCount);
+    }
+
     void inputEndsTheRefining()
     {
         HeadFixture f;

@@ -18,6 +18,12 @@ sim::StrandFrame hairTo(glm::vec3 tipWo)
 {
     auto groom = std::make_shared<sim::Groom>();
     groom->visible = true;
+    groom->nodes = 1;
+    const auto chunk = std::make_shared<sim::StrandChunk>();
+    chunk->leastDetail.fill(2.0F);
+    chunk->leastDetail.front() = 0.0F;
+    groom->chunks = {chunk};
+    groom->packedChunk = {0};
     sim::StrandFrame frame;
     frame.groups.push_back({.groom = std::move(groom), .positions = std::vector<float>(std::size_t{3} * sim::kLanes)});
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -4,15 +4,32 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <numeric>
+
 using namespace hairpaint;
 
 namespace {
+
+constexpr std::size_t kChunks = 8;
+
+/// Of eight nodes a hair, in eight chunks full of hair.
+std::shared_ptr<sim::Groom> fullGroom()
+{
+    auto groom = std::make_shared<sim::Groom>();
+    groom->chunks.assign(kChunks, std::make_shared<sim::StrandChunk>());
+    groom->packedChunk.resize(kChunks);
+    std::iota(groom->packedChunk.begin(), groom->packedChunk.end(), 0);
+    groom->packedChunks = kChunks;
+    return groom;
+}
 
 std::shared_ptr<sim::StrandFrame> frameOf(std::shared_ptr<const sim::Groom> groom, float shiftM)
 {
     auto frame = std::make_shared<sim::StrandFrame>();
     frame->groups.push_back({.groom = std::move(groom), .positions = {}});
-    frame->groups.front().positions.assign(std::size_t{4096} * 3 * sim::kLanes, shiftM);
+    frame->groups.front().positions.assign(
+        frame->groups.front().groom->blocks().floatsFor(kChunks * sim::kBlocksPerChunk), shiftM);
     return frame;
 }
 
@@ -39,8 +56,7 @@ private Q_SLOTS:
         const QSize area(600, 500);
         const double metresPerPx =
             2.0 * static_cast<double>(camera.distanceM * std::tan(camera.fieldOfViewRad / 2.0F)) / area.height();
-        auto groom = std::make_shared<sim::Groom>();
-        groom->visible = true;
+        const auto groom = fullGroom();
         view::Stillness stillness;
         QVERIFY(stillness.moved(frameOf(groom, 0.0F), camera, area)); // The first.
         const auto shift = static_cast<float>(px * metresPerPx / std::sqrt(3.0));
@@ -50,8 +66,7 @@ private Q_SLOTS:
     void aSlowDriftIsNoticed()
     {
         const rendering::Camera camera;
-        auto groom = std::make_shared<sim::Groom>();
-        groom->visible = true;
+        const auto groom = fullGroom();
         view::Stillness stillness;
         QVERIFY(stillness.moved(frameOf(groom, 0.0F), camera, {600, 500}));
         int noticed = 0;
@@ -62,8 +77,7 @@ private Q_SLOTS:
 
     void oneTipThatMovesIsEnough()
     {
-        auto groom = std::make_shared<sim::Groom>();
-        groom->visible = true;
+        const auto groom = fullGroom();
         const auto before = frameOf(groom, 0.0F);
         const auto after = frameOf(groom, 0.0F);
         // The last of eight nodes of one block in nine.
@@ -74,14 +88,35 @@ private Q_SLOTS:
         QVERIFY(stillness.moved(after, {}, {600, 500}));
     }
 
+    void whatNoFramePlacesDoesNotMove()
+    {
+        const auto groom = fullGroom();
+        const auto chunk = std::make_shared<sim::StrandChunk>();
+        chunk->leastDetail.fill(0.5F);
+        chunk->leastDetail.front() = 0.0F;
+        groom->chunks.assign(kChunks, chunk);
+        const auto before = frameOf(groom, 0.0F);
+        const auto after = frameOf(groom, 0.05F);
+        for (const auto& frame : {before, after})
+            frame->groups.front().detail = 0.25F;
+        const std::size_t blockFloats = groom->blocks().blockFloats();
+        for (std::size_t c = 0; c < kChunks; ++c)
+            std::fill_n(after->groups.front().positions.begin() +
+                            static_cast<std::ptrdiff_t>(c * sim::kBlocksPerChunk * blockFloats),
+                        blockFloats, 0.0F);
+        view::Stillness stillness;
+        QVERIFY(stillness.moved(before, {}, {600, 500}));
+        QVERIFY(!stillness.moved(after, {}, {600, 500}));
+    }
+
     void anotherGroomOrPoseIsAnotherPicture()
     {
-        auto groom = std::make_shared<sim::Groom>();
+        const auto groom = fullGroom();
         view::Stillness stillness;
         const auto first = frameOf(groom, 0.0F);
         QVERIFY(stillness.moved(first, {}, {600, 500}));
         QVERIFY(!stillness.moved(first, {}, {600, 500}));
-        QVERIFY(stillness.moved(frameOf(std::make_shared<sim::Groom>(), 0.0F), {}, {600, 500}));
+        QVERIFY(stillness.moved(frameOf(fullGroom(), 0.0F), {}, {600, 500}));
         const auto turned = frameOf(groom, 0.0F);
         turned->pose.positionWo.x = 0.01F;
         QVERIFY(stillness.moved(turned, {}, {600, 500}));

@@ -11,6 +11,12 @@
 
 namespace hairpaint::view {
 
+namespace {
+
+constexpr double kWantedMs = 29.0; ///< Of a moving frame: thirty a second, when the hair's motion has its time, too.
+
+} // namespace
+
 /// Lives on the thread.
 class RenderThread::Worker : public QObject
 {
@@ -80,7 +86,8 @@ private:
 
     RenderThread& m_owner;
     rendering::SoftwareRenderer m_renderer;
-    rendering::DetailGovernor m_governor;
+    /// All hairs at first: those that can't be told apart are not drawn anyhow.
+    rendering::DetailGovernor m_governor{kWantedMs, 1.0F};
     std::optional<Job> m_last;
     bool m_refines = false;
     std::atomic<bool> m_stopping = false;

@@ -13,6 +13,18 @@ constexpr float kBustShownM = 0.52F;
 constexpr glm::vec3 kBustMiddleWo{0.0F, -0.063F, 0.0F};
 constexpr float kMarginM = 0.015F; ///< Above the highest hair; curls and volume reach beyond the nodes.
 
+/// Slots that are no hair lie in the head's centre, where they change nothing.
+template<class Visit>
+void forEachNode(const sim::GroupFrame& group, const Visit& visit)
+{
+    const sim::StrandBlocks layout = group.groom->blocks();
+    group.forEachPlacedBlock([&](std::size_t block) {
+        for (std::size_t row = 0; row < layout.blockFloats(); row += sim::StrandBlocks::kNodeStride)
+            for (std::size_t lane = 0; lane < sim::kLanes; ++lane)
+                visit(sim::StrandBlocks::load(group.positions.data() + layout.floatsFor(block) + row + lane));
+    });
+}
+
 /// How far above the target the hair is seen at most, m at the target's distance.
 float highestSeen(const rendering::Camera& camera, const sim::StrandFrame& hair)
 {
@@ -23,14 +35,11 @@ float highestSeen(const rendering::Camera& camera, const sim::StrandFrame& hair)
     for (const sim::GroupFrame& group : hair.groups) {
         if (!group.groom->visible)
             continue;
-        constexpr std::size_t kRow = sim::StrandBlocks::kNodeStride;
-        for (std::size_t row = 0; row + kRow <= group.positions.size(); row += kRow)
-            for (std::size_t lane = row; lane < row + sim::kLanes; ++lane) {
-                const glm::vec3 node = sim::StrandBlocks::load(group.positions.data() + lane);
-                const glm::vec3 offset = node - camera.targetWo;
-                const float nearness = std::max(0.1F, 1.0F - glm::dot(offset, towardEye) / camera.distanceM);
-                highest = std::max(highest, glm::dot(offset, up) / nearness);
-            }
+        forEachNode(group, [&](const glm::vec3& node) {
+            const glm::vec3 offset = node - camera.targetWo;
+            const float nearness = std::max(0.1F, 1.0F - glm::dot(offset, towardEye) / camera.distanceM);
+            highest = std::max(highest, glm::dot(offset, up) / nearness);
+        });
     }
     return highest;
 }
@@ -72,11 +81,7 @@ void addHair(std::vector<glm::vec3>& pointsWo, const sim::StrandFrame& hair)
     for (const sim::GroupFrame& group : hair.groups) {
         if (!group.groom || !group.groom->visible)
             continue;
-        // Slots that are no hair lie in the head's centre and change nothing.
-        for (std::size_t row = 0; row + 3 * sim::kLanes <= group.positions.size(); row += 3 * sim::kLanes)
-            for (std::size_t lane = row; lane < row + sim::kLanes; ++lane)
-                pointsWo.emplace_back(group.positions[lane], group.positions[lane + sim::kLanes],
-                                      group.positions[lane + 2 * sim::kLanes]);
+        forEachNode(group, [&](const glm::vec3& node) { pointsWo.push_back(node); });
     }
 }
 

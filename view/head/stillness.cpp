@@ -19,20 +19,30 @@ bool sameHair(const sim::StrandFrame& a, const sim::StrandFrame& b)
            });
 }
 
-/// The farthest that a sampled node lies from where it was, m.
-float farthest(const std::vector<float>& now, const std::vector<float>& before)
+/// The farthest that a sampled node, of those that both frames place, lies from where it was, m.
+float farthest(const sim::GroupFrame& now, const sim::GroupFrame& before)
 {
-    constexpr std::size_t kRow = 3 * sim::kLanes;
-    const std::size_t rows = now.size() / kRow;
-    const std::size_t step = std::max<std::size_t>(1, rows / kRows) | 1U; // Odd: every node's turn comes, tips too.
+    constexpr std::size_t kRow = sim::StrandBlocks::kNodeStride;
+    const sim::GroupFrame& coarser = now.detail < before.detail ? now : before;
+    const auto nodes = static_cast<std::size_t>(now.groom->nodes);
+    std::size_t blocks = 0;
+    coarser.forEachPlacedBlock([&](std::size_t) { ++blocks; });
+    const std::size_t step =
+        std::max<std::size_t>(1, blocks * nodes / kRows) | 1U; // Odd: every node's turn comes, tips too.
     float greatest = 0.0F;
-    for (std::size_t row = 0; row < rows; row += step)
-        for (std::size_t lane = row * kRow; lane < row * kRow + sim::kLanes; ++lane) {
-            const float x = now[lane] - before[lane];
-            const float y = now[lane + sim::kLanes] - before[lane + sim::kLanes];
-            const float z = now[lane + 2 * sim::kLanes] - before[lane + 2 * sim::kLanes];
-            greatest = std::max(greatest, x * x + y * y + z * z);
+    std::size_t number = 0;
+    coarser.forEachPlacedBlock([&](std::size_t block) {
+        for (std::size_t node = 0; node < nodes; ++node) {
+            if (number++ % step != 0)
+                continue;
+            const std::size_t row = (block * nodes + node) * kRow;
+            for (std::size_t lane = row; lane < row + sim::kLanes; ++lane) {
+                const glm::vec3 step3 = sim::StrandBlocks::load(now.positions.data() + lane) -
+                                        sim::StrandBlocks::load(before.positions.data() + lane);
+                greatest = std::max(greatest, glm::dot(step3, step3));
+            }
         }
+    });
     return std::sqrt(greatest);
 }
 
@@ -48,9 +58,8 @@ bool Stillness::moved(const std::shared_ptr<const sim::StrandFrame>& frame, cons
     const double pxPerM =
         areaPx.height() / (2.0 * static_cast<double>(camera.distanceM * std::tan(camera.fieldOfViewRad / 2.0F)));
     for (std::size_t i = 0; !moves && i < frame->groups.size(); ++i)
-        moves =
-            frame->groups[i].groom && frame->groups[i].groom->visible &&
-            static_cast<double>(farthest(frame->groups[i].positions, before->groups[i].positions)) * pxPerM > kMostPx;
+        moves = frame->groups[i].groom && frame->groups[i].groom->visible &&
+                static_cast<double>(farthest(frame->groups[i], before->groups[i])) * pxPerM > kMostPx;
     if (moves)
         m_shown = frame;
     return moves;

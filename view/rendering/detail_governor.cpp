@@ -23,7 +23,9 @@ float stepped(double detail)
 
 } // namespace
 
-DetailGovernor::DetailGovernor(double wantedMs) : m_wantedMs(wantedMs) {}
+DetailGovernor::DetailGovernor(double wantedMs, float firstDetail)
+    : m_wantedMs(wantedMs), m_quality{.detail = firstDetail, .samples = 1, .smoothSegments = 8, .coarseHead = true}
+{}
 
 const Quality& DetailGovernor::begin(bool still)
 {
@@ -84,7 +86,7 @@ void DetailGovernor::follow(double milliseconds, std::size_t drawnHairs, std::si
 {
     const double least = std::min(1.0, kLeastHairs / static_cast<double>(std::max<std::size_t>(allHairs, 1)));
     m_slow = milliseconds > m_wantedMs * 1.15 ? m_slow + 1 : 0;
-    m_fast = milliseconds < m_wantedMs * 0.70 ? m_fast + 1 : 0;
+    m_fast = milliseconds < m_wantedMs * 0.93 ? m_fast + 1 : 0;
     const auto detail = static_cast<double>(m_quality.detail);
     // A renderer that draws fewer than it is asked for, since more could not be told apart, feels only what is below.
     const double felt =

@@ -13,8 +13,8 @@ namespace hairpaint::rendering {
 class DetailGovernor
 {
 public:
-    /// `wantedMs`: time a frame may take while something moves.
-    explicit DetailGovernor(double wantedMs = 33.0);
+    /// `wantedMs`: time a frame may take while something moves. `firstDetail`: what the first ones are drawn with.
+    explicit DetailGovernor(double wantedMs = 33.0, float firstDetail = 0.25F);
     /// Before each frame: whether the picture is still (no motion, no input). Returns the quality to draw with.
     const Quality& begin(bool still);
     /// After each frame that was finished.
@@ -29,7 +29,7 @@ private:
     void follow(double milliseconds, std::size_t drawnHairs, std::size_t allHairs);
 
     double m_wantedMs;
-    Quality m_quality{.detail = 0.25F, .samples = 1, .smoothSegments = 8, .coarseHead = true};
+    Quality m_quality;
     Quality m_moving = m_quality;
     Quality m_whole = m_quality; ///< Of the last still frame that was complete.
     int m_slow = 0;              ///< Frames in a row that took too long, and that left time.

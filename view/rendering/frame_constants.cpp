@@ -33,9 +33,13 @@ std::array<Box, 2> hairBounds(const sim::StrandFrame& frame, const std::array<gl
             continue;
         const auto nodes = static_cast<std::size_t>(group.groom->nodes);
         const sim::StrandBlocks layout = group.groom->blocks();
-        const std::size_t blocks = group.positions.size() / layout.blockFloats();
+        std::size_t blocks = 0;
+        group.forEachPlacedBlock([&](std::size_t) { ++blocks; });
         const std::size_t step = std::max<std::size_t>(1, blocks / 512);
-        for (std::size_t block = 0; block < blocks; block += step)
+        std::size_t number = 0;
+        group.forEachPlacedBlock([&](std::size_t block) {
+            if (number++ % step != 0)
+                return;
             for (std::size_t node = 0; node < nodes; ++node)
                 for (std::size_t lane = 0; lane < sim::kLanes; ++lane) {
                     const glm::vec3 wo = layout.node(group.positions, block * sim::kLanes + lane, node);
@@ -43,6 +47,7 @@ std::array<Box, 2> hairBounds(const sim::StrandFrame& frame, const std::array<gl
                         for (std::size_t grid = 0; grid < boxes.size(); ++grid)
                             boxes[grid].add(gridAxesFromWo[grid] * wo);
                 }
+        });
     }
     return boxes;
 }

@@ -210,7 +210,8 @@ GlRenderer::Picture GlRenderer::prepare(const Scene& scene, const Quality& quali
     picture.target.height = std::clamp(height, 1, 8192);
     picture.target.samples = quality.samples >= 4 ? glm::ivec2(2, 2) : glm::ivec2(quality.samples >= 2 ? 2 : 1, 1);
     const Target& target = picture.target;
-    const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
+    const float placed = scene.hair ? sim::placedDetail(*scene.hair) : 1.0F;
+    const float detail = std::clamp(std::min(quality.detail, placed), 1.0F / 1024.0F, 1.0F);
     picture.constants = frameConstants(scene, target, state.skull.radiusM(scene.head));
     const FrameConstants& constants = picture.constants;
     state.constants.assign(&constants, sizeof(constants));
@@ -276,6 +277,7 @@ void GlRenderer::resolve(const Picture& picture)
     }
     state.rings.draw(constants);
     state.statistics = {.drawnHairs = report.hairs,
+                        .detail = 1.0F, // The list of strands is made for any.
                         .drawnSegments = report.segments,
                         .uploadedBytes = report.uploadedBytes,
                         .complete = !takeErrors() && complete};

@@ -145,6 +145,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     m_pieces.clear();
     m_batchCount = 0;
     m_hairs = 0;
+    m_detail = 1.0F; // The first hair there will be is to come whole.
     m_turnWoFromHd = glm::mat3(constants.woFromHd);
     const Depth& depth = fine ? kFineDepth : kMovingDepth;
     m_undrawnCoverings = depth.undrawnCoverings;
@@ -166,14 +167,18 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
             return group.groom && group.groom->visible && group.groom->groupId == entry.first;
         });
     });
+    float detailThatTells = 0.0F;
     std::vector<OpacityGrids::Source> sources;
     for (const sim::GroupFrame& group : frame->groups) {
         if (!group.groom || !group.groom->visible || group.groom->packedChunks == 0)
             continue;
         StrandList& list = m_lists[group.groom->groupId];
         const float widthSp = widthOf(group.groom->settings.material, constants);
-        const float fraction = fine ? detail : std::min(detail, fractionThatTells(widthSp));
-        list.update(group.groom, listedDetail(fraction));
+        const float told = fine ? detail : std::min(detail, fractionThatTells(widthSp));
+        detailThatTells = std::max(detailThatTells, listedDetail(told));
+        // More than the frame places can't be drawn.
+        const float fraction = group.detail < 1.0F ? std::min(told, group.detail / (1.0F + kFadingPart)) : told;
+        list.update(group.groom, std::min(listedDetail(fraction), group.detail));
         if (list.slots().empty())
             continue;
         m_groups.push_back({.frame = &group, .list = &list, .view = {}, .fraction = fraction, .widthSp = widthSp});
@@ -182,6 +187,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     }
     if (m_groups.empty())
         return;
+    m_detail = detailThatTells;
     m_grids.fill(sources, constants);
     const std::size_t wanted = m_hairs / kWantedBatches / kBlockLanes * kBlockLanes;
     const std::size_t batchStrands = std::clamp(wanted, kLeastBatch, kMostBatch);

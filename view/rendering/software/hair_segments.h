@@ -27,6 +27,8 @@ public:
     [[nodiscard]] const OpacityGrids& grids() const { return m_grids; }
     [[nodiscard]] const TileGrid& tiles() const { return m_tiles; }
     [[nodiscard]] std::size_t hairs() const { return m_hairs; }
+    /// Hairs below it are drawn, where the frame places them.
+    [[nodiscard]] float detail() const { return m_detail; }
     /// Of the batches drawn.
     [[nodiscard]] std::size_t segmentCount() const;
     /// Coverings of hair in front from which on nothing was drawn.
@@ -59,6 +61,7 @@ private:
     std::vector<std::size_t> m_batchSegments;
     std::size_t m_batchCount = 0;
     std::size_t m_hairs = 0;
+    float m_detail = 0.0F;
     OpacityGrids m_grids;
     TileGrid m_tiles;
     float m_undrawnCoverings = 0.0F;

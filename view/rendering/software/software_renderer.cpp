@@ -232,6 +232,7 @@ void SoftwareRenderer::State::finish(bool inSteps)
     std::swap(drawn, pixels);
     std::swap(drawnLinear, linear);
     statistics = {.drawnHairs = hair.hairs(),
+                  .detail = hair.detail(),
                   .drawnSegments = hair.segmentCount(),
                   .uploadedBytes = 0,
                   .milliseconds = picture.spentMs,
