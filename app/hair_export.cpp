@@ -3,6 +3,7 @@
 
 #include "app/cli/settled_hair.h"
 #include "model/files/sentences.h"
+#include "model/skin_tone.h"
 
 namespace hairpaint::app {
 
@@ -43,6 +44,7 @@ model::Result<void> exportChosen(const model::Project& project, const std::share
 {
     model::ExportRequest request = choice.request;
     request.colliders = project.ellipsoids;
+    request.skinColour = model::skinLook(project.skin).skin;
     if (choice.source == view::HairSource::Now)
         return model::exportHair(frame, request, path, progress);
     if (choice.source == view::HairSource::Rest)

@@ -491,8 +491,20 @@
         <translation>articulaciones a lo largo de los mechones, con huesos de muelle (VRMC_springBone) para programas de avatares</translation>
     </message>
     <message>
-        <source>--triangles, --atlas and --bones are for cards; give --cards too</source>
-        <translation>--triangles, --atlas y --bones son para tarjetas; indica también --cards</translation>
+        <source>levels of detail, 1 to 3, each of half the triangles of the one before, with the same textures (MSFT_lod); 1 unless given</source>
+        <translation>niveles de detalle, de 1 a 3, cada uno con la mitad de los triángulos del anterior y las mismas texturas (MSFT_lod); 1 si no se indica</translation>
+    </message>
+    <message>
+        <source>the head&apos;s mesh beside the cards</source>
+        <translation>la malla de la cabeza junto a las tarjetas</translation>
+    </message>
+    <message>
+        <source>--%1 is for cards; give --cards too</source>
+        <translation>--%1 es para tarjetas; indica también --cards</translation>
+    </message>
+    <message>
+        <source>--lods takes a number from 1 to %1, not &apos;%2&apos;</source>
+        <translation>--lods toma un número de 1 a %1, no &apos;%2&apos;</translation>
     </message>
 </context>
 <context>
@@ -3205,6 +3217,22 @@ Se ha perdido esto:</translation>
     <message>
         <source>Joints along the locks, so that avatar programs let the hair swing.</source>
         <translation>Articulaciones a lo largo de los mechones, para que los programas de avatares dejen que el pelo se balancee.</translation>
+    </message>
+    <message>
+        <source>&amp;Levels of detail</source>
+        <translation>&amp;Niveles de detalle</translation>
+    </message>
+    <message>
+        <source>Each further one has half the triangles of the one before and shows the same texture; engines take it for hair that is far away.</source>
+        <translation>Cada uno más tiene la mitad de los triángulos del anterior y muestra la misma textura; los motores lo usan para el pelo que está lejos.</translation>
+    </message>
+    <message>
+        <source>With the &amp;head</source>
+        <translation>Con la &amp;cabeza</translation>
+    </message>
+    <message>
+        <source>The head&apos;s mesh goes into the same file.</source>
+        <translation>La malla de la cabeza va en el mismo archivo.</translation>
     </message>
 </context>
 <context>

@@ -68,9 +68,11 @@ private:
     QComboBox* m_source = nullptr;
     BarSlider* m_hairs = nullptr;
     BarSlider* m_tolerance = nullptr;
-    BarSlider* m_triangles = nullptr; ///< Seen with formats of cards, as are the next two.
+    BarSlider* m_triangles = nullptr; ///< Seen with formats of cards, as are the next ones.
     QComboBox* m_atlas = nullptr;
+    QComboBox* m_levels = nullptr;
     QCheckBox* m_bones = nullptr;
+    QCheckBox* m_withHead = nullptr;
     QLabel* m_use = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
 };
