@@ -11,8 +11,11 @@
 #include "tests/support/foreign_heads.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/head_side.h"
+#include "view/head/view_signs.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
+#include "view/rendering/card_set.h"
+#include "view/widgets/bar_slider.h"
 
 #include <QComboBox>
 #include <QTimer>
@@ -322,6 +325,61 @@ private Q_SLOTS:
         const QByteArray usd = contentOf(path("chosen.usda"));
         QVERIFY(usd.startsWith("#usda 1.0") && usd.contains("def Xform \"Scalp\""));
         QVERIFY(QFile::remove(path("chosen.usda")));
+    }
+
+    void cardsAreSeenBeforeTheyAreWritten_data()
+    {
+        QTest::addColumn<bool>("fromDialog");
+        QTest::newRow("from the menu") << false;
+        QTest::newRow("from the dialog") << true;
+    }
+    void cardsAreSeenBeforeTheyAreWritten()
+    {
+        QFETCH(bool, fromDialog);
+        open(test::thinned(starterProject()));
+        awaitNewestHair();
+        view::HeadView& head = m_window->headView();
+        const QImage strands = head.grabPicture({200, 200});
+        m_answers->file = path("unwritten.glb");
+        m_answers->choosesExport = [](view::ExportHairDialog& dialog) {
+            QComboBox* format = dialog.findChildren<QComboBox*>()[0];
+            format->setCurrentIndex(format->count() - 1);
+            dialog.findChildren<view::BarSlider*>()[2]->setValue(3000.0);
+            for (QPushButton* button : dialog.findChildren<QPushButton*>())
+                if (button->text() == QStringLiteral("Pre&view"))
+                    button->click();
+        };
+        trigger(fromDialog ? "file.exportHair" : "view.cards");
+        QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('\n'))));
+        QVERIFY(head.cardsShown() && action("view.cards")->isChecked());
+        QVERIFY(m_done.isEmpty() && !QFile::exists(path("unwritten.glb")));
+        const std::size_t triangles = head.pictureScene().cards->triangles.size();
+        QVERIFY2(triangles > 500 && triangles <= (fromDialog ? 3000U : 15'000U),
+                 qPrintable(QString::number(triangles)));
+        const QString sign = head.findChild<view::ViewSigns*>()->text();
+        QVERIFY2(sign.contains(QStringLiteral("%L1 triangles").arg(triangles)), qPrintable(sign));
+        const QImage cards = head.grabPicture({200, 200});
+        QVERIFY(cards != strands);
+
+        trigger("view.cards");
+        QVERIFY(!head.cardsShown() && !action("view.cards")->isChecked());
+        trigger("view.cards");
+        QVERIFY(head.cardsShown());
+        key(Qt::Key_1);
+        drag(m_window->paintView(), paintPoint(0.45F, 0.5F), paintPoint(0.55F, 0.5F));
+        QTRY_VERIFY_WITH_TIMEOUT(!head.cardsShown(), kPatienceMs);
+    }
+
+    void cardsCanBeCancelled()
+    {
+        open(starterProject());
+        awaitNewestHair();
+        m_answers->cancels = true;
+        trigger("view.cards");
+        if (m_answers->cancelled == 0)
+            return; // They were made before there was anything to click.
+        QVERIFY(m_answers->said.isEmpty() && !m_window->headView().cardsShown());
+        QVERIFY(!action("view.cards")->isChecked());
     }
 
     void anExportCanBeCancelled()

@@ -47,12 +47,15 @@ ExportHairDialog::ExportHairDialog(std::vector<ExportableGroup> groups, const Ha
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Export…"));
     m_buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    m_preview = m_buttons->addButton(tr("Pre&view"), QDialogButtonBox::ActionRole);
+    m_preview->setToolTip(tr("Shows the cards in the 3D area, and writes nothing."));
     layout->addWidget(m_buttons);
     setMinimumWidth(kWidth);
     fill(before);
     for (QComboBox* box : {m_format, m_target, m_source})
         connect(box, &QComboBox::currentIndexChanged, this, &ExportHairDialog::follow);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_preview, &QPushButton::clicked, this, [this] { done(kPreview); });
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     follow();
 }
@@ -191,6 +194,8 @@ void ExportHairDialog::follow()
     m_hairs->setValue(all ? hairs : std::min(kept, hairs));
     m_hairs->setEnabled(hairs > 1.0);
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(hairs > 0.0);
+    m_preview->setVisible(format.hasCards);
+    m_preview->setEnabled(hairs > 0.0);
 }
 
 HairExportChoice ExportHairDialog::choice() const

@@ -55,36 +55,35 @@ Strays straysFrom(const CurveSet& set, const SampledHair& hair, const std::vecto
     return strays;
 }
 
-std::vector<CardStrip> stripsOf(const CurveSet& set, const SampledHair& hair, const HairField& field,
-                                std::span<const float> weights, const HairsByGroup& byGroup, int triangles)
+int flyawayTriangles(int triangles)
 {
-    const auto forFlyaways = static_cast<int>(static_cast<float>(triangles) * kFlyawayPart);
-    std::vector<HairLock> locks = dividedIntoLocks(hair, byGroup, weights, triangles - forFlyaways);
-    Strays strays = straysFrom(set, hair, locks);
-    for (HairLock& lock : locks) {
-        std::vector<std::uint32_t> staying;
-        staying.reserve(lock.hairs.size());
-        std::ranges::copy_if(lock.hairs, std::back_inserter(staying),
-                             [&strays](std::uint32_t i) { return !strays.isOne[i]; });
-        if (!staying.empty())
-            lock.hairs = std::move(staying);
-    }
-    const std::size_t firstFlyaway = locks.size();
-    for (HairLock& lock : dividedIntoLocks(hair, std::move(strays.hairs), weights, forFlyaways))
-        locks.push_back(std::move(lock));
-    std::vector<CardStrip> strips(locks.size());
+    return static_cast<int>(static_cast<float>(triangles) * kFlyawayPart);
+}
+
+void addStripsAlong(const std::vector<HairLock>& locks, bool flyaway, const CurveSet& set, const SampledHair& hair,
+                    const HairField& field, std::vector<CardStrip>& strips)
+{
+    const std::size_t first = strips.size();
+    strips.resize(first + locks.size());
     sim::parallelFor(locks.size(), 4, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            strips[i] = stripOf(hair, locks[i], field);
-            keepAboveSkin(set, strips[i]);
-            strips[i].flyaway = i >= firstFlyaway;
+            CardStrip& strip = strips[first + i];
+            strip = stripOf(hair, locks[i], field);
+            keepAboveSkin(set, strip);
+            strip.flyaway = flyaway;
         }
     });
-    const auto order = [&](const CardStrip& strip) {
+}
+
+/// As CardLevel has them.
+void sortStrips(const CurveSet& set, const SampledHair& hair, CardLevel& level)
+{
+    std::ranges::stable_sort(level.strips, {}, [&](const CardStrip& strip) {
         return std::tuple(groupOf(set, hair, strip.hairs.front()), strip.flyaway, strip.openness);
-    };
-    std::ranges::stable_sort(strips, {}, order);
-    return strips;
+    });
+    level.groups.reserve(level.strips.size());
+    for (const CardStrip& strip : level.strips)
+        level.groups.push_back(groupOf(set, hair, strip.hairs.front()));
 }
 
 /// Over hair too short for strips, which leaves `byGroup`; the triangles that are left.
@@ -129,6 +128,38 @@ int addCoarserCaps(const CurveSet& set, const SampledHair& hair, const CardLevel
     return triangles;
 }
 
+/// An even share of those of the finest level, as they are: wider ones would no longer be single hairs.
+void addFewerFlyaways(const CardLevel& finest, int triangles, CardLevel& level)
+{
+    int all = 0;
+    for (const CardStrip& strip : finest.strips)
+        all += strip.flyaway ? strip.triangles() : 0;
+    const int step = triangles > 0 ? (all + triangles - 1) / triangles : all;
+    int number = 0;
+    for (const CardStrip& strip : finest.strips)
+        if (strip.flyaway && number++ % std::max(step, 1) == 0 && strip.triangles() <= triangles) {
+            level.strips.push_back(strip);
+            triangles -= strip.triangles();
+        }
+}
+
+/// Those that do not stray from their locks in the finest level.
+HairsByGroup hairsInLocks(const HairsByGroup& byGroup, const CardLevel& finest, std::size_t hairs)
+{
+    std::vector<bool> strays(hairs);
+    for (const CardStrip& strip : finest.strips)
+        if (strip.flyaway)
+            for (const std::uint32_t i : strip.hairs)
+                strays[i] = true;
+    HairsByGroup kept = byGroup;
+    for (std::size_t group = 0; group < kept.size(); ++group) {
+        std::erase_if(kept[group], [&strays](std::uint32_t i) { return strays[i]; });
+        if (kept[group].empty()) // Of very few hairs each may stray.
+            kept[group] = byGroup[group];
+    }
+    return kept;
+}
+
 /// By strip of `level`: the strip of `finest` that has most of its hairs.
 std::vector<std::size_t> nearestStrips(const CardLevel& finest, const CardLevel& level, std::size_t hairs)
 {
@@ -150,13 +181,6 @@ std::vector<std::size_t> nearestStrips(const CardLevel& finest, const CardLevel&
         nearest.push_back(best);
     }
     return nearest;
-}
-
-void addGroups(const CurveSet& set, const SampledHair& hair, CardLevel& level)
-{
-    level.groups.reserve(level.strips.size());
-    for (const CardStrip& strip : level.strips)
-        level.groups.push_back(groupOf(set, hair, strip.hairs.front()));
 }
 
 } // namespace
@@ -193,8 +217,21 @@ CardLevel finestLevel(const CurveSet& set, const SampledHair& hair, const HairFi
 {
     CardLevel level;
     const int left = addCaps(set, hair, byGroup, level, triangles);
-    level.strips = stripsOf(set, hair, field, weights, byGroup, left);
-    addGroups(set, hair, level);
+    const int forFlyaways = flyawayTriangles(left);
+    std::vector<HairLock> locks = dividedIntoLocks(hair, byGroup, weights, left - forFlyaways);
+    Strays strays = straysFrom(set, hair, locks);
+    for (HairLock& lock : locks) {
+        std::vector<std::uint32_t> staying;
+        staying.reserve(lock.hairs.size());
+        std::ranges::copy_if(lock.hairs, std::back_inserter(staying),
+                             [&strays](std::uint32_t i) { return !strays.isOne[i]; });
+        if (!staying.empty())
+            lock.hairs = std::move(staying);
+    }
+    addStripsAlong(locks, false, set, hair, field, level.strips);
+    addStripsAlong(dividedIntoLocks(hair, std::move(strays.hairs), weights, forFlyaways), true, set, hair, field,
+                   level.strips);
+    sortStrips(set, hair, level);
     level.patchOf.resize(level.strips.size());
     std::iota(level.patchOf.begin(), level.patchOf.end(), std::size_t{0});
     return level;
@@ -206,8 +243,12 @@ CardLevel coarserLevel(const CurveSet& set, const SampledHair& hair, const HairF
 {
     CardLevel level;
     const int left = addCoarserCaps(set, hair, finest, level, triangles);
-    level.strips = stripsOf(set, hair, field, weights, byGroup, left);
-    addGroups(set, hair, level);
+    const int forFlyaways = flyawayTriangles(left);
+    addFewerFlyaways(finest, forFlyaways, level);
+    const std::vector<HairLock> locks =
+        dividedIntoLocks(hair, hairsInLocks(byGroup, finest, hair.count()), weights, left - forFlyaways);
+    addStripsAlong(locks, false, set, hair, field, level.strips);
+    sortStrips(set, hair, level);
     level.patchOf = nearestStrips(finest, level, hair.count());
     return level;
 }

@@ -33,8 +33,8 @@ struct CardLevel
 [[nodiscard]] CardLevel finestLevel(const CurveSet& set, const SampledHair& hair, const HairField& field,
                                     std::span<const float> weights, HairsByGroup& byGroup, int triangles);
 
-/// The same of fewer triangles: fewer and wider strips, each of which shows the patch of that strip of the finest level
-/// that has most of its hairs. `byGroup`: as the finest level has left it.
+/// The same of fewer triangles: fewer and wider strips, and some of the flyaways. Each shows the patch of that strip of
+/// the finest level that has most of its hairs. `byGroup`: as the finest level has left it.
 [[nodiscard]] CardLevel coarserLevel(const CurveSet& set, const SampledHair& hair, const HairField& field,
                                      std::span<const float> weights, const HairsByGroup& byGroup,
                                      const CardLevel& finest, int triangles);
