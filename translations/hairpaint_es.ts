@@ -2342,6 +2342,14 @@
         <source>The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit &gt; Preferences &gt; Add-ons; then File &gt; Import reads hair that is exported as .hair.</source>
         <translation>El complemento está instalado en Blender %1. Activa allí «Hair Paint hair» en Editar &gt; Preferencias &gt; Complementos; después Archivo &gt; Importar lee el pelo exportado como .hair.</translation>
     </message>
+    <message>
+        <source>Making cards</source>
+        <translation>Haciendo tarjetas</translation>
+    </message>
+    <message>
+        <source>There is no hair to make cards of; paint some density first.</source>
+        <translation>No hay pelo del que hacer tarjetas; pinta primero algo de densidad.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::FileMenu</name>
@@ -3026,6 +3034,10 @@ Se ha perdido esto:</translation>
         <source>Show d&amp;irections</source>
         <translation>Mo&amp;strar direcciones</translation>
     </message>
+    <message>
+        <source>Hair &amp;as cards</source>
+        <translation>&amp;Ver el pelo como tarjetas</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::AboutDialog</name>
@@ -3233,6 +3245,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>The head&apos;s mesh goes into the same file.</source>
         <translation>La malla de la cabeza va en el mismo archivo.</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view</source>
+        <translation>&amp;Vista previa</translation>
+    </message>
+    <message>
+        <source>Shows the cards in the 3D area, and writes nothing.</source>
+        <translation>Muestra las tarjetas en el área 3D, y no escribe nada.</translation>
     </message>
 </context>
 <context>
@@ -3630,6 +3650,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>Hold Alt and 1 to 9, or 0</source>
         <translation>Mantener Alt y 1 a 9, o 0</translation>
+    </message>
+    <message>
+        <source>Cards are strips of hair with textures, for games and avatars. Preview, or View &gt; Hair as cards, shows them in the 3D area in place of the hair, until that is changed, with the number of their triangles.</source>
+        <translation>Las tarjetas son tiras de pelo con texturas, para juegos y avatares. Vista previa, o Ver &gt; Ver el pelo como tarjetas, las muestra en el área 3D en lugar del pelo, hasta que este cambie, con el número de sus triángulos.</translation>
     </message>
 </context>
 <context>
@@ -4396,6 +4420,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>Refining…</source>
         <translation>Afinando…</translation>
+    </message>
+    <message>
+        <source>Cards: %L1 triangles</source>
+        <translation>Tarjetas: %L1 triángulos</translation>
     </message>
 </context>
 <context>
