@@ -249,18 +249,16 @@ private Q_SLOTS:
     {
         const HairCards cards = cardsOf(curvesOf(frameOf({denseGroup(65535, 0)})));
         const int size = cards.images.size();
+        // Of the whole atlas, as graphics cards make its levels.
         const auto covered = [&](int level) {
-            double sum = 0.0;
-            for (const AtlasPatch& patch : cards.patches)
-                sum += static_cast<double>(patch.width) * patch.height *
-                       static_cast<double>(alphaCoverage(cards.images.alpha(), size, patch, level));
-            return sum;
+            return static_cast<double>(alphaCoverage(cards.images.alpha(), size, {0, 0, size, size}, level));
         };
         const double whole = covered(0);
         const std::array<double, 3> later{covered(1) / whole, covered(2) / whole, covered(3) / whole};
-        for (const double part : later)
-            QVERIFY2(std::abs(part - 1.0) < 0.2,
-                     qPrintable(QStringLiteral("%1 %2 %3").arg(later[0]).arg(later[1]).arg(later[2])));
+        const QString told = QStringLiteral("%1 %2 %3").arg(later[0]).arg(later[1]).arg(later[2]);
+        QVERIFY2(std::abs(later[0] - 1.0) < 0.15 && std::abs(later[1] - 1.0) < 0.15, qPrintable(told));
+        // There most patches are two texels across.
+        QVERIFY2(std::abs(later[2] - 1.0) < 0.3, qPrintable(told));
     }
 
     void texelsBesideHairHaveItsColour()
