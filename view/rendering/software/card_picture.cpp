@@ -156,7 +156,7 @@ void CardPicture::drawTriangle(const CardBand& band, const Corner& a, const Corn
             const glm::vec3 light = (ofA * a.light + ofB * b.light + ofC * c.light) / sum;
             const auto held = [&](int channel) {
                 const float linear = std::min(linearOf(texel[channel]) * light[channel] / kMostHeld, 1.0F);
-                return static_cast<std::uint16_t>(std::sqrt(linear) * 65535.0F + 0.5F);
+                return static_cast<std::uint16_t>(std::lround(std::sqrt(linear) * 65535.0F));
             };
             band.samples[i] = {.red = held(0), .green = held(1), .blue = held(2), .cover = 65535};
         }
