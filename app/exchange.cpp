@@ -250,10 +250,13 @@ void Exchange::exportHair()
     const model::Project project = m_session.document().committed();
     view::ExportHairDialog dialog(exportableGroups(project, *frame), m_export, &m_window);
     Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::HairExport);
-    if (dialog.exec() != QDialog::Accepted)
+    const int answer = dialog.exec();
+    if (answer == QDialog::Rejected)
         return;
     view::HairExportChoice choice = dialog.choice();
     m_export = choice;
+    if (answer == view::ExportHairDialog::kPreview)
+        return previewChosen(frame);
     const QString suffix = QString::fromLatin1(choice.request.format->suffix);
     QStringList suffixes;
     for (const model::ExportFormat& format : model::exportFormats())
@@ -271,6 +274,35 @@ void Exchange::exportHair()
     if (const model::ExportFormat* named = model::findExportFormat(path, choice.request.format))
         choice.request.format = named;
     write(path, [&](const model::Progress& progress) { return exportChosen(project, frame, choice, path, progress); });
+}
+
+void Exchange::previewCards()
+{
+    const std::shared_ptr<const sim::StrandFrame> frame = currentHair();
+    if (frame == nullptr)
+        return;
+    model::CurveOptions& curves = m_export.request.curves;
+    curves = {};
+    for (const view::ExportableGroup& group : exportableGroups(m_session.document().committed(), *frame))
+        curves.groups.push_back({.id = group.id, .name = group.name});
+    previewChosen(frame);
+}
+
+void Exchange::previewChosen(const std::shared_ptr<const sim::StrandFrame>& frame)
+{
+    using CardsPtr = std::shared_ptr<const rendering::CardSet>;
+    const model::Project project = m_session.document().committed();
+    const std::optional<model::Result<CardsPtr>> cards =
+        m_jobs.await<CardsPtr>(tr("Making cards"), [&](const model::Progress& progress) {
+            return cardsChosen(project, frame, m_export, progress);
+        });
+    if (!cards)
+        return;
+    if (!*cards)
+        return complain(cards->error().message);
+    if ((**cards)->triangles.empty())
+        return complain(tr("There is no hair to make cards of; paint some density first."));
+    Q_EMIT cardsMade(**cards);
 }
 
 void Exchange::installBlenderAddon()

@@ -36,6 +36,8 @@ public:
     void moveLandmarks();
     void useBuiltInHead(const model::NamedHead& named);
     void exportHair();
+    /// Makes cards of the hair as they were last chosen for export, and has them shown; nothing is written.
+    void previewCards();
     /// Into every Blender that is there; asks for a place where there is none.
     void installBlenderAddon();
     void savePicture();
@@ -49,6 +51,7 @@ public:
 Q_SIGNALS:
     /// About to be shown; the help has a page on it.
     void dialogMade(QDialog& dialog, hairpaint::view::HelpDialog::Topic topic);
+    void cardsMade(const std::shared_ptr<const hairpaint::rendering::CardSet>& cards);
     void stylesChanged();
     void done(const QString& message); ///< For the status bar.
 
@@ -60,6 +63,7 @@ private:
     /// One undo step. The hairstyle is carried to the new head, or its maps stay as they lie.
     void replaceHead(const std::shared_ptr<const model::Head>& head, std::vector<sim::Ellipsoid> ellipsoids,
                      bool carriesHair);
+    void previewChosen(const std::shared_ptr<const sim::StrandFrame>& frame);
     /// Has a file written with progress, and tells of it.
     void write(const QString& path, const Work<void>& work);
     /// Asks in the last folder; see app::askSavePath. `question.suggestedPath`: a name without folder and ending.

@@ -3,6 +3,7 @@
 
 #include "app/cli/settled_hair.h"
 #include "model/files/sentences.h"
+#include "model/skin_tone.h"
 
 namespace hairpaint::app {
 
@@ -17,11 +18,29 @@ std::shared_ptr<const sim::StrandFrame> settledFrame(const model::Project& proje
 {
     SettledHair hair(project, kSettleStepSeconds);
     for (int step = 1; step < kSettleSteps; ++step) {
-        if (!progress(kSettledPart * step / kSettleSteps))
+        if (!progress(static_cast<double>(step) / kSettleSteps))
             return nullptr;
         hair.advance(kSettleStepSeconds);
     }
     return hair.frame();
+}
+
+/// A frame, and the progress of what is made of it.
+struct Shape
+{
+    std::shared_ptr<const sim::StrandFrame> frame; ///< Null where it was cancelled.
+    model::Progress progress;
+};
+
+Shape chosenShape(const model::Project& project, const std::shared_ptr<const sim::StrandFrame>& now,
+                  view::HairSource source, const model::Progress& progress)
+{
+    if (source == view::HairSource::Now)
+        return {.frame = now, .progress = progress};
+    if (source == view::HairSource::Rest)
+        return {.frame = SettledHair(project, 0.0).frame(), .progress = progress};
+    return {.frame = settledFrame(project, [&](double done) { return progress(kSettledPart * done); }),
+            .progress = [progress](double done) { return progress(kSettledPart + (1.0 - kSettledPart) * done); }};
 }
 
 } // namespace
@@ -43,15 +62,28 @@ model::Result<void> exportChosen(const model::Project& project, const std::share
 {
     model::ExportRequest request = choice.request;
     request.colliders = project.ellipsoids;
-    if (choice.source == view::HairSource::Now)
-        return model::exportHair(frame, request, path, progress);
-    if (choice.source == view::HairSource::Rest)
-        return model::exportHair(SettledHair(project, 0.0).frame(), request, path, progress);
-    const std::shared_ptr<const sim::StrandFrame> settled = settledFrame(project, progress);
-    if (settled == nullptr)
+    request.skinColour = model::skinLook(project.skin).skin;
+    const Shape shape = chosenShape(project, frame, choice.source, progress);
+    if (shape.frame == nullptr)
         return model::cancelled(path);
-    return model::exportHair(settled, request, path,
-                             [&progress](double done) { return progress(kSettledPart + (1.0 - kSettledPart) * done); });
+    return model::exportHair(shape.frame, request, path, shape.progress);
+}
+
+model::Result<std::shared_ptr<const rendering::CardSet>>
+cardsChosen(const model::Project& project, const std::shared_ptr<const sim::StrandFrame>& frame,
+            const view::HairExportChoice& choice, const model::Progress& progress)
+{
+    constexpr double kMeasured = 0.2; // Of all work, finding the curves.
+    const Shape shape = chosenShape(project, frame, choice.source, progress);
+    std::optional<model::HairCards> cards;
+    if (shape.frame != nullptr)
+        if (const std::optional<model::CurveSet> curves = model::CurveSet::of(
+                shape.frame, choice.request.curves, [&](double done) { return shape.progress(kMeasured * done); }))
+            cards = model::makeCards(*curves, choice.request.cards,
+                                     [&](double done) { return shape.progress(kMeasured + (1.0 - kMeasured) * done); });
+    if (!cards)
+        return model::cancelled(project.head->name);
+    return view::cardSet(*cards, shape.frame->pose);
 }
 
 } // namespace hairpaint::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/project.h"
+#include "view/card_scene.h"
 #include "view/dialogs/export_hair_dialog.h"
 
 namespace hairpaint::app {
@@ -16,5 +17,10 @@ namespace hairpaint::app {
                                                const std::shared_ptr<const sim::StrandFrame>& frame,
                                                const view::HairExportChoice& choice, const QString& path,
                                                const model::Progress& progress);
+
+/// The cards that it would write, to be looked at.
+[[nodiscard]] model::Result<std::shared_ptr<const rendering::CardSet>>
+cardsChosen(const model::Project& project, const std::shared_ptr<const sim::StrandFrame>& frame,
+            const view::HairExportChoice& choice, const model::Progress& progress);
 
 } // namespace hairpaint::app

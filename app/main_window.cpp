@@ -124,7 +124,7 @@ void MainWindow::buildMenus()
              new EditMenu(tr("&Edit"), m_actions, m_session, m_clipCommands, sidebar.layers(), m_dialogs, bar),
              new MapMenu(tr("&Map"), m_actions, m_session, sidebar.layers(), m_jobs, bar),
              new ToolsMenu(tr("&Tools"), m_actions, editor, bar),
-             new ViewMenu(tr("&View"), m_actions, *m_workspace, editor, m_preferences, bar),
+             new ViewMenu(tr("&View"), m_actions, *m_workspace, editor, m_preferences, m_exchange, bar),
              new HairMenu(tr("H&air"), m_actions, m_session, head, sidebar, m_dialogs, m_exchange, m_jobs, bar),
              new HelpMenu(tr("&Help"), m_actions, m_dialogs, head, bar)})
         bar->addMenu(menu);
@@ -203,7 +203,11 @@ void MainWindow::connectAreas()
 
 void MainWindow::connectFiles()
 {
-    m_files.setThumbnailMaker([this] { return thumbnailOf(m_workspace->headView().pictureScene()); });
+    m_files.setThumbnailMaker([this] {
+        rendering::Scene scene = m_workspace->headView().pictureScene();
+        scene.cards.reset();
+        return thumbnailOf(scene);
+    });
     m_exchange.setSceneSource([this] { return m_workspace->headView().pictureScene(); });
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
     connect(&m_files, &ProjectFiles::pathChanged, this, [this] { m_journal.setPath(m_files.path()); });
@@ -212,6 +216,9 @@ void MainWindow::connectFiles()
             [&status](const QString& text) { status.showMessage(text, true, kReasonMs); });
     connect(&m_journal, &Journal::stopped, &status, &view::StatusReadout::setUnprotected);
     connect(&m_journal, &Journal::resumed, &status, [&status] { status.setUnprotected({}); });
+    view::HeadView& head = m_workspace->headView();
+    connect(&m_exchange, &Exchange::cardsMade, &head, &view::HeadView::showCards);
+    connect(&head, &view::HeadView::cardsShownChanged, this, [this] { m_actions.follow(); });
     const auto addHelp = [this](QDialog& dialog, view::HelpDialog::Topic topic) {
         m_dialogs.addHelpKey(dialog, topic);
     };

@@ -34,6 +34,7 @@ rendering::Scene pictureScene(const model::Project& project, std::shared_ptr<con
     return {.head = project.head->shownMesh,
             .headInMotion = {},
             .hair = std::move(frame),
+            .cards = {},
             .camera = camera,
             .light = view::sceneLight(project.light),
             .skin = view::sceneSkin(project.skin),

@@ -491,8 +491,20 @@
         <translation>articulaciones a lo largo de los mechones, con huesos de muelle (VRMC_springBone) para programas de avatares</translation>
     </message>
     <message>
-        <source>--triangles, --atlas and --bones are for cards; give --cards too</source>
-        <translation>--triangles, --atlas y --bones son para tarjetas; indica también --cards</translation>
+        <source>levels of detail, 1 to 3, each of half the triangles of the one before, with the same textures (MSFT_lod); 1 unless given</source>
+        <translation>niveles de detalle, de 1 a 3, cada uno con la mitad de los triángulos del anterior y las mismas texturas (MSFT_lod); 1 si no se indica</translation>
+    </message>
+    <message>
+        <source>the head&apos;s mesh beside the cards</source>
+        <translation>la malla de la cabeza junto a las tarjetas</translation>
+    </message>
+    <message>
+        <source>--%1 is for cards; give --cards too</source>
+        <translation>--%1 es para tarjetas; indica también --cards</translation>
+    </message>
+    <message>
+        <source>--lods takes a number from 1 to %1, not &apos;%2&apos;</source>
+        <translation>--lods toma un número de 1 a %1, no &apos;%2&apos;</translation>
     </message>
 </context>
 <context>
@@ -2330,6 +2342,14 @@
         <source>The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit &gt; Preferences &gt; Add-ons; then File &gt; Import reads hair that is exported as .hair.</source>
         <translation>El complemento está instalado en Blender %1. Activa allí «Hair Paint hair» en Editar &gt; Preferencias &gt; Complementos; después Archivo &gt; Importar lee el pelo exportado como .hair.</translation>
     </message>
+    <message>
+        <source>Making cards</source>
+        <translation>Haciendo tarjetas</translation>
+    </message>
+    <message>
+        <source>There is no hair to make cards of; paint some density first.</source>
+        <translation>No hay pelo del que hacer tarjetas; pinta primero algo de densidad.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::FileMenu</name>
@@ -3014,6 +3034,10 @@ Se ha perdido esto:</translation>
         <source>Show d&amp;irections</source>
         <translation>Mo&amp;strar direcciones</translation>
     </message>
+    <message>
+        <source>Hair &amp;as cards</source>
+        <translation>&amp;Ver el pelo como tarjetas</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::AboutDialog</name>
@@ -3205,6 +3229,30 @@ Se ha perdido esto:</translation>
     <message>
         <source>Joints along the locks, so that avatar programs let the hair swing.</source>
         <translation>Articulaciones a lo largo de los mechones, para que los programas de avatares dejen que el pelo se balancee.</translation>
+    </message>
+    <message>
+        <source>&amp;Levels of detail</source>
+        <translation>&amp;Niveles de detalle</translation>
+    </message>
+    <message>
+        <source>Each further one has half the triangles of the one before and shows the same texture; engines take it for hair that is far away.</source>
+        <translation>Cada uno más tiene la mitad de los triángulos del anterior y muestra la misma textura; los motores lo usan para el pelo que está lejos.</translation>
+    </message>
+    <message>
+        <source>With the &amp;head</source>
+        <translation>Con la &amp;cabeza</translation>
+    </message>
+    <message>
+        <source>The head&apos;s mesh goes into the same file.</source>
+        <translation>La malla de la cabeza va en el mismo archivo.</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view</source>
+        <translation>&amp;Vista previa</translation>
+    </message>
+    <message>
+        <source>Shows the cards in the 3D area, and writes nothing.</source>
+        <translation>Muestra las tarjetas en el área 3D, y no escribe nada.</translation>
     </message>
 </context>
 <context>
@@ -3602,6 +3650,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>Hold Alt and 1 to 9, or 0</source>
         <translation>Mantener Alt y 1 a 9, o 0</translation>
+    </message>
+    <message>
+        <source>Cards are strips of hair with textures, for games and avatars. Preview, or View &gt; Hair as cards, shows them in the 3D area in place of the hair, until that is changed, with the number of their triangles.</source>
+        <translation>Las tarjetas son tiras de pelo con texturas, para juegos y avatares. Vista previa, o Ver &gt; Ver el pelo como tarjetas, las muestra en el área 3D en lugar del pelo, hasta que este cambie, con el número de sus triángulos.</translation>
     </message>
 </context>
 <context>
@@ -4368,6 +4420,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>Refining…</source>
         <translation>Afinando…</translation>
+    </message>
+    <message>
+        <source>Cards: %L1 triangles</source>
+        <translation>Tarjetas: %L1 triángulos</translation>
     </message>
 </context>
 <context>

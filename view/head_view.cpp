@@ -13,6 +13,7 @@
 #include "view/head/head_scene.h"
 #include "view/head/head_turn.h"
 #include "view/head/view_signs.h"
+#include "view/rendering/card_set.h"
 #include "view/weather_overlay.h"
 
 #include <QContextMenuEvent>
@@ -141,6 +142,21 @@ void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
         m_pacer->requestDraw();
 }
 
+void HeadView::showCards(std::shared_ptr<const rendering::CardSet> cards)
+{
+    if (cards == m_scene->scene().cards)
+        return;
+    m_scene->setCards(std::move(cards));
+    refreshSigns();
+    m_pacer->wake();
+    Q_EMIT cardsShownChanged(cardsShown());
+}
+
+bool HeadView::cardsShown() const
+{
+    return m_scene->scene().cards != nullptr;
+}
+
 const rendering::Camera& HeadView::camera() const
 {
     return m_scene->camera();
@@ -263,6 +279,8 @@ void HeadView::setHairPaused(bool paused)
 void HeadView::onDocumentChanged(const model::Change& change)
 {
     using Aspect = model::Change::Aspect;
+    if (change.aspect != Aspect::Environment)
+        showCards(nullptr);
     if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything) {
         refreshHead();
         refreshOverlay(); // Its ellipsoids may be others while its mesh is the same.
@@ -355,7 +373,8 @@ void HeadView::setLookedAt(std::optional<model::MapKind> map)
 void HeadView::refreshSigns()
 {
     // While something moves the last picture's word no longer holds.
-    m_signs->show(m_paused, m_refining && m_pacer->still());
+    const std::shared_ptr<const rendering::CardSet>& cards = m_scene->scene().cards;
+    m_signs->show(m_paused, m_refining && m_pacer->still(), cards ? cards->triangles.size() : 0);
     placeChildren();
 }
 
@@ -365,8 +384,9 @@ void HeadView::draw()
         return; // showEvent asks again.
     m_pacer->drawing();
     const rendering::Scene& scene = m_scene->scene();
-    m_presenter->present(
-        {.scene = scene, .allHairs = scene.hair ? scene.hair->hairCount : 0, .still = m_pacer->still()});
+    m_presenter->present({.scene = scene,
+                          .allHairs = scene.hair && !scene.cards ? scene.hair->hairCount : 0,
+                          .still = m_pacer->still()});
 }
 
 void HeadView::placeChildren()

@@ -48,6 +48,10 @@ public:
     void setTheme(const Theme& theme);
     void setFrame(std::shared_ptr<const sim::StrandFrame> frame);
 
+    /// In place of the hair, until that becomes another; null: the hair again.
+    void showCards(std::shared_ptr<const rendering::CardSet> cards);
+    [[nodiscard]] bool cardsShown() const;
+
     [[nodiscard]] const rendering::Camera& camera() const;
     void setCamera(const rendering::Camera& camera);
     void setView(rendering::StandardView view); ///< Turns there in a moment.
@@ -97,6 +101,7 @@ Q_SIGNALS:
     void statusText(const QString& text);
     void contextMenuWanted(const QPoint& globalPosition);
     void weatherShownChanged(bool shown);
+    void cardsShownChanged(bool shown);
 
 protected:
     bool event(QEvent* event) override;

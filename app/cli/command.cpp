@@ -39,7 +39,7 @@ constexpr OptionHelp kWind{
 constexpr OptionHelp kRate{"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")};
 constexpr const char* kMotion = "--motion nod|shake|turn";
 constexpr std::array<OptionHelp, 1> kJsonOptions = {{kJson}};
-constexpr std::array<OptionHelp, 19> kExportOptions = {{
+constexpr std::array<OptionHelp, 21> kExportOptions = {{
     {"-o, --output FILE.hair|.usda|.usdz|.obj|.glb",
      QT_TRANSLATE_NOOP("CommandLine", "the file to write: curves, USD, lines, or ribbons as a mesh")},
     {"--target NAME",
@@ -55,9 +55,13 @@ constexpr std::array<OptionHelp, 19> kExportOptions = {{
      QT_TRANSLATE_NOOP("CommandLine", "at most so many of all cards, 1000 to 60000; 15000 unless given")},
     {"--atlas SIZE",
      QT_TRANSLATE_NOOP("CommandLine", "a side of the cards' textures: 1024, 2048 or 4096; 2048 unless given")},
+    {"--lods N",
+     QT_TRANSLATE_NOOP("CommandLine", "levels of detail, 1 to 3, each of half the triangles of the one before, with "
+                                      "the same textures (MSFT_lod); 1 unless given")},
     {"--bones",
      QT_TRANSLATE_NOOP("CommandLine",
                        "joints along the cards' locks, with spring bones (VRMC_springBone) for avatar programs")},
+    {"--with-head", QT_TRANSLATE_NOOP("CommandLine", "the head's mesh beside the cards")},
     kSettle,
     kHairs,
     kWind,
@@ -113,7 +117,8 @@ constexpr std::array<Command, 6> kCommands = {{
     {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), kJsonOptions, runPresets},
     {"export",
      "P.hairpaint [-o FILE.hair|.usda|.usdz|.obj|.glb] [--target NAME] [--group NAME]... [--tolerance MM] "
-     "[--cards] [--triangles N] [--atlas 1024|2048|4096] [--bones] [--settle SECONDS] [--hairs N] [--wind X,Y,Z] "
+     "[--cards] [--triangles N] [--atlas 1024|2048|4096] [--lods N] [--bones] [--with-head] [--settle SECONDS] "
+     "[--hairs N] [--wind X,Y,Z] "
      "[--motion "
      "nod|shake|turn] [--frames A-B] [--fps F] "
      "[--maps FOLDER] [--image png|tif|exr|tga] [--depth 8|16] [--grey] [--uv-sheet FILE.pdf|.svg]",

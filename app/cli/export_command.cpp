@@ -9,6 +9,7 @@
 #include "model/files/project_file.h"
 #include "model/files/sentences.h"
 #include "model/files/staged_files.h"
+#include "model/skin_tone.h"
 
 #include <QFileInfo>
 
@@ -63,10 +64,14 @@ std::optional<QString> readCards(const QCommandLineParser& parser, const QString
 {
     const QString triangles = parser.value(QStringLiteral("triangles"));
     const QString atlas = parser.value(QStringLiteral("atlas"));
+    const QString levels = parser.value(QStringLiteral("lods"));
     if (!parser.isSet(QStringLiteral("cards"))) {
-        if (triangles.isEmpty() && atlas.isEmpty() && !parser.isSet(QStringLiteral("bones")))
+        constexpr std::array kOfCards = {"triangles", "atlas", "lods", "bones", "with-head"};
+        const auto* const given =
+            std::ranges::find_if(kOfCards, [&](const char* name) { return parser.isSet(QString::fromLatin1(name)); });
+        if (given == kOfCards.end())
             return std::nullopt;
-        return CommandLine::tr("--triangles, --atlas and --bones are for cards; give --cards too");
+        return CommandLine::tr("--%1 is for cards; give --cards too").arg(QLatin1StringView(*given));
     }
     request.format = model::findExportFormat(output, &model::cardFormat());
     if (request.format != &model::cardFormat())
@@ -74,7 +79,14 @@ std::optional<QString> readCards(const QCommandLineParser& parser, const QString
     if (parser.isSet(QStringLiteral("frames")))
         return CommandLine::tr("--cards and --frames exclude each other");
     request.cards.springBones = parser.isSet(QStringLiteral("bones"));
+    request.cards.withHead = parser.isSet(QStringLiteral("with-head"));
     using Cards = model::CardSettings;
+    if (!levels.isEmpty()) {
+        bool isNumber = false;
+        request.cards.levels = levels.toInt(&isNumber);
+        if (!isNumber || request.cards.levels < 1 || request.cards.levels > Cards::kMostLevels)
+            return CommandLine::tr("--lods takes a number from 1 to %1, not '%2'").arg(Cards::kMostLevels).arg(levels);
+    }
     if (!triangles.isEmpty()) {
         bool isNumber = false;
         request.cards.triangles = triangles.toInt(&isNumber);
@@ -231,7 +243,9 @@ ExitCode runExport(const QStringList& arguments)
                        {QStringLiteral("cards"), {}},
                        {QStringLiteral("triangles"), {}, QStringLiteral("number")},
                        {QStringLiteral("atlas"), {}, QStringLiteral("size")},
+                       {QStringLiteral("lods"), {}, QStringLiteral("number")},
                        {QStringLiteral("bones"), {}},
+                       {QStringLiteral("with-head"), {}},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("hairs"), {}, QStringLiteral("number")},
                        {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
@@ -303,6 +317,7 @@ ExitCode runExport(const QStringList& arguments)
         return ExitCode::Done;
     request->curves.groups = std::move(*groups);
     request->colliders = project->ellipsoids;
+    request->skinColour = model::skinLook(project->skin).skin;
     if (const model::Result<void> written = exportShape(std::move(*project), wanted, *request, output); !written)
         return failed(written.error());
     return ExitCode::Done;

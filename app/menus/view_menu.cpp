@@ -31,12 +31,12 @@ void addStandardViews(QMenu& menu, ActionSet& actions, view::HeadView& head)
 } // namespace
 
 ViewMenu::ViewMenu(const QString& title, ActionSet& actions, Workspace& workspace, view::EditorState& editor,
-                   LivePreferences& preferences, QWidget* parent)
+                   LivePreferences& preferences, Exchange& exchange, QWidget* parent)
     : QMenu(title, parent)
 {
     addAreas(actions, workspace);
     addSeparator();
-    addLook(actions, workspace, editor);
+    addLook(actions, workspace, editor, exchange);
     addSeparator();
     addStandardViews(*addMenu(tr("&Look from")), actions, workspace.headView());
     addSeparator();
@@ -63,7 +63,7 @@ void ViewMenu::addAreas(ActionSet& actions, Workspace& workspace)
                          .on = [&workspace] { return workspace.panelsHidden(); }}});
 }
 
-void ViewMenu::addLook(ActionSet& actions, Workspace& workspace, view::EditorState& editor)
+void ViewMenu::addLook(ActionSet& actions, Workspace& workspace, view::EditorState& editor, Exchange& exchange)
 {
     view::HeadView& head = workspace.headView();
     view::PaintView& paint = workspace.paintView();
@@ -95,6 +95,10 @@ void ViewMenu::addLook(ActionSet& actions, Workspace& workspace, view::EditorSta
           .run = [&editor] { editor.setDirectionsShown(!editor.directionsShown()); },
           .icon = "direction",
           .on = [&editor] { return editor.directionsShown(); }},
+         {.id = "view.cards",
+          .text = tr("Hair &as cards"),
+          .run = [&head, &exchange] { head.cardsShown() ? head.showCards(nullptr) : exchange.previewCards(); },
+          .on = [&head] { return head.cardsShown(); }},
          {.id = "view.night",
           .text = tr("&Night paper"),
           .run = [&editor] { editor.setNightPaper(!editor.nightPaper()); },

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/action_set.h"
+#include "app/exchange.h"
 #include "app/live_preferences.h"
 #include "app/workspace.h"
 
@@ -15,11 +16,11 @@ class ViewMenu : public QMenu
     Q_OBJECT
 public:
     ViewMenu(const QString& title, ActionSet& actions, Workspace& workspace, view::EditorState& editor,
-             LivePreferences& preferences, QWidget* parent);
+             LivePreferences& preferences, Exchange& exchange, QWidget* parent);
 
 private:
     void addAreas(ActionSet& actions, Workspace& workspace);
-    void addLook(ActionSet& actions, Workspace& workspace, view::EditorState& editor);
+    void addLook(ActionSet& actions, Workspace& workspace, view::EditorState& editor, Exchange& exchange);
     void addThemes(ActionSet& actions, LivePreferences& preferences);
 };
 

@@ -111,6 +111,7 @@ public:
     /// The head that the hair stands on; null where no group has roots. Valid as long as the set.
     [[nodiscard]] const sim::Skin* skin() const;
     [[nodiscard]] const sim::HeadPose& pose() const { return m_frame->pose; }
+    [[nodiscard]] const sim::Neck& neck() const { return m_frame->neck; }
 
 private:
     CurveSet() = default;

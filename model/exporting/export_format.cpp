@@ -154,6 +154,7 @@ Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, co
         ExportSettings settings = request.format->settingsFor(*request.target);
         settings.cards = request.cards;
         settings.colliders = request.colliders;
+        settings.skinColour = request.skinColour;
         return request.format->write(*curves, settings, path, part(kMeasured, 1.0));
     });
 }

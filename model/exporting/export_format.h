@@ -65,6 +65,7 @@ struct ExportRequest
     CurveOptions curves{};
     CardSettings cards{};
     std::vector<sim::Ellipsoid> colliders{}; ///< See ExportSettings.
+    QRgb skinColour = 0xFF808080;            ///< Likewise.
 };
 
 /// Atomic: nothing is written where it fails or `progress`, which never steps back, cancels. Any thread.

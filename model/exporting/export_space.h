@@ -5,6 +5,8 @@
 
 #include "sim/skin/ellipsoid.h"
 
+#include <QRgb>
+
 #include <glm/glm.hpp>
 
 #include <vector>
@@ -33,6 +35,7 @@ struct ExportSettings
     bool groomColours = false;               ///< Its reader takes colours from Unreal's groom attributes alone.
     CardSettings cards{};                    ///< For formats that make some;
     std::vector<sim::Ellipsoid> colliders{}; ///< that stand for the head where those swing.
+    QRgb skinColour = 0xFF808080;            ///< Of the head beside them.
 };
 
 } // namespace hairpaint::model

@@ -11,7 +11,7 @@ HAIRPAINT_PACKAGES=(
 )
 HAIRPAINT_TEST_PACKAGES=(xvfb xauth lld)
 HAIRPAINT_BENCH_PACKAGES=(libbenchmark-dev libmypaint-dev)
-HAIRPAINT_EXCHANGE_PACKAGES=(blender python3-numpy imagemagick)
+HAIRPAINT_EXCHANGE_PACKAGES=(blender python3-numpy imagemagick chromium godot3-server)
 HAIRPAINT_FUZZ_PACKAGES=(clang libclang-rt-14-dev)
 HAIRPAINT_TIDY_PACKAGES=(clang-tidy clang-format libbenchmark-dev libmypaint-dev)
 

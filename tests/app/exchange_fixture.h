@@ -59,7 +59,8 @@ protected:
         } else if (auto* exported = qobject_cast<view::ExportHairDialog*>(waiting)) {
             if (choosesExport)
                 choosesExport(*exported);
-            press(*exported, !file.isEmpty());
+            if (exported->isVisible()) // Else it was done with another of its buttons.
+                press(*exported, !file.isEmpty());
         } else if (auto* maps = qobject_cast<view::ExportMapsDialog*>(waiting)) {
             if (choosesMaps)
                 choosesMaps(*maps);

@@ -123,6 +123,56 @@ private Q_SLOTS:
         QCOMPARE(joints.size(), 1 + 5 * springs.size());
     }
 
+    void levelsAndTheHeadLieBesideTheCards_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("held by the scene") << QStringList{};
+        QTest::newRow("held by bones") << QStringList{QStringLiteral("--bones")};
+    }
+    void levelsAndTheHeadLieBesideTheCards()
+    {
+        QFETCH(QStringList, options);
+        const Outcome outcome =
+            exported("levels.glb", options + QStringList{QStringLiteral("--cards"), QStringLiteral("--lods"),
+                                                         QStringLiteral("3"), QStringLiteral("--with-head"),
+                                                         QStringLiteral("--atlas"), QStringLiteral("1024")});
+        QCOMPARE(outcome.error, QString());
+        const QByteArray glb = contentOf(path("levels.glb"));
+        const qsizetype length = qFromLittleEndian<quint32>(glb.constData() + 12);
+        const QJsonObject json = QJsonDocument::fromJson(glb.sliced(20, length)).object();
+        const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
+        const QJsonArray shown = json[QLatin1String("scenes")][0][QLatin1String("nodes")].toArray();
+        const auto trianglesOf = [&json](const QJsonValue& node) {
+            const QJsonValue mesh = json[QLatin1String("meshes")][node[QLatin1String("mesh")].toInt()];
+            const int indices = mesh[QLatin1String("primitives")][0][QLatin1String("indices")].toInt();
+            return json[QLatin1String("accessors")][indices][QLatin1String("count")].toInt() / 3;
+        };
+        int cards = 0;
+        for (const QJsonValue number : shown) {
+            const QJsonValue node = nodes[number.toInt()];
+            const QJsonArray coarser =
+                node[QLatin1String("extensions")][QLatin1String("MSFT_lod")][QLatin1String("ids")].toArray();
+            QVERIFY(!node[QLatin1String("mesh")].isDouble() ||
+                    node[QLatin1String("skin")].isDouble() == !options.isEmpty());
+            if (coarser.isEmpty())
+                continue;
+            ++cards;
+            QCOMPARE(coarser.size(), qsizetype{2});
+            QVERIFY(node[QLatin1String("name")].toString().endsWith(QLatin1String("_LOD0")));
+            QVERIFY(!shown.contains(coarser[0]) && !shown.contains(coarser[1]));
+            QCOMPARE(nodes[coarser[1].toInt()][QLatin1String("name")].toString().right(5), QStringLiteral("_LOD2"));
+            QVERIFY(trianglesOf(nodes[coarser[0].toInt()]) < trianglesOf(node) * 6 / 10);
+            QVERIFY(trianglesOf(nodes[coarser[1].toInt()]) < trianglesOf(node) * 4 / 10);
+        }
+        QCOMPARE(cards, 2); // A group each.
+        const model::Result<model::Project> project = model::loadProject(m_project);
+        const auto head = std::ranges::find_if(nodes, [](const QJsonValue& node) {
+            return node[QLatin1String("name")].toString() == QLatin1String("Head mesh");
+        });
+        QVERIFY(head != nodes.end());
+        QCOMPARE(static_cast<std::size_t>(trianglesOf(*head)), project->head->skin->mesh().triangles.size());
+    }
+
     void cardsThatMakeNoSenseAreWrongUsage_data()
     {
         QTest::addColumn<QString>("options");
@@ -133,12 +183,16 @@ private Q_SLOTS:
         row("-o a.glb --triangles 5000", "--cards");
         row("-o a.glb --atlas 2048", "--cards");
         row("-o a.glb --bones", "--cards");
+        row("-o a.glb --lods 2", "--cards");
+        row("-o a.glb --with-head", "--cards");
         row("-o a.hair --cards", ".glb");
         row("-o a.glb --cards --frames 1-2", "--frames");
         row("-o a.glb --cards --triangles 999", "1000 to 60000");
         row("-o a.glb --cards --triangles 60001", "1000 to 60000");
         row("-o a.glb --cards --triangles many", "many");
         row("-o a.glb --cards --atlas 2000", "1024, 2048, 4096");
+        row("-o a.glb --cards --lods 4", "1 to 3");
+        row("-o a.glb --cards --lods few", "few");
     }
     void cardsThatMakeNoSenseAreWrongUsage()
     {

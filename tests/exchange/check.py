@@ -4,19 +4,27 @@
     check.py PROGRAM FOLDER     PROGRAM: hairpaint; FOLDER: where the judges' packages are installed and files are written
 
 Judges: Blender (its own importers of OBJ and glTF, and our add-on), the Khronos validator (glTF), tinyusdz (USD); of
-cards also compare_cards.py. What the files are to hold is read from the `.hair` of the same hair. Prints a line a check
+cards also compare_cards.py, three.js with three-vrm in Chromium, which leaves pictures in FOLDER, and Godot 3. What the files are to hold is read from the `.hair` of the same hair. Prints a line a check
 and ends with "N passed, M failed".
 """
+import base64
 import json
+import os
 import re
+import shutil
 import struct
 import subprocess
 import sys
+import time
 from pathlib import Path
+
+from browser import seen_in_browser
 
 HERE = Path(__file__).resolve().parent
 STYLES = {"straight": "Long straight", "plaits": "Two plaits", "curls": "Ringlets"}
 CARD_STYLES = STYLES | {"bob": "Bob", "afro": "Round afro"}
+CARD_OPTIONS = ["--cards", "--lods", "3", "--bones", "--with-head"]
+SWINGING = "straight"  # Among them.
 OPTIONS = ["--hairs", "3000", "--tolerance", "0.2"]
 NEAR = 2e-6
 
@@ -115,7 +123,7 @@ def check_cards(judge, style):
     """At the usual budget, fallen as `render` shows it."""
     project = judge.folder / f"{style}.hairpaint"
     cards, strands = judge.folder / f"{style}-cards.glb", judge.folder / f"{style}-all.hair"
-    for path, options in ((cards, ["--cards"]), (strands, [])):
+    for path, options in ((cards, CARD_OPTIONS), (strands, [])):
         done = judge.run(judge.program, "export", project, "-o", path, "--settle", "2", *options)
         if done.returncode != 0:
             sys.exit(done.stderr)
@@ -128,14 +136,70 @@ def check_cards(judge, style):
     if done.returncode != 0:
         sys.exit(done.stderr)
     found = json.loads(done.stdout)
+    faces = {i["name"]: i["faces"] for i in objects}
+    levels = [sum(n for name, n in faces.items() if name.endswith(f"_LOD{level}")) for level in range(3)]
     judge.check(f"{style}: Blender reads all {found['triangles']} triangles, 15,000 at most",
-                sum(i["faces"] for i in objects) == found["triangles"] <= 15000)
+                levels[0] == found["triangles"] <= 15000, faces)
+    judge.check(f"{style}: and each level has half the triangles of the one before",
+                all(0.45 < fewer / more <= 0.501 for more, fewer in zip(levels, levels[1:])), levels)
+    judge.check(f"{style}: and the head", faces.get("Head mesh", 0) > 1000, faces)
     judge.check(f"{style}: their atlas is full enough ({found['filled']})", found["filled"] >= 0.7)
     sides = found["sides"]
     overlap, away = min(s["overlap"] for s in sides.values()), max(s["away"] for s in sides.values())
     judge.check(f"{style}: the cards' silhouettes are the strands' from four sides (least overlap {overlap})",
                 overlap >= 0.9, sides)
     judge.check(f"{style}: and so are their colours (farthest {away})", away <= 0.05, sides)
+    picture = judge.folder / "level.ppm"
+    for level, least in ((1, 0.85), (2, 0.8)):
+        done = judge.run("/usr/bin/python3", HERE / "compare_cards.py", strands, cards, picture, level)
+        sides = json.loads(done.stdout)["sides"] if done.returncode == 0 else {"none": {"overlap": 0}}
+        overlap = min(s["overlap"] for s in sides.values())
+        judge.check(f"{style}: silhouettes of level {level} are near (least overlap {overlap})", overlap >= least, sides)
+    if style == SWINGING:
+        check_swinging(judge, style, cards, faces)
+        check_godot(judge, style, cards, faces)
+
+
+def check_swinging(judge, style, cards, faces):
+    found = seen_in_browser(HERE / "avatar.html", cards, judge.folder)
+    judge.check(f"{style}: three.js reads the cards", "error" not in found, found.get("error"))
+    if "error" in found:
+        return
+    for name in ("still", "swung"):
+        if name in found:
+            (judge.folder / f"{style}-{name}.png").write_bytes(base64.b64decode(found[name].split(",")[1]))
+    first = {name.replace(" ", "_"): n for name, n in faces.items() if not name.endswith(("_LOD1", "_LOD2"))}
+    judge.check(f"{style}: it draws the first level and the head", found["meshes"] == first, found["meshes"])
+    moved = found["moved"]
+    judge.check(f"{style}: three-vrm lets {found['springs']} joints swing while the head turns (up to {max(moved, default=0):.3f} m)",
+                found["springs"] > 20 and 0.01 < max(moved) < 0.5 and max(moved[10:]) - min(moved[10:]) > 0.01, moved)
+
+
+def check_godot(judge, style, cards, faces):
+    project = judge.folder / "godot"
+    shutil.rmtree(project, ignore_errors=True)
+    project.mkdir()
+    shutil.copy(cards, project / "cards.glb")
+    (project / "project.godot").write_text("config_version=4\n[application]\nconfig/name=\"check\"\n")
+    godot = ["godot3-server", "--path", str(project)]
+    home = os.environ | {"HOME": str(project)}
+    # The editor imports, but does not always end by itself.
+    editor = subprocess.Popen(godot + ["--editor", "--quit"], env=home, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL)
+    for _ in range(240):
+        if list(project.glob(".import/cards.glb-*.md5")):
+            break
+        time.sleep(0.5)
+    editor.terminate()
+    editor.wait()
+    done = subprocess.run(godot + ["-s", str(HERE / "godot_reads.gd")], env=home, capture_output=True, text=True,
+                          timeout=120)
+    text = re.search(r"^READ (.*)$", done.stdout, re.M)
+    found = json.loads(text[1]) if text else {"meshes": {}, "bones": 0, "skinned": 0}
+    judge.check(f"{style}: Godot imports as many triangles of each mesh",
+                {name: int(n) for name, n in found["meshes"].items()} == faces, found or done.stderr)
+    judge.check(f"{style}: with a skeleton ({found['bones']} bones) that holds all of them",
+                found["bones"] > 20 and found["skinned"] == len(faces), found)
 
 
 def numbers_of(text, name):

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 """Compares hair cards with the strands that they stand for, seen from four sides without light.
 
-    compare_cards.py STRANDS.hair CARDS.glb [PICTURE.ppm]
+    compare_cards.py STRANDS.hair CARDS.glb [PICTURE.ppm [LEVEL]]
 
 Both are drawn by a small rasteriser of this script's own, without perspective: strands by the area that they cover, cards
 with their alpha cut off as the material says. Prints, as one line of JSON, by side: the overlap of the silhouettes
 (intersection over union, where at least half of a pixel is covered), and the mean colours (sRGB) and how far they are
 apart, as a part of the strands' own; and the part of the atlas that cards show. The picture shows both, one above the
-other.
+other. LEVEL is one of those of detail, of which 0 is the first.
 """
 import json
 import struct
@@ -39,16 +39,21 @@ def read_strands(path):
 
 
 class Cards:
-    """Triangles of a glTF of cards: corners, uvs, and the base colour's texels."""
+    """Triangles of a level of a glTF of cards: corners, uvs, and the base colour's texels."""
 
-    def __init__(self, path):
+    def __init__(self, path, level):
         data = open(path, "rb").read()
         length = struct.unpack_from("<I", data, 12)[0]
         self.json = json.loads(data[20:20 + length])
         self.bin = data[28 + length:]
         corners, uvs = [], []
         for mesh in self.json["meshes"]:
+            name, _, number = mesh["name"].rpartition("_LOD")
+            if name and int(number) != level:
+                continue
             for part in mesh["primitives"]:
+                if "alphaCutoff" not in self.json["materials"][part["material"]]:
+                    continue
                 order = self.values(part["indices"], "<u4", 1).reshape(-1, 3)
                 corners.append(self.values(part["attributes"]["POSITION"], "<f4", 3)[order])
                 uvs.append(self.values(part["attributes"]["TEXCOORD_0"], "<f4", 2)[order])
@@ -188,7 +193,8 @@ def compare(strands, cards, sides=tuple(SIDES)):
 
 
 def main():
-    strands, cards = read_strands(sys.argv[1]), Cards(sys.argv[2])
+    level = int(sys.argv[4]) if len(sys.argv) > 4 else 0
+    strands, cards = read_strands(sys.argv[1]), Cards(sys.argv[2], level)
     found, picture = compare(strands, cards)
     if len(sys.argv) > 3:
         flat = (picture.clip(0, 1) * 255).astype(np.uint8)

@@ -70,7 +70,7 @@ QString problemOf(const HairCards& cards)
     for (std::size_t i = 0; i < taken.size(); ++i)
         if (taken[i] != 2 && cards.images.alpha()[i] != 0)
             return QStringLiteral("There is hair outside the patches");
-    for (const CardStrip& strip : cards.strips)
+    for (const CardStrip& strip : cards.finest().strips)
         for (const StripNode& node : strip.nodes) {
             const float sum = node.middleWo.x + node.middleWo.y + node.middleWo.z + node.halfWidthM + node.alongM;
             if (!std::isfinite(sum) || node.halfWidthM <= 0.0F)
@@ -100,11 +100,11 @@ private Q_SLOTS:
         QFETCH(int, triangles);
         const CurveSet set = curvesOf(frameOf({denseGroup(65535, 10'000)}));
         const HairCards cards = cardsOf(set, {.triangles = triangles, .atlasPx = 1024});
-        QVERIFY2(cards.triangles() <= triangles && cards.triangles() > triangles * 9 / 10,
-                 qPrintable(QString::number(cards.triangles())));
+        QVERIFY2(cards.finest().triangles() <= triangles && cards.finest().triangles() > triangles * 9 / 10,
+                 qPrintable(QString::number(cards.finest().triangles())));
         QCOMPARE(problemOf(cards), QString());
-        const CardMesh mesh = cardMesh(cards, 0);
-        QCOMPARE(mesh.indices.size(), 3 * static_cast<std::size_t>(cards.triangles()));
+        const CardMesh mesh = cardMesh(cards, cards.finest(), 0);
+        QCOMPARE(mesh.indices.size(), 3 * static_cast<std::size_t>(cards.finest().triangles()));
         const float filled = filledPart(cards.patches, cards.images.size());
         QVERIFY2(filled >= 0.7F, qPrintable(QString::number(filled)));
     }
@@ -113,12 +113,12 @@ private Q_SLOTS:
     {
         const CurveSet set = curvesOf(frameOf({denseGroup(65535, 0)}));
         const HairCards cards = cardsOf(set);
-        const CardMesh mesh = cardMesh(cards, 0);
+        const CardMesh mesh = cardMesh(cards, cards.finest(), 0);
         const auto size = static_cast<float>(cards.images.size());
         std::size_t at = 0;
-        for (std::size_t i = 0; i < cards.strips.size(); ++i) {
+        for (std::size_t i = 0; i < cards.finest().strips.size(); ++i) {
             const AtlasPatch& patch = cards.patches[i];
-            for (std::size_t n = 0; n < 2 * cards.strips[i].nodes.size(); ++n, ++at) {
+            for (std::size_t n = 0; n < 2 * cards.finest().strips[i].nodes.size(); ++n, ++at) {
                 const glm::vec2 texel = size * mesh.vertices[at].uv - glm::vec2(patch.x, patch.y);
                 QVERIFY(texel.x > -0.01F && texel.x < static_cast<float>(patch.width) + 0.01F);
                 QVERIFY(texel.y > -0.01F && texel.y < static_cast<float>(patch.height) + 0.01F);
@@ -132,15 +132,70 @@ private Q_SLOTS:
         const CurveSet set = curvesOf(frameOf({hairGroup(1, 65535, 65535, 0), hairGroup(2, 30'000, 20'000, 0)}));
         const HairCards cards = cardsOf(set);
         std::vector<int> seen(set.curves().size());
-        for (std::size_t i = 0; i < cards.strips.size(); ++i)
-            for (const std::uint32_t hair : cards.strips[i].hairs) {
+        for (std::size_t i = 0; i < cards.finest().strips.size(); ++i)
+            for (const std::uint32_t hair : cards.finest().strips[i].hairs) {
                 ++seen[hair];
-                QCOMPARE(std::size_t{set.curves()[hair].group}, cards.groups[i]);
+                QCOMPARE(std::size_t{set.curves()[hair].group}, cards.finest().groups[i]);
             }
         const auto twice = std::ranges::count_if(seen, [](int times) { return times > 1; });
         const auto never = std::ranges::count(seen, 0);
         QVERIFY(never == 0 && static_cast<std::size_t>(twice) < seen.size() / 50);
-        QVERIFY(!cardMesh(cards, 0).indices.empty() && !cardMesh(cards, 1).indices.empty());
+        QVERIFY(!cardMesh(cards, cards.finest(), 0).indices.empty() &&
+                !cardMesh(cards, cards.finest(), 1).indices.empty());
+    }
+
+    void coarserLevelsHaveHalfTheTrianglesOnTheSameAtlas()
+    {
+        sim::GroomInput::Group stubble = denseGroup(65535, 0);
+        stubble.id = 2;
+        stubble.settings.greatestLengthM = 0.003F;
+        const CurveSet set = curvesOf(frameOf({denseGroup(65535, 10'000), stubble}));
+        const HairCards cards = cardsOf(set, {.triangles = 8'000, .atlasPx = 1024, .levels = 3, .springBones = true});
+        QCOMPARE(cards.levels.size(), std::size_t{3});
+        QVERIFY(cards.levels[1].caps[1].has_value());
+        QCOMPARE(problemOf(cards), QString());
+        for (std::size_t number = 1; number < cards.levels.size(); ++number) {
+            const CardLevel& level = cards.levels[number];
+            const double part = static_cast<double>(level.triangles()) / cards.levels[number - 1].triangles();
+            QVERIFY2(part > 0.42 && part <= 0.502, qPrintable(QString::number(part)));
+            std::vector<bool> shown(set.curves().size());
+            for (std::size_t i = 0; i < level.strips.size(); ++i) {
+                const std::size_t patch = level.patchOf[i];
+                QCOMPARE(cards.finest().groups[patch], level.groups[i]);
+                QCOMPARE(cards.bones->chains[level.chainOf[i]].group, level.groups[i]);
+                // The patch is that of a lock within.
+                const std::vector<std::uint32_t>& own = level.strips[i].hairs;
+                QVERIFY(std::ranges::any_of(cards.finest().strips[patch].hairs,
+                                            [&](std::uint32_t hair) { return std::ranges::count(own, hair) > 0; }));
+                for (const std::uint32_t hair : own)
+                    shown[hair] = true;
+            }
+            // Some of those that stray from their locks are left out.
+            std::size_t missing = 0;
+            std::size_t all = 0;
+            for (std::size_t i = 0; i < shown.size(); ++i) {
+                QVERIFY(!shown[i] || set.curves()[i].group == 0);
+                all += set.curves()[i].group == 0 ? 1U : 0U;
+                missing += set.curves()[i].group == 0 && !shown[i] ? 1U : 0U;
+            }
+            QVERIFY2(missing * 20 < all, qPrintable(QStringLiteral("%1 of %2").arg(missing).arg(all)));
+            for (std::size_t group = 0; group < 2; ++group) {
+                const CardMesh mesh = cardMesh(cards, level, group);
+                QCOMPARE(mesh.bones.size(), mesh.vertices.size());
+                for (const CardVertex& vertex : mesh.vertices)
+                    QVERIFY(glm::all(glm::greaterThan(vertex.uv, glm::vec2(0.0F))) &&
+                            glm::all(glm::lessThan(vertex.uv, glm::vec2(1.0F))));
+            }
+        }
+    }
+
+    void aLevelMoreChangesNothingOfTheFirst()
+    {
+        const CurveSet set = curvesOf(frameOf({denseGroup(65535, 10'000)}));
+        const HairCards alone = cardsOf(set);
+        const HairCards first = cardsOf(set, {.triangles = 2'000, .atlasPx = 1024, .levels = 2});
+        QCOMPARE(cardMesh(alone, alone.finest(), 0).indices, cardMesh(first, first.finest(), 0).indices);
+        QVERIFY(alone.images.alpha() == first.images.alpha());
     }
 
     void stripsFaceAwayFromTheHead()
@@ -150,7 +205,7 @@ private Q_SLOTS:
         const glm::vec3 middle = 0.5F * (set.groups()[0].leastWo + set.groups()[0].greatestWo);
         double outward = 0.0;
         double area = 0.0;
-        for (const CardStrip& strip : cards.strips)
+        for (const CardStrip& strip : cards.finest().strips)
             for (const StripNode& node : strip.nodes) {
                 const glm::vec3 out = glm::normalize(node.middleWo - middle);
                 outward += static_cast<double>(glm::dot(out, node.normalWo) * node.halfWidthM);
@@ -170,7 +225,7 @@ private Q_SLOTS:
         const HairCards cards = cardsOf(set);
         std::size_t inside = 0;
         std::size_t all = 0;
-        for (const CardStrip& strip : cards.strips)
+        for (const CardStrip& strip : cards.finest().strips)
             for (std::size_t n = 0; n + 1 < strip.nodes.size(); ++n, ++all) {
                 const glm::vec3 middle = 0.5F * (strip.nodes[n].middleWo + strip.nodes[n + 1].middleWo);
                 const sim::SurfacePoint near = set.skin()->nearest(middle);
@@ -184,7 +239,7 @@ private Q_SLOTS:
         const HairCards cards = cardsOf(curvesOf(frameOf({denseGroup(65535, 20'000)})));
         std::size_t sharp = 0;
         std::size_t all = 0;
-        for (const CardStrip& strip : cards.strips)
+        for (const CardStrip& strip : cards.finest().strips)
             for (std::size_t n = 1; n < strip.nodes.size(); ++n, ++all)
                 sharp += turned(strip.nodes[n - 1], strip.nodes[n]) < 0.5F ? 1U : 0U;
         QVERIFY2(sharp * 8 < all, qPrintable(QStringLiteral("%1 of %2").arg(sharp).arg(all)));
@@ -194,18 +249,16 @@ private Q_SLOTS:
     {
         const HairCards cards = cardsOf(curvesOf(frameOf({denseGroup(65535, 0)})));
         const int size = cards.images.size();
+        // Of the whole atlas, as graphics cards make its levels.
         const auto covered = [&](int level) {
-            double sum = 0.0;
-            for (const AtlasPatch& patch : cards.patches)
-                sum += static_cast<double>(patch.width) * patch.height *
-                       static_cast<double>(alphaCoverage(cards.images.alpha(), size, patch, level));
-            return sum;
+            return static_cast<double>(alphaCoverage(cards.images.alpha(), size, {0, 0, size, size}, level));
         };
         const double whole = covered(0);
         const std::array<double, 3> later{covered(1) / whole, covered(2) / whole, covered(3) / whole};
-        for (const double part : later)
-            QVERIFY2(std::abs(part - 1.0) < 0.2,
-                     qPrintable(QStringLiteral("%1 %2 %3").arg(later[0]).arg(later[1]).arg(later[2])));
+        const QString told = QStringLiteral("%1 %2 %3").arg(later[0]).arg(later[1]).arg(later[2]);
+        QVERIFY2(std::abs(later[0] - 1.0) < 0.15 && std::abs(later[1] - 1.0) < 0.15, qPrintable(told));
+        // There most patches are two texels across.
+        QVERIFY2(std::abs(later[2] - 1.0) < 0.3, qPrintable(told));
     }
 
     void texelsBesideHairHaveItsColour()
@@ -222,7 +275,7 @@ private Q_SLOTS:
     {
         HairCards cards = cardsOf(curvesOf(frameOf({denseGroup(65535, 0)})));
         for (std::size_t i = 0; i < cards.patches.size(); ++i) {
-            if (cards.strips[i].flyaway)
+            if (cards.finest().strips[i].flyaway)
                 continue;
             const AtlasPatch& patch = cards.patches[i];
             const auto& texels = cards.images.texels();
@@ -238,21 +291,22 @@ private Q_SLOTS:
         const CurveSet set = curvesOf(frameOf({denseGroup(65535, 0), hairGroup(2, 30'000, 20'000, 0)}));
         const HairCards cards = cardsOf(set, {.triangles = 2'000, .atlasPx = 1024, .springBones = true});
         QVERIFY(cards.bones && cards.bones->chains.size() > 5);
-        for (std::size_t i = 0; i < cards.strips.size(); ++i) {
-            const BoneChain& chain = cards.bones->chains[cards.bones->chainOf[i]];
-            QCOMPARE(chain.group, cards.groups[i]);
-            for (const StripNode& node : cards.strips[i].nodes) {
-                const BoneWeights own = cards.bones->weightsAt(i, node.middleWo);
+        for (std::size_t i = 0; i < cards.finest().strips.size(); ++i) {
+            const BoneChain& chain = cards.bones->chains[cards.finest().chainOf[i]];
+            QCOMPARE(chain.group, cards.finest().groups[i]);
+            for (const StripNode& node : cards.finest().strips[i].nodes) {
+                const BoneWeights own = cards.bones->weightsAt(cards.finest().chainOf[i], node.middleWo);
                 QVERIFY(std::abs(own.weights.x + own.weights.y - 1.0F) < 1e-5F && own.weights.x >= 0.0F);
                 QVERIFY(std::ranges::all_of(own.joints,
                                             [&](std::size_t joint) { return joint < cards.bones->jointCount(); }));
             }
-            const BoneWeights root = cards.bones->weightsAt(i, chain.jointsWo.front());
+            const BoneWeights root = cards.bones->weightsAt(cards.finest().chainOf[i], chain.jointsWo.front());
             QVERIFY(root.joints[0] == 0 && root.weights.x == 1.0F);
         }
-        const CardMesh mesh = cardMesh(cards, 0);
+        const CardMesh mesh = cardMesh(cards, cards.finest(), 0);
         QCOMPARE(mesh.bones.size(), mesh.vertices.size());
-        QVERIFY(cardMesh(cardsOf(set), 0).bones.empty());
+        const HairCards stiff = cardsOf(set);
+        QVERIFY(cardMesh(stiff, stiff.finest(), 0).bones.empty());
     }
 
     void hardlyAnyHairIsNoProblem_data()
@@ -272,7 +326,8 @@ private Q_SLOTS:
         group.settings.greatestLengthM = static_cast<float>(lengthM);
         const CurveSet set = curvesOf(frameOf({group}), static_cast<std::size_t>(hairs));
         const HairCards cards = cardsOf(set);
-        QVERIFY(!cards.patches.empty() && cards.triangles() > 0 && cards.triangles() <= kSmall.triangles);
+        QVERIFY(!cards.patches.empty() && cards.finest().triangles() > 0 &&
+                cards.finest().triangles() <= kSmall.triangles);
         QCOMPARE(problemOf(cards), QString());
     }
 
@@ -282,10 +337,10 @@ private Q_SLOTS:
         group.settings.greatestLengthM = 0.003F;
         const CurveSet set = curvesOf(frameOf({group}));
         const HairCards cards = cardsOf(set);
-        QVERIFY(cards.caps[0] && cards.strips.empty());
-        QVERIFY(cards.triangles() > 50 && cards.triangles() <= kSmall.triangles);
+        QVERIFY(cards.finest().caps[0] && cards.finest().strips.empty());
+        QVERIFY(cards.finest().triangles() > 50 && cards.finest().triangles() <= kSmall.triangles);
         QCOMPARE(problemOf(cards), QString());
-        const CardMesh mesh = cardMesh(cards, 0);
+        const CardMesh mesh = cardMesh(cards, cards.finest(), 0);
         const sim::Skin& skin = *set.skin();
         for (const CardVertex& vertex : mesh.vertices) {
             const sim::SurfacePoint near = skin.nearest(vertex.position);
@@ -308,7 +363,7 @@ private Q_SLOTS:
     void noHairGivesNoCards()
     {
         const HairCards cards = cardsOf(curvesOf(frameOf({hairGroup(1, 0, 65535, 0)})));
-        QVERIFY(cards.strips.empty() && cards.patches.empty());
+        QVERIFY(cards.finest().strips.empty() && cards.patches.empty());
     }
 
     void patchesOfManySizesFillTheAtlas_data()
@@ -325,8 +380,8 @@ private Q_SLOTS:
         for (int i = 0; i < count; ++i)
             wishes.push_back({.widthM = 0.001F + 0.0001F * static_cast<float>(i * 7 % 90),
                               .heightM = 0.01F + 0.001F * static_cast<float>(i * 13 % 300)});
-        HairCards cards{
-            .strips = {}, .groups = {}, .caps = {}, .patches = packedAtlas(wishes, 1024), .images = CardImages(1024)};
+        const HairCards cards{
+            .levels = {CardLevel{}}, .patches = packedAtlas(wishes, 1024), .images = CardImages(1024)};
         QCOMPARE(problemOf(cards), QString());
         const float filled = filledPart(cards.patches, 1024);
         QVERIFY2(filled >= (count < 10'000 ? 0.7F : 0.4F), qPrintable(QString::number(filled)));

@@ -2,6 +2,7 @@
 #include "tests/rendering/golden_scenes.h"
 
 #include "tests/rendering/hand_made_hair.h"
+#include "view/rendering/card_set.h"
 
 #include <array>
 #include <cmath>
@@ -89,6 +90,42 @@ Scene plaits()
     return scene;
 }
 
+/// Strips of hair drawn as stripes, which get lighter toward their tips, over hair that they stand for.
+Scene cards()
+{
+    constexpr int kSide = 64;
+    constexpr int kStrips = 26;
+    constexpr int kSegments = 6;
+    rendering::CardTexture atlas{.side = kSide, .texels = {}};
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            atlas.texels.emplace_back(70 + 2 * y, 40 + 2 * y, 20 + y, x % 16 < 11 ? 255 : 0);
+    auto set = std::make_shared<rendering::CardSet>();
+    for (int strip = 0; strip < kStrips; ++strip) {
+        const float around = 6.2831853F * static_cast<float>(strip) / kStrips;
+        const glm::vec3 side = glm::vec3(std::cos(around), 0.0F, -std::sin(around));
+        const glm::vec3 out = glm::vec3(std::sin(around), 0.0F, std::cos(around));
+        for (int i = 0; i <= kSegments; ++i) {
+            const float part = static_cast<float>(i) / kSegments;
+            const float down = 1.9F * part;
+            const glm::vec3 normal = std::sin(down) * out + glm::vec3(0.0F, std::cos(down), 0.0F);
+            const glm::vec3 middle = 1.2F * kBall * normal;
+            for (const float right : {-1.0F, 1.0F})
+                set->corners.push_back(
+                    {.placeHd = middle + right * 0.012F * side, .normalHd = normal, .uv = {0.5F + 0.5F * right, part}});
+            if (i == kSegments)
+                continue;
+            const auto at = static_cast<std::uint32_t>(set->corners.size()) - 2;
+            set->triangles.emplace_back(at, at + 2, at + 1);
+            set->triangles.emplace_back(at + 1, at + 2, at + 3);
+        }
+    }
+    set->levels = rendering::withSmallerLevels(std::move(atlas));
+    Scene scene = longDark();
+    scene.cards = std::move(set);
+    return scene;
+}
+
 } // namespace
 
 std::span<const GoldenScene> goldenScenes()
@@ -99,7 +136,8 @@ std::span<const GoldenScene> goldenScenes()
                                    GoldenScene{"ringlets", ringlets},
                                    GoldenScene{"dyed-and-shiny", dyedAndShiny},
                                    GoldenScene{"lit-from-behind", litFromBehind},
-                                   GoldenScene{"plaits", plaits}};
+                                   GoldenScene{"plaits", plaits},
+                                   GoldenScene{"cards", cards}};
     return scenes;
 }
 

@@ -47,12 +47,15 @@ ExportHairDialog::ExportHairDialog(std::vector<ExportableGroup> groups, const Ha
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Export…"));
     m_buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    m_preview = m_buttons->addButton(tr("Pre&view"), QDialogButtonBox::ActionRole);
+    m_preview->setToolTip(tr("Shows the cards in the 3D area, and writes nothing."));
     layout->addWidget(m_buttons);
     setMinimumWidth(kWidth);
     fill(before);
     for (QComboBox* box : {m_format, m_target, m_source})
         connect(box, &QComboBox::currentIndexChanged, this, &ExportHairDialog::follow);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_preview, &QPushButton::clicked, this, [this] { done(kPreview); });
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     follow();
 }
@@ -114,9 +117,17 @@ void ExportHairDialog::addCardRows(QFormLayout& form)
     m_atlas = addChoice(form, tr("Te&xture"));
     for (int size = Cards::kSmallestAtlasPx; size <= Cards::kLargestAtlasPx; size *= 2)
         m_atlas->addItem(tr("%1 × %1 pixels").arg(size), size);
+    m_levels = addChoice(form, tr("&Levels of detail"));
+    for (int levels = 1; levels <= Cards::kMostLevels; ++levels)
+        m_levels->addItem(QString::number(levels));
+    m_levels->setToolTip(tr("Each further one has half the triangles of the one before and shows the same texture; "
+                            "engines take it for hair that is far away."));
     m_bones = new QCheckBox(tr("Spring &bones"), this);
     m_bones->setToolTip(tr("Joints along the locks, so that avatar programs let the hair swing."));
     form.addRow(QString(), m_bones);
+    m_withHead = new QCheckBox(tr("With the &head"), this);
+    m_withHead->setToolTip(tr("The head's mesh goes into the same file."));
+    form.addRow(QString(), m_withHead);
 }
 
 QLayout* ExportHairDialog::buildGroups()
@@ -150,7 +161,9 @@ void ExportHairDialog::fill(const HairExportChoice& before)
     m_tolerance->setValue(static_cast<double>(before.request.curves.toleranceM) * kMmPerMetre);
     m_triangles->setValue(before.request.cards.triangles);
     m_atlas->setCurrentIndex(m_atlas->findData(before.request.cards.atlasPx));
+    m_levels->setCurrentIndex(before.request.cards.levels - 1);
     m_bones->setChecked(before.request.cards.springBones);
+    m_withHead->setChecked(before.request.cards.withHead);
     m_hairs->setRange(0.0, 0.0);
 }
 
@@ -168,9 +181,8 @@ void ExportHairDialog::follow()
     const model::ExportFormat& format = model::exportFormats()[static_cast<std::size_t>(m_format->currentIndex())];
     // A format that has its own space is the same for every program.
     m_target->setEnabled(format.space != model::FormatSpace::Own);
-    m_form->setRowVisible(m_triangles, format.hasCards);
-    m_form->setRowVisible(m_atlas, format.hasCards);
-    m_form->setRowVisible(m_bones, format.hasCards);
+    for (QWidget* row : std::initializer_list<QWidget*>{m_triangles, m_atlas, m_levels, m_bones, m_withHead})
+        m_form->setRowVisible(row, format.hasCards);
     // Cards follow hairs by themselves.
     m_form->setRowVisible(m_tolerance, !format.hasCards);
     const auto hairs = static_cast<double>(hairsOfChosen());
@@ -182,6 +194,8 @@ void ExportHairDialog::follow()
     m_hairs->setValue(all ? hairs : std::min(kept, hairs));
     m_hairs->setEnabled(hairs > 1.0);
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(hairs > 0.0);
+    m_preview->setVisible(format.hasCards);
+    m_preview->setEnabled(hairs > 0.0);
 }
 
 HairExportChoice ExportHairDialog::choice() const
@@ -200,7 +214,9 @@ HairExportChoice ExportHairDialog::choice() const
     curves.toleranceM = static_cast<float>(toleranceMm / kMmPerMetre);
     choice.request.cards = {.triangles = static_cast<int>(m_triangles->value()),
                             .atlasPx = m_atlas->currentData().toInt(),
-                            .springBones = m_bones->isChecked()};
+                            .levels = m_levels->currentIndex() + 1,
+                            .springBones = m_bones->isChecked(),
+                            .withHead = m_withHead->isChecked()};
     return choice;
 }
 

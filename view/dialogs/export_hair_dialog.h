@@ -14,6 +14,7 @@ class QDialogButtonBox;
 class QFormLayout;
 class QLabel;
 class QLayout;
+class QPushButton;
 
 namespace hairpaint::view {
 
@@ -42,11 +43,13 @@ struct HairExportChoice
     HairSource source = HairSource::Now;
 };
 
-/// Modal. Nothing is exported by it: when accepted, ask for choice().
+/// Modal. Nothing is exported by it: when accepted, or done with kPreview, ask for choice().
 class ExportHairDialog : public QDialog
 {
     Q_OBJECT
 public:
+    static constexpr int kPreview = 2; ///< Its result where the cards are to be shown first.
+
     /// Begins with format, target, source, tolerance and cards of the choice before, and with all groups and all hairs.
     ExportHairDialog(std::vector<ExportableGroup> groups, const HairExportChoice& before, QWidget* parent = nullptr);
     [[nodiscard]] HairExportChoice choice() const;
@@ -68,11 +71,14 @@ private:
     QComboBox* m_source = nullptr;
     BarSlider* m_hairs = nullptr;
     BarSlider* m_tolerance = nullptr;
-    BarSlider* m_triangles = nullptr; ///< Seen with formats of cards, as are the next two.
+    BarSlider* m_triangles = nullptr; ///< Seen with formats of cards, as are the next ones.
     QComboBox* m_atlas = nullptr;
+    QComboBox* m_levels = nullptr;
     QCheckBox* m_bones = nullptr;
+    QCheckBox* m_withHead = nullptr;
     QLabel* m_use = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
+    QPushButton* m_preview = nullptr; ///< Of cards.
 };
 
 } // namespace hairpaint::view

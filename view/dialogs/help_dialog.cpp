@@ -141,6 +141,10 @@ QString dialogPages()
                "Install Blender add-on puts there.")) +
            paragraph(HelpDialog::tr("Fewer hairs are an even share of all. A tolerance leaves out points that lie so "
                                     "near to the line without them that they are hardly missed.")) +
+           paragraph(HelpDialog::tr(
+               "Cards are strips of hair with textures, for games and avatars. Preview, or View > Hair as cards, shows "
+               "them in the 3D area in place of the hair, until that is changed, with the number of their "
+               "triangles.")) +
            heading(Topic::MapExport, HelpDialog::tr("Save maps as images")) +
            paragraph(HelpDialog::tr(
                "Each map becomes an image named after its group and itself. In the colours of their scales maps look "

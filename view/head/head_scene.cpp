@@ -76,6 +76,7 @@ bool HeadScene::refreshHead()
     if (m_scene.head == before)
         return false;
     m_scene.hair.reset();
+    m_scene.cards.reset();
     return true;
 }
 

@@ -52,6 +52,8 @@ public:
     /// Whether that hair has its roots on the document's head.
     [[nodiscard]] bool isOnHead(const sim::StrandFrame& hair) const;
     void setHair(std::shared_ptr<const sim::StrandFrame> hair) { m_scene.hair = std::move(hair); }
+    /// In place of the hair; null: the hair again.
+    void setCards(std::shared_ptr<const rendering::CardSet> cards) { m_scene.cards = std::move(cards); }
     /// Where the head stands in the frame that is shown.
     [[nodiscard]] sim::HeadPose shownPose() const;
 

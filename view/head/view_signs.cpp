@@ -23,13 +23,15 @@ ViewSigns::ViewSigns(QWidget* parent) : QWidget(parent)
     hide();
 }
 
-void ViewSigns::show(bool paused, bool refining)
+void ViewSigns::show(bool paused, bool refining, std::size_t triangles)
 {
     QStringList words;
     if (paused)
         words.append(tr("Paused"));
     if (refining)
         words.append(tr("Refining…"));
+    if (triangles > 0)
+        words.append(tr("Cards: %L1 triangles").arg(triangles));
     m_paused = paused;
     m_text = words.join(QStringLiteral("  ·  "));
     setAccessibleName(m_text);

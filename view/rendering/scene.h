@@ -13,6 +13,8 @@
 
 namespace hairpaint::rendering {
 
+struct CardSet;
+
 /// Orbits a target. Wo, m, rad.
 struct Camera
 {
@@ -66,6 +68,7 @@ struct Scene
     std::shared_ptr<const sim::HeadMesh> head;
     std::shared_ptr<const sim::HeadMesh> headInMotion; ///< Coarser, for frames whose view changes; null: as `head`.
     std::shared_ptr<const sim::StrandFrame> hair;
+    std::shared_ptr<const CardSet> cards; ///< In place of the hair, which still tells how the head is held; null: none.
     Camera camera;
     Light light;
     Skin skin;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kLevels = 3; ///< That are heeded; further ones are a few texels of a card.
 constexpr float kOpaque = 255.0F;
+constexpr float kBorder = -1.0F; ///< Of a plane: what no move changes.
 
 struct Plane
 {
@@ -73,37 +74,92 @@ std::uint8_t moved(std::uint8_t alpha, const Move& move)
     return static_cast<std::uint8_t>(value + move.raised * (cutoff - 1.0F - value));
 }
 
+/// A patch with what lies around it up to whole texels of the last level: nothing on its border, then more like itself.
+struct Surrounded
+{
+    Plane plane;
+    std::array<Plane, kLevels> inside{}; ///< By level: 1 where a texel's middle lies in the patch.
+};
+
+Surrounded surrounded(const std::vector<std::uint8_t>& alpha, int sizePx, const AtlasPatch& patch)
+{
+    constexpr int kStep = 1 << kLevels;
+    const int left = patch.x / kStep * kStep;
+    const int top = patch.y / kStep * kStep;
+    const auto reach = [](int from, int end) { return (end - from + kStep - 1) / kStep * kStep; };
+    Surrounded made;
+    made.plane = {
+        .width = reach(left, patch.x + patch.width), .height = reach(top, patch.y + patch.height), .values = {}};
+    const Plane own = alphaPlane(alpha, sizePx, patch);
+    // Beyond the border the patch is seen as in a mirror.
+    const auto mirrored = [](int at, int length) {
+        const int away = at < 0 ? -2 - at : at > length ? 2 * length - at : at;
+        return at == -1 || at == length ? -1 : std::clamp(away, 0, length - 1);
+    };
+    for (int y = 0; y < made.plane.height; ++y)
+        for (int x = 0; x < made.plane.width; ++x) {
+            const int ownX = mirrored(left + x - patch.x, patch.width);
+            const int ownY = mirrored(top + y - patch.y, patch.height);
+            made.plane.values.push_back(
+                ownX < 0 || ownY < 0 ? kBorder
+                                     : own.values[static_cast<std::size_t>(ownY) * static_cast<std::size_t>(own.width) +
+                                                  static_cast<std::size_t>(ownX)]);
+        }
+    for (int level = 0; level < kLevels; ++level) {
+        const int side = 2 << level;
+        Plane& inside = made.inside.at(static_cast<std::size_t>(level));
+        inside = {.width = made.plane.width / side, .height = made.plane.height / side, .values = {}};
+        for (int y = 0; y < inside.height; ++y)
+            for (int x = 0; x < inside.width; ++x) {
+                const int atX = left + x * side + side / 2 - patch.x;
+                const int atY = top + y * side + side / 2 - patch.y;
+                inside.values.push_back(atX >= 0 && atX < patch.width && atY >= 0 && atY < patch.height ? 1.0F : 0.0F);
+            }
+    }
+    return made;
+}
+
+float coverageInside(const Plane& plane, const Plane& inside)
+{
+    float hair = 0.0F;
+    float all = 0.0F;
+    for (std::size_t i = 0; i < plane.values.size(); ++i) {
+        hair += plane.values[i] >= kCardCutoff ? inside.values[i] : 0.0F;
+        all += inside.values[i];
+    }
+    return all > 0.0F ? hair / all : 0.0F;
+}
+
 /// How much the first levels' coverage differs from `wanted` once alpha is moved: sum of squares.
-float awayAfter(const Plane& plane, const Move& move, float wanted)
+float awayAfter(const Surrounded& patch, const Move& move, float wanted)
 {
     std::array<float, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i)
         table.at(i) = static_cast<float>(moved(static_cast<std::uint8_t>(i), move)) / kOpaque;
-    Plane level = plane;
+    Plane level = patch.plane;
     for (float& value : level.values)
-        value = table.at(static_cast<std::size_t>(std::lround(value * kOpaque)));
+        value = value == kBorder ? 0.0F : table.at(static_cast<std::size_t>(std::lround(value * kOpaque)));
     float sum = 0.0F;
-    for (int i = 0; i < kLevels; ++i) {
+    for (const Plane& inside : patch.inside) {
         level = halved(level);
-        const float away = coverageOf(level) - wanted;
+        const float away = coverageInside(level, inside) - wanted;
         sum += away * away;
     }
     return sum;
 }
 
-Move bestMove(const Plane& plane)
+Move bestMove(const Surrounded& patch, float wanted)
 {
     constexpr int kSteps = 5;
     constexpr float kFarthest = 0.8F; // Programs that blend need some of the rest.
-    const float wanted = coverageOf(plane);
     Move best;
-    float least = awayAfter(plane, best, wanted);
+    float least = awayAfter(patch, best, wanted);
     for (int i = 0; i < kSteps * kSteps; ++i) {
         const int raise = i / kSteps;
         const int lower = i % kSteps;
         const Move move{.raised = kFarthest * static_cast<float>(raise) / static_cast<float>(kSteps - 1),
                         .lowered = kFarthest * static_cast<float>(lower) / static_cast<float>(kSteps - 1)};
-        const float away = awayAfter(plane, move, wanted);
+        const float away = awayAfter(patch, move, wanted);
         if (away < least) {
             least = away;
             best = move;
@@ -127,7 +183,7 @@ void keepAlphaCoverage(std::vector<std::uint8_t>& alpha, int sizePx, std::span<c
     sim::parallelFor(patches.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const AtlasPatch& patch = patches[i];
-            const Move move = bestMove(alphaPlane(alpha, sizePx, patch));
+            const Move move = bestMove(surrounded(alpha, sizePx, patch), coverageOf(alphaPlane(alpha, sizePx, patch)));
             for (int y = patch.y; y < patch.y + patch.height; ++y)
                 for (int x = patch.x; x < patch.x + patch.width; ++x) {
                     std::uint8_t& value = alpha[static_cast<std::size_t>(y) * static_cast<std::size_t>(sizePx) +

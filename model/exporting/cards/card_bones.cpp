@@ -39,9 +39,19 @@ float jointsBefore(const BoneChain& chain, const glm::vec3& placeWo)
 
 } // namespace
 
-BoneWeights CardBones::weightsAt(std::size_t strip, const glm::vec3& placeWo) const
+std::size_t CardBones::chainFor(const CardStrip& strip) const
 {
-    const std::size_t chain = chainOf[strip];
+    std::vector<std::size_t> votes;
+    votes.reserve(strip.hairs.size());
+    for (const std::uint32_t i : strip.hairs)
+        votes.push_back(chainOfHair[i]);
+    const auto middle = votes.begin() + static_cast<std::ptrdiff_t>(votes.size() / 2);
+    std::ranges::nth_element(votes, middle); // The chain of the most, where most have one.
+    return *middle;
+}
+
+BoneWeights CardBones::weightsAt(std::size_t chain, const glm::vec3& placeWo) const
+{
     const float before = jointsBefore(chains[chain], placeWo);
     const auto whole = static_cast<std::size_t>(before);
     const float part = before - static_cast<float>(whole);
@@ -53,8 +63,7 @@ BoneWeights CardBones::weightsAt(std::size_t strip, const glm::vec3& placeWo) co
     return {.joints = {jointAt(whole), next, 0, 0}, .weights = {1.0F - part, part, 0.0F, 0.0F}};
 }
 
-CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets,
-                   std::span<const CardStrip> strips)
+CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets)
 {
     constexpr auto kNone = static_cast<std::size_t>(-1);
     std::vector<std::size_t> groupOf(hair.count(), kNone);
@@ -62,22 +71,11 @@ CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_
         for (const std::uint32_t i : sets[group])
             groupOf[i] = group;
     const std::vector<float> alike(hair.count(), 1.0F);
-    CardBones bones;
-    std::vector<std::size_t> chainOf(hair.count(), kNone);
+    CardBones bones{.chains = {}, .chainOfHair = std::vector<std::size_t>(hair.count(), kNone)};
     for (const HairLock& lock : dividedIntoLocks(hair, std::move(sets), alike, kTriangles)) {
         for (const std::uint32_t i : lock.hairs)
-            chainOf[i] = bones.chains.size();
+            bones.chainOfHair[i] = bones.chains.size();
         bones.chains.push_back(chainAlong(lock, groupOf[lock.hairs.front()]));
-    }
-    bones.chainOf.reserve(strips.size());
-    for (const CardStrip& strip : strips) {
-        std::vector<std::size_t> votes;
-        votes.reserve(strip.hairs.size());
-        for (const std::uint32_t i : strip.hairs)
-            votes.push_back(chainOf[i]);
-        const auto middle = votes.begin() + static_cast<std::ptrdiff_t>(votes.size() / 2);
-        std::ranges::nth_element(votes, middle); // The chain of the most, where most have one.
-        bones.chainOf.push_back(*middle);
     }
     return bones;
 }

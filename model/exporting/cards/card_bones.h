@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace hairpaint::model {
@@ -28,14 +27,15 @@ struct BoneWeights
 struct CardBones
 {
     std::vector<BoneChain> chains;
-    std::vector<std::size_t> chainOf; ///< By strip.
+    std::vector<std::size_t> chainOfHair; ///< By hair of SampledHair; for those that are in a set.
     [[nodiscard]] std::size_t jointCount() const { return 1 + BoneChain::kJoints * chains.size(); }
-    /// At the root a strip stays with the head.
-    [[nodiscard]] BoneWeights weightsAt(std::size_t strip, const glm::vec3& placeWo) const;
+    /// The chain that most of a strip's hairs belong to.
+    [[nodiscard]] std::size_t chainFor(const CardStrip& strip) const;
+    /// Of what moves with a chain. At the root it stays with the head.
+    [[nodiscard]] BoneWeights weightsAt(std::size_t chain, const glm::vec3& placeWo) const;
 };
 
 /// Some two dozen chains or fewer for all hair. `sets`: hairs by group.
-[[nodiscard]] CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets,
-                                 std::span<const CardStrip> strips);
+[[nodiscard]] CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets);
 
 } // namespace hairpaint::model

@@ -52,7 +52,7 @@ Result<void> writeCardFile(const CurveSet& curves, const ExportSettings& setting
         });
     if (progress && !progress(kPictured))
         return cancelled(path);
-    std::vector<QByteArray> files{cardGlb(curves, *cards, settings.colliders, pngs)};
+    std::vector<QByteArray> files{cardGlb(curves, *cards, settings, pngs)};
     for (std::size_t i = 0; i < pngs.size(); ++i)
         if (!cardImageKinds()[i].embedded)
             files.push_back(std::move(pngs[i]));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/exporting/cards/hair_cards.h"
-#include "sim/skin/ellipsoid.h"
+#include "model/exporting/export_space.h"
 
 #include <QByteArray>
 
@@ -10,8 +10,10 @@
 
 namespace hairpaint::model {
 
-/// `pngs`: one a kind of image; those that are embedded are used. `colliders`: Hd, for the bones.
-[[nodiscard]] QByteArray cardGlb(const CurveSet& curves, const HairCards& cards,
-                                 std::span<const sim::Ellipsoid> colliders, std::span<const QByteArray> pngs);
+/// A mesh a group and level, named "Scalp_LOD1" where there are several levels: a node of the first names the others by
+/// MSFT_lod. With VRMC_springBone 1.0 where there are bones. `pngs`: one a kind of image; those that are embedded are
+/// used.
+[[nodiscard]] QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportSettings& settings,
+                                 std::span<const QByteArray> pngs);
 
 } // namespace hairpaint::model

@@ -24,15 +24,12 @@ CardVertex vertexOf(const CardStrip& strip, const StripNode& node, const AtlasPa
 }
 
 /// Its triangles come first: it lies under all others.
-void addCap(const HairCards& cards, std::size_t group, CardMesh& mesh)
+void addCap(const HairCards& cards, const CardLevel& level, std::size_t group, CardMesh& mesh)
 {
-    if (!cards.caps[group])
+    if (!level.caps[group])
         return;
-    std::size_t at = cards.strips.size();
-    for (std::size_t other = 0; other < group; ++other)
-        at += cards.caps[other] ? 1U : 0U;
-    const AtlasPatch& patch = cards.patches[at];
-    const ScalpCap& cap = *cards.caps[group];
+    const AtlasPatch& patch = cards.capPatch(group);
+    const ScalpCap& cap = *level.caps[group];
     const auto atlasPx = static_cast<float>(cards.images.size());
     mesh.vertices.reserve(cap.corners.size());
     for (const ScalpCap::Corner& corner : cap.corners) {
@@ -40,12 +37,12 @@ void addCap(const HairCards& cards, std::size_t group, CardMesh& mesh)
         const glm::vec3 right = glm::cross(cap.upWo(), corner.normalWo);
         const float length = glm::length(right);
         const glm::vec3 tangent = length > kSteep ? right / length : anyAcross(corner.normalWo);
+        const glm::vec2 uv = glm::clamp(cap.uv(corner.flatM), 0.0F, 1.0F);
         mesh.vertices.push_back(
             {.position = corner.placeWo,
              .normal = corner.normalWo,
              .tangent = glm::vec4(tangent, 1.0F),
-             .uv = (glm::vec2(patch.x, patch.y) + glm::vec2(patch.width, patch.height) * cap.uv(corner.flatM)) /
-                   atlasPx});
+             .uv = (glm::vec2(patch.x, patch.y) + glm::vec2(patch.width, patch.height) * uv) / atlasPx});
     }
     for (const glm::uvec3& triangle : cap.triangles)
         for (int i = 0; i < 3; ++i)
@@ -54,23 +51,25 @@ void addCap(const HairCards& cards, std::size_t group, CardMesh& mesh)
 
 } // namespace
 
-CardMesh cardMesh(const HairCards& cards, std::size_t group)
+CardMesh cardMesh(const HairCards& cards, const CardLevel& level, std::size_t group)
 {
     CardMesh mesh;
-    addCap(cards, group, mesh);
+    addCap(cards, level, group, mesh);
     if (cards.bones)
         mesh.bones.resize(mesh.vertices.size()); // The cap stays with the head.
     const auto atlasPx = static_cast<float>(cards.images.size());
-    for (std::size_t i = 0; i < cards.strips.size(); ++i) {
-        if (cards.groups[i] != group)
+    for (std::size_t i = 0; i < level.strips.size(); ++i) {
+        if (level.groups[i] != group)
             continue;
-        const CardStrip& strip = cards.strips[i];
+        const CardStrip& strip = level.strips[i];
+        const AtlasPatch& patch = cards.patches[level.patchOf[i]];
         for (std::size_t n = 0; n < strip.nodes.size(); ++n) {
             const auto at = static_cast<std::uint32_t>(mesh.vertices.size());
-            mesh.vertices.push_back(vertexOf(strip, strip.nodes[n], cards.patches[i], -1.0F, atlasPx));
-            mesh.vertices.push_back(vertexOf(strip, strip.nodes[n], cards.patches[i], 1.0F, atlasPx));
+            mesh.vertices.push_back(vertexOf(strip, strip.nodes[n], patch, -1.0F, atlasPx));
+            mesh.vertices.push_back(vertexOf(strip, strip.nodes[n], patch, 1.0F, atlasPx));
             if (cards.bones)
-                mesh.bones.insert(mesh.bones.end(), 2, cards.bones->weightsAt(i, strip.nodes[n].middleWo));
+                mesh.bones.insert(mesh.bones.end(), 2,
+                                  cards.bones->weightsAt(level.chainOf[i], strip.nodes[n].middleWo));
             if (n + 1 < strip.nodes.size())
                 for (const std::uint32_t corner : {0U, 2U, 1U, 1U, 2U, 3U})
                     mesh.indices.push_back(at + corner);

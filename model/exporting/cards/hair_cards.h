@@ -4,9 +4,8 @@
 #include "model/exporting/cards/atlas_layout.h"
 #include "model/exporting/cards/card_bones.h"
 #include "model/exporting/cards/card_images.h"
+#include "model/exporting/cards/card_level.h"
 #include "model/exporting/cards/card_settings.h"
-#include "model/exporting/cards/card_strip.h"
-#include "model/exporting/cards/scalp_cap.h"
 
 #include <optional>
 #include <vector>
@@ -15,14 +14,14 @@ namespace hairpaint::model {
 
 struct HairCards
 {
-    std::vector<CardStrip>
-        strips; ///< Those of a group together; in a group from the skin to the surface, flyaways last.
-    std::vector<std::size_t> groups;           ///< By strip: index into CurveSet::groups().
-    std::vector<std::optional<ScalpCap>> caps; ///< By group.
-    std::vector<AtlasPatch> patches;           ///< A strip's each, then those of the caps that are there.
+    /// One at least. Each has half the triangles of the one before, and shows the same atlas.
+    std::vector<CardLevel> levels;
+    std::vector<AtlasPatch> patches; ///< Of the first level: a strip's each, then those of the caps that are there.
     CardImages images;
     std::optional<CardBones> bones{}; ///< Where they are wanted and there are strips.
-    [[nodiscard]] int triangles() const;
+    [[nodiscard]] const CardLevel& finest() const { return levels.front(); }
+    /// Of the cap of a group that has one.
+    [[nodiscard]] const AtlasPatch& capPatch(std::size_t group) const;
 };
 
 /// None where `progress` cancels. Any thread; runs on several. The same hair gives the same cards.

@@ -35,7 +35,7 @@ struct ScalpCap
     /// down.
     [[nodiscard]] glm::vec2 flat(const glm::vec3& placeWo) const;
     [[nodiscard]] glm::vec3 upWo() const; ///< What is up on the flattened skin, at the axis.
-    /// 0..1 over its patch, v down.
+    /// 0..1 over its patch, v down; a coarser cap may reach over the borders of the finest, whose patch it shows.
     [[nodiscard]] glm::vec2 uv(const glm::vec2& flatM) const { return (flatM - leastM) / (greatestM - leastM); }
 };
 

@@ -217,8 +217,10 @@ GlRenderer::Picture GlRenderer::prepare(const Scene& scene, const Quality& quali
     state.constants.assign(&constants, sizeof(constants));
     state.constants.bindUniform(0);
 
-    picture.report = state.hair->upload(scene.hair, detail, std::clamp(quality.smoothSegments, 1, 256));
-    const bool headDrawn = state.head->draw(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, constants);
+    picture.report =
+        state.hair->upload(scene.cards ? nullptr : scene.hair, detail, std::clamp(quality.smoothSegments, 1, 256));
+    const bool headDrawn =
+        state.head->draw(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, scene.cards, constants);
 
     const auto samplesAcross = static_cast<unsigned>(target.width * target.samples.x);
     const auto samplesUp = static_cast<unsigned>(target.height * target.samples.y);

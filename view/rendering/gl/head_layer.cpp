@@ -33,7 +33,10 @@ FrameConstants partOfHead(FrameConstants constants)
 
 tl::expected<std::unique_ptr<HeadLayer>, std::string> HeadLayer::create()
 {
-    std::unique_ptr<HeadLayer> layer(new HeadLayer);
+    auto cards = CardLayer::create();
+    if (!cards)
+        return tl::unexpected(cards.error());
+    std::unique_ptr<HeadLayer> layer(new HeadLayer(std::move(*cards)));
     auto program = Program::graphics("head.vert", "head.frag");
     if (!program)
         return tl::unexpected(program.error());
@@ -74,13 +77,15 @@ void HeadLayer::Mesh::upload(const std::shared_ptr<const sim::HeadMesh>& head)
 }
 
 bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head,
-                     const std::shared_ptr<const sim::HeadMesh>& inMotion, const FrameConstants& constants)
+                     const std::shared_ptr<const sim::HeadMesh>& inMotion, const std::shared_ptr<const CardSet>& cards,
+                     const FrameConstants& constants)
 {
     const FrameConstants part = partOfHead(constants);
-    const bool same = head == m_head && part == m_drawnWith;
+    const bool same = head == m_head && cards == m_cards && part == m_drawnWith;
     if (same && !m_isCoarse)
         return false;
     m_head = head;
+    m_cards = cards;
     m_drawnWith = part;
     m_isCoarse = !same && inMotion;
     Mesh& mesh = m_isCoarse ? m_coarse : m_fine;
@@ -98,8 +103,15 @@ bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head,
     const float far = 1.0F;
     glClearBufferfv(GL_COLOR, 0, nothing);
     glClearBufferfv(GL_DEPTH, 0, &far);
-    if (mesh.indexCount == 0)
-        return true;
+    if (mesh.indexCount > 0)
+        drawMesh(mesh);
+    if (cards)
+        m_cardLayer.draw(cards);
+    return true;
+}
+
+void HeadLayer::drawMesh(const Mesh& mesh) const
+{
     glEnable(GL_DEPTH_TEST);
     if (mesh.closed)
         glEnable(GL_CULL_FACE);
@@ -109,7 +121,6 @@ bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head,
     glBindVertexArray(0);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    return true;
 }
 
 void HeadLayer::bind(unsigned colourUnit, unsigned depthUnit) const

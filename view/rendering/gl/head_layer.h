@@ -1,7 +1,9 @@
-// The head's own picture and depth, one texel a sample, drawn anew only when something about it differs.
+// The picture and depth of the head, and of cards that stand for its hair, one texel a sample, drawn anew only when
+// something about it differs.
 #pragma once
 
 #include "view/rendering/frame_constants.h"
+#include "view/rendering/gl/card_layer.h"
 #include "view/rendering/gl/gl_objects.h"
 
 #include <memory>
@@ -15,15 +17,15 @@ public:
     [[nodiscard]] static tl::expected<std::unique_ptr<HeadLayer>, std::string> create();
 
     /// Draws `head` (may be null) with the constants bound to uniform buffer 0. Where the view differs from the call
-    /// before, `inMotion` is drawn in its place, unless null, and `head` in the first call that does not differ. False
-    /// where the last picture still holds.
+    /// before, `inMotion` is drawn in its place, unless null, and `head` in the first call that does not differ.
+    /// `cards`: null where there are none. False where the last picture still holds.
     bool draw(const std::shared_ptr<const sim::HeadMesh>& head, const std::shared_ptr<const sim::HeadMesh>& inMotion,
-              const FrameConstants& constants);
+              const std::shared_ptr<const CardSet>& cards, const FrameConstants& constants);
     /// Binds colour and depth to two texture units.
     void bind(unsigned colourUnit, unsigned depthUnit) const;
 
 private:
-    HeadLayer() = default;
+    explicit HeadLayer(CardLayer cards) : m_cardLayer(std::move(cards)) {}
     struct Mesh
     {
         std::shared_ptr<const sim::HeadMesh> source;
@@ -35,13 +37,17 @@ private:
         void upload(const std::shared_ptr<const sim::HeadMesh>& head);
     };
 
+    void drawMesh(const Mesh& mesh) const;
+
     Program m_program;
+    CardLayer m_cardLayer;
     Mesh m_fine;
     Mesh m_coarse;
     Framebuffer m_framebuffer;
     Texture m_colour;
     Texture m_depth;
     std::shared_ptr<const sim::HeadMesh> m_head;
+    std::shared_ptr<const CardSet> m_cards;
     FrameConstants m_drawnWith{};
     bool m_isCoarse = false; ///< What the picture shows.
 };

@@ -34,10 +34,11 @@ glm::vec3 turnedBy(glm::vec4 q, glm::vec3 p)
 } // namespace
 
 void HeadPicture::update(const std::shared_ptr<const sim::HeadMesh>& head,
-                         const std::shared_ptr<const sim::HeadMesh>& inMotion, const FrameConstants& constants)
+                         const std::shared_ptr<const sim::HeadMesh>& inMotion,
+                         const std::shared_ptr<const CardSet>& cards, const FrameConstants& constants)
 {
     const FrameConstants part = headConstants(constants);
-    const bool same = head == m_head && part == m_drawnWith && m_width > 0;
+    const bool same = head == m_head && cards == m_cards && part == m_drawnWith && m_width > 0;
     if (same && !m_isCoarse)
         return;
     m_width = 0; // Where memory runs out half-way, there is no picture.
@@ -81,6 +82,8 @@ void HeadPicture::update(const std::shared_ptr<const sim::HeadMesh>& head,
                       .scatter = constants.skin[0].w,
                       .grain = constants.skin[1].w,
                       .sheen = constants.skin[2].w};
+    if (cards)
+        m_cardPicture.place(*cards, constants);
     sim::parallelFor(bands, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
             HeadBand band = whole;
@@ -88,11 +91,17 @@ void HeadPicture::update(const std::shared_ptr<const sim::HeadMesh>& head,
             band.firstRow = static_cast<int>(b) * kBandRows;
             band.endRow = std::min(band.firstRow + kBandRows, height);
             drawHeadBand(band);
+            const bool any = cards && m_cardPicture.drawBand({.width = width,
+                                                              .firstRow = band.firstRow,
+                                                              .endRow = band.endRow,
+                                                              .samples = m_samples.data(),
+                                                              .distancesM = m_distancesM.data()});
             std::fill(m_rowHasHead.begin() + band.firstRow, m_rowHasHead.begin() + band.endRow,
-                      band.numbers.empty() ? std::uint8_t{0} : std::uint8_t{1});
+                      band.numbers.empty() && !any ? std::uint8_t{0} : std::uint8_t{1});
         }
     });
     m_head = head;
+    m_cards = cards;
     m_drawnWith = part;
     m_isCoarse = coarse;
     m_width = width;

@@ -1,7 +1,9 @@
-// The head's own picture and depth, drawn anew only when something about it differs.
+// The picture and depth of the head, and of cards that stand for its hair, drawn anew only when something about it
+// differs.
 #pragma once
 
 #include "view/rendering/frame_constants.h"
+#include "view/rendering/software/card_picture.h"
 #include "view/rendering/software/head_kernel.h"
 #include "view/rendering/software/tile_kernel.h"
 
@@ -15,9 +17,9 @@ class HeadPicture
 {
 public:
     /// Draws `head` (may be null). Where the view differs from the call before, `inMotion` is drawn in its place,
-    /// unless null, and `head` in the first call that does not differ.
+    /// unless null, and `head` in the first call that does not differ. `cards`: null where there are none.
     void update(const std::shared_ptr<const sim::HeadMesh>& head, const std::shared_ptr<const sim::HeadMesh>& inMotion,
-                const FrameConstants& constants);
+                const std::shared_ptr<const CardSet>& cards, const FrameConstants& constants);
     [[nodiscard]] const std::vector<HeadSample>& samples() const { return m_samples; }
     /// Distances along the view, m; huge where there is no head.
     [[nodiscard]] const std::vector<float>& distancesM() const { return m_distancesM; }
@@ -37,7 +39,9 @@ private:
 
     Mesh m_fine;
     Mesh m_coarse;
+    CardPicture m_cardPicture;
     std::shared_ptr<const sim::HeadMesh> m_head;
+    std::shared_ptr<const CardSet> m_cards;
     FrameConstants m_drawnWith{};
     bool m_isCoarse = false; ///< What the picture shows.
     int m_width = 0;

@@ -1,0 +1,105 @@
+// Nodes of joints; springs and colliders of VRMC_springBone 1.0 (VRM Consortium).
+#include "model/exporting/cards/bone_glb.h"
+
+#include "model/exporting/glb_buffer.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace hairpaint::model {
+
+namespace {
+
+/// Units of VRMC_springBone 1.0: 1 is a usual stiffness, 0.4 a usual drag.
+QJsonObject springJoint(int node, const sim::PhysicsSettings& physics)
+{
+    constexpr float kHitRadiusM = 0.01F;
+    constexpr float kStiffnessPerM = 20.0F;
+    constexpr float kGravity = 0.3F;
+    constexpr float kDragSeconds = 0.2F;
+    const auto number = [](float value) { return static_cast<double>(value); };
+    return {{QStringLiteral("node"), node},
+            {QStringLiteral("hitRadius"), number(kHitRadiusM)},
+            {QStringLiteral("stiffness"), number(kStiffnessPerM * physics.stiffnessM)},
+            {QStringLiteral("gravityPower"), number(kGravity * physics.gravityScale)},
+            {QStringLiteral("gravityDir"), QJsonArray{0.0, -1.0, 0.0}},
+            {QStringLiteral("dragForce"), number(std::clamp(kDragSeconds * physics.damping, 0.0F, 1.0F))}};
+}
+
+/// An ellipsoid becomes the capsule along its longest axis.
+void addColliders(int head, const glm::vec3& headWo, const sim::HeadPose& pose,
+                  std::span<const sim::Ellipsoid> colliders, QJsonObject& springBone)
+{
+    QJsonArray shapes;
+    QJsonArray all;
+    for (const sim::Ellipsoid& ellipsoid : colliders) {
+        const glm::vec3& axes = ellipsoid.semiAxesM;
+        const int longest = axes.x > axes.y ? (axes.x > axes.z ? 0 : 2) : (axes.y > axes.z ? 1 : 2);
+        const float radius = 0.5F * (axes[(longest + 1) % 3] + axes[(longest + 2) % 3]);
+        glm::vec3 half(0.0F);
+        half[longest] = std::max(axes[longest] - radius, 0.0F);
+        half = pose.rotation * (ellipsoid.rotation * half);
+        const glm::vec3 centre = pose.rotation * ellipsoid.centreHd + pose.positionWo - headWo;
+        const QJsonObject capsule{{QStringLiteral("offset"), jsonNumbers(centre - half)},
+                                  {QStringLiteral("radius"), static_cast<double>(radius)},
+                                  {QStringLiteral("tail"), jsonNumbers(centre + half)}};
+        all.append(static_cast<int>(shapes.size()));
+        shapes.append(QJsonObject{{QStringLiteral("node"), head},
+                                  {QStringLiteral("shape"), QJsonObject{{QStringLiteral("capsule"), capsule}}}});
+    }
+    springBone.insert(QStringLiteral("colliders"), shapes);
+    springBone.insert(
+        QStringLiteral("colliderGroups"),
+        QJsonArray{QJsonObject{{QStringLiteral("name"), QStringLiteral("Head")}, {QStringLiteral("colliders"), all}}});
+}
+
+} // namespace
+
+BoneGlb boneGlb(const CurveSet& curves, const CardBones& bones, std::span<const sim::Ellipsoid> colliders,
+                int firstNode)
+{
+    const glm::vec3 headWo = curves.groups().front().middleWo;
+    BoneGlb made{.nodes = {},
+                 .joints = {firstNode},
+                 .inverseBind = {glm::translate(glm::mat4(1.0F), -headWo)},
+                 .springBone = {}};
+    QJsonArray chains;
+    QJsonArray springs;
+    QJsonArray below;
+    for (std::size_t chain = 0; chain < bones.chains.size(); ++chain) {
+        const BoneChain& own = bones.chains[chain];
+        const QString name = QStringLiteral("%1 %2").arg(curves.groups()[own.group].name).arg(chain + 1);
+        QJsonArray links;
+        for (std::size_t j = 0; j < BoneChain::kJoints; ++j) {
+            const int node = firstNode + 1 + static_cast<int>(BoneChain::kJoints * chain + j);
+            const glm::vec3 parentWo = j > 0 ? own.jointsWo.at(j - 1) : headWo;
+            QJsonObject joint{{QStringLiteral("name"), QStringLiteral("%1.%2").arg(name).arg(j + 1)},
+                              {QStringLiteral("translation"), jsonNumbers(own.jointsWo.at(j) - parentWo)}};
+            if (j + 1 < BoneChain::kJoints)
+                joint.insert(QStringLiteral("children"), QJsonArray{node + 1});
+            chains.append(joint);
+            made.joints.append(node);
+            links.append(springJoint(node, curves.physics(own.group)));
+            made.inverseBind.push_back(glm::translate(glm::mat4(1.0F), -own.jointsWo.at(j)));
+            if (j == 0)
+                below.append(node);
+        }
+        QJsonObject spring{{QStringLiteral("name"), name}, {QStringLiteral("joints"), links}};
+        if (!colliders.empty())
+            spring.insert(QStringLiteral("colliderGroups"), QJsonArray{0});
+        springs.append(spring);
+    }
+    made.nodes.append(QJsonObject{{QStringLiteral("name"), QStringLiteral("Head")},
+                                  {QStringLiteral("translation"), jsonNumbers(headWo)},
+                                  {QStringLiteral("children"), below}});
+    for (const auto& joint : std::as_const(chains))
+        made.nodes.append(joint);
+    made.springBone = {{QStringLiteral("specVersion"), QStringLiteral("1.0")}, {QStringLiteral("springs"), springs}};
+    if (!colliders.empty())
+        addColliders(firstNode, headWo, curves.pose(), colliders, made.springBone);
+    return made;
+}
+
+} // namespace hairpaint::model

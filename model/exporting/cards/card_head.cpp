@@ -1,0 +1,41 @@
+// Places the head's vertices as head.vert does.
+#include "model/exporting/cards/card_head.h"
+
+#include "model/exporting/unit_vectors.h"
+#include "sim/motion/head_motion.h"
+#include "sim/skin/skin.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+namespace hairpaint::model {
+
+PlacedHead placedHead(const CurveSet& set)
+{
+    PlacedHead head;
+    if (set.skin() == nullptr)
+        return head;
+    const sim::HeadMesh& mesh = set.skin()->mesh();
+    const sim::HeadPose& pose = set.pose();
+    const sim::NeckTurn neck = sim::neckTurn(set.neck(), pose);
+    const glm::quat whole(neck.turn[3], neck.turn[0], neck.turn[1], neck.turn[2]);
+    const glm::vec3 pivotHd(neck.pivot[0], neck.pivot[1], neck.pivot[2]);
+    head.vertices.reserve(mesh.positionsHd.size());
+    for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i) {
+        const glm::vec3& hd = mesh.positionsHd[i];
+        // The shoulders stay while the head turns: back by what has turned too much.
+        const float below = glm::smoothstep(0.0F, 1.0F, (neck.headY - hd.y) * neck.perTwistM);
+        const glm::quat back =
+            glm::conjugate(glm::normalize(glm::quat(1.0F, 0.0F, 0.0F, 0.0F) * (1.0F - below) + whole * below));
+        const glm::vec3 uprightZ(0.0F, 0.0F, 1.0F);
+        head.vertices.push_back({.position = pose.rotation * (back * (hd - pivotHd) + pivotHd) + pose.positionWo,
+                                 .normal = pose.rotation * (back * unitOr(mesh.normalsHd[i], uprightZ)),
+                                 .uv = glm::vec2(mesh.uvs[i].x, 1.0F - mesh.uvs[i].y)});
+    }
+    head.indices.reserve(3 * mesh.triangles.size());
+    for (const glm::uvec3& triangle : mesh.triangles)
+        for (int i = 0; i < 3; ++i)
+            head.indices.push_back(triangle[i]);
+    return head;
+}
+
+} // namespace hairpaint::model

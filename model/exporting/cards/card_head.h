@@ -1,0 +1,29 @@
+// The head beside its cards.
+#pragma once
+
+#include "model/exporting/curve_set.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// glTF: uv with v down.
+struct HeadVertexOut
+{
+    glm::vec3 position{0.0F};
+    glm::vec3 normal{0.0F, 0.0F, 1.0F};
+    glm::vec2 uv{0.0F};
+};
+static_assert(sizeof(HeadVertexOut) == 32);
+
+struct PlacedHead
+{
+    std::vector<HeadVertexOut> vertices;
+    std::vector<std::uint32_t> indices; ///< Three a triangle, counter-clockwise from outside.
+};
+
+/// The mesh that the hair stands on, Wo, as it is held and its neck turned; empty where no group has roots.
+[[nodiscard]] PlacedHead placedHead(const CurveSet& set);
+
+} // namespace hairpaint::model

@@ -1,0 +1,37 @@
+// Hair cards, ready to be drawn in place of strands.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace hairpaint::rendering {
+
+struct CardCorner
+{
+    glm::vec3 placeHd{0.0F};
+    glm::vec3 normalHd{0.0F, 0.0F, 1.0F}; ///< Unit, outward.
+    glm::vec2 uv{0.0F};                   ///< 0..1, v down.
+};
+
+/// Rows from v = 0 on: sRGB as encoded, and alpha.
+struct CardTexture
+{
+    int side = 0;
+    std::vector<glm::u8vec4> texels;
+};
+
+/// Immutable once shared between threads.
+struct CardSet
+{
+    std::vector<CardCorner> corners;
+    std::vector<glm::uvec3> triangles; ///< Seen from both sides.
+    std::vector<CardTexture> levels;   ///< The atlas, and what is left of it at half the side, again and again.
+    float cutoff = 0.5F;               ///< Alpha from which there is hair.
+};
+
+/// The texture and all smaller ones down to one texel, each texel the mean of four. The side is a power of two.
+[[nodiscard]] std::vector<CardTexture> withSmallerLevels(CardTexture texture);
+
+} // namespace hairpaint::rendering
