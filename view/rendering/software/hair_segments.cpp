@@ -145,6 +145,8 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     m_pieces.clear();
     m_batchCount = 0;
     m_hairs = 0;
+    for (SegmentBatch& batch : m_batches)
+        batch.clear();
     m_turnWoFromHd = glm::mat3(constants.woFromHd);
     const Depth& depth = fine ? kFineDepth : kMovingDepth;
     m_undrawnCoverings = depth.undrawnCoverings;
@@ -159,6 +161,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         TileGrid(static_cast<int>(constants.target.x), static_cast<int>(constants.target.y), cellM * m_depthsPerM);
     if (!frame) {
         m_lists.clear();
+        m_batches.clear();
         return;
     }
     std::erase_if(m_lists, [&](const auto& entry) {
@@ -180,8 +183,10 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         sources.push_back({.group = &group, .slots = list.slots(), .detail = list.detail()});
         m_hairs += list.slots().size();
     }
-    if (m_groups.empty())
+    if (m_groups.empty()) {
+        m_batches.clear();
         return;
+    }
     m_grids.fill(sources, constants);
     const std::size_t wanted = m_hairs / kWantedBatches / kBlockLanes * kBlockLanes;
     const std::size_t batchStrands = std::clamp(wanted, kLeastBatch, kMostBatch);
@@ -222,7 +227,6 @@ void HairSegments::drawBatch(std::size_t number)
     const Piece& piece = m_pieces[number];
     const Group& group = m_groups[piece.group];
     SegmentBatch& batch = m_batches[number];
-    batch.clear();
     BlockScratch& scratch = blockScratch();
     std::size_t all = 0;
     for (std::size_t first = piece.first; first < piece.end; first += kBlockLanes) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace hairpaint::rendering {
 namespace {
@@ -16,14 +17,34 @@ void reserveMore(std::vector<T>& elements, std::size_t count, std::size_t more)
         elements.resize(std::max(count + more, elements.size() + elements.size() / 2));
 }
 
+/// Frees what is more than twice what is needed.
+template<class T>
+void freeBeyond(std::vector<T>& elements, std::size_t needed)
+{
+    if (elements.size() / 2 > needed)
+        elements = std::vector<T>(needed);
+}
+
 constexpr std::uint32_t kLowHalf = 0xFFFFU;
 
 } // namespace
 
 void SegmentBatch::clear()
 {
-    m_segmentCount = 0;
-    m_foundCount = 0;
+    m_mostSegments = std::max(m_mostSegments, std::exchange(m_segmentCount, 0));
+    m_mostFound = std::max(m_mostFound, std::exchange(m_foundCount, 0));
+    if (++m_pictures < kPicturesKept)
+        return;
+    freeBeyond(m_segments, std::exchange(m_mostSegments, 0));
+    freeBeyond(m_sorted, m_mostFound);
+    freeBeyond(m_found, std::exchange(m_mostFound, 0));
+    m_pictures = 0;
+}
+
+std::size_t SegmentBatch::heldBytes() const
+{
+    return m_segments.size() * sizeof(ScreenSegment) + m_found.size() * sizeof(Found) +
+           m_sorted.size() * sizeof(TileEntry);
 }
 
 void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int segments)
