@@ -15,6 +15,7 @@
 #include <QElapsedTimer>
 #include <QLoggingCategory>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -57,11 +58,27 @@ bool isForCommandLine(const QString& argument)
     return hairpaint::app::findCommand(argument) != nullptr;
 }
 
+/// Qt takes names to be UTF-8, and would write to another file than the one that such bytes name.
+bool isUtf8(const char* argument)
+{
+#ifdef Q_OS_UNIX
+    return QByteArrayView(argument).isValidUtf8();
+#else
+    return true; // The system's own call gives them as UTF-16.
+#endif
+}
+
 int runCommandLine(int argc, char** argv)
 {
+    const bool known = std::all_of(argv + 1, argv + argc, isUtf8);
     QCoreApplication application(argc, argv);
     hairpaint::app::speak();
     const QStringList arguments = QCoreApplication::arguments();
+    if (!known) {
+        (void)hairpaint::app::failed({CommandLine::tr("The arguments hold bytes that are not UTF-8, so no file can be "
+                                                      "named by them; rename the file first.")});
+        return static_cast<int>(ExitCode::WrongUsage);
+    }
     const QString& first = arguments.at(1);
     if (const Command* command = hairpaint::app::findCommand(first))
         return static_cast<int>(run(*command, arguments.mid(2)));

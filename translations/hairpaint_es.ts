@@ -494,6 +494,10 @@
         <source>--triangles, --atlas and --bones are for cards; give --cards too</source>
         <translation>--triangles, --atlas y --bones son para tarjetas; indica también --cards</translation>
     </message>
+    <message>
+        <source>The arguments hold bytes that are not UTF-8, so no file can be named by them; rename the file first.</source>
+        <translation>Los argumentos contienen bytes que no son UTF-8, así que no pueden nombrar ningún archivo; cambia antes el nombre del archivo.</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -1027,6 +1031,10 @@
     <message>
         <source>it would be larger than 4 GB; use fewer layers or smaller maps</source>
         <translation>sería mayor de 4 GB; usa menos capas o mapas más pequeños</translation>
+    </message>
+    <message>
+        <source>the file &apos;%1&apos;, which it needs, is missing; put it where it was saved with this one, and try again</source>
+        <translation>falta el archivo «%1», que necesita; ponlo donde estaba cuando se guardó con este e inténtalo de nuevo</translation>
     </message>
 </context>
 <context>
