@@ -94,6 +94,16 @@ int runCommandLine(int argc, char** argv)
     return static_cast<int>(ExitCode::WrongUsage);
 }
 
+/// What libraries warn of (a missing folder of the session's, a window too small to paint) tells nobody what to do.
+void keepLibrariesQuiet(QtMsgType type, const QMessageLogContext& context, const QString& text)
+{
+    const QByteArrayView category(context.category);
+    const bool isLibrarys = category == QByteArrayView("default") || category.startsWith("qt.");
+    // Their debugging is told only where somebody asked for it.
+    if (!isLibrarys || type == QtDebugMsg || qEnvironmentVariableIsSet("QT_DEBUG_PLUGINS"))
+        std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, text)));
+}
+
 /// Where no display can be opened Qt ends the program, with words that name plugins and not what the user can do.
 void listenForMissingDisplay(QtMsgType type, const QMessageLogContext& context, const QString& text)
 {
@@ -104,17 +114,15 @@ void listenForMissingDisplay(QtMsgType type, const QMessageLogContext& context, 
                  .arg(calledAs())});
         std::_Exit(static_cast<int>(code)); // Qt would abort, and the application object is not whole yet.
     }
-    const bool isAboutPlatform = QByteArrayView(context.category).startsWith("qt.qpa.");
-    if (!isAboutPlatform || qEnvironmentVariableIsSet("QT_DEBUG_PLUGINS"))
-        std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, text)));
+    keepLibrariesQuiet(type, context, text);
 }
 
 /// Ends the program with a sentence where there is no display.
 std::unique_ptr<QApplication> openDisplay(int& argc, char** argv)
 {
-    const QtMessageHandler before = qInstallMessageHandler(listenForMissingDisplay);
+    qInstallMessageHandler(listenForMissingDisplay);
     auto application = std::make_unique<QApplication>(argc, argv);
-    qInstallMessageHandler(before);
+    qInstallMessageHandler(keepLibrariesQuiet);
     return application;
 }
 

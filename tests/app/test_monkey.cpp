@@ -42,7 +42,8 @@ constexpr int kFifths = 5;
 constexpr int kRestsAFifth = 8;
 constexpr int kLongRun = 10'000; ///< Actions from which on memory can be expected to have settled.
 
-/// So many, or as the environment says: HAIRPAINT_MONKEY_ACTIONS=100000 HAIRPAINT_MONKEY_SEED=7.
+/// So many, or as the environment says: HAIRPAINT_MONKEY_ACTIONS=100000 HAIRPAINT_MONKEY_SEED=7 (and
+/// QTEST_FUNCTION_TIMEOUT, in ms, for what takes more than five minutes).
 int fromEnvironment(const char* name, int otherwise)
 {
     const int value = qEnvironmentVariableIntValue(name);
@@ -57,6 +58,7 @@ class TestMonkey : public QObject, private WindowFixture
 private:
     std::mt19937 m_random;
     model::Preset m_style;
+    model::Project m_project;
 
     unsigned below(unsigned count) { return static_cast<unsigned>(m_random() % count); }
 
@@ -172,11 +174,17 @@ private:
                               Qt::LeftButton, {}, QPoint(10, 5));
     }
 
-    /// What is held while one and the same style rests on the head, whatever was done before.
+    /// What is held while one and the same style rests on the head in one and the same view, whatever was done before.
     [[nodiscard]] double megabytesAtRest()
     {
         model::Document& document = session().document();
         document.push(model::applyPresetCommand(document, m_style));
+        document.push(model::setWindCommand(document, m_project.wind));
+        document.push(model::setEllipsoidsCommand(document, m_project.ellipsoids, QString()));
+        editor().setActiveMap(model::MapKind::Density);
+        // A copy of all replaces whatever was copied.
+        for (const char* id : {"view.both", "view.home", "view.fit", "look.front", "edit.none", "edit.copy"})
+            m_window->actions().find(QLatin1StringView(id))->trigger();
         const auto isShown = [this, &document] {
             const auto frame = session().frame();
             return frame != nullptr && frame->revision >= document.revision();
@@ -202,7 +210,8 @@ private Q_SLOTS:
     {
         const int actions = fromEnvironment("HAIRPAINT_MONKEY_ACTIONS", 400);
         m_random.seed(static_cast<unsigned>(fromEnvironment("HAIRPAINT_MONKEY_SEED", 1)));
-        openWindow(model::newProject());
+        m_project = model::newProject();
+        openWindow(m_project);
         // So little that long runs forget their first steps, and hold no more from then on.
         session().document().setUndoBudget(std::size_t{64} << 20U);
         const Closer closer;

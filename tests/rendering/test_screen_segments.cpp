@@ -27,9 +27,10 @@ StrandPoints uprightStrands(int segments)
 
 void drawPicture(SegmentBatch& batch, const StrandPoints& points, int segments, int blocks)
 {
+    SegmentBounds bounds;
     batch.clear();
     for (int i = 0; i < blocks; ++i)
-        batch.add(kTiles, points, segments);
+        batch.add(kTiles, points, segments, bounds);
     batch.sort(kTiles);
 }
 

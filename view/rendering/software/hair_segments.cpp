@@ -93,6 +93,7 @@ struct BlockScratch
 {
     StrandBlock block;
     StrandPoints points;
+    SegmentBounds bounds;
 };
 
 BlockScratch& blockScratch()
@@ -234,7 +235,7 @@ void HairSegments::drawBatch(std::size_t number)
         fillBlock(scratch.block, *group.frame, group.list->slots().subspan(first, lanes), m_turnWoFromHd);
         const SpanSegments segments = segmentsFor(group.view, scratch.block);
         drawnPoints(group.view, scratch.block, segments, scratch.points);
-        batch.add(m_tiles, scratch.points, segments.total);
+        batch.add(m_tiles, scratch.points, segments.total, scratch.bounds);
         all += static_cast<std::size_t>(segments.total) * lanes;
     }
     batch.sort(m_tiles);

@@ -47,16 +47,16 @@ std::size_t SegmentBatch::heldBytes() const
            m_sorted.size() * sizeof(TileEntry);
 }
 
-void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int segments)
+void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds)
 {
-    findBounds(tiles, points, segments, m_bounds);
+    findBounds(tiles, points, segments, bounds);
     const std::size_t most = static_cast<std::size_t>(segments) * kBlockLanes;
     reserveMore(m_segments, m_segmentCount, most);
     for (std::size_t j = 0; j < static_cast<std::size_t>(segments); ++j)
-        for (std::uint32_t lanes = m_bounds.lanes[j]; lanes != 0; lanes &= lanes - 1) {
+        for (std::uint32_t lanes = bounds.lanes[j]; lanes != 0; lanes &= lanes - 1) {
             const std::size_t a = j * kBlockLanes + static_cast<std::size_t>(std::countr_zero(lanes));
             const std::size_t b = a + kBlockLanes;
-            const auto width = std::bit_cast<std::array<std::uint16_t, 2>>(m_bounds.widths[a]);
+            const auto width = std::bit_cast<std::array<std::uint16_t, 2>>(bounds.widths[a]);
             // What hair hides at one end was not lit there.
             const bool lit0 = points.width[a] > 0.0F;
             const bool lit1 = points.width[b] > 0.0F;
@@ -65,10 +65,10 @@ void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int se
                        .y0 = points.y[a],
                        .x1 = points.x[b],
                        .y1 = points.y[b],
-                       .depth = std::bit_cast<std::array<std::uint16_t, 2>>(m_bounds.depths[a]),
+                       .depth = std::bit_cast<std::array<std::uint16_t, 2>>(bounds.depths[a]),
                        .width = width,
                        .colour = {points.colour[lit0 ? a : b], points.colour[lit1 ? b : a]}};
-            addToTiles(tiles, segment, m_bounds.tilesX[a], m_bounds.tilesY[a]);
+            addToTiles(tiles, segment, bounds.tilesX[a], bounds.tilesY[a]);
             ++m_segmentCount;
         }
 }

@@ -84,8 +84,8 @@ public:
     static constexpr int kPicturesKept = 64;
 
     void clear(); ///< Before each picture.
-    /// A block of strands.
-    void add(const TileGrid& tiles, const StrandPoints& points, int segments);
+    /// A block of strands. `bounds`: scratch.
+    void add(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds);
     /// Sorts by tile, in the order in which they came. After that add() needs clear().
     void sort(const TileGrid& tiles);
     [[nodiscard]] const ScreenSegment* segments() const { return m_segments.data(); }
@@ -103,7 +103,6 @@ private:
     void addToTile(const TileGrid& tiles, const ScreenSegment& segment, int tileX, int tileY);
     void addToTiles(const TileGrid& tiles, const ScreenSegment& segment, std::uint32_t tilesX, std::uint32_t tilesY);
 
-    SegmentBounds m_bounds;
     std::vector<ScreenSegment> m_segments; ///< As long as it ever was; the first m_segmentCount count.
     std::size_t m_segmentCount = 0;
     std::vector<Found> m_found; ///< Likewise.
