@@ -100,7 +100,7 @@ void keepLibrariesQuiet(QtMsgType type, const QMessageLogContext& context, const
     const QByteArrayView category(context.category);
     const bool isLibrarys = category == QByteArrayView("default") || category.startsWith("qt.");
     // Their debugging is told only where somebody asked for it.
-    if (!isLibrarys || type == QtDebugMsg || qEnvironmentVariableIsSet("QT_DEBUG_PLUGINS"))
+    if (!isLibrarys || type == QtDebugMsg || type == QtFatalMsg || qEnvironmentVariableIsSet("QT_DEBUG_PLUGINS"))
         std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, text)));
 }
 
