@@ -62,11 +62,10 @@ private:
     }
 
 private Q_SLOTS:
+    // Elsewhere nothing is known of when memory goes back, and the sanitizer holds it.
+#if defined(Q_OS_LINUX) && !defined(__SANITIZE_ADDRESS__)
     void initTestCase()
     {
-#if defined(__SANITIZE_ADDRESS__)
-        QSKIP("The sanitizer holds freed memory back.");
-#endif
         returnLargeMemory(); // As the program does.
         prepareApplication();
     }
@@ -112,6 +111,7 @@ private Q_SLOTS:
         QVERIFY(most > before + 50.0);
         QVERIFY(after < before + 0.2 * (most - before));
     }
+#endif
 };
 
 } // namespace hairpaint::app
