@@ -1,4 +1,4 @@
-// glibc's limit, which moves unless it is set.
+// glibc's limit, which moves unless it is set, and its pages, which it keeps unless it is told.
 #include "app/large_memory.h"
 
 #include <cstdlib>
@@ -14,6 +14,13 @@ void returnLargeMemory()
 #if defined(__GLIBC__)
     constexpr int kLargeBytes = 256 << 10;
     mallopt(M_MMAP_THRESHOLD, kLargeBytes);
+#endif
+}
+
+void returnFreedMemory()
+{
+#if defined(__GLIBC__)
+    malloc_trim(0);
 #endif
 }
 

@@ -1,4 +1,4 @@
-// Where large blocks of memory go when they are not used any more.
+// When freed memory goes back to the system.
 #pragma once
 
 namespace hairpaint::app {
@@ -7,5 +7,10 @@ namespace hairpaint::app {
 /// soon as one has been freed, and a window that is open for a day holds twice what it uses, in pieces. Once, before
 /// other threads begin. Other libraries are left as they are.
 void returnLargeMemory();
+
+/// Gives back the pages that lie free among small blocks, which glibc keeps for ever: tiles of maps are of that size,
+/// and hundreds of megabytes of them can be free. Any thread; takes some milliseconds, in which others that allocate
+/// may have to wait.
+void returnFreedMemory();
 
 } // namespace hairpaint::app

@@ -15,6 +15,7 @@
 #include <QElapsedTimer>
 #include <QLoggingCategory>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -57,11 +58,27 @@ bool isForCommandLine(const QString& argument)
     return hairpaint::app::findCommand(argument) != nullptr;
 }
 
+/// Qt takes names to be UTF-8, and would write to another file than the one that such bytes name.
+bool isUtf8(const char* argument)
+{
+#ifdef Q_OS_UNIX
+    return QByteArrayView(argument).isValidUtf8();
+#else
+    return true; // The system's own call gives them as UTF-16.
+#endif
+}
+
 int runCommandLine(int argc, char** argv)
 {
+    const bool known = std::all_of(argv + 1, argv + argc, isUtf8);
     QCoreApplication application(argc, argv);
     hairpaint::app::speak();
     const QStringList arguments = QCoreApplication::arguments();
+    if (!known) {
+        (void)hairpaint::app::failed({CommandLine::tr("The arguments hold bytes that are not UTF-8, so no file can be "
+                                                      "named by them; rename the file first.")});
+        return static_cast<int>(ExitCode::WrongUsage);
+    }
     const QString& first = arguments.at(1);
     if (const Command* command = hairpaint::app::findCommand(first))
         return static_cast<int>(run(*command, arguments.mid(2)));
@@ -77,6 +94,16 @@ int runCommandLine(int argc, char** argv)
     return static_cast<int>(ExitCode::WrongUsage);
 }
 
+/// What libraries warn of (a missing folder of the session's, a window too small to paint) tells nobody what to do.
+void keepLibrariesQuiet(QtMsgType type, const QMessageLogContext& context, const QString& text)
+{
+    const QByteArrayView category(context.category);
+    const bool isLibrarys = category == QByteArrayView("default") || category.startsWith("qt.");
+    // Their debugging is told only where somebody asked for it.
+    if (!isLibrarys || type == QtDebugMsg || type == QtFatalMsg || qEnvironmentVariableIsSet("QT_DEBUG_PLUGINS"))
+        std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, text)));
+}
+
 /// Where no display can be opened Qt ends the program, with words that name plugins and not what the user can do.
 void listenForMissingDisplay(QtMsgType type, const QMessageLogContext& context, const QString& text)
 {
@@ -87,17 +114,15 @@ void listenForMissingDisplay(QtMsgType type, const QMessageLogContext& context, 
                  .arg(calledAs())});
         std::_Exit(static_cast<int>(code)); // Qt would abort, and the application object is not whole yet.
     }
-    const bool isAboutPlatform = QByteArrayView(context.category).startsWith("qt.qpa.");
-    if (!isAboutPlatform || qEnvironmentVariableIsSet("QT_DEBUG_PLUGINS"))
-        std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, text)));
+    keepLibrariesQuiet(type, context, text);
 }
 
 /// Ends the program with a sentence where there is no display.
 std::unique_ptr<QApplication> openDisplay(int& argc, char** argv)
 {
-    const QtMessageHandler before = qInstallMessageHandler(listenForMissingDisplay);
+    qInstallMessageHandler(listenForMissingDisplay);
     auto application = std::make_unique<QApplication>(argc, argv);
-    qInstallMessageHandler(before);
+    qInstallMessageHandler(keepLibrariesQuiet);
     return application;
 }
 

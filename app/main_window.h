@@ -6,6 +6,7 @@
 #include "app/clip_commands.h"
 #include "app/exchange.h"
 #include "app/focus_return.h"
+#include "app/freed_memory.h"
 #include "app/live_preferences.h"
 #include "app/map_exchange.h"
 #include "app/physical_keys.h"
@@ -79,6 +80,7 @@ private:
     Settings m_settings;
     Session m_session;
     Jobs m_jobs;
+    FreedMemory m_freedMemory;
     ProjectFiles m_files;
     Journal m_journal;
     Exchange m_exchange;

@@ -506,6 +506,10 @@
         <source>--lods takes a number from 1 to %1, not &apos;%2&apos;</source>
         <translation>--lods toma un número de 1 a %1, no &apos;%2&apos;</translation>
     </message>
+    <message>
+        <source>The arguments hold bytes that are not UTF-8, so no file can be named by them; rename the file first.</source>
+        <translation>Los argumentos contienen bytes que no son UTF-8, así que no pueden nombrar ningún archivo; cambia antes el nombre del archivo.</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -1039,6 +1043,10 @@
     <message>
         <source>it would be larger than 4 GB; use fewer layers or smaller maps</source>
         <translation>sería mayor de 4 GB; usa menos capas o mapas más pequeños</translation>
+    </message>
+    <message>
+        <source>the file &apos;%1&apos;, which it needs, is missing; put it where it was saved with this one, and try again</source>
+        <translation>falta el archivo «%1», que necesita; ponlo donde estaba cuando se guardó con este e inténtalo de nuevo</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // `hairpaint export`: the hair for other programs.
 #include "app/cli/command.h"
 #include "app/cli/film.h"
+#include "app/cli/interruption.h"
 #include "app/cli/settled_hair.h"
 #include "model/document.h"
 #include "model/exporting/export_format.h"
@@ -180,11 +181,14 @@ model::Result<void> exportFilm(SettledHair& hair, const HairMotion& wanted, cons
     QStringList places;
     hair.setMotion(wanted.motion);
     for (int number = 0; number <= wanted.film.last; ++number) {
+        if (!Interruption::progress()(0.0))
+            return model::cancelled(framePath(output, number));
         hair.advance(secondsBefore(number, wanted.film.framesPerSecond));
         if (number < wanted.film.first)
             continue;
         places += framePath(output, number);
-        if (model::Result<void> written = model::exportHair(hair.frame(), request, staged.pathFor(places.back()));
+        if (model::Result<void> written =
+                model::exportHair(hair.frame(), request, staged.pathFor(places.back()), Interruption::progress());
             !written)
             return tl::unexpected(staged.named(std::move(written.error()), places.back()));
     }
@@ -195,6 +199,7 @@ model::Result<void> exportShape(model::Project project, const HairMotion& wanted
                                 const QString& output)
 {
     SettledHair hair(std::move(project), wanted.settleSeconds, {.hairs = {}, .windVelocity = wanted.windVelocity});
+    const Interruption interruption;
     if (wanted.film.wanted())
         return exportFilm(hair, wanted, request, output);
     if (wanted.motion) {
@@ -204,7 +209,7 @@ model::Result<void> exportShape(model::Project project, const HairMotion& wanted
         hair.setMotion(std::nullopt);
         hair.advance(kAfterMotionSeconds);
     }
-    return model::exportHair(hair.frame(), request, output);
+    return model::exportHair(hair.frame(), request, output, Interruption::progress());
 }
 
 /// Every file that will be written can be.
@@ -308,11 +313,13 @@ ExitCode runExport(const QStringList& arguments)
     if (!sheet.isEmpty())
         if (const model::Result<void> written = model::writeUvSheet(project->head->skin->mesh(), sheet); !written)
             return failed(written.error());
-    if (!mapFolder.isEmpty())
-        if (const model::Result<void> written =
-                model::writeMapImages(wantedMapsOf(*project, *groups), mapFolder, *mapOptions);
+    if (!mapFolder.isEmpty()) {
+        const Interruption interruption;
+        if (const model::Result<void> written = model::writeMapImages(wantedMapsOf(*project, *groups), mapFolder,
+                                                                      *mapOptions, Interruption::progress());
             !written)
             return failed(written.error());
+    }
     if (output.isEmpty())
         return ExitCode::Done;
     request->curves.groups = std::move(*groups);

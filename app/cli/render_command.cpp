@@ -1,6 +1,7 @@
 // `hairpaint render`: pictures without a display.
 #include "app/cli/command.h"
 #include "app/cli/film.h"
+#include "app/cli/interruption.h"
 #include "app/cli/settled_hair.h"
 #include "app/picture.h"
 #include "model/files/project_file.h"
@@ -140,7 +141,7 @@ model::Result<void> renderPicture(PictureMaker& maker, const SettledHair& hair, 
 {
     rendering::Scene scene = pictureScene(hair.project(), hair.frame(), camera);
     scene.transparent = options.transparent;
-    return maker.save(scene, options.size, options.look, path);
+    return maker.save(scene, options.size, options.look, path, Interruption::progress());
 }
 
 rendering::Camera cameraOf(const RenderOptions& options, const SettledHair& hair)
@@ -160,6 +161,7 @@ rendering::Camera cameraOf(const RenderOptions& options, const SettledHair& hair
 model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const RenderOptions& options,
                                const rendering::Camera& camera, const QString& output)
 {
+    const Interruption interruption;
     // Pictures of a film lie beside their places until the last one is there.
     const model::StagedFiles folder(QFileInfo(output).absolutePath());
     if (model::Result<void> ready = folder.check(framePath(output, options.film.first)); !ready)
@@ -167,6 +169,8 @@ model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const Ren
     QStringList frames;
     for (int number = 0; number <= options.film.last; ++number) {
         // From the film's start, also through frames that nobody wants: a frame is the same whichever one is the first.
+        if (!Interruption::progress()(0.0))
+            return model::cancelled(framePath(output, number));
         hair.advance(secondsBefore(number, options.film.framesPerSecond));
         if (number < options.film.first)
             continue;

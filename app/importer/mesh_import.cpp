@@ -93,10 +93,11 @@ private:
 
 } // namespace
 
-tl::expected<sim::HeadMesh, wire::Reason> readMesh(const std::string& path)
+tl::expected<sim::HeadMesh, wire::Refusal> readMesh(const std::string& path)
 {
     Assimp::Importer importer;
-    importer.SetIOHandler(new PlainFiles); // It takes it over.
+    auto* const files = new PlainFiles;
+    importer.SetIOHandler(files); // It takes it over.
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 175.0F);
     const aiScene* scene =
         importer.ReadFile(path, static_cast<unsigned>(aiProcess_Triangulate) | aiProcess_GenSmoothNormals |
@@ -105,6 +106,8 @@ tl::expected<sim::HeadMesh, wire::Reason> readMesh(const std::string& path)
         // It catches what is thrown, and keeps the words.
         if (std::string_view(importer.GetErrorString()).find("bad_alloc") != std::string_view::npos)
             return tl::unexpected(wire::Reason::OutOfMemory);
+        if (!files->missing().empty())
+            return tl::unexpected(wire::Refusal(wire::Reason::MissingFile, files->missing()));
         const std::string ending = std::filesystem::path(path).extension().string();
         const bool known = ending.size() > 1 && importer.IsExtensionSupported(ending);
         return tl::unexpected(known ? wire::Reason::Damaged : wire::Reason::UnknownFormat);

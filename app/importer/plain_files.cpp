@@ -8,11 +8,16 @@ namespace hairpaint::importer {
 
 namespace {
 
+/// Assimp's names are UTF-8.
+std::filesystem::path pathOf(const char* file)
+{
+    return reinterpret_cast<const char8_t*>(file);
+}
+
 bool isOrdinary(const char* file)
 {
     std::error_code problem;
-    // Assimp's names are UTF-8.
-    return std::filesystem::is_regular_file(std::filesystem::path(reinterpret_cast<const char8_t*>(file)), problem);
+    return std::filesystem::is_regular_file(pathOf(file), problem);
 }
 
 } // namespace
@@ -24,7 +29,11 @@ bool PlainFiles::Exists(const char* file) const
 
 Assimp::IOStream* PlainFiles::Open(const char* file, const char* mode)
 {
-    return isOrdinary(file) ? DefaultIOSystem::Open(file, mode) : nullptr;
+    if (isOrdinary(file))
+        return DefaultIOSystem::Open(file, mode);
+    const std::u8string name = pathOf(file).filename().u8string();
+    m_missing.assign(name.begin(), name.end());
+    return nullptr;
 }
 
 } // namespace hairpaint::importer

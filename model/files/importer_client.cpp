@@ -49,9 +49,9 @@ QString failureText(HelperFailure failure)
     return {};
 }
 
-QString reasonText(wire::Reason reason)
+QString reasonText(const wire::Refusal& refusal)
 {
-    switch (reason) {
+    switch (refusal.reason) {
     case wire::Reason::CannotOpen:
         return say(QT_TRANSLATE_NOOP("Files", "it could not be read; check that it is there and may be read"));
     case wire::Reason::UnknownFormat:
@@ -75,6 +75,11 @@ QString reasonText(wire::Reason reason)
                                      "program that made it, and try again"));
     case wire::Reason::OutOfMemory:
         return say(QT_TRANSLATE_NOOP("Files", "there was not enough memory for it; try a smaller one"));
+    case wire::Reason::MissingFile:
+        return say(QT_TRANSLATE_NOOP("Files",
+                                     "the file '%1', which it needs, is missing; put it where it was saved with "
+                                     "this one, and try again"))
+            .arg(shownPath(QString::fromStdString(refusal.file)));
     }
     return {};
 }
@@ -93,8 +98,8 @@ Result<wire::Bytes> ask(const QString& helper, int timeoutMs, const wire::Bytes&
         return refused(failureText(answer.error()));
     }
     if (answer->kind == wire::Kind::Refusal)
-        if (const auto reason = wire::decodeRefusal(answer->body))
-            return refused(reasonText(*reason));
+        if (const auto refusal = wire::decodeRefusal(answer->body))
+            return refused(reasonText(*refusal));
     if (answer->kind != wanted)
         return refused(failureText(HelperFailure::Nonsense));
     return std::move(answer->body);

@@ -89,6 +89,22 @@ bool unfilter(int filter, std::uint8_t* row, const std::uint8_t* above, std::siz
     }
 }
 
+/// A row of `pixelBytes` a pixel; before it, as before the one `above`, stands its filter's number.
+bool unfilterRow(int pixelBytes, std::uint8_t* row, const std::uint8_t* above, std::size_t rowBytes)
+{
+    const int filter = row[0];
+    switch (pixelBytes) {
+    case 3:
+        return unfilter<3>(filter, row + 1, above + 1, rowBytes);
+    case 4:
+        return unfilter<4>(filter, row + 1, above + 1, rowBytes);
+    case 6:
+        return unfilter<6>(filter, row + 1, above + 1, rowBytes);
+    default:
+        return unfilter<8>(filter, row + 1, above + 1, rowBytes);
+    }
+}
+
 } // namespace
 
 std::optional<PngParts> readPngParts(const QByteArray& png)
@@ -175,32 +191,25 @@ QByteArrayView pixelChunksOf(const QByteArray& png)
     return partOf(png, firstPixels, pixelsEnd);
 }
 
+/// What is no row of bands, through zlib, as far as it is whole.
 struct PngRows::Stream
 {
     z_stream zlib{};
     bool good = false;
     bool ended = false;
-    std::size_t rowBytes = 0;
-    int pixelBytes = 0;
-    std::vector<std::uint8_t> row;   ///< The filter's number, then the row.
-    std::vector<std::uint8_t> above; ///< Likewise.
-    QByteArrayView chunks;           ///< Not begun yet.
+    std::vector<std::uint8_t> row; ///< The filter's number, then the row.
+    QByteArrayView chunks;         ///< Not begun yet.
 
-    /// Hands the next chunk of pixels to zlib; false where there is none.
-    bool nextChunk()
+    Stream(QByteArrayView pixelChunks, std::size_t rowBytes) : row(rowBytes + 1), chunks(pixelChunks)
     {
-        while (chunks.size() >= qsizetype{kFrameBytes} - 4) {
-            const auto length = qFromBigEndian<quint32>(chunks.data());
-            const bool isPixels = chunks.sliced(4, 4) == kPixels;
-            const qsizetype there = std::min<qsizetype>(length, chunks.size() - 8); // The last one may be cut off.
-            zlib.next_in = reinterpret_cast<const Bytef*>(chunks.data() + 8);
-            zlib.avail_in = isPixels ? static_cast<uInt>(there) : 0;
-            chunks = chunks.sliced(std::min<qsizetype>(qsizetype{length} + qsizetype{kFrameBytes}, chunks.size()));
-            if (zlib.avail_in > 0)
-                return true;
-        }
-        return false;
+        const int result = inflateInit(&zlib);
+        if (result == Z_MEM_ERROR)
+            throw std::bad_alloc();
+        good = result == Z_OK;
     }
+    ~Stream() { inflateEnd(&zlib); }
+    Stream(const Stream&) = delete;
+    Stream& operator=(const Stream&) = delete;
 
     /// Inflates `count` bytes; false where there are fewer.
     bool inflateTo(std::uint8_t* target, std::size_t count)
@@ -208,9 +217,13 @@ struct PngRows::Stream
         zlib.next_out = target;
         zlib.avail_out = static_cast<uInt>(count);
         while (zlib.avail_out > 0 && good && !ended) {
-            if (zlib.avail_in == 0 && !nextChunk()) {
-                good = false;
-                break;
+            if (zlib.avail_in == 0) {
+                const std::optional<QByteArrayView> content = takePixelChunk(chunks);
+                good = content.has_value();
+                if (!good)
+                    break;
+                zlib.next_in = reinterpret_cast<const Bytef*>(content->data());
+                zlib.avail_in = static_cast<uInt>(content->size());
             }
             const int result = inflate(&zlib, Z_NO_FLUSH);
             if (result == Z_MEM_ERROR)
@@ -220,56 +233,58 @@ struct PngRows::Stream
         }
         return good && zlib.avail_out == 0;
     }
-
-    bool unfilterRow()
-    {
-        const int filter = row[0];
-        switch (pixelBytes) {
-        case 3:
-            return unfilter<3>(filter, row.data() + 1, above.data() + 1, rowBytes);
-        case 4:
-            return unfilter<4>(filter, row.data() + 1, above.data() + 1, rowBytes);
-        case 6:
-            return unfilter<6>(filter, row.data() + 1, above.data() + 1, rowBytes);
-        default:
-            return unfilter<8>(filter, row.data() + 1, above.data() + 1, rowBytes);
-        }
-    }
 };
 
 PngRows::PngRows(QByteArrayView pixelChunks, std::size_t rowBytes, int pixelBytes)
-    : m_stream(std::make_unique<Stream>())
-{
-    Stream& stream = *m_stream;
-    stream.rowBytes = rowBytes;
-    stream.pixelBytes = pixelBytes;
-    stream.row.resize(rowBytes + 1);
-    stream.above.resize(rowBytes + 1);
-    stream.chunks = pixelChunks;
-    const int result = inflateInit(&stream.zlib);
-    if (result == Z_MEM_ERROR)
-        throw std::bad_alloc();
-    stream.good = result == Z_OK;
-}
+    : m_chunks(pixelChunks), m_rowBytes(rowBytes), m_pixelBytes(pixelBytes),
+      m_bands(std::make_unique<PngBands>(pixelChunks, rowBytes)), m_above(rowBytes + 1)
+{}
 
-PngRows::~PngRows()
+PngRows::~PngRows() = default;
+
+std::span<const std::uint8_t> PngRows::nextOfBands()
 {
-    inflateEnd(&m_stream->zlib);
+    if (m_band.empty())
+        m_band = m_bands->next();
+    if (m_band.empty())
+        return {};
+    const std::span<std::uint8_t> row = m_band.first(m_rowBytes + 1);
+    if (!unfilterRow(m_pixelBytes, row.data(), m_above.data(), m_rowBytes)) {
+        m_band = {};
+        return {};
+    }
+    m_band = m_band.subspan(row.size());
+    std::ranges::copy(row, m_above.begin());
+    ++m_given;
+    return row.subspan(1);
 }
 
 std::span<const std::uint8_t> PngRows::next()
 {
+    if (m_bands) {
+        const std::span<const std::uint8_t> row = nextOfBands();
+        if (!row.empty() || m_bands->atEnd())
+            return row;
+        // Nothing stands alone from here on: from the start again, past the rows that were given.
+        m_bands.reset();
+        m_stream = std::make_unique<Stream>(m_chunks, m_rowBytes);
+        for (std::size_t i = 0; i < m_given; ++i)
+            (void)m_stream->inflateTo(m_stream->row.data(), m_stream->row.size());
+    }
     Stream& stream = *m_stream;
-    std::swap(stream.row, stream.above);
-    if (!stream.inflateTo(stream.row.data(), stream.row.size()) || !stream.unfilterRow()) {
+    if (!stream.inflateTo(stream.row.data(), stream.row.size()) ||
+        !unfilterRow(m_pixelBytes, stream.row.data(), m_above.data(), m_rowBytes)) {
         stream.good = false;
         return {};
     }
-    return {stream.row.data() + 1, stream.rowBytes};
+    m_above.swap(stream.row);
+    return {m_above.data() + 1, m_rowBytes};
 }
 
 bool PngRows::atEnd()
 {
+    if (m_bands)
+        return m_bands->atEnd() && m_band.empty();
     std::uint8_t more = 0;
     // What is left is the stream's checksum, and no pixel.
     return m_stream->good && !m_stream->inflateTo(&more, 1) && m_stream->good && m_stream->ended;

@@ -3,6 +3,8 @@
 // read. Any thread.
 #pragma once
 
+#include "model/files/png_bands.h"
+
 #include <QByteArray>
 #include <QByteArrayView>
 
@@ -10,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace hairpaint::model {
 
@@ -37,8 +40,9 @@ struct PngParts
 /// them. Empty where there is none.
 [[nodiscard]] QByteArrayView pixelChunksOf(const QByteArray& png);
 
-/// Inflates and unfilters one row after another. Throws std::bad_alloc where zlib finds no memory. Holds two rows and
-/// zlib's window, however large the image is.
+/// Inflates and unfilters one row after another, an image of our own quicker than others. Throws std::bad_alloc where
+/// there is no memory. Holds 64 rows at most, however large the image is. Where the stream is broken it gives the rows
+/// before that place.
 class PngRows
 {
 public:
@@ -55,7 +59,16 @@ public:
 
 private:
     struct Stream;
-    std::unique_ptr<Stream> m_stream;
+    [[nodiscard]] std::span<const std::uint8_t> nextOfBands();
+
+    QByteArrayView m_chunks;
+    std::size_t m_rowBytes;
+    int m_pixelBytes;
+    std::unique_ptr<PngBands> m_bands; ///< Null once the image is read as a stream.
+    std::span<std::uint8_t> m_band;    ///< What is left of the present one.
+    std::vector<std::uint8_t> m_above; ///< The row before, the filter's number first.
+    std::unique_ptr<Stream> m_stream;  ///< Null until then.
+    std::size_t m_given = 0;           ///< Rows.
 };
 
 } // namespace hairpaint::model

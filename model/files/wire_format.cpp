@@ -93,7 +93,7 @@ std::uint64_t mostBodyBytes(Kind kind)
     case Kind::Encoded:
         return kMostEncodedBytes;
     case Kind::Refusal:
-        return 4;
+        return 4 + kLongestName;
     }
     return 0;
 }
@@ -171,10 +171,12 @@ Bytes encodeFile(std::span<const std::byte> file)
     return writer.take();
 }
 
-Bytes encodeRefusal(Reason reason)
+Bytes encodeRefusal(const Refusal& refusal)
 {
-    Writer writer(Kind::Refusal, 4);
-    writer.value(static_cast<std::uint32_t>(reason));
+    const auto name = std::span(refusal.file).first(std::min<std::size_t>(refusal.file.size(), kLongestName));
+    Writer writer(Kind::Refusal, 4 + name.size());
+    writer.value(static_cast<std::uint32_t>(refusal.reason));
+    writer.array(name);
     return writer.take();
 }
 
@@ -254,14 +256,22 @@ std::optional<sim::HeadMesh> decodeMesh(std::span<const std::byte> body)
     return mesh;
 }
 
-std::optional<Reason> decodeRefusal(std::span<const std::byte> body)
+std::optional<Refusal> decodeRefusal(std::span<const std::byte> body)
 {
     Reader reader(body);
     std::uint32_t reason = 0;
-    if (!reader.value(reason) || !reader.atEnd() || reason < 1 ||
-        reason > static_cast<std::uint32_t>(Reason::UnknownCompression))
+    if (!reader.value(reason) || reason < 1 || reason > static_cast<std::uint32_t>(Reason::MissingFile))
         return std::nullopt;
-    return static_cast<Reason>(reason);
+    Refusal refusal(static_cast<Reason>(reason));
+    if (refusal.reason == Reason::MissingFile) {
+        std::optional<std::string> name = decodePath(reader.rest());
+        if (!name || name->size() > kLongestName)
+            return std::nullopt;
+        refusal.file = *std::move(name);
+    } else if (!reader.atEnd()) {
+        return std::nullopt;
+    }
+    return refusal;
 }
 
 } // namespace hairpaint::wire

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hairpaint::wire {
@@ -37,11 +38,22 @@ enum class Reason : std::uint32_t
     NoUvs = 6,
     CannotWriteEnding = 7,
     OutOfMemory = 8,
-    UnknownCompression = 9
+    UnknownCompression = 9,
+    MissingFile = 10 ///< One that the file names.
+};
+
+/// Why there is no other answer.
+struct Refusal
+{
+    Reason reason;
+    std::string file; ///< UTF-8, without folders; empty unless it is missing.
+    Refusal(Reason why, std::string missing = {}) : reason(why), file(std::move(missing)) {}
+    friend bool operator==(const Refusal&, const Refusal&) = default;
 };
 
 inline constexpr std::size_t kHeaderBytes = 20;
 inline constexpr std::uint64_t kLongestPath = 32'768;
+inline constexpr std::uint64_t kLongestName = 1024;
 inline constexpr std::uint32_t kLongestEnding = 16;
 inline constexpr std::uint32_t kLargestSide = 32'768;
 inline constexpr std::uint64_t kMostPixels = 1ULL << 26U;
@@ -76,14 +88,14 @@ struct EncodeRequest
 [[nodiscard]] Bytes encodeRequest(const EncodeRequest& request);
 [[nodiscard]] Bytes encodeMesh(const sim::HeadMesh& mesh);
 [[nodiscard]] Bytes encodeFile(std::span<const std::byte> file);
-[[nodiscard]] Bytes encodeRefusal(Reason reason);
+[[nodiscard]] Bytes encodeRefusal(const Refusal& refusal);
 
 /// Bodies, without the header.
 [[nodiscard]] std::optional<std::string> decodePath(std::span<const std::byte> body);
 [[nodiscard]] std::optional<Image> decodeImage(std::span<const std::byte> body);
 [[nodiscard]] std::optional<EncodeRequest> decodeRequest(std::span<const std::byte> body);
 [[nodiscard]] std::optional<sim::HeadMesh> decodeMesh(std::span<const std::byte> body);
-[[nodiscard]] std::optional<Reason> decodeRefusal(std::span<const std::byte> body);
+[[nodiscard]] std::optional<Refusal> decodeRefusal(std::span<const std::byte> body);
 
 [[nodiscard]] bool imageFits(std::uint64_t width, std::uint64_t height, std::uint64_t channels);
 

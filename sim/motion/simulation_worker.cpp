@@ -141,6 +141,7 @@ public:
         m_nextFrame = after(m_nextFrame, m_period.count());
         const std::shared_ptr<StrandFrame> frame = m_pool.frame();
         m_simulation->writeFrame(*frame, m_detail);
+        m_pool.written(*frame);
         frame->number = ++m_number;
         m_stale = false;
         m_frames.put(frame);

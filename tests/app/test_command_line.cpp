@@ -2,6 +2,7 @@
 // test_broken_files.cpp.
 #include "model/files/project_file.h"
 #include "tests/app/program.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 
 #include <QImage>
@@ -161,6 +162,23 @@ private Q_SLOTS:
         QVERIFY(!outcome.error.contains(QChar(0x1b)));
         QVERIFY(!outcome.error.contains(QChar(0x07)));
         QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
+    }
+
+    /// Such names can't be told apart once they are text: nothing is written under another one.
+    void namesThatAreNotUtf8AreRefused()
+    {
+#ifdef Q_OS_UNIX
+        QProcess process; // By a shell, for QProcess can't give such bytes either.
+        process.setWorkingDirectory(m_folder.path());
+        process.start(QStringLiteral("/bin/sh"),
+                      {QStringLiteral("-c"),
+                       QStringLiteral("mkdir bytes && exec '%1' new -o \"bytes/$(printf 'caf\\351').hairpaint\"")
+                           .arg(QStringLiteral(HAIRPAINT_PROGRAM))});
+        QVERIFY(process.waitForFinished(kPatienceMs));
+        QCOMPARE(process.exitCode(), 2);
+        QCOMPARE(process.readAllStandardError().count('\n'), 1);
+        QVERIFY(QDir(path("bytes")).isEmpty());
+#endif
     }
 
     void aCommandsHelpTellsOfEachOption_data()

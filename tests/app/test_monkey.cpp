@@ -1,5 +1,7 @@
 // Somebody who knows nothing clicks, drags and types at random: nothing may break, and undo leads all the way back.
 #include "app/large_memory.h"
+#include "model/files/preset_file.h"
+#include "model/preset.h"
 #include "tests/app/program.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
@@ -37,8 +39,11 @@ protected:
 };
 
 constexpr int kFifths = 5;
+constexpr int kRestsAFifth = 8;
+constexpr int kLongRun = 10'000; ///< Actions from which on memory can be expected to have settled.
 
-/// So many, or as the environment says: HAIRPAINT_MONKEY_ACTIONS=100000 HAIRPAINT_MONKEY_SEED=7.
+/// So many, or as the environment says: HAIRPAINT_MONKEY_ACTIONS=100000 HAIRPAINT_MONKEY_SEED=7 (and
+/// QTEST_FUNCTION_TIMEOUT, in ms, for what takes more than five minutes).
 int fromEnvironment(const char* name, int otherwise)
 {
     const int value = qEnvironmentVariableIntValue(name);
@@ -52,6 +57,8 @@ class TestMonkey : public QObject, private WindowFixture
     Q_OBJECT
 private:
     std::mt19937 m_random;
+    model::Preset m_style;
+    model::Project m_project;
 
     unsigned below(unsigned count) { return static_cast<unsigned>(m_random() % count); }
 
@@ -167,11 +174,35 @@ private:
                               Qt::LeftButton, {}, QPoint(10, 5));
     }
 
+    /// What is held while one and the same style rests on the head in one and the same view, whatever was done before.
+    [[nodiscard]] double megabytesAtRest()
+    {
+        model::Document& document = session().document();
+        document.push(model::applyPresetCommand(document, m_style));
+        document.push(model::setWindCommand(document, m_project.wind));
+        document.push(model::setEllipsoidsCommand(document, m_project.ellipsoids, QString()));
+        editor().setActiveMap(model::MapKind::Density);
+        // A copy of all replaces whatever was copied.
+        for (const char* id : {"view.both", "view.home", "view.fit", "look.front", "edit.none", "edit.copy"})
+            m_window->actions().find(QLatin1StringView(id))->trigger();
+        const auto isShown = [this, &document] {
+            const auto frame = session().frame();
+            return frame != nullptr && frame->revision >= document.revision();
+        };
+        if (!QTest::qWaitFor(isShown, kPatienceMs))
+            qWarning("The hair of a style did not come.");
+        QTest::qWait(300); // Its picture does.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        returnFreedMemory();
+        return static_cast<double>(test::residentBytes(QCoreApplication::applicationPid())) / 1e6;
+    }
+
 private Q_SLOTS:
     void initTestCase()
     {
         returnLargeMemory(); // As the program does.
         prepareApplication();
+        m_style = model::loadPreset(QStringLiteral(":/presets/bob.hairpreset")).value();
     }
     void cleanup() { m_window.reset(); }
 
@@ -179,11 +210,14 @@ private Q_SLOTS:
     {
         const int actions = fromEnvironment("HAIRPAINT_MONKEY_ACTIONS", 400);
         m_random.seed(static_cast<unsigned>(fromEnvironment("HAIRPAINT_MONKEY_SEED", 1)));
-        openWindow(model::newProject());
+        m_project = model::newProject();
+        openWindow(m_project);
         // So little that long runs forget their first steps, and hold no more from then on.
         session().document().setUndoBudget(std::size_t{64} << 20U);
         const Closer closer;
-        std::array<double, kFifths> megabytes{}; // What each fifth of the actions held, on average.
+        std::array<double, kFifths> megabytes{}; // What each fifth of the actions held, on average,
+        std::array<double, kFifths> atRest{};    // and what it held where nothing but the past differs.
+        const int restEvery = actions / (kFifths * kRestsAFifth);
         for (int i = 0; i < actions; ++i) {
             act();
             if (i % 8 == 0) {
@@ -192,6 +226,8 @@ private Q_SLOTS:
                 QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
             }
             const auto fifth = static_cast<std::size_t>(qint64{i} * kFifths / actions);
+            if (actions >= kLongRun && i % restEvery == restEvery - 1)
+                atRest[fifth] += megabytesAtRest() / kRestsAFifth;
             megabytes[fifth] += static_cast<double>(test::residentBytes(QCoreApplication::applicationPid())) * kFifths /
                                 (1e6 * actions);
         }
@@ -211,6 +247,13 @@ private Q_SLOTS:
         QVERIFY(savedBytes("again.hairpaint") == after);
         qInfo("%d actions, %d steps; MB in each fifth: %.0f %.0f %.0f %.0f %.0f", actions, steps, megabytes[0],
               megabytes[1], megabytes[2], megabytes[3], megabytes[4]);
+        if (actions < kLongRun)
+            return;
+        qInfo("with one style at rest: %.0f %.0f %.0f %.0f %.0f", atRest[0], atRest[1], atRest[2], atRest[3],
+              atRest[4]);
+#if !defined(__SANITIZE_ADDRESS__) // Which holds freed memory back.
+        QVERIFY(atRest[4] <= 1.05 * atRest[1]);
+#endif
     }
 };
 

@@ -41,8 +41,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             fuzz::require(sameBody(body, wire::encodeMesh(*mesh)));
         break;
     default:
-        if (const std::optional<wire::Reason> reason = wire::decodeRefusal(body))
-            fuzz::require(sameBody(body, wire::encodeRefusal(*reason)));
+        if (const std::optional<wire::Refusal> refusal = wire::decodeRefusal(body))
+            fuzz::require(sameBody(body, wire::encodeRefusal(*refusal)));
     }
     return 0;
 }

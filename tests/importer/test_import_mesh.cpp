@@ -213,6 +213,18 @@ private Q_SLOTS:
         QVERIFY(!mesh && mesh.error().message.contains(QStringLiteral("uv")));
     }
 
+    void aBufferThatIsNotThereIsNamed()
+    {
+        QByteArray model = gltfQuad("[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]", true);
+        const auto uri = model.indexOf("data:");
+        model.replace(uri, model.indexOf('"', uri) - uri, "far/away.bin");
+        const QString file = written(QStringLiteral("torn.gltf"), model);
+        const auto mesh = m_client.readMesh(file);
+        QVERIFY(!mesh);
+        QVERIFY2(mesh.error().message.contains(QStringLiteral("away.bin")), qPrintable(mesh.error().message));
+        QVERIFY2(test::isOneSentenceNaming(mesh.error().message, file), qPrintable(mesh.error().message));
+    }
+
     void aPipeThatAModelNamesIsNotWaitedFor()
     {
 #ifdef Q_OS_UNIX

@@ -69,6 +69,10 @@ private Q_SLOTS:
         QVERIFY(request->image.samples == sampleImage().samples);
         const auto reason = wire::decodeRefusal(bodyOf(wire::encodeRefusal(wire::Reason::NoUvs)));
         QVERIFY(reason == wire::Reason::NoUvs);
+        const wire::Refusal missing(wire::Reason::MissingFile, "kopf ä.bin");
+        QVERIFY(wire::decodeRefusal(bodyOf(wire::encodeRefusal(missing))) == missing);
+        QVERIFY(!wire::decodeRefusal(bodyOf(wire::encodeRefusal(wire::Reason::MissingFile)))); // No name.
+        QVERIFY(!wire::decodeRefusal(bodyOf(wire::encodeRefusal({wire::Reason::Damaged, "x"}))));
     }
 
     void aHeaderThatIsNotOursIsRefused_data()
@@ -85,7 +89,7 @@ private Q_SLOTS:
         row("another version", patched(good, 7, '9'));
         row("an unknown kind", patched(good, 8, std::uint32_t{77}));
         row("no body", patched(good, 12, std::uint64_t{0}));
-        row("a body above its limit", patched(good, 12, std::uint64_t{5}));
+        row("a body above its limit", patched(good, 12, wire::kLongestName + 5));
         row("an endless image", patched(wire::encodeImage(sampleImage()), 12, ~std::uint64_t{0}));
     }
     void aHeaderThatIsNotOursIsRefused()

@@ -45,6 +45,35 @@ private Q_SLOTS:
         QCOMPARE(newImage(3, 2, QImage::Format_Grayscale8).size(), QSize(3, 2));
     }
 
+    /// Bands of our own and chunks of others look alike until one of them refers to an earlier one.
+    void aStreamThatStopsBeingBandsIsReadOn()
+    {
+        constexpr int kSide = 256;
+        sim::TiledRaster raster(kSide, 2);
+        std::mt19937 random(5);
+        for (int i = 0; i < raster.tileCount(); ++i)
+            for (std::uint16_t& value : raster.writableTile(i))
+                value = static_cast<std::uint16_t>(random() & 0xFFU);
+        const QByteArray png = encodeLayer(raster, nullptr).bytes;
+        const std::optional<PngParts> parts = readPngParts(png);
+        QVERIFY(parts);
+        // The same stream, its second band and what follows cut into chunks at other places.
+        QByteArrayView chunks = parts->pixelChunks;
+        const QByteArray first = takePixelChunk(chunks)->toByteArray();
+        QByteArray rest;
+        while (const std::optional<QByteArrayView> content = takePixelChunk(chunks))
+            rest.append(*content);
+        QVERIFY(rest.size() > 3000);
+        const QByteArray cut = test::pngSignature() + test::pngHeader(kSide, kSide, 16, 6) +
+                               test::pngChunk("IDAT", first) + test::pngChunk("IDAT", rest.first(1000)) +
+                               test::pngChunk("IDAT", rest.sliced(1000)) + test::pngChunk("IEND", {});
+        const MapSpec& spec = mapSpec(MapKind::Length);
+        const Checked<DecodedLayer> ours = decodeLayer(png, spec, kSide);
+        const Checked<DecodedLayer> others = decodeLayer(cut, spec, kSide);
+        QVERIFY(ours && others);
+        QVERIFY(ours->raster == raster && others->raster == raster);
+    }
+
     void picturesAreReadAsQtReadsThem_data()
     {
         QTest::addColumn<int>("width");

@@ -12,6 +12,7 @@ class TestFramePool : public QObject
 
 private Q_SLOTS:
     void aFrameThatIsLetGoKeepsItsMemoryAndNoGroom();
+    void framesOfMoreHairThanThereIsAreForgotten();
     void framesOutliveThePool();
 };
 
@@ -31,6 +32,33 @@ void TestFramePool::aFrameThatIsLetGoKeepsItsMemoryAndNoGroom()
     QCOMPARE(frame.get(), address);
     QCOMPARE(frame->groups.front().positions.data(), memory);
     QVERIFY(frame->groups.front().positions.capacity() >= 1000);
+}
+
+void TestFramePool::framesOfMoreHairThanThereIsAreForgotten()
+{
+    const auto write = [](StrandFrame& frame, std::size_t floats) {
+        frame.groups.resize(1);
+        frame.groups.front().positions.resize(floats);
+    };
+    FramePool pool;
+    std::shared_ptr<StrandFrame> waiting = pool.frame();
+    write(*waiting, 100'000);
+    std::shared_ptr<StrandFrame> shown = pool.frame();
+    write(*shown, 100'000);
+    pool.written(*shown);
+    waiting.reset();
+    {
+        const std::shared_ptr<StrandFrame> fewer = pool.frame();
+        QVERIFY(fewer->groups.front().positions.capacity() >= 100'000); // As large as those before, until it is known.
+        write(*fewer, 1000);
+        pool.written(*fewer);
+        QVERIFY(fewer->groups.front().positions.capacity() <= 2000);
+    }
+    shown.reset(); // Somebody held it for longer.
+    for (int i = 0; i < 3; ++i) {
+        const std::shared_ptr<StrandFrame> next = pool.frame();
+        QVERIFY(next->groups.empty() || next->groups.front().positions.capacity() <= 2000);
+    }
 }
 
 void TestFramePool::framesOutliveThePool()

@@ -93,6 +93,7 @@ struct BlockScratch
 {
     StrandBlock block;
     StrandPoints points;
+    SegmentBounds bounds;
 };
 
 BlockScratch& blockScratch()
@@ -146,6 +147,8 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     m_batchCount = 0;
     m_hairs = 0;
     m_detail = 1.0F; // The first hair there will be is to come whole.
+    for (SegmentBatch& batch : m_batches)
+        batch.clear();
     m_turnWoFromHd = glm::mat3(constants.woFromHd);
     const Depth& depth = fine ? kFineDepth : kMovingDepth;
     m_undrawnCoverings = depth.undrawnCoverings;
@@ -160,6 +163,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         TileGrid(static_cast<int>(constants.target.x), static_cast<int>(constants.target.y), cellM * m_depthsPerM);
     if (!frame) {
         m_lists.clear();
+        m_batches.clear();
         return;
     }
     std::erase_if(m_lists, [&](const auto& entry) {
@@ -185,8 +189,10 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         sources.push_back({.group = &group, .slots = list.slots(), .detail = list.detail()});
         m_hairs += list.slots().size();
     }
-    if (m_groups.empty())
+    if (m_groups.empty()) {
+        m_batches.clear();
         return;
+    }
     m_detail = detailThatTells;
     m_grids.fill(sources, constants);
     const std::size_t wanted = m_hairs / kWantedBatches / kBlockLanes * kBlockLanes;
@@ -228,7 +234,6 @@ void HairSegments::drawBatch(std::size_t number)
     const Piece& piece = m_pieces[number];
     const Group& group = m_groups[piece.group];
     SegmentBatch& batch = m_batches[number];
-    batch.clear();
     BlockScratch& scratch = blockScratch();
     std::size_t all = 0;
     for (std::size_t first = piece.first; first < piece.end; first += kBlockLanes) {
@@ -236,7 +241,7 @@ void HairSegments::drawBatch(std::size_t number)
         fillBlock(scratch.block, *group.frame, group.list->slots().subspan(first, lanes), m_turnWoFromHd);
         const SpanSegments segments = segmentsFor(group.view, scratch.block);
         drawnPoints(group.view, scratch.block, segments, scratch.points);
-        batch.add(m_tiles, scratch.points, segments.total);
+        batch.add(m_tiles, scratch.points, segments.total, scratch.bounds);
         all += static_cast<std::size_t>(segments.total) * lanes;
     }
     batch.sort(m_tiles);

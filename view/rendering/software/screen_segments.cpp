@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace hairpaint::rendering {
 namespace {
@@ -16,26 +17,46 @@ void reserveMore(std::vector<T>& elements, std::size_t count, std::size_t more)
         elements.resize(std::max(count + more, elements.size() + elements.size() / 2));
 }
 
+/// Frees what is more than twice what is needed.
+template<class T>
+void freeBeyond(std::vector<T>& elements, std::size_t needed)
+{
+    if (elements.size() / 2 > needed)
+        elements = std::vector<T>(needed);
+}
+
 constexpr std::uint32_t kLowHalf = 0xFFFFU;
 
 } // namespace
 
 void SegmentBatch::clear()
 {
-    m_segmentCount = 0;
-    m_foundCount = 0;
+    m_mostSegments = std::max(m_mostSegments, std::exchange(m_segmentCount, 0));
+    m_mostFound = std::max(m_mostFound, std::exchange(m_foundCount, 0));
+    if (++m_pictures < kPicturesKept)
+        return;
+    freeBeyond(m_segments, std::exchange(m_mostSegments, 0));
+    freeBeyond(m_sorted, m_mostFound);
+    freeBeyond(m_found, std::exchange(m_mostFound, 0));
+    m_pictures = 0;
 }
 
-void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int segments)
+std::size_t SegmentBatch::heldBytes() const
 {
-    findBounds(tiles, points, segments, m_bounds);
+    return m_segments.size() * sizeof(ScreenSegment) + m_found.size() * sizeof(Found) +
+           m_sorted.size() * sizeof(TileEntry);
+}
+
+void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds)
+{
+    findBounds(tiles, points, segments, bounds);
     const std::size_t most = static_cast<std::size_t>(segments) * kBlockLanes;
     reserveMore(m_segments, m_segmentCount, most);
     for (std::size_t j = 0; j < static_cast<std::size_t>(segments); ++j)
-        for (std::uint32_t lanes = m_bounds.lanes[j]; lanes != 0; lanes &= lanes - 1) {
+        for (std::uint32_t lanes = bounds.lanes[j]; lanes != 0; lanes &= lanes - 1) {
             const std::size_t a = j * kBlockLanes + static_cast<std::size_t>(std::countr_zero(lanes));
             const std::size_t b = a + kBlockLanes;
-            const auto width = std::bit_cast<std::array<std::uint16_t, 2>>(m_bounds.widths[a]);
+            const auto width = std::bit_cast<std::array<std::uint16_t, 2>>(bounds.widths[a]);
             // What hair hides at one end was not lit there.
             const bool lit0 = points.width[a] > 0.0F;
             const bool lit1 = points.width[b] > 0.0F;
@@ -44,10 +65,10 @@ void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int se
                        .y0 = points.y[a],
                        .x1 = points.x[b],
                        .y1 = points.y[b],
-                       .depth = std::bit_cast<std::array<std::uint16_t, 2>>(m_bounds.depths[a]),
+                       .depth = std::bit_cast<std::array<std::uint16_t, 2>>(bounds.depths[a]),
                        .width = width,
                        .colour = {points.colour[lit0 ? a : b], points.colour[lit1 ? b : a]}};
-            addToTiles(tiles, segment, m_bounds.tilesX[a], m_bounds.tilesY[a]);
+            addToTiles(tiles, segment, bounds.tilesX[a], bounds.tilesY[a]);
             ++m_segmentCount;
         }
 }

@@ -77,18 +77,21 @@ struct TileGrid
 void findBounds(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds);
 
 /// The segments of a run of strands. What it holds is kept from picture to picture, so that nothing is allocated while
-/// the hair moves.
+/// the hair moves; what few pictures needed is freed after kPicturesKept.
 class SegmentBatch
 {
 public:
-    void clear();
-    /// A block of strands.
-    void add(const TileGrid& tiles, const StrandPoints& points, int segments);
+    static constexpr int kPicturesKept = 64;
+
+    void clear(); ///< Before each picture.
+    /// A block of strands. `bounds`: scratch.
+    void add(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds);
     /// Sorts by tile, in the order in which they came. After that add() needs clear().
     void sort(const TileGrid& tiles);
     [[nodiscard]] const ScreenSegment* segments() const { return m_segments.data(); }
     [[nodiscard]] const TileEntry* begin(std::size_t tile) const { return m_sorted.data() + m_tileBegin[tile]; }
     [[nodiscard]] const TileEntry* end(std::size_t tile) const { return m_sorted.data() + m_tileBegin[tile + 1]; }
+    [[nodiscard]] std::size_t heldBytes() const; ///< Of segments and of where they lie.
 
 private:
     struct Found
@@ -100,13 +103,15 @@ private:
     void addToTile(const TileGrid& tiles, const ScreenSegment& segment, int tileX, int tileY);
     void addToTiles(const TileGrid& tiles, const ScreenSegment& segment, std::uint32_t tilesX, std::uint32_t tilesY);
 
-    SegmentBounds m_bounds;
     std::vector<ScreenSegment> m_segments; ///< As long as it ever was; the first m_segmentCount count.
     std::size_t m_segmentCount = 0;
     std::vector<Found> m_found; ///< Likewise.
     std::size_t m_foundCount = 0;
     std::vector<TileEntry> m_sorted;
     std::vector<std::uint32_t> m_tileBegin;
+    std::size_t m_mostSegments = 0; ///< In a picture, of the last ones.
+    std::size_t m_mostFound = 0;
+    int m_pictures = 0;
 };
 
 } // namespace hairpaint::rendering
