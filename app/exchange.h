@@ -35,7 +35,10 @@ public:
     /// Shows the head's landmarks; where the user moves them, hair goes along.
     void moveLandmarks();
     void useBuiltInHead(const model::NamedHead& named);
-    void exportHair();
+        void exportHair();
+    /// Curves of other programs as new hair groups, one undo step.
+    void importHair(); ///< Asks for the file.
+    void importHairFrom(const QString& path);
     /// Into every Blender that is there; asks for a place where there is none.
     void installBlenderAddon();
     void savePicture();

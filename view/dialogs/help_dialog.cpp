@@ -141,6 +141,10 @@ QString dialogPages()
                "Install Blender add-on puts there.")) +
            paragraph(HelpDialog::tr("Fewer hairs are an even share of all. A tolerance leaves out points that lie so "
                                     "near to the line without them that they are hardly missed.")) +
+           paragraph(HelpDialog::tr(
+               "File > Import hair curves goes the other way: curves of .hair files and USD text become a new hair "
+               "group, "
+               "whose maps are told from the strands. A file that tells no unit is placed as it fits the head.")) +
            heading(Topic::MapExport, HelpDialog::tr("Save maps as images")) +
            paragraph(HelpDialog::tr(
                "Each map becomes an image named after its group and itself. In the colours of their scales maps look "
