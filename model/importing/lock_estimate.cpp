@@ -18,8 +18,9 @@ namespace hairpaint::model {
 namespace {
 
 constexpr std::size_t kMostAsked = 3000;
-constexpr std::size_t kMostRanks = 256; ///< Neighbours of each.
-constexpr std::size_t kBins = 8;        ///< Neighbours 1, 2 to 3, 4 to 7, and so on.
+constexpr std::size_t kMostRanks = 256;          ///< Neighbours of each.
+constexpr std::size_t kMostLookedThrough = 8192; ///< All of them may stand in one place.
+constexpr std::size_t kBins = 8;                 ///< Neighbours 1, 2 to 3, 4 to 7, and so on.
 constexpr float kLeastAgreement = 0.2F;
 constexpr double kSurelyTogether =
     0.6; ///< Further off, what locks look like counts more than how many edges there are.
@@ -44,12 +45,13 @@ std::array<Agreement, kBins> agreements(std::span<const PlacedStrand> coils)
     std::vector<std::pair<float, std::uint32_t>> near;
     const std::size_t step = std::max<std::size_t>(coils.size() / kMostAsked, 1);
     for (std::size_t i = 0; i < coils.size(); i += step) {
-        for (float radiusM = 0.008F; radiusM < 0.1F; radiusM *= 2.0F) {
+        for (const float radiusM : {0.008F, 0.016F, 0.032F, 0.064F}) {
             near.clear();
             grid.near(rootsHd[i], radiusM, [&](std::uint32_t other) {
                 const float distance = glm::distance(rootsHd[other], rootsHd[i]);
                 if (other != i && distance < radiusM)
                     near.emplace_back(distance, other);
+                return near.size() < kMostLookedThrough;
             });
             if (near.size() >= kMostRanks)
                 break;

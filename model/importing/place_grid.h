@@ -16,7 +16,8 @@ class PlaceGrid
 public:
     PlaceGrid(std::span<const glm::vec3> places, float cellM);
 
-    /// Calls `use(index)` for all places in the cubes that a ball touches, in an order that is always the same.
+    /// Calls `use(index)` for the places in the cubes that a ball touches, in an order that is always the same, until
+    /// it returns false.
     template<typename Use>
     void near(const glm::vec3& middle, float radiusM, const Use& use) const
     {
@@ -27,7 +28,8 @@ public:
                 const std::size_t row = indexOf({first.x, y, z});
                 const std::size_t rowEnd = row + static_cast<std::size_t>(last.x - first.x) + 1;
                 for (std::uint32_t i = m_starts[row]; i < m_starts[rowEnd]; ++i)
-                    use(m_indices[i]);
+                    if (!use(m_indices[i]))
+                        return;
             }
     }
 

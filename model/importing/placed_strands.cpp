@@ -19,7 +19,7 @@ constexpr float kRootWayPart = 1.0F / 3.0F;
 constexpr std::size_t kMostFollowed = 2500; ///< Strands of which it is found where they lie further on.
 constexpr float kFollowStepM = 0.01F;
 constexpr int kMostFollowSteps = 24;
-constexpr int kHeightSteps = 3;
+constexpr int kHeightSteps = 4;      ///< Until hair has risen from its root.
 constexpr float kLiesBelow = 0.4F;   ///< Sine of the angle to the skin.
 constexpr float kLiesUnderM = 0.02F; ///< So far over the skin hair is laid.
 
@@ -81,7 +81,7 @@ float heldOf(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& 
 struct Followed
 {
     std::vector<SkinWay> ways;
-    std::vector<float> heightsM; ///< Over the skin, on the first steps.
+    std::optional<float> heightM; ///< Over the skin, where it has risen to its place in the coat.
 };
 
 /// Where a strand lies on skin, step by step, until it leaves it.
@@ -101,7 +101,7 @@ void followStrand(std::span<const glm::vec3> axisHd, const sim::Skin& skin, cons
         const sim::SurfacePoint under = skin.nearest(middle);
         const float height = glm::distance(under.positionHd, middle);
         if (isBeginning && std::abs(glm::dot(way, under.normalHd)) < kLiesBelow * length)
-            found.heightsM.push_back(height);
+            found.heightM = height;
         if (height < kLiesUnderM)
             found.ways.push_back({under.positionHd, under.normalHd, way / length});
         else if (!isBeginning)
@@ -156,7 +156,8 @@ std::optional<PlacedStrands> placeStrands(const ForeignStrands& strands, const C
                 placed.strands.push_back(*strand);
         for (const Followed& one : followed) {
             placed.further.insert(placed.further.end(), one.ways.begin(), one.ways.end());
-            heightsM.insert(heightsM.end(), one.heightsM.begin(), one.heightsM.end());
+            if (one.heightM)
+                heightsM.push_back(*one.heightM);
         }
     }
     if (!heightsM.empty()) {

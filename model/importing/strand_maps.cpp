@@ -21,9 +21,11 @@ namespace {
 
 constexpr std::size_t kNeighboursCounted = 8; ///< By which it is found how far apart strands stand.
 constexpr float kFurthestApartM = 0.03F;
-constexpr float kReachOfSpacing = 1.4F; ///< Standard deviation of a strand's weight, in distances between strands;
-constexpr float kReachOfTexel = 0.6F;   ///< no less than this, in texels.
-constexpr float kReaches = 2.4F;        ///< Standard deviations until which it weighs.
+constexpr std::array kLookedAroundM{0.003F, 0.006F, 0.012F, 0.024F, 0.048F, 0.096F};
+constexpr std::size_t kMostLookedAt = 512; ///< All of them may stand in one place.
+constexpr float kReachOfSpacing = 1.4F;    ///< Standard deviation of a strand's weight, in distances between strands;
+constexpr float kReachOfTexel = 0.6F;      ///< no less than this, in texels.
+constexpr float kReaches = 2.4F;           ///< Standard deviations until which it weighs.
 constexpr float kFurtherReachM = 0.004F;
 constexpr float kSameSide = 0.2F;             ///< Cosine between normals of one side of an ear.
 constexpr std::size_t kStrandsBetween = 4096; ///< Questions whether it goes on.
@@ -98,12 +100,13 @@ std::vector<float> spacingsM(const std::vector<PlacedStrand>& strands)
     sim::parallelFor(strands.size(), 256, [&](std::size_t begin, std::size_t end) {
         std::vector<float> squares;
         for (std::size_t i = begin; i < end; ++i)
-            for (float radiusM = 0.003F; radiusM < 4.0F * kFurthestApartM; radiusM *= 2.0F) {
+            for (const float radiusM : kLookedAroundM) {
                 squares.clear();
                 grid.near(rootsHd[i], radiusM, [&](std::uint32_t other) {
                     const glm::vec3 way = rootsHd[other] - rootsHd[i];
                     if (const float square = glm::dot(way, way); square <= radiusM * radiusM)
                         squares.push_back(square);
+                    return squares.size() < kMostLookedAt;
                 });
                 if (squares.size() <= kNeighboursCounted)
                     continue;
@@ -137,6 +140,7 @@ public:
             const float square = glm::dot(aside, aside);
             if (square < furthest2 && glm::dot(m_texels.frame[index].normal, way.normalHd) > kSameSide)
                 m_found.push_back({index, std::exp(-0.5F * square / (reachM * reachM))});
+            return true;
         });
         return m_found;
     }

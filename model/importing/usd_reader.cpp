@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace hairpaint::model {
 
@@ -51,13 +52,15 @@ public:
     {
         const std::size_t index = m_count == m_points ? point : m_count == m_curves ? curve : 0;
         Value value;
-        std::copy_n(m_values.begin() + static_cast<std::ptrdiff_t>(index * kEach), kEach,
-                    reinterpret_cast<float*>(&value));
+        if constexpr (kEach == 1)
+            value = m_values[index];
+        else
+            value = {m_values[3 * index], m_values[3 * index + 1], m_values[3 * index + 2]};
         return value;
     }
 
 private:
-    static constexpr std::size_t kEach = sizeof(Value) / sizeof(float);
+    static constexpr std::size_t kEach = std::is_same_v<Value, float> ? 1 : 3;
     const std::vector<float>& m_values;
     std::size_t m_count;
     std::size_t m_curves;

@@ -201,6 +201,22 @@ private Q_SLOTS:
         QVERIFY(std::ranges::is_sorted(told) && told.front() >= 0.0 && told.back() <= 1.0);
     }
 
+    void hairsThatAllStandInOnePlaceAreRead()
+    {
+        // Each has all the others as neighbours: looked through one by one they would take minutes.
+        constexpr quint32 kStrands = 200'000;
+        QByteArray bytes(128, '\0');
+        bytes.replace(0, 4, "HAIR");
+        const std::array<quint32, 4> header{kStrands, 2 * kStrands, 2, 1};
+        std::memcpy(bytes.data() + 4, header.data(), sizeof(header));
+        const std::array<glm::vec3, 2> hair{glm::vec3(0.0F, 0.0F, 0.1F), glm::vec3(0.0F, 0.0F, 0.15F)};
+        bytes += QByteArray(reinterpret_cast<const char*>(hair.data()), sizeof(hair)).repeated(kStrands);
+        test::writeBytes(path(), bytes);
+        const Result<std::vector<HairGroup>> groups = groupsFromCurves(path(), {}, ball());
+        QVERIFY(groups && groups->size() == 1);
+        QVERIFY(groups->front().settings.greatestDensityPerM2 <= 4e6F);
+    }
+
     void hairOfAnotherPlaceIsFitted()
     {
         // As of a program that tells no unit, on a head a third as large that stands elsewhere.
