@@ -1,6 +1,8 @@
 // Endings and sentences.
 #include "app/dropped_file.h"
 
+#include "model/importing/curve_reader.h"
+
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QStringList>
@@ -17,6 +19,8 @@ FileKind fileKind(const QString& path)
         return FileKind::Project;
     if (suffix == QLatin1String("hairpreset"))
         return FileKind::Style;
+    if (model::curveFileEndings().contains(suffix))
+        return FileKind::Curves;
     return kHeads.contains(suffix) ? FileKind::Head : FileKind::Image;
 }
 
@@ -29,6 +33,8 @@ QString dropText(FileKind kind, const model::MapSpec& map)
         return QCoreApplication::translate("Drop", "Let go to apply the style");
     case FileKind::Head:
         return QCoreApplication::translate("Drop", "Let go to import the head");
+    case FileKind::Curves:
+        return QCoreApplication::translate("Drop", "Let go to import the hair");
     case FileKind::Image:
         break;
     }

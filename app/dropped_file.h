@@ -11,7 +11,8 @@ enum class FileKind
 {
     Project,
     Style,
-    Head,
+        Head,
+    Curves,
     Image ///< Whatever is none of the others.
 };
 

@@ -11,6 +11,8 @@
 #include "model/files/glb.h"
 #include "model/files/image_map.h"
 #include "model/files/sentences.h"
+#include "model/importing/curve_import.h"
+#include "model/importing/curve_reader.h"
 #include "model/style_transfer.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/landmarks_dialog.h"
@@ -303,6 +305,40 @@ void Exchange::previewChosen(const std::shared_ptr<const sim::StrandFrame>& fram
     if ((**cards)->triangles.empty())
         return complain(tr("There is no hair to make cards of; paint some density first."));
     Q_EMIT cardsMade(**cards);
+}
+
+void Exchange::importHair()
+{
+    QStringList patterns;
+    for (const QString& ending : model::curveFileEndings())
+        patterns += QStringLiteral("*.%1").arg(ending);
+    const QString path = askOpenPath(tr("Import hair"), tr("Hair curves (%1)").arg(patterns.join(QLatin1Char(' '))));
+    if (!path.isEmpty())
+        importHairFrom(path);
+}
+
+void Exchange::importHairFrom(const QString& path)
+{
+    using Groups = std::vector<model::HairGroup>;
+    model::Document& document = m_session.document();
+    m_session.endPreviews(); // What is only shown is no ground to add to.
+    const QString name = QFileInfo(path).fileName();
+    const std::shared_ptr<const model::Head> head = document.committed().head;
+    std::optional<model::Result<Groups>> groups =
+        m_jobs.await<Groups>(tr("Reading %1").arg(name), [&path, &head](const model::Progress& progress) {
+            return model::groupsFromCurves(path, {}, head, progress);
+        });
+    if (!groups)
+        return;
+    if (!*groups)
+        return complain(groups->error().message);
+    if (document.committed().head != head)
+        return complain(tr("The head was replaced while '%1' was read; import it again.").arg(name));
+    const std::size_t before = document.committed().groups.size();
+    document.push(model::importHairCommand(document, std::move(**groups), name));
+    if (document.committed().groups.size() > before)
+        m_session.editor().setActiveGroup(document.committed().groups[before].id);
+    Q_EMIT done(tr("%1 imported").arg(name));
 }
 
 void Exchange::installBlenderAddon()

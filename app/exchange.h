@@ -38,6 +38,9 @@ public:
     void exportHair();
     /// Makes cards of the hair as they were last chosen for export, and has them shown; nothing is written.
     void previewCards();
+    /// Curves of other programs as new hair groups, one undo step.
+    void importHair(); ///< Asks for the file.
+    void importHairFrom(const QString& path);
     /// Into every Blender that is there; asks for a place where there is none.
     void installBlenderAddon();
     void savePicture();

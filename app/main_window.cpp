@@ -258,6 +258,9 @@ void MainWindow::openFile(const QString& path)
     case FileKind::Head:
         m_exchange.importHeadFrom(path);
         break;
+    case FileKind::Curves:
+        m_exchange.importHairFrom(path);
+        break;
     case FileKind::Image:
         m_exchange.importImageFrom(path, false);
         break;

@@ -1,6 +1,7 @@
 // Hairs summed in cells of the layout; cells with few of them take from ever coarser ones.
 #include "model/lying_hair.h"
 
+#include "model/polyline.h"
 #include "sim/base/parallel.h"
 #include "sim/skin/skin_frame.h"
 
@@ -17,18 +18,6 @@ constexpr std::size_t kFurtherGrain = 64;
 constexpr float kOverSkinM = 0.015F; ///< So far over the skin hair is laid.
 constexpr float kEnoughHairs = 6.0F; ///< A cell with so many needs no coarser one.
 constexpr int kCoarsestCells = 16;
-
-/// The place `alongM` along a polyline; its end where that is nearer.
-glm::vec3 placeAlong(std::span<const glm::vec3> nodes, float alongM)
-{
-    for (std::size_t i = 1; i < nodes.size(); ++i) {
-        const float segmentM = glm::distance(nodes[i - 1], nodes[i]);
-        if (alongM <= segmentM && segmentM > 0.0F)
-            return nodes[i - 1] + (nodes[i] - nodes[i - 1]) * (alongM / segmentM);
-        alongM -= segmentM;
-    }
-    return nodes.back();
-}
 
 bool isFar(const sim::DistanceGrid& distances, const glm::vec3& placeHd)
 {

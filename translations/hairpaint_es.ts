@@ -510,6 +510,26 @@
         <source>The arguments hold bytes that are not UTF-8, so no file can be named by them; rename the file first.</source>
         <translation>Los argumentos contienen bytes que no son UTF-8, así que no pueden nombrar ningún archivo; cambia antes el nombre del archivo.</translation>
     </message>
+    <message>
+        <source>hair of another program as hair groups: its density, length, direction, curl and colours become maps; may be given again for more</source>
+        <translation>pelo de otro programa como grupos de pelo: su densidad, longitud, dirección, rizo y colores pasan a ser mapas; puede darse otra vez para más</translation>
+    </message>
+    <message>
+        <source>of those files: m, dm, cm, mm or in; as they say, or as it fits, unless given</source>
+        <translation>de esos archivos: m, dm, cm, mm o in; si no se da, lo que ellos digan o lo que encaje</translation>
+    </message>
+    <message>
+        <source>that points up in those files: y or z; as they say, or as it fits, unless given</source>
+        <translation>que apunta hacia arriba en esos archivos: y o z; si no se da, lo que ellos digan o lo que encaje</translation>
+    </message>
+    <message>
+        <source>--curves-unit takes m, dm, cm, mm or in, not &apos;%1&apos;</source>
+        <translation>--curves-unit admite m, dm, cm, mm o in, no «%1»</translation>
+    </message>
+    <message>
+        <source>--curves-axis takes y or z, not &apos;%1&apos;</source>
+        <translation>--curves-axis admite y o z, no «%1»</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -589,6 +609,10 @@
         <source>Hide brows and lashes</source>
         <translation>Ocultar cejas y pestañas</translation>
     </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importar %1</translation>
+    </message>
 </context>
 <context>
     <name>ContentBudget</name>
@@ -618,6 +642,10 @@
     <message>
         <source>Let go to load the image into %1</source>
         <translation>Suelta para cargar la imagen en %1</translation>
+    </message>
+    <message>
+        <source>Let go to import the hair</source>
+        <translation>Suelta para importar el pelo</translation>
     </message>
 </context>
 <context>
@@ -1047,6 +1075,50 @@
     <message>
         <source>the file &apos;%1&apos;, which it needs, is missing; put it where it was saved with this one, and try again</source>
         <translation>falta el archivo «%1», que necesita; ponlo donde estaba cuando se guardó con este e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>its hair does not fit on this head; export it in metres with y up, as it stands on a head of this size</source>
+        <translation>su pelo no encaja en esta cabeza; expórtalo en metros con la y hacia arriba, tal como está en una cabeza de este tamaño</translation>
+    </message>
+    <message>
+        <source>it holds no USD text; save it with the ending .usda</source>
+        <translation>no contiene texto USD; guárdalo con la terminación .usda</translation>
+    </message>
+    <message>
+        <source>hair is read from files that end in %1; choose one of those</source>
+        <translation>el pelo se lee de archivos que terminan en %1; elige uno de ellos</translation>
+    </message>
+    <message>
+        <source>it holds no hair; choose another file</source>
+        <translation>no contiene pelo; elige otro archivo</translation>
+    </message>
+    <message>
+        <source>its hair lies beyond all measure; export it again</source>
+        <translation>su pelo está fuera de toda medida; expórtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>its hair is cut short or broken; export it again</source>
+        <translation>su pelo está cortado o dañado; expórtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>it is no hair file; choose one that a hair program exported</source>
+        <translation>no es un archivo de pelo; elige uno que haya exportado un programa de pelo</translation>
+    </message>
+    <message>
+        <source>its USD text is broken or cut short; export it again</source>
+        <translation>su texto USD está dañado o cortado; expórtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>it moves its hair in a way that is not known to this program; apply all transforms and export it again</source>
+        <translation>mueve su pelo de un modo que este programa no conoce; aplica todas las transformaciones y expórtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>it is USD in its binary form, which is not read; save it as text, with the ending .usda</source>
+        <translation>es USD en su forma binaria, que no se lee; guárdalo como texto, con la terminación .usda</translation>
+    </message>
+    <message>
+        <source>it is no USD text; choose a file that another program saved as .usda</source>
+        <translation>no es texto USD; elige un archivo que otro programa haya guardado como .usda</translation>
     </message>
 </context>
 <context>
@@ -2358,6 +2430,22 @@
         <source>There is no hair to make cards of; paint some density first.</source>
         <translation>No hay pelo del que hacer tarjetas; pinta primero algo de densidad.</translation>
     </message>
+    <message>
+        <source>Import hair</source>
+        <translation>Importar pelo</translation>
+    </message>
+    <message>
+        <source>Hair curves (%1)</source>
+        <translation>Curvas de pelo (%1)</translation>
+    </message>
+    <message>
+        <source>The head was replaced while &apos;%1&apos; was read; import it again.</source>
+        <translation>La cabeza se reemplazó mientras se leía «%1»; impórtalo de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 imported</source>
+        <translation>%1 importado</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::FileMenu</name>
@@ -2436,6 +2524,10 @@
     <message>
         <source>Install B&amp;lender add-on</source>
         <translation>Instalar complemento de &amp;Blender</translation>
+    </message>
+    <message>
+        <source>Import hair &amp;curves…</source>
+        <translation>Importar cur&amp;vas de pelo…</translation>
     </message>
 </context>
 <context>
@@ -3662,6 +3754,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>Cards are strips of hair with textures, for games and avatars. Preview, or View &gt; Hair as cards, shows them in the 3D area in place of the hair, until that is changed, with the number of their triangles.</source>
         <translation>Las tarjetas son tiras de pelo con texturas, para juegos y avatares. Vista previa, o Ver &gt; Ver el pelo como tarjetas, las muestra en el área 3D en lugar del pelo, hasta que este cambie, con el número de sus triángulos.</translation>
+    </message>
+    <message>
+        <source>File &gt; Import hair curves goes the other way: curves of .hair files and USD text become a new hair group, whose maps are told from the strands. A file that tells no unit is placed as it fits the head.</source>
+        <translation>Archivo &gt; Importar curvas de pelo va en sentido contrario: las curvas de archivos .hair y de texto USD pasan a ser un grupo de pelo nuevo, cuyos mapas se deducen de los mechones. Un archivo que no dice su unidad se coloca como encaje en la cabeza.</translation>
     </message>
 </context>
 <context>

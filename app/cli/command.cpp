@@ -17,10 +17,19 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr std::array<OptionHelp, 6> kNewOptions = {{
+constexpr std::array<OptionHelp, 9> kNewOptions = {{
     {"-o, --output FILE", QT_TRANSLATE_NOOP("CommandLine", "the project to write")},
     {"--head MESH", QT_TRANSLATE_NOOP("CommandLine", "a mesh with uv coordinates instead of the built-in head")},
     {"--preset NAME", QT_TRANSLATE_NOOP("CommandLine", "a style of the library")},
+    {"--curves FILE.hair|.usda|.usdz",
+     QT_TRANSLATE_NOOP("CommandLine",
+                       "hair of another program as hair groups: its density, length, direction, curl and "
+                       "colours become maps; may be given again for more")},
+    {"--curves-unit UNIT",
+     QT_TRANSLATE_NOOP("CommandLine", "of those files: m, dm, cm, mm or in; as they say, or as it fits, unless given")},
+    {"--curves-axis AXIS",
+     QT_TRANSLATE_NOOP("CommandLine",
+                       "that points up in those files: y or z; as they say, or as it fits, unless given")},
     {"--map [GROUP/]KIND[:grey]=IMAGE",
      QT_TRANSLATE_NOOP("CommandLine", "an image as a map, by its colours, or by its brightness with :grey")},
     {"--seed N", QT_TRANSLATE_NOOP("CommandLine", "another drawing of the roots; 1 unless given")},
@@ -109,8 +118,8 @@ constexpr std::array<OptionHelp, 1> kRepairOptions = {{
 
 constexpr std::array<Command, 6> kCommands = {{
     {"new",
-     "-o P.hairpaint [--head MESH] [--preset NAME] [--map [GROUP/]KIND[:grey]=IMAGE]... [--seed N] "
-     "[--max-candidates N]",
+     "-o P.hairpaint [--head MESH] [--preset NAME] [--curves FILE.hair|.usda|.usdz]... [--curves-unit UNIT] "
+     "[--curves-axis y|z] [--map [GROUP/]KIND[:grey]=IMAGE]... [--seed N] [--max-candidates N]",
      QT_TRANSLATE_NOOP("CommandLine", "makes a project"), kNewOptions, runNew},
     {"info", "P.hairpaint [--json]", QT_TRANSLATE_NOOP("CommandLine", "tells what a project holds"), kJsonOptions,
      runInfo},

@@ -7,15 +7,23 @@
 #include "model/files/image_map.h"
 #include "model/files/project_file.h"
 #include "model/files/sentences.h"
+#include "model/group_adoption.h"
+#include "model/importing/curve_import.h"
 #include "model/names.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace hairpaint::app {
 
 namespace {
+
+const QString kCurves = QStringLiteral("curves");
+const QString kCurvesUnit = QStringLiteral("curves-unit");
+const QString kCurvesAxis = QStringLiteral("curves-axis");
 
 /// `[GROUP/]KIND[:grey]=IMAGE`
 struct MapArgument
@@ -80,6 +88,42 @@ model::Result<void> importMap(model::Project& project, const MapArgument& argume
     return {};
 }
 
+/// --curves-unit and --curves-axis; none where either is nonsense, with the usage printed.
+std::optional<model::CurveSpaceChoice> curveSpaceOptions(const QCommandLineParser& parser, const char* command)
+{
+    constexpr std::array<std::pair<const char*, float>, 5> kUnits{
+        {{"m", 1.0F}, {"dm", 0.1F}, {"cm", 0.01F}, {"mm", 0.001F}, {"in", 0.0254F}}};
+    model::CurveSpaceChoice choice;
+    if (const QString unit = parser.value(kCurvesUnit); !unit.isEmpty()) {
+        const auto* const known =
+            std::ranges::find_if(kUnits, [&unit](const auto& one) { return unit == QLatin1StringView(one.first); });
+        if (known == kUnits.end()) {
+            (void)wrongUsage(command, CommandLine::tr("--curves-unit takes m, dm, cm, mm or in, not '%1'").arg(unit));
+            return std::nullopt;
+        }
+        choice.metresPerUnit = known->second;
+    }
+    if (const QString axis = parser.value(kCurvesAxis); !axis.isEmpty()) {
+        if (axis != QLatin1String("y") && axis != QLatin1String("z")) {
+            (void)wrongUsage(command, CommandLine::tr("--curves-axis takes y or z, not '%1'").arg(axis));
+            return std::nullopt;
+        }
+        choice.upAxis = axis == QLatin1String("y") ? model::UpAxis::Y : model::UpAxis::Z;
+    }
+    return choice;
+}
+
+/// Adds a file's groups to the project.
+model::Result<void> importCurves(model::Project& project, const QString& path, const model::CurveSpaceChoice& choice)
+{
+    model::Result<std::vector<model::HairGroup>> groups = model::groupsFromCurves(path, choice, project.head);
+    if (!groups)
+        return tl::unexpected(groups.error());
+    for (model::HairGroup& group : *groups)
+        model::adoptGroup(project, std::move(group));
+    return {};
+}
+
 } // namespace
 
 ExitCode runNew(const QStringList& arguments)
@@ -91,6 +135,9 @@ ExitCode runNew(const QStringList& arguments)
     parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
                        {QStringLiteral("head"), {}, QStringLiteral("mesh")},
                        {QStringLiteral("preset"), {}, QStringLiteral("name")},
+                       {kCurves, {}, QStringLiteral("file")},
+                       {kCurvesUnit, {}, QStringLiteral("unit")},
+                       {kCurvesAxis, {}, QStringLiteral("axis")},
                        {QStringLiteral("map"), {}, QStringLiteral("kind=image")},
                        {QStringLiteral("seed"), {}, QStringLiteral("number")},
                        {{kMaxCandidates, kMaxHairs}, {}, QStringLiteral("number")}});
@@ -110,6 +157,9 @@ ExitCode runNew(const QStringList& arguments)
             return wrongUsage(kName, CommandLine::tr("--map %1 names no map").arg(argument));
         maps.push_back(*map);
     }
+    const std::optional<model::CurveSpaceChoice> curveSpace = curveSpaceOptions(parser, kName);
+    if (!curveSpace)
+        return ExitCode::WrongUsage;
     model::Project project = model::newProject();
     const std::optional<std::int64_t> maxCandidates =
         countOption(parser, kName, kMaxCandidates, project.maxHairs, model::kMostHairs);
@@ -125,6 +175,7 @@ ExitCode runNew(const QStringList& arguments)
     }
 
     QStringList inputs{parser.value(QStringLiteral("head")), parser.value(QStringLiteral("preset"))};
+    inputs += parser.values(kCurves);
     for (const MapArgument& map : maps)
         inputs.append(map.image);
     if (const model::Result<void> free = checkOutput(output, inputs); !free)
@@ -142,6 +193,11 @@ ExitCode runNew(const QStringList& arguments)
             return failed(preset.error());
         model::applyPreset(project, *preset);
     }
+    if (parser.isSet(kCurves) && !parser.isSet(QStringLiteral("preset")))
+        project.groups.clear(); // The hair is that of the files.
+    for (const QString& path : parser.values(kCurves))
+        if (const model::Result<void> imported = importCurves(project, path, *curveSpace); !imported)
+            return failed(imported.error());
     for (const MapArgument& map : maps) {
         if (const model::Result<void> imported = importMap(project, map); !imported)
             return failed(imported.error());

@@ -57,6 +57,7 @@ void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange, const 
     actions.add(
         *this,
         {{"file.exportHair", tr("&Export hair…"), {Qt::CTRL | Qt::Key_E}, [&exchange] { exchange.exportHair(); }},
+         {"file.importHair", tr("Import hair &curves…"), {}, [&exchange] { exchange.importHair(); }},
          {"file.blender", tr("Install B&lender add-on"), {}, [&exchange] { exchange.installBlenderAddon(); }},
          {"file.picture", tr("Save &picture…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_P}, [&exchange] {
               exchange.savePicture();

@@ -55,6 +55,8 @@ struct LayerProperties
                                          const sim::GroupSettings& settings = {});
 /// As it is, with new ids.
 [[nodiscard]] CommandPtr addGroupCommand(Document& document, HairGroup group);
+/// Groups read from a file of that name (model/importing), with new ids. Null where there is none.
+[[nodiscard]] CommandPtr importHairCommand(Document& document, std::vector<HairGroup> groups, const QString& fileName);
 /// Eyebrows and eyelashes (model/face_hair.h), with new ids; or those that are there are shown, or hidden. Null where
 /// there is nothing to add.
 [[nodiscard]] CommandPtr addFaceHairCommand(Document& document, std::vector<HairGroup> groups);

@@ -2,6 +2,7 @@
 #include "model/commands/command_texts.h"
 #include "model/commands/edit_command.h"
 #include "model/face_hair.h"
+#include "model/group_adoption.h"
 #include "model/names.h"
 #include "model/preset.h"
 
@@ -16,14 +17,15 @@ CommandPtr groupsCommand(Document& document, Id group, const QString& text, std:
     return editCommand(document, {.aspect = Change::Aspect::GroupList, .group = group}, text, std::move(edit));
 }
 
-/// Adds a group whose ids are nobody's yet.
-void adopt(HairGroup group, Project& project)
+/// Null where there is none to add.
+CommandPtr addGroupsCommand(Document& document, std::vector<HairGroup> groups, const QString& text)
 {
-    group.id = project.takeId();
-    for (SharedStack& stack : group.maps)
-        for (Layer& layer : stack.write().layers)
-            layer.id = project.takeId();
-    project.groups.push_back(std::move(group));
+    if (groups.empty())
+        return nullptr;
+    return groupsCommand(document, 0, text, [groups = std::move(groups)](Project& project) {
+        for (const HairGroup& group : groups)
+            adoptGroup(project, group);
+    });
 }
 
 QString nameOf(const Document& document, Id id)
@@ -46,18 +48,18 @@ CommandPtr addGroupCommand(Document& document, const QString& name, const sim::G
 CommandPtr addGroupCommand(Document& document, HairGroup group)
 {
     const QString text = Commands::tr("Add group \"%1\"").arg(shownName(group.name));
-    return groupsCommand(document, 0, text, [group = std::move(group)](Project& project) { adopt(group, project); });
+    return groupsCommand(document, 0, text,
+                         [group = std::move(group)](Project& project) { adoptGroup(project, group); });
+}
+
+CommandPtr importHairCommand(Document& document, std::vector<HairGroup> groups, const QString& fileName)
+{
+    return addGroupsCommand(document, std::move(groups), Commands::tr("Import %1").arg(shownName(fileName)));
 }
 
 CommandPtr addFaceHairCommand(Document& document, std::vector<HairGroup> groups)
 {
-    if (groups.empty())
-        return nullptr;
-    return groupsCommand(document, 0, Commands::tr("Add brows and lashes"),
-                         [groups = std::move(groups)](Project& project) {
-                             for (const HairGroup& group : groups)
-                                 adopt(group, project);
-                         });
+    return addGroupsCommand(document, std::move(groups), Commands::tr("Add brows and lashes"));
 }
 
 CommandPtr showFaceHairCommand(Document& document, bool visible)

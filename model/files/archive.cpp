@@ -213,6 +213,17 @@ tl::unexpected<Clause> brokenEntry(const QString& name)
     return refuse(say(QT_TRANSLATE_NOOP("Files", "its entry '%1' is broken")).arg(name));
 }
 
+QStringList ArchiveReader::names() const
+{
+    std::map<quint64, QString> byPlace;
+    for (const auto& [name, entry] : m_entries)
+        byPlace.emplace(entry.index, name);
+    QStringList names;
+    for (const auto& [place, name] : byPlace)
+        names += name;
+    return names;
+}
+
 Checked<QByteArray> ArchiveReader::read(const QString& name, qint64 mostBytes, Check check) const
 {
     const auto entry = m_entries.find(name);

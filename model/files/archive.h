@@ -5,6 +5,7 @@
 #include "model/files/sentences.h"
 
 #include <QByteArray>
+#include <QStringList>
 
 #include <map>
 #include <memory>
@@ -28,6 +29,7 @@ public:
     ~ArchiveReader();
 
     [[nodiscard]] bool contains(const QString& name) const { return m_entries.contains(name); }
+    [[nodiscard]] QStringList names() const; ///< In the order in which they lie.
     enum class Check
     {
         Checksum,

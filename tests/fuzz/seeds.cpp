@@ -8,6 +8,7 @@
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_writer.h"
 #include "tests/fuzz/made_archive.h"
+#include "tests/model/exported_hair.h"
 #include "tests/model/sample_project.h"
 
 #include <QDir>
@@ -119,6 +120,24 @@ int main(int argc, char** argv)
 
     seeds.write("glb", "patch", QByteArray("\x00", 1) + glb);
     seeds.write("glb", "ball", QByteArray("\x01", 1) + model::glbFromMesh(test::makeBallHead(4)));
+
+    const auto hair = test::frameOf({test::hairGroup(1, 500, 20'000, 20'000)});
+    for (const char* ending : {"hair", "usda"}) {
+        const QString path = fuzz::scratchPath(QStringLiteral("seed.") + QLatin1StringView(ending));
+        if (!test::exported(hair, path))
+            return 1;
+        const QByteArray bytes = test::readBytes(path);
+        if (QLatin1StringView(ending) == QLatin1String("hair"))
+            seeds.write("hair", "exported", bytes);
+        else
+            seeds.write("usd", "exported", bytes.sliced(bytes.indexOf('\n') + 1)); // The target writes that line.
+    }
+    seeds.write("usd", "moved",
+                "def Xform \"a\" {\nmatrix4d xformOp:transform = ((2,0,0,0),(0,1,0,0),(0,0,1,0),(1,2,3,1))\n"
+                "float xformOp:rotateX = 90\nuniform token[] xformOpOrder = [\"xformOp:transform\", "
+                "\"!invert!xformOp:rotateX\"]\ndef BasisCurves \"b\" {\nint[] curveVertexCounts = [4]\n"
+                "point3f[] points.timeSamples = {0: [(0,0,0),(0,1,0),(0,2,0),(0,3,0)], 1: None}\n"
+                "uniform token basis = \"bspline\"\nfloat[] widths = [0.1]\n}\n}\n");
 
     seeds.write("wire", "path", bytesOf(wire::encodeText(wire::Kind::ReadImage, "/a/b.png"), '\0'));
     const wire::Image image{.width = 2, .height = 2, .channels = 3, .samples = std::vector<std::uint16_t>(12, 7)};

@@ -1,0 +1,92 @@
+// One step after the other.
+#include "model/importing/curve_import.h"
+
+#include "model/files/sentences.h"
+#include "model/importing/curve_reader.h"
+#include "model/importing/strand_maps.h"
+
+#include <QFileInfo>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr int kSmallestMap = 256;
+constexpr int kLargestMap = 1024;
+constexpr double kCurvesRead = 0.3; ///< Of all work.
+constexpr double kTexelsFound = 0.4;
+constexpr double kStrandsMeasured = 0.5; ///< Of a group's.
+
+/// Tells of a part of the work.
+Progress partOfImport(const Progress& progress, double from, double until)
+{
+    if (!progress)
+        return {};
+    return [&progress, from, until](double done) { return progress(from + (until - from) * done); };
+}
+
+/// Some texels a strand: what stands wide apart tells no more.
+int mapSizeFor(const ForeignCurves& curves)
+{
+    constexpr std::size_t kTexelsEach = 10;
+    std::size_t strands = 0;
+    for (const ForeignStrands& group : curves.groups)
+        strands += group.count();
+    std::size_t size = kSmallestMap;
+    while (size < kLargestMap && size * size < kTexelsEach * strands)
+        size *= 2;
+    return static_cast<int>(size);
+}
+
+tl::unexpected<Error> fitsNowhere(const QString& path)
+{
+    return cannotOpen(path, {.text = say(QT_TRANSLATE_NOOP(
+                                 "Files", "its hair does not fit on this head; export it in metres with y up, as it "
+                                          "stands on a head of this size")),
+                             .cure = Clause::Cure::OtherFile});
+}
+
+} // namespace
+
+Result<std::vector<HairGroup>> groupsFromCurves(const QString& path, const CurveSpaceChoice& choice,
+                                                const std::shared_ptr<const Head>& head, const Progress& progress)
+{
+    using Groups = std::vector<HairGroup>;
+    return withinMemory(path, cannotOpen, [&]() -> Result<Groups> {
+        const Result<ForeignCurves> curves = readCurves(path, partOfImport(progress, 0.0, kCurvesRead));
+        if (!curves)
+            return tl::unexpected(curves.error());
+        const std::optional<CurvePlacement> placement = placeCurves(*curves, choice, *head->skin);
+        if (!placement)
+            return fitsNowhere(path);
+        const std::optional<SkinTexels> texels =
+            SkinTexels::of(*head->skin, mapSizeFor(*curves), partOfImport(progress, kCurvesRead, kTexelsFound));
+        if (!texels)
+            return cancelled(path);
+        Groups groups;
+        for (std::size_t i = 0; i < curves->groups.size(); ++i) {
+            const ForeignStrands& strands = curves->groups[i];
+            const double part = (1.0 - kTexelsFound) / static_cast<double>(curves->groups.size());
+            const double from = kTexelsFound + part * static_cast<double>(i);
+            const std::optional<PlacedStrands> placed =
+                placeStrands(strands, *placement, *head->skin, head->distances.get(),
+                             partOfImport(progress, from, from + part * kStrandsMeasured));
+            if (!placed)
+                return cancelled(path);
+            if (placed->strands.empty())
+                continue;
+            const QString name = strands.name.isEmpty() ? QFileInfo(path).completeBaseName() : strands.name;
+            std::optional<HairGroup> group =
+                groupFromStrands(*placed, strands.hasColours, *texels, name, head,
+                                 partOfImport(progress, from + part * kStrandsMeasured, from + part));
+            if (!group)
+                return cancelled(path);
+            groups.push_back(std::move(*group));
+        }
+        if (groups.empty())
+            return fitsNowhere(path);
+        return groups;
+    });
+}
+
+} // namespace hairpaint::model

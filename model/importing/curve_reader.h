@@ -1,0 +1,19 @@
+// The table of formats that hair is read from.
+#pragma once
+
+#include "model/error.h"
+#include "model/importing/foreign_curves.h"
+#include "model/progress.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace hairpaint::model {
+
+/// Their endings, without the dot: "hair".
+[[nodiscard]] const QStringList& curveFileEndings();
+
+/// By the name's ending. Fails where the file can't be read, holds no strand, or `progress` cancels. Any thread.
+[[nodiscard]] Result<ForeignCurves> readCurves(const QString& path, const Progress& progress = {});
+
+} // namespace hairpaint::model

@@ -1,0 +1,19 @@
+// How coiled hair hangs together in locks.
+#pragma once
+
+#include "model/importing/placed_strands.h"
+
+#include <span>
+
+namespace hairpaint::model {
+
+struct LockEstimate
+{
+    float clump = 0.0F; ///< As the clump map has it; 0 where no locks are to be seen.
+    float hairs = 0.0F; ///< In a lock.
+};
+
+/// From how far the coils of neighbours are in phase. About 50 ms.
+[[nodiscard]] LockEstimate estimateLocks(std::span<const PlacedStrand> strands);
+
+} // namespace hairpaint::model

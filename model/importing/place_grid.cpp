@@ -1,0 +1,54 @@
+// Places counted by cube, then sorted into them.
+#include "model/importing/place_grid.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr int kMostCubesASide = 256;
+
+} // namespace
+
+PlaceGrid::PlaceGrid(std::span<const glm::vec3> places, float cellM) : m_cellM(cellM)
+{
+    glm::vec3 greatest(0.0F);
+    if (!places.empty()) {
+        m_least = greatest = places.front();
+        for (const glm::vec3& place : places) {
+            m_least = glm::min(m_least, place);
+            greatest = glm::max(greatest, place);
+        }
+    }
+    const glm::vec3 size = greatest - m_least;
+    m_cellM = std::max(cellM, std::max({size.x, size.y, size.z, 1e-6F}) / static_cast<float>(kMostCubesASide - 1));
+    m_size = glm::ivec3(size / m_cellM) + 1;
+    const auto cells =
+        static_cast<std::size_t>(m_size.x) * static_cast<std::size_t>(m_size.y) * static_cast<std::size_t>(m_size.z);
+    m_starts.resize(cells + 1);
+    for (const glm::vec3& place : places)
+        ++m_starts[indexOf(cellOf(place)) + 1];
+    for (std::size_t cell = 0; cell < cells; ++cell)
+        m_starts[cell + 1] += m_starts[cell];
+    m_indices.resize(places.size());
+    std::vector<std::uint32_t> next(m_starts.begin(), m_starts.end() - 1);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        m_indices[next[indexOf(cellOf(places[i]))]++] = static_cast<std::uint32_t>(i);
+}
+
+glm::ivec3 PlaceGrid::cellOf(const glm::vec3& place) const
+{
+    const glm::vec3 at = glm::clamp((place - m_least) / m_cellM, glm::vec3(0.0F), glm::vec3(m_size - 1));
+    return {at};
+}
+
+std::size_t PlaceGrid::indexOf(const glm::ivec3& cell) const
+{
+    return (static_cast<std::size_t>(cell.z) * static_cast<std::size_t>(m_size.y) + static_cast<std::size_t>(cell.y)) *
+               static_cast<std::size_t>(m_size.x) +
+           static_cast<std::size_t>(cell.x);
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,171 @@
+// Strand by strand.
+#include "model/importing/placed_strands.h"
+
+#include "model/polyline.h"
+#include "sim/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr std::size_t kPlacedAtOnce = 1U << 14U;
+constexpr std::size_t kPlacedGrain = 64;
+constexpr float kLeastLengthM = 1e-4F;
+constexpr float kRootWayM = 0.02F;
+constexpr float kRootWayPart = 1.0F / 3.0F;
+constexpr std::size_t kMostFollowed = 2500; ///< Strands of which it is found where they lie further on.
+constexpr float kFollowStepM = 0.01F;
+constexpr int kMostFollowSteps = 24;
+constexpr int kHeightSteps = 4;      ///< Until hair has risen from its root.
+constexpr float kLiesBelow = 0.4F;   ///< Sine of the angle to the skin.
+constexpr float kLiesUnderM = 0.02F; ///< So far over the skin hair is laid.
+
+bool isOver(const sim::DistanceGrid& distances, const glm::vec3& placeHd)
+{
+    const std::optional<sim::DistanceGrid::Sample> sample = distances.at(placeHd);
+    return sample && sample->distanceM > kLiesUnderM + 0.5F * distances.layout().cellM;
+}
+
+float softStep(float from, float to, float x)
+{
+    const float t = std::clamp((x - from) / (to - from), 0.0F, 1.0F);
+    return t * t * (3.0F - 2.0F * t);
+}
+
+/// The part of a direction that lies in the skin.
+glm::vec3 inSkin(const glm::vec3& way, const glm::vec3& normal)
+{
+    return way - normal * glm::dot(way, normal);
+}
+
+/// In which direction a strand leaves the skin, unit; zero where it has none. Hair that turns has turned by its first
+/// stretch already, half as much as by the second.
+glm::vec3 rootWay(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& normalHd)
+{
+    constexpr float kGoesOn = 0.5F; ///< Cosine between stretches that are one turn.
+    const float stretchM = std::min(kRootWayM, lengthM * kRootWayPart);
+    const glm::vec3 middle = placeAlong(axisHd, stretchM);
+    const glm::vec3 first = middle - axisHd.front();
+    const glm::vec3 flat = inSkin(first, normalHd);
+    const glm::vec3 next = placeAlong(axisHd, 2.0F * stretchM) - middle;
+    const glm::vec3 flatNext = inSkin(next, normalHd);
+    const float length = glm::length(first);
+    const float flatLength = glm::length(flat);
+    const float nextLength = glm::length(flatNext);
+    if (!(length > 0.0F))
+        return glm::vec3(0.0F);
+    if (!(flatLength > 0.0F) || !(nextLength > 0.0F) || glm::dot(flat, flatNext) < kGoesOn * flatLength * nextLength)
+        return first / length;
+    const glm::vec3 turned = 1.5F * flat / flatLength - 0.5F * flatNext / nextLength;
+    // Likewise with the angle to the skin of hair too short for the head to bend away under it.
+    const float rises = glm::dot(first, normalHd) / length;
+    const float risesNext = glm::dot(next, normalHd) / std::max(glm::length(next), 1e-6F);
+    const float isShort = 1.0F - softStep(0.5F, 1.0F, stretchM / kRootWayM);
+    const float sine = std::clamp(rises + 0.5F * isShort * (rises - risesNext), -1.0F, 1.0F);
+    return turned * (std::sqrt(1.0F - sine * sine) / glm::length(turned)) + normalHd * sine;
+}
+
+/// Hair that stands off the skin from its root on, longer than it would by its stiffness, and does not hang.
+float heldOf(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& normalHd)
+{
+    const glm::vec3 quarter = placeAlong(axisHd, 0.25F * lengthM) - axisHd.front();
+    const glm::vec3 end = axisHd.back() - placeAlong(axisHd, 0.5F * lengthM);
+    const float rises = glm::dot(quarter, normalHd) / std::max(glm::length(quarter), 1e-6F);
+    const float hangs = -end.y / std::max(glm::length(end), 1e-6F);
+    return softStep(0.45F, 0.75F, rises) * (1.0F - softStep(0.3F, 0.8F, hangs)) * softStep(0.015F, 0.04F, lengthM);
+}
+
+struct Followed
+{
+    std::vector<SkinWay> ways;
+    std::optional<float> heightM; ///< Over the skin, where it has risen to its place in the coat.
+};
+
+/// Where a strand lies on skin, step by step, until it leaves it.
+void followStrand(std::span<const glm::vec3> axisHd, const sim::Skin& skin, const sim::DistanceGrid* distances,
+                  Followed& found)
+{
+    glm::vec3 last = placeAlong(axisHd, kRootWayM);
+    for (int step = 1; step <= kMostFollowSteps; ++step) {
+        const glm::vec3 next = placeAlong(axisHd, kRootWayM + kFollowStepM * static_cast<float>(step));
+        const glm::vec3 way = next - last;
+        const float length = glm::length(way);
+        const glm::vec3 middle = 0.5F * (last + next);
+        last = next;
+        const bool isBeginning = step <= kHeightSteps;
+        if (length < 0.5F * kFollowStepM || (!isBeginning && distances != nullptr && isOver(*distances, middle)))
+            return;
+        const sim::SurfacePoint under = skin.nearest(middle);
+        const float height = glm::distance(under.positionHd, middle);
+        if (isBeginning && std::abs(glm::dot(way, under.normalHd)) < kLiesBelow * length)
+            found.heightM = height;
+        if (height < kLiesUnderM)
+            found.ways.push_back({under.positionHd, under.normalHd, way / length});
+        else if (!isBeginning)
+            return;
+    }
+}
+
+} // namespace
+
+std::optional<PlacedStrands> placeStrands(const ForeignStrands& strands, const CurvePlacement& placement,
+                                          const sim::Skin& skin, const sim::DistanceGrid* distances,
+                                          const Progress& progress)
+{
+    PlacedStrands placed;
+    placed.strands.reserve(strands.count());
+    std::vector<float> heightsM;
+    const std::size_t followEach = std::max<std::size_t>(strands.count() / kMostFollowed, 1);
+    for (std::size_t first = 0; first < strands.count(); first += kPlacedAtOnce) {
+        if (progress && !progress(static_cast<double>(first) / static_cast<double>(strands.count())))
+            return std::nullopt;
+        const std::size_t some = std::min(kPlacedAtOnce, strands.count() - first);
+        std::vector<std::optional<PlacedStrand>> found(some);
+        std::vector<Followed> followed(some / followEach + 1);
+        sim::parallelFor(some, kPlacedGrain, [&](std::size_t begin, std::size_t end) {
+            StrandScratch scratch;
+            std::vector<glm::vec3> pointsHd;
+            for (std::size_t i = begin; i < end; ++i) {
+                pointsHd.clear();
+                for (const glm::vec3& point : strands.strand(first + i))
+                    pointsHd.push_back(placement.toHd(point));
+                const sim::SurfacePoint root = skin.nearest(pointsHd.front());
+                if (!(glm::distance(root.positionHd, pointsHd.front()) <= kFurthestRootM))
+                    continue;
+                const StrandShape shape = measureStrand(pointsHd, scratch);
+                const glm::vec3 wayHd = rootWay(scratch.axisHd, shape.lengthM, root.normalHd);
+                if (!(shape.lengthM > kLeastLengthM) || wayHd == glm::vec3(0.0F))
+                    continue;
+                StrandLook look = strands.looks[first + i];
+                look.rootWidth *= placement.scaleM;
+                look.tipWidth *= placement.scaleM;
+                found[i] = PlacedStrand{{root.positionHd, root.normalHd, wayHd},
+                                        shape,
+                                        static_cast<std::uint32_t>(pointsHd.size()),
+                                        look,
+                                        heldOf(scratch.axisHd, shape.lengthM, root.normalHd)};
+                if (i % followEach == 0)
+                    followStrand(scratch.axisHd, skin, distances, followed[i / followEach]);
+            }
+        });
+        for (const std::optional<PlacedStrand>& strand : found)
+            if (strand)
+                placed.strands.push_back(*strand);
+        for (const Followed& one : followed) {
+            placed.further.insert(placed.further.end(), one.ways.begin(), one.ways.end());
+            if (one.heightM)
+                heightsM.push_back(*one.heightM);
+        }
+    }
+    if (!heightsM.empty()) {
+        const auto middle = heightsM.begin() + static_cast<std::ptrdiff_t>(heightsM.size() / 2);
+        std::ranges::nth_element(heightsM, middle);
+        placed.heightM = *middle;
+    }
+    return placed;
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,57 @@
+// Foreign strands as they stand on a head, in the terms of its maps.
+#pragma once
+
+#include "model/importing/foreign_curves.h"
+#include "model/importing/strand_shape.h"
+#include "model/progress.h"
+#include "sim/skin/distance_grid.h"
+#include "sim/skin/skin.h"
+
+#include <optional>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// What brings a file's points to the head: placeHd = rotated(point) * scaleM + offsetHd.
+struct CurvePlacement
+{
+    glm::mat3 rotation{1.0F};
+    float scaleM = 1.0F; ///< Per unit of the file.
+    glm::vec3 offsetHd{0.0F};
+
+    [[nodiscard]] glm::vec3 toHd(const glm::vec3& point) const { return rotation * point * scaleM + offsetHd; }
+};
+
+/// How hair runs over a place of the skin.
+struct SkinWay
+{
+    glm::vec3 placeHd{0.0F};
+    glm::vec3 normalHd{0.0F};
+    glm::vec3 wayHd{0.0F}; ///< Unit.
+};
+
+struct PlacedStrand
+{
+    SkinWay root; ///< The way is that to the place 2 cm along, of short hair a third along.
+    StrandShape shape;
+    std::uint32_t points = 2; ///< It was told with.
+    StrandLook look;          ///< Widths in m.
+    float held = 0.0F;        ///< 0..1: how far it stands where gravity would lay it down.
+};
+
+struct PlacedStrands
+{
+    std::vector<PlacedStrand> strands;
+    std::vector<SkinWay> further; ///< Where some of them lie on skin further on.
+    float heightM =
+        0.0F; ///< Over the skin, of half of the strands no more, where they begin to lie; 0 where none does.
+};
+
+/// Strands whose roots are further from the skin than `kFurthestRootM`, or that have no length, are left out. None
+/// where `progress` cancels. `distances` of that skin may be null. Uses parallelFor.
+inline constexpr float kFurthestRootM = 0.03F;
+[[nodiscard]] std::optional<PlacedStrands> placeStrands(const ForeignStrands& strands, const CurvePlacement& placement,
+                                                        const sim::Skin& skin, const sim::DistanceGrid* distances,
+                                                        const Progress& progress = {});
+
+} // namespace hairpaint::model

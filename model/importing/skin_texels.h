@@ -1,0 +1,32 @@
+// The texels of a map that lie on the skin, as places there.
+#pragma once
+
+#include "model/importing/place_grid.h"
+#include "model/progress.h"
+#include "sim/skin/skin_frame.h"
+
+#include <optional>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// All arrays: by texel on the skin, those near each other on the head near each other here. Immutable.
+struct SkinTexels
+{
+    int size = 0;                     ///< Of the map, a side.
+    std::vector<std::uint32_t> texel; ///< Its number in the map, row by row.
+    std::vector<glm::vec3> placeHd;
+    std::vector<sim::SkinFrame> frame;
+    std::vector<float> areaM2;
+    float sideM = 0.0F;            ///< Of a usual texel.
+    std::optional<PlaceGrid> grid; ///< Of placeHd.
+
+    [[nodiscard]] std::size_t count() const { return texel.size(); }
+    /// None where `progress` cancels. Half a second for a map of 1024; uses parallelFor.
+    [[nodiscard]] static std::optional<SkinTexels> of(const sim::Skin& skin, int size, const Progress& progress = {});
+
+private:
+    void sortByPlace();
+};
+
+} // namespace hairpaint::model

@@ -1,0 +1,498 @@
+// StrandSums of strands at each texel of the skin, and maps of those.
+#include "model/importing/strand_maps.h"
+
+#include "model/importing/lock_estimate.h"
+#include "model/importing/outward_fill.h"
+#include "model/texel_math.h"
+#include "sim/base/parallel.h"
+#include "sim/groom/direction_texel.h"
+#include "sim/groom/groom.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace hairpaint::model {
+
+namespace {
+
+constexpr std::size_t kNeighboursCounted = 8; ///< By which it is found how far apart strands stand.
+constexpr float kFurthestApartM = 0.03F;
+constexpr std::array kLookedAroundM{0.003F, 0.006F, 0.012F, 0.024F, 0.048F, 0.096F};
+constexpr std::size_t kMostLookedAt = 512; ///< All of them may stand in one place.
+constexpr float kReachOfSpacing = 1.4F;    ///< Standard deviation of a strand's weight, in distances between strands;
+constexpr float kReachOfTexel = 0.6F;      ///< no less than this, in texels.
+constexpr float kReaches = 2.4F;           ///< Standard deviations until which it weighs.
+constexpr float kFurtherReachM = 0.004F;
+constexpr float kSameSide = 0.2F;             ///< Cosine between normals of one side of an ear.
+constexpr std::size_t kStrandsBetween = 4096; ///< Questions whether it goes on.
+constexpr int kMostImportedNodes = 16;
+constexpr float kWidestStrandM = 1e-3F;
+constexpr float kThinnestStrandM = 10e-6F;
+
+/// What strands sum up to at a texel, each by its weight.
+struct TexelSum
+{
+    float weight = 0.0F;
+    float densityPerM2 = 0.0F;
+    float lengthM = 0.0F;
+    float curl = 0.0F;
+    float radiusM = 0.0F;
+    float coiled = 0.0F; ///< Weight of those with a coil.
+    float held = 0.0F;
+    glm::vec3 rootColour{0.0F};
+    glm::vec3 tipColour{0.0F};
+};
+
+/// How hair runs there: the mean of directions in the skin, of their lengths, and the nearest one.
+struct WaySum
+{
+    float weight = 0.0F;
+    float flatness = 0.0F;
+    glm::vec3 meanHd{0.0F};
+    float nearestWeight = 0.0F;
+    glm::vec3 nearestHd{0.0F};
+
+    void add(const SkinWay& way, float wayWeight)
+    {
+        const glm::vec3 alongHd = way.wayHd - way.normalHd * glm::dot(way.wayHd, way.normalHd);
+        weight += wayWeight;
+        flatness += wayWeight * glm::length(alongHd);
+        meanHd += wayWeight * alongHd;
+        if (wayWeight > nearestWeight) {
+            nearestWeight = wayWeight;
+            nearestHd = alongHd;
+        }
+    }
+    /// In that frame; where two sides of a parting meet, that of the nearest strand.
+    [[nodiscard]] glm::vec2 in(const sim::SkinFrame& frame) const
+    {
+        const float flat = flatness / weight;
+        return sim::shortened(
+            sim::turned(frame.fromHd(meanHd / weight), flat, frame.fromHd(nearestHd), sim::kPartedDirections));
+    }
+};
+
+float curlOf(float turns)
+{
+    float low = 0.0F;
+    float high = 1.0F;
+    for (int i = 0; i < 20; ++i) {
+        const float middle = 0.5F * (low + high);
+        (sim::turnsOfCurl(middle, false) < turns ? low : high) = middle;
+    }
+    return high < 1e-4F ? 0.0F : high;
+}
+
+/// How far from its neighbours each strand stands.
+std::vector<float> spacingsM(const std::vector<PlacedStrand>& strands)
+{
+    std::vector<glm::vec3> rootsHd;
+    rootsHd.reserve(strands.size());
+    for (const PlacedStrand& strand : strands)
+        rootsHd.push_back(strand.root.placeHd);
+    const PlaceGrid grid(rootsHd, 0.003F);
+    std::vector<float> spacings(strands.size(), kFurthestApartM);
+    const float perRadius = std::sqrt(glm::pi<float>() / static_cast<float>(kNeighboursCounted));
+    sim::parallelFor(strands.size(), 256, [&](std::size_t begin, std::size_t end) {
+        std::vector<float> squares;
+        for (std::size_t i = begin; i < end; ++i)
+            for (const float radiusM : kLookedAroundM) {
+                squares.clear();
+                grid.near(rootsHd[i], radiusM, [&](std::uint32_t other) {
+                    const glm::vec3 way = rootsHd[other] - rootsHd[i];
+                    if (const float square = glm::dot(way, way); square <= radiusM * radiusM)
+                        squares.push_back(square);
+                    return squares.size() < kMostLookedAt;
+                });
+                if (squares.size() <= kNeighboursCounted)
+                    continue;
+                // The first is the strand itself.
+                std::ranges::nth_element(squares, squares.begin() + kNeighboursCounted);
+                spacings[i] = std::min(perRadius * std::sqrt(squares[kNeighboursCounted]), kFurthestApartM);
+                break;
+            }
+    });
+    return spacings;
+}
+
+/// Texels around a place on the skin and what they weigh there.
+class TexelsAround
+{
+public:
+    explicit TexelsAround(const SkinTexels& texels) : m_texels(texels) {}
+
+    struct Weighed
+    {
+        std::uint32_t index;
+        float weight;
+    };
+    /// Valid until the next call.
+    [[nodiscard]] std::span<const Weighed> at(const SkinWay& way, float reachM)
+    {
+        m_found.clear();
+        const float furthest2 = kReaches * kReaches * reachM * reachM;
+        m_texels.grid->near(way.placeHd, kReaches * reachM, [&](std::uint32_t index) {
+            const glm::vec3 aside = m_texels.placeHd[index] - way.placeHd;
+            const float square = glm::dot(aside, aside);
+            if (square < furthest2 && glm::dot(m_texels.frame[index].normal, way.normalHd) > kSameSide)
+                m_found.push_back({index, std::exp(-0.5F * square / (reachM * reachM))});
+            return true;
+        });
+        return m_found;
+    }
+
+private:
+    const SkinTexels& m_texels;
+    std::vector<Weighed> m_found;
+};
+
+struct StrandSums
+{
+    std::vector<TexelSum> strands; ///< By texel on the skin.
+    std::vector<WaySum> roots;
+    std::vector<WaySum> further;
+};
+
+void addStrand(const PlacedStrand& strand, std::span<const TexelsAround::Weighed> around, const SkinTexels& texels,
+               StrandSums& sums)
+{
+    float area = 0.0F;
+    for (const auto& [index, weight] : around)
+        area += weight * texels.areaM2[index];
+    const float curl = strand.shape.turns > 0.0F ? curlOf(strand.shape.turns) : 0.0F;
+    for (const auto& [index, weight] : around) {
+        TexelSum& sum = sums.strands[index];
+        sum.weight += weight;
+        sum.densityPerM2 += weight / area;
+        sum.lengthM += weight * strand.shape.lengthM;
+        sum.held += weight * strand.held;
+        sum.rootColour += weight * strand.look.rootColour;
+        sum.tipColour += weight * strand.look.tipColour;
+        if (curl > 0.0F) {
+            sum.curl += weight * curl;
+            sum.radiusM += weight * strand.shape.radiusM;
+            sum.coiled += weight;
+        }
+        sums.roots[index].add(strand.root, weight);
+    }
+}
+
+std::optional<StrandSums> summed(const PlacedStrands& placed, const SkinTexels& texels, const Progress& progress)
+{
+    const std::vector<float> spacings = spacingsM(placed.strands);
+    StrandSums sums{std::vector<TexelSum>(texels.count()), std::vector<WaySum>(texels.count()),
+                    std::vector<WaySum>(texels.count())};
+    TexelsAround around(texels);
+    for (std::size_t i = 0; i < placed.strands.size(); ++i) {
+        if (i % kStrandsBetween == 0 && progress &&
+            !progress(static_cast<double>(i) / static_cast<double>(placed.strands.size())))
+            return std::nullopt;
+        // Where texels are large, as far as the nearest.
+        float reachM = std::max(kReachOfSpacing * spacings[i], kReachOfTexel * texels.sideM);
+        std::span<const TexelsAround::Weighed> found;
+        for (int tries = 0; tries < 4 && found.empty(); ++tries, reachM *= 2.0F)
+            found = around.at(placed.strands[i].root, reachM);
+        addStrand(placed.strands[i], found, texels, sums);
+    }
+    for (const SkinWay& way : placed.further)
+        for (const auto& [index, weight] : around.at(way, kFurtherReachM))
+            sums.further[index].add(way, weight);
+    return sums;
+}
+
+/// Values over a whole map.
+template<typename Value>
+struct MapValues
+{
+    std::vector<Value> values;
+    std::vector<std::uint8_t> known;
+    explicit MapValues(int size)
+        : values(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), Value(0.0F)), known(values.size())
+    {}
+    void set(std::uint32_t texel, const Value& value)
+    {
+        values[texel] = value;
+        known[texel] = 1;
+    }
+};
+
+/// Writes `texelOf(number of the texel)` into the map's one layer.
+template<typename TexelOf>
+void writeLayer(HairGroup& group, MapKind kind, const TexelOf& texelOf)
+{
+    sim::TiledRaster& raster = group.map(kind).layers.front().raster;
+    const auto channels = static_cast<std::size_t>(raster.channels());
+    for (int tile = 0; tile < raster.tileCount(); ++tile) {
+        const sim::TexelRect rect = raster.tileRect(tile);
+        const std::span<std::uint16_t> pixels = raster.writableTile(tile);
+        std::size_t at = 0;
+        for (int y = rect.y0; y < rect.y1; ++y)
+            for (int x = rect.x0; x < rect.x1; ++x) {
+                const sim::Texel texel = texelOf(static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.size()) +
+                                                 static_cast<std::size_t>(x));
+                std::copy_n(texel.begin(), channels, pixels.data() + at);
+                at += channels;
+            }
+        raster.compact(tile);
+    }
+}
+
+/// The next number of two digits.
+float roundUp(float value)
+{
+    if (!(value > 0.0F))
+        return 0.0F;
+    const float step = std::pow(10.0F, std::floor(std::log10(value)) - 1.0F);
+    return std::ceil(value / step * 0.9999F) * step;
+}
+
+/// Makes the maps and settings of one group.
+class GroupMaker
+{
+public:
+    GroupMaker(const PlacedStrands& placed, const SkinTexels& texels, const StrandSums& sums, double skinAreaM2)
+        : m_placed(placed), m_texels(texels), m_sums(sums), m_skinAreaM2(skinAreaM2)
+    {}
+
+    [[nodiscard]] HairGroup fill(HairGroup group, bool hasColours) const
+    {
+        writeDensity(group);
+        writeLength(group);
+        writeCurl(group);
+        writeGel(group);
+        writeLocks(group);
+        writeDirection(group);
+        if (hasColours)
+            writeColours(group);
+        setFibre(group.settings);
+        return group;
+    }
+
+private:
+    /// `valueOf(sum)` where there is weight; other texels as those around.
+    template<typename Value, typename ValueOf>
+    [[nodiscard]] MapValues<Value> filled(const ValueOf& valueOf, float TexelSum::*weight = &TexelSum::weight) const
+    {
+        MapValues<Value> map(m_texels.size);
+        for (std::size_t i = 0; i < m_texels.count(); ++i)
+            if (m_sums.strands[i].*weight > 0.0F)
+                map.set(m_texels.texel[i], valueOf(m_sums.strands[i]));
+        fillOutward(static_cast<std::size_t>(m_texels.size), map.values, map.known);
+        return map;
+    }
+    void writeScalar(HairGroup& group, MapKind kind, const std::vector<float>& values, float greatest) const
+    {
+        writeLayer(group, kind, [&](std::size_t texel) {
+            return sim::Texel{unit16(std::clamp(values[texel] / greatest, 0.0F, 1.0F)), 65535};
+        });
+    }
+
+    void writeDensity(HairGroup& group) const
+    {
+        MapValues<float> map(m_texels.size);
+        std::vector<float> some;
+        for (std::size_t i = 0; i < m_texels.count(); ++i) {
+            map.set(m_texels.texel[i], m_sums.strands[i].densityPerM2);
+            if (m_sums.strands[i].densityPerM2 > 0.0F)
+                some.push_back(m_sums.strands[i].densityPerM2);
+        }
+        // Beside an island's edge its own texels are read along with others.
+        fillOutward(static_cast<std::size_t>(m_texels.size), map.values, map.known);
+        // A few texels that are denser than all others would make candidates everywhere.
+        constexpr std::size_t kOneOf = 200;
+        float greatest = 0.0F;
+        if (!some.empty()) {
+            const auto high = some.begin() + static_cast<std::ptrdiff_t>(some.size() - 1 - some.size() / kOneOf);
+            std::ranges::nth_element(some, high);
+            greatest = *high;
+        }
+        greatest = std::clamp(roundUp(greatest), 1e4F, 4e6F);
+        group.settings.greatestDensityPerM2 = greatest;
+        writeScalar(group, MapKind::Density, map.values, greatest);
+    }
+
+    void writeLength(HairGroup& group) const
+    {
+        const auto map = filled<float>([](const TexelSum& sum) { return sum.lengthM / sum.weight; });
+        const float greatest = std::clamp(roundUp(*std::ranges::max_element(map.values)), 0.001F, 2.0F);
+        group.settings.greatestLengthM = greatest;
+        writeScalar(group, MapKind::Length, map.values, greatest);
+    }
+
+    void writeCurl(HairGroup& group) const
+    {
+        if (std::ranges::none_of(m_sums.strands, [](const TexelSum& sum) { return sum.coiled > 0.0F; }))
+            return;
+        const auto curl = filled<float>([](const TexelSum& sum) { return sum.curl / sum.weight; });
+        writeScalar(group, MapKind::Curl, curl.values, 1.0F);
+        const auto radii =
+            filled<float>([](const TexelSum& sum) { return sum.radiusM / sum.coiled; }, &TexelSum::coiled);
+        const float greatest = std::clamp(roundUp(*std::ranges::max_element(radii.values)), 0.0005F, 0.2F);
+        group.settings.greatestCurlRadiusM = greatest;
+        writeScalar(group, MapKind::CurlSize, radii.values, greatest);
+    }
+
+    void writeGel(HairGroup& group) const
+    {
+        constexpr float kGelOfHeld = 0.92F;
+        constexpr float kFewHeld = 0.1F; ///< Of all hairs: some that stand by chance need none.
+        double held = 0.0;
+        for (const PlacedStrand& strand : m_placed.strands)
+            held += strand.held;
+        if (held < kFewHeld * static_cast<double>(m_placed.strands.size()))
+            return;
+        const auto map = filled<float>([](const TexelSum& sum) { return kGelOfHeld * sum.held / sum.weight; });
+        writeScalar(group, MapKind::Gel, map.values, 1.0F);
+    }
+
+    void writeLocks(HairGroup& group) const
+    {
+        const LockEstimate locks = estimateLocks(m_placed.strands);
+        if (locks.clump <= 0.0F)
+            return;
+        writeLayer(group, MapKind::Clump, [&](std::size_t) { return sim::Texel{unit16(locks.clump), 65535}; });
+        // As dense as the hairs stand, each counted once.
+        double hairs = 0.0;
+        double densities = 0.0;
+        for (std::size_t i = 0; i < m_texels.count(); ++i) {
+            const double density = m_sums.strands[i].densityPerM2;
+            hairs += density * m_texels.areaM2[i];
+            densities += density * density * m_texels.areaM2[i];
+        }
+        const double locksPerM2 = densities / std::max(hairs, 1.0) / static_cast<double>(locks.hairs);
+        group.settings.basisHairs = static_cast<int>(std::clamp(locksPerM2 * m_skinAreaM2, 256.0, 1e7));
+    }
+
+    void writeDirection(HairGroup& group) const
+    {
+        constexpr float kEnough = 0.5F; ///< Weight of roots that need no hair from elsewhere.
+        MapValues<glm::vec2> map(m_texels.size);
+        for (std::size_t i = 0; i < m_texels.count(); ++i) {
+            const WaySum& own = m_sums.roots[i];
+            const WaySum& further = m_sums.further[i];
+            const sim::SkinFrame& frame = m_texels.frame[i];
+            if (own.weight > 0.0F && (own.weight >= kEnough || further.weight <= 0.0F))
+                map.set(m_texels.texel[i], own.in(frame));
+            else if (own.weight > 0.0F)
+                map.set(m_texels.texel[i], sim::turnedBetween(further.in(frame), own.in(frame), own.weight / kEnough));
+            else if (further.weight > 0.0F)
+                map.set(m_texels.texel[i], further.in(frame));
+        }
+        // No softer edge: what is mixed of growing and lying is neither.
+        constexpr float kNearBy = 0.25F;
+        const MapValues<float> near = nearness(map.known);
+        fillOutward(static_cast<std::size_t>(m_texels.size), map.values, map.known);
+        writeLayer(group, MapKind::Direction, [&](std::size_t texel) {
+            sim::Texel value = sim::texelOfDirection(map.values[texel]);
+            value[2] = near.values[texel] > kNearBy ? 65535 : 0;
+            return value;
+        });
+    }
+
+    /// 1 in cells of some texels where something is known, and softly less beside them: further off hair grows as it
+    /// does on its own.
+    [[nodiscard]] MapValues<float> nearness(const std::vector<std::uint8_t>& known) const
+    {
+        constexpr std::size_t kCell = 16;
+        const auto side = static_cast<std::size_t>(m_texels.size);
+        const std::size_t cells = side / kCell;
+        std::vector<float> any(cells * cells);
+        for (std::size_t y = 0; y < side; ++y)
+            for (std::size_t x = 0; x < side; ++x)
+                if (known[y * side + x] != 0)
+                    any[y / kCell * cells + x / kCell] = 1.0F;
+        MapValues<float> near(m_texels.size);
+        const auto at = [cells](float place) {
+            const float moved = std::clamp(place / kCell - 0.5F, 0.0F, static_cast<float>(cells - 1));
+            const auto low = std::min(static_cast<std::size_t>(moved), cells - 2);
+            return std::pair(low, moved - static_cast<float>(low));
+        };
+        for (std::size_t y = 0; y < side; ++y)
+            for (std::size_t x = 0; x < side; ++x) {
+                const auto [cx, fx] = at(static_cast<float>(x) + 0.5F);
+                const auto [cy, fy] = at(static_cast<float>(y) + 0.5F);
+                const float mean =
+                    glm::mix(glm::mix(any[cy * cells + cx], any[cy * cells + cx + 1], fx),
+                             glm::mix(any[(cy + 1) * cells + cx], any[(cy + 1) * cells + cx + 1], fx), fy);
+                near.values[y * side + x] = known[y * side + x] != 0 ? 1.0F : mean;
+            }
+        return near;
+    }
+
+    void writeColours(HairGroup& group) const
+    {
+        const auto write = [&](MapKind kind, glm::vec3 TexelSum::*colour) {
+            const auto map = filled<glm::vec3>([colour](const TexelSum& sum) { return sum.*colour / sum.weight; });
+            writeLayer(group, kind, [&](std::size_t texel) {
+                const glm::vec3& value = map.values[texel];
+                return sim::Texel{unit16(value.r), unit16(value.g), unit16(value.b), 65535};
+            });
+        };
+        write(MapKind::Colour, &TexelSum::rootColour);
+        constexpr float kAlike = 1.5F / 255.0F;
+        const auto differs = [](const PlacedStrand& strand) {
+            const glm::vec3 by = glm::abs(strand.look.tipColour - strand.look.rootColour);
+            return std::max({by.r, by.g, by.b}) > kAlike;
+        };
+        if (std::ranges::any_of(m_placed.strands, differs))
+            write(MapKind::TipColour, &TexelSum::tipColour);
+    }
+
+    /// What is the same for all hairs of the group.
+    void setFibre(sim::GroupSettings& settings) const
+    {
+        std::vector<float> widths;
+        std::vector<float> taper;
+        for (const PlacedStrand& strand : m_placed.strands)
+            if (strand.look.rootWidth >= kThinnestStrandM && strand.look.rootWidth <= kWidestStrandM) {
+                widths.push_back(strand.look.rootWidth);
+                taper.push_back(std::clamp(strand.look.tipWidth / strand.look.rootWidth, 0.0F, 1.0F));
+            }
+        if (2 * widths.size() > m_placed.strands.size()) {
+            settings.material.widthM = middleOf(widths);
+            settings.material.tipAlpha = middleOf(taper);
+        }
+        std::vector<float> points; // Of strands without a coil: two a segment, as they are exported.
+        for (const PlacedStrand& strand : m_placed.strands)
+            if (strand.shape.turns == 0.0F)
+                points.push_back(static_cast<float>(strand.points));
+        if (2 * points.size() > m_placed.strands.size())
+            settings.nodesPerHair =
+                std::clamp(static_cast<int>(middleOf(points) + 2.0F) / 2, sim::kLeastNodes, kMostImportedNodes);
+        // Hair rises a little above its height in the coat before it lies, so that half of it lies at all of the
+        // coat's.
+        settings.physics.volumeM = std::clamp(m_placed.heightM, 0.0F, 0.05F);
+    }
+    [[nodiscard]] static float middleOf(std::vector<float>& values)
+    {
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::ranges::nth_element(values, middle);
+        return *middle;
+    }
+
+    const PlacedStrands& m_placed;
+    const SkinTexels& m_texels;
+    const StrandSums& m_sums;
+    double m_skinAreaM2;
+};
+
+} // namespace
+
+std::optional<HairGroup> groupFromStrands(const PlacedStrands& placed, bool hasColours, const SkinTexels& texels,
+                                          const QString& name, const std::shared_ptr<const Head>& head,
+                                          const Progress& progress)
+{
+    const std::optional<StrandSums> sums = summed(placed, texels, progress);
+    if (!sums)
+        return std::nullopt;
+    Project nobody;
+    nobody.head = head;
+    return GroupMaker(placed, texels, *sums, head->skin->areaM2())
+        .fill(makeGroup(nobody, name, texels.size), hasColours);
+}
+
+} // namespace hairpaint::model
