@@ -12,6 +12,7 @@ HAIRPAINT_PACKAGES=(
 HAIRPAINT_TEST_PACKAGES=(xvfb xauth lld)
 HAIRPAINT_BENCH_PACKAGES=(libbenchmark-dev libmypaint-dev)
 HAIRPAINT_EXCHANGE_PACKAGES=(blender python3-numpy imagemagick chromium godot3-server)
+HAIRPAINT_MODELS_PACKAGES=(assimp-testmodels)
 HAIRPAINT_FUZZ_PACKAGES=(clang libclang-rt-14-dev)
 HAIRPAINT_TIDY_PACKAGES=(clang-tidy clang-format libbenchmark-dev libmypaint-dev)
 
