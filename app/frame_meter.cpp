@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds kLongestBetweenFrames(500);
 } // namespace
 
 FrameMeter::FrameMeter(const view::HeadView& head, Session& session, view::StatusReadout& status)
-    : QObject(&status), m_session(session), m_status(status)
+    : QObject(&status), m_head(head), m_session(session), m_status(status)
 {
     connect(&head, &view::HeadView::frameDrawn, this, &FrameMeter::onFrameDrawn);
     m_stopped.setSingleShot(true);
@@ -43,11 +43,13 @@ void FrameMeter::onFrameDrawn(const rendering::FrameStatistics& statistics)
     // A fine picture takes its time, and one of hair that rests takes less than one of hair that moves.
     if (frame && !frame->asleep && !m_session.paused() && !statistics.inSteps)
         m_session.setDrawTime(statistics.milliseconds);
-    if (frame)
-        m_status.setHairs(static_cast<qint64>(statistics.drawnHairs), static_cast<qint64>(frame->hairCount),
-                          frame->limit);
-    else
-        m_status.setHairs(static_cast<qint64>(statistics.drawnHairs), 0);
+    const auto drawn = static_cast<qint64>(statistics.drawnHairs);
+    if (!frame) {
+        m_status.setHairs(drawn, 0);
+        return;
+    }
+    const auto all = static_cast<qint64>(frame->hairCount);
+    m_status.setHairs(m_head.cardsShown() ? all : drawn, all, frame->limit);
 }
 
 } // namespace hairpaint::app

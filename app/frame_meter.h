@@ -25,6 +25,7 @@ public:
 private:
     void onFrameDrawn(const rendering::FrameStatistics& statistics);
 
+    const view::HeadView& m_head;
     Session& m_session;
     view::StatusReadout& m_status;
     double m_frameRate = 0.0; ///< Smoothed, frames per second.

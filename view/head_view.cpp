@@ -130,8 +130,10 @@ void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
 {
     if (frame && !m_scene->isOnHead(*frame))
         return; // Of the head before this one.
-    const bool moved = m_stillness.moved(frame, m_scene->camera(), size());
     const std::shared_ptr<const sim::StrandFrame>& shown = m_scene->scene().hair;
+    // Cards stand still, but for the head that wears them.
+    const bool unseen = cardsShown() && frame && shown && frame->pose == shown->pose;
+    const bool moved = m_stillness.moved(frame, m_scene->camera(), size()) && !unseen;
     const bool finer = frame && shown && sim::placedDetail(*frame) > sim::placedDetail(*shown);
     if (m_pacer->still() && !moved && !finer)
         return; // A picture that is being refined is worth more than a difference nobody sees.
