@@ -38,6 +38,26 @@ int mapSizeFor(const ForeignCurves& curves)
     return static_cast<int>(size);
 }
 
+/// Some programs write a prim for each lock: so many are no groups.
+void mergeMany(ForeignCurves& curves)
+{
+    constexpr std::size_t kMostImportedGroups = 16;
+    if (curves.groups.size() <= kMostImportedGroups)
+        return;
+    ForeignStrands all;
+    all.hasColours = true;
+    for (const ForeignStrands& group : curves.groups) {
+        const auto before = static_cast<std::uint32_t>(all.points.size());
+        all.hasColours = all.hasColours && group.hasColours;
+        all.points.insert(all.points.end(), group.points.begin(), group.points.end());
+        all.looks.insert(all.looks.end(), group.looks.begin(), group.looks.end());
+        for (const std::uint32_t end : group.ends)
+            all.ends.push_back(before + end);
+    }
+    curves.groups.clear();
+    curves.groups.push_back(std::move(all));
+}
+
 tl::unexpected<Error> fitsNowhere(const QString& path)
 {
     return cannotOpen(path, {.text = say(QT_TRANSLATE_NOOP(
@@ -53,9 +73,10 @@ Result<std::vector<HairGroup>> groupsFromCurves(const QString& path, const Curve
 {
     using Groups = std::vector<HairGroup>;
     return withinMemory(path, cannotOpen, [&]() -> Result<Groups> {
-        const Result<ForeignCurves> curves = readCurves(path, partOfImport(progress, 0.0, kCurvesRead));
+        Result<ForeignCurves> curves = readCurves(path, partOfImport(progress, 0.0, kCurvesRead));
         if (!curves)
             return tl::unexpected(curves.error());
+        mergeMany(*curves);
         const std::optional<CurvePlacement> placement = placeCurves(*curves, choice, *head->skin);
         if (!placement)
             return fitsNowhere(path);

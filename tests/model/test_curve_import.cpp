@@ -217,6 +217,21 @@ private Q_SLOTS:
         QVERIFY(groups->front().settings.greatestDensityPerM2 <= 4e6F);
     }
 
+    void manyPrimsAreOneGroup()
+    {
+        QByteArray text = "#usda 1.0\n(\n metersPerUnit = 1\n)\n";
+        for (int i = 0; i < 40; ++i) {
+            const QByteArray x = QByteArray::number(0.002 * (i - 20));
+            text += "def BasisCurves \"lock" + QByteArray::number(i) +
+                    "\" {\nint[] curveVertexCounts = [2]\npoint3f[] points = [(" + x + ",0,0.1),(" + x +
+                    ",0,0.15)]\nuniform token type = \"linear\"\n}\n";
+        }
+        test::writeBytes(path("locks.usda"), text);
+        const Result<std::vector<HairGroup>> groups = groupsFromCurves(path("locks.usda"), {}, ball());
+        QVERIFY(groups && groups->size() == 1);
+        QCOMPARE(groups->front().name, QStringLiteral("locks"));
+    }
+
     void hairOfAnotherPlaceIsFitted()
     {
         // As of a program that tells no unit, on a head a third as large that stands elsewhere.
