@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <string_view>
 
 namespace hairpaint::model {
 
@@ -47,16 +48,15 @@ tl::unexpected<Clause> cutShort()
 
 Checked<HairHeader> headerOf(QIODevice& file)
 {
-    const QByteArray bytes = file.read(kHairHeader);
-    if (!bytes.startsWith("HAIR"))
+    std::array<char, kHairHeader> bytes{};
+    const qint64 read = file.read(bytes.data(), kHairHeader);
+    if (std::string_view(bytes.data(), 4) != "HAIR")
         return refuse(say(QT_TRANSLATE_NOOP("Files", "it is no hair file; choose one that a hair program exported")),
                       Clause::Cure::OtherFile);
-    if (bytes.size() != kHairHeader)
+    if (read != kHairHeader)
         return cutShort();
     HairHeader header;
-    const auto take = [&bytes](qsizetype at, auto& value) {
-        std::memcpy(&value, bytes.constData() + at, sizeof(value));
-    };
+    const auto take = [&bytes](std::size_t at, auto& value) { std::memcpy(&value, bytes.data() + at, sizeof(value)); };
     take(4, header.strands);
     take(8, header.points);
     take(12, header.flags);

@@ -9,6 +9,23 @@
 
 namespace hairpaint::app {
 
+namespace {
+
+// Elsewhere nothing is known of when memory goes back, and the sanitizer holds it: there the work is done, and what it
+// leaves is not judged.
+#if defined(Q_OS_LINUX) && !defined(__SANITIZE_ADDRESS__)
+constexpr bool kMemoryIsKnown = true;
+#else
+constexpr bool kMemoryIsKnown = false;
+#endif
+
+bool holds(bool aboutMemory)
+{
+    return aboutMemory || !kMemoryIsKnown;
+}
+
+} // namespace
+
 class TestMemory : public QObject, private WindowFixture
 {
     Q_OBJECT
@@ -62,25 +79,20 @@ private:
     }
 
 private Q_SLOTS:
-    // Elsewhere nothing is known of when memory goes back, and the sanitizer holds it.
-#if defined(Q_OS_LINUX) && !defined(__SANITIZE_ADDRESS__)
     void initTestCase()
     {
         returnLargeMemory(); // As the program does.
         prepareApplication();
     }
-    void cleanup()
-    {
-        m_window.reset();
-    }
+    void cleanup() { m_window.reset(); }
 
     void smallBlocksThatAreFreedGoBack()
     {
         const double before = residentMegabytes();
         const auto kept = blocksWithGaps();
-        QVERIFY(residentMegabytes() > before + 200.0);
+        QVERIFY(holds(residentMegabytes() > before + 200.0));
         returnFreedMemory();
-        QVERIFY(residentMegabytes() < before + 50.0);
+        QVERIFY(holds(residentMegabytes() < before + 50.0));
     }
 
     void aWindowGivesThemBackWhenItsWorkRests()
@@ -90,7 +102,7 @@ private Q_SLOTS:
         const auto kept = blocksWithGaps();
         const double most = residentMegabytes();
         fill(model::MapKind::Length, 65535);
-        QTRY_VERIFY_WITH_TIMEOUT(residentMegabytes() < most - 150.0, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(holds(residentMegabytes() < most - 150.0), kPatienceMs);
     }
 
     void hairThatIsGoneLeavesNothing()
@@ -108,10 +120,9 @@ private Q_SLOTS:
         awaitPicture(false);
         const double after = residentMegabytesAtRest();
         qInfo("MB: bald %.0f, all hair %.0f, bald again %.0f", before, most, after);
-        QVERIFY(most > before + 50.0);
-        QVERIFY(after < before + 0.2 * (most - before));
+        QVERIFY(holds(most > before + 50.0));
+        QVERIFY(holds(after < before + 0.2 * (most - before)));
     }
-#endif
 };
 
 } // namespace hairpaint::app

@@ -1,13 +1,19 @@
 // groom_build/hairs:H: grooming H hairs from their maps, with roots and neighbours ready.
 // groom_update_dab/hairs:H: bringing the groom up to date after a dab over one per cent of the head.
+// memory/hairs:H: what hairs of 8 nodes take with roots, groom, basis hairs' motion and one frame; bytes_per_hair.
 // groom_update_comb/hairs:H: the same after a dab of the comb, whose hairs lie across the head for up to 16 cm.
 #include "bench_scene.h"
 
 #include "sim/groom/groom.h"
+#include "sim/motion/simulation.h"
 
 #include <benchmark/benchmark.h>
 
 #include <vector>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace {
 
@@ -70,6 +76,36 @@ void groomUpdate(benchmark::State& state)
     state.counters["rebuilt"] = benchmark::Counter(static_cast<double>(rebuilt), benchmark::Counter::kAvgIterations);
 }
 
+#if defined(__GLIBC__)
+std::size_t bytesInUse()
+{
+    const struct mallinfo2 info = mallinfo2();
+    return info.uordblks + info.hblkhd;
+}
+
+void memoryOfHair(benchmark::State& state)
+{
+    const sim::GroomInput input = bench::sceneOf(static_cast<int>(state.range(0)), 8, false);
+    double bytes = 0.0;
+    for ([[maybe_unused]] auto step : state) {
+        const std::size_t before = bytesInUse();
+        sim::Simulation simulation;
+        simulation.setInput(input);
+        sim::StrandFrame frame;
+        simulation.writeFrame(frame);
+        bytes = static_cast<double>(bytesInUse() - before);
+    }
+    state.counters["bytes_per_hair"] = bytes / static_cast<double>(state.range(0));
+}
+
+BENCHMARK(memoryOfHair)
+    ->Name("memory")
+    ->ArgNames({"hairs"})
+    ->Arg(100000)
+    ->Arg(1000000)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+#endif
 BENCHMARK(groomBuild)
     ->Name("groom_build")
     ->ArgNames({"hairs"})

@@ -2,6 +2,8 @@
 // gui_latency/head_import: while heads of 130,000 triangles are prepared and put into the real window in turns, which
 // draws them; gui_latency/opacity: while the opacity of a layer is dragged that is one of eight on a map of 2048 texels
 // a side, in the real window. Counters: the median, the 99th percentile and the longest wait, in ms.
+// frames/large_brush: how far apart the pictures of the 3D area come while a brush of 10 cm paints lengths on the head
+// and the hair moves; the same counters.
 #include "app/background/heads.h"
 #include "app/background/jobs.h"
 #include "app/library.h"
@@ -10,10 +12,12 @@
 #include "model/commands/commands.h"
 #include "model/files/glb.h"
 #include "tests/support/test_heads.h"
+#include "view/head_view.h"
 #include "view/resources.h"
 
 #include <QApplication>
 #include <QEvent>
+#include <QMouseEvent>
 #include <QWidget>
 
 #include <benchmark/benchmark.h>
@@ -21,6 +25,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -48,6 +53,19 @@ struct Sent : QEvent
     Clock::time_point at = Clock::now();
 };
 
+void reportTimes(benchmark::State& state, std::vector<double>& milliseconds)
+{
+    if (milliseconds.empty())
+        return state.SkipWithError("nothing came");
+    std::ranges::sort(milliseconds);
+    const auto at = [&milliseconds](double fraction) {
+        return milliseconds[static_cast<std::size_t>(fraction * static_cast<double>(milliseconds.size() - 1))];
+    };
+    state.counters["median_ms"] = at(0.5);
+    state.counters["p99_ms"] = at(0.99);
+    state.counters["longest_ms"] = at(1.0);
+}
+
 /// Takes what another thread sends every few milliseconds, as a mouse does.
 class Receiver : public QObject
 {
@@ -65,15 +83,7 @@ public:
     void report(benchmark::State& state)
     {
         stop();
-        if (m_waits.empty())
-            return state.SkipWithError("no event came");
-        std::ranges::sort(m_waits);
-        const auto at = [this](double fraction) {
-            return m_waits[static_cast<std::size_t>(fraction * static_cast<double>(m_waits.size() - 1))];
-        };
-        state.counters["median_ms"] = at(0.5);
-        state.counters["p99_ms"] = at(0.99);
-        state.counters["longest_ms"] = at(1.0);
+        reportTimes(state, m_waits);
     }
 
 protected:
@@ -207,6 +217,56 @@ void duringOpacityTicks(benchmark::State& state)
     edit.drop();
 }
 
+void duringStrokes(benchmark::State& state)
+{
+    application();
+    view::initResources();
+    model::Project project = app::starterProject();
+    project.wind = {.enabled = true, .velocity = {3.0F, 0.0F, 1.0F}, .gustiness = 0.5F, .turbulence = 0.3F};
+    app::MainWindow window(std::move(project), QString());
+    window.resize(1440, 900);
+    window.show();
+    view::EditorState& editor = window.session().editor();
+    editor.setActiveMap(model::MapKind::Length);
+    model::ToolSettings settings = editor.toolSettings();
+    settings.brushSizeM = 0.10F;
+    editor.setToolSettings(settings);
+    const auto workFor = [](int milliseconds) {
+        const Clock::time_point end = Clock::now() + std::chrono::milliseconds(milliseconds);
+        while (Clock::now() < end)
+            QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
+    };
+    workFor(3000);
+    view::HeadView& area = window.headView();
+    std::vector<double> apart;
+    Clock::time_point last = Clock::now();
+    const auto connection =
+        QObject::connect(&area, &view::HeadView::frameDrawn, &area, [&](const rendering::FrameStatistics&) {
+            const Clock::time_point now = Clock::now();
+            apart.push_back(std::chrono::duration<double, std::milli>(now - last).count());
+            last = now;
+        });
+    const auto send = [&](QEvent::Type type, QPointF at) {
+        const bool down = type != QEvent::MouseButtonRelease;
+        QMouseEvent event(type, at, area.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+                          down ? Qt::LeftButton : Qt::NoButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&area, &event);
+    };
+    const QPointF middle(area.width() * 0.5, area.height() * 0.3);
+    for ([[maybe_unused]] auto step : state) {
+        send(QEvent::MouseButtonPress, middle);
+        for (int i = 0; i < 100; ++i) {
+            const double angle = 0.2 * i;
+            send(QEvent::MouseMove, middle + QPointF(60.0 * std::sin(angle), 40.0 * std::sin(1.7 * angle)));
+            workFor(8);
+        }
+        send(QEvent::MouseButtonRelease, middle);
+    }
+    QObject::disconnect(connection);
+    reportTimes(state, apart);
+}
+
+BENCHMARK(duringStrokes)->Name("frames/large_brush")->Iterations(5)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(duringGrooms)->Name("gui_latency/groom")->Iterations(20)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(duringHeadImports)
     ->Name("gui_latency/head_import")
