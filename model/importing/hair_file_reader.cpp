@@ -83,7 +83,7 @@ bool holdsArrays(const HairHeader& header, qint64 fileSize)
 template<typename T>
 bool readValues(QIODevice& file, T* values, std::size_t count)
 {
-    const auto bytes = static_cast<qint64>(count * sizeof(T));
+    const qint64 bytes = static_cast<qint64>(count) * qint64{sizeof(T)};
     return file.read(reinterpret_cast<char*>(values), bytes) == bytes;
 }
 

@@ -106,8 +106,9 @@ private Q_SLOTS:
         QVERIFY(group);
         int empty = 0;
         for (int i = 0; i < 400; ++i) {
+            const int row = i / 20;
             const glm::vec2 uv(0.3F + 0.4F * static_cast<float>(i % 20) / 20.0F,
-                               0.4F + 0.3F * static_cast<float>(i / 20) / 20.0F);
+                               0.4F + 0.3F * static_cast<float>(row) / 20.0F);
             empty += valueAt(*group, MapKind::Density, uv).x * group->settings.greatestDensityPerM2 < 200.0F ? 1 : 0;
         }
         QCOMPARE(empty, 0);
