@@ -158,7 +158,7 @@ private Q_SLOTS:
                 QVERIFY2(std::abs(lits[i].lit[c] - expected[c]) < tolerance,
                          qPrintable(QStringLiteral("%1: %2, not %3").arg(i).arg(lits[i].lit[c]).arg(expected[c])));
                 QVERIFY(std::abs(lits[i].shown[c] - shown[c]) < tolerance);
-                if (std::max({expected.x, expected.y, expected.z}) < simd::kMostLight)
+                if (std::max({expected.x, expected.y, expected.z}) < kMostLight)
                     QVERIFY(std::abs(lits[i].kept[c] - expected[c]) < 2.0F * tolerance);
                 brightest = std::max(brightest, expected[c]);
             }

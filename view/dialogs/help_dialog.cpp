@@ -147,8 +147,8 @@ QString dialogPages()
                "triangles.")) +
            paragraph(HelpDialog::tr(
                "File > Import hair curves goes the other way: curves of .hair files and USD text become a new hair "
-               "group, "
-               "whose maps are told from the strands. A file that tells no unit is placed as it fits the head.")) +
+               "group, whose maps are told from the strands. A file that tells no unit is placed as it fits the "
+               "head.")) +
            heading(Topic::MapExport, HelpDialog::tr("Save maps as images")) +
            paragraph(HelpDialog::tr(
                "Each map becomes an image named after its group and itself. In the colours of their scales maps look "

@@ -6,8 +6,7 @@
 namespace hairpaint::view {
 
 /// "Paused" while the simulation is, "Refining" with a dot while a still picture is made finer, how many triangles the
-/// cards have that are shown. Lets every pointer
-/// event through; hidden while it has nothing to say.
+/// cards have that are shown. Lets every pointer event through; hidden while it has nothing to say.
 class ViewSigns : public QWidget
 {
     Q_OBJECT

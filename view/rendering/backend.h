@@ -24,8 +24,7 @@ struct Quality
 struct FrameStatistics
 {
     std::size_t drawnHairs = 0;
-    float detail =
-        1.0F; ///< Hairs whose StrandStyle::detail is below were asked for, whether the frame placed them or not.
+    float detail = 1.0F; ///< Hairs whose StrandStyle::detail is below were asked for, placed by the frame or not.
     std::size_t drawnSegments = 0;
     std::size_t uploadedBytes = 0;
     double milliseconds = 0.0; ///< What a frame takes: see Backend::statistics().

@@ -7,11 +7,11 @@
 #endif
 
 #include "view/rendering/light/lanes_inl.h"
+#include "view/rendering/light/light_range.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-inline constexpr float kMostLight = 4.0F;     ///< What samples hold at most; a white wall in full light is 1.
 inline constexpr float kToneKnee = 0.5F;      ///< Up to here light is shown as it is.
 inline constexpr float kPaling = 0.5F;        ///< How much of its colour the brightest light loses.
 inline constexpr float kMostPainted = 0.875F; ///< What is painted lighter would take too much light to show.

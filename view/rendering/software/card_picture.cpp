@@ -3,6 +3,7 @@
 
 #include "sim/base/parallel.h"
 #include "view/rendering/frame_lights.h"
+#include "view/rendering/light/light_range.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr float kNearestCardM = 0.01F;
-constexpr float kMostHeld = 4.0F; ///< kMostLight of tone_inl.h.
 
 float linearOf(float encoded)
 {
@@ -155,7 +155,7 @@ void CardPicture::drawTriangle(const CardBand& band, const Corner& a, const Corn
             band.distancesM[i] = distance;
             const glm::vec3 light = (ofA * a.light + ofB * b.light + ofC * c.light) / sum;
             const auto held = [&](int channel) {
-                const float linear = std::min(linearOf(texel[channel]) * light[channel] / kMostHeld, 1.0F);
+                const float linear = std::min(linearOf(texel[channel]) * light[channel] / kMostLight, 1.0F);
                 return static_cast<std::uint16_t>(std::lround(std::sqrt(linear) * 65535.0F));
             };
             band.samples[i] = {.red = held(0), .green = held(1), .blue = held(2), .cover = 65535};
