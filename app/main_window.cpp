@@ -230,6 +230,7 @@ void MainWindow::connectFiles()
 
 void MainWindow::offerUnsavedWork()
 {
+    sweepBeside(m_settings.recentFiles());
     const std::optional<RestoredWork> restored = askForUnsavedWork(JournalFolder::root(), m_jobs, *this);
     if (!restored || !m_files.restore(restored->work))
         return;

@@ -3,10 +3,14 @@
 
 #include "app/recovery/recovery_dialog.h"
 #include "app/style_pictures.h"
+#include "model/files/staged_file.h"
 #include "model/journal/journal_reader.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QSet>
+
+#include <thread>
 
 namespace hairpaint::app {
 
@@ -74,6 +78,17 @@ std::optional<RestoredWork> askForUnsavedWork(const QString& root, Jobs& jobs, Q
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     return std::move(found[dialog.chosen()]);
+}
+
+void sweepBeside(const QStringList& files)
+{
+    QSet<QString> folders;
+    for (const QString& file : files)
+        folders.insert(QFileInfo(file).absolutePath());
+    std::thread([folders] {
+        for (const QString& folder : folders)
+            (void)model::sweepStagedFiles(folder);
+    }).detach();
 }
 
 } // namespace hairpaint::app

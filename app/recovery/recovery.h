@@ -18,4 +18,8 @@ struct RestoredWork
 };
 [[nodiscard]] std::optional<RestoredWork> askForUnsavedWork(const QString& root, Jobs& jobs, QWidget& window);
 
+/// Removes what saves that were killed have left beside `files`; on a thread of its own, since a folder of the network
+/// may keep it waiting.
+void sweepBeside(const QStringList& files);
+
 } // namespace hairpaint::app

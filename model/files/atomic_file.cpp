@@ -1,4 +1,4 @@
-// Checked writing through QSaveFile.
+// Checked writing.
 #include "model/files/atomic_file.h"
 
 #include <QFile>
@@ -25,6 +25,14 @@ constexpr qsizetype kMostAtOnce = 1 << 23;
 QString noSpace()
 {
     return say(QT_TRANSLATE_NOOP("Files", "there is no space left on its disk; make room there and try again"));
+}
+
+/// Not every system has an error of its own for a full disk.
+bool isDiskFull(const QString& path)
+{
+    constexpr qint64 kHardlyAnything = 4096;
+    const QStorageInfo disk(QFileInfo(path).absolutePath());
+    return disk.isValid() && disk.isReady() && disk.bytesAvailable() < kHardlyAnything;
 }
 
 /// Some file systems find out only now that a byte has no place. Empty where all is well.
@@ -62,12 +70,7 @@ void flushFolder([[maybe_unused]] const QString& folder)
 
 QString writeProblem(const QFileDevice& file)
 {
-    // Not every system has an error of its own for a full disk.
-    constexpr qint64 kHardlyAnything = 4096;
-    const QStorageInfo disk(QFileInfo(file.fileName()).absolutePath());
-    const bool isFull = file.error() == QFileDevice::ResourceError ||
-                        (disk.isValid() && disk.isReady() && disk.bytesAvailable() < kHardlyAnything);
-    if (isFull)
+    if (file.error() == QFileDevice::ResourceError || isDiskFull(file.fileName()))
         return noSpace();
     // A file that takes a part of what it was given has no error to tell of.
     return file.error() == QFileDevice::NoError
@@ -75,15 +78,14 @@ QString writeProblem(const QFileDevice& file)
                : writeRefusal(file.errorString());
 }
 
-AtomicFile::AtomicFile(const QString& path) : m_file(path) {}
+AtomicFile::AtomicFile(const QString& path) : m_staged(path), m_path(path) {}
 
 Checked<void> AtomicFile::open()
 {
-    if (Checked<void> writable = checkWritable(m_file.fileName()); !writable)
+    if (Checked<void> writable = checkWritable(m_path); !writable)
         return writable;
-    // QSaveFile commits also where flushing its own buffer failed, so it gets none.
-    if (!m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
-        return refuse(writeRefusal(m_file.errorString()));
+    if (!m_staged.open())
+        return refuse(writeRefusal(m_staged.file().errorString()));
     return {};
 }
 
@@ -100,42 +102,43 @@ void AtomicFile::write(QByteArrayView bytes)
 
 void AtomicFile::writeThrough(QByteArrayView bytes)
 {
+    QFile& file = m_staged.file();
     while (!bytes.isEmpty() && !failed()) {
         // A disk that is filling up takes a part, and says why only when asked again.
-        const qint64 at = m_file.pos();
-        const qint64 written = m_file.write(bytes.data(), std::min(bytes.size(), kMostAtOnce));
+        const qint64 at = file.pos();
+        const qint64 written = file.write(bytes.data(), std::min(bytes.size(), kMostAtOnce));
         if (written <= 0) {
-            m_problem = writeProblem(m_file);
+            m_problem = writeProblem(file);
             continue;
         }
-        beginFlush(m_file, at, written);
+        beginFlush(file, at, written);
         bytes = bytes.sliced(static_cast<qsizetype>(written));
     }
 }
 
 void AtomicFile::rewrite(qint64 at, QByteArrayView bytes)
 {
+    QFile& file = m_staged.file();
     writeThrough(m_buffer);
     m_buffer.clear();
-    const qint64 end = m_file.pos();
-    if (!failed() && !m_file.seek(at))
-        m_problem = writeProblem(m_file);
+    const qint64 end = file.pos();
+    if (!failed() && !file.seek(at))
+        m_problem = writeProblem(file);
     writeThrough(bytes);
-    if (!failed() && !m_file.seek(end))
-        m_problem = writeProblem(m_file);
+    if (!failed() && !file.seek(end))
+        m_problem = writeProblem(file);
 }
 
 Checked<void> AtomicFile::commit()
 {
     writeThrough(m_buffer);
     if (!failed())
-        m_problem = syncProblem(m_file);
+        m_problem = syncProblem(m_staged.file());
     if (failed())
         return refuse(m_problem);
-    const QString folder = QFileInfo(m_file.fileName()).absolutePath();
-    if (!m_file.commit())
-        return refuse(writeProblem(m_file));
-    flushFolder(folder);
+    if (!m_staged.place())
+        return refuse(isDiskFull(m_path) ? noSpace() : writeRefusal(m_staged.problem()));
+    flushFolder(QFileInfo(m_path).absolutePath());
     return {};
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "model/files/sentences.h"
+#include "model/files/staged_file.h"
 
 #include <QByteArrayView>
-#include <QSaveFile>
 
 namespace hairpaint::model {
 
@@ -26,7 +26,8 @@ public:
 private:
     void writeThrough(QByteArrayView bytes);
 
-    QSaveFile m_file;
+    StagedFile m_staged;
+    QString m_path;
     QByteArray m_buffer;
     QString m_problem;
 };

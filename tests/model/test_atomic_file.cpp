@@ -2,6 +2,7 @@
 #include "model/files/archive.h"
 #include "model/files/atomic_file.h"
 #include "tests/model/archive_maker.h"
+#include "tests/support/file_faults.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
@@ -56,6 +57,47 @@ private Q_SLOTS:
         QVERIFY(!writeFile(m_folder.path(), "new"));
         QVERIFY(!writeFile(m_folder.filePath(QStringLiteral("nowhere/file")), "new"));
     }
+
+    void whatAKillLeftIsSweptAndNothingElse()
+    {
+        const QString left = m_folder.filePath(QStringLiteral(".hairpaint-0123456789abcdef.part"));
+        const QString users = m_folder.filePath(QStringLiteral(".hairpaint-mine.part"));
+        test::writeBytes(left, "half");
+        test::writeBytes(users, "mine");
+        QCOMPARE(sweepStagedFiles(m_folder.path()), 1);
+        QCOMPARE(names(), QStringList({QStringLiteral(".hairpaint-mine.part"), QStringLiteral("file")}));
+        QCOMPARE(sweepStagedFiles(m_folder.filePath(QStringLiteral("nowhere"))), 0);
+        QFile::remove(users);
+    }
+
+    void theFileBehindALinkIsReplacedAndKeepsItsPermissions()
+    {
+        const QString link = m_folder.filePath(QStringLiteral("link"));
+        const QFileDevice::Permissions own = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
+        QVERIFY(QFile::setPermissions(path(), own));
+        QVERIFY(QFile::link(path(), link));
+        QVERIFY(writeFile(link, "new"));
+        QVERIFY(QFileInfo(link).isSymLink());
+        QCOMPARE(test::readBytes(path()), QByteArray("new"));
+        const QFileDevice::Permissions group = QFileDevice::ReadGroup | QFileDevice::ReadOther;
+        QCOMPARE(QFileInfo(path()).permissions() & (own | group), own);
+        QFile::remove(link);
+    }
+
+#ifdef Q_OS_LINUX
+    void aFileThatIsStillWrittenIsNotSwept()
+    {
+        const test::FileFault noNamelessFile(1);
+        AtomicFile file(path());
+        QVERIFY(file.open());
+        file.write("new");
+        QCOMPARE(names().size(), 2);
+        QCOMPARE(sweepStagedFiles(m_folder.path()), 0);
+        QVERIFY(file.commit());
+        QCOMPARE(test::readBytes(path()), QByteArray("new"));
+        QCOMPARE(names().size(), 1);
+    }
+#endif
 
 #ifdef Q_OS_UNIX
     void aFileWhoseLastBytesFindNoPlaceLeavesTheOldOne_data()

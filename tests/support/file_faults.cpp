@@ -95,6 +95,11 @@ extern "C" int link(const char* from, const char* to) noexcept
     return isFileFault(EPERM) ? -1 : static_cast<int>(syscall(SYS_link, from, to));
 }
 
+extern "C" int linkat(int fromFolder, const char* from, int toFolder, const char* to, int flags) noexcept
+{
+    return isFileFault(EPERM) ? -1 : static_cast<int>(syscall(SYS_linkat, fromFolder, from, toFolder, to, flags));
+}
+
 namespace hairpaint::test {
 
 FileFault::FileFault(int nth)

@@ -3,6 +3,7 @@
 
 #include "sim/motion/head_motion.h"
 
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -24,10 +25,44 @@ struct Box
     [[nodiscard]] bool empty() const { return low.x > high.x; }
 };
 
+/// Bounds along one direction, lane by lane.
+struct Extent
+{
+    using Row = std::array<float, sim::kLanes>;
+    Row low;
+    Row high;
+    Extent()
+    {
+        low.fill(std::numeric_limits<float>::max());
+        high.fill(std::numeric_limits<float>::lowest());
+    }
+    /// Sixteen places; what is not a number is none.
+    void add(const Row& x, const float* y, const float* z, glm::vec3 direction)
+    {
+        for (std::size_t i = 0; i < sim::kLanes; ++i) {
+            const float along = direction.x * x[i] + direction.y * y[i] + direction.z * z[i];
+            low[i] = along < low[i] ? along : low[i];
+            high[i] = along > high[i] ? along : high[i];
+        }
+    }
+};
+
+/// The x of sixteen strands' node. A place of nothing but zeros is no hair's, and gets no number.
+Extent::Row placedX(const float* x, const float* y, const float* z)
+{
+    Extent::Row placed;
+    for (std::size_t i = 0; i < sim::kLanes; ++i)
+        placed[i] = std::abs(x[i]) + std::abs(y[i]) + std::abs(z[i]) > 0.0F ? x[i]
+                                                                             : std::numeric_limits<float>::quiet_NaN();
+    return placed;
+}
+
+constexpr std::size_t kBlocksLookedAt = 128;
+
 /// Bounds of the hair in two frames, from some of its blocks: grids and depth keys only need to be near.
 std::array<Box, 2> hairBounds(const sim::StrandFrame& frame, const std::array<glm::mat3, 2>& gridAxesFromWo)
 {
-    std::array<Box, 2> boxes;
+    std::array<std::array<Extent, 3>, 2> extents;
     for (const sim::GroupFrame& group : frame.groups) {
         if (!group.groom || !group.groom->visible)
             continue;
@@ -35,20 +70,30 @@ std::array<Box, 2> hairBounds(const sim::StrandFrame& frame, const std::array<gl
         const sim::StrandBlocks layout = group.groom->blocks();
         std::size_t blocks = 0;
         group.forEachPlacedBlock([&](std::size_t) { ++blocks; });
-        const std::size_t step = std::max<std::size_t>(1, blocks / 512);
+        const std::size_t step = std::max<std::size_t>(1, blocks / kBlocksLookedAt);
         std::size_t number = 0;
         group.forEachPlacedBlock([&](std::size_t block) {
             if (number++ % step != 0)
                 return;
-            for (std::size_t node = 0; node < nodes; ++node)
-                for (std::size_t lane = 0; lane < sim::kLanes; ++lane) {
-                    const glm::vec3 wo = layout.node(group.positions, block * sim::kLanes + lane, node);
-                    if (wo != glm::vec3(0.0F))
-                        for (std::size_t grid = 0; grid < boxes.size(); ++grid)
-                            boxes[grid].add(gridAxesFromWo[grid] * wo);
-                }
+            for (std::size_t node = 0; node < nodes; ++node) {
+                const float* x = group.positions.data() + layout.index(block * sim::kLanes, node);
+                const float* y = x + sim::StrandBlocks::kAxisStride;
+                const float* z = y + sim::StrandBlocks::kAxisStride;
+                const Extent::Row placed = placedX(x, y, z);
+                for (std::size_t grid = 0; grid < extents.size(); ++grid)
+                    for (int axis = 0; axis < 3; ++axis)
+                        extents[grid][static_cast<std::size_t>(axis)].add(placed, y, z,
+                                                                          glm::row(gridAxesFromWo[grid], axis));
+            }
         });
     }
+    std::array<Box, 2> boxes;
+    for (std::size_t grid = 0; grid < boxes.size(); ++grid)
+        for (int axis = 0; axis < 3; ++axis) {
+            const Extent& extent = extents[grid][static_cast<std::size_t>(axis)];
+            boxes[grid].low[axis] = *std::ranges::min_element(extent.low);
+            boxes[grid].high[axis] = *std::ranges::max_element(extent.high);
+        }
     return boxes;
 }
 

@@ -29,6 +29,8 @@ template<class F>
 HWY_INLINE Triple<F> toneOf(const Triple<F>& light)
 {
     const F brightest = most(most(light.x, light.y), most(light.z, F(1e-6F)));
+    if (!any(brightest > F(kToneKnee)))
+        return light;
     const F shown = toneOf(brightest);
     const F rolledOff = most(shown - F(kToneKnee), F(0.0F)) * F(1.0F / (1.0F - kToneKnee));
     const F square = rolledOff * rolledOff;

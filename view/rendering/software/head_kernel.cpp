@@ -217,6 +217,29 @@ void drawBand(const HeadBand& band)
     }
 }
 
+/// Whether there is head in some cells of a row.
+HWY_INLINE bool isHeadIn(const ShadeTask& task, int row, int cell, int count)
+{
+    const int x0 = cell * task.cellSp.x;
+    const int x1 = std::min((cell + count) * task.cellSp.x, task.width);
+    const int y1 = std::min((row + 1) * task.cellSp.y, task.height);
+    for (int y = row * task.cellSp.y; y < y1; ++y) {
+        if (task.rowHasHead[y] == 0)
+            continue;
+        const float* distances = task.distancesM + static_cast<std::size_t>(y) * static_cast<std::size_t>(task.width);
+        Lanes nearest(kNoHeadM);
+        int x = x0;
+        for (; x + static_cast<int>(hn::Lanes(Tag())) <= x1; x += static_cast<int>(hn::Lanes(Tag())))
+            nearest = least(nearest, loaded(distances + x));
+        bool head = any(nearest < Lanes(kNoHeadM));
+        for (; x < x1; ++x)
+            head = head || distances[x] < kNoHeadM;
+        if (head)
+            return true;
+    }
+    return false;
+}
+
 void shadeRows(const ShadeTask& task, int begin, int end)
 {
     constexpr float kPlaces[5][2] = {{0.5F, 0.5F}, {0.1F, 0.1F}, {0.9F, 0.1F}, {0.1F, 0.9F}, {0.9F, 0.9F}};
@@ -228,11 +251,14 @@ void shadeRows(const ShadeTask& task, int begin, int end)
             HWY_ALIGN float distance[kMostLanes];
             std::fill_n(distance, kMostLanes, kNoHeadM);
             const int count = std::min(static_cast<int>(step), task.across - cell);
+            const bool near = isHeadIn(task, row, cell, count);
             bool head = false;
             for (int i = 0; i < count; ++i) {
                 atX[i] = (static_cast<float>(cell + i) + 0.5F) * static_cast<float>(task.cellSp.x);
                 atY[i] = (static_cast<float>(row) + 0.5F) * static_cast<float>(task.cellSp.y);
                 for (const auto& place : kPlaces) {
+                    if (!near)
+                        break;
                     const int x = std::min(
                         static_cast<int>((static_cast<float>(cell + i) + place[0]) * static_cast<float>(task.cellSp.x)),
                         task.width - 1);

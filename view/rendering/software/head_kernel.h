@@ -60,6 +60,7 @@ struct ShadeTask
     int width = 0; ///< Of the head's picture.
     int height = 0;
     const float* distancesM = nullptr;
+    const std::uint8_t* rowHasHead = nullptr; ///< Of each row of samples; 0: none.
     glm::vec3 viewAxisWo{0.0F};    ///< Away from the eye, unit: distances are measured along it.
     float undrawnCoverings = 0.0F; ///< As StrandView has it.
     float* shade = nullptr;

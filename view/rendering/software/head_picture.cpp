@@ -177,4 +177,16 @@ void HeadPicture::sortIntoBands(const sim::HeadMesh& mesh, bool closed)
                 m_bandTriangles[next[band]++] = static_cast<std::uint32_t>(i);
 }
 
+bool HeadPicture::isIn(int x0, int y0, int across, int up) const
+{
+    for (int y = y0; y < y0 + up; ++y) {
+        if (m_rowHasHead[static_cast<std::size_t>(y)] == 0)
+            continue;
+        const float* row = m_distancesM.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) + x0;
+        if (*std::min_element(row, row + across) < kNoHeadM)
+            return true;
+    }
+    return false;
+}
+
 } // namespace hairpaint::rendering

@@ -23,10 +23,12 @@ public:
     [[nodiscard]] const std::vector<HeadSample>& samples() const { return m_samples; }
     /// Distances along the view, m; huge where there is no head.
     [[nodiscard]] const std::vector<float>& distancesM() const { return m_distancesM; }
+    /// Of each row of samples: 0 where it shows none.
+    [[nodiscard]] const std::vector<std::uint8_t>& rowHasHead() const { return m_rowHasHead; }
     [[nodiscard]] int width() const { return m_width; }
     [[nodiscard]] int height() const { return m_height; }
-    /// Whether a row of samples shows any of it.
-    [[nodiscard]] bool inRow(int row) const { return m_rowHasHead[static_cast<std::size_t>(row)] != 0; }
+    /// Whether any of it is in some samples.
+    [[nodiscard]] bool isIn(int x0, int y0, int across, int up) const;
 
 private:
     struct Mesh

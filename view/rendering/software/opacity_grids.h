@@ -46,10 +46,12 @@ public:
 
 private:
     void splat(const Source& source, const FrameConstants& constants, std::size_t part);
+    using Row = std::array<std::uint32_t, kGridSide>;
+    [[nodiscard]] bool takeRow(std::size_t first, Row& areas);
     void sum(const FrameConstants& constants);
 
-    static constexpr std::size_t kParts = 4; ///< That are splatted side by side.
-    std::array<std::vector<std::uint32_t>, kParts> m_voxels;
+    static constexpr std::size_t kMostParts = 8;
+    std::vector<std::vector<std::uint32_t>> m_voxels; ///< Of parts that are splatted side by side.
     std::array<std::vector<std::uint32_t>, 2> m_opacity;
     EyeGrid m_eyeGrid;
 };

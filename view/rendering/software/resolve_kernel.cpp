@@ -47,30 +47,58 @@ HWY_INLINE void addTo(float* row, Lanes more)
     stored(loaded(row) + more, row);
 }
 
-/// What cells say at the pixels `x` of a row, between their middles.
-HWY_INLINE Lanes inCells(const ResolveTask& resolve, const float* values, Lanes x, int y)
+/// What cells say along a row of the tile's pixels: between two rows of them, for as many as the tile lies over and one
+/// more on either side.
+struct RowOfCells
 {
-    const IntTag di;
-    const float up = std::clamp((static_cast<float>(y) + 0.5F) / static_cast<float>(resolve.shadeCell) - 0.5F, 0.0F,
-                                static_cast<float>(resolve.shadeUp - 1));
-    const int y0 = static_cast<int>(up);
-    const int y1 = std::min(y0 + 1, resolve.shadeUp - 1);
-    const auto last = static_cast<float>(resolve.shadeAcross - 1);
-    const Lanes at =
-        clamped((x + Lanes(0.5F)) * Lanes(1.0F / static_cast<float>(resolve.shadeCell)) - Lanes(0.5F), 0.0F, last);
-    const Lanes low = floored(at);
-    const Ints x0 = hn::ConvertTo(di, low.v);
-    const Ints x1 = hn::ConvertTo(di, least(low + Lanes(1.0F), Lanes(last)).v);
-    const auto along = [&](int row) {
-        const float* cells = values + static_cast<std::size_t>(row) * static_cast<std::size_t>(resolve.shadeAcross);
-        return mixed(Lanes(hn::GatherIndex(Tag(), cells, x0)), Lanes(hn::GatherIndex(Tag(), cells, x1)), at - low);
-    };
-    return mixed(along(y0), along(y1), Lanes(up - static_cast<float>(y0)));
-}
+    static constexpr int kMost = kTileSp + 2;
+    HWY_ALIGN std::array<float, kMost + kMostLanes> values;
+    int first = 0; ///< Number of the first.
+    int last = 0;
+
+    HWY_INLINE void take(const ResolveTask& resolve, const float* cells, int pixels, int y)
+    {
+        const float up = std::clamp((static_cast<float>(y) + 0.5F) / static_cast<float>(resolve.shadeCell) - 0.5F, 0.0F,
+                                    static_cast<float>(resolve.shadeUp - 1));
+        const int y0 = static_cast<int>(up);
+        const int y1 = std::min(y0 + 1, resolve.shadeUp - 1);
+        const auto rowOf = [&](int row) {
+            return cells + static_cast<std::size_t>(row) * static_cast<std::size_t>(resolve.shadeAcross);
+        };
+        const float* low = rowOf(y0);
+        const float* high = rowOf(y1);
+        first = std::max(resolve.firstPixelX / resolve.shadeCell - 1, 0);
+        last = std::min((resolve.firstPixelX + pixels) / resolve.shadeCell + 1, resolve.shadeAcross - 1);
+        for (int i = first; i <= last; ++i)
+            values[static_cast<std::size_t>(i - first)] = low[i] + (high[i] - low[i]) * (up - static_cast<float>(y0));
+    }
+
+    /// At pixels `x`, between the cells' middles.
+    [[nodiscard]] HWY_INLINE Lanes at(const ResolveTask& resolve, Lanes x) const
+    {
+        const IntTag di;
+        const auto most = static_cast<float>(last - first);
+        const Lanes place = clamped((x + Lanes(0.5F)) * Lanes(1.0F / static_cast<float>(resolve.shadeCell)) -
+                                        Lanes(0.5F + static_cast<float>(first)),
+                                    0.0F, most);
+        const Lanes low = floored(place);
+        const auto valueAt = [&](Lanes number) {
+            return Lanes(hn::GatherIndex(Tag(), values.data(), hn::ConvertTo(di, number.v)));
+        };
+        return mixed(valueAt(low), valueAt(least(low + Lanes(1.0F), Lanes(most))), place - low);
+    }
+};
+
+/// Of both kinds of cells.
+struct CellRows
+{
+    RowOfCells shade;
+    RowOfCells hidden;
+};
 
 /// Adds a row of samples.
 HWY_INLINE void addSamples(const TileTask& task, const ResolveTask& resolve, const TileSamples& samples, int y,
-                           RowOfLight& row)
+                           const CellRows& cells, RowOfLight& row)
 {
     const hn::Rebind<std::uint16_t, Tag> du;
     const float* light = samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(0, y));
@@ -81,22 +109,26 @@ HWY_INLINE void addSamples(const TileTask& task, const ResolveTask& resolve, con
         Lanes blue;
         Lanes left;
         hn::LoadInterleaved4(Tag(), light + 4 * x, red.v, green.v, blue.v, left.v);
+        if (head == nullptr && !any(left < Lanes(1.0F))) {
+            addTo(row.through.data() + x, left);
+            continue;
+        }
         // What is opaque shows nothing behind; what it lacks is the hair's own.
-        const Yes opaque = left < Lanes(task.opaque);
-        const Lanes gain = select(opaque, Lanes(1.0F) / (Lanes(1.0F) - left), Lanes(1.0F));
-        left = select(opaque, Lanes(0.0F), left);
-        red = red * gain;
-        green = green * gain;
-        blue = blue * gain;
+        if (const Yes opaque = left < Lanes(task.opaque); any(opaque)) {
+            const Lanes gain = select(opaque, Lanes(1.0F) / (Lanes(1.0F) - left), Lanes(1.0F));
+            left = select(opaque, Lanes(0.0F), left);
+            red = red * gain;
+            green = green * gain;
+            blue = blue * gain;
+        }
         const Lanes pixel =
             Lanes(static_cast<float>(resolve.firstPixelX)) +
-            floored(Lanes(hn::Iota(Tag(), static_cast<float>(x))) * Lanes(1.0F / static_cast<float>(resolve.samplesX)));
-        const int pixelRow = resolve.firstPixelY + y / resolve.samplesY;
+            floored((Lanes(hn::Iota(Tag(), 0.0F)) + Lanes(static_cast<float>(x))) * Lanes(1.0F / static_cast<float>(resolve.samplesX)));
         if (resolve.hidden != nullptr && any((left > Lanes(0.0F)) & (left < Lanes(kLeftOfHair)))) {
             // The hair behind, which was not drawn, is like that in front but darker.
             const Lanes covered = Lanes(1.0F) - left;
             const Lanes dense = clamped((covered - Lanes(1.0F - kLeftOfHair)) * Lanes(3.0F), 0.0F, 1.0F);
-            const Lanes filled = left * dense * inCells(resolve, resolve.hidden, pixel, pixelRow);
+            const Lanes filled = left * dense * cells.hidden.at(resolve, pixel);
             const Lanes more = Lanes(1.0F) + filled * Lanes(0.6F) / most(covered, Lanes(1e-3F));
             red = red * more;
             green = green * more;
@@ -114,7 +146,7 @@ HWY_INLINE void addSamples(const TileTask& task, const ResolveTask& resolve, con
             if (any(cover > Lanes(0.0F))) {
                 Lanes seen = left * cover;
                 if (resolve.shade != nullptr)
-                    seen = seen * inCells(resolve, resolve.shade, pixel, pixelRow);
+                    seen = seen * cells.shade.at(resolve, pixel);
                 const auto lit = [&](hn::Vec<decltype(du)> part) {
                     const Lanes skin = unitOf(part);
                     return skin * skin * seen;
@@ -130,6 +162,18 @@ HWY_INLINE void addSamples(const TileTask& task, const ResolveTask& resolve, con
         addTo(row.blue.data() + x, blue);
         addTo(row.through.data() + x, left);
     }
+}
+
+/// The first `used` lanes, as many pixels.
+HWY_INLINE void storePixels(Ints rgba, std::size_t used, std::uint8_t* to)
+{
+    if (used == hn::Lanes(IntTag())) {
+        hn::StoreU(rgba, IntTag(), reinterpret_cast<std::int32_t*>(to));
+        return;
+    }
+    HWY_ALIGN std::int32_t whole[kMostLanes];
+    hn::Store(rgba, IntTag(), whole);
+    std::memcpy(to, whole, 4 * used);
 }
 
 /// 0..1 as 0..255.
@@ -156,22 +200,32 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
     const float perPixel = 1.0F / static_cast<float>(resolve.samplesX * resolve.samplesY);
     const auto count = static_cast<std::size_t>(task.width / resolve.samplesX);
     RowOfLight light;
+    CellRows cells;
     for (int py = 0; py < task.height / resolve.samplesY; ++py) {
-        light.clear();
-        for (int sy = py * resolve.samplesY; sy < (py + 1) * resolve.samplesY; ++sy)
-            addSamples(task, resolve, samples, sy, light);
-        light.shrink(resolve.samplesX);
         const int row = resolve.firstPixelY + py;
         const float rise = (static_cast<float>(row) + 0.5F) / static_cast<float>(resolve.pictureHeight) * 2.0F - 1.0F;
         const glm::vec3 srgb = glm::clamp(resolve.background + resolve.backgroundRise * rise, 0.0F, 1.0F);
-        const Triple<Lanes> background =
-            tripleOf<Lanes>(glm::vec3(linearFromSrgb(srgb.x), linearFromSrgb(srgb.y), linearFromSrgb(srgb.z)));
         const Ints bareRgba = resolve.transparent ? hn::Zero(IntTag())
                                                   : rgba(byteOf(Lanes(srgb.x)), byteOf(Lanes(srgb.y)),
                                                          byteOf(Lanes(srgb.z)), hn::Set(IntTag(), 255));
         const std::size_t first =
             static_cast<std::size_t>(resolve.pictureHeight - 1 - row) * static_cast<std::size_t>(resolve.pictureWidth) +
             static_cast<std::size_t>(resolve.firstPixelX);
+        if (task.bare) {
+            for (std::size_t x = 0; x < count; x += hn::Lanes(Tag()))
+                storePixels(bareRgba, std::min(count - x, hn::Lanes(Tag())), pixels + 4 * (first + x));
+            continue;
+        }
+        const Triple<Lanes> background =
+            tripleOf<Lanes>(glm::vec3(linearFromSrgb(srgb.x), linearFromSrgb(srgb.y), linearFromSrgb(srgb.z)));
+        if (resolve.hidden != nullptr)
+            cells.hidden.take(resolve, resolve.hidden, static_cast<int>(count), row);
+        if (resolve.shade != nullptr && task.anyHead)
+            cells.shade.take(resolve, resolve.shade, static_cast<int>(count), row);
+        light.clear();
+        for (int sy = py * resolve.samplesY; sy < (py + 1) * resolve.samplesY; ++sy)
+            addSamples(task, resolve, samples, sy, cells, light);
+        light.shrink(resolve.samplesX);
         for (std::size_t x = 0; x < count; x += hn::Lanes(Tag())) {
             const std::size_t used = std::min(count - x, hn::Lanes(Tag()));
             const Lanes through = loaded(light.through.data() + x) * Lanes(perPixel);
@@ -190,16 +244,18 @@ void resolveAll(const TileTask& task, const ResolveTask& resolve, const TileSamp
                 if (resolve.linear != nullptr)
                     storeLinear(over(lightThere), alpha, used, resolve.linear + 4 * (first + x));
                 // Only the scene's light is toned; the background is the screen's own colour.
-                const Triple<Lanes> own = lightThere * (Lanes(1.0F) / most(cover, Lanes(1e-6F)));
-                const Triple<Lanes> toned = toneOf(own);
-                const Triple<Lanes> screen = resolve.transparent ? toned : over(toned * cover);
+                Triple<Lanes> screen = lightThere;
+                if (any(through > Lanes(0.0F))) {
+                    const Triple<Lanes> toned = toneOf(lightThere * (Lanes(1.0F) / most(cover, Lanes(1e-6F))));
+                    screen = resolve.transparent ? toned : over(toned * cover);
+                } else {
+                    screen = toneOf(lightThere);
+                }
                 const Ints lit = rgba(byteOf(fastSrgb(screen.x)), byteOf(fastSrgb(screen.y)),
                                       byteOf(fastSrgb(screen.z)), byteOf(alpha));
                 shown = hn::IfThenElse(hn::RebindMask(IntTag(), covered.m), lit, bareRgba);
             }
-            HWY_ALIGN std::int32_t whole[kMostLanes];
-            hn::Store(shown, IntTag(), whole);
-            std::memcpy(pixels + 4 * (first + x), whole, 4 * used);
+            storePixels(shown, used, pixels + 4 * (first + x));
         }
     }
 }

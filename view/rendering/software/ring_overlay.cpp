@@ -9,13 +9,10 @@ namespace {
 
 float srgbOfRoot(std::uint16_t rootOfLinear)
 {
-    // s1 of fastSrgb is what is stored.
-    const float s1 = static_cast<float>(rootOfLinear) * (1.0F / 65535.0F);
-    const float s2 = std::sqrt(s1);
-    const float s3 = std::sqrt(s2);
-    const float c = s1 * s1;
-    return std::max(0.662002687F * s1 + 0.684122060F * s2 - 0.323583601F * s3 - 0.0225411470F * c,
-                    12.92F * std::min(c, 0.0031F));
+    // The root in fastSrgb is what is stored.
+    const float s = static_cast<float>(rootOfLinear) * (1.0F / 65535.0F);
+    const float bent = (((-0.309565892F * s + 0.842780549F) * s - 0.944855478F) * s + 1.447898657F) * s;
+    return std::max(bent - 0.037004691F, 12.92F * std::min(s * s, 0.0031F));
 }
 
 /// Of one ring in one picture.

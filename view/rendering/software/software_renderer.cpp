@@ -142,6 +142,7 @@ void SoftwareRenderer::State::shade()
                          .width = head.width(),
                          .height = head.height(),
                          .distancesM = head.distancesM().data(),
+                         .rowHasHead = head.rowHasHead().data(),
                          .viewAxisWo = glm::normalize(glm::vec3(far) / far.w - glm::vec3(constants.eyeWo)),
                          .undrawnCoverings = hair.undrawnCoverings(),
                          .shade = skinShade.data(),
@@ -162,8 +163,7 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
     task.y0 = static_cast<int>(tile / across) * kTileSp;
     task.width = std::min(kTileSp, tiles.width - task.x0);
     task.height = std::min(kTileSp, tiles.height - task.y0);
-    for (int row = task.y0; row < task.y0 + task.height; ++row)
-        task.anyHead = task.anyHead || head.inRow(row);
+    task.anyHead = head.isIn(task.x0, task.y0, task.width, task.height);
     task.headStride = static_cast<std::size_t>(head.width());
     const std::size_t corner = static_cast<std::size_t>(task.y0) * task.headStride + static_cast<std::size_t>(task.x0);
     task.headDistanceM = head.distancesM().data() + corner;
@@ -178,7 +178,9 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
             samples.entries.push_back(
                 {.piece = entry->piece, .depth = entry->depth, .batch = static_cast<std::uint16_t>(b)});
     }
-    layHair(task, segments, samples);
+    task.bare = samples.entries.empty() && !task.anyHead && drawnLinear.empty();
+    if (!task.bare)
+        layHair(task, segments, samples);
     const ResolveTask resolve{.samplesX = picture.target.samples.x,
                               .samplesY = picture.target.samples.y,
                               .firstPixelX = task.x0 / picture.target.samples.x,

@@ -76,80 +76,94 @@ HWY_INLINE Ints voxelAt(const Triple<Lanes>& place)
     return hn::Add(hn::Mul(hn::Add(hn::Mul(along(place.z), side), along(place.y)), side), along(place.x));
 }
 
-/// The strand's spans, as many at a time as there are lanes.
-void splatStrand(const SplatTask& task, const float* node, std::int32_t strand, std::uint32_t* voxels)
+/// A node of some strands, one a lane, as the grids have it.
+struct SplatNode
+{
+    Triple<Lanes> wo;
+    std::array<Triple<Lanes>, 2> inGrid; ///< Voxels of the light's grid and of the eye's.
+    Lanes awayM;                         ///< Along the view.
+};
+
+HWY_INLINE SplatNode nodeAt(const SplatTask& task, const float* positions, Ints at)
+{
+    constexpr std::size_t kAxis = sim::StrandBlocks::kAxisStride;
+    const auto axis = [&](std::size_t a) { return Lanes(hn::GatherIndex(Tag(), positions + a * kAxis, at)); };
+    const Triple<Lanes> wo{axis(0), axis(1), axis(2)};
+    const Triple<Lanes> seen = seenFromEye(task, wo);
+    return {.wo = wo, .inGrid = {inVoxels(task.gridFromWo, wo), eyeVoxels(task, seen)}, .awayM = seen.z};
+}
+
+/// Span `span` of some strands, from `a` to `b`; the first `used` lanes count. `strand`: numbers.
+HWY_INLINE void splatSpan(const SplatTask& task, const SplatNode& a, const SplatNode& b, int span, Ints strand,
+                          int used, std::uint32_t* voxels)
 {
     constexpr auto kVoxelsOfGrid = static_cast<std::size_t>(kGridSide) * kGridSide * kGridSide;
-    constexpr auto kStride = static_cast<std::int32_t>(sim::StrandBlocks::kNodeStride);
-    constexpr std::size_t kAxis = sim::StrandBlocks::kAxisStride;
     const IntTag di;
-    const auto lanes = static_cast<int>(hn::Lanes(di));
-    const int spans = task.nodes - 1;
-    for (int first = 0; first < spans; first += lanes) {
-        // Lanes without a span are the last one again.
-        const Ints span = hn::Min(hn::Iota(di, first), hn::Set(di, spans - 1));
-        const Ints at = hn::Mul(span, hn::Set(di, kStride));
-        const auto loadedAt = [&](const float* from) {
-            const auto axis = [&](std::size_t a) { return Lanes(hn::GatherIndex(Tag(), from + a * kAxis, at)); };
-            return Triple<Lanes>{axis(0), axis(1), axis(2)};
+    const Lanes longest = most(distance(a.inGrid[0], b.inGrid[0]), distance(a.inGrid[1], b.inGrid[1]));
+    const Lanes steps = floored(clamped(longest, 0.0F, static_cast<float>(kMostSteps) - 0.5F)) + Lanes(1.0F);
+    const Lanes area = distance(a.wo, b.wo) * Lanes(task.weight) / steps;
+    // A column widens with the distance. What no ray of the picture meets hides nothing.
+    const Lanes nearer = Lanes(2.0F * task.eyeGrid.middleM) / most(a.awayM + b.awayM, Lanes(1e-2F));
+    const Lanes middleX = (a.inGrid[1].x + b.inGrid[1].x) * Lanes(0.5F);
+    const Lanes middleY = (a.inGrid[1].y + b.inGrid[1].y) * Lanes(0.5F);
+    const Lanes end(static_cast<float>(kGridSide));
+    const Yes met = (middleX > Lanes(0.0F)) & (middleX < end) & (middleY > Lanes(0.0F)) & (middleY < end) &
+                    (least(a.awayM, b.awayM) > Lanes(0.01F));
+    const Lanes seenArea = select(met, least(area * nearer * nearer, Lanes(1e6F)), Lanes(0.0F));
+    HWY_ALIGN std::int32_t areas[kMostLanes];
+    HWY_ALIGN std::int32_t seenAreas[kMostLanes];
+    HWY_ALIGN std::int32_t counts[kMostLanes];
+    hn::Store(hn::ConvertTo(di, (area + Lanes(0.5F)).v), di, areas);
+    hn::Store(hn::ConvertTo(di, (seenArea + Lanes(0.5F)).v), di, seenAreas);
+    hn::Store(hn::ConvertTo(di, steps.v), di, counts);
+    const int mostSteps = *std::max_element(counts, counts + used);
+    const Ints seed = hn::Add(hn::Mul(strand, hn::Set(di, kMostNodes * kMostSteps)), hn::Set(di, span * kMostSteps));
+    for (int n = 0; n < mostSteps; ++n) {
+        const Ints random = hashOf(hn::Add(seed, hn::Set(di, n)));
+        const auto jitter = [&](Ints bits) {
+            return Lanes(hn::ConvertTo(Tag(), hn::And(bits, hn::Set(di, 0x3FF)))) * Lanes(1.0F / 1024.0F) - Lanes(0.5F);
         };
-        const Triple<Lanes> a = loadedAt(node);
-        const Triple<Lanes> b = loadedAt(node + kStride);
-        const Triple<Lanes> seenA = seenFromEye(task, a);
-        const Triple<Lanes> seenB = seenFromEye(task, b);
-        const std::array<Triple<Lanes>, 2> from{inVoxels(task.gridFromWo, a), eyeVoxels(task, seenA)};
-        const std::array<Triple<Lanes>, 2> to{inVoxels(task.gridFromWo, b), eyeVoxels(task, seenB)};
-        const Lanes longest = most(distance(from[0], to[0]), distance(from[1], to[1]));
-        const Lanes steps = floored(clamped(longest, 0.0F, static_cast<float>(kMostSteps) - 0.5F)) + Lanes(1.0F);
-        const Lanes area = distance(a, b) * Lanes(task.weight) / steps;
-        // A column widens with the distance. What no ray of the picture meets hides nothing.
-        const Lanes nearer = Lanes(2.0F * task.eyeGrid.middleM) / most(seenA.z + seenB.z, Lanes(1e-2F));
-        const Lanes middleX = (from[1].x + to[1].x) * Lanes(0.5F);
-        const Lanes middleY = (from[1].y + to[1].y) * Lanes(0.5F);
-        const Lanes end(static_cast<float>(kGridSide));
-        const Yes met = (middleX > Lanes(0.0F)) & (middleX < end) & (middleY > Lanes(0.0F)) & (middleY < end) &
-                        (least(seenA.z, seenB.z) > Lanes(0.01F));
-        const Lanes seenArea = select(met, least(area * nearer * nearer, Lanes(1e6F)), Lanes(0.0F));
-        HWY_ALIGN std::int32_t areas[kMostLanes];
-        HWY_ALIGN std::int32_t seenAreas[kMostLanes];
-        HWY_ALIGN std::int32_t counts[kMostLanes];
-        hn::Store(hn::ConvertTo(di, (area + Lanes(0.5F)).v), di, areas);
-        hn::Store(hn::ConvertTo(di, (seenArea + Lanes(0.5F)).v), di, seenAreas);
-        hn::Store(hn::ConvertTo(di, steps.v), di, counts);
-        const int used = std::min(lanes, spans - first);
-        const int mostSteps = *std::max_element(counts, counts + used);
-        for (int n = 0; n < mostSteps; ++n) {
-            const Ints random = hashOf(
-                hn::Add(hn::Mul(span, hn::Set(di, kMostSteps)), hn::Set(di, strand * kMostNodes * kMostSteps + n)));
-            const auto jitter = [&](Ints bits) {
-                return Lanes(hn::ConvertTo(Tag(), hn::And(bits, hn::Set(di, 0x3FF)))) * Lanes(1.0F / 1024.0F) -
-                       Lanes(0.5F);
-            };
-            const Triple<Lanes> aside{jitter(random), jitter(hn::ShiftRight<10>(random)),
-                                      jitter(hn::ShiftRight<20>(random))};
-            const Lanes t = Lanes(static_cast<float>(n) + 0.5F) / steps;
-            HWY_ALIGN std::int32_t places[2][kMostLanes];
-            for (std::size_t grid = 0; grid < 2; ++grid)
-                hn::Store(voxelAt(from[grid] + (to[grid] - from[grid]) * t + aside), di, places[grid]);
-            for (int i = 0; i < used; ++i) {
-                if (n >= counts[i])
-                    continue;
-                voxels[places[0][i]] += static_cast<std::uint32_t>(areas[i]);
-                voxels[kVoxelsOfGrid + static_cast<std::size_t>(places[1][i])] +=
-                    static_cast<std::uint32_t>(seenAreas[i]);
-            }
+        const Triple<Lanes> aside{jitter(random), jitter(hn::ShiftRight<10>(random)),
+                                  jitter(hn::ShiftRight<20>(random))};
+        const Lanes t = Lanes(static_cast<float>(n) + 0.5F) / steps;
+        HWY_ALIGN std::int32_t places[2][kMostLanes];
+        for (std::size_t grid = 0; grid < 2; ++grid)
+            hn::Store(voxelAt(a.inGrid[grid] + (b.inGrid[grid] - a.inGrid[grid]) * t + aside), di, places[grid]);
+        for (int i = 0; i < used; ++i) {
+            if (n >= counts[i])
+                continue;
+            voxels[places[0][i]] += static_cast<std::uint32_t>(areas[i]);
+            voxels[kVoxelsOfGrid + static_cast<std::size_t>(places[1][i])] += static_cast<std::uint32_t>(seenAreas[i]);
         }
     }
 }
 
+/// As many strands at a time as there are lanes.
 void splatAll(const SplatTask& task, std::uint32_t* voxels)
 {
+    const IntTag di;
+    const auto lanes = static_cast<int>(hn::Lanes(di));
     const sim::Groom& groom = *task.group->groom;
     const sim::StrandBlocks layout = groom.blocks();
-    for (std::size_t i = task.first; i < task.slots.size(); i += task.step) {
-        const std::size_t strand = groom.frameStrand(task.slots[i]);
-        splatStrand(task, task.group->positions.data() + layout.index(strand, 0), static_cast<std::int32_t>(strand),
-                    voxels);
+    const float* positions = task.group->positions.data();
+    for (std::size_t i = task.first; i < task.slots.size();) {
+        HWY_ALIGN std::int32_t strands[kMostLanes] = {};
+        HWY_ALIGN std::int32_t indices[kMostLanes] = {};
+        int used = 0;
+        for (; used < lanes && i < task.slots.size(); ++used, i += task.step) {
+            const std::size_t strand = groom.frameStrand(task.slots[i]);
+            strands[used] = static_cast<std::int32_t>(strand);
+            indices[used] = static_cast<std::int32_t>(layout.index(strand, 0));
+        }
+        const Ints strand = hn::Load(di, strands);
+        const Ints at = hn::Load(di, indices);
+        SplatNode before = nodeAt(task, positions, at);
+        for (int span = 0; span + 1 < task.nodes; ++span) {
+            const std::size_t next = static_cast<std::size_t>(span + 1) * sim::StrandBlocks::kNodeStride;
+            const SplatNode after = nodeAt(task, positions + next, at);
+            splatSpan(task, before, after, span, strand, used, voxels);
+            before = after;
+        }
     }
 }
 

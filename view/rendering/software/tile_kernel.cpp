@@ -18,6 +18,8 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 /// Hair that lies flat dips into the skin here and there; it is shown all the same.
 constexpr float kSkinDepthM = 0.015F;
 
+constexpr unsigned kCellSamples = kCellSp * kCellSp;
+
 /// Colour from 10 bits each, linear; the fourth is -1, so that adding it takes from what is left to see through.
 HWY_INLINE Quad colourOf(std::uint32_t bits)
 {
@@ -79,14 +81,24 @@ struct Canvas
 {
     const TileTask& task;
     TileSamples& samples;
-    int open; ///< Samples of the tile that are not opaque yet.
+    int openCells; ///< Cells of the tile that are not known to be opaque.
 };
 
-/// A sample has just become opaque.
-HWY_INLINE void close(Canvas& canvas, int x, int y)
+/// Whether all of a cell is opaque. What was opaque stays so, so that no sample is asked about twice once it is.
+HWY_INLINE bool isOpaque(Canvas& canvas, unsigned cellX, unsigned cellY)
 {
-    --canvas.open;
-    --canvas.samples.open[static_cast<std::size_t>(y / kCellSp)][static_cast<std::size_t>(x / kCellSp)];
+    std::uint8_t& firstOpen = canvas.samples.firstOpen[cellY][cellX];
+    if (firstOpen == kCellSamples)
+        return true;
+    const float* light = canvas.samples.light.data() + 4UL * ((cellY * kCellSp + 1) * kTileRow + cellX * kCellSp + 1);
+    for (unsigned n = firstOpen; n < kCellSamples; ++n)
+        if (light[4 * (n / kCellSp * kTileRow + n % kCellSp) + 3] >= canvas.task.opaque) {
+            firstOpen = static_cast<std::uint8_t>(n);
+            return false;
+        }
+    firstOpen = kCellSamples;
+    --canvas.openCells;
+    return true;
 }
 
 /// Part of a strand's cover that counts where the head may lie in front.
@@ -109,17 +121,17 @@ struct Pace
 
 /// Whether all cells that the walk may touch between two places along its main direction are opaque.
 template<bool kSteep>
-HWY_INLINE bool isClosed(const Canvas& canvas, int cell, float from, float to, float reach)
+HWY_INLINE bool isClosed(Canvas& canvas, unsigned cell, float from, float to, float reach)
 {
     const float low = std::min(from, to) - reach;
     const float high = std::max(from, to) + reach;
     if (!(high > 0.0F && low < static_cast<float>(kTileSp)))
         return true;
-    const int first = std::max(static_cast<int>(low), 0) / kCellSp;
-    const int last = std::min(static_cast<int>(high), kTileSp - 1) / kCellSp;
-    for (int c = first; c <= last; ++c)
-        if (canvas.samples
-                .open[static_cast<std::size_t>(kSteep ? cell : c)][static_cast<std::size_t>(kSteep ? c : cell)] != 0)
+    constexpr auto kLast = static_cast<float>(kTileSp - 1);
+    const unsigned first = static_cast<unsigned>(static_cast<int>(std::max(low, 0.0F))) / kCellSp;
+    const unsigned last = static_cast<unsigned>(static_cast<int>(std::min(high, kLast))) / kCellSp;
+    for (unsigned c = first; c <= last; ++c)
+        if (!isOpaque(canvas, kSteep ? c : cell, kSteep ? cell : c))
             return false;
     return true;
 }
@@ -165,10 +177,12 @@ HWY_INLINE Pair fourths(Pair a)
 {
     return {hn::Broadcast<3>(a.v)};
 }
-/// Whether anything falls below `limit` that did not before.
-HWY_INLINE bool fallsBelow(Pair before, Pair after, Pair limit)
+/// Each of two floats in all four of one. Reads eight.
+HWY_INLINE Pair spread(const float* two)
 {
-    return !hn::AllFalse(hn::FixedTag<float, 8>(), hn::AndNot(hn::Lt(before.v, limit.v), hn::Lt(after.v, limit.v)));
+    HWY_ALIGN static constexpr std::int32_t kFirstThenSecond[8] = {0, 0, 0, 0, 1, 1, 1, 1};
+    const hn::FixedTag<float, 8> d;
+    return {hn::TableLookupLanes(hn::LoadU(d, two), hn::SetTableIndices(d, kFirstThenSecond))};
 }
 #else
 struct Pair
@@ -198,48 +212,38 @@ HWY_INLINE Pair operator*(const Pair& a, const Pair& b)
 {
     return {a.first * b.first, a.second * b.second};
 }
+HWY_INLINE Pair spread(const float* two)
+{
+    return {quadOf(two[0]), quadOf(two[1])};
+}
 #if HWY_TARGET == HWY_SCALAR
 HWY_INLINE Pair fourths(const Pair& a)
 {
     return {quadOf(a.first.v[3]), quadOf(a.second.v[3])};
-}
-HWY_INLINE bool fallsBelow(const Pair& before, const Pair& after, const Pair& limit)
-{
-    return (after.first.v[3] < limit.first.v[3] && !(before.first.v[3] < limit.first.v[3])) ||
-           (after.second.v[3] < limit.second.v[3] && !(before.second.v[3] < limit.second.v[3]));
 }
 #else
 HWY_INLINE Pair fourths(const Pair& a)
 {
     return {{hn::Broadcast<3>(a.first.v)}, {hn::Broadcast<3>(a.second.v)}};
 }
-HWY_INLINE bool fallsBelow(const Pair& before, const Pair& after, const Pair& limit)
-{
-    const auto falls = [](Quad was, Quad is, Quad below) {
-        return hn::AndNot(hn::Lt(was.v, below.v), hn::Lt(is.v, below.v));
-    };
-    return !hn::AllFalse(QuadTag(), hn::Or(falls(before.first, after.first, limit.first),
-                                           falls(before.second, after.second, limit.second)));
-}
 #endif
 #endif
 
-/// Steps of a strand that is thinner than a sample, within a cell: a tent over the two samples that are nearest.
+/// Steps of a strand that is thinner than a sample, within a tile: a tent over the two samples that are nearest.
 struct ThinSteps
 {
-    HWY_ALIGN float cover0[kCellSp];
-    HWY_ALIGN float cover1[kCellSp];
-    HWY_ALIGN std::int32_t across[kCellSp]; ///< The first of the two.
-    HWY_ALIGN std::int32_t index[kCellSp];  ///< Its floats in the tile's light.
+    HWY_ALIGN float covers[2 * kTileSp + 8]; ///< Of the two, step by step; spread() reads beyond the last.
+    HWY_ALIGN std::int32_t across[kTileSp];  ///< The first of the two; where the head is asked about.
+    HWY_ALIGN std::int32_t index[kTileSp];   ///< Its floats in the tile's light.
 };
 
-template<bool kSteep>
-HWY_INLINE void placeSteps(int begin, const Pace& at, const Pace& step, ThinSteps& steps)
+template<bool kSteep, bool kHead>
+HWY_INLINE void placeSteps(int begin, int end, const Pace& at, const Pace& step, ThinSteps& steps)
 {
     const hn::CappedTag<float, kCellSp> d;
     const hn::Rebind<std::int32_t, decltype(d)> di;
-    for (std::size_t i = 0; i < kCellSp; i += hn::Lanes(d)) {
-        const auto number = hn::Iota(d, static_cast<float>(i));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(end - begin); i += hn::Lanes(d)) {
+        const auto number = hn::Add(hn::Iota(d, 0.0F), hn::Set(d, static_cast<float>(i)));
         const auto middle = hn::Add(hn::Set(d, at.middle - 0.5F), hn::Mul(hn::Set(d, step.middle), number));
         const auto low = hn::Floor(middle);
         // Out of the tile it covers nothing.
@@ -250,13 +254,14 @@ HWY_INLINE void placeSteps(int begin, const Pace& at, const Pace& step, ThinStep
         const auto cover1 = hn::Mul(width, hn::Sub(middle, low));
         const auto k =
             hn::ConvertTo(di, hn::Min(hn::Max(low, hn::Set(d, -1.0F)), hn::Set(d, static_cast<float>(kTileSp - 1))));
-        const auto along = hn::Iota(di, begin + static_cast<int>(i));
+        // From a beginning that compilers do not know, Iota goes lane by lane through memory.
+        const auto along = hn::Add(hn::Iota(di, 0), hn::Set(di, begin + static_cast<int>(i)));
         const auto row = kSteep ? along : k;
         const auto column = kSteep ? k : along;
         const auto sample = hn::Add(hn::Mul(row, hn::Set(di, kTileRow)), hn::Add(column, hn::Set(di, kTileRow + 1)));
-        hn::Store(hn::Sub(width, cover1), d, steps.cover0 + i);
-        hn::Store(cover1, d, steps.cover1 + i);
-        hn::Store(k, di, steps.across + i);
+        hn::StoreInterleaved2(hn::Sub(width, cover1), cover1, d, steps.covers + 2 * i);
+        if constexpr (kHead)
+            hn::Store(k, di, steps.across + i);
         hn::Store(hn::ShiftLeft<2>(sample), di, steps.index + i);
     }
 }
@@ -266,46 +271,27 @@ HWY_INLINE void layThin(Canvas& canvas, int begin, int end, const Pace& at, cons
 {
     constexpr std::ptrdiff_t kNext = kSteep ? 1 : kTileRow; // To the second of the two.
     ThinSteps steps;
-    placeSteps<kSteep>(begin, at, step, steps);
-    const Pair opaque = pairOf(quadOf(canvas.task.opaque), quadOf(canvas.task.opaque));
+    placeSteps<kSteep, kHead>(begin, end, at, step, steps);
+    if constexpr (kHead)
+        for (int i = 0; i < end - begin; ++i) {
+            float* covers = steps.covers + 2 * static_cast<std::ptrdiff_t>(i);
+            const float depth = at.depth + step.depth * static_cast<float>(i);
+            const float* depths = canvas.samples.headDepth.data() + steps.index[i] / 4;
+            if (depth > std::min(depths[0], depths[kNext]))
+                for (const int n : {0, 1}) {
+                    const int across = steps.across[i] + n;
+                    covers[n] = coverBeforeHead(canvas, kSteep ? across : begin + i, kSteep ? begin + i : across,
+                                                depth, covers[n]);
+                }
+        }
     const Pair colourStep = pairOf(step.colour, step.colour);
     Pair colour = pairOf(at.colour, at.colour);
     for (int i = 0; i < end - begin; ++i, colour = colour + colourStep) {
-        float cover0 = steps.cover0[i];
-        float cover1 = steps.cover1[i];
-        const int k = steps.across[i];
-        const auto spot = [&](int second, int& x, int& y) {
-            x = kSteep ? k + second : begin + i;
-            y = kSteep ? begin + i : k + second;
-        };
-        if constexpr (kHead) {
-            const float depth = at.depth + step.depth * static_cast<float>(i);
-            const float* depths = canvas.samples.headDepth.data() + steps.index[i] / 4;
-            if (depth > std::min(depths[0], depths[kNext])) {
-                int x = 0;
-                int y = 0;
-                spot(0, x, y);
-                cover0 = coverBeforeHead(canvas, x, y, depth, cover0);
-                spot(1, x, y);
-                cover1 = coverBeforeHead(canvas, x, y, depth, cover1);
-            }
-        }
         float* first = canvas.samples.light.data() + steps.index[i];
         float* second = first + 4 * kNext;
         const Pair before = loadedPair<kSteep>(first, second);
-        const Pair after = before + colour * (pairOf(quadOf(cover0), quadOf(cover1)) * fourths(before));
-        storedPair<kSteep>(after, first, second);
-        if (HWY_UNLIKELY(fallsBelow(before, after, opaque))) {
-            HWY_ALIGN float was[8];
-            storedPair<false>(before, was, was + 4);
-            int x = 0;
-            int y = 0;
-            for (const int n : {0, 1})
-                if (was[4 * n + 3] >= canvas.task.opaque && (n == 0 ? first : second)[3] < canvas.task.opaque) {
-                    spot(n, x, y);
-                    close(canvas, x, y);
-                }
-        }
+        const Pair covers = spread(steps.covers + 2 * static_cast<std::ptrdiff_t>(i));
+        storedPair<kSteep>(before + colour * (covers * fourths(before)), first, second);
     }
 }
 
@@ -329,10 +315,7 @@ HWY_INLINE void layWide(Canvas& canvas, int begin, int end, Pace at, const Pace&
             float cover = gain * std::clamp(half - std::abs(static_cast<float>(k) + 0.5F - at.middle), 0.0F, 1.0F);
             if constexpr (kHead)
                 cover = coverBeforeHead(canvas, x, y, at.depth, cover);
-            const float weight = cover * left;
-            stored(quadOf(sample) + at.colour * quadOf(weight), sample);
-            if (left - weight < canvas.task.opaque)
-                close(canvas, x, y);
+            stored(quadOf(sample) + at.colour * quadOf(cover * left), sample);
         }
         at.middle += step.middle;
         at.width += step.width;
@@ -355,30 +338,39 @@ HWY_INLINE void layOne(Canvas& canvas, const ScreenSegment& segment, SegmentPiec
     if (begin >= end)
         return;
     const float inverse = 1.0F / std::max(walk.main1 - walk.main0, 1e-6F);
-    const Quad colour0 = colourOf(walk.bits0);
-    const Pace step{.middle = (walk.across1 - walk.across0) * inverse,
-                    .width = (walk.width1 - walk.width0) * inverse,
-                    .depth = (walk.depth1 - walk.depth0) * inverse,
-                    .colour = (colourOf(walk.bits1) - colour0) * quadOf(inverse)};
+    const float slope = (walk.across1 - walk.across0) * inverse;
     const float widest = std::max(walk.width0, walk.width1);
-    const bool thin = widest <= 1.0F;
     const float reach = (std::max(widest, 1.0F) + 1.0F) * 0.5F;
-    for (int chunk = begin; chunk < end;) {
-        const int cell = chunk / kCellSp;
-        const int chunkEnd = std::min((cell + 1) * kCellSp, end);
-        const float along = static_cast<float>(chunk) + 0.5F - walk.main0;
-        const Pace at{.middle = walk.across0 + step.middle * along,
-                      .width = walk.width0 + step.width * along,
-                      .depth = walk.depth0 + step.depth * along,
-                      .colour = colour0 + step.colour * quadOf(along)};
-        const float last = at.middle + step.middle * static_cast<float>(chunkEnd - 1 - chunk);
-        if (!isClosed<kSteep>(canvas, cell, at.middle, last, reach)) {
-            if (thin)
-                layThin<kSteep, kHead>(canvas, chunk, chunkEnd, at, step);
-            else
-                layWide<kSteep, kHead>(canvas, chunk, chunkEnd, at, step);
-        }
-        chunk = chunkEnd;
+    const auto along = [&](int sample) { return static_cast<float>(sample) + 0.5F - walk.main0; };
+    const auto lay = [&](int from, int to) {
+        const Quad colour0 = colourOf(walk.bits0);
+        const Pace step{.middle = slope,
+                        .width = (walk.width1 - walk.width0) * inverse,
+                        .depth = (walk.depth1 - walk.depth0) * inverse,
+                        .colour = (colourOf(walk.bits1) - colour0) * quadOf(inverse)};
+        const Pace at{.middle = walk.across0 + step.middle * along(from),
+                      .width = walk.width0 + step.width * along(from),
+                      .depth = walk.depth0 + step.depth * along(from),
+                      .colour = colour0 + step.colour * quadOf(along(from))};
+        if (widest <= 1.0F)
+            layThin<kSteep, kHead>(canvas, from, to, at, step);
+        else
+            layWide<kSteep, kHead>(canvas, from, to, at, step);
+    };
+    const auto cellOf = [](int sample) { return static_cast<unsigned>(sample) / kCellSp; };
+    const auto endOfCell = [&](int sample) { return std::min(static_cast<int>(cellOf(sample) + 1) * kCellSp, end); };
+    const auto closedAt = [&](int sample) {
+        const float first = walk.across0 + slope * along(sample);
+        const float last = first + slope * static_cast<float>(endOfCell(sample) - 1 - sample);
+        return isClosed<kSteep>(canvas, cellOf(sample), first, last, reach);
+    };
+    for (int from = begin; from < end;) {
+        int to = from;
+        while (to < end && !closedAt(to))
+            to = endOfCell(to);
+        if (from < to)
+            lay(from, to);
+        from = to < end ? endOfCell(to) : end;
     }
 }
 
@@ -410,16 +402,23 @@ void sortByDepth(TileSamples& samples)
 void clearTile(const TileTask& task, TileSamples& samples)
 {
     HWY_ALIGN const float clear[4] = {0.0F, 0.0F, 0.0F, 1.0F};
-    std::ranges::fill(samples.light, 0.0F); // Around the tile nothing can be seen through.
-    for (auto& row : samples.open)
-        row.fill(0);
-    for (int y = 0; y < task.height; ++y) {
+    // Around the tile nothing can be seen through.
+    std::fill_n(samples.light.begin(), 4 * kTileRow, 0.0F);
+    for (int y = 0; y < kTileSp; ++y) {
+        float* row = samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(0, y));
+        std::fill_n(row - 4, 4, 0.0F);
+        const int width = y < task.height ? task.width : 0;
+        std::fill_n(row + 4 * static_cast<std::ptrdiff_t>(width), 4 * (kTileSp + 1 - width), 0.0F);
+    }
+    std::fill_n(samples.light.end() - 4 * kTileRow, 4 * kTileRow, 0.0F);
+    for (int y = 0; y < kCells; ++y)
+        for (int x = 0; x < kCells; ++x) {
+            const bool inPicture = x * kCellSp < task.width && y * kCellSp < task.height;
+            samples.firstOpen[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = inPicture ? std::uint8_t{0} : std::uint8_t{kCellSamples};
+        }
+    for (int y = 0; y < task.height; ++y)
         for (int x = 0; x < task.width; ++x)
             stored(quadOf(clear), samples.light.data() + 4 * static_cast<std::ptrdiff_t>(inTile(x, y)));
-        for (int x = 0; x < task.width; x += kCellSp)
-            samples.open[static_cast<std::size_t>(y / kCellSp)][static_cast<std::size_t>(x / kCellSp)] +=
-                std::min(kCellSp, task.width - x);
-    }
 }
 
 void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
@@ -440,9 +439,11 @@ void layAll(const TileTask& task, SegmentLists segments, TileSamples& samples)
                 nearestHead = std::min(nearestHead, depth);
             }
     }
-    Canvas canvas{.task = task, .samples = samples, .open = task.width * task.height};
+    const int cellsAcross = (task.width + kCellSp - 1) / kCellSp; // The rest lies beside the picture.
+    const int cellsUp = (task.height + kCellSp - 1) / kCellSp;
+    Canvas canvas{.task = task, .samples = samples, .openCells = cellsAcross * cellsUp};
     constexpr std::size_t kAhead = 8;
-    for (std::size_t i = 0; i < samples.sorted.size() && canvas.open > 0; ++i) {
+    for (std::size_t i = 0; i < samples.sorted.size() && canvas.openCells > 0; ++i) {
         const TileEntry& ahead = samples.sorted[std::min(i + kAhead, samples.sorted.size() - 1)];
         hwy::Prefetch(&segments[ahead.batch][ahead.piece.segment()]);
         const TileEntry& entry = samples.sorted[i];

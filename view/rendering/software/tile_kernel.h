@@ -32,7 +32,8 @@ struct TileSamples
 {
     /// Linear light of hair so far, and what is left to see through.
     alignas(64) std::array<float, 4UL * kTileRow * kTileRow> light;
-    std::array<std::array<int, kCells>, kCells> open; ///< Samples of a cell that are not opaque yet, by row.
+    /// The first sample of a cell that is not known to be opaque, counted along the cell's rows.
+    std::array<std::array<std::uint8_t, kCells>, kCells> firstOpen;
     std::vector<TileEntry> entries;
     std::vector<TileEntry> sorted;
     std::array<std::uint32_t, 2048> buckets;
@@ -46,6 +47,7 @@ struct TileTask
     int width = 0; ///< Less than kTileSp at the picture's edges.
     int height = 0;
     bool anyHead = false;
+    bool bare = false; ///< Nothing but background is wanted: the samples are not looked at.
     const float* headDistanceM = nullptr; ///< Of the corner; huge where there is no head.
     const HeadSample* head = nullptr;     ///< Of the corner.
     std::size_t headStride = 0;           ///< From a row to the one above.

@@ -1,0 +1,39 @@
+// A file under way, beside the one whose place it will take.
+#pragma once
+
+#include <QFile>
+
+namespace hairpaint::model {
+
+/// Has no name until it is whole where the system knows such files, else one that no user gives; either is gone with the
+/// object. What a process that was killed leaves is found by that name and by the lock it no longer holds. One thread.
+class StagedFile
+{
+public:
+    /// `path`: the file to be. Where that is a link, the file behind it.
+    explicit StagedFile(const QString& path);
+    ~StagedFile();
+    StagedFile(const StagedFile&) = delete;
+    StagedFile& operator=(const StagedFile&) = delete;
+
+    /// For writing, unbuffered, with the permissions of the file to be, where there is one. False: file() tells why.
+    [[nodiscard]] bool open();
+    [[nodiscard]] QFile& file() { return m_file; }
+    /// Gives it the place and the name, at once, and closes it. False: nothing has changed; problem() tells why.
+    [[nodiscard]] bool place();
+    [[nodiscard]] const QString& problem() const { return m_problem; }
+
+private:
+    [[nodiscard]] bool openNameless();
+    [[nodiscard]] bool nameIt();
+
+    QString m_path;
+    QFile m_file;
+    QString m_stagedName; ///< Its path beside m_path while it has one.
+    QString m_problem;
+};
+
+/// Removes what processes that were killed have left in a folder, and nothing that anyone still writes. How many.
+int sweepStagedFiles(const QString& folder);
+
+} // namespace hairpaint::model
