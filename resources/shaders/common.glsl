@@ -26,6 +26,7 @@ layout(std140, binding = 0) uniform Frame
     vec4 neckPivotHd;       // What it turns about; w: height above which nothing does.
     vec4 neckReach;         // How much of the turn a metre further down takes part.
     vec4 skin[3];           // Linear colours of skin, lips, lids; w: how far light scatters, depth of grain, sheen; 0..1.
+    vec4 eyeGrid[2];        // rendering::EyeGrid: low, sectionM2; per, middleM.
 };
 
 // Where the x of a skeleton's node is; y and z follow kStrandLanes apart.
@@ -36,16 +37,18 @@ uint nodeIndex(uint slot, int node, int nodes)
 
 const float kPi = 3.14159265;
 
-// A sample is one 32-bit number, so that the nearest one wins by atomicMin: 12 bits of depth, then 20 of colour.
-const uint kDepthShift = 20u;
-const uint kColourMask = 0xFFFFFu;
-const uint kHeadColour = 0xFFFFFu; // Not a colour of hair: the head's own layer shows.
-const uint kEmptySample = 0xFFFFFFFFu;
-const float kDepthKeys = 4095.0;
-
-uint depthKey(float distanceM)
+// Of a place whose normalised device x and y and distance along the view are given: 0..1 in the grid away from the eye.
+vec3 inEyeGrid(vec3 seen)
 {
-    return uint(clamp((distanceM - depthRange.x) * depthRange.y, 0.0, kDepthKeys - 1.0));
+    return (seen - eyeGrid[0].xyz) * eyeGrid[1].xyz;
+}
+
+// Distances along the view in 16 bits. As many as there are keys of depthRange, times what those lack.
+const float kDepthsPerKey = 65535.0 / 4095.0;
+
+float depthOf(float distanceM)
+{
+    return (distanceM - depthRange.x) * depthRange.y * kDepthsPerKey;
 }
 
 // Distance along the view from a depth buffer's value.
@@ -59,29 +62,6 @@ vec3 unprojected(vec2 atSp, float depth)
 {
     vec4 wo = woFromProjection * vec4(vec3(atSp / target.xy, depth) * 2.0 - 1.0, 1.0);
     return wo.xyz / wo.w;
-}
-
-// Linear colour 0..1 <-> 20 bits: luma 8, orange 6, green 6, of its square root. Chroma lies within +-1/2, mostly within a
-// quarter of that.
-uint packColour(vec3 colour, float dither)
-{
-    vec3 c = sqrt(clamp(colour, 0.0, 1.0));
-    float luma = 0.25 * c.r + 0.5 * c.g + 0.25 * c.b;
-    float orange = 0.5 * (c.r - c.b);
-    float green = c.g - luma;
-    uvec3 q = uvec3(clamp(luma * 254.0 + dither, 0.0, 254.0), clamp((orange + 0.5) * 62.0 + dither, 0.0, 62.0),
-                    clamp((green + 0.5) * 62.0 + dither, 0.0, 62.0));
-    return (q.y << 14) | (q.z << 8) | q.x;
-}
-
-vec3 unpackColour(uint packedColour)
-{
-    float luma = float(packedColour & 0xFFu) * (1.0 / 254.0);
-    float orange = float((packedColour >> 14) & 0x3Fu) * (1.0 / 62.0) - 0.5;
-    float green = float((packedColour >> 8) & 0x3Fu) * (1.0 / 62.0) - 0.5;
-    vec3 c = vec3(luma - green + orange, luma + green, luma - green - orange);
-    c = max(c, 0.0);
-    return c * c;
 }
 
 vec3 linearFromSrgb(vec3 c)

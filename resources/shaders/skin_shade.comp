@@ -47,7 +47,8 @@ void main()
     }
     vec4 wo = vec4(unprojected(at, depth), 1.0);
     float fromLight = lightThrough(opacityToLight, (gridFromWo[0] * wo).xyz, 0.6);
-    float toEye = lightThrough(opacityToEye, (gridFromWo[1] * wo).xyz, 2.0);
+    vec4 clip = projectionFromWo * wo;
+    float toEye = lightThrough(opacityToEye, inEyeGrid(vec3(clip.xy / clip.w, clip.w)), 2.0);
     // The light falls on the side of the head that is turned toward it; the other has no shadow to get.
     vec2 side = wo.xz - headWo.xz;
     float lit = smoothstep(-0.3, 0.2, dot(side, keyWo.xz) * inversesqrt(dot(side, side) + 1e-4));

@@ -1,6 +1,8 @@
 // Softens the stairs of a picture with one sample a pixel: each pixel is averaged along the line or edge that runs through
 // it, found as the direction in which the brightness around it changes least (the structure tensor's minor axis).
 layout(binding = 0) uniform sampler2D rough; // sRGB as encoded, and its luma; sampled bilinearly.
+layout(binding = 3) uniform sampler2D hairSeen; // Hair covers as much as it should: only what is bare has stairs.
+uniform int anyHair;
 layout(location = 0) out vec4 srgb;
 
 const float kLeastContrast = 0.0006; // Sum of squares of the differences from the neighbours; less is a smooth surface.
@@ -11,6 +13,8 @@ void main()
     vec2 texel = 1.0 / vec2(textureSize(rough, 0));
     vec2 here = gl_FragCoord.xy * texel;
     srgb = vec4(texelFetch(rough, at, 0).rgb, 1.0);
+    if (anyHair > 0 && texelFetch(hairSeen, at, 0).a < 0.5)
+        return;
     // The lumas of four pixels: upper left, upper right, lower right, lower left.
     vec4 low = textureGather(rough, here - 0.5 * texel, 3);
     vec4 high = textureGather(rough, here + 0.5 * texel, 3);

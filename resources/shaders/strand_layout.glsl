@@ -26,5 +26,6 @@ struct PackedStyle
     float wispOffsetX;
     float wispOffsetY;
     float variation;
+    float order;    // 0..1: hairs of a low one stand for the others where not all are drawn.
     uint tangentHd; // A unit vector in an octahedron's two coordinates, as unpackSnorm2x16 reads them.
 };

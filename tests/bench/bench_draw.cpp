@@ -106,7 +106,7 @@ void drawWith(benchmark::State& state, rendering::Backend& backend, int samples)
     const auto still = hangingHair(static_cast<std::size_t>(state.range(0)));
     const auto moved = std::make_shared<const sim::StrandFrame>(*still);
     rendering::Scene scene;
-    const rendering::Quality quality{.detail = 1.0F, .samples = samples, .smoothSegments = 8};
+    const rendering::Quality quality{.detail = 1.0F, .samples = samples};
     for (const auto& frame : {still, moved}) {
         scene.hair = frame;
         backend.draw(scene, quality, kWidth, kHeight);

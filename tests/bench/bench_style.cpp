@@ -30,7 +30,6 @@ void drawWith(benchmark::State& state, rendering::Backend& backend)
     const std::array frames{first, hair.frame()};
     const rendering::Quality quality{.detail = static_cast<float>(state.range(0)) / 1000.0F,
                                      .samples = static_cast<int>(state.range(1)),
-                                     .smoothSegments = 8,
                                      .coarseHead = true};
     const auto width = static_cast<int>(state.range(3));
     const auto height = static_cast<int>(state.range(4));

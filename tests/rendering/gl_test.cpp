@@ -3,8 +3,6 @@
 
 #include <epoxy/gl.h>
 
-#include <cmath>
-
 #include <utility>
 
 namespace hairpaint::testing {
@@ -18,23 +16,6 @@ double Picture::difference(const Picture& other, int x0, int y0, int x1, int y1)
             sum += d.x + d.y + d.z;
         }
     return sum / ((x1 - x0) * (y1 - y0));
-}
-
-Picture Picture::shrunk(int side) const
-{
-    Picture small{.width = width / side, .height = height / side, .pixels = {}};
-    for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x) {
-            // Light is averaged, not its encoding: grain of white and black is as bright as half of each.
-            glm::dvec3 sum(0.0);
-            for (int i = 0; i < side * side; ++i)
-                sum += glm::pow(glm::dvec3(at(x * side + i % side, y * side + i / side)) / 255.0, glm::dvec3(2.2));
-            for (int channel = 0; channel < 3; ++channel)
-                small.pixels.push_back(
-                    static_cast<std::uint8_t>(std::lround(255.0 * std::pow(sum[channel] / (side * side), 1.0 / 2.2))));
-            small.pixels.push_back(255);
-        }
-    return small;
 }
 
 GlTest::GlTest()

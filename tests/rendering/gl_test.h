@@ -26,8 +26,6 @@ struct Picture
     }
     /// Mean over columns x0..x1 and rows y0..y1 of the distance in all channels from another picture, 0..255.
     [[nodiscard]] double difference(const Picture& other, int x0, int y0, int x1, int y1) const;
-    /// The mean of each square of `side` pixels.
-    [[nodiscard]] Picture shrunk(int side) const;
     [[nodiscard]] double difference(const Picture& other) const { return difference(other, 0, 0, width, height); }
 };
 

@@ -93,7 +93,6 @@ void TestDetailGovernor::stillPicturesAreRefinedAndThenRest()
     const Quality& quality = governor.quality();
     QCOMPARE(quality.detail, pictureQuality().detail);
     QCOMPARE(quality.samples, pictureQuality().samples);
-    QCOMPARE(quality.smoothSegments, pictureQuality().smoothSegments);
     QVERIFY(!quality.coarseHead);
 }
 

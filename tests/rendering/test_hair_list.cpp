@@ -48,8 +48,8 @@ void TestHairList::holdsEveryStrandBelowTheDetailOnce()
     QFETCH(float, detail);
     const auto source = groom(3000);
     HairList list;
-    QVERIFY(list.update(source, detail, 8));
-    QVERIFY(!list.update(source, detail, 8));
+    QVERIFY(list.update(source, detail, {.ofStraightHair = 8}));
+    QVERIFY(!list.update(source, detail, {.ofStraightHair = 8}));
     std::set<std::uint32_t> slots;
     for (std::size_t i = 0; i < list.strandCount(); ++i)
         QVERIFY(slots.insert(list.strands()[i].slot).second);
@@ -64,8 +64,8 @@ void TestHairList::coarserListsAreTheBeginningOfFinerOnes()
     const auto source = groom(3000);
     HairList coarse;
     HairList fine;
-    QVERIFY(coarse.update(source, 0.25F, 8));
-    QVERIFY(fine.update(source, 1.0F, 8));
+    QVERIFY(coarse.update(source, 0.25F, {.ofStraightHair = 8}));
+    QVERIFY(fine.update(source, 1.0F, {.ofStraightHair = 8}));
     QVERIFY(coarse.strandCount() > 0);
     for (std::size_t i = 0; i < coarse.strandCount(); ++i)
         QCOMPARE(coarse.strands()[i].slot, fine.strands()[i].slot);
@@ -74,16 +74,16 @@ void TestHairList::coarserListsAreTheBeginningOfFinerOnes()
 void TestHairList::curlsGetMorePoints()
 {
     HairList list;
-    QVERIFY(list.update(groom(10, 4.0F), 1.0F, 8));
+    QVERIFY(list.update(groom(10, 4.0F), 1.0F, {.ofStraightHair = 8}));
     QCOMPARE(list.segmentCount(), std::size_t{10 * 32});
-    QVERIFY(list.update(groom(10, 1000.0F), 1.0F, 8));
+    QVERIFY(list.update(groom(10, 1000.0F), 1.0F, {.ofStraightHair = 8}));
     QCOMPARE(list.segmentCount(), std::size_t{10 * 256});
 }
 
 void TestHairList::batchesCoverTheListWithoutGaps()
 {
     HairList list;
-    QVERIFY(list.update(groom(20000, 16.0F), 1.0F, 8));
+    QVERIFY(list.update(groom(20000, 16.0F), 1.0F, {.ofStraightHair = 8}));
     QVERIFY(list.batches().size() > 1);
     std::uint32_t strand = 0;
     std::uint32_t point = 0;
@@ -106,9 +106,9 @@ void TestHairList::undrawnStrandsAreLeftOut()
     chunk->drawn.reset();
     shorn->chunks[0] = chunk;
     HairList list;
-    QVERIFY(list.update(source, 1.0F, 8));
+    QVERIFY(list.update(source, 1.0F, {.ofStraightHair = 8}));
     QCOMPARE(list.strandCount(), std::size_t{1500});
-    QVERIFY(list.update(shorn, 1.0F, 8));
+    QVERIFY(list.update(shorn, 1.0F, {.ofStraightHair = 8}));
     QCOMPARE(list.strandCount(), std::size_t{1500 - 1024});
 }
 

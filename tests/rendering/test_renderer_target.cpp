@@ -117,6 +117,7 @@ void TestRendererTarget::oneSampleMakesNoStairs()
     scene.hair = makeFrame({straightStrand(-half, half, 0xFFFFFFFFU)}, plainSettings());
     const Picture picture = draw(scene, {.samples = 1});
     const Picture background = draw(emptyScene(), {.samples = 1});
+    const auto linear = [](int srgb) { return std::pow(srgb / 255.0, 2.2); };
     // Where the strand's light has its centre on each row, or on each column where it is more level than upright. A
     // strand of whole pixels is up to half of one beside its line, 0.29 in the mean.
     const bool level = slant > 1.0F;
@@ -127,7 +128,7 @@ void TestRendererTarget::oneSampleMakesNoStairs()
         double moment = 0.0;
         for (int across = -60; across <= 60; ++across) {
             const glm::ivec2 at = glm::ivec2(100, 75) + (level ? glm::ivec2(along, across) : glm::ivec2(across, along));
-            const int more = picture.at(at.x, at.y).y - background.at(at.x, at.y).y;
+            const double more = linear(picture.at(at.x, at.y).y) - linear(background.at(at.x, at.y).y);
             light += more;
             moment += more * (across + 0.5);
         }

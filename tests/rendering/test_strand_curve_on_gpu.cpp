@@ -81,12 +81,9 @@ void TestStrandCurveOnGpu::pointsAreThoseOfTheCpu()
     rendering::Buffer uniforms;
     uniforms.assign(&constants, sizeof(constants));
     uniforms.bindUniform(0);
-    const std::vector<std::uint32_t> empty(64 * 64, 0xFFFFFFFFU);
-    rendering::Buffer samples;
-    samples.assign(empty.data(), empty.size() * sizeof(std::uint32_t));
-    const rendering::HairPass::Report report = (*pass)->upload(frame, 1.0F, 8);
-    (*pass)->begin(constants, 1.0F, rendering::HairList::kBatchPoints);
-    QVERIFY((*pass)->drawPiece(samples) && !(*pass)->drawPiece(samples));
+    const rendering::HairPass::Report report = (*pass)->upload(frame, constants, 1.0F, true);
+    (*pass)->begin(constants, rendering::HairList::kBatchPoints);
+    QVERIFY((*pass)->projectPiece() && !(*pass)->projectPiece());
     QCOMPARE(report.hairs, strands.size());
     std::vector<glm::vec4> points(report.segments + report.hairs);
     (*pass)->points().read(points.data(), points.size() * sizeof(glm::vec4));

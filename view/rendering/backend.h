@@ -16,7 +16,6 @@ struct Quality
 {
     float detail = 1.0F;     ///< 0..1: fraction of the hairs; those drawn are widened so that coverage stays the same.
     int samples = 4;         ///< A pixel: 1, 2, 4, in software 8 and 16, too.
-    int smoothSegments = 16; ///< Segments of a straight hair; software takes as many as the hair's bend needs.
     bool coarseHead = false; ///< Whether a frame whose view differs from the one before may show Scene::headInMotion.
     bool linear = false;     ///< Whether SoftwareRenderer::readLinear() will be called.
 };
@@ -66,7 +65,7 @@ protected:
 /// The quality of pictures that are kept, and what a still picture is refined to.
 [[nodiscard]] inline Quality pictureQuality()
 {
-    return {.detail = 1.0F, .samples = 4, .smoothSegments = 16};
+    return {.detail = 1.0F, .samples = 4};
 }
 
 } // namespace hairpaint::rendering

@@ -24,7 +24,7 @@ float stepped(double detail)
 } // namespace
 
 DetailGovernor::DetailGovernor(double wantedMs, float firstDetail)
-    : m_wantedMs(wantedMs), m_quality{.detail = firstDetail, .samples = 1, .smoothSegments = 8, .coarseHead = true}
+    : m_wantedMs(wantedMs), m_quality{.detail = firstDetail, .samples = 1, .coarseHead = true}
 {}
 
 const Quality& DetailGovernor::begin(bool still)
@@ -61,7 +61,7 @@ void DetailGovernor::retreat()
     m_quality = m_whole;
 }
 
-/// Only ever finer: smooth curves and samples first, then twice as many hairs at a time.
+/// Only ever finer: samples first, then twice as many hairs at a time.
 void DetailGovernor::refine()
 {
     m_whole = m_quality;
@@ -70,15 +70,13 @@ void DetailGovernor::refine()
         return;
     }
     const Quality finest = pictureQuality();
-    const bool smooth = m_quality.samples >= finest.samples && m_quality.smoothSegments >= finest.smoothSegments;
+    const bool smooth = m_quality.samples >= finest.samples;
     m_wantsRefinement = m_quality.coarseHead || !smooth || m_quality.detail < finest.detail;
     m_quality.coarseHead = false;
-    if (!smooth) {
+    if (!smooth)
         m_quality.samples = finest.samples;
-        m_quality.smoothSegments = finest.smoothSegments;
-    } else {
+    else
         m_quality.detail = std::min(m_quality.detail * 2.0F, finest.detail);
-    }
 }
 
 /// Damped, since a part of each frame does not depend on the hairs and single frames may be slow for other reasons.

@@ -2,6 +2,7 @@
 #include "view/rendering/frame_constants.h"
 
 #include "sim/motion/head_motion.h"
+#include "view/rendering/eye_grid.h"
 
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -210,6 +211,8 @@ FrameConstants frameConstants(const Scene& scene, const Target& target, float sk
             c.ringWo[ring] = glm::vec4(glm::vec3(c.woFromHd * glm::vec4(wanted->centreHd, 1.0F)), wanted->radiusM);
         ++ring;
     }
+    const EyeGrid eye = eyeGrid(c);
+    c.eyeGrid = {glm::vec4(eye.low, eye.sectionM2), glm::vec4(eye.per, eye.middleM)};
     return c;
 }
 

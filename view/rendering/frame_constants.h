@@ -32,6 +32,7 @@ struct FrameConstants
     glm::vec4 neckPivotHd;
     glm::vec4 neckReach;
     std::array<glm::vec4, 3> skin;
+    std::array<glm::vec4, 2> eyeGrid;
     friend bool operator==(const FrameConstants&, const FrameConstants&) = default;
 };
 

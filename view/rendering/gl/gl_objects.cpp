@@ -122,12 +122,21 @@ void Buffer::read(void* data, std::size_t bytes) const
     glBindBuffer(GL_COPY_READ_BUFFER, 0);
 }
 
-void Buffer::copyFrom(const Buffer& source, std::size_t bytes)
+std::size_t mostBytesOfABuffer()
 {
-    glBindBuffer(GL_COPY_READ_BUFFER, source.id());
+    constexpr GLint64 kLeast = 1 << 24; // That OpenGL promises.
+    GLint64 bytes = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    return static_cast<std::size_t>(std::max(bytes, kLeast));
+}
+
+void Buffer::clear()
+{
+    if (m_capacity == 0)
+        return;
     glBindBuffer(GL_COPY_WRITE_BUFFER, m_name.id());
-    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes));
-    glBindBuffer(GL_COPY_READ_BUFFER, 0);
+    const std::uint32_t zero = 0;
+    glClearBufferData(GL_COPY_WRITE_BUFFER, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
@@ -203,12 +212,13 @@ tl::expected<Program, std::string> Program::link(std::initializer_list<Stage> st
     std::array<char, 1024> log{};
     for (const Stage& stage : stages) {
         const unsigned shader = glCreateShader(stage.kind);
-        const std::array<std::string_view, 7> parts{"#version 430 core\n",
+        const std::array<std::string_view, 8> parts{"#version 430 core\n",
                                                     defines,
                                                     shaderSource("strand_layout.glsl"),
                                                     shaderSource("common.glsl"),
                                                     shaderSource("environment.glsl"),
                                                     shaderSource("hair_light.glsl"),
+                                                    shaderSource("projected_point.glsl"),
                                                     shaderSource(stage.file)};
         std::array<const char*, parts.size()> texts{};
         std::array<int, parts.size()> lengths{};

@@ -65,8 +65,8 @@ public:
     std::size_t writeChanged(const void* data, std::size_t bytes, const void* before, std::size_t bytesBefore);
     /// Waits for the GPU.
     void read(void* data, std::size_t bytes) const;
-    /// Copies the first `bytes` on the GPU; both have room for them.
-    void copyFrom(const Buffer& source, std::size_t bytes);
+    /// Fills it with zeros.
+    void clear();
     void bindStorage(unsigned index) const;
     void bindUniform(unsigned index) const;
     [[nodiscard]] unsigned id() const { return m_name.id(); }
@@ -76,6 +76,9 @@ private:
     GlName<deleteBuffer> m_name;
     std::size_t m_capacity = 0;
 };
+
+/// Of a buffer that shaders read or write.
+[[nodiscard]] std::size_t mostBytesOfABuffer();
 
 /// A texture without mipmaps, made anew when its size or format differs.
 class Texture

@@ -8,6 +8,7 @@
 #include "view/rendering/gl/ring_pass.h"
 #include "view/rendering/gl/skin_shade.h"
 #include "view/rendering/gl/state_guard.h"
+#include "view/rendering/gl/tile_pass.h"
 #include "view/rendering/skull_size.h"
 
 #include <epoxy/gl.h>
@@ -33,6 +34,9 @@ bool takeErrors()
     return errors > 0;
 }
 
+constexpr int kAllRows = 1 << 16;
+constexpr int kRowsAStep = 4; ///< Of tiles.
+
 using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point begin)
@@ -48,6 +52,7 @@ struct GlRenderer::Picture
     Target target;
     FrameConstants constants;
     HairPass::Report report;
+    bool binned = false;  ///< Its strands lie in their tiles.
     double spentMs = 0.0; ///< In steps.
     bool complete = true; ///< So far.
 };
@@ -60,16 +65,13 @@ struct GlRenderer::State
     SkullSize skull;
     std::unique_ptr<HeadLayer> head;
     std::unique_ptr<HairPass> hair;
+    TilePass tiles;
     SkinShade shade;
     RingPass rings;
-    Program clear;
     std::array<Program, 3> resolve; ///< For 1, 2 and 4 samples a pixel.
     Program smooth;                 ///< In place of more samples.
     VertexArray noVertices;
     Buffer constants;
-    Buffer prepared; ///< The samples with the head's depth and no hair, kept while the head's picture holds.
-    glm::vec4 preparedFor{0.0F}; ///< The range of depth keys.
-    Buffer samples;
     Framebuffer framebuffer;
     Texture rough; ///< The picture of one sample a pixel, not smoothed yet.
     Texture picture;
@@ -102,10 +104,10 @@ tl::expected<std::unique_ptr<GlRenderer>, std::string> GlRenderer::create()
     if (!hair)
         return tl::unexpected(hair.error());
     state.hair = std::move(*hair);
-    auto clear = Program::compute("samples_clear.comp");
-    if (!clear)
-        return tl::unexpected(clear.error());
-    state.clear = std::move(*clear);
+    auto tiles = TilePass::create();
+    if (!tiles)
+        return tl::unexpected(tiles.error());
+    state.tiles = std::move(*tiles);
     auto shade = SkinShade::create();
     if (!shade)
         return tl::unexpected(shade.error());
@@ -134,8 +136,8 @@ void GlRenderer::draw(const Scene& scene, const Quality& quality, int width, int
     State& state = *m_state;
     state.timer.begin();
     const StateGuard guard;
-    const Picture picture = prepare(scene, quality, width, height, HairList::kBatchPoints);
-    while (state.hair->drawPiece(state.samples)) {
+    Picture picture = prepare(scene, quality, width, height, HairList::kBatchPoints);
+    while (drawPiece(picture, kAllRows)) {
     }
     resolve(picture);
     state.timer.end();
@@ -167,7 +169,7 @@ bool GlRenderer::step(double budgetMs)
     bool finished = false;
     double spentMs = 0.0;
     do {
-        finished = !state.hair->drawPiece(state.samples);
+        finished = !drawPiece(picture, kRowsAStep);
         if (finished)
             resolve(picture);
         glFinish();
@@ -193,9 +195,26 @@ bool GlRenderer::drawPatiently(const Scene& scene, const Quality& quality, int w
     }
     begin(scene, quality, width, height);
     while (!step(0.0))
-        if (!progress(m_state->hair->progress()))
+        if (!progress(0.5 * (m_state->hair->progress() + (m_state->underWay->binned ? m_state->tiles.progress() : 0.0))))
             return false;
     return true;
+}
+
+/// The next piece of the hair; false where none is left.
+bool GlRenderer::drawPiece(Picture& picture, int rows)
+{
+    State& state = *m_state;
+    if (picture.report.hairs == 0)
+        return false;
+    if (state.hair->projectPiece())
+        return true;
+    if (!std::exchange(picture.binned, true)) {
+        picture.complete =
+            state.tiles.bin(picture.constants, state.hair->projected(), state.hair->projectedPoints()) &&
+            picture.complete;
+        return true;
+    }
+    return state.tiles.layRows(state.hair->projected(), state.head->depth(), rows);
 }
 
 /// Draws the head and readies the hair's pieces, of `piecePoints` at most.
@@ -210,35 +229,16 @@ GlRenderer::Picture GlRenderer::prepare(const Scene& scene, const Quality& quali
     picture.target.height = std::clamp(height, 1, 8192);
     picture.target.samples = quality.samples >= 4 ? glm::ivec2(2, 2) : glm::ivec2(quality.samples >= 2 ? 2 : 1, 1);
     const Target& target = picture.target;
-    const float placed = scene.hair ? sim::placedDetail(*scene.hair) : 1.0F;
-    const float detail = std::clamp(std::min(quality.detail, placed), 1.0F / 1024.0F, 1.0F);
+    const float detail = std::clamp(quality.detail, 1.0F / 1024.0F, 1.0F);
     picture.constants = frameConstants(scene, target, state.skull.radiusM(scene.head));
     const FrameConstants& constants = picture.constants;
     state.constants.assign(&constants, sizeof(constants));
     state.constants.bindUniform(0);
 
     picture.report =
-        state.hair->upload(scene.cards ? nullptr : scene.hair, detail, std::clamp(quality.smoothSegments, 1, 256));
-    const bool headDrawn =
-        state.head->draw(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, scene.cards, constants);
-
-    const auto samplesAcross = static_cast<unsigned>(target.width * target.samples.x);
-    const auto samplesUp = static_cast<unsigned>(target.height * target.samples.y);
-    const std::size_t sampleCount = static_cast<std::size_t>(samplesAcross) * samplesUp;
-    state.samples.reserve(sampleCount * sizeof(std::uint32_t));
-    if (headDrawn || constants.depthRange != state.preparedFor) {
-        state.preparedFor = constants.depthRange;
-        state.prepared.reserve(sampleCount * sizeof(std::uint32_t));
-        state.prepared.bindStorage(0);
-        state.head->bind(0, 1);
-        state.clear.use();
-        state.clear.set("headDepth", 1);
-        glDispatchCompute((samplesAcross + 63) / 64, samplesUp, 1);
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-    }
-    state.samples.copyFrom(state.prepared, sampleCount * sizeof(std::uint32_t));
-
-    state.hair->begin(constants, detail, piecePoints);
+        state.hair->upload(scene.cards ? nullptr : scene.hair, constants, detail, picture.target.samples.x > 1);
+    state.head->draw(scene.head, quality.coarseHead ? scene.headInMotion : nullptr, scene.cards, constants);
+    state.hair->begin(constants, piecePoints);
     return picture;
 }
 
@@ -246,7 +246,7 @@ GlRenderer::Picture GlRenderer::prepare(const Scene& scene, const Quality& quali
 void GlRenderer::resolve(const Picture& picture)
 {
     State& state = *m_state;
-    const auto& [target, constants, report, spentMs, complete] = picture;
+    const auto& [target, constants, report, binned, spentMs, complete] = picture;
     if (report.hairs > 0) {
         state.head->bind(0, 1);
         state.hair->bindOpacity(2, 3);
@@ -261,25 +261,28 @@ void GlRenderer::resolve(const Picture& picture)
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                            smoothed ? state.rough.id() : state.picture.id(), 0);
     glViewport(0, 0, target.width, target.height);
-    state.samples.bindStorage(0);
     state.head->bind(0, 1);
-    if (report.hairs > 0)
+    if (report.hairs > 0) {
         state.shade.bind(2);
+        state.tiles.bindLight(3);
+    }
     const Program& resolve = state.resolve.at(static_cast<std::size_t>(target.samples.x * target.samples.y / 2));
     resolve.use();
     resolve.set("shadeCell", report.hairs > 0 ? state.shade.cell() : 0);
+    resolve.set("opaque", state.tiles.opaque());
     glBindVertexArray(state.noVertices.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     if (smoothed) {
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, state.picture.id(), 0);
         state.rough.bind(0);
         state.smooth.use();
+        state.smooth.set("anyHair", report.hairs > 0 ? 1 : 0);
         glDrawArrays(GL_TRIANGLES, 0, 3);
         state.head->bind(0, 1);
     }
     state.rings.draw(constants);
     state.statistics = {.drawnHairs = report.hairs,
-                        .detail = 1.0F, // The list of strands is made for any.
+                        .detail = report.detail,
                         .drawnSegments = report.segments,
                         .uploadedBytes = report.uploadedBytes,
                         .complete = !takeErrors() && complete};

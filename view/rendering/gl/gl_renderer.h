@@ -48,6 +48,7 @@ private:
     struct State;
     [[nodiscard]] Picture prepare(const Scene& scene, const Quality& quality, int width, int height,
                                   std::uint32_t piecePoints);
+    [[nodiscard]] bool drawPiece(Picture& picture, int rows);
     void resolve(const Picture& picture);
     std::unique_ptr<State> m_state;
 };

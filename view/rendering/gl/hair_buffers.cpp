@@ -14,12 +14,12 @@ constexpr glm::vec3 kNoTangent{1.0F, 0.0F, 0.0F};
 } // namespace
 
 std::size_t HairBuffers::upload(const std::shared_ptr<const sim::StrandFrame>& frame, const sim::GroupFrame& group,
-                                float detail, int smoothSegments)
+                                float detail, SegmentsWanted segments)
 {
     m_ready = false;
     m_groom = group.groom;
     std::size_t bytes = 0;
-    if (m_list.update(m_groom, detail, smoothSegments) || m_sent.empty())
+    if (m_list.update(m_groom, detail, segments) || m_sent.empty())
         bytes += uploadStrands();
     if (m_stylesOf != m_groom)
         bytes += uploadStyles();

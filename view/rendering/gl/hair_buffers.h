@@ -18,7 +18,7 @@ public:
     /// Brings the GPU's copy up to date; returns the bytes sent. `group` lives inside `frame`. What could not be sent,
     /// for want of memory here (which throws) or there, is sent by the next call.
     std::size_t upload(const std::shared_ptr<const sim::StrandFrame>& frame, const sim::GroupFrame& group, float detail,
-                       int smoothSegments);
+                       SegmentsWanted segments);
     /// Lets go of the frame and the groom, which a group that is not shown has no use for; the next upload sends all.
     void release();
     /// Whether the GPU has all of the last upload.

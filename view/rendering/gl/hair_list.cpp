@@ -38,9 +38,9 @@ void HairList::index(ChunkPart& part, const std::shared_ptr<const sim::StrandChu
     part.chunk = from;
 }
 
-bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float detail, int smoothSegments)
+bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float detail, SegmentsWanted wanted)
 {
-    if (groom == m_groom && detail == m_detail && smoothSegments == m_smoothSegments)
+    if (groom == m_groom && detail == m_detail && wanted == m_wanted)
         return false;
     // Where memory runs out half-way, the next call must not take this for a list.
     const std::shared_ptr<const sim::Groom> before = std::exchange(m_groom, nullptr);
@@ -67,7 +67,7 @@ bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float deta
                 const Entry& entry = part.entries[e];
                 if (!(entry.detail < detail))
                     continue;
-                const int segments = std::max<int>(entry.curveSegments, smoothSegments);
+                const int segments = std::max(entry.curveSegments * wanted.curlFactor, wanted.ofStraightHair);
                 const auto points = static_cast<std::uint32_t>(segments + 1);
                 if (batch.pointCount + points > kBatchPoints) {
                     m_batches.push_back(batch);
@@ -86,7 +86,7 @@ bool HairList::update(const std::shared_ptr<const sim::Groom>& groom, float deta
     m_strands.push_back({.slot = 0, .firstPoint = point});
     m_groom = groom;
     m_detail = detail;
-    m_smoothSegments = smoothSegments;
+    m_wanted = wanted;
     return true;
 }
 

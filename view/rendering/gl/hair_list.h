@@ -3,6 +3,7 @@
 
 #include "sim/groom/groom.h"
 #include "view/rendering/gl/packed_style.h"
+#include "view/rendering/gl/smooth_segments.h"
 
 #include <array>
 #include <cstdint>
@@ -27,7 +28,7 @@ public:
     static constexpr std::uint32_t kBatchPoints = 1U << 20U;
 
     /// Brings the list up to date; false where nothing differs from the call before.
-    bool update(const std::shared_ptr<const sim::Groom>& groom, float detail, int smoothSegments);
+    bool update(const std::shared_ptr<const sim::Groom>& groom, float detail, SegmentsWanted segments);
 
     /// The strands and one more, whose firstPoint ends the last one.
     [[nodiscard]] const std::vector<DrawnStrand>& strands() const { return m_strands; }
@@ -54,7 +55,7 @@ private:
 
     std::shared_ptr<const sim::Groom> m_groom;
     float m_detail = -1.0F;
-    int m_smoothSegments = 0;
+    SegmentsWanted m_wanted;
     std::vector<ChunkPart> m_parts;
     std::vector<DrawnStrand> m_strands;
     std::vector<StrandBatch> m_batches;

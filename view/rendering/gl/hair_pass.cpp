@@ -1,5 +1,7 @@
-// The compute passes: opacity grids, points along the strands, their light, their samples.
+// The compute passes: opacity grids, points along the strands, their light.
 #include "view/rendering/gl/hair_pass.h"
+
+#include "view/rendering/drawn_fraction.h"
 
 #include <epoxy/gl.h>
 
@@ -13,13 +15,16 @@ constexpr unsigned kWorkgroup = 64;
 constexpr float kVoxelUnitM2 = 1e-9F;            ///< Hair's area that one unit of a voxel stands for.
 constexpr std::uint32_t kSplattedStrands = 8192; ///< About as many are enough for a smooth grid.
 
-constexpr float kLeastWidth = 0.35F;    ///< Samples: what the thinnest hair covers.
-constexpr float kGreatestWidth = 24.0F; ///< Samples: wider strands would look like straw.
+// The shaders stop at what is opaque, so that more of what lies deep is drawn than in software.
+constexpr DepthOfCoat kFineDepth{.undrawnCoverings = 10.0F, .widest = 0.55F, .leastFraction = 0.45F};
+constexpr DepthOfCoat kMovingDepth{.undrawnCoverings = 8.0F, .widest = 1.67F, .leastFraction = 0.3F};
+constexpr float kFineToleranceSp = 0.4F; ///< Of samples that are half as wide as pixels.
+constexpr float kMovingToleranceSp = 0.5F;
 
 /// No more than 65535 workgroups are promised in one direction; batches keep below.
-void dispatch(std::size_t invocations, unsigned rows = 1)
+void dispatch(std::size_t invocations)
 {
-    glDispatchCompute(static_cast<unsigned>((invocations + kWorkgroup - 1) / kWorkgroup), rows, 1);
+    glDispatchCompute(static_cast<unsigned>((invocations + kWorkgroup - 1) / kWorkgroup), 1, 1);
 }
 
 } // namespace
@@ -30,8 +35,7 @@ tl::expected<std::unique_ptr<HairPass>, std::string> HairPass::create()
     const std::pair<Program HairPass::*, const char*> programs[] = {{&HairPass::m_splat, "grid_splat.comp"},
                                                                     {&HairPass::m_sum, "grid_sum.comp"},
                                                                     {&HairPass::m_expand, "strand_expand.comp"},
-                                                                    {&HairPass::m_shade, "strand_shade.comp"},
-                                                                    {&HairPass::m_raster, "strand_raster.comp"}};
+                                                                    {&HairPass::m_shade, "strand_shade.comp"}};
     for (const auto& [member, file] : programs) {
         auto program = Program::compute(file);
         if (!program)
@@ -45,17 +49,37 @@ tl::expected<std::unique_ptr<HairPass>, std::string> HairPass::create()
     return pass;
 }
 
-HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>& frame, float detail,
-                                  int smoothSegments)
+HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>& frame,
+                                  const FrameConstants& constants, float detail, bool fine)
+{
+    constexpr int kMostTries = 4;
+    Report report = uploadGroups(frame, constants, detail, fine);
+    const std::size_t mostPoints = mostBytesOfABuffer() / sizeof(glm::uvec4);
+    for (int tries = 0; tries < kMostTries && report.segments + report.hairs > mostPoints; ++tries) {
+        // Fewer and wider hairs, as many as one buffer holds.
+        const auto points = static_cast<float>(report.segments + report.hairs);
+        detail = std::min(detail, report.detail) * 0.9F * static_cast<float>(mostPoints) / points;
+        const std::size_t sent = report.uploadedBytes;
+        report = uploadGroups(frame, constants, detail, fine);
+        report.uploadedBytes += sent;
+    }
+    return report;
+}
+
+HairPass::Report HairPass::uploadGroups(const std::shared_ptr<const sim::StrandFrame>& frame,
+                                        const FrameConstants& constants, float detail, bool fine)
 {
     Report report;
     m_visible.clear();
+    m_shares.clear();
     m_pieces.clear();
     m_nextPiece = 0;
+    m_pointCount = 0;
     if (!frame) {
         m_groups.clear();
         return report;
     }
+    m_depth = fine ? kFineDepth : kMovingDepth;
     std::erase_if(m_groups, [&](const auto& entry) {
         return std::none_of(frame->groups.begin(), frame->groups.end(), [&](const sim::GroupFrame& group) {
             return group.groom && group.groom->groupId == entry.first;
@@ -68,33 +92,37 @@ HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>&
             continue;
         }
         HairBuffers& held = m_groups[group.groom->groupId];
-        report.uploadedBytes += held.upload(frame, group, detail, smoothSegments);
+        const float widthSp = hairWidthSp(group.groom->settings.material, constants);
+        float fraction = fine ? detail : std::min(detail, fractionThatTells(widthSp));
+        report.detail = m_visible.empty() ? listedDetail(fraction) : std::max(report.detail, listedDetail(fraction));
+        // More than the frame places can't be drawn.
+        if (group.detail < 1.0F)
+            fraction = std::min(fraction, group.detail / (1.0F + kFadingPart));
+        const SegmentsWanted segments =
+            segmentsWanted(group, constants, fine ? kFineToleranceSp : kMovingToleranceSp);
+        report.uploadedBytes += held.upload(frame, group, std::min(listedDetail(fraction), group.detail), segments);
         if (!held.ready() || held.list().strandCount() == 0)
             continue;
         m_visible.push_back(group.groom->groupId);
+        m_shares[group.groom->groupId] = {.fraction = fraction, .deep = deepFraction(m_depth, widthSp, fraction)};
         report.hairs += held.list().strandCount();
         report.segments += held.list().segmentCount();
     }
     return report;
 }
 
-void HairPass::begin(const FrameConstants& constants, float detail, std::uint32_t piecePoints)
+void HairPass::begin(const FrameConstants& constants, std::uint32_t piecePoints)
 {
-    m_detail = detail;
     if (m_visible.empty())
         return;
     fillGrid(constants);
-    for (const int id : m_visible) {
-        const sim::StrandMaterial& material = m_groups.at(id).groom().settings.material;
-        const float thickest = std::max(material.widthM * constants.gridSize.z / constants.depthRange.x, kLeastWidth) /
-                               detail * std::max(material.rootAlpha, material.tipAlpha);
-        addPieces(id, static_cast<unsigned>(std::min(thickest, kGreatestWidth) * 1.42F) + 1U, piecePoints);
-    }
+    for (const int id : m_visible)
+        addPieces(id, piecePoints);
     std::uint32_t mostPoints = 0;
     for (const Piece& piece : m_pieces)
         mostPoints = std::max(mostPoints, piece.strands.pointCount);
     m_points.reserve(mostPoints * sizeof(glm::vec4));
-    m_projected.reserve(mostPoints * sizeof(glm::uvec4));
+    m_projected.reserve(m_pointCount * sizeof(glm::uvec4));
 }
 
 double HairPass::progress() const
@@ -122,7 +150,8 @@ void HairPass::fillGrid(const FrameConstants& constants)
         m_splat.set("strandStep", step);
         m_splat.set("nodes", group.groom().nodes);
         m_splat.set("weight",
-                    group.groom().settings.material.widthM * static_cast<float>(step) / (m_detail * kVoxelUnitM2));
+                    group.groom().settings.material.widthM * static_cast<float>(step) /
+                        (m_shares.at(id).fraction * kVoxelUnitM2));
         dispatch((strands + step - 1) / step);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -130,14 +159,15 @@ void HairPass::fillGrid(const FrameConstants& constants)
     m_sum.set("gridSide", kGridSide);
     for (int grid = 0; grid < 2; ++grid) {
         m_sum.set("firstLayer", grid * kGridSide);
-        m_sum.set("unit", kVoxelUnitM2 / constants.gridSize[grid]);
+        const float middleM = constants.eyeGrid[1].w;
+        m_sum.set("unit", kVoxelUnitM2 / (grid == 0 ? constants.gridSize.x : constants.eyeGrid[0].w * middleM * middleM));
         glBindImageTexture(0, m_opacity.at(static_cast<std::size_t>(grid)).id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
         dispatch(static_cast<std::size_t>(kGridSide) * kGridSide);
     }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void HairPass::addPieces(int groupId, unsigned rows, std::uint32_t piecePoints)
+void HairPass::addPieces(int groupId, std::uint32_t piecePoints)
 {
     const HairList& list = m_groups.at(groupId).list();
     const std::vector<DrawnStrand>& strands = list.strands();
@@ -153,17 +183,18 @@ void HairPass::addPieces(int groupId, unsigned rows, std::uint32_t piecePoints)
                                 .strands = {.firstStrand = at,
                                             .strandCount = next - at,
                                             .pointCount = strands[next].firstPoint - first},
-                                .rows = rows});
+                                .firstProjected = static_cast<std::uint32_t>(m_pointCount)});
+            m_pointCount += strands[next].firstPoint - first;
             at = next;
         }
     }
 }
 
-bool HairPass::drawPiece(const Buffer& samples)
+bool HairPass::projectPiece()
 {
     if (m_nextPiece == m_pieces.size())
         return false;
-    const auto& [groupId, piece, rows] = m_pieces[m_nextPiece++];
+    const auto& [groupId, piece, firstProjected] = m_pieces[m_nextPiece++];
     const HairBuffers& group = m_groups.at(groupId);
     const sim::GroupSettings& settings = group.groom().settings;
     bindOpacity(0, 1);
@@ -181,21 +212,15 @@ bool HairPass::drawPiece(const Buffer& samples)
     m_shade.use();
     m_shade.set("firstStrand", piece.firstStrand);
     m_shade.set("pointCount", piece.pointCount);
-    m_shade.set("widening", 1.0F / m_detail);
-    m_shade.set("leastWidth", kLeastWidth);
-    m_shade.set("greatestWidth", kGreatestWidth);
+    m_shade.set("firstProjected", firstProjected);
+    m_shade.set("fraction", m_shares.at(groupId).fraction);
+    m_shade.set("deepFraction", m_shares.at(groupId).deep);
+    m_shade.set("undrawnCoverings", m_depth.undrawnCoverings);
     m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness, settings.material.rootAlpha,
                                       settings.material.tipAlpha));
     m_shade.set("groupWidthM", settings.material.widthM);
     m_shade.set("variationScale", settings.material.colourVariation);
     dispatch(piece.pointCount);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-
-    m_projected.bindStorage(0);
-    samples.bindStorage(1);
-    m_raster.use();
-    m_raster.set("pointCount", piece.pointCount);
-    dispatch(piece.pointCount, rows);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     return true;
 }

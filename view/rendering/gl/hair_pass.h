@@ -1,6 +1,7 @@
-// Draws the strands of all groups into the sample buffer with compute shaders.
+// Takes the strands of all groups through curve and light onto the picture's plane, with compute shaders.
 #pragma once
 
+#include "view/rendering/drawn_fraction.h"
 #include "view/rendering/frame_constants.h"
 #include "view/rendering/gl/gl_objects.h"
 #include "view/rendering/gl/hair_buffers.h"
@@ -24,19 +25,23 @@ public:
         std::size_t hairs = 0;
         std::size_t segments = 0;
         std::size_t uploadedBytes = 0;
+        float detail = 1.0F; ///< As FrameStatistics has it.
     };
-    /// Sends what differs from the frame before; null shows no hair.
-    Report upload(const std::shared_ptr<const sim::StrandFrame>& frame, float detail, int smoothSegments);
+    /// Sends what differs from the frame before; null shows no hair. `fine`: a picture to be kept.
+    Report upload(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants, float detail,
+                  bool fine);
     /// A piece that software draws in a fraction of a second, and a slow GPU in a few milliseconds.
     static constexpr std::uint32_t kSmallPiecePoints = 1U << 14U;
     /// After upload(), with the frame's constants bound to uniform buffer 0: fills the opacity grid and cuts what is to
     /// be drawn into pieces of at most `piecePoints`, but of one strand at least.
-    void begin(const FrameConstants& constants, float detail, std::uint32_t piecePoints);
-    /// With the same constants bound: draws the next piece into `samples`, which hold the head's depth and the pieces
-    /// before. False where there was none left.
-    bool drawPiece(const Buffer& samples);
-    /// 0..1: how much of what begin() found is drawn.
+    void begin(const FrameConstants& constants, std::uint32_t piecePoints);
+    /// With the same constants bound: places, lights and projects the next piece. False where there was none left.
+    bool projectPiece();
+    /// 0..1: how much of what begin() found is done.
     [[nodiscard]] double progress() const;
+    /// All points of what begin() found, as projected_point.glsl has them.
+    [[nodiscard]] const Buffer& projected() const { return m_projected; }
+    [[nodiscard]] std::size_t projectedPoints() const { return m_pointCount; }
 
     /// Binds the opacity grids of the last begin() to two texture units.
     void bindOpacity(unsigned lightUnit, unsigned eyeUnit) const;
@@ -51,23 +56,32 @@ private:
     {
         int group; ///< Its id.
         StrandBatch strands;
-        unsigned rows; ///< Of samples that the thickest strand covers.
+        std::uint32_t firstProjected;
     };
+    /// How a group is drawn in this picture.
+    struct Share
+    {
+        float fraction; ///< Of its hairs that are drawn, as much wider,
+        float deep;     ///< and of those where others hide them.
+    };
+    Report uploadGroups(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants,
+                        float detail, bool fine);
     void fillGrid(const FrameConstants& constants);
-    void addPieces(int groupId, unsigned rows, std::uint32_t piecePoints);
+    void addPieces(int groupId, std::uint32_t piecePoints);
 
     Program m_splat;
     Program m_sum;
     Program m_expand;
     Program m_shade;
-    Program m_raster;
     Buffer m_points;
     Buffer m_projected;
     Buffer m_voxels;
     std::array<Texture, 2> m_opacity;    ///< Toward the light, the eye.
     std::map<int, HairBuffers> m_groups; ///< By the group's id.
     std::vector<int> m_visible;          ///< Ids, in the frame's order.
-    float m_detail = 1.0F;
+    std::map<int, Share> m_shares; ///< By the group's id.
+    DepthOfCoat m_depth{};
+    std::size_t m_pointCount = 0;
     std::vector<Piece> m_pieces;
     std::size_t m_nextPiece = 0;
 };

@@ -24,6 +24,7 @@ FrameConstants partOfHead(FrameConstants constants)
     constants.gridFromWo = {};
     constants.depthRange = glm::vec4(0.0F);
     constants.gridSize = glm::vec4(0.0F);
+    constants.eyeGrid = {};
     constants.background = {};
     constants.ringWo = {};
     return constants;

@@ -23,6 +23,7 @@ public:
               const std::shared_ptr<const CardSet>& cards, const FrameConstants& constants);
     /// Binds colour and depth to two texture units.
     void bind(unsigned colourUnit, unsigned depthUnit) const;
+    [[nodiscard]] const Texture& depth() const { return m_depth; }
 
 private:
     explicit HeadLayer(CardLayer cards) : m_cardLayer(std::move(cards)) {}

@@ -35,6 +35,7 @@ PackedStyle packed(const sim::StrandStyle& style, glm::vec3 rootTangentHd)
             .wispOffsetX = style.wispOffset.x,
             .wispOffsetY = style.wispOffset.y,
             .variation = style.variation,
+            .order = style.detail,
             .tangentHd = packDirection(rootTangentHd)};
 }
 

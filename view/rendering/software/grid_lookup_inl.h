@@ -8,7 +8,7 @@
 
 #include "view/rendering/light/hair_light.h"
 #include "view/rendering/light/lanes_inl.h"
-#include "view/rendering/software/eye_grid.h"
+#include "view/rendering/eye_grid.h"
 
 #include <glm/glm.hpp>
 

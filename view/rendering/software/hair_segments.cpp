@@ -2,6 +2,7 @@
 #include "view/rendering/software/hair_segments.h"
 
 #include "sim/groom/strand_curve.h"
+#include "view/rendering/drawn_fraction.h"
 #include "view/rendering/frame_lights.h"
 
 #include <algorithm>
@@ -44,49 +45,8 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
     block.anyBraid = block.anyBraid || braided;
 }
 
-/// Thinner hairs are drawn by fewer, as much wider ones while the picture moves, samples.
-constexpr float kThinnestDrawn = 0.5F;
-
-/// How what lies behind other hair is drawn.
-struct Depth
-{
-    float undrawnCoverings;
-    float widest;        ///< That hidden hair becomes where fewer stand for more, samples.
-    float leastFraction; ///< Of it that is drawn.
-};
-constexpr Depth kFineDepth{.undrawnCoverings = 6.0F, .widest = 0.55F, .leastFraction = 0.45F};
-constexpr Depth kMovingDepth{.undrawnCoverings = 4.5F, .widest = 1.67F, .leastFraction = 0.3F};
-
-/// Where the hair is nearest.
-float samplesPerM(const FrameConstants& constants)
-{
-    constexpr float kHeadM = 0.12F; ///< Hair is about so much nearer than the head's middle.
-    const float distanceM =
-        std::max(glm::distance(glm::vec3(constants.eyeWo), glm::vec3(constants.headWo)) - kHeadM, 0.05F);
-    return constants.gridSize.z / distanceM;
-}
-
-/// Of a group's hairs there, samples.
-float widthOf(const sim::StrandMaterial& material, const FrameConstants& constants)
-{
-    return material.widthM * samplesPerM(constants);
-}
-
-/// The fraction of hairs of that width that are wide enough to be told apart, each on its own.
-float fractionThatTells(float widthSp)
-{
-    return std::clamp(widthSp / kThinnestDrawn, 1.0F / 64.0F, 1.0F);
-}
-
-/// In steps, so that lists are not made anew whenever the camera moves a little.
-float listedDetail(float fraction)
-{
-    constexpr float kStep = 1.0905077F; // Eight an octave.
-    float listed = 1.0F;
-    while (listed > fraction * (1.0F + kFadingPart) * kStep)
-        listed /= kStep;
-    return listed;
-}
+constexpr DepthOfCoat kFineDepth{.undrawnCoverings = 6.0F, .widest = 0.55F, .leastFraction = 0.45F};
+constexpr DepthOfCoat kMovingDepth{.undrawnCoverings = 4.5F, .widest = 1.67F, .leastFraction = 0.3F};
 
 /// What threads keep from block to block.
 struct BlockScratch
@@ -150,7 +110,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     for (SegmentBatch& batch : m_batches)
         batch.clear();
     m_turnWoFromHd = glm::mat3(constants.woFromHd);
-    const Depth& depth = fine ? kFineDepth : kMovingDepth;
+    const DepthOfCoat& depth = fine ? kFineDepth : kMovingDepth;
     m_undrawnCoverings = depth.undrawnCoverings;
     // As far as the shaders' 4095 keys reach.
     constexpr float kKeys = 4095.0F;
@@ -177,7 +137,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         if (!group.groom || !group.groom->visible || group.groom->packedChunks == 0)
             continue;
         StrandList& list = m_lists[group.groom->groupId];
-        const float widthSp = widthOf(group.groom->settings.material, constants);
+        const float widthSp = hairWidthSp(group.groom->settings.material, constants);
         const float told = fine ? detail : std::min(detail, fractionThatTells(widthSp));
         detailThatTells = std::max(detailThatTells, listedDetail(told));
         // More than the frame places can't be drawn.
@@ -216,8 +176,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .depthsPerM = m_depthsPerM,
                       .toleranceSp = fine ? 0.2F : 0.5F,
                       .undrawnCoverings = m_undrawnCoverings,
-                      .deepFraction =
-                          std::clamp(group.widthSp / (group.fraction * depth.widest), depth.leastFraction, 1.0F),
+                      .deepFraction = deepFraction(depth, group.widthSp, group.fraction),
                       .lighting = hairLighting(constants, material)};
         const std::size_t count = group.list->slots().size();
         for (std::size_t first = 0; first < count; first += batchStrands)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "view/rendering/light/skin_light.h"
-#include "view/rendering/software/eye_grid.h"
+#include "view/rendering/eye_grid.h"
 #include "view/rendering/software/tile_kernel.h"
 
 #include <glm/glm.hpp>

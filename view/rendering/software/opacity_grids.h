@@ -1,7 +1,7 @@
 // How much hair lies between a place and the light, and the eye.
 #pragma once
 
-#include "view/rendering/software/eye_grid.h"
+#include "view/rendering/eye_grid.h"
 
 #include <array>
 #include <cstdint>

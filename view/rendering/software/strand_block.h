@@ -2,7 +2,7 @@
 #pragma once
 
 #include "view/rendering/light/hair_light.h"
-#include "view/rendering/software/eye_grid.h"
+#include "view/rendering/eye_grid.h"
 
 #include <glm/glm.hpp>
 
@@ -16,7 +16,6 @@ namespace hairpaint::rendering {
 inline constexpr std::size_t kBlockLanes = 16;
 inline constexpr int kMostNodes = 32;
 inline constexpr int kMostOfSpan = 256;
-inline constexpr float kFadingPart = 0.15F; ///< Of the drawn hairs: more that thin out instead of vanishing.
 using LaneRow = std::array<float, kBlockLanes>;
 
 /// What is known of the strands. A lane without a strand has width 0.

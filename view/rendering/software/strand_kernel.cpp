@@ -1,4 +1,5 @@
 // Strands become points of the picture: curve, projection, light.
+#include "view/rendering/drawn_fraction.h"
 #include "view/rendering/software/strand_block.h"
 
 #undef HWY_TARGET_INCLUDE

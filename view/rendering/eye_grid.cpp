@@ -1,5 +1,5 @@
 // Bounds the hair's box as the picture has it.
-#include "view/rendering/software/eye_grid.h"
+#include "view/rendering/eye_grid.h"
 
 #include <algorithm>
 

@@ -1,0 +1,31 @@
+// How many of a group's hairs are drawn, as wider ones, where all could not be told apart.
+#pragma once
+
+#include "sim/groom/groom.h"
+#include "view/rendering/frame_constants.h"
+
+namespace hairpaint::rendering {
+
+inline constexpr float kFadingPart = 0.15F; ///< Of the drawn hairs: more that thin out instead of vanishing.
+
+/// Of a group's hairs where the hair is nearest, samples.
+[[nodiscard]] float hairWidthSp(const sim::StrandMaterial& material, const FrameConstants& constants);
+/// The fraction of hairs of that width that are wide enough to be told apart, each on its own.
+[[nodiscard]] float fractionThatTells(float widthSp);
+/// At least `fraction` and those that fade, in steps, so that lists are not made anew whenever the camera moves a
+/// little.
+[[nodiscard]] float listedDetail(float fraction);
+/// Samples that a metre covers where the hair is nearest.
+[[nodiscard]] float samplesPerM(const FrameConstants& constants);
+
+/// How what lies behind other hair is drawn.
+struct DepthOfCoat
+{
+    float undrawnCoverings; ///< Of hair in front, from which on nothing is drawn.
+    float widest;           ///< That hidden hair becomes where fewer stand for more, samples.
+    float leastFraction;    ///< Of it that is drawn.
+};
+/// Of all hairs, the fraction of those drawn that is left where others hide them by half and more.
+[[nodiscard]] float deepFraction(const DepthOfCoat& depth, float widthSp, float fraction);
+
+} // namespace hairpaint::rendering
