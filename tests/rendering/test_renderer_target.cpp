@@ -114,7 +114,9 @@ void TestRendererTarget::oneSampleMakesNoStairs()
     QFETCH(float, slant);
     Scene scene = emptyScene();
     const glm::vec3 half = 0.09F * glm::normalize(glm::vec3(slant, 1.0F, 0.0F));
-    scene.hair = makeFrame({straightStrand(-half, half, 0xFFFFFFFFU)}, plainSettings());
+    sim::GroupSettings settings = plainSettings();
+    settings.material.widthM = 2e-3F; // Nearly a pixel.
+    scene.hair = makeFrame({straightStrand(-half, half, 0xFFFFFFFFU)}, settings);
     const Picture picture = draw(scene, {.samples = 1});
     const Picture background = draw(emptyScene(), {.samples = 1});
     const auto linear = [](int srgb) { return std::pow(srgb / 255.0, 2.2); };
