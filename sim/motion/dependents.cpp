@@ -19,6 +19,11 @@ constexpr std::size_t kDependentBlocksAtOnce = 8;
 constexpr std::size_t kBasisBlocksAtOnce = 64;
 constexpr float kStranger = 0.25F; ///< A basis hair that agrees less lies to another side, or is laid otherwise.
 
+constexpr float kLeastOfLength = 0.3F; ///< A basis hair that is shorter is a stranger, too.
+
+constexpr float kLoner = 0.5F;          ///< Long hair that agrees less with any is none that lies so on purpose.
+constexpr float kHangingAloneM = 0.15F; ///< Shorter hair may well carry itself.
+
 /// By what a basis hair's displacements are divided: its length, but what stubble does in contact with the skin would
 /// be zigzags on long hair beside it.
 float scaleOf(float basisLengthM)
@@ -141,7 +146,14 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
     const std::array<std::uint32_t, RootSet::kNeighbours>& nearest = roots.neighbours[index * kChunkSlots + slot];
     const float lengthM = styles.segmentLengths[slot] * static_cast<float>(last);
     const Lead own = leadOf(groom, styles.restPositions, slot, lengthM, 1.0F / lengthM);
-    const auto agreed = [&](std::uint32_t basis) { return agreement(own, m_leads[basis]); };
+    if (!chunk.rest.empty())
+        for (std::size_t node = 0; node <= last; ++node)
+            groom.blocks().setNode(chunk.rest, slot, node, groom.blocks().node(styles.restPositions, slot, node));
+    // What stubble does tells nothing of how long hair beside it falls.
+    const auto agreed = [&](std::uint32_t basis) {
+        const Lead& lead = m_leads[basis];
+        return lead.lengthM < kLeastOfLength * lengthM ? 0.0F : agreement(own, lead);
+    };
     std::array<float, RootSet::kNeighbours> agreements{};
     std::ranges::transform(nearest, agreements.begin(), agreed);
     if (!chunk.followed.empty())
@@ -165,11 +177,22 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
             chunk.followed[slot] = {best, nearest[0], nearest[1]};
             chunk.weights[slot] = {1.0F, 0.0F, 0.0F};
             setClump(groom, index, slot, 0.0F);
+            if (most < kLoner && lengthM > kHangingAloneM)
+                layAlong(groom, index, slot, best);
             return;
         }
     }
     std::array<float, RootSet::kNeighbours>& weights = chunk.weights[slot];
     weights = roots.weights[index * kChunkSlots + slot];
+    if (std::ranges::max(agreements) < kLoner && lengthM > kHangingAloneM) {
+        // Nothing holds it there: it hangs as that one does which is most like it.
+        const auto first = static_cast<std::size_t>(std::ranges::max_element(agreements) - agreements.begin());
+        layAlong(groom, index, slot, nearest[first]);
+        for (std::size_t k = 0; k < weights.size(); ++k)
+            weights[k] = k == first ? 1.0F : 0.0F;
+        setClump(groom, index, slot, 0.0F);
+        return;
+    }
     for (std::size_t k = 0; k < weights.size(); ++k)
         // A hair that lies to another side is none to follow.
         weights[k] *= likeness(lengthM, m_leads[nearest[k]].lengthM) * std::max(agreements[k], 1e-3F);
@@ -183,6 +206,22 @@ void Dependents::follow(const Groom& groom, std::size_t index, std::size_t slot)
     for (std::size_t k = 0; k < weights.size(); ++k)
         weights[k] += ((k == 0 ? together : 0.0F) - weights[k]) * clump;
     setClump(groom, index, slot, styles.clump[slot]);
+}
+
+/// Gives a hair the rest shape of a basis hair, at its own root and length.
+void Dependents::layAlong(const Groom& groom, std::size_t index, std::size_t slot, std::uint32_t basis)
+{
+    Chunk& chunk = m_chunks[index];
+    const StrandChunk& styles = *chunk.styles;
+    if (chunk.rest.empty())
+        chunk.rest = styles.restPositions;
+    const StrandBlocks layout = groom.blocks();
+    const glm::vec3 root = layout.node(styles.restPositions, slot, 0);
+    const glm::vec3 basisRoot = layout.node(groom.basis->restPositions, basis, 0);
+    const float longer = styles.segmentLengths[slot] / std::max(groom.basis->segmentLengths[basis], 1e-6F);
+    for (std::size_t node = 1; node < static_cast<std::size_t>(groom.nodes); ++node)
+        layout.setNode(chunk.rest, slot, node,
+                       root + (layout.node(groom.basis->restPositions, basis, node) - basisRoot) * longer);
 }
 
 void Dependents::setClump(const Groom& groom, std::size_t index, std::size_t slot, float clump)
@@ -208,6 +247,7 @@ void Dependents::prepareChunk(const Groom& groom, const ColliderSet& colliders, 
     chunk.weights.resize(kChunkSlots);
     chunk.followed.clear();
     chunk.parted.clear();
+    chunk.rest.clear();
     const StrandChunk& styles = *chunk.styles;
     const std::size_t firstSlot = index * kChunkSlots;
     for (std::size_t slot = 0; slot < kChunkSlots; ++slot) {
@@ -337,7 +377,7 @@ void Dependents::write(const Groom& groom, const StrandState& state, const Colli
             task.neighbours =
                 chunk.followed.empty() ? groom.roots->neighbours.data() + index * kChunkSlots : chunk.followed.data();
             task.weights = chunk.weights.data();
-            task.rest = chunk.styles->restPositions.data();
+            task.rest = (chunk.rest.empty() ? chunk.styles->restPositions : chunk.rest).data();
             task.lanes = chunk.lanes.data();
             task.leastDetail = chunk.styles->leastDetail.data();
             task.out = frame.positions.data() + static_cast<std::size_t>(groom.packedChunk[index]) * chunkFloats;

@@ -37,6 +37,8 @@ private:
         /// [kChunkSlots] those basis hairs; empty where every hair follows the nearest ones.
         std::vector<std::array<std::uint32_t, RootSet::kNeighbours>> followed;
         std::vector<std::uint16_t> parted; ///< Slots whose nearest basis hairs all lie to another side.
+        /// As the styles' rest positions, but for long hairs that lie as none around; empty where there are none.
+        std::vector<float> rest;
     };
     /// Of a hair, what tells how much those around are like it.
     struct Lead
@@ -58,6 +60,7 @@ private:
     /// lies to another side, counts less, and the nearest counts the more the closer the hair clumps to it. Where all
     /// of the nearest lie to another side, as beside a parting, it follows one next to them that does not.
     void follow(const Groom& groom, std::size_t index, std::size_t slot);
+    void layAlong(const Groom& groom, std::size_t index, std::size_t slot, std::uint32_t basis);
     void setClump(const Groom& groom, std::size_t index, std::size_t slot, float clump);
     void prepareChunk(const Groom& groom, const ColliderSet& colliders, std::size_t index);
     void findDisplacements(const Groom& groom, const StrandState& state, float fraction);

@@ -34,6 +34,7 @@ private Q_SLOTS:
     void dependentsKeepTheirLengthAndStayOutside();
     void braidedHairFollowsItsCentre();
     void hairFollowsBasisHairsThatChangeInOtherChunks();
+    void longHairThatLiesAsNoneAroundHangsWithThem();
 };
 
 void TestDependents::dependentsKeepTheirLengthAndStayOutside()
@@ -146,6 +147,41 @@ void TestDependents::hairFollowsBasisHairsThatChangeInOtherChunks()
                               !std::equal(expected.begin() + first, expected.begin() + end, without.begin() + first));
     }
     QVERIFY(sharedDiffers);
+}
+
+void TestDependents::longHairThatLiesAsNoneAroundHangsWithThem()
+{
+    GroomBuilder builder;
+    const auto even = builder.update(paintedBall(kHairs, 300)).grooms[0];
+    constexpr std::size_t kLoner = 77;
+    const auto last = static_cast<std::size_t>(even->nodes - 1);
+    const StrandBlocks layout = even->blocks();
+    auto chunk = std::make_shared<StrandChunk>(*even->chunks[0]);
+    QVERIFY(chunk->drawn[kLoner]);
+    const glm::vec3 root = layout.node(chunk->restPositions, kLoner, 0);
+    for (std::size_t node = 1; node <= last; ++node) // To the other side.
+        layout.setNode(chunk->restPositions, kLoner, node,
+                       2.0F * root - layout.node(chunk->restPositions, kLoner, node));
+    Groom groom = *even;
+    groom.chunks[0] = chunk;
+
+    StrandState atRest;
+    atRest.resize(groom.nodes, groom.basis->blockCount(), 0);
+    for (AlignedFloats& positions : atRest.positions)
+        positions.assign(groom.basis->restPositions.begin(), groom.basis->restPositions.end());
+    const auto written = [&](const Groom& of) {
+        Dependents dependents;
+        dependents.prepare(of, ColliderSet(), true);
+        GroupFrame frame;
+        dependents.write(of, atRest, ColliderSet(), 1.0F, HeadPose(), Neck(), frame);
+        return frame.positions;
+    };
+    const auto expected = written(*even);
+    const auto got = written(groom);
+    for (std::size_t slot = 0; slot < kChunkSlots; ++slot) {
+        const float apart = glm::distance(layout.node(expected, slot, last), layout.node(got, slot, last));
+        QVERIFY2(apart <= (slot == kLoner ? 0.02F : 0.0F), qPrintable(QString::number(apart)));
+    }
 }
 
 HAIRPAINT_TEST(TestDependents, None)
