@@ -1522,6 +1522,10 @@
         <source>The window has no OpenGL context.</source>
         <translation>La ventana no tiene contexto OpenGL.</translation>
     </message>
+    <message>
+        <source>The graphics driver was reset. Until the next start the hair is drawn without it.</source>
+        <translation>El controlador gráfico se reinició. Hasta el próximo inicio, el pelo se dibuja sin él.</translation>
+    </message>
 </context>
 <context>
     <name>Heads</name>

@@ -3,6 +3,8 @@
 #include "tests/support/test_program.h"
 #include "view/head/gl_presenter.h"
 
+#include <epoxy/gl.h>
+
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QOpenGLWidget>
@@ -124,6 +126,26 @@ private Q_SLOTS:
         const QImage picture = m_area->grabPicture({120, 100});
         QCOMPARE(picture.size(), QSize(120, 100));
         QVERIFY(lightness(picture, {60, 50}) > lightness(picture, {3, 3}) + 30);
+    }
+
+    /// As after a reset of the driver, which none here can be made to do.
+    void aLostContextCostsAFrame()
+    {
+        QSignalSpy drawn(m_area, &view::HeadView::frameDrawn);
+        m_window->show();
+        QTRY_VERIFY(drawn.count() >= 1);
+        const QImage before = m_area->grabPicture({120, 100});
+        QSignalSpy told(m_area, &view::HeadView::glUnavailable);
+        const auto answers = std::exchange(epoxy_glGetGraphicsResetStatusARB,
+                                           []() -> GLenum { return GL_UNKNOWN_CONTEXT_RESET_ARB; });
+        drawn.clear();
+        m_area->findChild<QOpenGLWidget*>()->update();
+        QTRY_COMPARE(told.count(), 1);
+        epoxy_glGetGraphicsResetStatusARB = answers;
+        QTRY_VERIFY(drawn.count() >= 1);
+        QVERIFY(m_area->findChild<QOpenGLWidget*>() == nullptr);
+        const QImage after = m_area->grabPicture({120, 100});
+        QVERIFY(std::abs(lightness(after, {60, 50}) - lightness(before, {60, 50})) < 6);
     }
 
     void itIsDrawnAgainInAnotherWindow()

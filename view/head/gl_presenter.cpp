@@ -32,6 +32,7 @@ public:
         format.setVersion(4, 3);
         format.setProfile(QSurfaceFormat::CoreProfile);
         format.setSamples(0); // Samples belong to the renderer's own targets.
+        format.setOption(QSurfaceFormat::ResetNotification);
         setFormat(format);
         setAttribute(Qt::WA_TransparentForMouseEvents);
     }
@@ -93,7 +94,7 @@ protected:
 
     void paintGL() override
     {
-        if (!m_renderer || !m_shot)
+        if (!m_renderer || !m_shot || isLost())
             return;
         const QSize size = (QSizeF(this->size()) * devicePixelRatioF()).toSize();
         if (m_outdated || size != m_size)
@@ -108,7 +109,7 @@ protected:
             return;
         }
         makeCurrent();
-        const bool finished = refine();
+        const bool finished = !isLost() && refine();
         doneCurrent();
         if (!finished)
             return;
@@ -134,6 +135,18 @@ protected:
     }
 
 private:
+    /// Once the driver has reset itself nothing is drawn here any more, and the owner is told.
+    bool isLost()
+    {
+        if (!m_lost && m_renderer->contextLost()) {
+            m_lost = true;
+            m_steps.stop();
+            Q_EMIT m_owner.failed(QCoreApplication::translate(
+                "HeadView", "The graphics driver was reset. Until the next start the hair is drawn without it."));
+        }
+        return m_lost;
+    }
+
     /// As coarse as while something moves, also where the shot is still: it is refined from there.
     void drawAtOnce(QSize size)
     {
@@ -202,6 +215,7 @@ private:
     bool m_outdated = true; ///< The renderer's last picture is not of this shot.
     QSize m_size;           ///< Of the renderer's last picture, in pixels.
     QBasicTimer m_steps;    ///< Runs while a finer picture is drawn; other events come between its turns.
+    bool m_lost = false;    ///< The context is of no use any more.
     bool m_begun = false;   ///< Whether the renderer has a finer picture under way.
     std::vector<std::uint8_t> m_pixels;
 };

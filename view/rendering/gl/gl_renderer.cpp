@@ -61,6 +61,7 @@ struct GlRenderer::State
 {
     std::string description;
     bool software = false;
+    bool tellsOfResets = false;
     FrameStatistics statistics;
     SkullSize skull;
     std::unique_ptr<HeadLayer> head;
@@ -95,6 +96,8 @@ tl::expected<std::unique_ptr<GlRenderer>, std::string> GlRenderer::create()
     state.description = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "Microsoft Basic"})
         state.software = state.software || state.description.find(name) != std::string::npos;
+
+    state.tellsOfResets = epoxy_has_gl_extension("GL_ARB_robustness");
 
     auto head = HeadLayer::create();
     if (!head)
@@ -327,6 +330,11 @@ void GlRenderer::read(std::vector<std::uint8_t>& pixels)
 const FrameStatistics& GlRenderer::statistics() const
 {
     return m_state->statistics;
+}
+
+bool GlRenderer::contextLost() const
+{
+    return m_state->tellsOfResets && glGetGraphicsResetStatusARB() != GL_NO_ERROR;
 }
 
 bool GlRenderer::software() const
