@@ -148,8 +148,8 @@ int sweepStagedFiles(const QString& folder)
 {
     int swept = 0;
     const QDir place(folder);
-    const QStringList left =
-        place.entryList({QStringLiteral(".hairpaint-????????????????.part")}, QDir::Files | QDir::Hidden | QDir::NoSymLinks);
+    const QStringList left = place.entryList({QStringLiteral(".hairpaint-????????????????.part")},
+                                             QDir::Files | QDir::Hidden | QDir::NoSymLinks);
     for (const QString& name : left)
         if (const QString path = place.filePath(name); !isHeld(path) && QFile::remove(path))
             ++swept;

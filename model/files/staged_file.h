@@ -5,8 +5,9 @@
 
 namespace hairpaint::model {
 
-/// Has no name until it is whole where the system knows such files, else one that no user gives; either is gone with the
-/// object. What a process that was killed leaves is found by that name and by the lock it no longer holds. One thread.
+/// Has no name until it is whole where the system knows such files, else one that no user gives; either is gone with
+/// the object. What a process that was killed leaves is found by that name and by the lock it no longer holds. One
+/// thread.
 class StagedFile
 {
 public:

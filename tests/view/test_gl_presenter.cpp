@@ -136,8 +136,8 @@ private Q_SLOTS:
         QTRY_VERIFY(drawn.count() >= 1);
         const QImage before = m_area->grabPicture({120, 100});
         QSignalSpy told(m_area, &view::HeadView::glUnavailable);
-        const auto answers = std::exchange(epoxy_glGetGraphicsResetStatusARB,
-                                           []() -> GLenum { return GL_UNKNOWN_CONTEXT_RESET_ARB; });
+        const auto answers =
+            std::exchange(epoxy_glGetGraphicsResetStatusARB, []() -> GLenum { return GL_UNKNOWN_CONTEXT_RESET_ARB; });
         drawn.clear();
         m_area->findChild<QOpenGLWidget*>()->update();
         QTRY_COMPARE(told.count(), 1);

@@ -53,8 +53,8 @@ Extent::Row placedX(const float* x, const float* y, const float* z)
 {
     Extent::Row placed;
     for (std::size_t i = 0; i < sim::kLanes; ++i)
-        placed[i] = std::abs(x[i]) + std::abs(y[i]) + std::abs(z[i]) > 0.0F ? x[i]
-                                                                             : std::numeric_limits<float>::quiet_NaN();
+        placed[i] =
+            std::abs(x[i]) + std::abs(y[i]) + std::abs(z[i]) > 0.0F ? x[i] : std::numeric_limits<float>::quiet_NaN();
     return placed;
 }
 

@@ -198,7 +198,8 @@ bool GlRenderer::drawPatiently(const Scene& scene, const Quality& quality, int w
     }
     begin(scene, quality, width, height);
     while (!step(0.0))
-        if (!progress(0.5 * (m_state->hair->progress() + (m_state->underWay->binned ? m_state->tiles.progress() : 0.0))))
+        if (!progress(0.5 *
+                      (m_state->hair->progress() + (m_state->underWay->binned ? m_state->tiles.progress() : 0.0))))
             return false;
     return true;
 }
@@ -212,9 +213,8 @@ bool GlRenderer::drawPiece(Picture& picture, int rows)
     if (state.hair->projectPiece())
         return true;
     if (!std::exchange(picture.binned, true)) {
-        picture.complete =
-            state.tiles.bin(picture.constants, state.hair->projected(), state.hair->projectedPoints()) &&
-            picture.complete;
+        picture.complete = state.tiles.bin(picture.constants, state.hair->projected(), state.hair->projectedPoints()) &&
+                           picture.complete;
         return true;
     }
     return state.tiles.layRows(state.hair->projected(), state.head->depth(), rows);

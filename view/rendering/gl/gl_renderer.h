@@ -39,8 +39,8 @@ public:
     /// was not read they are the GPU's own, of the newest such picture it has told of, or the time that handing over
     /// took where that is longer. Those of a picture drawn in steps are the steps' own, and no other's contain them.
     [[nodiscard]] const FrameStatistics& statistics() const override;
-    /// Whether the driver has reset itself, and what was drawn into this context is gone. Where the context was not asked
-    /// to tell, never.
+    /// Whether the driver has reset itself, and what was drawn into this context is gone. Where the context was not
+    /// asked to tell, never.
     [[nodiscard]] bool contextLost() const;
     [[nodiscard]] bool software() const override;                  ///< llvmpipe, softpipe or the like.
     [[nodiscard]] const std::string& description() const override; ///< GL_RENDERER.

@@ -49,8 +49,8 @@ tl::expected<std::unique_ptr<HairPass>, std::string> HairPass::create()
     return pass;
 }
 
-HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>& frame,
-                                  const FrameConstants& constants, float detail, bool fine)
+HairPass::Report HairPass::upload(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants,
+                                  float detail, bool fine)
 {
     constexpr int kMostTries = 4;
     Report report = uploadGroups(frame, constants, detail, fine);
@@ -98,8 +98,7 @@ HairPass::Report HairPass::uploadGroups(const std::shared_ptr<const sim::StrandF
         // More than the frame places can't be drawn.
         if (group.detail < 1.0F)
             fraction = std::min(fraction, group.detail / (1.0F + kFadingPart));
-        const SegmentsWanted segments =
-            segmentsWanted(group, constants, fine ? kFineToleranceSp : kMovingToleranceSp);
+        const SegmentsWanted segments = segmentsWanted(group, constants, fine ? kFineToleranceSp : kMovingToleranceSp);
         report.uploadedBytes += held.upload(frame, group, std::min(listedDetail(fraction), group.detail), segments);
         if (!held.ready() || held.list().strandCount() == 0)
             continue;
@@ -149,9 +148,8 @@ void HairPass::fillGrid(const FrameConstants& constants)
         m_splat.set("strandCount", strands);
         m_splat.set("strandStep", step);
         m_splat.set("nodes", group.groom().nodes);
-        m_splat.set("weight",
-                    group.groom().settings.material.widthM * static_cast<float>(step) /
-                        (m_shares.at(id).fraction * kVoxelUnitM2));
+        m_splat.set("weight", group.groom().settings.material.widthM * static_cast<float>(step) /
+                                  (m_shares.at(id).fraction * kVoxelUnitM2));
         dispatch((strands + step - 1) / step);
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -160,7 +158,8 @@ void HairPass::fillGrid(const FrameConstants& constants)
     for (int grid = 0; grid < 2; ++grid) {
         m_sum.set("firstLayer", grid * kGridSide);
         const float middleM = constants.eyeGrid[1].w;
-        m_sum.set("unit", kVoxelUnitM2 / (grid == 0 ? constants.gridSize.x : constants.eyeGrid[0].w * middleM * middleM));
+        m_sum.set("unit",
+                  kVoxelUnitM2 / (grid == 0 ? constants.gridSize.x : constants.eyeGrid[0].w * middleM * middleM));
         glBindImageTexture(0, m_opacity.at(static_cast<std::size_t>(grid)).id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R32F);
         dispatch(static_cast<std::size_t>(kGridSide) * kGridSide);
     }

@@ -52,7 +52,8 @@ SegmentsWanted segmentsWanted(const sim::GroupFrame& group, const FrameConstants
     });
     SegmentsWanted wanted{.ofStraightHair = groom.nodes - 1, .curlFactor = 1};
     if (!bends.empty()) {
-        const auto most = bends.begin() + static_cast<std::ptrdiff_t>(static_cast<float>(bends.size() - 1) * kMostBends);
+        const auto most =
+            bends.begin() + static_cast<std::ptrdiff_t>(static_cast<float>(bends.size() - 1) * kMostBends);
         std::nth_element(bends.begin(), most, bends.end());
         // n segments of a span whose ends have second differences d lie d / 8 n^2 beside it.
         wanted.ofStraightHair *= steppedUp(std::sqrt(*most / (8.0F * toleranceSp)));
@@ -61,10 +62,11 @@ SegmentsWanted segmentsWanted(const sim::GroupFrame& group, const FrameConstants
     for (const auto& chunk : groom.chunks)
         if (chunk)
             for (std::size_t slot = 0; slot < sim::kChunkSlots; slot += sim::kLanes)
-                radiusM = std::max(radiusM, std::max(chunk->styles[slot].turns > 0.0F ? chunk->styles[slot].curlRadiusM : 0.0F,
-                                                     chunk->styles[slot].braid != sim::BraidKind::None
-                                                         ? chunk->styles[slot].braidRadiusM
-                                                         : 0.0F));
+                radiusM = std::max(radiusM,
+                                   std::max(chunk->styles[slot].turns > 0.0F ? chunk->styles[slot].curlRadiusM : 0.0F,
+                                            chunk->styles[slot].braid != sim::BraidKind::None
+                                                ? chunk->styles[slot].braidRadiusM
+                                                : 0.0F));
     // The chord of an eighth of a circle lies 0.077 of its radius inside it.
     constexpr float kChord = 0.077F;
     wanted.curlFactor = std::min(steppedUp(std::sqrt(radiusM * nearest * kChord / toleranceSp)), 4);

@@ -8,7 +8,7 @@
 namespace hairpaint::rendering {
 namespace {
 
-constexpr int kTileSp = 8;  ///< As strand_tile.comp has it.
+constexpr int kTileSp = 8; ///< As strand_tile.comp has it.
 constexpr std::size_t kBinWorkgroup = 64;
 constexpr std::size_t kMostWorkgroups = 65535; ///< No more are promised in one direction.
 constexpr std::size_t kEntryBytes = 2 * sizeof(std::uint32_t);

@@ -16,8 +16,9 @@ class TilePass
 public:
     [[nodiscard]] static tl::expected<TilePass, std::string> create();
 
-    /// Sorts `points` projected points (see projected_point.glsl) into tiles; waits until the GPU has counted them. With
-    /// the frame's constants bound to uniform buffer 0. False where OpenGL has no memory for them: some are left out.
+    /// Sorts `points` projected points (see projected_point.glsl) into tiles; waits until the GPU has counted them.
+    /// With the frame's constants bound to uniform buffer 0. False where OpenGL has no memory for them: some are left
+    /// out.
     [[nodiscard]] bool bin(const FrameConstants& constants, const Buffer& projected, std::size_t points);
     /// After bin(): lays the next `rows` rows of tiles. False where none was left.
     [[nodiscard]] bool layRows(const Buffer& projected, const Texture& headDepth, int rows);

@@ -6,9 +6,9 @@
 #define HAIRPAINT_RENDERING_GRID_LOOKUP_INL_H_
 #endif
 
+#include "view/rendering/eye_grid.h"
 #include "view/rendering/light/hair_light.h"
 #include "view/rendering/light/lanes_inl.h"
-#include "view/rendering/eye_grid.h"
 
 #include <glm/glm.hpp>
 

@@ -1,8 +1,8 @@
 // Triangles of the head become samples, and these get their light.
 #pragma once
 
-#include "view/rendering/light/skin_light.h"
 #include "view/rendering/eye_grid.h"
+#include "view/rendering/light/skin_light.h"
 #include "view/rendering/software/tile_kernel.h"
 
 #include <glm/glm.hpp>
@@ -61,8 +61,8 @@ struct ShadeTask
     int height = 0;
     const float* distancesM = nullptr;
     const std::uint8_t* rowHasHead = nullptr; ///< Of each row of samples; 0: none.
-    glm::vec3 viewAxisWo{0.0F};    ///< Away from the eye, unit: distances are measured along it.
-    float undrawnCoverings = 0.0F; ///< As StrandView has it.
+    glm::vec3 viewAxisWo{0.0F};               ///< Away from the eye, unit: distances are measured along it.
+    float undrawnCoverings = 0.0F;            ///< As StrandView has it.
     float* shade = nullptr;
     float* hidden = nullptr; ///< 0..1: how surely what lies behind the hair is hidden by it.
 };

@@ -121,9 +121,9 @@ HWY_INLINE void addSamples(const TileTask& task, const ResolveTask& resolve, con
             green = green * gain;
             blue = blue * gain;
         }
-        const Lanes pixel =
-            Lanes(static_cast<float>(resolve.firstPixelX)) +
-            floored((Lanes(hn::Iota(Tag(), 0.0F)) + Lanes(static_cast<float>(x))) * Lanes(1.0F / static_cast<float>(resolve.samplesX)));
+        const Lanes pixel = Lanes(static_cast<float>(resolve.firstPixelX)) +
+                            floored((Lanes(hn::Iota(Tag(), 0.0F)) + Lanes(static_cast<float>(x))) *
+                                    Lanes(1.0F / static_cast<float>(resolve.samplesX)));
         if (resolve.hidden != nullptr && any((left > Lanes(0.0F)) & (left < Lanes(kLeftOfHair)))) {
             // The hair behind, which was not drawn, is like that in front but darker.
             const Lanes covered = Lanes(1.0F) - left;

@@ -1,8 +1,8 @@
 // Sixteen strands side by side, as the kernels of the software renderer take and give them.
 #pragma once
 
-#include "view/rendering/light/hair_light.h"
 #include "view/rendering/eye_grid.h"
+#include "view/rendering/light/hair_light.h"
 
 #include <glm/glm.hpp>
 

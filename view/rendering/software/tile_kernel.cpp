@@ -280,8 +280,8 @@ HWY_INLINE void layThin(Canvas& canvas, int begin, int end, const Pace& at, cons
             if (depth > std::min(depths[0], depths[kNext]))
                 for (const int n : {0, 1}) {
                     const int across = steps.across[i] + n;
-                    covers[n] = coverBeforeHead(canvas, kSteep ? across : begin + i, kSteep ? begin + i : across,
-                                                depth, covers[n]);
+                    covers[n] = coverBeforeHead(canvas, kSteep ? across : begin + i, kSteep ? begin + i : across, depth,
+                                                covers[n]);
                 }
         }
     const Pair colourStep = pairOf(step.colour, step.colour);
@@ -414,7 +414,8 @@ void clearTile(const TileTask& task, TileSamples& samples)
     for (int y = 0; y < kCells; ++y)
         for (int x = 0; x < kCells; ++x) {
             const bool inPicture = x * kCellSp < task.width && y * kCellSp < task.height;
-            samples.firstOpen[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = inPicture ? std::uint8_t{0} : std::uint8_t{kCellSamples};
+            samples.firstOpen[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] =
+                inPicture ? std::uint8_t{0} : std::uint8_t{kCellSamples};
         }
     for (int y = 0; y < task.height; ++y)
         for (int x = 0; x < task.width; ++x)

@@ -47,7 +47,7 @@ struct TileTask
     int width = 0; ///< Less than kTileSp at the picture's edges.
     int height = 0;
     bool anyHead = false;
-    bool bare = false; ///< Nothing but background is wanted: the samples are not looked at.
+    bool bare = false;                    ///< Nothing but background is wanted: the samples are not looked at.
     const float* headDistanceM = nullptr; ///< Of the corner; huge where there is no head.
     const HeadSample* head = nullptr;     ///< Of the corner.
     std::size_t headStride = 0;           ///< From a row to the one above.
