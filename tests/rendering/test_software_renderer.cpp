@@ -112,6 +112,21 @@ private Q_SLOTS:
         }
     }
 
+    void theHeadsPictureHoldsWhileHairMoves()
+    {
+        Scene scene;
+        scene.head = makeBall({0.08F, 0.11F, 0.1F});
+        const rendering::Target target{.width = 200, .height = 150};
+        const auto constants = [&](float lengthM) {
+            scene.hair = makeFrame(hairOnBall({0.08F, 0.11F, 0.1F}, {.hairs = 100, .lengthM = lengthM}));
+            return rendering::frameConstants(scene, target, 0.1F);
+        };
+        const rendering::FrameConstants some = constants(0.1F);
+        const rendering::FrameConstants others = constants(0.4F);
+        QVERIFY(some != others);
+        QVERIFY(rendering::withoutHair(some) == rendering::withoutHair(others));
+    }
+
     void everyInstructionSetGivesTheSameBytes_data()
     {
         QTest::addColumn<qint64>("target");

@@ -216,4 +216,15 @@ FrameConstants frameConstants(const Scene& scene, const Target& target, float sk
     return c;
 }
 
+FrameConstants withoutHair(FrameConstants constants)
+{
+    constants.gridFromWo = {};
+    constants.depthRange = glm::vec4(0.0F);
+    constants.gridSize.x = constants.gridSize.y = 0.0F;
+    constants.background = {};
+    constants.ringWo = {};
+    constants.eyeGrid = {};
+    return constants;
+}
+
 } // namespace hairpaint::rendering

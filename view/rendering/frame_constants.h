@@ -51,6 +51,10 @@ inline constexpr std::array kSampleDefines{"#define SAMPLES_X 1\n#define SAMPLES
 
 inline constexpr int kGridSide = 48; ///< Voxels of the opacity grid in each direction.
 
+/// The part of them that the head's picture depends on; nothing in the rest, which follows the hair and what lies over
+/// the picture.
+[[nodiscard]] FrameConstants withoutHair(FrameConstants constants);
+
 /// `skullRadiusM`: SkullSize of the scene's head.
 [[nodiscard]] FrameConstants frameConstants(const Scene& scene, const Target& target, float skullRadiusM);
 

@@ -18,18 +18,6 @@ struct Vertex
     sim::SkinMarks marks;
 };
 
-/// The part of the constants that the head's picture depends on.
-FrameConstants partOfHead(FrameConstants constants)
-{
-    constants.gridFromWo = {};
-    constants.depthRange = glm::vec4(0.0F);
-    constants.gridSize = glm::vec4(0.0F);
-    constants.eyeGrid = {};
-    constants.background = {};
-    constants.ringWo = {};
-    return constants;
-}
-
 } // namespace
 
 tl::expected<std::unique_ptr<HeadLayer>, std::string> HeadLayer::create()
@@ -81,7 +69,7 @@ bool HeadLayer::draw(const std::shared_ptr<const sim::HeadMesh>& head,
                      const std::shared_ptr<const sim::HeadMesh>& inMotion, const std::shared_ptr<const CardSet>& cards,
                      const FrameConstants& constants)
 {
-    const FrameConstants part = partOfHead(constants);
+    const FrameConstants part = withoutHair(constants);
     const bool same = head == m_head && cards == m_cards && part == m_drawnWith;
     if (same && !m_isCoarse)
         return false;

@@ -14,17 +14,6 @@ namespace {
 constexpr int kBandRows = 32;
 constexpr float kNearestHeadM = 0.01F;
 
-/// The part of the constants that the head's picture depends on.
-FrameConstants headConstants(FrameConstants constants)
-{
-    constants.gridFromWo = {};
-    constants.depthRange = glm::vec4(0.0F);
-    constants.gridSize.x = constants.gridSize.y = 0.0F;
-    constants.background = {};
-    constants.ringWo = {};
-    return constants;
-}
-
 glm::vec3 turnedBy(glm::vec4 q, glm::vec3 p)
 {
     const glm::vec3 axis(q);
@@ -37,7 +26,7 @@ void HeadPicture::update(const std::shared_ptr<const sim::HeadMesh>& head,
                          const std::shared_ptr<const sim::HeadMesh>& inMotion,
                          const std::shared_ptr<const CardSet>& cards, const FrameConstants& constants)
 {
-    const FrameConstants part = headConstants(constants);
+    const FrameConstants part = withoutHair(constants);
     const bool same = head == m_head && cards == m_cards && part == m_drawnWith && m_width > 0;
     if (same && !m_isCoarse)
         return;
