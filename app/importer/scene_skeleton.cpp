@@ -97,32 +97,42 @@ struct Heaviest
 
 SceneSkeleton::SceneSkeleton(const aiScene& scene, bool boundByJoints) : m_boundByJoints(boundByJoints)
 {
-    findJoints(scene);
+    findBones(scene);
+    findJoints(*scene.mRootNode);
+    if (m_joints.size() <= model::HeadSkeleton::kMostJoints)
+        return;
+    m_onlyNeeded = true;
+    m_joints.clear();
+    m_byName.clear();
+    m_byNode.clear();
+    findJoints(*scene.mRootNode);
 }
 
-void SceneSkeleton::findJoints(const aiScene& scene)
+void SceneSkeleton::findBones(const aiScene& scene)
 {
-    const aiNode* const root = scene.mRootNode;
-    std::vector<const aiNode*> tops;
-    bool isRootNeeded = false;
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         const aiMesh& mesh = *scene.mMeshes[i];
         for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-            const aiNode* node = root->FindNode(mesh.mBones[b]->mName);
-            isRootNeeded = isRootNeeded || node == root;
-            for (unsigned depth = 0; node != nullptr && node != root; node = node->mParent, ++depth) {
-                if (depth > kDeepestJoint || !m_needed.insert(node).second)
+            const aiNode* node = scene.mRootNode->FindNode(mesh.mBones[b]->mName);
+            for (unsigned depth = 0; node != nullptr && depth <= kDeepestJoint; node = node->mParent, ++depth) {
+                if (node == scene.mRootNode && depth > 0)
+                    break; // It is one only where it is named itself.
+                if (!m_needed.insert(node).second)
                     break;
-                if (node->mParent == root)
-                    tops.push_back(node);
+                if (node->mParent == scene.mRootNode)
+                    m_tops.push_back(node);
             }
         }
     }
-    isRootNeeded = isRootNeeded || tops.size() > 1; // One stands above all.
-    if (isRootNeeded)
-        addJoint(*root, root->mTransformation, -1);
-    for (const aiNode* top : tops)
-        addJoints(*top, root->mTransformation, isRootNeeded ? 0 : -1, 0);
+}
+
+void SceneSkeleton::findJoints(const aiNode& root)
+{
+    const bool isRootJoint = m_needed.contains(&root) || m_tops.size() > 1; // One stands above all.
+    if (isRootJoint)
+        addJoint(root, root.mTransformation, -1);
+    for (const aiNode* top : m_tops)
+        addJoints(*top, root.mTransformation, isRootJoint ? 0 : -1, 0);
 }
 
 int SceneSkeleton::addJoint(const aiNode& node, const aiMatrix4x4& toWorld, int parent)
@@ -138,7 +148,7 @@ bool SceneSkeleton::isJoint(const aiNode& node) const
 {
     if (isPivot(node))
         return false;
-    return node.mNumMeshes == 0 || m_needed.contains(&node);
+    return (node.mNumMeshes == 0 && !m_onlyNeeded) || m_needed.contains(&node);
 }
 
 void SceneSkeleton::addJoints(const aiNode& node, const aiMatrix4x4& parentToWorld, int parent, unsigned depth)

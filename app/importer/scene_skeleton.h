@@ -14,7 +14,8 @@
 namespace hairpaint::importer {
 
 /// Joints are the nodes that meshes name as their bones, and all others under the same top node, but those that only
-/// hold meshes. Where a mesh was bound tells where its joints are; others follow their parents.
+/// hold meshes; where these are too many, only what bones hang from. Where a mesh was bound tells where its joints are;
+/// others follow their parents.
 class SceneSkeleton
 {
 public:
@@ -40,7 +41,8 @@ private:
         std::optional<aiMatrix4x4> bound{}; ///< As the meshes were bound.
     };
 
-    void findJoints(const aiScene& scene);
+    void findBones(const aiScene& scene);
+    void findJoints(const aiNode& root);
     int addJoint(const aiNode& node, const aiMatrix4x4& toWorld, int parent); ///< Its index.
     /// Of the node and of all below it.
     void addJoints(const aiNode& node, const aiMatrix4x4& parentToWorld, int parent, unsigned depth);
@@ -51,7 +53,9 @@ private:
     [[nodiscard]] int jointAbove(const aiNode& node) const;
 
     bool m_boundByJoints;
+    bool m_onlyNeeded = false;
     std::unordered_set<const aiNode*> m_needed; ///< Bones' nodes, and those above them.
+    std::vector<const aiNode*> m_tops;          ///< Of these, those below the scene's root.
     std::unordered_map<std::string, int> m_byName;
     std::unordered_map<const aiNode*, int> m_byNode;
     std::vector<Joint> m_joints;

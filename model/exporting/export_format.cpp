@@ -183,6 +183,7 @@ Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, co
             return cancelled(path);
         ExportSettings settings = request.format->settingsFor(*request.target);
         settings.cards = request.format->cardsFor(request.cards);
+        Q_ASSERT(!request.format->isAvatar || request.avatar != nullptr);
         if (request.format->isAvatar)
             settings.avatar = request.avatar;
         settings.colliders = request.colliders;

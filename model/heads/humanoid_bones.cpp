@@ -94,13 +94,32 @@ constexpr std::array<Finger, 5> kFingers = {{
     {LeftLittleProximal, {"little", "pinky"}},
 }};
 
+/// What the names of all joints below the first begin with, up to a sign between words: Collada's have the armature's
+/// name before their own.
+std::string_view sharedStart(std::span<const HeadJoint> joints)
+{
+    if (joints.size() < 3)
+        return {};
+    std::string_view shared = joints[1].name;
+    for (const HeadJoint& joint : joints.subspan(2)) {
+        const std::string_view name = joint.name;
+        std::size_t same = 0;
+        while (same < std::min(shared.size(), name.size()) && shared[same] == name[same])
+            ++same;
+        shared = shared.substr(0, same);
+    }
+    return shared.substr(0, shared.find_last_of("_:.| -") + 1);
+}
+
 class BoneFinder
 {
 public:
     explicit BoneFinder(std::span<const HeadJoint> joints) : m_joints(joints)
     {
+        const std::string_view start = sharedStart(joints);
         for (const HeadJoint& joint : joints) {
-            m_names.push_back(readJointName(joint.name));
+            const std::string_view name = joint.name;
+            m_names.push_back(readJointName(name.substr(name.starts_with(start) ? start.size() : 0)));
             m_depths.push_back(joint.parent < 0 ? 0 : m_depths[static_cast<std::size_t>(joint.parent)] + 1);
         }
     }

@@ -3,41 +3,22 @@
 #include "model/files/glb.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
+#include "tests/support/glb_json.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/test_program.h"
 
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QtEndian>
 
 #include <functional>
 #include <limits>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
+using test::changeNode;
+using test::withJson;
 
 namespace {
-
-/// The same file with other JSON.
-QByteArray withJson(const QByteArray& glb, const std::function<void(QJsonObject&)>& change)
-{
-    const qsizetype length = qFromLittleEndian<quint32>(glb.constData() + 12);
-    QJsonObject json = QJsonDocument::fromJson(glb.sliced(20, length)).object();
-    change(json);
-    const QByteArray bin = glb.sliced(20 + length + 8);
-    return glbHead(json, static_cast<quint32>(bin.size())) + bin;
-}
-
-void changeNode(QJsonObject& json, int number, const QString& key, const QJsonValue& value)
-{
-    QJsonArray nodes = json[QLatin1String("nodes")].toArray();
-    QJsonObject node = nodes[number].toObject();
-    node[key] = value;
-    nodes[number] = node;
-    json[QLatin1String("nodes")] = nodes;
-}
 
 bool isNear(const glm::vec3& a, const glm::vec3& b)
 {

@@ -162,6 +162,14 @@ private Q_SLOTS:
                                      "Bip01 % Forearm<Bip01 % UpperArm;Bip01 % Hand<Bip01 % Forearm"),
                       QStringLiteral("L"), QStringLiteral("R")),
             "hips=Bip01|Pelvis spine=Bip01|Spine1 chest= neck=Bip01|Neck leftShoulder=Bip01|L|Clavicle");
+        row("Collada, with the armature's name before each",
+            bothSides(QStringLiteral("Figure;Figure_hips<Figure;Figure_spine<Figure_hips;Figure_chest<Figure_spine;"
+                                     "Figure_head<Figure_chest;Figure_arm_%<Figure_chest;"
+                                     "Figure_forearm_%<Figure_arm_%;Figure_hand_%<Figure_forearm_%;"
+                                     "Figure_thigh_%<Figure_hips;Figure_shin_%<Figure_thigh_%;"
+                                     "Figure_foot_%<Figure_shin_%"),
+                      QStringLiteral("L"), QStringLiteral("R")),
+            "hips=Figure_hips head=Figure_head leftUpperArm=Figure_arm_L neck=");
         row("a generic one",
             bothSides(QStringLiteral("Hips;Spine<Hips;Chest<Spine;Neck<Chest;Head<Neck;%UpArm<Chest;%Arm<%UpArm;"
                                      "%Hand<%Arm;%UpLeg<Hips;%Leg<%UpLeg;%Foot<%Leg"),
