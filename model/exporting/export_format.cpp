@@ -75,7 +75,7 @@ constexpr std::array<ExportFormat, 7> kFormats = {{
      .suffix = "vrm",
      .title = QT_TRANSLATE_NOOP("Export", "VRM avatar"),
      .use = QT_TRANSLATE_NOOP("Export", "Cards on spring bones with the whole body, where the head came with a "
-                                        "skeleton; for VRChat-like worlds, VTuber programs and the web (VRM 1.0)."),
+                                        "skeleton; for avatar programs, virtual worlds and the web (VRM 1.0)."),
      .space = FormatSpace::Own,
      .write = writeCardFile,
      .hasCards = true,

@@ -117,17 +117,16 @@ private Q_SLOTS:
     {
         model::RiggedMesh body = makeMannequin();
         for (model::HeadJoint& joint : body.skeleton.joints)
-            if (joint.name.find("Hand") != std::string::npos)
-                joint.name = "claw";
+            if (const std::size_t at = joint.name.find("Hand"); at != std::string::npos)
+                joint.name.replace(at, 4, "Claw");
         QFile file(path("claws.glb"));
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(model::glbFromMesh(body));
         file.close();
         const QString project = path("claws.hairpaint");
-        QCOMPARE(runProgram({QStringLiteral("new"), QStringLiteral("-o"), project, QStringLiteral("--head"),
-                             path("claws.glb")})
-                     .code,
-                 0);
+        const Outcome made = runProgram(
+            {QStringLiteral("new"), QStringLiteral("-o"), project, QStringLiteral("--head"), path("claws.glb")});
+        QCOMPARE(made.error, QString());
         const Outcome outcome = runProgram({QStringLiteral("export"), project, QStringLiteral("-o"), path("d.vrm")});
         QCOMPARE(outcome.code, 1);
         QVERIFY2(outcome.error.contains(QLatin1String("leftHand, rightHand")), qPrintable(outcome.error));
