@@ -3811,6 +3811,10 @@ Se ha perdido esto:</translation>
         <source>File &gt; Import hair curves goes the other way: curves of .hair files and USD text become a new hair group, whose maps are told from the strands. A file that tells no unit is placed as it fits the head.</source>
         <translation>Archivo &gt; Importar curvas de pelo va en sentido contrario: las curvas de archivos .hair y de texto USD pasan a ser un grupo de pelo nuevo, cuyos mapas se deducen de los mechones. Un archivo que no dice su unidad se coloca como encaje en la cabeza.</translation>
     </message>
+    <message>
+        <source>A head whose file had a whole body&apos;s skeleton goes out with it as a VRM avatar: the hair swings on the head&apos;s bone. Bones are told by their names, as Mixamo, Unreal, Blender, VRoid and others have them; arms that hang are held out to the sides, as VRM wants it.</source>
+        <translation>Una cabeza cuyo archivo tenía el esqueleto de un cuerpo entero sale con él como avatar VRM: el pelo se mece sobre el hueso de la cabeza. Los huesos se reconocen por sus nombres, como los tienen Mixamo, Unreal, Blender, VRoid y otros; los brazos que cuelgan se extienden a los lados, como VRM lo pide.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::KeysPage</name>
