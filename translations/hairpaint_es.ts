@@ -1149,16 +1149,12 @@
         <translation>Esto no puede ser un avatar: %1.</translation>
     </message>
     <message>
-        <source>%1; export the hair as .glb with spring bones instead</source>
-        <translation>%1; exporta el pelo como .glb con huesos de muelle</translation>
+        <source>the head came without a skeleton, and a VRM has a whole body&apos;s; export the hair as .glb with spring bones instead</source>
+        <translation>la cabeza llegó sin esqueleto, y un VRM lleva el de un cuerpo entero; exporta el pelo como .glb con huesos de muelle</translation>
     </message>
     <message>
-        <source>the head came without a skeleton, and a VRM has a whole body&apos;s</source>
-        <translation>la cabeza llegó sin esqueleto, y un VRM lleva el de un cuerpo entero</translation>
-    </message>
-    <message>
-        <source>among the names of its joints these were not found: %1</source>
-        <translation>entre los nombres de sus articulaciones faltan estos: %1</translation>
+        <source>among the names of the head&apos;s joints these were not found: %1; export the hair as .glb with spring bones instead</source>
+        <translation>entre los nombres de las articulaciones de la cabeza faltan estos: %1; exporta el pelo como .glb con huesos de muelle</translation>
     </message>
 </context>
 <context>

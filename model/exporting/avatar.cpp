@@ -13,12 +13,6 @@ QString plainText(const QString& text)
     return plain.isEmpty() ? QStringLiteral("Unknown") : plain;
 }
 
-tl::unexpected<Clause> noBody(const QString& why)
-{
-    return refuse(say(QT_TRANSLATE_NOOP("Files", "%1; export the hair as .glb with spring bones instead")).arg(why),
-                  Clause::Cure::OtherFile);
-}
-
 } // namespace
 
 Checked<std::shared_ptr<const Avatar>> avatarOf(const Head& head, const QString& name, const QString& author)
@@ -28,7 +22,7 @@ Checked<std::shared_ptr<const Avatar>> avatarOf(const Head& head, const QString&
         return tl::unexpected(skeleton.error());
     const Checked<HumanoidBones> bones = humanoidBones(skeleton->joints);
     if (!bones)
-        return noBody(bones.error().text);
+        return tl::unexpected(bones.error());
     auto avatar = std::make_shared<Avatar>();
     avatar->name = plainText(name);
     avatar->author = plainText(author);

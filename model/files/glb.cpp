@@ -163,7 +163,7 @@ public:
         if (!joints.isEmpty()) {
             nodes[0] = QJsonObject{{QStringLiteral("mesh"), 0}, {QStringLiteral("skin"), 0}};
             shown.append(1);
-            for (const QJsonValue& joint : joints)
+            for (const auto& joint : joints)
                 nodes.append(joint);
         }
         QJsonObject root;

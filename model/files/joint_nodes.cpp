@@ -77,7 +77,7 @@ std::optional<std::vector<HeadJoint>> jointsFromNodes(const QJsonArray& nodes, c
         joint.translation = {t[0], t[1], t[2]};
         joint.rotation = {r[3], r[0], r[1], r[2]};
         const QJsonArray children = node.value(QLatin1String("children")).toArray();
-        for (const QJsonValue& child : children) {
+        for (const auto& child : children) {
             const qint64 number = child.toInteger(-1) - first;
             if (number <= i || number >= numbers.size())
                 return std::nullopt;

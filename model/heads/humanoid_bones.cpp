@@ -18,41 +18,46 @@ namespace {
 constexpr auto kRightFromLeft =
     static_cast<std::size_t>(HumanBone::RightEye) - static_cast<std::size_t>(HumanBone::LeftEye);
 
-using enum HumanBone;
+/// Of the middle and the left.
+constexpr std::array<HumanBoneSpec, static_cast<std::size_t>(HumanBone::RightEye)> makeSpecs()
+{
+    using enum HumanBone;
+    return {{
+        {"hips", Hips, true},
+        {"spine", Hips, true},
+        {"chest", Spine, false},
+        {"upperChest", Chest, false},
+        {"neck", UpperChest, false},
+        {"head", Neck, true},
+        {"jaw", Head, false},
+        {"leftEye", Head, false},
+        {"leftUpperLeg", Hips, true},
+        {"leftLowerLeg", LeftUpperLeg, true},
+        {"leftFoot", LeftLowerLeg, true},
+        {"leftToes", LeftFoot, false},
+        {"leftShoulder", UpperChest, false},
+        {"leftUpperArm", LeftShoulder, true},
+        {"leftLowerArm", LeftUpperArm, true},
+        {"leftHand", LeftLowerArm, true},
+        {"leftThumbMetacarpal", LeftHand, false},
+        {"leftThumbProximal", LeftThumbMetacarpal, false},
+        {"leftThumbDistal", LeftThumbProximal, false},
+        {"leftIndexProximal", LeftHand, false},
+        {"leftIndexIntermediate", LeftIndexProximal, false},
+        {"leftIndexDistal", LeftIndexIntermediate, false},
+        {"leftMiddleProximal", LeftHand, false},
+        {"leftMiddleIntermediate", LeftMiddleProximal, false},
+        {"leftMiddleDistal", LeftMiddleIntermediate, false},
+        {"leftRingProximal", LeftHand, false},
+        {"leftRingIntermediate", LeftRingProximal, false},
+        {"leftRingDistal", LeftRingIntermediate, false},
+        {"leftLittleProximal", LeftHand, false},
+        {"leftLittleIntermediate", LeftLittleProximal, false},
+        {"leftLittleDistal", LeftLittleIntermediate, false},
+    }};
+}
 
-constexpr std::array<HumanBoneSpec, static_cast<std::size_t>(RightEye)> kSpecs = {{
-    {"hips", Hips, true},
-    {"spine", Hips, true},
-    {"chest", Spine, false},
-    {"upperChest", Chest, false},
-    {"neck", UpperChest, false},
-    {"head", Neck, true},
-    {"jaw", Head, false},
-    {"leftEye", Head, false},
-    {"leftUpperLeg", Hips, true},
-    {"leftLowerLeg", LeftUpperLeg, true},
-    {"leftFoot", LeftLowerLeg, true},
-    {"leftToes", LeftFoot, false},
-    {"leftShoulder", UpperChest, false},
-    {"leftUpperArm", LeftShoulder, true},
-    {"leftLowerArm", LeftUpperArm, true},
-    {"leftHand", LeftLowerArm, true},
-    {"leftThumbMetacarpal", LeftHand, false},
-    {"leftThumbProximal", LeftThumbMetacarpal, false},
-    {"leftThumbDistal", LeftThumbProximal, false},
-    {"leftIndexProximal", LeftHand, false},
-    {"leftIndexIntermediate", LeftIndexProximal, false},
-    {"leftIndexDistal", LeftIndexIntermediate, false},
-    {"leftMiddleProximal", LeftHand, false},
-    {"leftMiddleIntermediate", LeftMiddleProximal, false},
-    {"leftMiddleDistal", LeftMiddleIntermediate, false},
-    {"leftRingProximal", LeftHand, false},
-    {"leftRingIntermediate", LeftRingProximal, false},
-    {"leftRingDistal", LeftRingIntermediate, false},
-    {"leftLittleProximal", LeftHand, false},
-    {"leftLittleIntermediate", LeftLittleProximal, false},
-    {"leftLittleDistal", LeftLittleIntermediate, false},
-}};
+constexpr auto kSpecs = makeSpecs();
 
 HumanBone onSide(HumanBone left, BodySide side)
 {
@@ -68,17 +73,23 @@ struct LimbBone
 };
 
 /// In the order in which they are looked for.
-constexpr std::array<LimbBone, 9> kLimbs = {{
-    {LeftUpperArm, LeftUpperArm, {"upperarm", "uparm", "armupper", "shldrbend", "shldr", "arm", "shoulder"}},
-    {LeftLowerArm, LeftUpperArm, {"lowerarm", "lowarm", "forearm", "forearmbend", "armlower", "elbow", "arm"}},
-    {LeftHand, LeftLowerArm, {"wrist", "hand", "palm"}},
-    {LeftShoulder, LeftShoulder, {"clavicle", "shoulder", "collar", "collarbone", "clav"}},
-    {LeftUpperLeg, LeftUpperLeg, {"upperleg", "upleg", "thigh", "thighbend", "legupper", "femur", "leg", "hip"}},
-    {LeftLowerLeg, LeftUpperLeg, {"lowerleg", "lowleg", "calf", "shin", "leglower", "tibia", "knee", "leg"}},
-    {LeftFoot, LeftLowerLeg, {"ankle", "foot"}},
-    {LeftToes, LeftFoot, {"toebase", "toes", "toe", "ball", "foot"}},
-    {LeftEye, LeftEye, {"eye", "faceeye", "eyeball"}},
-}};
+constexpr std::array<LimbBone, 9> makeLimbs()
+{
+    using enum HumanBone;
+    return {{
+        {LeftUpperArm, LeftUpperArm, {"upperarm", "uparm", "armupper", "shldrbend", "shldr", "arm", "shoulder"}},
+        {LeftLowerArm, LeftUpperArm, {"lowerarm", "lowarm", "forearm", "forearmbend", "armlower", "elbow", "arm"}},
+        {LeftHand, LeftLowerArm, {"wrist", "hand", "palm"}},
+        {LeftShoulder, LeftShoulder, {"clavicle", "shoulder", "collar", "collarbone", "clav"}},
+        {LeftUpperLeg, LeftUpperLeg, {"upperleg", "upleg", "thigh", "thighbend", "legupper", "femur", "leg", "hip"}},
+        {LeftLowerLeg, LeftUpperLeg, {"lowerleg", "lowleg", "calf", "shin", "leglower", "tibia", "knee", "leg"}},
+        {LeftFoot, LeftLowerLeg, {"ankle", "foot"}},
+        {LeftToes, LeftFoot, {"toebase", "toes", "toe", "ball", "foot"}},
+        {LeftEye, LeftEye, {"eye", "faceeye", "eyeball"}},
+    }};
+}
+
+constexpr auto kLimbs = makeLimbs();
 
 struct Finger
 {
@@ -86,13 +97,19 @@ struct Finger
     std::array<std::string_view, 2> words;
 };
 
-constexpr std::array<Finger, 5> kFingers = {{
-    {LeftThumbMetacarpal, {"thumb", "thumb"}},
-    {LeftIndexProximal, {"index", "index"}},
-    {LeftMiddleProximal, {"middle", "mid"}},
-    {LeftRingProximal, {"ring", "ring"}},
-    {LeftLittleProximal, {"little", "pinky"}},
-}};
+constexpr std::array<Finger, 5> makeFingers()
+{
+    using enum HumanBone;
+    return {{
+        {LeftThumbMetacarpal, {"thumb", "thumb"}},
+        {LeftIndexProximal, {"index", "index"}},
+        {LeftMiddleProximal, {"middle", "mid"}},
+        {LeftRingProximal, {"ring", "ring"}},
+        {LeftLittleProximal, {"little", "pinky"}},
+    }};
+}
+
+constexpr auto kFingers = makeFingers();
 
 /// What the names of all joints below the first begin with, up to a sign between words: Collada's have the armature's
 /// name before their own.
@@ -113,6 +130,8 @@ std::string_view sharedStart(std::span<const HeadJoint> joints)
 
 class BoneFinder
 {
+    using enum HumanBone;
+
 public:
     explicit BoneFinder(std::span<const HeadJoint> joints) : m_joints(joints)
     {
@@ -304,7 +323,7 @@ private:
     HumanoidBones m_found;
 };
 
-/// The first bone above a joint that is found; Count where there is none.
+/// The first bone above a joint that is found; HumanBone::Count where there is none.
 HumanBone boneAbove(std::span<const HeadJoint> joints, const HumanoidBones& bones, int joint)
 {
     for (joint = joints[static_cast<std::size_t>(joint)].parent; joint >= 0;
@@ -312,19 +331,19 @@ HumanBone boneAbove(std::span<const HeadJoint> joints, const HumanoidBones& bone
         for (std::size_t bone = 0; bone < kHumanBoneCount; ++bone)
             if (bones.joints.at(bone) == joint)
                 return static_cast<HumanBone>(bone);
-    return Count;
+    return HumanBone::Count;
 }
 
 /// Whether what is above the bone in the skeleton is above it in VRM.
 bool hangsRight(std::span<const HeadJoint> joints, const HumanoidBones& bones, HumanBone bone)
 {
     const HumanBone above = boneAbove(joints, bones, bones[bone]);
-    if (bone == Hips)
-        return above == Count;
+    if (bone == HumanBone::Hips)
+        return above == HumanBone::Count;
     for (HumanBone at = humanBoneSpec(bone).parent;; at = humanBoneSpec(at).parent) {
         if (at == above)
             return true;
-        if (at == Hips)
+        if (at == HumanBone::Hips)
             return false;
     }
 }
@@ -345,7 +364,7 @@ const HumanBoneSpec& humanBoneSpec(HumanBone bone)
         for (std::size_t i = 0; i < kHumanBoneCount; ++i) {
             made.at(i) = kSpecs.at(i < kSpecs.size() ? i : i - kRightFromLeft);
             made.at(i).id = ids.at(i).c_str();
-            if (i >= kSpecs.size() && made.at(i).parent >= LeftEye)
+            if (i >= kSpecs.size() && made.at(i).parent >= HumanBone::LeftEye)
                 made.at(i).parent = onSide(made.at(i).parent, BodySide::Right);
         }
         return made;
@@ -356,7 +375,8 @@ const HumanBoneSpec& humanBoneSpec(HumanBone bone)
 Checked<HumanoidBones> humanoidBones(std::span<const HeadJoint> joints)
 {
     if (joints.empty())
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "the head came without a skeleton, and a VRM has a whole body's")),
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "the head came without a skeleton, and a VRM has a whole body's; "
+                                                     "export the hair as .glb with spring bones instead")),
                       Clause::Cure::OtherFile);
     HumanoidBones bones = BoneFinder(joints).find();
     // From the hips on, so that what hangs wrongly is no bone above others.
@@ -370,7 +390,8 @@ Checked<HumanoidBones> humanoidBones(std::span<const HeadJoint> joints)
             missing += QLatin1StringView(spec.id);
     }
     if (!missing.isEmpty())
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "among the names of its joints these were not found: %1"))
+        return refuse(say(QT_TRANSLATE_NOOP("Files", "among the names of the head's joints these were not found: %1; "
+                                                     "export the hair as .glb with spring bones instead"))
                           .arg(missing.join(QLatin1String(", "))),
                       Clause::Cure::OtherFile);
     return bones;

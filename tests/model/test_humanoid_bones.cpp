@@ -232,7 +232,7 @@ private Q_SLOTS:
         joints[19].name = "hoof"; // The right foot.
         const Checked<HumanoidBones> found = humanoidBones(joints);
         QVERIFY(!found);
-        QVERIFY2(found.error().text.endsWith(QLatin1String(": leftHand, rightFoot")), qPrintable(found.error().text));
+        QVERIFY2(found.error().text.contains(QLatin1String(": leftHand, rightFoot; ")), qPrintable(found.error().text));
     }
 
     void aLimbThatHangsFromAnotherIsNone()

@@ -4,9 +4,7 @@
 #include "model/exporting/unit_vectors.h"
 #include "sim/skin/skin.h"
 
-#include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <tuple>
 #include <utility>
 
@@ -78,15 +76,15 @@ AvatarBody avatarBody(const Avatar& avatar)
     body.places = bound;
     holdArmsOut(avatar, body.places);
 
+    bool isMoved = false;
     std::vector<JointPlace> moved; // From where a joint was bound.
     moved.reserve(bound.size());
     for (std::size_t i = 0; i < bound.size(); ++i) {
-        const glm::quat turn = glm::normalize(body.places[i].rotation * glm::conjugate(bound[i].rotation));
-        moved.push_back({.position = body.places[i].position - turn * bound[i].position, .rotation = turn});
+        const JointPlace& place = body.places[i];
+        isMoved = isMoved || place.position != bound[i].position || place.rotation != bound[i].rotation;
+        const glm::quat turn = glm::normalize(place.rotation * glm::conjugate(bound[i].rotation));
+        moved.push_back({.position = place.position - turn * bound[i].position, .rotation = turn});
     }
-    const bool isMoved = std::ranges::any_of(std::views::iota(std::size_t{0}, bound.size()), [&](std::size_t i) {
-        return body.places[i].position != bound[i].position || body.places[i].rotation != bound[i].rotation;
-    });
     const sim::HeadMesh& mesh = avatar.skin->mesh();
     body.mesh = plainHead(mesh);
     for (std::size_t i = 0; i < body.mesh.vertices.size(); ++i) {
