@@ -13,7 +13,7 @@ FileKind fileKind(const QString& path)
 {
     static const QStringList kHeads = {QStringLiteral("glb"), QStringLiteral("gltf"), QStringLiteral("obj"),
                                        QStringLiteral("fbx"), QStringLiteral("ply"),  QStringLiteral("dae"),
-                                       QStringLiteral("3ds"), QStringLiteral("x3d")};
+                                       QStringLiteral("3ds"), QStringLiteral("x3d"),  QStringLiteral("vrm")};
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QLatin1String("hairpaint"))
         return FileKind::Project;

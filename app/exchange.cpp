@@ -131,7 +131,7 @@ void Exchange::write(const QString& path, const Work<void>& work)
 void Exchange::importHead()
 {
     const QString path =
-        askOpenPath(tr("Import head"), tr("Meshes (*.glb *.gltf *.obj *.fbx *.ply *.dae *.3ds *.x3d)"));
+        askOpenPath(tr("Import head"), tr("Meshes (*.glb *.gltf *.vrm *.obj *.fbx *.ply *.dae *.3ds *.x3d)"));
     if (!path.isEmpty())
         importHeadFrom(path);
 }
@@ -140,8 +140,8 @@ void Exchange::importHeadFrom(const QString& path)
 {
     m_session.editor().commitStroke();
     const QString name = QFileInfo(path).fileName();
-    const std::optional<model::Result<sim::HeadMesh>> mesh =
-        m_jobs.await<sim::HeadMesh>(tr("Reading %1").arg(name), [&path](const model::Progress& progress) {
+    const std::optional<model::Result<model::RiggedMesh>> mesh =
+        m_jobs.await<model::RiggedMesh>(tr("Reading %1").arg(name), [&path](const model::Progress& progress) {
             return model::ImporterClient().readMesh(path, progress);
         });
     if (!mesh)
@@ -250,26 +250,25 @@ void Exchange::exportHair()
     if (frame == nullptr)
         return;
     const model::Project project = m_session.document().committed();
+    m_export.author = m_settings.avatarAuthor();
     view::ExportHairDialog dialog(exportableGroups(project, *frame), m_export, &m_window);
+    dialog.setAvatarProblem(avatarProblem(project));
     Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::HairExport);
     const int answer = dialog.exec();
     if (answer == QDialog::Rejected)
         return;
     view::HairExportChoice choice = dialog.choice();
     m_export = choice;
+    m_settings.setAvatarAuthor(choice.author);
     if (answer == view::ExportHairDialog::kPreview)
         return previewChosen(frame);
     const QString suffix = QString::fromLatin1(choice.request.format->suffix);
-    QStringList suffixes;
-    for (const model::ExportFormat& format : model::exportFormats())
-        suffixes += QString::fromLatin1(format.suffix);
-    suffixes.removeDuplicates();
     const QString path =
         askSavePath({.title = tr("Export hair"),
-                     .suggestedPath = tr("hair"),
+                     .suggestedPath = choice.request.format->isAvatar ? project.head->name : tr("hair"),
                      .filter = QStringLiteral("%1 (*.%2)").arg(choice.request.format->titleText(), suffix),
                      .suffix = suffix,
-                     .otherSuffixes = suffixes});
+                     .otherSuffixes = model::exportSuffixes()});
     if (path.isEmpty())
         return;
     // The name's ending may tell of another format.

@@ -5,6 +5,8 @@
 #include "model/files/sentences.h"
 #include "model/skin_tone.h"
 
+#include <QFileInfo>
+
 namespace hairpaint::app {
 
 namespace {
@@ -56,6 +58,13 @@ std::vector<view::ExportableGroup> exportableGroups(const model::Project& projec
     return groups;
 }
 
+QString avatarProblem(const model::Project& project)
+{
+    const model::Checked<std::shared_ptr<const model::Avatar>> avatar = model::avatarOf(*project.head, {}, {});
+    return avatar ? QString()
+                  : model::say(QT_TRANSLATE_NOOP("Files", "This can be no avatar: %1.")).arg(avatar.error().text);
+}
+
 model::Result<void> exportChosen(const model::Project& project, const std::shared_ptr<const sim::StrandFrame>& frame,
                                  const view::HairExportChoice& choice, const QString& path,
                                  const model::Progress& progress)
@@ -63,6 +72,13 @@ model::Result<void> exportChosen(const model::Project& project, const std::share
     model::ExportRequest request = choice.request;
     request.colliders = project.ellipsoids;
     request.skinColour = model::skinLook(project.skin).skin;
+    if (request.format->isAvatar) {
+        const model::Checked<std::shared_ptr<const model::Avatar>> avatar =
+            model::avatarOf(*project.head, QFileInfo(path).completeBaseName(), choice.author);
+        if (!avatar)
+            return model::cannotWrite(path, avatar.error());
+        request.avatar = *avatar;
+    }
     const Shape shape = chosenShape(project, frame, choice.source, progress);
     if (shape.frame == nullptr)
         return model::cancelled(path);
@@ -79,7 +95,7 @@ cardsChosen(const model::Project& project, const std::shared_ptr<const sim::Stra
     if (shape.frame != nullptr)
         if (const std::optional<model::CurveSet> curves = model::CurveSet::of(
                 shape.frame, choice.request.curves, [&](double done) { return shape.progress(kMeasured * done); }))
-            cards = model::makeCards(*curves, choice.request.cards,
+            cards = model::makeCards(*curves, choice.request.format->cardsFor(choice.request.cards),
                                      [&](double done) { return shape.progress(kMeasured + (1.0 - kMeasured) * done); });
     if (!cards)
         return model::cancelled(project.head->name);

@@ -11,8 +11,11 @@ namespace hairpaint::app {
 [[nodiscard]] std::vector<view::ExportableGroup> exportableGroups(const model::Project& project,
                                                                   const sim::StrandFrame& frame);
 
+/// Why the head can be no avatar, as a sentence; empty where it can.
+[[nodiscard]] QString avatarProblem(const model::Project& project);
+
 /// `frame`: the hair as it is now. The other shapes are made anew, which takes its time. Any thread; nothing is written
-/// where it fails or `progress` cancels.
+/// where it fails or `progress` cancels. An avatar is named as its file is.
 [[nodiscard]] model::Result<void> exportChosen(const model::Project& project,
                                                const std::shared_ptr<const sim::StrandFrame>& frame,
                                                const view::HairExportChoice& choice, const QString& path,

@@ -78,6 +78,16 @@ void Settings::setLastFolder(const QString& folder)
     m_settings.setValue(QStringLiteral("lastFolder"), folder);
 }
 
+QString Settings::avatarAuthor() const
+{
+    return m_settings.value(QStringLiteral("avatarAuthor")).toString();
+}
+
+void Settings::setAvatarAuthor(const QString& author)
+{
+    m_settings.setValue(QStringLiteral("avatarAuthor"), author);
+}
+
 std::optional<QKeySequence> Settings::key(const QString& actionId) const
 {
     const QVariant value = m_settings.value(QStringLiteral("keys/") + actionId);

@@ -31,6 +31,10 @@ public:
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
 
+    /// Whom avatars name as their author.
+    [[nodiscard]] QString avatarAuthor() const;
+    void setAvatarAuthor(const QString& author);
+
     /// A rebound key; none where the default holds.
     [[nodiscard]] std::optional<QKeySequence> key(const QString& actionId) const;
     void setKey(const QString& actionId, const QKeySequence& key);

@@ -343,10 +343,6 @@
         <translation>No hay ninguna luz «%1»</translation>
     </message>
     <message>
-        <source>the file to write: curves, USD, lines, or ribbons as a mesh</source>
-        <translation>el archivo que se escribe: curvas, USD, líneas o cintas como malla</translation>
-    </message>
-    <message>
         <source>whose unit and axes: blender, unreal, godot, unity or maya; any, in metres with y up, unless given</source>
         <translation>con la unidad y los ejes de quién: blender, unreal, godot, unity o maya; any, en metros con y hacia arriba, si no se indica</translation>
     </message>
@@ -530,6 +526,26 @@
         <source>--curves-axis takes y or z, not &apos;%1&apos;</source>
         <translation>--curves-axis admite y o z, no «%1»</translation>
     </message>
+    <message>
+        <source>the file to write: curves, USD, lines, ribbons as a mesh, or an avatar: cards on spring bones with the body of a head that came with a skeleton</source>
+        <translation>el archivo que se escribe: curvas, USD, líneas, cintas como malla o un avatar: tarjetas sobre huesos de muelle y el cuerpo de una cabeza que llegó con esqueleto</translation>
+    </message>
+    <message>
+        <source>of an avatar, as its file tells; &quot;Unknown&quot; unless given</source>
+        <translation>de un avatar, como lo dice su archivo; «Unknown» si no se indica</translation>
+    </message>
+    <message>
+        <source>--author is for avatars; with it -o takes a name that ends in .vrm</source>
+        <translation>--author es para avatares; con esa opción, -o lleva un nombre que termina en .vrm</translation>
+    </message>
+    <message>
+        <source>An avatar stands still; --frames is for other formats than .vrm</source>
+        <translation>Un avatar está quieto; --frames es para otros formatos que .vrm</translation>
+    </message>
+    <message>
+        <source>Avatars have one level of detail; --lods is for cards as .glb</source>
+        <translation>Los avatares tienen un solo nivel de detalle; --lods es para tarjetas como .glb</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -701,6 +717,14 @@
     <message>
         <source>Strips along locks of hair with textures made from the hair, for games and avatars; further textures lie beside the file.</source>
         <translation>Tiras a lo largo de los mechones con texturas hechas del pelo, para juegos y avatares; hay más texturas junto al archivo.</translation>
+    </message>
+    <message>
+        <source>VRM avatar</source>
+        <translation>Avatar VRM</translation>
+    </message>
+    <message>
+        <source>Cards on spring bones with the whole body, where the head came with a skeleton; for avatar programs, virtual worlds and the web (VRM 1.0).</source>
+        <translation>Tarjetas sobre huesos de muelle y todo el cuerpo, si la cabeza llegó con esqueleto; para programas de avatares, mundos virtuales y la web (VRM 1.0).</translation>
     </message>
 </context>
 <context>
@@ -1119,6 +1143,18 @@
     <message>
         <source>it is no USD text; choose a file that another program saved as .usda</source>
         <translation>no es texto USD; elige un archivo que otro programa haya guardado como .usda</translation>
+    </message>
+    <message>
+        <source>This can be no avatar: %1.</source>
+        <translation>Esto no puede ser un avatar: %1.</translation>
+    </message>
+    <message>
+        <source>the head came without a skeleton, and a VRM has a whole body&apos;s; export the hair as .glb with spring bones instead</source>
+        <translation>la cabeza llegó sin esqueleto, y un VRM lleva el de un cuerpo entero; exporta el pelo como .glb con huesos de muelle</translation>
+    </message>
+    <message>
+        <source>among the names of the head&apos;s joints these were not found: %1; export the hair as .glb with spring bones instead</source>
+        <translation>entre los nombres de las articulaciones de la cabeza faltan estos: %1; exporta el pelo como .glb con huesos de muelle</translation>
     </message>
 </context>
 <context>
@@ -2287,10 +2323,6 @@
         <translation>Importar cabeza</translation>
     </message>
     <message>
-        <source>Meshes (*.glb *.gltf *.obj *.fbx *.ply *.dae *.3ds *.x3d)</source>
-        <translation>Mallas (*.glb *.gltf *.obj *.fbx *.ply *.dae *.3ds *.x3d)</translation>
-    </message>
-    <message>
         <source>Export hair</source>
         <translation>Exportar pelo</translation>
     </message>
@@ -2449,6 +2481,10 @@
     <message>
         <source>%1 imported</source>
         <translation>%1 importado</translation>
+    </message>
+    <message>
+        <source>Meshes (*.glb *.gltf *.vrm *.obj *.fbx *.ply *.dae *.3ds *.x3d)</source>
+        <translation>Mallas (*.glb *.gltf *.vrm *.obj *.fbx *.ply *.dae *.3ds *.x3d)</translation>
     </message>
 </context>
 <context>
@@ -3358,6 +3394,18 @@ Se ha perdido esto:</translation>
         <source>Shows the cards in the 3D area, and writes nothing.</source>
         <translation>Muestra las tarjetas en el área 3D, y no escribe nada.</translation>
     </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Desconocido</translation>
+    </message>
+    <message>
+        <source>Whom the avatar&apos;s file names as its author. Others may use it only as the author allows.</source>
+        <translation>A quien el archivo del avatar nombra como autor. Los demás solo pueden usarlo como el autor permita.</translation>
+    </message>
+    <message>
+        <source>&amp;Author</source>
+        <translation>&amp;Autor</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::ExportMapsDialog</name>
@@ -3762,6 +3810,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>File &gt; Import hair curves goes the other way: curves of .hair files and USD text become a new hair group, whose maps are told from the strands. A file that tells no unit is placed as it fits the head.</source>
         <translation>Archivo &gt; Importar curvas de pelo va en sentido contrario: las curvas de archivos .hair y de texto USD pasan a ser un grupo de pelo nuevo, cuyos mapas se deducen de los mechones. Un archivo que no dice su unidad se coloca como encaje en la cabeza.</translation>
+    </message>
+    <message>
+        <source>A head whose file had a whole body&apos;s skeleton goes out with it as a VRM avatar: the hair swings on the head&apos;s bone. Bones are told by their names, as Mixamo, Unreal, Blender, VRoid and others have them; arms that hang are held out to the sides, as VRM wants it.</source>
+        <translation>Una cabeza cuyo archivo tenía el esqueleto de un cuerpo entero sale con él como avatar VRM: el pelo se mece sobre el hueso de la cabeza. Los huesos se reconocen por sus nombres, como los tienen Mixamo, Unreal, Blender, VRoid y otros; los brazos que cuelgan se extienden a los lados, como VRM lo pide.</translation>
     </message>
 </context>
 <context>

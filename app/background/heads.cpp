@@ -19,7 +19,7 @@ constexpr double kSkinFraction = 0.5;
 
 model::Result<ImportedHead> importHead(const QString& path, const model::Progress& progress)
 {
-    const model::Result<sim::HeadMesh> mesh = model::ImporterClient().readMesh(path, progress);
+    const model::Result<model::RiggedMesh> mesh = model::ImporterClient().readMesh(path, progress);
     if (!mesh)
         return tl::unexpected(mesh.error());
     return remakeHead(QFileInfo(path).completeBaseName(), model::glbFromMesh(*mesh), model::guessHead(*mesh), progress);

@@ -48,9 +48,10 @@ constexpr OptionHelp kWind{
 constexpr OptionHelp kRate{"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")};
 constexpr const char* kMotion = "--motion nod|shake|turn";
 constexpr std::array<OptionHelp, 1> kJsonOptions = {{kJson}};
-constexpr std::array<OptionHelp, 21> kExportOptions = {{
-    {"-o, --output FILE.hair|.usda|.usdz|.obj|.glb",
-     QT_TRANSLATE_NOOP("CommandLine", "the file to write: curves, USD, lines, or ribbons as a mesh")},
+constexpr std::array<OptionHelp, 22> kExportOptions = {{
+    {"-o, --output FILE.hair|.usda|.usdz|.obj|.glb|.vrm",
+     QT_TRANSLATE_NOOP("CommandLine", "the file to write: curves, USD, lines, ribbons as a mesh, or an avatar: cards "
+                                      "on spring bones with the body of a head that came with a skeleton")},
     {"--target NAME",
      QT_TRANSLATE_NOOP("CommandLine", "whose unit and axes: blender, unreal, godot, unity or maya; any, in metres with "
                                       "y up, unless given")},
@@ -71,6 +72,7 @@ constexpr std::array<OptionHelp, 21> kExportOptions = {{
      QT_TRANSLATE_NOOP("CommandLine",
                        "joints along the cards' locks, with spring bones (VRMC_springBone) for avatar programs")},
     {"--with-head", QT_TRANSLATE_NOOP("CommandLine", "the head's mesh beside the cards")},
+    {"--author NAME", QT_TRANSLATE_NOOP("CommandLine", "of an avatar, as its file tells; \"Unknown\" unless given")},
     kSettle,
     kHairs,
     kWind,
@@ -125,9 +127,9 @@ constexpr std::array<Command, 6> kCommands = {{
      runInfo},
     {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), kJsonOptions, runPresets},
     {"export",
-     "P.hairpaint [-o FILE.hair|.usda|.usdz|.obj|.glb] [--target NAME] [--group NAME]... [--tolerance MM] "
-     "[--cards] [--triangles N] [--atlas 1024|2048|4096] [--lods N] [--bones] [--with-head] [--settle SECONDS] "
-     "[--hairs N] [--wind X,Y,Z] "
+     "P.hairpaint [-o FILE.hair|.usda|.usdz|.obj|.glb|.vrm] [--target NAME] [--group NAME]... [--tolerance MM] "
+     "[--cards] [--triangles N] [--atlas 1024|2048|4096] [--lods N] [--bones] [--with-head] [--author NAME] "
+     "[--settle SECONDS] [--hairs N] [--wind X,Y,Z] "
      "[--motion "
      "nod|shake|turn] [--frames A-B] [--fps F] "
      "[--maps FOLDER] [--image png|tif|exr|tga] [--depth 8|16] [--grey] [--uv-sheet FILE.pdf|.svg]",

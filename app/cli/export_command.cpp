@@ -27,11 +27,7 @@ constexpr double kGreatestToleranceMm = 10.0;
 
 QString formatList()
 {
-    QStringList suffixes;
-    for (const model::ExportFormat& format : model::exportFormats())
-        suffixes += QLatin1Char('.') + QLatin1StringView(format.suffix);
-    suffixes.removeDuplicates();
-    return suffixes.join(QLatin1String(", "));
+    return QLatin1Char('.') + model::exportSuffixes().join(QLatin1String(", ."));
 }
 
 QString targetList()
@@ -66,7 +62,10 @@ std::optional<QString> readCards(const QCommandLineParser& parser, const QString
     const QString triangles = parser.value(QStringLiteral("triangles"));
     const QString atlas = parser.value(QStringLiteral("atlas"));
     const QString levels = parser.value(QStringLiteral("lods"));
-    if (!parser.isSet(QStringLiteral("cards"))) {
+    const bool isAvatar = request.format->isAvatar; // Of cards, with bones and head.
+    if (parser.isSet(QStringLiteral("author")) && !isAvatar)
+        return CommandLine::tr("--author is for avatars; with it -o takes a name that ends in .vrm");
+    if (!parser.isSet(QStringLiteral("cards")) && !isAvatar) {
         constexpr std::array kOfCards = {"triangles", "atlas", "lods", "bones", "with-head"};
         const auto* const given =
             std::ranges::find_if(kOfCards, [&](const char* name) { return parser.isSet(QString::fromLatin1(name)); });
@@ -75,10 +74,13 @@ std::optional<QString> readCards(const QCommandLineParser& parser, const QString
         return CommandLine::tr("--%1 is for cards; give --cards too").arg(QLatin1StringView(*given));
     }
     request.format = model::findExportFormat(output, &model::cardFormat());
-    if (request.format != &model::cardFormat())
+    if (!request.format->hasCards)
         return CommandLine::tr("Cards are written as glTF; with --cards -o takes a name that ends in .glb");
     if (parser.isSet(QStringLiteral("frames")))
-        return CommandLine::tr("--cards and --frames exclude each other");
+        return isAvatar ? CommandLine::tr("An avatar stands still; --frames is for other formats than .vrm")
+                        : CommandLine::tr("--cards and --frames exclude each other");
+    if (isAvatar && parser.isSet(QStringLiteral("lods")))
+        return CommandLine::tr("Avatars have one level of detail; --lods is for cards as .glb");
     request.cards.springBones = parser.isSet(QStringLiteral("bones"));
     request.cards.withHead = parser.isSet(QStringLiteral("with-head"));
     using Cards = model::CardSettings;
@@ -251,6 +253,7 @@ ExitCode runExport(const QStringList& arguments)
                        {QStringLiteral("lods"), {}, QStringLiteral("number")},
                        {QStringLiteral("bones"), {}},
                        {QStringLiteral("with-head"), {}},
+                       {QStringLiteral("author"), {}, QStringLiteral("name")},
                        {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
                        {QStringLiteral("hairs"), {}, QStringLiteral("number")},
                        {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
@@ -310,6 +313,13 @@ ExitCode runExport(const QStringList& arguments)
         groupsNamed(*project, parser.values(QStringLiteral("group")), files->front());
     if (!groups)
         return failed(groups.error());
+    if (request->format->isAvatar) {
+        const model::Checked<std::shared_ptr<const model::Avatar>> avatar = model::avatarOf(
+            *project->head, QFileInfo(files->front()).completeBaseName(), parser.value(QStringLiteral("author")));
+        if (!avatar)
+            return failed(model::cannotWrite(output, avatar.error()).value());
+        request->avatar = *avatar;
+    }
     if (!sheet.isEmpty())
         if (const model::Result<void> written = model::writeUvSheet(project->head->skin->mesh(), sheet); !written)
             return failed(written.error());

@@ -70,6 +70,7 @@ std::uint32_t MeshBuilder::indexOf(const Corner& corner)
         m_mesh.positionsHd.push_back(corner.position);
         m_mesh.normalsHd.push_back(corner.normal);
         m_mesh.uvs.push_back(corner.uv);
+        m_mesh.skeleton.weights.push_back(corner.bones);
     }
     return mapped->second;
 }

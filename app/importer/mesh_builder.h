@@ -1,7 +1,7 @@
 // Triangles one after another become an indexed mesh.
 #pragma once
 
-#include "sim/skin/head_mesh.h"
+#include "model/heads/rigged_mesh.h"
 
 #include <array>
 #include <cstdint>
@@ -14,6 +14,7 @@ struct Corner
     glm::vec3 position{0.0F};
     glm::vec3 normal{0.0F}; ///< Any length; zero asks for the triangle's own.
     glm::vec2 uv{0.0F};
+    model::BoneWeights bones{}; ///< Where the scene has joints.
     friend bool operator==(const Corner&, const Corner&) = default;
 };
 
@@ -25,7 +26,8 @@ public:
     void add(std::array<Corner, 3> triangle);
     [[nodiscard]] std::size_t vertexCount() const { return m_mesh.positionsHd.size(); }
     [[nodiscard]] std::size_t triangleCount() const { return m_mesh.triangles.size(); }
-    [[nodiscard]] sim::HeadMesh take() { return std::move(m_mesh); }
+    /// With weights, and without joints.
+    [[nodiscard]] model::RiggedMesh take() { return std::move(m_mesh); }
 
 private:
     struct CornerHash
@@ -34,7 +36,7 @@ private:
     };
     std::uint32_t indexOf(const Corner& corner);
 
-    sim::HeadMesh m_mesh;
+    model::RiggedMesh m_mesh;
     std::unordered_map<Corner, std::uint32_t, CornerHash> m_indices;
 };
 

@@ -1,4 +1,4 @@
-// Foreign meshes, read by Assimp. The only file that includes it is mesh_import.cpp.
+// Foreign meshes, read by Assimp. What else includes it are plain_files and scene_skeleton.
 #pragma once
 
 #include "model/files/wire_format.h"
@@ -9,6 +9,7 @@ namespace hairpaint::importer {
 
 /// `path`: UTF-8. All meshes of the scene that have triangles and uvs as one, nodes' transforms applied; others are
 /// left out. uvs are moved into 0..1 a triangle at a time; identical vertices are joined; missing normals are smooth.
-[[nodiscard]] tl::expected<sim::HeadMesh, wire::Refusal> readMesh(const std::string& path);
+/// Where meshes are skinned, with the scene's joints.
+[[nodiscard]] tl::expected<model::RiggedMesh, wire::Refusal> readMesh(const std::string& path);
 
 } // namespace hairpaint::importer

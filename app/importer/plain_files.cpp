@@ -2,6 +2,7 @@
 #include "app/importer/plain_files.h"
 
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace hairpaint::importer {
@@ -14,6 +15,14 @@ std::filesystem::path pathOf(const char* file)
     return reinterpret_cast<const char8_t*>(file);
 }
 
+std::string withoutOtherEnding(const char* file)
+{
+    std::string name(file);
+    if (name.ends_with(PlainFiles::kOtherEnding))
+        name.resize(name.size() - std::string_view(PlainFiles::kOtherEnding).size());
+    return name;
+}
+
 bool isOrdinary(const char* file)
 {
     std::error_code problem;
@@ -24,14 +33,16 @@ bool isOrdinary(const char* file)
 
 bool PlainFiles::Exists(const char* file) const
 {
-    return isOrdinary(file) && DefaultIOSystem::Exists(file);
+    const std::string own = withoutOtherEnding(file);
+    return isOrdinary(own.c_str()) && DefaultIOSystem::Exists(own.c_str());
 }
 
 Assimp::IOStream* PlainFiles::Open(const char* file, const char* mode)
 {
-    if (isOrdinary(file))
-        return DefaultIOSystem::Open(file, mode);
-    const std::u8string name = pathOf(file).filename().u8string();
+    const std::string own = withoutOtherEnding(file);
+    if (isOrdinary(own.c_str()))
+        return DefaultIOSystem::Open(own.c_str(), mode);
+    const std::u8string name = pathOf(own.c_str()).filename().u8string();
     m_missing.assign(name.begin(), name.end());
     return nullptr;
 }

@@ -12,6 +12,8 @@ namespace hairpaint::importer {
 class PlainFiles : public Assimp::DefaultIOSystem
 {
 public:
+    /// Assimp takes a file's format by its ending: one of a name with this added is that file.
+    static constexpr const char* kOtherEnding = "|.glb";
     [[nodiscard]] bool Exists(const char* file) const override;
     Assimp::IOStream* Open(const char* file, const char* mode) override;
     /// The last one that was to be opened and is not there, without its folders; empty where there is none.

@@ -31,7 +31,7 @@ constexpr std::array<ExportTarget, 6> kTargets = {{
     {.id = "maya", .title = "Maya", .space = kCentimetres},
 }};
 
-constexpr std::array<ExportFormat, 6> kFormats = {{
+constexpr std::array<ExportFormat, 7> kFormats = {{
     {.id = "hair",
      .suffix = "hair",
      .title = QT_TRANSLATE_NOOP("Export", "Hair curves"),
@@ -71,6 +71,15 @@ constexpr std::array<ExportFormat, 6> kFormats = {{
      .space = FormatSpace::Own,
      .write = writeCardFile,
      .hasCards = true},
+    {.id = "vrm",
+     .suffix = "vrm",
+     .title = QT_TRANSLATE_NOOP("Export", "VRM avatar"),
+     .use = QT_TRANSLATE_NOOP("Export", "Cards on spring bones with the whole body, where the head came with a "
+                                        "skeleton; for avatar programs, virtual worlds and the web (VRM 1.0)."),
+     .space = FormatSpace::Own,
+     .write = writeCardFile,
+     .hasCards = true,
+     .isAvatar = true},
 }};
 
 /// Of all work, finding the curves.
@@ -120,6 +129,17 @@ ExportSettings ExportFormat::settingsFor(const ExportTarget& target) const
     return settings;
 }
 
+CardSettings ExportFormat::cardsFor(const CardSettings& wanted) const
+{
+    CardSettings cards = wanted;
+    if (isAvatar) {
+        cards.levels = 1; // VRM has none.
+        cards.springBones = true;
+        cards.withHead = true;
+    }
+    return cards;
+}
+
 std::span<const ExportFormat> exportFormats()
 {
     return kFormats;
@@ -136,9 +156,19 @@ const ExportFormat* findExportFormat(const QString& path, const ExportFormat* pr
     return found == kFormats.end() ? nullptr : &*found;
 }
 
+QStringList exportSuffixes()
+{
+    QStringList suffixes;
+    for (const ExportFormat& format : kFormats)
+        suffixes += QString::fromLatin1(format.suffix);
+    suffixes.removeDuplicates();
+    return suffixes;
+}
+
 const ExportFormat& cardFormat()
 {
-    return *std::ranges::find_if(kFormats, &ExportFormat::hasCards);
+    return *std::ranges::find_if(kFormats,
+                                 [](const ExportFormat& format) { return format.hasCards && !format.isAvatar; });
 }
 
 Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, const ExportRequest& request,
@@ -152,7 +182,10 @@ Result<void> exportHair(const std::shared_ptr<const sim::StrandFrame>& frame, co
         if (!curves)
             return cancelled(path);
         ExportSettings settings = request.format->settingsFor(*request.target);
-        settings.cards = request.cards;
+        settings.cards = request.format->cardsFor(request.cards);
+        Q_ASSERT(!request.format->isAvatar || request.avatar != nullptr);
+        if (request.format->isAvatar)
+            settings.avatar = request.avatar;
         settings.colliders = request.colliders;
         settings.skinColour = request.skinColour;
         return request.format->write(*curves, settings, path, part(kMeasured, 1.0));

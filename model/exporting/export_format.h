@@ -3,10 +3,12 @@
 #pragma once
 
 #include "model/error.h"
+#include "model/exporting/avatar.h"
 #include "model/exporting/curve_set.h"
 #include "model/exporting/export_space.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <cstdint>
 #include <memory>
@@ -47,15 +49,20 @@ struct ExportFormat
     Result<void> (*write)(const CurveSet& curves, const ExportSettings& settings, const QString& path,
                           const Progress& progress);
     bool hasCards = false; ///< Made by ExportRequest::cards.
+    bool isAvatar = false; ///< They come with ExportRequest::avatar, on spring bones, in one level.
     [[nodiscard]] QString titleText() const;
     [[nodiscard]] QString useText() const;
     [[nodiscard]] ExportSettings settingsFor(const ExportTarget& target) const;
+    /// What of the wishes it can have.
+    [[nodiscard]] CardSettings cardsFor(const CardSettings& wanted) const;
 };
 
 [[nodiscard]] std::span<const ExportFormat> exportFormats();
 /// By the name's ending; null where it is none of theirs. Of those with that ending `preferred`, else the first.
 [[nodiscard]] const ExportFormat* findExportFormat(const QString& path, const ExportFormat* preferred = nullptr);
-/// The one with cards.
+/// All endings, without dots, each once.
+[[nodiscard]] QStringList exportSuffixes();
+/// The one with cards alone.
 [[nodiscard]] const ExportFormat& cardFormat();
 
 struct ExportRequest
@@ -66,6 +73,7 @@ struct ExportRequest
     CardSettings cards{};
     std::vector<sim::Ellipsoid> colliders{}; ///< See ExportSettings.
     QRgb skinColour = 0xFF808080;            ///< Likewise.
+    std::shared_ptr<const Avatar> avatar{};  ///< There where the format is one of avatars.
 };
 
 /// Atomic: nothing is written where it fails or `progress`, which never steps back, cancels. Any thread.

@@ -9,9 +9,12 @@
 
 #include <glm/glm.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace hairpaint::model {
+
+struct Avatar;
 
 /// From ours (m, y up, face toward +z) to another right-handed space. With z up the face looks toward -y.
 struct ExportSpace
@@ -36,6 +39,7 @@ struct ExportSettings
     CardSettings cards{};                    ///< For formats that make some;
     std::vector<sim::Ellipsoid> colliders{}; ///< that stand for the head where those swing.
     QRgb skinColour = 0xFF808080;            ///< Of the head beside them.
+    std::shared_ptr<const Avatar> avatar{};  ///< Whose body that head is part of, for formats of avatars.
 };
 
 } // namespace hairpaint::model

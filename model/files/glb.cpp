@@ -1,6 +1,7 @@
 // Reading and writing our subset of binary glTF (Khronos, glTF 2.0 specification, sections 4 and 5).
 #include "model/files/glb.h"
 
+#include "model/files/joint_nodes.h"
 #include "model/files/json_fields.h"
 #include "sim/skin/head_limits.h"
 #include "sim/skin/mesh_bounds.h"
@@ -23,8 +24,10 @@ constexpr quint32 kJsonChunk = 0x4E4F534A; // "JSON"
 constexpr quint32 kBinChunk = 0x004E4942;  // "BIN\0"
 constexpr int kFloat = 5126;
 constexpr int kUnsignedInt = 5125;
+constexpr int kUnsignedShort = 5123;
 constexpr int kArrayBuffer = 34962;
 constexpr int kElementArrayBuffer = 34963;
+constexpr int kNoTarget = 0;
 constexpr quint32 kMostJsonChunkBytes = 1U << 20U;
 static_assert(std::endian::native == std::endian::little, "arrays are copied as they lie in memory");
 
@@ -130,10 +133,12 @@ public:
     {
         const std::size_t bytes = elements.size() * sizeof(Element);
         const auto length = static_cast<qsizetype>(bytes);
-        m_views.append(QJsonObject{{QStringLiteral("buffer"), 0},
-                                   {QStringLiteral("byteOffset"), m_bin.size()},
-                                   {QStringLiteral("byteLength"), length},
-                                   {QStringLiteral("target"), target}});
+        QJsonObject view{{QStringLiteral("buffer"), 0},
+                         {QStringLiteral("byteOffset"), m_bin.size()},
+                         {QStringLiteral("byteLength"), length}};
+        if (target != kNoTarget)
+            view.insert(QStringLiteral("target"), target);
+        m_views.append(view);
         m_accessors.append(QJsonObject{{QStringLiteral("bufferView"), static_cast<int>(m_views.size()) - 1},
                                        {QStringLiteral("componentType"), componentType},
                                        {QStringLiteral("count"), static_cast<qsizetype>(elements.size()) * perElement},
@@ -150,13 +155,24 @@ public:
         m_accessors.replace(accessor, object);
     }
 
-    QByteArray finish(const QJsonObject& primitive)
+    /// `skin`: empty where there are no `joints`, nodes that follow the mesh's own.
+    QByteArray finish(const QJsonObject& primitive, const QJsonArray& joints, const QJsonObject& skin)
     {
+        QJsonArray shown{0};
+        QJsonArray nodes{QJsonObject{{QStringLiteral("mesh"), 0}}};
+        if (!joints.isEmpty()) {
+            nodes[0] = QJsonObject{{QStringLiteral("mesh"), 0}, {QStringLiteral("skin"), 0}};
+            shown.append(1);
+            for (const auto& joint : joints)
+                nodes.append(joint);
+        }
         QJsonObject root;
         root.insert(QStringLiteral("asset"), QJsonObject{{QStringLiteral("version"), QStringLiteral("2.0")}});
         root.insert(QStringLiteral("scene"), 0);
-        root.insert(QStringLiteral("scenes"), QJsonArray{QJsonObject{{QStringLiteral("nodes"), QJsonArray{0}}}});
-        root.insert(QStringLiteral("nodes"), QJsonArray{QJsonObject{{QStringLiteral("mesh"), 0}}});
+        root.insert(QStringLiteral("scenes"), QJsonArray{QJsonObject{{QStringLiteral("nodes"), shown}}});
+        root.insert(QStringLiteral("nodes"), nodes);
+        if (!joints.isEmpty())
+            root.insert(QStringLiteral("skins"), QJsonArray{skin});
         root.insert(QStringLiteral("meshes"),
                     QJsonArray{QJsonObject{{QStringLiteral("primitives"), QJsonArray{primitive}}}});
         root.insert(QStringLiteral("accessors"), m_accessors);
@@ -173,6 +189,17 @@ private:
     QJsonArray m_accessors;
 };
 
+/// The one primitive's; none where there is not just one.
+std::optional<QJsonObject> primitiveOf(const Container& container)
+{
+    const QJsonArray meshes = container.json.value(QLatin1String("meshes")).toArray();
+    const QJsonArray primitives = meshes.at(0).toObject().value(QLatin1String("primitives")).toArray();
+    const QJsonObject primitive = primitives.at(0).toObject();
+    if (meshes.size() != 1 || primitives.size() != 1 || primitive.value(QLatin1String("mode")).toInt(4) != 4)
+        return std::nullopt;
+    return primitive;
+}
+
 } // namespace
 
 Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb)
@@ -180,12 +207,10 @@ Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb)
     const std::optional<Container> container = openContainer(glb);
     if (!container)
         return broken();
-    const QJsonArray meshes = container->json.value(QLatin1String("meshes")).toArray();
-    const QJsonArray primitives = meshes.at(0).toObject().value(QLatin1String("primitives")).toArray();
-    const QJsonObject primitive = primitives.at(0).toObject();
-    if (meshes.size() != 1 || primitives.size() != 1 || primitive.value(QLatin1String("mode")).toInt(4) != 4)
+    const std::optional<QJsonObject> primitive = primitiveOf(*container);
+    if (!primitive)
         return broken();
-    const QJsonObject attributes = primitive.value(QLatin1String("attributes")).toObject();
+    const QJsonObject attributes = primitive->value(QLatin1String("attributes")).toObject();
     const bool hasOwnUvs = attributes.contains(QLatin1String("_UV"));
 
     const auto vectors = [&](const char* name) {
@@ -196,7 +221,7 @@ Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb)
     auto normals = vectors("NORMAL");
     auto uvs = readAccessor<glm::vec2>(*container, attributes.value(QLatin1String(hasOwnUvs ? "_UV" : "TEXCOORD_0")),
                                        QStringLiteral("VEC2"), kFloat, sim::kMostVertices);
-    auto indices = readAccessor<std::uint32_t>(*container, primitive.value(QLatin1String("indices")),
+    auto indices = readAccessor<std::uint32_t>(*container, primitive->value(QLatin1String("indices")),
                                                QStringLiteral("SCALAR"), kUnsignedInt, 3LL * sim::kMostTriangles);
     if (!positions || !normals || !uvs || !indices || indices->size() % 3 != 0)
         return broken();
@@ -214,6 +239,37 @@ Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb)
         return broken();
     mendNormals(mesh.normalsHd);
     return mesh;
+}
+
+Checked<HeadSkeleton> skeletonFromGlb(const QByteArray& glb)
+{
+    const std::optional<Container> container = openContainer(glb);
+    const std::optional<QJsonObject> primitive = container ? primitiveOf(*container) : std::nullopt;
+    if (!primitive)
+        return broken();
+    const QJsonArray skins = container->json.value(QLatin1String("skins")).toArray();
+    if (skins.isEmpty())
+        return HeadSkeleton{};
+    std::optional<std::vector<HeadJoint>> joints =
+        jointsFromNodes(container->json.value(QLatin1String("nodes")).toArray(),
+                        skins.at(0).toObject().value(QLatin1String("joints")).toArray());
+    const QJsonObject attributes = primitive->value(QLatin1String("attributes")).toObject();
+    using Indices = decltype(BoneWeights::joints);
+    const auto indices = readAccessor<Indices>(*container, attributes.value(QLatin1String("JOINTS_0")),
+                                               QStringLiteral("VEC4"), kUnsignedShort, sim::kMostVertices);
+    const auto weights = readAccessor<glm::vec4>(*container, attributes.value(QLatin1String("WEIGHTS_0")),
+                                                 QStringLiteral("VEC4"), kFloat, sim::kMostVertices);
+    const auto positions = readAccessor<glm::vec3>(*container, attributes.value(QLatin1String("POSITION")),
+                                                   QStringLiteral("VEC3"), kFloat, sim::kMostVertices);
+    if (skins.size() != 1 || !joints || !indices || !weights || !positions || indices->size() != weights->size())
+        return broken();
+    HeadSkeleton skeleton{.joints = std::move(*joints), .weights = {}};
+    skeleton.weights.reserve(weights->size());
+    for (std::size_t i = 0; i < weights->size(); ++i)
+        skeleton.weights.push_back({.joints = (*indices)[i], .weights = (*weights)[i]});
+    if (skeleton.empty() || !withinLimits(skeleton, positions->size()))
+        return broken();
+    return skeleton;
 }
 
 QByteArray glbHead(const QJsonObject& json, quint32 binBytes)
@@ -234,8 +290,9 @@ QByteArray glbHead(const QJsonObject& json, quint32 binBytes)
     return glb;
 }
 
-QByteArray glbFromMesh(const sim::HeadMesh& mesh)
+QByteArray glbFromMesh(const RiggedMesh& mesh)
 {
+    const HeadSkeleton& skeleton = mesh.skeleton;
     std::vector<glm::vec2> turned = mesh.uvs;
     for (glm::vec2& uv : turned)
         uv.y = 1.0F - uv.y;
@@ -249,13 +306,32 @@ QByteArray glbFromMesh(const sim::HeadMesh& mesh)
         const sim::MeshBounds bounds = sim::boundsOf(mesh);
         writer.setBounds(positions, bounds.least, bounds.greatest);
     }
-    const QJsonObject attributes{{QStringLiteral("POSITION"), positions},
-                                 {QStringLiteral("NORMAL"), normals},
-                                 {QStringLiteral("TEXCOORD_0"), texcoords},
-                                 {QStringLiteral("_UV"), own}};
-    return writer.finish({{QStringLiteral("attributes"), attributes},
-                          {QStringLiteral("indices"), indices},
-                          {QStringLiteral("mode"), 4}});
+    QJsonObject attributes{{QStringLiteral("POSITION"), positions},
+                           {QStringLiteral("NORMAL"), normals},
+                           {QStringLiteral("TEXCOORD_0"), texcoords},
+                           {QStringLiteral("_UV"), own}};
+    QJsonArray joints;
+    QJsonObject skin;
+    if (!skeleton.empty()) {
+        constexpr int kFirstNode = 1;
+        std::vector<decltype(BoneWeights::joints)> indices4;
+        std::vector<glm::vec4> weights;
+        for (const BoneWeights& bones : skeleton.weights) {
+            indices4.push_back(bones.joints);
+            weights.push_back(bones.weights);
+        }
+        attributes.insert(QStringLiteral("JOINTS_0"), writer.add(indices4, "VEC4", kUnsignedShort, 1, kArrayBuffer));
+        attributes.insert(QStringLiteral("WEIGHTS_0"), writer.add(weights, "VEC4", kFloat, 1, kArrayBuffer));
+        std::vector<glm::mat4> inverse;
+        for (const JointPlace& place : placesOf(skeleton))
+            inverse.push_back(inverseBind(place));
+        joints = nodesOf(skeleton, kFirstNode);
+        skin = {{QStringLiteral("inverseBindMatrices"), writer.add(inverse, "MAT4", kFloat, 1, kNoTarget)},
+                {QStringLiteral("joints"), jointNumbers(skeleton, kFirstNode)}};
+    }
+    return writer.finish(
+        {{QStringLiteral("attributes"), attributes}, {QStringLiteral("indices"), indices}, {QStringLiteral("mode"), 4}},
+        joints, skin);
 }
 
 } // namespace hairpaint::model

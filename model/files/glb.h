@@ -4,7 +4,7 @@
 #pragma once
 
 #include "model/files/sentences.h"
-#include "sim/skin/head_mesh.h"
+#include "model/heads/rigged_mesh.h"
 
 #include <QByteArray>
 #include <QJsonObject>
@@ -12,8 +12,10 @@
 namespace hairpaint::model {
 
 [[nodiscard]] Checked<sim::HeadMesh> meshFromGlb(const QByteArray& glb);
+/// Of a mesh that was read; without joints where it has no skin.
+[[nodiscard]] Checked<HeadSkeleton> skeletonFromGlb(const QByteArray& glb);
 /// The same mesh gives the same bytes.
-[[nodiscard]] QByteArray glbFromMesh(const sim::HeadMesh& mesh);
+[[nodiscard]] QByteArray glbFromMesh(const RiggedMesh& mesh);
 /// All of a binary glTF but its binary chunk's `binBytes` bytes, a multiple of 4, which follow.
 [[nodiscard]] QByteArray glbHead(const QJsonObject& json, quint32 binBytes);
 

@@ -3,6 +3,7 @@
 
 #include "model/files/glb.h"
 #include "model/heads/built_in_heads.h"
+#include "model/heads/humanoid_bones.h"
 #include "sim/groom/stream_raster.h"
 #include "sim/skin/head_warp.h"
 #include "sim/skin/landmark_search.h"
@@ -266,6 +267,8 @@ Checked<std::shared_ptr<const Head>> headFromGlb(const QString& name, const QByt
     Checked<sim::HeadMesh> source = meshFromGlb(sourceGlb);
     if (!source)
         return tl::unexpected(source.error());
+    if (const Checked<HeadSkeleton> skeleton = skeletonFromGlb(sourceGlb); !skeleton)
+        return tl::unexpected(skeleton.error());
     sim::HeadMesh mesh = std::move(*source);
     for (glm::vec3& p : mesh.positionsHd)
         p = turned(p, upAxis) * unitScale;
@@ -316,7 +319,24 @@ Result<std::shared_ptr<const Head>> makeHead(const QString& name, const QByteArr
     });
 }
 
-HeadGuess guessHead(const sim::HeadMesh& source)
+Checked<HeadSkeleton> skeletonOf(const Head& head)
+{
+    if (head.sourceGlb.isEmpty())
+        return HeadSkeleton{};
+    Checked<HeadSkeleton> skeleton = skeletonFromGlb(head.sourceGlb);
+    if (!skeleton || skeleton->empty())
+        return skeleton;
+    for (HeadJoint& joint : skeleton->joints)
+        joint.translation *= head.unitScale;
+    HeadJoint& root = skeleton->joints.front();
+    root.translation = turned(root.translation, head.upAxis);
+    const float half = std::sqrt(0.5F);
+    if (head.upAxis == UpAxis::Z)
+        root.rotation = glm::quat(half, -half, 0.0F, 0.0F) * root.rotation;
+    return skeleton;
+}
+
+HeadGuess guessHead(const RiggedMesh& source)
 {
     const glm::vec3 size = sim::boundsOf(source).size();
     HeadGuess guess;
@@ -325,9 +345,11 @@ HeadGuess guessHead(const sim::HeadMesh& source)
     if (!(height > 0.0F))
         return guess;
     // From the chin to the crown 0.23 m, a bust with shoulders up to 0.9 m.
-    constexpr float kTypicalM = 0.3F;
+    constexpr float kTypicalHeadM = 0.3F;
+    constexpr float kTypicalBodyM = 1.5F;
+    const float typicalM = humanoidBones(source.skeleton.joints) ? kTypicalBodyM : kTypicalHeadM;
     constexpr std::array kMetresPerUnit = {1.0F, 0.01F, 0.001F, 0.0254F};
-    const auto distance = [height](float scale) { return std::abs(std::log(height * scale / kTypicalM)); };
+    const auto distance = [height, typicalM](float scale) { return std::abs(std::log(height * scale / typicalM)); };
     guess.unitScale = *std::ranges::min_element(kMetresPerUnit, {}, distance);
     return guess;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/files/sentences.h"
+#include "model/heads/rigged_mesh.h"
 #include "model/project.h"
 
 #include <functional>
@@ -38,13 +39,16 @@ struct NamedHead
 /// The same head with its landmarks there, and the scalp that follows from them. Any thread; some 50 ms.
 [[nodiscard]] std::shared_ptr<const Head> withLandmarks(const Head& head, const sim::HeadLandmarks& landmarks);
 
-/// What scale and axis a mesh of unknown origin most likely has: the one under which it is about a head's size and
-/// taller along the axis.
+/// The joints of an imported head, Hd; none where it came without.
+[[nodiscard]] Checked<HeadSkeleton> skeletonOf(const Head& head);
+
+/// What scale and axis a mesh of unknown origin most likely has: the one under which it is about a head's size, or a
+/// body's where its joints are those of one, and taller along the axis.
 struct HeadGuess
 {
     float unitScale = 1.0F;
     UpAxis upAxis = UpAxis::Y;
 };
-[[nodiscard]] HeadGuess guessHead(const sim::HeadMesh& source);
+[[nodiscard]] HeadGuess guessHead(const RiggedMesh& source);
 
 } // namespace hairpaint::model

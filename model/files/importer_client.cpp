@@ -133,7 +133,7 @@ Result<ForeignImage> ImporterClient::readImage(const QString& path, const Progre
     return withinMemory(path, cannotOpen, [&] { return decodeImage(path, progress); });
 }
 
-Result<sim::HeadMesh> ImporterClient::readMesh(const QString& path, const Progress& progress) const
+Result<RiggedMesh> ImporterClient::readMesh(const QString& path, const Progress& progress) const
 {
     return withinMemory(path, cannotOpen, [&] { return decodeMesh(path, progress); });
 }
@@ -161,7 +161,7 @@ Result<ForeignImage> ImporterClient::decodeImage(const QString& path, const Prog
                         .pixels = std::move(image->samples)};
 }
 
-Result<sim::HeadMesh> ImporterClient::decodeMesh(const QString& path, const Progress& progress) const
+Result<RiggedMesh> ImporterClient::decodeMesh(const QString& path, const Progress& progress) const
 {
     if (Result<void> readable = checkReadable(path, kMostForeignBytes); !readable)
         return tl::unexpected(readable.error());
@@ -169,7 +169,7 @@ Result<sim::HeadMesh> ImporterClient::decodeMesh(const QString& path, const Prog
                                    path, progress, cannotOpen);
     if (!body)
         return tl::unexpected(body.error());
-    std::optional<sim::HeadMesh> mesh = wire::decodeMesh(*body);
+    std::optional<RiggedMesh> mesh = wire::decodeMesh(*body);
     if (!mesh)
         return nonsense(path);
     return std::move(*mesh);

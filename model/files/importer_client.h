@@ -3,6 +3,7 @@
 
 #include "model/error.h"
 #include "model/files/project_file.h"
+#include "model/heads/rigged_mesh.h"
 #include "model/project.h"
 
 namespace hairpaint::model {
@@ -28,11 +29,11 @@ public:
     /// PNG, TIFF, EXR, ... by the file's ending; 8 or 16 bits a channel.
     [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16,
                                           const Progress& progress = {}) const;
-    [[nodiscard]] Result<sim::HeadMesh> readMesh(const QString& path, const Progress& progress = {}) const;
+    [[nodiscard]] Result<RiggedMesh> readMesh(const QString& path, const Progress& progress = {}) const;
 
 private:
     [[nodiscard]] Result<ForeignImage> decodeImage(const QString& path, const Progress& progress) const;
-    [[nodiscard]] Result<sim::HeadMesh> decodeMesh(const QString& path, const Progress& progress) const;
+    [[nodiscard]] Result<RiggedMesh> decodeMesh(const QString& path, const Progress& progress) const;
     [[nodiscard]] Result<void> encodeImage(const ForeignImage& image, const QString& path, int bits,
                                            const Progress& progress) const;
 

@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::array<char, 8> kMagic = {'H', 'P', 'W', 'I', 'R', 'E', '0', '1'};
 static_assert(std::endian::native == std::endian::little, "arrays are copied as they lie in memory");
+/// Of a joint's, without its name.
+constexpr std::uint64_t kJointBytes = 36;
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec2) == 8 && sizeof(glm::uvec3) == 12);
 
 class Writer
@@ -89,7 +91,8 @@ std::uint64_t mostBodyBytes(Kind kind)
     case Kind::Image:
         return 64 + kMostPixels * 8;
     case Kind::Mesh:
-        return 8 + 32ULL * sim::kMostVertices + 12ULL * sim::kMostTriangles;
+        return 12 + (32ULL + sizeof(model::BoneWeights)) * sim::kMostVertices + 12ULL * sim::kMostTriangles +
+               (kJointBytes + model::HeadSkeleton::kLongestName) * model::HeadSkeleton::kMostJoints;
     case Kind::Encoded:
         return kMostEncodedBytes;
     case Kind::Refusal:
@@ -104,6 +107,29 @@ void writeImage(Writer& writer, const Image& image)
     writer.value(image.height);
     writer.value(image.channels);
     writer.array(std::span(image.samples));
+}
+
+/// False where there is less than it says; what the joints say is not looked at.
+bool readJoints(Reader& reader, model::HeadSkeleton& skeleton)
+{
+    std::uint32_t count = 0;
+    if (!reader.value(count) || count > model::HeadSkeleton::kMostJoints)
+        return false;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        model::HeadJoint joint;
+        std::int32_t parent = 0;
+        glm::vec4 rotation(0.0F);
+        std::uint32_t length = 0;
+        std::vector<char> name;
+        if (!reader.value(parent) || !reader.value(joint.translation) || !reader.value(rotation) ||
+            !reader.value(length) || length > model::HeadSkeleton::kLongestName || !reader.array(name, length))
+            return false;
+        joint.parent = parent;
+        joint.rotation = {rotation.w, rotation.x, rotation.y, rotation.z};
+        joint.name.assign(name.begin(), name.end());
+        skeleton.joints.push_back(std::move(joint));
+    }
+    return true;
 }
 
 bool finite(const glm::vec3& v)
@@ -152,15 +178,29 @@ Bytes encodeRequest(const EncodeRequest& request)
     return writer.take();
 }
 
-Bytes encodeMesh(const sim::HeadMesh& mesh)
+Bytes encodeMesh(const model::RiggedMesh& mesh)
 {
-    Writer writer(Kind::Mesh, 8 + mesh.positionsHd.size() * 32 + mesh.triangles.size() * 12);
+    const model::HeadSkeleton& skeleton = mesh.skeleton;
+    std::uint64_t jointBytes = kJointBytes * skeleton.joints.size();
+    for (const model::HeadJoint& joint : skeleton.joints)
+        jointBytes += joint.name.size();
+    Writer writer(Kind::Mesh, 12 + mesh.positionsHd.size() * 32 + mesh.triangles.size() * 12 + jointBytes +
+                                  skeleton.weights.size() * sizeof(model::BoneWeights));
     writer.value(static_cast<std::uint32_t>(mesh.positionsHd.size()));
     writer.value(static_cast<std::uint32_t>(mesh.triangles.size()));
     writer.array(std::span(mesh.positionsHd));
     writer.array(std::span(mesh.normalsHd));
     writer.array(std::span(mesh.uvs));
     writer.array(std::span(mesh.triangles));
+    writer.value(static_cast<std::uint32_t>(skeleton.joints.size()));
+    for (const model::HeadJoint& joint : skeleton.joints) {
+        writer.value(static_cast<std::int32_t>(joint.parent));
+        writer.value(joint.translation);
+        writer.value(glm::vec4(joint.rotation.x, joint.rotation.y, joint.rotation.z, joint.rotation.w));
+        writer.value(static_cast<std::uint32_t>(joint.name.size()));
+        writer.array(std::span(joint.name));
+    }
+    writer.array(std::span(skeleton.weights));
     return writer.take();
 }
 
@@ -242,16 +282,19 @@ bool meshFits(const sim::HeadMesh& mesh)
            std::ranges::all_of(mesh.uvs, inUnitSquare);
 }
 
-std::optional<sim::HeadMesh> decodeMesh(std::span<const std::byte> body)
+std::optional<model::RiggedMesh> decodeMesh(std::span<const std::byte> body)
 {
     Reader reader(body);
     std::uint32_t vertices = 0;
     std::uint32_t triangles = 0;
-    sim::HeadMesh mesh;
+    model::RiggedMesh mesh;
     if (!reader.value(vertices) || !reader.value(triangles) || vertices > sim::kMostVertices ||
         triangles > sim::kMostTriangles || !reader.array(mesh.positionsHd, vertices) ||
         !reader.array(mesh.normalsHd, vertices) || !reader.array(mesh.uvs, vertices) ||
-        !reader.array(mesh.triangles, triangles) || !reader.atEnd() || !meshFits(mesh))
+        !reader.array(mesh.triangles, triangles) || !meshFits(mesh) || !readJoints(reader, mesh.skeleton))
+        return std::nullopt;
+    if (!reader.array(mesh.skeleton.weights, mesh.skeleton.empty() ? 0 : vertices) || !reader.atEnd() ||
+        !model::withinLimits(mesh.skeleton, vertices))
         return std::nullopt;
     return mesh;
 }

@@ -3,7 +3,7 @@
 // breaks a rule decodes to nothing.
 #pragma once
 
-#include "sim/skin/head_mesh.h"
+#include "model/heads/rigged_mesh.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -86,7 +86,7 @@ struct EncodeRequest
 [[nodiscard]] Bytes encodeText(Kind kind, const std::string& text);
 [[nodiscard]] Bytes encodeImage(const Image& image);
 [[nodiscard]] Bytes encodeRequest(const EncodeRequest& request);
-[[nodiscard]] Bytes encodeMesh(const sim::HeadMesh& mesh);
+[[nodiscard]] Bytes encodeMesh(const model::RiggedMesh& mesh);
 [[nodiscard]] Bytes encodeFile(std::span<const std::byte> file);
 [[nodiscard]] Bytes encodeRefusal(const Refusal& refusal);
 
@@ -94,7 +94,7 @@ struct EncodeRequest
 [[nodiscard]] std::optional<std::string> decodePath(std::span<const std::byte> body);
 [[nodiscard]] std::optional<Image> decodeImage(std::span<const std::byte> body);
 [[nodiscard]] std::optional<EncodeRequest> decodeRequest(std::span<const std::byte> body);
-[[nodiscard]] std::optional<sim::HeadMesh> decodeMesh(std::span<const std::byte> body);
+[[nodiscard]] std::optional<model::RiggedMesh> decodeMesh(std::span<const std::byte> body);
 [[nodiscard]] std::optional<Refusal> decodeRefusal(std::span<const std::byte> body);
 
 [[nodiscard]] bool imageFits(std::uint64_t width, std::uint64_t height, std::uint64_t channels);

@@ -219,7 +219,9 @@ private:
         Checked<std::shared_ptr<const Head>> head = nothingLeft();
         if (!m_headIsNamed && glb) {
             if (const Checked<sim::HeadMesh> mesh = meshFromGlb(glb->bytes)) {
-                const HeadGuess guess = guessHead(*mesh);
+                RiggedMesh source(*mesh);
+                source.skeleton = skeletonFromGlb(glb->bytes).value_or(HeadSkeleton{});
+                const HeadGuess guess = guessHead(source);
                 reference = {.name = QStringLiteral("head"),
                              .builtIn = false,
                              .unitScale = guess.unitScale,

@@ -1,9 +1,12 @@
 // Hair that goes out to other programs by the window's menus and dialogs, and its cards, looked at before.
+#include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/preset.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
+#include "tests/support/glb_json.h"
+#include "tests/support/mannequin.h"
 #include "tests/support/test_program.h"
 #include "view/head/view_signs.h"
 #include "view/rendering/card_set.h"
@@ -80,7 +83,7 @@ private Q_SLOTS:
         m_answers->file = path("unwritten.glb");
         m_answers->choosesExport = [](view::ExportHairDialog& dialog) {
             QComboBox* format = dialog.findChildren<QComboBox*>()[0];
-            format->setCurrentIndex(format->count() - 1);
+            format->setCurrentIndex(static_cast<int>(&model::cardFormat() - model::exportFormats().data()));
             dialog.findChildren<view::BarSlider*>()[2]->setValue(3000.0);
             for (QPushButton* button : dialog.findChildren<QPushButton*>())
                 if (button->text() == QStringLiteral("Pre&view"))
@@ -105,6 +108,48 @@ private Q_SLOTS:
         key(Qt::Key_1);
         drag(m_window->paintView(), paintPoint(0.45F, 0.5F), paintPoint(0.55F, 0.5F));
         QTRY_VERIFY_WITH_TIMEOUT(!head.cardsShown(), kPatienceMs);
+    }
+
+    void aBodyGoesOutAsAnAvatar()
+    {
+        model::Project project = test::thinned(starterProject());
+        project.head = model::makeHead(QStringLiteral("Mannequin"), model::glbFromMesh(test::makeMannequin()), 1.0F,
+                                       model::UpAxis::Y)
+                           .value();
+        open(project);
+        awaitNewestHair();
+        m_answers->file = path("Ann"); // The ending comes from the dialog.
+        QString author = QStringLiteral("Zoë");
+        QString before;
+        m_answers->choosesExport = [&author, &before](view::ExportHairDialog& dialog) {
+            QComboBox* format = dialog.findChildren<QComboBox*>()[0];
+            format->setCurrentIndex(format->count() - 1);
+            dialog.findChildren<QComboBox*>()[3]->setCurrentIndex(0);
+            auto* field = dialog.findChild<QLineEdit*>({}, Qt::FindDirectChildrenOnly);
+            before = field->text();
+            field->setText(author);
+        };
+        trigger("file.exportHair");
+        QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('\n'))));
+        QCOMPARE(m_done, QStringList(QStringLiteral("Ann.vrm written")));
+        const QJsonObject json = test::jsonOf(contentOf(path("Ann.vrm")));
+        const QJsonValue meta = json[QLatin1String("extensions")][QLatin1String("VRMC_vrm")][QLatin1String("meta")];
+        QCOMPARE(meta[QLatin1String("name")].toString(), QStringLiteral("Ann"));
+        QCOMPARE(meta[QLatin1String("authors")].toArray(), QJsonArray{author});
+        trigger("file.exportHair");
+        QCOMPARE(before, author); // It is remembered.
+    }
+
+    void aHeadAloneIsNoAvatar()
+    {
+        open(test::thinned(starterProject()));
+        awaitNewestHair();
+        m_answers->file = path("bust.vrm"); // Another format than the dialog's.
+        m_answers->choosesExport = nullptr;
+        trigger("file.exportHair");
+        QCOMPARE(m_answers->said.size(), qsizetype{1});
+        QVERIFY2(m_answers->said.front().contains(QStringLiteral("skeleton")), qPrintable(m_answers->said.front()));
+        QVERIFY(m_done.isEmpty() && !QFile::exists(path("bust.vrm")));
     }
 
     void cardsCanBeCancelled()

@@ -4,6 +4,7 @@
 
 #include "model/exporting/export_format.h"
 #include "sim/motion/simulation.h"
+#include "tests/model/exported_hair.h"
 
 #include <QTemporaryDir>
 
@@ -36,6 +37,8 @@ void exportHair(benchmark::State& state)
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("hair.") + QLatin1StringView(format.suffix));
     model::ExportRequest request{.format = &format, .target = &model::exportTargets().front(), .curves = {}};
+    if (format.isAvatar)
+        request.avatar = test::mannequinAvatar();
     request.curves.groups = {{.id = frame->groups.front().groom->groupId, .name = QStringLiteral("Scalp")}};
     for ([[maybe_unused]] auto step : state) {
         static_cast<void>(step);

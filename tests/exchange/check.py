@@ -4,7 +4,8 @@
     check.py PROGRAM FOLDER     PROGRAM: hairpaint; FOLDER: where the judges' packages are installed and files are written
 
 Judges: Blender (its own importers of OBJ and glTF, and our add-on), the Khronos validator (glTF), tinyusdz (USD); of
-cards also compare_cards.py, three.js with three-vrm in Chromium, which leaves pictures in FOLDER, and Godot 3. What the files are to hold is read from the `.hair` of the same hair. Prints a line a check
+cards also compare_cards.py, three.js with three-vrm in Chromium, which leaves pictures in FOLDER, and Godot 3; three-vrm
+and the validator also of an avatar. What the files are to hold is read from the `.hair` of the same hair. Prints a line a check
 and ends with "N passed, M failed".
 """
 import base64
@@ -175,6 +176,41 @@ def check_swinging(judge, style, cards, faces):
                 found["springs"] > 20 and 0.01 < max(moved) < 0.5 and max(moved[10:]) - min(moved[10:]) > 0.01, moved)
 
 
+def check_avatar(judge):
+    """A body with arms that hang, its joints turned every way, becomes a VRM."""
+    body, project, avatar = (judge.folder / f"body.{ending}" for ending in ("glb", "hairpaint", "vrm"))
+    for words in (["/usr/bin/python3", HERE / "mannequin.py", body],
+                  [judge.program, "new", "-o", project, "--head", body, "--preset", CARD_STYLES[SWINGING]],
+                  [judge.program, "export", project, "-o", avatar, "--settle", "2", "--author", "Ann"]):
+        done = judge.run(*words)
+        if done.returncode != 0:
+            sys.exit(done.stderr)
+    done = judge.run("node", HERE / "validate_gltf.js", avatar)
+    report = json.loads(done.stdout)["issues"] if done.returncode == 0 else {"numErrors": done.stderr}
+    judge.check("avatar: the VRM's glTF has no errors", report.get("numErrors") == 0, report)
+    judge.check("avatar: and no warnings", report.get("numWarnings") == 0, report)
+    found = seen_in_browser(HERE / "avatar.html", avatar, judge.folder)
+    judge.check("avatar: three-vrm reads it", "error" not in found and "avatar" in found, found.get("error"))
+    if "avatar" not in found:
+        return
+    for name in ("still", "swung"):
+        (judge.folder / f"avatar-{name}.png").write_bytes(base64.b64decode(found[name].split(",")[1]))
+    meta, bones = found["avatar"]["meta"], found["avatar"]["bones"]
+    judge.check("avatar: as VRM 1.0 of its author",
+                (meta["metaVersion"], meta["name"], meta["authors"]) == ("1", "body", ["Ann"]), meta)
+    expected = {"head": (0, 1.5, 0), "leftHand": (.7, 1.4, 0), "rightHand": (-.7, 1.4, 0), "leftFoot": (.1, .08, 0),
+                "hips": (0, .95, 0)}
+    away = farthest([bones.get(name, (9, 9, 9)) for name in expected], list(expected.values()))
+    judge.check(f"avatar: with {len(bones)} bones, the arms held out", len(bones) == 20 and away < 1e-3, bones)
+    rest, down = found["avatar"]["atRest"], found["avatar"]["armDown"]
+    judge.check("avatar: the skin reaches as far", abs(rest[1][0] - .74) < .02 and abs(rest[0][0] + .74) < .02, rest)
+    judge.check("avatar: an arm that is turned takes its skin along",
+                down[1][0] < .4 and abs(down[0][0] - rest[0][0]) < 1e-3, down)
+    moved = found["moved"]
+    judge.check(f"avatar: its hair swings when the head's bone turns (up to {max(moved, default=0):.3f} m)",
+                found["springs"] > 20 and .01 < max(moved) < .5, moved)
+
+
 def check_godot(judge, style, cards, faces):
     project = judge.folder / "godot"
     shutil.rmtree(project, ignore_errors=True)
@@ -246,6 +282,7 @@ def main():
         if style not in STYLES:
             make_project(judge, style, preset)
         check_cards(judge, style)
+    check_avatar(judge)
     print(f"{judge.passed} passed, {judge.failed} failed")
     sys.exit(judge.failed != 0)
 

@@ -1,9 +1,23 @@
-// Heads in files: a mesh that reads can be written and read again, and a small one becomes a head or is refused.
+// Heads in files: a mesh that reads, with its skeleton, can be written and read again, and a small one becomes a head
+// or is refused.
 #include "model/files/glb.h"
 #include "model/files/head_file.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace hairpaint;
+
+namespace {
+
+/// Without a skeleton where that can't be read.
+model::RiggedMesh rigged(const sim::HeadMesh& mesh, const model::Checked<model::HeadSkeleton>& skeleton)
+{
+    model::RiggedMesh whole(mesh);
+    if (skeleton)
+        whole.skeleton = *skeleton;
+    return whole;
+}
+
+} // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
@@ -14,9 +28,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const model::Checked<sim::HeadMesh> mesh = model::meshFromGlb(glb);
     if (!mesh)
         return 0;
-    const QByteArray written = model::glbFromMesh(*mesh);
+    const QByteArray written = model::glbFromMesh(rigged(*mesh, model::skeletonFromGlb(glb)));
     const model::Checked<sim::HeadMesh> again = model::meshFromGlb(written);
-    fuzz::require(again && model::glbFromMesh(*again) == written);
+    const model::Checked<model::HeadSkeleton> skeleton = model::skeletonFromGlb(written);
+    fuzz::require(again && skeleton && model::glbFromMesh(rigged(*again, skeleton)) == written);
     if (choice % 8 != 0 || mesh->triangles.size() > kMostFaces)
         return 0;
     const model::UpAxis axis = choice % 16 == 0 ? model::UpAxis::Y : model::UpAxis::Z;

@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             fuzz::require(sameBody(body, wire::encodeRequest(*request)));
         break;
     case 3:
-        if (const std::optional<sim::HeadMesh> mesh = wire::decodeMesh(body))
+        if (const std::optional<model::RiggedMesh> mesh = wire::decodeMesh(body))
             fuzz::require(sameBody(body, wire::encodeMesh(*mesh)));
         break;
     default:

@@ -119,6 +119,10 @@ int main(int argc, char** argv)
     seeds.write("png", "picture_rgb", QByteArray("\x01\x00", 2) + test::pngOf(4, 4, 8, 2, test::packedZeros(4 * 13)));
 
     seeds.write("glb", "patch", QByteArray("\x00", 1) + glb);
+    model::RiggedMesh body(test::makePatchHead(2));
+    body.skeleton.joints = {{.name = "a"}, {.name = "b", .parent = 0, .translation = {0.0F, 1.0F, 0.0F}}};
+    body.skeleton.weights.assign(body.positionsHd.size(), {.joints = {1, 0, 0, 0}, .weights = {0.75F, 0.25F, 0, 0}});
+    seeds.write("glb", "body", QByteArray("\x01", 1) + model::glbFromMesh(body));
     seeds.write("glb", "ball", QByteArray("\x01", 1) + model::glbFromMesh(test::makeBallHead(4)));
 
     const auto hair = test::frameOf({test::hairGroup(1, 500, 20'000, 20'000)});
@@ -144,6 +148,7 @@ int main(int argc, char** argv)
     seeds.write("wire", "image", bytesOf(wire::encodeImage(image), '\x01'));
     seeds.write("wire", "request", bytesOf(wire::encodeRequest({.bits = 8, .ending = "png", .image = image}), '\x02'));
     seeds.write("wire", "mesh", bytesOf(wire::encodeMesh(test::makePatchHead(2)), '\x03'));
+    seeds.write("wire", "body", bytesOf(wire::encodeMesh(body), '\x03'));
     seeds.write("wire", "refusal", bytesOf(wire::encodeRefusal(wire::Reason::NoUvs), '\x04'));
 
     seeds.write("import", "mesh",

@@ -1,5 +1,6 @@
 // Messages between the editor and the helper come back as they were, and nothing else is believed.
 #include "model/files/wire_format.h"
+#include "tests/support/mannequin.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 
@@ -57,6 +58,42 @@ private Q_SLOTS:
         const auto back = wire::decodeMesh(bodyOf(wire::encodeMesh(mesh)));
         QVERIFY(back && back->positionsHd == mesh.positionsHd && back->uvs == mesh.uvs);
         QVERIFY(back->triangles == mesh.triangles);
+    }
+
+    void aSkeletonComesBack()
+    {
+        const model::RiggedMesh body = test::makeMannequin(0.5F);
+        const auto back = wire::decodeMesh(bodyOf(wire::encodeMesh(body)));
+        QVERIFY(back && back->positionsHd == body.positionsHd && back->skeleton == body.skeleton);
+        const wire::Bytes bare = wire::encodeMesh(test::makeBallHead(8));
+        QVERIFY(wire::decodeMesh(bodyOf(bare))->skeleton.empty());
+    }
+
+    void aSkeletonThatContradictsItselfIsRefused_data()
+    {
+        QTest::addColumn<std::function<void(model::HeadSkeleton&)>>("spoil");
+        using Spoil = std::function<void(model::HeadSkeleton&)>;
+        const float nan = std::numeric_limits<float>::quiet_NaN();
+        QTest::newRow("a parent after its child") << Spoil([](auto& s) { s.joints[2].parent = 5; });
+        QTest::newRow("a second root") << Spoil([](auto& s) { s.joints[2].parent = -1; });
+        QTest::newRow("a place that is no number") << Spoil([nan](auto& s) { s.joints[2].translation.x = nan; });
+        QTest::newRow("a rotation of no length") << Spoil([](auto& s) { s.joints[2].rotation = {0, 0, 0, 0}; });
+        QTest::newRow("a control character") << Spoil([](auto& s) { s.joints[2].name = "a\x1B"; });
+        QTest::newRow("a name too long") << Spoil([](auto& s) { s.joints[2].name.assign(65, 'a'); });
+        QTest::newRow("too many joints") << Spoil([](auto& s) { s.joints.resize(1025, {.name = "a", .parent = 0}); });
+        QTest::newRow("a joint that is not there") << Spoil([](auto& s) { s.weights[2].joints[1] = 21; });
+        QTest::newRow("weights that do not sum to 1") << Spoil([](auto& s) { s.weights[2].weights.x = 0.5F; });
+        QTest::newRow("a weight that is no number") << Spoil([nan](auto& s) { s.weights[2].weights.w = nan; });
+        QTest::newRow("too few weights") << Spoil([](auto& s) { s.weights.pop_back(); });
+        QTest::newRow("too many weights") << Spoil([](auto& s) { s.weights.push_back({}); });
+        QTest::newRow("weights without joints") << Spoil([](auto& s) { s.joints.clear(); });
+    }
+    void aSkeletonThatContradictsItselfIsRefused()
+    {
+        QFETCH(std::function<void(model::HeadSkeleton&)>, spoil);
+        model::RiggedMesh body = test::makeMannequin();
+        spoil(body.skeleton);
+        QVERIFY(!wire::decodeMesh(bodyOf(wire::encodeMesh(body))));
     }
 
     void requestsAndRefusalsComeBack()
@@ -147,6 +184,7 @@ private Q_SLOTS:
     void alteredMessagesNeverCrash()
     {
         const wire::Bytes mesh = wire::encodeMesh(test::makeBallHead(6));
+        const wire::Bytes body = wire::encodeMesh(test::makeMannequin(0.0F, 4));
         const wire::Bytes image = wire::encodeImage(sampleImage());
         const wire::Bytes request = wire::encodeRequest({.bits = 16, .ending = "png", .image = sampleImage()});
         std::mt19937 random(5);
@@ -161,6 +199,10 @@ private Q_SLOTS:
             decoded += wire::decodeImage(bodyOf(bytes)).has_value() ? 1 : 0;
             decoded += wire::decodeRequest(bodyOf(bytes)).has_value() ? 1 : 0;
             decoded += wire::decodePath(bodyOf(bytes)).has_value() ? 1 : 0;
+            // The joints stand near the end.
+            wire::Bytes skinned = body;
+            skinned[skinned.size() - 1 - random() % (skinned.size() / 2)] = static_cast<std::byte>(random() & 0xFFU);
+            decoded += wire::decodeMesh(bodyOf(skinned)).has_value() ? 1 : 0;
         }
         QVERIFY(decoded > 0);
     }

@@ -3,7 +3,7 @@
 
 #include "model/exporting/export_format.h"
 #include "sim/motion/simulation.h"
-#include "tests/support/test_heads.h"
+#include "tests/support/mannequin.h"
 
 #include <memory>
 #include <utility>
@@ -67,6 +67,19 @@ inline model::Result<void> exported(const std::shared_ptr<const sim::StrandFrame
                              path, progress);
 }
 
+/// Of a body that stands beside the hair.
+inline std::shared_ptr<const model::Avatar> mannequinAvatar(float droop = 0.0F)
+{
+    model::RiggedMesh body = makeMannequin(droop);
+    auto avatar = std::make_shared<model::Avatar>();
+    avatar->name = QStringLiteral("Mannequin");
+    avatar->author = QStringLiteral("Ann");
+    avatar->skeleton = std::move(body.skeleton);
+    avatar->bones = *model::humanoidBones(avatar->skeleton.joints);
+    avatar->skin = std::make_shared<const sim::Skin>(std::move(body));
+    return avatar;
+}
+
 /// In that format; cards small, so that they are soon there.
 inline model::Result<void> exportedAs(const model::ExportFormat& format,
                                       const std::shared_ptr<const sim::StrandFrame>& frame, const QString& path,
@@ -77,7 +90,8 @@ inline model::Result<void> exportedAs(const model::ExportFormat& format,
                               .target = &model::exportTargets().front(),
                               .curves = allOf(*frame),
                               .cards = {.triangles = model::CardSettings::kFewestTriangles,
-                                        .atlasPx = model::CardSettings::kSmallestAtlasPx}},
+                                        .atlasPx = model::CardSettings::kSmallestAtlasPx},
+                              .avatar = format.isAvatar ? mannequinAvatar() : nullptr},
                              path, progress);
 }
 

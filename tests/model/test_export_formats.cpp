@@ -364,6 +364,8 @@ private Q_SLOTS:
         QCOMPARE(findExportFormat(QStringLiteral("a/b.glb"))->id, "ribbons");
         QCOMPARE(findExportFormat(QStringLiteral("a/b.glb"), &cardFormat())->id, "cards");
         QCOMPARE(findExportFormat(QStringLiteral("a/b.obj"), &cardFormat())->id, "obj");
+        QCOMPARE(findExportFormat(QStringLiteral("a/b.vrm"), &cardFormat())->id, "vrm");
+        QCOMPARE(exportSuffixes().count(QStringLiteral("glb")), 1);
         QVERIFY(findExportTarget(QStringLiteral("cinema")) == nullptr);
     }
 };

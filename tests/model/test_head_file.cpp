@@ -6,6 +6,7 @@
 #include "sim/skin/mesh_openings.h"
 #include "sim/skin/skin_frame.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/glb_json.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 
@@ -21,32 +22,13 @@
 
 using namespace hairpaint;
 using namespace hairpaint::model;
+using test::withJson;
 
 namespace {
 
 bool sameBytes(const sim::HeadMesh& a, const sim::HeadMesh& b)
 {
     return a.positionsHd == b.positionsHd && a.normalsHd == b.normalsHd && a.uvs == b.uvs && a.triangles == b.triangles;
-}
-
-QByteArray word(quint32 value)
-{
-    const quint32 little = qToLittleEndian(value);
-    return {reinterpret_cast<const char*>(&little), 4};
-}
-
-/// A glb with another JSON chunk.
-QByteArray withJson(const QByteArray& glb, const std::function<void(QJsonObject&)>& change)
-{
-    const auto length = qFromLittleEndian<quint32>(glb.constData() + 12);
-    QJsonObject root = QJsonDocument::fromJson(glb.sliced(20, length)).object();
-    change(root);
-    QByteArray json = QJsonDocument(root).toJson(QJsonDocument::Compact);
-    while (json.size() % 4 != 0)
-        json.append(' ');
-    const QByteArray bin = glb.sliced(20 + static_cast<qsizetype>(length));
-    return glb.first(8) + word(static_cast<quint32>(20 + json.size() + bin.size())) +
-           word(static_cast<quint32>(json.size())) + glb.sliced(16, 4) + json + bin;
 }
 
 /// Changes one number of an accessor or buffer view.

@@ -156,6 +156,42 @@ private Q_SLOTS:
         QCOMPARE(next.choice().request.cards, choice.request.cards);
     }
 
+    void avatars_ask_for_an_author()
+    {
+        ExportHairDialog dialog(twoGroups(), {});
+        dialog.show();
+        auto* author = dialog.findChild<QLineEdit*>({}, Qt::FindDirectChildrenOnly);
+        QVERIFY(!author->isVisible());
+        const std::span formats = model::exportFormats();
+        const auto vrm = std::ranges::find_if(formats, &model::ExportFormat::isAvatar) - formats.begin();
+        boxAt(dialog, 0)->setCurrentIndex(static_cast<int>(vrm));
+        QVERIFY(author->isVisible() && sliderNamed(dialog, QStringLiteral("Triangles"))->isVisible());
+        QVERIFY(!boxAt(dialog, 4)->isVisible()); // Levels of detail.
+        QVERIFY(!dialog.findChild<QCheckBox*>({}, Qt::FindDirectChildrenOnly)->isVisible());
+        QTest::keyClicks(author, QStringLiteral("Ann"));
+        const HairExportChoice choice = dialog.choice();
+        QVERIFY(choice.request.format->isAvatar);
+        QCOMPARE(choice.author, QStringLiteral("Ann"));
+        QCOMPARE(ExportHairDialog(twoGroups(), choice).choice().author, QStringLiteral("Ann"));
+    }
+
+    void a_head_that_makes_no_avatar_tells_why()
+    {
+        ExportHairDialog dialog(twoGroups(), {});
+        dialog.show();
+        dialog.setAvatarProblem(QStringLiteral("It has no hands."));
+        const auto isTold = [&dialog] {
+            const QList<QLabel*> labels = dialog.findChildren<QLabel*>();
+            return std::ranges::any_of(
+                labels, [](const QLabel* label) { return label->text() == QStringLiteral("It has no hands."); });
+        };
+        QVERIFY(acceptButton(dialog)->isEnabled() && !isTold());
+        boxAt(dialog, 0)->setCurrentIndex(boxAt(dialog, 0)->count() - 1);
+        QVERIFY(!acceptButton(dialog)->isEnabled() && isTold());
+        dialog.setAvatarProblem({});
+        QVERIFY(acceptButton(dialog)->isEnabled() && !isTold());
+    }
+
     void one_group_needs_no_list()
     {
         const ExportHairDialog dialog({{.id = 1, .name = QStringLiteral("Scalp"), .hairs = 10}}, {});

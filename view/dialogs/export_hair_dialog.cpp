@@ -10,6 +10,7 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -128,6 +129,12 @@ void ExportHairDialog::addCardRows(QFormLayout& form)
     m_withHead = new QCheckBox(tr("With the &head"), this);
     m_withHead->setToolTip(tr("The head's mesh goes into the same file."));
     form.addRow(QString(), m_withHead);
+    m_author = new QLineEdit(this);
+    m_author->setMaxLength(model::Avatar::kLongestText);
+    m_author->setPlaceholderText(tr("Unknown"));
+    m_author->setToolTip(
+        tr("Whom the avatar's file names as its author. Others may use it only as the author allows."));
+    form.addRow(tr("&Author"), m_author);
 }
 
 QLayout* ExportHairDialog::buildGroups()
@@ -164,6 +171,7 @@ void ExportHairDialog::fill(const HairExportChoice& before)
     m_levels->setCurrentIndex(before.request.cards.levels - 1);
     m_bones->setChecked(before.request.cards.springBones);
     m_withHead->setChecked(before.request.cards.withHead);
+    m_author->setText(before.author);
     m_hairs->setRange(0.0, 0.0);
 }
 
@@ -181,21 +189,33 @@ void ExportHairDialog::follow()
     const model::ExportFormat& format = model::exportFormats()[static_cast<std::size_t>(m_format->currentIndex())];
     // A format that has its own space is the same for every program.
     m_target->setEnabled(format.space != model::FormatSpace::Own);
-    for (QWidget* row : std::initializer_list<QWidget*>{m_triangles, m_atlas, m_levels, m_bones, m_withHead})
+    for (QWidget* row : std::initializer_list<QWidget*>{m_triangles, m_atlas})
         m_form->setRowVisible(row, format.hasCards);
+    for (QWidget* row : std::initializer_list<QWidget*>{m_levels, m_bones, m_withHead}) // An avatar's are given.
+        m_form->setRowVisible(row, format.hasCards && !format.isAvatar);
+    m_form->setRowVisible(m_author, format.isAvatar);
     // Cards follow hairs by themselves.
     m_form->setRowVisible(m_tolerance, !format.hasCards);
     const auto hairs = static_cast<double>(hairsOfChosen());
-    m_use->setText(hairs > 0.0 ? format.useText() : tr("There are no hairs to be exported here."));
+    const bool isPossible = hairs > 0.0 && !(format.isAvatar && !m_avatarProblem.isEmpty());
+    m_use->setText(isPossible    ? format.useText()
+                   : hairs > 0.0 ? m_avatarProblem
+                                 : tr("There are no hairs to be exported here."));
     const bool all = m_hairs->value() >= m_hairs->maximum();
     const double kept = m_hairs->value();
     m_hairs->setRange(std::min(1.0, hairs), hairs);
     m_hairs->setDefaultValue(hairs);
     m_hairs->setValue(all ? hairs : std::min(kept, hairs));
     m_hairs->setEnabled(hairs > 1.0);
-    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(hairs > 0.0);
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(isPossible);
     m_preview->setVisible(format.hasCards);
     m_preview->setEnabled(hairs > 0.0);
+}
+
+void ExportHairDialog::setAvatarProblem(const QString& problem)
+{
+    m_avatarProblem = problem;
+    follow();
 }
 
 HairExportChoice ExportHairDialog::choice() const
@@ -204,6 +224,7 @@ HairExportChoice ExportHairDialog::choice() const
     choice.request.format = &model::exportFormats()[static_cast<std::size_t>(m_format->currentIndex())];
     choice.request.target = &model::exportTargets()[static_cast<std::size_t>(m_target->currentIndex())];
     choice.source = static_cast<HairSource>(m_source->currentIndex());
+    choice.author = m_author->text();
     model::CurveOptions& curves = choice.request.curves;
     for (std::size_t i = 0; i < m_groups.size(); ++i)
         if (m_boxes.empty() || m_boxes[i]->isChecked())

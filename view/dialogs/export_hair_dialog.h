@@ -14,6 +14,7 @@ class QDialogButtonBox;
 class QFormLayout;
 class QLabel;
 class QLayout;
+class QLineEdit;
 class QPushButton;
 
 namespace hairpaint::view {
@@ -41,6 +42,7 @@ struct HairExportChoice
     model::ExportRequest request{
         .format = &model::exportFormats().front(), .target = &model::exportTargets().front(), .curves = {}};
     HairSource source = HairSource::Now;
+    QString author{}; ///< Of avatars.
 };
 
 /// Modal. Nothing is exported by it: when accepted, or done with kPreview, ask for choice().
@@ -50,9 +52,12 @@ class ExportHairDialog : public QDialog
 public:
     static constexpr int kPreview = 2; ///< Its result where the cards are to be shown first.
 
-    /// Begins with format, target, source, tolerance and cards of the choice before, and with all groups and all hairs.
+    /// Begins with format, target, source, tolerance, cards and author of the choice before, and with all groups and
+    /// all hairs.
     ExportHairDialog(std::vector<ExportableGroup> groups, const HairExportChoice& before, QWidget* parent = nullptr);
     [[nodiscard]] HairExportChoice choice() const;
+    /// Why there can be no avatar of this head, a sentence; empty where there can.
+    void setAvatarProblem(const QString& problem);
 
 private:
     [[nodiscard]] QFormLayout* buildForm();
@@ -76,6 +81,8 @@ private:
     QComboBox* m_levels = nullptr;
     QCheckBox* m_bones = nullptr;
     QCheckBox* m_withHead = nullptr;
+    QLineEdit* m_author = nullptr; ///< Seen with formats of avatars.
+    QString m_avatarProblem;
     QLabel* m_use = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
     QPushButton* m_preview = nullptr; ///< Of cards.

@@ -58,7 +58,7 @@ QString HeadImportDialog::refusal(const sim::HeadMesh& source, const QString& fi
     return {};
 }
 
-HeadImportDialog::HeadImportDialog(sim::HeadMesh source, const QString& fileName, QWidget* parent)
+HeadImportDialog::HeadImportDialog(model::RiggedMesh source, const QString& fileName, QWidget* parent)
     : QDialog(parent), m_source(std::move(source)), m_refusal(refusal(m_source, fileName))
 {
     setWindowTitle(tr("Import head"));

@@ -1,8 +1,8 @@
 // Asks what unit and which axis an imported mesh has, with a guess and the height that follows from it.
 #pragma once
 
+#include "model/heads/rigged_mesh.h"
 #include "model/project.h"
-#include "sim/skin/head_mesh.h"
 
 #include <QDialog>
 
@@ -23,7 +23,7 @@ class HeadImportDialog : public QDialog
 {
     Q_OBJECT
 public:
-    HeadImportDialog(sim::HeadMesh source, const QString& fileName, QWidget* parent = nullptr);
+    HeadImportDialog(model::RiggedMesh source, const QString& fileName, QWidget* parent = nullptr);
     [[nodiscard]] float unitScale() const;
     [[nodiscard]] model::UpAxis upAxis() const;
     /// Whether the hairstyle is to be carried to it; else its maps stay as they lie.
@@ -41,7 +41,7 @@ private:
     [[nodiscard]] double sourceHeight() const; ///< Along the chosen axis, in the source's units.
     void follow();
 
-    sim::HeadMesh m_source;
+    model::RiggedMesh m_source;
     QString m_refusal;
     QComboBox* m_unit = nullptr;
     QComboBox* m_axis = nullptr;

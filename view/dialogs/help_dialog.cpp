@@ -146,6 +146,10 @@ QString dialogPages()
                "them in the 3D area in place of the hair, until that is changed, with the number of their "
                "triangles.")) +
            paragraph(HelpDialog::tr(
+               "A head whose file had a whole body's skeleton goes out with it as a VRM avatar: the hair swings on the "
+               "head's bone. Bones are told by their names, as Mixamo, Unreal, Blender, VRoid and others have them; "
+               "arms that hang are held out to the sides, as VRM wants it.")) +
+           paragraph(HelpDialog::tr(
                "File > Import hair curves goes the other way: curves of .hair files and USD text become a new hair "
                "group, whose maps are told from the strands. A file that tells no unit is placed as it fits the "
                "head.")) +

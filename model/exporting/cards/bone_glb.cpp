@@ -3,10 +3,7 @@
 
 #include "model/exporting/glb_buffer.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <algorithm>
-#include <utility>
 
 namespace hairpaint::model {
 
@@ -29,8 +26,8 @@ QJsonObject springJoint(int node, const sim::PhysicsSettings& physics)
 }
 
 /// An ellipsoid becomes the capsule along its longest axis.
-void addColliders(int head, const glm::vec3& headWo, const sim::HeadPose& pose,
-                  std::span<const sim::Ellipsoid> colliders, QJsonObject& springBone)
+void addColliders(const BoneRoot& root, const JointPlace& head, std::span<const sim::Ellipsoid> colliders,
+                  QJsonObject& springBone)
 {
     QJsonArray shapes;
     QJsonArray all;
@@ -40,13 +37,14 @@ void addColliders(int head, const glm::vec3& headWo, const sim::HeadPose& pose,
         const float radius = 0.5F * (axes[(longest + 1) % 3] + axes[(longest + 2) % 3]);
         glm::vec3 half(0.0F);
         half[longest] = std::max(axes[longest] - radius, 0.0F);
-        half = pose.rotation * (ellipsoid.rotation * half);
-        const glm::vec3 centre = pose.rotation * ellipsoid.centreHd + pose.positionWo - headWo;
+        const glm::quat back = glm::conjugate(root.place.rotation);
+        half = back * (head.rotation * (ellipsoid.rotation * half));
+        const glm::vec3 centre = back * (head.rotation * ellipsoid.centreHd + head.position - root.place.position);
         const QJsonObject capsule{{QStringLiteral("offset"), jsonNumbers(centre - half)},
                                   {QStringLiteral("radius"), static_cast<double>(radius)},
                                   {QStringLiteral("tail"), jsonNumbers(centre + half)}};
         all.append(static_cast<int>(shapes.size()));
-        shapes.append(QJsonObject{{QStringLiteral("node"), head},
+        shapes.append(QJsonObject{{QStringLiteral("node"), root.node},
                                   {QStringLiteral("shape"), QJsonObject{{QStringLiteral("capsule"), capsule}}}});
     }
     springBone.insert(QStringLiteral("colliders"), shapes);
@@ -57,48 +55,39 @@ void addColliders(int head, const glm::vec3& headWo, const sim::HeadPose& pose,
 
 } // namespace
 
-BoneGlb boneGlb(const CurveSet& curves, const CardBones& bones, std::span<const sim::Ellipsoid> colliders,
-                int firstNode)
+BoneGlb boneGlb(const CurveSet& curves, const std::vector<BoneChain>& chains, std::span<const sim::Ellipsoid> colliders,
+                const JointPlace& head, const BoneRoot& root, int firstNode)
 {
-    const glm::vec3 headWo = curves.groups().front().middleWo;
-    BoneGlb made{.nodes = {},
-                 .joints = {firstNode},
-                 .inverseBind = {glm::translate(glm::mat4(1.0F), -headWo)},
-                 .springBone = {}};
-    QJsonArray chains;
+    BoneGlb made{
+        .nodes = {}, .below = {}, .joints = {root.node}, .inverseBind = {inverseBind(root.place)}, .springBone = {}};
+    const glm::quat back = glm::conjugate(root.place.rotation);
     QJsonArray springs;
-    QJsonArray below;
-    for (std::size_t chain = 0; chain < bones.chains.size(); ++chain) {
-        const BoneChain& own = bones.chains[chain];
+    for (std::size_t chain = 0; chain < chains.size(); ++chain) {
+        const BoneChain& own = chains[chain];
         const QString name = QStringLiteral("%1 %2").arg(curves.groups()[own.group].name).arg(chain + 1);
         QJsonArray links;
         for (std::size_t j = 0; j < BoneChain::kJoints; ++j) {
-            const int node = firstNode + 1 + static_cast<int>(BoneChain::kJoints * chain + j);
-            const glm::vec3 parentWo = j > 0 ? own.jointsWo.at(j - 1) : headWo;
+            const int node = firstNode + static_cast<int>(BoneChain::kJoints * chain + j);
+            const glm::vec3 parent = j > 0 ? own.jointsWo.at(j - 1) : root.place.position;
             QJsonObject joint{{QStringLiteral("name"), QStringLiteral("%1.%2").arg(name).arg(j + 1)},
-                              {QStringLiteral("translation"), jsonNumbers(own.jointsWo.at(j) - parentWo)}};
+                              {QStringLiteral("translation"), jsonNumbers(back * (own.jointsWo.at(j) - parent))}};
             if (j + 1 < BoneChain::kJoints)
                 joint.insert(QStringLiteral("children"), QJsonArray{node + 1});
-            chains.append(joint);
+            made.nodes.append(joint);
             made.joints.append(node);
             links.append(springJoint(node, curves.physics(own.group)));
-            made.inverseBind.push_back(glm::translate(glm::mat4(1.0F), -own.jointsWo.at(j)));
+            made.inverseBind.push_back(inverseBind({.position = own.jointsWo.at(j), .rotation = root.place.rotation}));
             if (j == 0)
-                below.append(node);
+                made.below.append(node);
         }
         QJsonObject spring{{QStringLiteral("name"), name}, {QStringLiteral("joints"), links}};
         if (!colliders.empty())
             spring.insert(QStringLiteral("colliderGroups"), QJsonArray{0});
         springs.append(spring);
     }
-    made.nodes.append(QJsonObject{{QStringLiteral("name"), QStringLiteral("Head")},
-                                  {QStringLiteral("translation"), jsonNumbers(headWo)},
-                                  {QStringLiteral("children"), below}});
-    for (const auto& joint : std::as_const(chains))
-        made.nodes.append(joint);
     made.springBone = {{QStringLiteral("specVersion"), QStringLiteral("1.0")}, {QStringLiteral("springs"), springs}};
     if (!colliders.empty())
-        addColliders(firstNode, headWo, curves.pose(), colliders, made.springBone);
+        addColliders(root, head, colliders, made.springBone);
     return made;
 }
 

@@ -13,16 +13,25 @@
 
 namespace hairpaint::model {
 
+/// The joint that all chains hang from.
+struct BoneRoot
+{
+    int node = 0; ///< Its number.
+    JointPlace place;
+};
+
 struct BoneGlb
 {
-    QJsonArray nodes;  ///< The head first, then each chain's joints; the first has the number `firstNode`.
-    QJsonArray joints; ///< Their numbers.
+    QJsonArray nodes;  ///< Each chain's joints; the first has the number `firstNode`.
+    QJsonArray below;  ///< Those of them that are the root's children.
+    QJsonArray joints; ///< Numbers: the root, then these.
     std::vector<glm::mat4> inverseBind;
     QJsonObject springBone; ///< VRMC_springBone.
 };
 
-/// A joint for the head and those of the chains below it. `colliders`: Hd.
-[[nodiscard]] BoneGlb boneGlb(const CurveSet& curves, const CardBones& bones, std::span<const sim::Ellipsoid> colliders,
+/// Joints of the chains; `chains` where they stand in the file. `colliders`: Hd; `head`: where that is in the file.
+[[nodiscard]] BoneGlb boneGlb(const CurveSet& curves, const std::vector<BoneChain>& chains,
+                              std::span<const sim::Ellipsoid> colliders, const JointPlace& head, const BoneRoot& root,
                               int firstNode);
 
 } // namespace hairpaint::model

@@ -63,6 +63,14 @@ BoneWeights CardBones::weightsAt(std::size_t chain, const glm::vec3& placeWo) co
     return {.joints = {jointAt(whole), next, 0, 0}, .weights = {1.0F - part, part, 0.0F, 0.0F}};
 }
 
+std::vector<BoneChain> placedChains(std::vector<BoneChain> chains, const JointPlace& frame)
+{
+    for (BoneChain& chain : chains)
+        for (glm::vec3& joint : chain.jointsWo)
+            joint = frame.position + frame.rotation * joint;
+    return chains;
+}
+
 CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets)
 {
     constexpr auto kNone = static_cast<std::size_t>(-1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/exporting/cards/card_strip.h"
+#include "model/heads/head_skeleton.h"
 
 #include <array>
 #include <cstdint>
@@ -17,13 +18,7 @@ struct BoneChain
     std::size_t group = 0;                     ///< Index into CurveSet::groups().
 };
 
-/// What moves a vertex. Joint 0 is the head, 1 + kJoints * chain + j the chain's joint j. Weights sum to 1.
-struct BoneWeights
-{
-    std::array<std::uint16_t, 4> joints{};
-    glm::vec4 weights{1.0F, 0.0F, 0.0F, 0.0F};
-};
-
+/// BoneWeights of cards: joint 0 is the head, 1 + kJoints * chain + j the chain's joint j.
 struct CardBones
 {
     std::vector<BoneChain> chains;
@@ -34,6 +29,9 @@ struct CardBones
     /// Of what moves with a chain. At the root it stays with the head.
     [[nodiscard]] BoneWeights weightsAt(std::size_t chain, const glm::vec3& placeWo) const;
 };
+
+/// Those chains seen from where a frame stands.
+[[nodiscard]] std::vector<BoneChain> placedChains(std::vector<BoneChain> chains, const JointPlace& frame);
 
 /// Some two dozen chains or fewer for all hair. `sets`: hairs by group.
 [[nodiscard]] CardBones bonesFor(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets);

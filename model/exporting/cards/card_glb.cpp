@@ -2,6 +2,7 @@
 // then the images.
 #include "model/exporting/cards/card_glb.h"
 
+#include "model/exporting/cards/avatar_glb.h"
 #include "model/exporting/cards/bone_glb.h"
 #include "model/exporting/cards/card_head.h"
 #include "model/exporting/cards/card_mesh.h"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr QLatin1StringView kLevelExtension("MSFT_lod");
 constexpr QLatin1StringView kSpringExtension("VRMC_springBone");
+constexpr QLatin1StringView kAvatarExtension("VRMC_vrm");
 
 /// Of the picture's height, by level: what is smaller shows the next.
 constexpr std::array<double, CardSettings::kMostLevels> kLeastOnScreen = {0.5, 0.2, 0.0};
@@ -56,8 +58,8 @@ public:
         m_extensions.insert(kLevelExtension, QJsonValue());
     }
 
-    /// `hasBones`: it is held by the joint of the head.
-    void addHead(const PlacedHead& head, QRgb colour, bool hasBones)
+    /// `bones`: one a vertex, or none where nothing holds it. `skin`: whose joints these are.
+    void addHead(const PlacedHead& head, QRgb colour, const std::vector<BoneWeights>& bones, int skin)
     {
         const int view = m_buffer.addView(head.vertices.data(), head.vertices.size() * sizeof(HeadVertexOut),
                                           GlbBuffer::kVertices, static_cast<int>(sizeof(HeadVertexOut)));
@@ -69,28 +71,43 @@ public:
              m_buffer.addAccessor(withBounds(attribute(offsetof(HeadVertexOut, position), "VEC3"), head.vertices))},
             {QStringLiteral("NORMAL"), m_buffer.addAccessor(attribute(offsetof(HeadVertexOut, normal), "VEC3"))},
             {QStringLiteral("TEXCOORD_0"), m_buffer.addAccessor(attribute(offsetof(HeadVertexOut, uv), "VEC2"))}};
-        addWeights(std::vector<BoneWeights>(hasBones ? head.vertices.size() : 0), attributes);
+        addWeights(bones, attributes);
         m_materials.append(skinMaterial(colour));
         m_sceneNodes.append(static_cast<int>(m_nodes.size()));
-        addNode(QStringLiteral("Head mesh"), attributes, head.indices, static_cast<int>(m_materials.size()) - 1);
+        addNode(QStringLiteral("Head mesh"), attributes, head.indices, static_cast<int>(m_materials.size()) - 1, skin);
     }
 
+    /// The chains hang from a joint that is made for them.
     void addBones(const CurveSet& curves, const CardBones& bones, std::span<const sim::Ellipsoid> colliders)
     {
-        const auto head = static_cast<int>(m_nodes.size());
-        const BoneGlb made = boneGlb(curves, bones, colliders, head);
-        m_sceneNodes.append(head);
+        const BoneRoot root{.node = static_cast<int>(m_nodes.size()),
+                            .place = {.position = curves.groups().front().middleWo}};
+        const JointPlace head{.position = curves.pose().positionWo, .rotation = curves.pose().rotation};
+        m_sceneNodes.append(root.node);
+        m_nodes.append(QJsonObject{{QStringLiteral("name"), QStringLiteral("Head")},
+                                   {QStringLiteral("translation"), jsonNumbers(root.place.position)}});
+        addChains(boneGlb(curves, bones.chains, colliders, head, root, root.node + 1), root.node);
+    }
+
+    /// The skeleton with what VRM says of it, as the second skin where there is hair that swings. The chains hang from
+    /// its head. `frame`: where the hair's space stands in the file.
+    void addAvatar(const CurveSet& curves, const HairCards& cards, const ExportSettings& settings,
+                   const AvatarBody& body, const JointPlace& frame)
+    {
+        const auto first = static_cast<int>(m_nodes.size());
+        const AvatarGlb made = avatarGlb(*settings.avatar, body, first);
+        m_sceneNodes.append(first);
         for (const auto& node : made.nodes)
             m_nodes.append(node);
-        const std::size_t count = made.inverseBind.size();
-        const int view = m_buffer.addView(made.inverseBind.data(), count * sizeof(glm::mat4));
-        m_skins.append(
-            QJsonObject{{QStringLiteral("name"), QStringLiteral("Hair")},
-                        {QStringLiteral("joints"), made.joints},
-                        {QStringLiteral("skeleton"), head},
-                        {QStringLiteral("inverseBindMatrices"),
-                         m_buffer.addAccessor(GlbBuffer::accessor(view, 0, GlbBuffer::kFloats, count, "MAT4"))}});
-        m_extensions.insert(kSpringExtension, made.springBone);
+        if (cards.bones) {
+            const BoneRoot root{.node = made.headNode,
+                                .place = body.places[static_cast<std::size_t>(made.headNode - first)]};
+            addChains(boneGlb(curves, placedChains(cards.bones->chains, frame), settings.colliders,
+                              {.rotation = body.turn}, root, static_cast<int>(m_nodes.size())),
+                      made.headNode);
+        }
+        addSkin(QStringLiteral("Body"), made.joints, made.inverseBind);
+        m_extensions.insert(kAvatarExtension, made.vrm);
     }
 
     void addImage(const QString& name, const QByteArray& png)
@@ -144,8 +161,12 @@ public:
                                                                            {QStringLiteral("wrapS"), 33071},
                                                                            {QStringLiteral("wrapT"), 33071}}});
         insert(QStringLiteral("extensionsUsed"), QJsonArray::fromStringList(m_extensions.keys()));
-        if (m_extensions.contains(kSpringExtension))
-            root.insert(QStringLiteral("extensions"), QJsonObject{{kSpringExtension, m_extensions[kSpringExtension]}});
+        QJsonObject whole;
+        for (const QLatin1StringView name : {kSpringExtension, kAvatarExtension})
+            if (m_extensions.contains(name))
+                whole.insert(name, m_extensions[name]);
+        if (!whole.isEmpty())
+            root.insert(QStringLiteral("extensions"), whole);
         root.insert(QStringLiteral("scenes"), QJsonArray{scene});
         if (m_nodes.isEmpty())
             return glbHead(root, 0);
@@ -154,6 +175,30 @@ public:
     }
 
 private:
+    void addSkin(const QString& name, const QJsonArray& joints, const std::vector<glm::mat4>& inverseBind)
+    {
+        const int view = m_buffer.addView(inverseBind.data(), inverseBind.size() * sizeof(glm::mat4));
+        m_skins.append(QJsonObject{
+            {QStringLiteral("name"), name},
+            {QStringLiteral("joints"), joints},
+            {QStringLiteral("skeleton"), joints.first()},
+            {QStringLiteral("inverseBindMatrices"),
+             m_buffer.addAccessor(GlbBuffer::accessor(view, 0, GlbBuffer::kFloats, inverseBind.size(), "MAT4"))}});
+    }
+    /// As the first skin. `root`: the number of the node that they hang from.
+    void addChains(const BoneGlb& made, int root)
+    {
+        QJsonObject node = m_nodes[root].toObject();
+        QJsonArray children = node.value(QStringLiteral("children")).toArray();
+        for (const auto& child : made.below)
+            children.append(child);
+        node.insert(QStringLiteral("children"), children);
+        m_nodes.replace(root, node);
+        for (const auto& joint : made.nodes)
+            m_nodes.append(joint);
+        addSkin(QStringLiteral("Hair"), made.joints, made.inverseBind);
+        m_extensions.insert(kSpringExtension, made.springBone);
+    }
     template<typename Vertex>
     [[nodiscard]] static QJsonObject withBounds(QJsonObject accessor, const std::vector<Vertex>& vertices)
     {
@@ -181,7 +226,7 @@ private:
             {QStringLiteral("TANGENT"), m_buffer.addAccessor(attribute(offsetof(CardVertex, tangent), "VEC4"))},
             {QStringLiteral("TEXCOORD_0"), m_buffer.addAccessor(attribute(offsetof(CardVertex, uv), "VEC2"))}};
         addWeights(mesh.bones, attributes);
-        addNode(name, attributes, mesh.indices, 0);
+        addNode(name, attributes, mesh.indices, 0, 0);
     }
     void addWeights(const std::vector<BoneWeights>& bones, QJsonObject& attributes)
     {
@@ -195,9 +240,9 @@ private:
         attributes.insert(QStringLiteral("JOINTS_0"), part(offsetof(BoneWeights, joints), GlbBuffer::kShorts));
         attributes.insert(QStringLiteral("WEIGHTS_0"), part(offsetof(BoneWeights, weights), GlbBuffer::kFloats));
     }
-    /// With a mesh of those triangles; with the only skin where it has weights.
+    /// With a mesh of those triangles; with that skin where it has weights.
     void addNode(const QString& name, const QJsonObject& attributes, const std::vector<std::uint32_t>& indices,
-                 int material)
+                 int material, int skin)
     {
         const QJsonObject primitive{{QStringLiteral("attributes"), attributes},
                                     {QStringLiteral("indices"), m_buffer.addIndices(indices)},
@@ -208,7 +253,7 @@ private:
         QJsonObject node{{QStringLiteral("name"), name},
                          {QStringLiteral("mesh"), static_cast<int>(m_meshes.size()) - 1}};
         if (attributes.contains(QStringLiteral("WEIGHTS_0")))
-            node.insert(QStringLiteral("skin"), 0);
+            node.insert(QStringLiteral("skin"), skin);
         m_nodes.append(node);
     }
     [[nodiscard]] static QJsonObject skinMaterial(QRgb colour)
@@ -234,22 +279,36 @@ QByteArray cardGlb(const CurveSet& curves, const HairCards& cards, const ExportS
                    std::span<const QByteArray> pngs)
 {
     CardGlbWriter glb;
+    const Avatar* const avatar = settings.avatar.get();
+    const AvatarBody body = avatar != nullptr ? avatarBody(*avatar) : AvatarBody{};
+    JointPlace frame; // Of the hair's space in the file.
+    if (avatar != nullptr) {
+        frame.rotation = body.turn * glm::conjugate(curves.pose().rotation);
+        frame.position = frame.rotation * -curves.pose().positionWo;
+    }
     if (!cards.patches.empty())
         glb.addCardMaterial(curves.material(curves.curves().front()).roughness);
     for (std::size_t group = 0; group < curves.groups().size(); ++group) {
         std::vector<CardMesh> levels;
         levels.reserve(cards.levels.size());
         for (const CardLevel& level : cards.levels)
-            levels.push_back(cardMesh(cards, level, group));
+            levels.push_back(avatar != nullptr ? placedMesh(cardMesh(cards, level, group), frame)
+                                               : cardMesh(cards, level, group));
         std::erase_if(levels, [](const CardMesh& mesh) { return mesh.indices.empty(); });
         if (!levels.empty())
             glb.addCards(curves.groups()[group].name, levels);
     }
-    if (const PlacedHead head = settings.cards.withHead ? placedHead(curves) : PlacedHead{}; !head.indices.empty())
-        glb.addHead(head, settings.skinColour, cards.bones.has_value());
+    if (avatar != nullptr) {
+        glb.addHead(body.mesh, settings.skinColour, avatar->skeleton.weights, cards.bones ? 1 : 0);
+        glb.addAvatar(curves, cards, settings, body, frame);
+    } else if (const PlacedHead head = settings.cards.withHead ? placedHead(curves) : PlacedHead{};
+               !head.indices.empty()) {
+        const std::size_t held = cards.bones ? head.vertices.size() : 0;
+        glb.addHead(head, settings.skinColour, std::vector<BoneWeights>(held), 0);
+    }
     if (cards.patches.empty())
         return glb.finish();
-    if (cards.bones)
+    if (cards.bones && avatar == nullptr)
         glb.addBones(curves, *cards.bones, settings.colliders);
     for (std::size_t i = 0; i < pngs.size(); ++i)
         if (cardImageKinds()[i].embedded)

@@ -9,32 +9,40 @@
 
 namespace hairpaint::model {
 
-PlacedHead placedHead(const CurveSet& set)
+PlacedHead plainHead(const sim::HeadMesh& mesh)
 {
+    constexpr glm::vec3 kUprightZ(0.0F, 0.0F, 1.0F);
     PlacedHead head;
-    if (set.skin() == nullptr)
-        return head;
-    const sim::HeadMesh& mesh = set.skin()->mesh();
-    const sim::HeadPose& pose = set.pose();
-    const sim::NeckTurn neck = sim::neckTurn(set.neck(), pose);
-    const glm::quat whole(neck.turn[3], neck.turn[0], neck.turn[1], neck.turn[2]);
-    const glm::vec3 pivotHd(neck.pivot[0], neck.pivot[1], neck.pivot[2]);
     head.vertices.reserve(mesh.positionsHd.size());
-    for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i) {
-        const glm::vec3& hd = mesh.positionsHd[i];
-        // The shoulders stay while the head turns: back by what has turned too much.
-        const float below = glm::smoothstep(0.0F, 1.0F, (neck.headY - hd.y) * neck.perTwistM);
-        const glm::quat back =
-            glm::conjugate(glm::normalize(glm::quat(1.0F, 0.0F, 0.0F, 0.0F) * (1.0F - below) + whole * below));
-        const glm::vec3 uprightZ(0.0F, 0.0F, 1.0F);
-        head.vertices.push_back({.position = pose.rotation * (back * (hd - pivotHd) + pivotHd) + pose.positionWo,
-                                 .normal = pose.rotation * (back * unitOr(mesh.normalsHd[i], uprightZ)),
+    for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i)
+        head.vertices.push_back({.position = mesh.positionsHd[i],
+                                 .normal = unitOr(mesh.normalsHd[i], kUprightZ),
                                  .uv = glm::vec2(mesh.uvs[i].x, 1.0F - mesh.uvs[i].y)});
-    }
     head.indices.reserve(3 * mesh.triangles.size());
     for (const glm::uvec3& triangle : mesh.triangles)
         for (int i = 0; i < 3; ++i)
             head.indices.push_back(triangle[i]);
+    return head;
+}
+
+PlacedHead placedHead(const CurveSet& set)
+{
+    if (set.skin() == nullptr)
+        return {};
+    PlacedHead head = plainHead(set.skin()->mesh());
+    const sim::HeadPose& pose = set.pose();
+    const sim::NeckTurn neck = sim::neckTurn(set.neck(), pose);
+    const glm::quat whole(neck.turn[3], neck.turn[0], neck.turn[1], neck.turn[2]);
+    const glm::vec3 pivotHd(neck.pivot[0], neck.pivot[1], neck.pivot[2]);
+    for (HeadVertexOut& vertex : head.vertices) {
+        const glm::vec3 hd = vertex.position;
+        // The shoulders stay while the head turns: back by what has turned too much.
+        const float below = glm::smoothstep(0.0F, 1.0F, (neck.headY - hd.y) * neck.perTwistM);
+        const glm::quat back =
+            glm::conjugate(glm::normalize(glm::quat(1.0F, 0.0F, 0.0F, 0.0F) * (1.0F - below) + whole * below));
+        vertex.position = pose.rotation * (back * (hd - pivotHd) + pivotHd) + pose.positionWo;
+        vertex.normal = pose.rotation * (back * vertex.normal);
+    }
     return head;
 }
 

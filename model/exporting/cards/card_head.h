@@ -23,6 +23,8 @@ struct PlacedHead
     std::vector<std::uint32_t> indices; ///< Three a triangle, counter-clockwise from outside.
 };
 
+/// As it lies, Hd.
+[[nodiscard]] PlacedHead plainHead(const sim::HeadMesh& mesh);
 /// The mesh that the hair stands on, Wo, as it is held and its neck turned; empty where no group has roots.
 [[nodiscard]] PlacedHead placedHead(const CurveSet& set);
 

@@ -78,4 +78,14 @@ CardMesh cardMesh(const HairCards& cards, const CardLevel& level, std::size_t gr
     return mesh;
 }
 
+CardMesh placedMesh(CardMesh mesh, const JointPlace& frame)
+{
+    for (CardVertex& vertex : mesh.vertices) {
+        vertex.position = frame.position + frame.rotation * vertex.position;
+        vertex.normal = glm::normalize(frame.rotation * vertex.normal);
+        vertex.tangent = glm::vec4(glm::normalize(frame.rotation * glm::vec3(vertex.tangent)), vertex.tangent.w);
+    }
+    return mesh;
+}
+
 } // namespace hairpaint::model

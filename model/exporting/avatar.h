@@ -1,0 +1,30 @@
+// A head that came with a whole body's skeleton, as an avatar to be exported.
+#pragma once
+
+#include "model/files/sentences.h"
+#include "model/heads/humanoid_bones.h"
+#include "model/project.h"
+
+#include <QString>
+
+#include <memory>
+
+namespace hairpaint::model {
+
+/// Immutable.
+struct Avatar
+{
+    static constexpr int kLongestText = 200;
+
+    QString name;          ///< On one line.
+    QString author;        ///< Likewise.
+    HeadSkeleton skeleton; ///< Hd.
+    HumanoidBones bones;
+    std::shared_ptr<const sim::Skin> skin; ///< Whose vertices the skeleton's weights are for.
+};
+
+/// A clause, with the way on, where the head has no such skeleton. Texts that are empty are "Unknown".
+[[nodiscard]] Checked<std::shared_ptr<const Avatar>> avatarOf(const Head& head, const QString& name,
+                                                              const QString& author);
+
+} // namespace hairpaint::model

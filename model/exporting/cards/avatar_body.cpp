@@ -1,0 +1,112 @@
+// Where the face looks follows from where left and right are; arms that hang are lifted with the skin.
+#include "model/exporting/cards/avatar_body.h"
+
+#include "model/exporting/unit_vectors.h"
+#include "sim/skin/skin.h"
+
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace hairpaint::model {
+
+namespace {
+
+/// The quarter turn that has the left arm at +x. It is exact, so that a body that stands right stays bit for bit.
+glm::quat turnToFront(const Avatar& avatar, const std::vector<JointPlace>& places)
+{
+    const auto at = [&](HumanBone bone) { return places[static_cast<std::size_t>(avatar.bones[bone])].position; };
+    const glm::vec3 left = at(HumanBone::LeftUpperArm) - at(HumanBone::RightUpperArm) + at(HumanBone::LeftUpperLeg) -
+                           at(HumanBone::RightUpperLeg);
+    const float half = std::sqrt(0.5F);
+    if (std::abs(left.x) >= std::abs(left.z))
+        return left.x >= 0.0F ? glm::quat(1.0F, 0.0F, 0.0F, 0.0F) : glm::quat(0.0F, 0.0F, 1.0F, 0.0F);
+    return glm::quat(half, 0.0F, left.z > 0.0F ? half : -half, 0.0F);
+}
+
+/// The shortest turn from one direction to another; none where they are nearly the same, or opposite.
+glm::quat turnBetween(const glm::vec3& from, const glm::vec3& to)
+{
+    constexpr float kSame = 0.9986F; // 3 degrees.
+    const float length = glm::length(from);
+    const float cosine = length > 0.0F ? glm::dot(from, to) / length : 1.0F;
+    if (cosine > kSame || cosine < -kSame)
+        return {1.0F, 0.0F, 0.0F, 0.0F};
+    return glm::normalize(glm::quat(1.0F + cosine, glm::cross(from / length, to)));
+}
+
+/// A joint and all that hang from it.
+void turnAbout(const HeadSkeleton& skeleton, int joint, const glm::quat& turn, std::vector<JointPlace>& places)
+{
+    const auto first = static_cast<std::size_t>(joint);
+    const glm::vec3 pivot = places[first].position;
+    std::vector<bool> isBelow(places.size());
+    for (std::size_t i = first; i < places.size(); ++i) { // Parents come before their children.
+        const int parent = skeleton.joints[i].parent;
+        isBelow[i] = i == first || (parent >= 0 && isBelow[static_cast<std::size_t>(parent)]);
+        if (!isBelow[i])
+            continue;
+        places[i] = {.position = pivot + turn * (places[i].position - pivot),
+                     .rotation = glm::normalize(turn * places[i].rotation)};
+    }
+}
+
+void holdArmsOut(const Avatar& avatar, std::vector<JointPlace>& places)
+{
+    using enum HumanBone;
+    constexpr glm::vec3 kLeft(1.0F, 0.0F, 0.0F);
+    for (const auto& [upper, lower, hand, out] : {std::tuple{LeftUpperArm, LeftLowerArm, LeftHand, kLeft},
+                                                  std::tuple{RightUpperArm, RightLowerArm, RightHand, -kLeft}})
+        for (const auto& [from, to] : {std::pair{upper, lower}, std::pair{lower, hand}}) {
+            const int joint = avatar.bones[from];
+            const glm::vec3 along = places[static_cast<std::size_t>(avatar.bones[to])].position -
+                                    places[static_cast<std::size_t>(joint)].position;
+            turnAbout(avatar.skeleton, joint, turnBetween(along, out), places);
+        }
+}
+
+} // namespace
+
+AvatarBody avatarBody(const Avatar& avatar)
+{
+    std::vector<JointPlace> bound = placesOf(avatar.skeleton);
+    AvatarBody body{.turn = turnToFront(avatar, bound), .places = {}, .mesh = {}};
+    for (JointPlace& place : bound)
+        place = {.position = body.turn * place.position, .rotation = glm::normalize(body.turn * place.rotation)};
+    body.places = bound;
+    holdArmsOut(avatar, body.places);
+
+    bool isMoved = false;
+    std::vector<JointPlace> moved; // From where a joint was bound.
+    moved.reserve(bound.size());
+    for (std::size_t i = 0; i < bound.size(); ++i) {
+        const JointPlace& place = body.places[i];
+        isMoved = isMoved || place.position != bound[i].position || place.rotation != bound[i].rotation;
+        const glm::quat turn = glm::normalize(place.rotation * glm::conjugate(bound[i].rotation));
+        moved.push_back({.position = place.position - turn * bound[i].position, .rotation = turn});
+    }
+    const sim::HeadMesh& mesh = avatar.skin->mesh();
+    body.mesh = plainHead(mesh);
+    for (std::size_t i = 0; i < body.mesh.vertices.size(); ++i) {
+        HeadVertexOut& vertex = body.mesh.vertices[i];
+        const glm::vec3 position = body.turn * vertex.position;
+        const glm::vec3 normal = body.turn * vertex.normal;
+        vertex.position = position;
+        vertex.normal = normal;
+        if (!isMoved)
+            continue;
+        const BoneWeights& bones = avatar.skeleton.weights[i];
+        glm::vec3 blended(0.0F);
+        glm::vec3 blendedNormal(0.0F);
+        for (int b = 0; b < 4; ++b) {
+            const JointPlace& by = moved[bones.joints.at(static_cast<std::size_t>(b))];
+            blended += bones.weights[b] * (by.position + by.rotation * position);
+            blendedNormal += bones.weights[b] * (by.rotation * normal);
+        }
+        vertex.position = blended;
+        vertex.normal = unitOr(blendedNormal, normal);
+    }
+    return body;
+}
+
+} // namespace hairpaint::model

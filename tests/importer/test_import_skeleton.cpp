@@ -1,0 +1,216 @@
+// Skinned bodies through the real helper.
+#include "model/files/glb.h"
+#include "model/files/importer_client.h"
+#include "model/heads/humanoid_bones.h"
+#include "tests/model/archive_maker.h"
+#include "tests/support/glb_json.h"
+#include "tests/support/mannequin.h"
+#include "tests/support/test_program.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+using test::addNode;
+using test::changeNode;
+using test::withJson;
+
+namespace {
+
+constexpr int kFirstJoint = 1; // Of a head.glb's nodes.
+
+/// Where no joint stands as the mannequin's, its name.
+QString strayJoint(const HeadSkeleton& skeleton, float scale = 1.0F)
+{
+    const std::vector<JointPlace> places = placesOf(skeleton);
+    for (const test::MannequinJoint& wanted : test::kMannequin) {
+        const auto found = std::ranges::find(skeleton.joints, std::string(wanted.name), &HeadJoint::name);
+        if (found == skeleton.joints.end())
+            return QStringLiteral("%1 is missing").arg(QLatin1StringView(wanted.name));
+        const glm::vec3 at = places[static_cast<std::size_t>(found - skeleton.joints.begin())].position;
+        if (glm::distance(at, scale * wanted.position) > 1e-4F * scale)
+            return QStringLiteral("%1 is at %2 %3 %4")
+                .arg(QLatin1StringView(wanted.name))
+                .arg(at.x)
+                .arg(at.y)
+                .arg(at.z);
+    }
+    return {};
+}
+
+/// The joint that the vertex nearest to a place follows most.
+QString followedAt(const RiggedMesh& mesh, const glm::vec3& place)
+{
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < mesh.positionsHd.size(); ++i)
+        if (glm::distance(mesh.positionsHd[i], place) < glm::distance(mesh.positionsHd[nearest], place))
+            nearest = i;
+    return QString::fromStdString(mesh.skeleton.joints[mesh.skeleton.weights[nearest].joints[0]].name);
+}
+
+void addToScene(QJsonObject& json, const QJsonArray& nodes)
+{
+    json[QLatin1String("scenes")] = QJsonArray{QJsonObject{{QStringLiteral("nodes"), nodes}}};
+}
+
+} // namespace
+
+class TestImportSkeleton : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+    ImporterClient m_client{QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), 60'000};
+
+    [[nodiscard]] Result<RiggedMesh> read(const QByteArray& glb, const char* name = "body.glb") const
+    {
+        const QString path = m_folder.filePath(QString::fromLatin1(name));
+        test::writeBytes(path, glb);
+        return m_client.readMesh(path);
+    }
+
+private Q_SLOTS:
+    void jointsAndWeightsComeAlong_data()
+    {
+        QTest::addColumn<QByteArray>("name");
+        QTest::newRow("glTF") << QByteArray("body.glb");
+        QTest::newRow("VRM, which is one") << QByteArray("body.vrm");
+        QTest::newRow("VRM in capitals") << QByteArray("BODY.VRM");
+    }
+    void jointsAndWeightsComeAlong()
+    {
+        QFETCH(QByteArray, name);
+        RiggedMesh body = test::makeMannequin();
+        // Its crown follows the neck a little.
+        const auto crown = static_cast<std::size_t>(std::ranges::max_element(body.positionsHd, {}, &glm::vec3::y) -
+                                                    body.positionsHd.begin());
+        for (std::size_t i = 0; i < body.positionsHd.size(); ++i)
+            if (glm::distance(body.positionsHd[i], body.positionsHd[crown]) < 1e-5F)
+                body.skeleton.weights[i] = {.joints = {4, 5, 0, 0}, .weights = {0.25F, 0.75F, 0.0F, 0.0F}};
+        const Result<RiggedMesh> mesh = read(glbFromMesh(body), name.constData());
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        QCOMPARE(mesh->skeleton.joints.size(), test::kMannequin.size());
+        QCOMPARE(strayJoint(mesh->skeleton), QString());
+        QVERIFY(humanoidBones(mesh->skeleton.joints));
+        QCOMPARE(mesh->skeleton.weights.size(), mesh->positionsHd.size());
+        QCOMPARE(followedAt(*mesh, {0.1F, 0.1F, 0.0F}), QStringLiteral("mixamorig:LeftLeg"));
+        QCOMPARE(followedAt(*mesh, {0.0F, 1.6F, 0.15F}), QStringLiteral("mixamorig:Head"));
+        const auto top = static_cast<std::size_t>(std::ranges::max_element(mesh->positionsHd, {}, &glm::vec3::y) -
+                                                  mesh->positionsHd.begin());
+        const BoneWeights& weights = mesh->skeleton.weights[top]; // The heaviest first.
+        QCOMPARE(mesh->skeleton.joints[weights.joints[0]].name, std::string("mixamorig:Head"));
+        QCOMPARE(mesh->skeleton.joints[weights.joints[1]].name, std::string("mixamorig:Neck"));
+        QVERIFY(std::abs(weights.weights.y - 0.25F) < 1e-5F);
+    }
+
+    void aSkinnedMeshStandsWhereItsJointsPutIt()
+    {
+        // Its own node's place is not minded; the armature's is, centimetres in metres.
+        const QByteArray glb = withJson(glbFromMesh(test::makeMannequin()), [](QJsonObject& json) {
+            changeNode(json, 0, QStringLiteral("translation"), QJsonArray{3, 2, 1});
+            const int armature = addNode(json, {{QStringLiteral("name"), QStringLiteral("Armature")},
+                                                {QStringLiteral("scale"), QJsonArray{0.01, 0.01, 0.01}},
+                                                {QStringLiteral("children"), QJsonArray{0, kFirstJoint}}});
+            addToScene(json, {armature});
+        });
+        const Result<RiggedMesh> mesh = read(glb);
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        QCOMPARE(strayJoint(mesh->skeleton, 0.01F), QString());
+        const auto highest = std::ranges::max_element(mesh->positionsHd, {}, &glm::vec3::y);
+        QVERIFY(std::abs(highest->y - 0.0174F) < 1e-5F && std::abs(highest->x) < 1e-5F);
+    }
+
+    void aMeshUnderAJointFollowsIt()
+    {
+        // The body once more, small, as a hat.
+        const QByteArray glb = withJson(glbFromMesh(test::makeMannequin()), [](QJsonObject& json) {
+            const int hat = addNode(json, {{QStringLiteral("mesh"), 0},
+                                           {QStringLiteral("scale"), QJsonArray{0.1, 0.1, 0.1}},
+                                           {QStringLiteral("translation"), QJsonArray{0, 0.3, 0}}});
+            const int head = kFirstJoint + test::kMannequinHead;
+            QJsonArray children = json[QLatin1String("nodes")][head][QLatin1String("children")].toArray();
+            children.append(hat);
+            changeNode(json, head, QStringLiteral("children"), children);
+        });
+        const Result<RiggedMesh> mesh = read(glb);
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        QCOMPARE(mesh->skeleton.joints.size(), test::kMannequin.size());
+        QCOMPARE(followedAt(*mesh, {0.0F, 1.81F, 0.0F}), QStringLiteral("mixamorig:Head")); // The hat's foot.
+    }
+
+    void foreignNamesAreMended()
+    {
+        const QByteArray glb = withJson(glbFromMesh(test::makeMannequin()), [](QJsonObject& json) {
+            changeNode(json, kFirstJoint + test::kMannequinHead, QStringLiteral("name"),
+                       QStringLiteral("a\tb") + QString(100, QLatin1Char('x')));
+        });
+        const Result<RiggedMesh> mesh = read(glb);
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        const bool isThere = std::ranges::any_of(
+            mesh->skeleton.joints, [](const HeadJoint& joint) { return joint.name == "a_b" + std::string(61, 'x'); });
+        QVERIFY(isThere);
+    }
+
+    void severalRootsGetOne()
+    {
+        const QByteArray glb = withJson(glbFromMesh(test::makeMannequin()), [](QJsonObject& json) {
+            // The left leg stands on its own.
+            QJsonArray children = json[QLatin1String("nodes")][kFirstJoint][QLatin1String("children")].toArray();
+            children.removeAt(1);
+            changeNode(json, kFirstJoint, QStringLiteral("children"), children);
+            changeNode(json, kFirstJoint + 14, QStringLiteral("translation"), QJsonArray{0.1, 0.9, 0});
+            addToScene(json, {0, kFirstJoint, kFirstJoint + 14});
+        });
+        const Result<RiggedMesh> mesh = read(glb);
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        QCOMPARE(mesh->skeleton.joints.size(), test::kMannequin.size() + 1);
+        QCOMPARE(strayJoint(mesh->skeleton), QString());
+    }
+
+    void tooManyNodesLeaveTheBones_data()
+    {
+        QTest::addColumn<bool>("areBones");
+        QTest::newRow("others than bones") << false;
+        QTest::newRow("bones, which are too many") << true;
+    }
+    void tooManyNodesLeaveTheBones()
+    {
+        QFETCH(bool, areBones);
+        constexpr int kMore = 1100;
+        RiggedMesh body = test::makeMannequin();
+        for (int i = 0; areBones && i < kMore; ++i)
+            body.skeleton.joints.push_back({.name = "more " + std::to_string(i), .parent = 0});
+        const QByteArray glb = withJson(glbFromMesh(body), [areBones](QJsonObject& json) {
+            QJsonArray children = json[QLatin1String("nodes")][kFirstJoint][QLatin1String("children")].toArray();
+            for (int i = 0; !areBones && i < kMore; ++i)
+                children.append(addNode(json, {{QStringLiteral("name"), QStringLiteral("more %1").arg(i)}}));
+            changeNode(json, kFirstJoint, QStringLiteral("children"), children);
+        });
+        const Result<RiggedMesh> mesh = read(glb);
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        QCOMPARE(mesh->skeleton.joints.size(), areBones ? std::size_t{0} : test::kMannequin.size());
+        QCOMPARE(mesh->skeleton.weights.size(), areBones ? std::size_t{0} : mesh->positionsHd.size());
+    }
+
+    void aBindMatrixOfNothingIsNoBind()
+    {
+        const QByteArray good = glbFromMesh(test::makeMannequin());
+        const QByteArray glb = withJson(good, [](QJsonObject& json) {
+            for (int i = 0; i < 3; ++i)
+                changeNode(json, kFirstJoint + 3 + i, QStringLiteral("scale"), QJsonArray{0, 0, 0});
+        });
+        const Result<RiggedMesh> mesh = read(glb);
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        QCOMPARE(strayJoint(mesh->skeleton), QString()); // The bind tells.
+    }
+
+    void aMeshWithoutSkinHasNoSkeleton()
+    {
+        const Result<RiggedMesh> mesh = read(glbFromMesh(test::makeBallHead(8)));
+        QVERIFY(mesh && mesh->skeleton.empty() && mesh->skeleton.weights.empty());
+    }
+};
+
+HAIRPAINT_TEST(TestImportSkeleton, Core)
+#include "test_import_skeleton.moc"

@@ -1,0 +1,204 @@
+// Hair with a whole body, as VRM 1.0.
+#include "model/exporting/cards/avatar_body.h"
+#include "tests/model/archive_maker.h"
+#include "tests/model/exported_hair.h"
+#include "tests/support/glb_json.h"
+#include "tests/support/test_program.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace hairpaint;
+using namespace hairpaint::model;
+using test::frameOf;
+using test::hairGroup;
+using test::mannequinAvatar;
+
+namespace {
+
+constexpr float kHandM = 0.7F; // How far to the side the mannequin's are.
+
+glm::vec3 placeOf(const Avatar& avatar, const AvatarBody& body, HumanBone bone)
+{
+    return body.places[static_cast<std::size_t>(avatar.bones[bone])].position;
+}
+
+/// The same body, seen from another side, and its mesh likewise.
+Avatar turnedAvatar(const Avatar& avatar, float angle)
+{
+    const glm::quat turn = glm::angleAxis(angle, glm::vec3(0.0F, 1.0F, 0.0F));
+    Avatar turned = avatar;
+    std::vector<JointPlace> places = placesOf(turned.skeleton);
+    for (JointPlace& place : places)
+        place = {.position = turn * place.position, .rotation = turn * place.rotation};
+    setPlaces(turned.skeleton, places);
+    sim::HeadMesh mesh = avatar.skin->mesh();
+    for (glm::vec3& position : mesh.positionsHd)
+        position = turn * position;
+    for (glm::vec3& normal : mesh.normalsHd)
+        normal = turn * normal;
+    turned.skin = std::make_shared<const sim::Skin>(std::move(mesh));
+    return turned;
+}
+
+} // namespace
+
+class TestAvatarFile : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+
+    [[nodiscard]] QJsonObject exported(const std::shared_ptr<const sim::StrandFrame>& frame,
+                                       const std::shared_ptr<const Avatar>& avatar) const
+    {
+        const QString path = m_folder.filePath(QStringLiteral("a.vrm"));
+        const Result<void> written = exportHair(frame,
+                                                {.format = findExportFormat(path),
+                                                 .target = &exportTargets().front(),
+                                                 .curves = test::allOf(*frame),
+                                                 .cards = {.triangles = 1'000, .atlasPx = 1024, .levels = 3},
+                                                 .colliders = {{.centreHd = {0.0F, 1.6F, 0.0F}}},
+                                                 .avatar = avatar},
+                                                path);
+        return written ? test::jsonOf(test::readBytes(path)) : QJsonObject{};
+    }
+
+private Q_SLOTS:
+    void theFileSaysWhatVrmAsksFor()
+    {
+        const QJsonObject json = exported(frameOf({hairGroup(1, 30'000, 65535, 0)}), mannequinAvatar());
+        const QJsonValue vrm = json[QLatin1String("extensions")][QLatin1String("VRMC_vrm")];
+        QCOMPARE(vrm[QLatin1String("specVersion")].toString(), QStringLiteral("1.0"));
+        QCOMPARE(vrm[QLatin1String("meta")][QLatin1String("name")].toString(), QStringLiteral("Mannequin"));
+        QCOMPARE(vrm[QLatin1String("meta")][QLatin1String("authors")].toArray(), QJsonArray{QStringLiteral("Ann")});
+        QCOMPARE(vrm[QLatin1String("meta")][QLatin1String("licenseUrl")].toString(),
+                 QStringLiteral("https://vrm.dev/licenses/1.0/"));
+        QCOMPARE(json[QLatin1String("extensionsUsed")].toArray(),
+                 (QJsonArray{QStringLiteral("VRMC_springBone"), QStringLiteral("VRMC_vrm")}));
+        const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
+        const QJsonObject bones = vrm[QLatin1String("humanoid")][QLatin1String("humanBones")].toObject();
+        const auto nodeOf = [&bones](const char* id) {
+            return bones[QLatin1String(id)][QLatin1String("node")].toInt();
+        };
+        QCOMPARE(nodes[nodeOf("head")][QLatin1String("name")].toString(), QStringLiteral("mixamorig:Head"));
+        QCOMPARE(nodes[nodeOf("leftLowerLeg")][QLatin1String("name")].toString(), QStringLiteral("mixamorig:LeftLeg"));
+        for (std::size_t i = 0; i < kHumanBoneCount; ++i) {
+            const HumanBoneSpec& spec = humanBoneSpec(static_cast<HumanBone>(i));
+            QVERIFY2(!spec.required || bones.contains(QLatin1StringView(spec.id)), spec.id);
+        }
+    }
+
+    void hairHangsFromTheHeadBone()
+    {
+        const QJsonObject json = exported(frameOf({hairGroup(1, 30'000, 65535, 0)}), mannequinAvatar());
+        const QJsonObject extensions = json[QLatin1String("extensions")].toObject();
+        const int head = extensions[QLatin1String("VRMC_vrm")][QLatin1String("humanoid")][QLatin1String("humanBones")]
+                                   [QLatin1String("head")][QLatin1String("node")]
+                                       .toInt();
+        const QJsonArray nodes = json[QLatin1String("nodes")].toArray();
+        const QJsonArray children = nodes[head][QLatin1String("children")].toArray();
+        const QJsonValue springBone = extensions[QLatin1String("VRMC_springBone")];
+        const QJsonArray springs = springBone[QLatin1String("springs")].toArray();
+        QVERIFY(springs.size() > 3);
+        for (const QJsonValue spring : springs)
+            QVERIFY(children.contains(spring[QLatin1String("joints")][0][QLatin1String("node")]));
+        QCOMPARE(springBone[QLatin1String("colliders")][0][QLatin1String("node")].toInt(), head);
+        // Cards follow the chains, the body its own joints.
+        const QJsonArray skins = json[QLatin1String("skins")].toArray();
+        QCOMPARE(skins.size(), qsizetype{2});
+        QCOMPARE(skins[0][QLatin1String("joints")].toArray().size(), 1 + 5 * springs.size());
+        QCOMPARE(skins[0][QLatin1String("joints")][0].toInt(), head);
+        QCOMPARE(skins[1][QLatin1String("joints")].toArray().size(), static_cast<qsizetype>(test::kMannequin.size()));
+        int skinned = 0;
+        for (const QJsonValue node : nodes)
+            if (node[QLatin1String("mesh")].isDouble()) {
+                const bool isBody = node[QLatin1String("name")].toString() == QLatin1String("Head mesh");
+                QCOMPARE(node[QLatin1String("skin")].toInt(-1), isBody ? 1 : 0);
+                ++skinned;
+            }
+        QCOMPARE(skinned, 2); // One level alone.
+    }
+
+    void aBaldAvatarIsOneToo()
+    {
+        const QJsonObject json = exported(frameOf({hairGroup(1, 0, 65535, 0)}), mannequinAvatar());
+        QVERIFY(json[QLatin1String("extensions")][QLatin1String("VRMC_vrm")].isObject());
+        QVERIFY(!json[QLatin1String("extensions")][QLatin1String("VRMC_springBone")].isObject());
+        QCOMPARE(json[QLatin1String("skins")].toArray().size(), qsizetype{1});
+    }
+
+    void theHeadsPoseIsNoPartOfIt()
+    {
+        const auto grownUnder = [](const sim::HeadPose& pose) {
+            sim::GroomInput input;
+            input.skin = std::make_shared<const sim::Skin>(test::makeBallHead());
+            input.groups = {hairGroup(1, 30'000, 65535, 0)};
+            sim::Simulation simulation;
+            simulation.setInput(input);
+            simulation.setPose(pose);
+            simulation.reset();
+            auto frame = std::make_shared<sim::StrandFrame>();
+            simulation.writeFrame(*frame);
+            return frame;
+        };
+        const auto boundsOf = [](const QJsonObject& json, const char* key) {
+            const QJsonValue accessor = json[QLatin1String("meshes")][0][QLatin1String("primitives")][0]
+                                            [QLatin1String("attributes")][QLatin1String("POSITION")];
+            const QJsonArray numbers = json[QLatin1String("accessors")][accessor.toInt()][QLatin1String(key)].toArray();
+            return glm::dvec3(numbers[0].toDouble(), numbers[1].toDouble(), numbers[2].toDouble());
+        };
+        const auto turn = glm::angleAxis(0.6F, glm::vec3(0.0F, 1.0F, 0.0F));
+        const QJsonObject still = exported(grownUnder({}), mannequinAvatar());
+        const QJsonObject moved =
+            exported(grownUnder({.rotation = turn, .positionWo = {1.0F, 2.0F, 3.0F}}), mannequinAvatar());
+        for (const char* key : {"min", "max"})
+            QVERIFY(glm::distance(boundsOf(still, key), boundsOf(moved, key)) < 0.01);
+    }
+
+    void theFaceLooksForward_data()
+    {
+        QTest::addColumn<int>("quarters");
+        for (const int quarters : {0, 1, 2, 3})
+            QTest::newRow(qPrintable(QString::number(quarters))) << quarters;
+    }
+    void theFaceLooksForward()
+    {
+        QFETCH(int, quarters);
+        const auto avatar = mannequinAvatar();
+        const Avatar turned = turnedAvatar(*avatar, 1.5707963F * static_cast<float>(quarters));
+        const AvatarBody body = avatarBody(turned);
+        QVERIFY(glm::distance(placeOf(turned, body, HumanBone::LeftHand), {kHandM, 1.4F, 0.0F}) < 1e-4F);
+        const std::vector<glm::vec3>& own = avatar->skin->mesh().positionsHd;
+        for (std::size_t i = 0; i < own.size(); ++i)
+            QVERIFY(glm::distance(body.mesh.vertices[i].position, own[i]) < 1e-4F);
+        if (quarters == 0) // Nothing of it is changed.
+            for (std::size_t i = 0; i < own.size(); ++i)
+                QVERIFY(body.mesh.vertices[i].position == own[i]);
+    }
+
+    void hangingArmsAreHeldOut()
+    {
+        const auto avatar = mannequinAvatar(0.8F);
+        const AvatarBody body = avatarBody(*avatar);
+        QVERIFY(glm::distance(placeOf(*avatar, body, HumanBone::LeftHand), {kHandM, 1.4F, 0.0F}) < 1e-4F);
+        QVERIFY(glm::distance(placeOf(*avatar, body, HumanBone::RightHand), {-kHandM, 1.4F, 0.0F}) < 1e-4F);
+        QVERIFY(glm::distance(placeOf(*avatar, body, HumanBone::LeftFoot), {0.1F, 0.08F, 0.0F}) < 1e-4F);
+        // The skin comes along, and keeps its shape.
+        const std::vector<glm::vec3>& own = avatar->skin->mesh().positionsHd;
+        float reach = 0.0F;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const HeadVertexOut& vertex = body.mesh.vertices[i];
+            reach = std::max(reach, vertex.position.x);
+            QVERIFY(std::abs(glm::length(vertex.normal) - 1.0F) < 1e-4F);
+            const std::size_t other = i ^ 1U; // Of the same box, where it is of one.
+            if (other < own.size() && avatar->skeleton.weights[i] == avatar->skeleton.weights[other])
+                QVERIFY(std::abs(glm::distance(vertex.position, body.mesh.vertices[other].position) -
+                                 glm::distance(own[i], own[other])) < 1e-4F);
+        }
+        QVERIFY(reach > 0.68F);
+    }
+};
+
+HAIRPAINT_TEST(TestAvatarFile, Core)
+#include "test_avatar_file.moc"
