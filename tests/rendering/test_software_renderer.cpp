@@ -4,6 +4,7 @@
 #include "tests/rendering/golden_scenes.h"
 #include "tests/rendering/renderer_fixture.h"
 #include "tests/support/test_program.h"
+#include "view/rendering/frame_constants.h"
 #include "view/rendering/software/software_renderer.h"
 
 #include <QDir>
