@@ -41,7 +41,7 @@ void main()
         vec4 seenB = eyeVoxels(b);
         vec3 from1 = seenA.xyz;
         vec3 to1 = seenB.xyz;
-        int steps = clamp(int(min(max(distance(from0, to0), distance(from1, to1)), 8.0)) + 1, 1, 8);
+        int steps = clamp(int(min(max(distance(from0, to0), distance(from1, to1)), 31.0)) + 1, 1, 32);
         float area = lengthM * weight / float(steps);
         uint add = uint(area + 0.5);
         // A column widens with the distance. What no ray of the picture meets hides nothing.

@@ -113,6 +113,27 @@ private Q_SLOTS:
         }
     }
 
+    /// Close by a voxel of the shade is smaller than what lies between hairs that are known to it.
+    void shadeIsEvenAlongHairCloseBy()
+    {
+        Scene scene = emptyScene();
+        scene.head = makeBall(kBall);
+        scene.camera.distanceM = 0.25F;
+        std::vector<HandMadeStrand> strands = comb(0xFF202020U, 40'000, 4.0F, 60e-6F);
+        for (HandMadeStrand& strand : strands) // A thin curtain that hangs before the ball.
+            for (glm::vec3& node : strand.nodesWo)
+                node.z = 0.125F;
+        scene.hair = makeFrame(strands, plainSettings());
+        constexpr int kSide = 240;
+        const Picture picture = softly(scene, {.samples = 4}, kSide, kSide);
+        double uneven = 0.0;
+        for (int y = 80; y < 160; ++y)
+            for (int x = 80; x < 160; ++x)
+                uneven += std::abs(2 * picture.at(x, y).y - picture.at(x, y - 8).y - picture.at(x, y + 8).y);
+        uneven /= 80.0 * 80.0;
+        QVERIFY2(uneven < 12.0, qPrintable(QString::number(uneven)));
+    }
+
     void theHeadsPictureHoldsWhileHairMoves()
     {
         Scene scene;

@@ -19,6 +19,15 @@ float samplesPerM(const FrameConstants& constants)
     return constants.gridSize.z / distanceM;
 }
 
+std::size_t hairsForGrids(const FrameConstants& constants, bool fine)
+{
+    constexpr float kForAHead = 6144.0F;
+    constexpr float kHeadM = 0.5F; // About as much hair is seen of it.
+    constexpr float kFinely = 4.0F;
+    const float nearer = std::max(kHeadM * samplesPerM(constants) / constants.target.y, 1.0F);
+    return static_cast<std::size_t>(kForAHead * std::min(nearer * nearer, 64.0F) * (fine ? kFinely : 1.0F));
+}
+
 float hairWidthSp(const sim::StrandMaterial& material, const FrameConstants& constants)
 {
     return material.widthM * samplesPerM(constants);

@@ -18,6 +18,10 @@ inline constexpr float kFadingPart = 0.15F; ///< Of the drawn hairs: more that t
 /// Samples that a metre covers where the hair is nearest.
 [[nodiscard]] float samplesPerM(const FrameConstants& constants);
 
+/// So many of a group's hairs are enough to tell how much hair lies where: the nearer the eye, the more, since the
+/// voxels are the smaller. `fine`: a picture to be kept.
+[[nodiscard]] std::size_t hairsForGrids(const FrameConstants& constants, bool fine);
+
 /// How what lies behind other hair is drawn.
 struct DepthOfCoat
 {

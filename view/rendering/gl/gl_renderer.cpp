@@ -37,6 +37,15 @@ bool takeErrors()
 constexpr int kAllRows = 1 << 16;
 constexpr int kRowsAStep = 4; ///< Of tiles.
 
+/// Until all that was handed over is drawn; no longer than a second, should the driver hang.
+void awaitDrawing()
+{
+    constexpr GLuint64 kMostNs = 1'000'000'000;
+    GLsync done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glClientWaitSync(done, GL_SYNC_FLUSH_COMMANDS_BIT, kMostNs);
+    glDeleteSync(done);
+}
+
 using Clock = std::chrono::steady_clock;
 
 double millisecondsSince(Clock::time_point begin)
@@ -175,7 +184,7 @@ bool GlRenderer::step(double budgetMs)
         finished = !drawPiece(picture, kRowsAStep);
         if (finished)
             resolve(picture);
-        glFinish();
+        awaitDrawing();
         spentMs = millisecondsSince(began);
     } while (!finished && spentMs < budgetMs);
     picture.spentMs += spentMs;

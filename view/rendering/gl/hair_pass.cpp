@@ -12,8 +12,7 @@ namespace hairpaint::rendering {
 namespace {
 
 constexpr unsigned kWorkgroup = 64;
-constexpr float kVoxelUnitM2 = 1e-9F;            ///< Hair's area that one unit of a voxel stands for.
-constexpr std::uint32_t kSplattedStrands = 8192; ///< About as many are enough for a smooth grid.
+constexpr float kVoxelUnitM2 = 1e-9F; ///< Hair's area that one unit of a voxel stands for.
 
 // The shaders stop at what is opaque, so that more of what lies deep is drawn than in software.
 constexpr DepthOfCoat kFineDepth{.undrawnCoverings = 10.0F, .widest = 0.55F, .leastFraction = 0.45F};
@@ -79,6 +78,7 @@ HairPass::Report HairPass::uploadGroups(const std::shared_ptr<const sim::StrandF
         m_groups.clear();
         return report;
     }
+    m_fine = fine;
     m_depth = fine ? kFineDepth : kMovingDepth;
     std::erase_if(m_groups, [&](const auto& entry) {
         return std::none_of(frame->groups.begin(), frame->groups.end(), [&](const sim::GroupFrame& group) {
@@ -137,6 +137,7 @@ void HairPass::bindOpacity(unsigned lightUnit, unsigned eyeUnit) const
 
 void HairPass::fillGrid(const FrameConstants& constants)
 {
+    const auto wanted = static_cast<std::uint32_t>(hairsForGrids(constants, m_fine));
     m_voxels.bindStorage(3);
     m_splat.use();
     m_splat.set("gridSide", kGridSide);
@@ -144,7 +145,7 @@ void HairPass::fillGrid(const FrameConstants& constants)
         const HairBuffers& group = m_groups.at(id);
         group.bind();
         const auto strands = static_cast<std::uint32_t>(group.list().strandCount());
-        const std::uint32_t step = std::max(1U, strands / kSplattedStrands);
+        const std::uint32_t step = std::max(1U, (strands + wanted / 2) / wanted);
         m_splat.set("strandCount", strands);
         m_splat.set("strandStep", step);
         m_splat.set("nodes", group.groom().nodes);

@@ -80,6 +80,7 @@ private:
     std::map<int, HairBuffers> m_groups; ///< By the group's id.
     std::vector<int> m_visible;          ///< Ids, in the frame's order.
     std::map<int, Share> m_shares;       ///< By the group's id.
+    bool m_fine = false;
     DepthOfCoat m_depth{};
     std::size_t m_pointCount = 0;
     std::vector<Piece> m_pieces;

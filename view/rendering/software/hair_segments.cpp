@@ -154,7 +154,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         return;
     }
     m_detail = detailThatTells;
-    m_grids.fill(sources, constants);
+    m_grids.fill(sources, constants, fine);
     const std::size_t wanted = m_hairs / kWantedBatches / kBlockLanes * kBlockLanes;
     const std::size_t batchStrands = std::clamp(wanted, kLeastBatch, kMostBatch);
     for (std::size_t g = 0; g < m_groups.size(); ++g) {

@@ -2,6 +2,7 @@
 #include "view/rendering/software/opacity_grids.h"
 
 #include "sim/base/parallel.h"
+#include "view/rendering/drawn_fraction.h"
 #include "view/rendering/light/hair_light.h"
 
 #include <algorithm>
@@ -10,16 +11,16 @@
 namespace hairpaint::rendering {
 namespace {
 
-constexpr float kVoxelAreaM2 = 1e-9F;       ///< Hair's area that one unit of a voxel stands for.
-constexpr std::size_t kSplatStrands = 6144; ///< About as many are enough for a smooth grid.
+constexpr float kVoxelAreaM2 = 1e-9F; ///< Hair's area that one unit of a voxel stands for.
 constexpr float kMostUnits = 65535.0F;
 constexpr std::uint32_t kMostArea = 0x7FFFFFFF;
 constexpr std::size_t kVoxelsOfGrid = static_cast<std::size_t>(kGridSide) * kGridSide * kGridSide;
 
 } // namespace
 
-void OpacityGrids::fill(std::span<const Source> sources, const FrameConstants& constants)
+void OpacityGrids::fill(std::span<const Source> sources, const FrameConstants& constants, bool fine)
 {
+    m_hairsWanted = hairsForGrids(constants, fine);
     m_eyeGrid = rendering::eyeGrid(constants);
     const std::size_t parts = std::clamp<std::size_t>(static_cast<std::size_t>(sim::threadCount()), 1, kMostParts);
     m_voxels.resize(parts);
@@ -38,7 +39,7 @@ void OpacityGrids::fill(std::span<const Source> sources, const FrameConstants& c
 void OpacityGrids::splat(const Source& source, const FrameConstants& constants, std::size_t part)
 {
     const sim::Groom& groom = *source.group->groom;
-    const std::size_t step = std::max<std::size_t>(1, (source.slots.size() + kSplatStrands / 2) / kSplatStrands);
+    const std::size_t step = std::max<std::size_t>(1, (source.slots.size() + m_hairsWanted / 2) / m_hairsWanted);
     splatStrands({.gridFromWo = constants.gridFromWo[0],
                   .projectionFromWo = constants.projectionFromWo,
                   .eyeGrid = m_eyeGrid,

@@ -38,7 +38,8 @@ public:
         std::span<const std::uint32_t> slots;
         float detail; ///< The fraction of the group's hairs that these are.
     };
-    void fill(std::span<const Source> sources, const FrameConstants& constants);
+    /// `fine`: for a picture to be kept.
+    void fill(std::span<const Source> sources, const FrameConstants& constants, bool fine);
     [[nodiscard]] const EyeGrid& eyeGrid() const { return m_eyeGrid; }
     /// [kGridSide][kGridSide][kGridSide] voxels in units of 1 / kGridUnits, z running away from the light (0) or the
     /// eye (1). The lower half is the voxel's, the upper half its neighbour's along x, so that one look tells both.
@@ -54,6 +55,7 @@ private:
     std::vector<std::vector<std::uint32_t>> m_voxels; ///< Of parts that are splatted side by side.
     std::array<std::vector<std::uint32_t>, 2> m_opacity;
     EyeGrid m_eyeGrid;
+    std::size_t m_hairsWanted = 1;
 };
 
 } // namespace hairpaint::rendering

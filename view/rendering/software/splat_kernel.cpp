@@ -13,7 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace hairpaint::rendering::HWY_NAMESPACE {
 
-constexpr int kMostSteps = 8; ///< That a span is laid in.
+constexpr int kMostSteps = 32;  ///< That a span is laid in: close by it lies in many voxels.
+constexpr int kSpanNumbers = 8; ///< From a span's first random number to the next one's.
 
 HWY_INLINE Ints hashOf(Ints x)
 {
@@ -117,7 +118,8 @@ HWY_INLINE void splatSpan(const SplatTask& task, const SplatNode& a, const Splat
     hn::Store(hn::ConvertTo(di, (seenArea + Lanes(0.5F)).v), di, seenAreas);
     hn::Store(hn::ConvertTo(di, steps.v), di, counts);
     const int mostSteps = *std::max_element(counts, counts + used);
-    const Ints seed = hn::Add(hn::Mul(strand, hn::Set(di, kMostNodes * kMostSteps)), hn::Set(di, span * kMostSteps));
+    const Ints seed =
+        hn::Add(hn::Mul(strand, hn::Set(di, kMostNodes * kSpanNumbers)), hn::Set(di, span * kSpanNumbers));
     for (int n = 0; n < mostSteps; ++n) {
         const Ints random = hashOf(hn::Add(seed, hn::Set(di, n)));
         const auto jitter = [&](Ints bits) {
