@@ -3,12 +3,35 @@
 
 #include "model/files/sentences.h"
 
+#include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #include <filesystem>
 #include <system_error>
 
 namespace hairpaint::model {
+
+namespace {
+
+/// Over what lies there. What went wrong; empty where nothing did.
+QString moveFile(const QString& from, const QString& to)
+{
+    std::error_code problem;
+    std::filesystem::rename(QFileInfo(from).filesystemFilePath(), QFileInfo(to).filesystemFilePath(), problem);
+    return problem ? QString::fromLocal8Bit(problem.message()) : QString();
+}
+
+/// Gives it a second name, so that its place is never empty; the first goes where a disk knows no such names.
+QString keepFile(const QString& file, const QString& as)
+{
+    std::error_code problem;
+    std::filesystem::create_hard_link(QFileInfo(file).filesystemFilePath(), QFileInfo(as).filesystemFilePath(),
+                                      problem);
+    return problem ? moveFile(file, as) : QString();
+}
+
+} // namespace
 
 StagedFiles::StagedFiles(const QString& folder) : m_folder(folder + QStringLiteral("/hairpaint-XXXXXX")) {}
 
@@ -32,14 +55,32 @@ Error StagedFiles::named(Error error, const QString& place) const
 
 Result<void> StagedFiles::publish(const QStringList& places) const
 {
-    for (const QString& place : places) {
-        std::error_code problem;
-        std::filesystem::rename(QFileInfo(pathFor(place)).filesystemFilePath(), QFileInfo(place).filesystemFilePath(),
-                                problem);
-        if (problem)
-            return cannotWrite(place, {.text = writeRefusal(QString::fromLocal8Bit(problem.message()))});
+    // What lies there is put aside first, so that it can be put back.
+    if (!QDir(m_folder.path()).mkpath(QStringLiteral("before")))
+        return cannotWrite(places.front(), {.text = writeRefusal(qt_error_string())});
+    qsizetype aside = 0;
+    qsizetype placed = 0;
+    QString problem;
+    for (; aside < places.size() && problem.isEmpty(); ++aside)
+        if (QFileInfo::exists(places[aside]))
+            problem = keepFile(places[aside], asideFor(aside));
+    for (; placed < places.size() && problem.isEmpty(); ++placed)
+        problem = moveFile(pathFor(places[placed]), places[placed]);
+    if (problem.isEmpty())
+        return {};
+    const QString& failed = places[placed > 0 ? placed - 1 : aside - 1];
+    for (qsizetype i = 0; i < aside; ++i) {
+        if (QFileInfo::exists(asideFor(i)))
+            (void)moveFile(asideFor(i), places[i]);
+        else if (i < placed)
+            (void)QFile::remove(places[i]);
     }
-    return {};
+    return cannotWrite(failed, {.text = writeRefusal(problem)});
+}
+
+QString StagedFiles::asideFor(qsizetype number) const
+{
+    return m_folder.filePath(QStringLiteral("before/%1").arg(number));
 }
 
 } // namespace hairpaint::model

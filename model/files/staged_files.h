@@ -21,10 +21,13 @@ public:
     [[nodiscard]] QString pathFor(const QString& place) const;
     /// The error with the place named, not where the file lay meanwhile.
     [[nodiscard]] Error named(Error error, const QString& place) const;
-    /// Moves all files over what lies in their places.
+    /// Moves all files over what lies in their places, or, where one can't be, none.
     [[nodiscard]] Result<void> publish(const QStringList& places) const;
 
 private:
+    /// Where the file that lay in that place is meanwhile.
+    [[nodiscard]] QString asideFor(qsizetype number) const;
+
     QTemporaryDir m_folder;
 };
 

@@ -7,7 +7,7 @@
 #include "model/journal/journal_reader.h"
 #include "model/journal/journal_writer.h"
 #include "model/repair/project_repair.h"
-#include "tests/model/archive_maker.h"
+#include "tests/model/each_fault.h"
 #include "tests/model/fixtures.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/allocation_limit.h"
@@ -25,49 +25,7 @@ using namespace hairpaint::model;
 
 namespace {
 
-constexpr int kMostFaults = 2000; ///< More than anything here asks for.
 constexpr std::size_t kLargeBytes = 32 << 10;
-
-/// Names and bytes.
-using FolderContent = QMap<QString, QByteArray>;
-
-FolderContent contentOf(const QString& folder)
-{
-    FolderContent content;
-    for (const QString& name : QDir(folder).entryList(QDir::Files | QDir::Hidden))
-        content.insert(name, test::readBytes(folder + QLatin1Char('/') + name));
-    return content;
-}
-
-/// Else nothing was tried. The address sanitizer keeps malloc to itself, and what is left allocates little.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kFewestFaults = 0;
-#else
-constexpr int kFewestFaults = 2;
-#endif
-
-/// Does `work` with a fault at the first call, the second, and so on until none is left to fail; `judge` says each time
-/// what is wrong. Empty where nothing was, and where there were faults.
-template<typename Fault, typename... Options>
-QString underEachFault(const std::function<bool()>& work, const std::function<QString(bool done)>& judge,
-                       Options... options)
-{
-    for (int nth = 1; nth < kMostFaults; ++nth) {
-        bool happened = false;
-        const bool done = [&] {
-            const Fault fault(nth, options...);
-            const bool came = work();
-            happened = Fault::happened();
-            return came;
-        }();
-        if (const QString wrong = judge(done); !wrong.isEmpty())
-            return QStringLiteral("fault %1: %2").arg(nth).arg(wrong);
-        if (!happened)
-            return done && nth > kFewestFaults ? QString()
-                                               : QStringLiteral("without a fault: done %1, %2").arg(done).arg(nth);
-    }
-    return QStringLiteral("there is no end of faults");
-}
 
 } // namespace
 
@@ -89,9 +47,9 @@ private:
     }
 
     /// `before`, or `after` where it was done, and else a sentence.
-    [[nodiscard]] QString judge(bool done, const FolderContent& before, const FolderContent& after)
+    [[nodiscard]] QString judge(bool done, const test::FolderContent& before, const test::FolderContent& after)
     {
-        const FolderContent now = contentOf(m_folder->path());
+        const test::FolderContent now = test::contentOf(m_folder->path());
         if (now != (done ? after : before))
             return QStringLiteral("done %1, and the folder holds %2")
                 .arg(done)
@@ -101,25 +59,17 @@ private:
         return {};
     }
 
-    void putBack(const FolderContent& content) const
-    {
-        for (const QString& name : QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden))
-            QFile::remove(m_folder->filePath(name));
-        for (const auto& [name, bytes] : content.asKeyValueRange())
-            test::writeBytes(m_folder->filePath(name), bytes);
-    }
-
     /// The same from the same start, again and again.
     [[nodiscard]] QString underEachFileFault(const std::function<bool()>& work)
     {
-        const FolderContent before = contentOf(m_folder->path());
+        const test::FolderContent before = test::contentOf(m_folder->path());
         if (!work())
             return QStringLiteral("it fails without a fault: ") + m_message;
-        const FolderContent after = contentOf(m_folder->path());
-        putBack(before);
-        return underEachFault<test::FileFault>(work, [&](bool done) {
+        const test::FolderContent after = test::contentOf(m_folder->path());
+        test::putBack(m_folder->path(), before);
+        return test::underEachFault<test::FileFault>(work, [&](bool done) {
             const QString wrong = judge(done, before, after);
-            putBack(before);
+            test::putBack(m_folder->path(), before);
             return wrong;
         });
     }
@@ -180,7 +130,7 @@ private Q_SLOTS:
         }
         const QString file = m_folder->filePath(QStringLiteral("journal"));
         int taken = 0;
-        const QString wrong = underEachFault<test::FileFault>(
+        const QString wrong = test::underEachFault<test::FileFault>(
             [&] {
                 QFile::remove(file);
                 taken = 0;
@@ -215,7 +165,7 @@ private Q_SLOTS:
         const Project project = test::makeSampleProject();
         QVERIFY(saveProject(project, m_path, {}));
         Result<Project> opened = failure({});
-        QCOMPARE(underEachFault<test::AllocationFault>(
+        QCOMPARE(test::underEachFault<test::AllocationFault>(
                      [&] {
                          opened = loadProject(m_path);
                          return noted(opened);
@@ -233,17 +183,17 @@ private Q_SLOTS:
     {
         const Project project = test::makeSampleProject();
         test::writeBytes(m_path, "old");
-        const FolderContent before = contentOf(m_folder->path());
+        const test::FolderContent before = test::contentOf(m_folder->path());
         QVERIFY(saveProject(project, m_path, {}));
-        const FolderContent after = contentOf(m_folder->path());
-        putBack(before);
-        QCOMPARE(underEachFault<test::AllocationFault>([&] { return noted(saveProject(project, m_path, {})); },
-                                                       [&](bool done) {
-                                                           const QString wrong = judge(done, before, after);
-                                                           putBack(before);
-                                                           return wrong;
-                                                       },
-                                                       kLargeBytes),
+        const test::FolderContent after = test::contentOf(m_folder->path());
+        test::putBack(m_folder->path(), before);
+        QCOMPARE(test::underEachFault<test::AllocationFault>([&] { return noted(saveProject(project, m_path, {})); },
+                                                             [&](bool done) {
+                                                                 const QString wrong = judge(done, before, after);
+                                                                 test::putBack(m_folder->path(), before);
+                                                                 return wrong;
+                                                             },
+                                                             kLargeBytes),
                  QString());
     }
 
@@ -254,7 +204,7 @@ private Q_SLOTS:
         test::writeBytes(m_path, whole.chopped(3000));
         const Project expected = repairProject(m_path).value().project;
         Result<RepairedProject> repaired = failure({});
-        QCOMPARE(underEachFault<test::AllocationFault>(
+        QCOMPARE(test::underEachFault<test::AllocationFault>(
                      [&] {
                          repaired = repairProject(m_path);
                          return noted(repaired);
