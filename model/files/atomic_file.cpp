@@ -137,7 +137,7 @@ Checked<void> AtomicFile::commit()
     if (failed())
         return refuse(m_problem);
     if (!m_staged.place())
-        return refuse(isDiskFull(m_path) ? noSpace() : writeRefusal(m_staged.problem()));
+        return refuse(isDiskFull(m_path) ? noSpace() : m_staged.problem());
     flushFolder(QFileInfo(m_path).absolutePath());
     return {};
 }

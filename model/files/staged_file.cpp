@@ -2,6 +2,7 @@
 #include "model/files/staged_file.h"
 
 #include "model/files/atomic_file.h"
+#include "model/files/sentences.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -123,7 +124,7 @@ bool StagedFile::nameIt()
         if (errno != EEXIST)
             break;
     }
-    m_problem = qt_error_string(errno);
+    m_problem = writeRefusal(qt_error_string(errno));
 #endif
     return false;
 }
@@ -136,7 +137,7 @@ bool StagedFile::place()
     m_file.close(); // What is open can't be renamed there.
 #endif
     if (!replaceFile(m_stagedName, m_path)) {
-        m_problem = qt_error_string();
+        m_problem = writeRefusal(qt_error_string());
         return false;
     }
     m_stagedName.clear();

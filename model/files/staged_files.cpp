@@ -14,12 +14,12 @@ namespace hairpaint::model {
 
 namespace {
 
-/// Over what lies there. What went wrong; empty where nothing did.
+/// Over what lies there. A clause on what went wrong; empty where nothing did.
 QString moveFile(const QString& from, const QString& to)
 {
     std::error_code problem;
     std::filesystem::rename(QFileInfo(from).filesystemFilePath(), QFileInfo(to).filesystemFilePath(), problem);
-    return problem ? QString::fromLocal8Bit(problem.message()) : QString();
+    return problem ? writeRefusal(QString::fromLocal8Bit(problem.message())) : QString();
 }
 
 /// Gives it a second name, so that its place is never empty; the first goes where a disk knows no such names.
@@ -75,7 +75,7 @@ Result<void> StagedFiles::publish(const QStringList& places) const
         else if (i < placed)
             (void)QFile::remove(places[i]);
     }
-    return cannotWrite(failed, {.text = writeRefusal(problem)});
+    return cannotWrite(failed, {.text = problem});
 }
 
 QString StagedFiles::asideFor(qsizetype number) const
