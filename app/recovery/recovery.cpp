@@ -3,7 +3,7 @@
 
 #include "app/recovery/recovery_dialog.h"
 #include "app/style_pictures.h"
-#include "model/files/staged_file.h"
+#include "model/files/staged_sweep.h"
 #include "model/journal/journal_reader.h"
 
 #include <QCoreApplication>
@@ -87,7 +87,7 @@ void sweepBeside(const QStringList& files)
         folders.insert(QFileInfo(file).absolutePath());
     std::thread([folders] {
         for (const QString& folder : folders)
-            (void)model::sweepStagedFiles(folder);
+            (void)model::sweepStaged(folder);
     }).detach();
 }
 

@@ -72,7 +72,7 @@ Result<void> writeMapImages(std::span<const WantedMap> maps, const QString& fold
             return cannotWrite(place, writable.error());
     if (places.isEmpty())
         return {};
-    const StagedFiles staged(folder);
+    StagedFiles staged(folder);
     if (Result<void> ready = staged.check(places.front()); !ready)
         return ready;
     for (std::size_t i = 0; i < maps.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <new>
 #include <vector>
 
 namespace hairpaint::model {
@@ -92,8 +93,10 @@ std::string pdfOf(const Sheet& sheet)
         "1 J 1 j\n" + pdfLines(sheet.edges, kEdgeMm, 0.7) + pdfLines(sheet.borders, kBorderMm, 0.0);
     // qCompress puts the length before what a PDF calls FlateDecode.
     constexpr qsizetype kLengthBytes = 4;
-    const QByteArray packed =
-        qCompress(QByteArray::fromRawData(lines.data(), static_cast<qsizetype>(lines.size()))).sliced(kLengthBytes);
+    const QByteArray counted = qCompress(QByteArray::fromRawData(lines.data(), static_cast<qsizetype>(lines.size())));
+    if (counted.isEmpty()) // So it tells of want of memory.
+        throw std::bad_alloc();
+    const QByteArray packed = counted.sliced(kLengthBytes);
     std::string page = "<< /Type /Page /Parent 2 0 R /Resources << >> /Contents 4 0 R /MediaBox [0 0 ";
     appendMillimetres(page, kPaperWidthMm * kPointsPerMm);
     page.push_back(' ');

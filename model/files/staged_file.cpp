@@ -1,57 +1,19 @@
-// Names, locks and links of files under way.
+// Opening, linking and renaming.
 #include "model/files/staged_file.h"
 
 #include "model/files/atomic_file.h"
 #include "model/files/sentences.h"
+#include "model/files/staged_names.h"
 
-#include <QDir>
 #include <QFileInfo>
-#include <QRandomGenerator>
 
 #ifdef Q_OS_UNIX
 #include <cerrno>
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 #endif
 
 namespace hairpaint::model {
-
-namespace {
-
-constexpr int kMostTries = 16; ///< At a name that is not taken yet.
-
-/// Short, so that it has room wherever the file's own name has; and hidden.
-QString stagedNameIn(const QString& folder)
-{
-    const quint64 number = QRandomGenerator::global()->generate64();
-    return QStringLiteral("%1/.hairpaint-%2.part").arg(folder).arg(number, 16, 16, QLatin1Char('0'));
-}
-
-/// Held until the file is closed, also by a kill.
-void lockStaged([[maybe_unused]] const QFile& file)
-{
-#ifdef Q_OS_UNIX
-    (void)::flock(file.handle(), LOCK_EX | LOCK_NB);
-#endif
-}
-
-/// Elsewhere than on Unix the system itself keeps a file that is open.
-bool isHeld([[maybe_unused]] const QString& path)
-{
-#ifdef Q_OS_UNIX
-    const int descriptor = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (descriptor < 0)
-        return true;
-    const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
-    (void)::close(descriptor);
-    return held;
-#else
-    return false;
-#endif
-}
-
-} // namespace
 
 StagedFile::StagedFile(const QString& path) : m_path(path)
 {
@@ -94,7 +56,7 @@ bool StagedFile::open()
     if (!openNameless()) {
         const QString folder = before.absolutePath();
         bool opened = false;
-        for (int tries = 0; tries < kMostTries && !opened; ++tries) {
+        for (int tries = 0; tries < kStagedNameTries && !opened; ++tries) {
             m_file.setFileName(stagedNameIn(folder));
             opened = m_file.open(QIODevice::WriteOnly | QIODevice::NewOnly | QIODevice::Unbuffered);
             if (!opened && !QFileInfo::exists(m_file.fileName()))
@@ -104,7 +66,7 @@ bool StagedFile::open()
             return false;
         m_stagedName = m_file.fileName();
     }
-    lockStaged(m_file);
+    holdStaged(m_file);
     if (before.exists())
         (void)m_file.setPermissions(before.permissions());
     return true;
@@ -114,7 +76,7 @@ bool StagedFile::nameIt()
 {
 #ifdef O_TMPFILE
     const QByteArray open = "/proc/self/fd/" + QByteArray::number(m_file.handle());
-    for (int tries = 0; tries < kMostTries; ++tries) {
+    for (int tries = 0; tries < kStagedNameTries; ++tries) {
         const QString name = stagedNameIn(QFileInfo(m_path).absolutePath());
         if (::linkat(AT_FDCWD, open.constData(), AT_FDCWD, QFile::encodeName(name).constData(), AT_SYMLINK_FOLLOW) ==
             0) {
@@ -143,18 +105,6 @@ bool StagedFile::place()
     m_stagedName.clear();
     m_file.close();
     return true;
-}
-
-int sweepStagedFiles(const QString& folder)
-{
-    int swept = 0;
-    const QDir place(folder);
-    const QStringList left = place.entryList({QStringLiteral(".hairpaint-????????????????.part")},
-                                             QDir::Files | QDir::Hidden | QDir::NoSymLinks);
-    for (const QString& name : left)
-        if (const QString path = place.filePath(name); !isHeld(path) && QFile::remove(path))
-            ++swept;
-    return swept;
 }
 
 } // namespace hairpaint::model

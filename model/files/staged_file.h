@@ -35,7 +35,4 @@ private:
     QString m_problem;
 };
 
-/// Removes what processes that were killed have left in a folder, and nothing that anyone still writes. How many.
-int sweepStagedFiles(const QString& folder);
-
 } // namespace hairpaint::model

@@ -2,6 +2,8 @@
 #include "model/files/staged_files.h"
 
 #include "model/files/sentences.h"
+#include "model/files/staged_names.h"
+#include "model/files/staged_sweep.h"
 
 #include <QDir>
 #include <QFile>
@@ -33,32 +35,80 @@ QString keepFile(const QString& file, const QString& as)
 
 } // namespace
 
-StagedFiles::StagedFiles(const QString& folder) : m_folder(folder + QStringLiteral("/hairpaint-XXXXXX")) {}
+StagedFiles::StagedFiles(const QString& folder)
+{
+    (void)sweepStaged(folder);
+    for (int tries = 0; tries < kStagedNameTries && m_folder.isEmpty(); ++tries)
+        if (const QString path = stagedNameIn(folder); makeFolder(path))
+            m_folder = path;
+}
+
+bool StagedFiles::makeFolder(const QString& path)
+{
+    std::error_code problem;
+    std::filesystem::create_directory(QFileInfo(path).filesystemFilePath(), problem);
+    if (problem) {
+        m_problem = QString::fromLocal8Bit(problem.message());
+        return false;
+    }
+    m_lock.setFileName(path + QLatin1Char('/') + kLockName);
+    if (m_lock.open(QIODevice::WriteOnly | QIODevice::NewOnly)) {
+        holdStaged(m_lock);
+        if (m_lock.exists())
+            return true;
+        m_lock.close(); // Somebody who sweeps was between the two.
+    } else {
+        m_problem = m_lock.errorString();
+    }
+    (void)QDir().rmdir(path);
+    return false;
+}
+
+StagedFiles::~StagedFiles()
+{
+    if (m_folder.isEmpty())
+        return;
+    for (const QString& name : m_names)
+        (void)QFile::remove(stagedPath(name));
+    for (qsizetype i = 0; i < m_asideCount; ++i)
+        (void)QFile::remove(asideFor(i));
+    (void)QDir().rmdir(stagedPath(kAsideName));
+    (void)m_lock.remove();
+    (void)QDir().rmdir(m_folder);
+}
 
 Result<void> StagedFiles::check(const QString& place) const
 {
-    if (m_folder.isValid())
+    if (!m_folder.isEmpty())
         return {};
-    return cannotWrite(place, {.text = writeRefusal(m_folder.errorString())});
+    return cannotWrite(place, {.text = writeRefusal(m_problem)});
 }
 
-QString StagedFiles::pathFor(const QString& place) const
+QString StagedFiles::stagedPath(const QString& name) const
 {
-    return m_folder.filePath(QFileInfo(place).fileName());
+    return m_folder + QLatin1Char('/') + name;
+}
+
+QString StagedFiles::pathFor(const QString& place)
+{
+    const QString name = QFileInfo(place).fileName();
+    if (!m_names.contains(name))
+        m_names += name;
+    return stagedPath(name);
 }
 
 Error StagedFiles::named(Error error, const QString& place) const
 {
-    error.message.replace(shownPath(pathFor(place)), shownPath(place));
+    error.message.replace(shownPath(stagedPath(QFileInfo(place).fileName())), shownPath(place));
     return error;
 }
 
-Result<void> StagedFiles::publish(const QStringList& places) const
+Result<void> StagedFiles::publish(const QStringList& places)
 {
     // What lies there is put aside first, so that it can be put back.
-    if (!QDir(m_folder.path()).mkpath(QStringLiteral("before")))
+    if (!QDir().mkpath(stagedPath(kAsideName)))
         return cannotWrite(places.front(), {.text = writeRefusal(qt_error_string())});
-    qsizetype aside = 0;
+    qsizetype& aside = m_asideCount;
     qsizetype placed = 0;
     QString problem;
     for (; aside < places.size() && problem.isEmpty(); ++aside)
@@ -80,7 +130,7 @@ Result<void> StagedFiles::publish(const QStringList& places) const
 
 QString StagedFiles::asideFor(qsizetype number) const
 {
-    return m_folder.filePath(QStringLiteral("before/%1").arg(number));
+    return stagedPath(QStringLiteral("%1/%2").arg(kAsideName).arg(number));
 }
 
 } // namespace hairpaint::model

@@ -9,6 +9,8 @@
 #include <QJsonObject>
 #include <QtEndian>
 
+#include <new>
+
 namespace hairpaint::model {
 
 namespace {
@@ -71,7 +73,10 @@ std::optional<StateFields> stateFields(const QByteArray& payload)
 QByteArray packed(const QByteArray& bytes)
 {
     constexpr int kFastest = 1; // of zlib's levels
-    return qCompress(bytes, kFastest);
+    QByteArray compressed = qCompress(bytes, kFastest);
+    if (compressed.isEmpty()) // So it tells of want of memory.
+        throw std::bad_alloc();
+    return compressed;
 }
 
 std::optional<QByteArray> unpacked(QByteArrayView bytes, qsizetype mostBytes)

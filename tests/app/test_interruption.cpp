@@ -33,6 +33,11 @@ private:
         return count;
     }
 
+    [[nodiscard]] bool isEmptyThere() const
+    {
+        return QDir(place()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    }
+
 private Q_SLOTS:
     void initTestCase()
     {
@@ -76,7 +81,25 @@ private Q_SLOTS:
         QCOMPARE(process.exitStatus(), QProcess::CrashExit); // By that signal: shells stop their loops then.
         QCOMPARE(process.exitCode(), signal);
         QCOMPARE(process.readAllStandardError(), QByteArray());
-        QVERIFY(QDir(place()).isEmpty());
+        QVERIFY(isEmptyThere());
+    }
+
+    void aFilmThatIsKilledIsSweptByTheNext()
+    {
+        QProcess process;
+        const QStringList render{QStringLiteral("render"),   project(),
+                                 QStringLiteral("--size"),   QStringLiteral("64x64"),
+                                 QStringLiteral("-o"),       place() + QStringLiteral("/f.png"),
+                                 QStringLiteral("--settle"), QStringLiteral("0"),
+                                 QStringLiteral("--frames")};
+        process.start(QStringLiteral(HAIRPAINT_PROGRAM), render + QStringList{QStringLiteral("0-5000")});
+        QTRY_VERIFY_WITH_TIMEOUT(filesThere() > 2, test::kPatienceMs);
+        process.kill();
+        QVERIFY(process.waitForFinished(test::kPatienceMs));
+        QVERIFY(!isEmptyThere());
+        QCOMPARE(test::runProgram(render + QStringList{QStringLiteral("0-0")}).code, 0);
+        QVERIFY(QFile::remove(place() + QStringLiteral("/f.0000.png")));
+        QVERIFY(isEmptyThere());
     }
 #endif
 };

@@ -1,11 +1,14 @@
 // Does something with a fault at the first call that can fail, the second, and so on until none is left to fail.
 #pragma once
 
+#include "model/error.h"
 #include "tests/model/archive_maker.h"
+#include "tests/model/sample_project.h"
 
 #include <QDir>
 #include <QMap>
 #include <QString>
+#include <QTemporaryDir>
 
 #include <functional>
 
@@ -66,5 +69,47 @@ QString underEachFault(const std::function<bool()>& work, const std::function<QS
     }
     return QStringLiteral("there is no end of faults");
 }
+
+/// Where files are written under each fault: all that belong together are there and whole, or the folder is as it was
+/// and a sentence tells why.
+class FaultyFolder
+{
+public:
+    [[nodiscard]] QString filePath(const QString& name) const { return m_folder.filePath(name); }
+    [[nodiscard]] QString path() const { return m_folder.path(); }
+
+    /// `old`: files that are there before. Empty where all was well.
+    template<typename Fault, typename... Options>
+    QString underEach(const QStringList& old, const std::function<model::Result<void>()>& work, Options... options)
+    {
+        for (const QString& file : old)
+            writeBytes(file, "old");
+        const FolderContent before = contentOf(path());
+        QString message;
+        const auto isDone = [&] {
+            const model::Result<void> done = work();
+            message = done ? QString() : done.error().message;
+            return done.has_value();
+        };
+        if (!isDone())
+            return QStringLiteral("it fails without a fault: ") + message;
+        const FolderContent after = contentOf(path());
+        putBack(path(), before);
+        const auto judge = [&](bool done) {
+            const FolderContent now = contentOf(path());
+            putBack(path(), before);
+            if (now != (done ? after : before))
+                return QStringLiteral("done %1, and the folder holds %2")
+                    .arg(done)
+                    .arg(QStringList(now.keys()).join(QLatin1Char(' ')));
+            // Of several files the one that failed is named.
+            return done || isOneSentenceNaming(message, path()) ? QString() : message;
+        };
+        return underEachFault<Fault>(isDone, judge, options...);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
 
 } // namespace hairpaint::test

@@ -1,6 +1,8 @@
 // A file is written whole or not at all, also where only its last bytes found no place.
 #include "model/files/archive.h"
 #include "model/files/atomic_file.h"
+#include "model/files/staged_files.h"
+#include "model/files/staged_sweep.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/file_faults.h"
 #include "tests/support/full_disk.h"
@@ -9,6 +11,8 @@
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <filesystem>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -64,10 +68,38 @@ private Q_SLOTS:
         const QString users = m_folder.filePath(QStringLiteral(".hairpaint-mine.part"));
         test::writeBytes(left, "half");
         test::writeBytes(users, "mine");
-        QCOMPARE(sweepStagedFiles(m_folder.path()), 1);
+        QCOMPARE(sweepStaged(m_folder.path()), 1);
         QCOMPARE(names(), QStringList({QStringLiteral(".hairpaint-mine.part"), QStringLiteral("file")}));
-        QCOMPARE(sweepStagedFiles(m_folder.filePath(QStringLiteral("nowhere"))), 0);
+        QCOMPARE(sweepStaged(m_folder.filePath(QStringLiteral("nowhere"))), 0);
         QFile::remove(users);
+    }
+
+    void foldersUnderWayAreSweptOnceNobodyHasThem()
+    {
+        StagedFiles staged(m_folder.path());
+        QVERIFY(staged.check(path()));
+        test::writeBytes(staged.pathFor(path()), "new");
+        QCOMPARE(sweepStaged(m_folder.path()), 0);
+        QVERIFY(staged.publish({path()}));
+        QCOMPARE(test::readBytes(path()), QByteArray("new"));
+    }
+
+    void whatAKillPutAsideIsKeptUnlessItIsInItsPlaceToo()
+    {
+        const QString left = m_folder.filePath(QStringLiteral(".hairpaint-0123456789abcdef.part"));
+        const QString aside = left + QStringLiteral("/before/");
+        QVERIFY(QDir().mkpath(aside));
+        test::writeBytes(left + QStringLiteral("/lock"), {});
+        test::writeBytes(left + QStringLiteral("/half.png"), "half");
+        std::filesystem::create_hard_link(QFileInfo(path()).filesystemFilePath(),
+                                          QFileInfo(aside + QLatin1Char('0')).filesystemFilePath());
+        test::writeBytes(aside + QLatin1Char('1'), "the only one");
+        QCOMPARE(sweepStaged(m_folder.path()), 0);
+        QCOMPARE(QDir(left).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), QStringList(QStringLiteral("before")));
+        QCOMPARE(QDir(aside).entryList(QDir::Files), QStringList(QStringLiteral("1")));
+        QVERIFY(QFile::remove(aside + QLatin1Char('1')));
+        QCOMPARE(sweepStaged(m_folder.path()), 1);
+        QCOMPARE(names(), QStringList(QStringLiteral("file")));
     }
 
     void theFileBehindALinkIsReplacedAndKeepsItsPermissions()
@@ -92,7 +124,7 @@ private Q_SLOTS:
         QVERIFY(file.open());
         file.write("new");
         QCOMPARE(names().size(), 2);
-        QCOMPARE(sweepStagedFiles(m_folder.path()), 0);
+        QCOMPARE(sweepStaged(m_folder.path()), 0);
         QVERIFY(file.commit());
         QCOMPARE(test::readBytes(path()), QByteArray("new"));
         QCOMPARE(names().size(), 1);

@@ -1,5 +1,6 @@
-// Whichever call to the disk fails, and whichever large piece of memory is refused, while hair is exported: all files
-// are there and whole, or the folder is as it was.
+// Whichever call to the disk fails, and whichever large piece of memory is refused, while hair or the UV layout is
+// exported: all files are there and whole, or the folder is as it was.
+#include "model/exporting/uv_sheet.h"
 #include "model/files/atomic_file.h"
 #include "model/files/staged_files.h"
 #include "tests/model/each_fault.h"
@@ -7,9 +8,9 @@
 #include "tests/model/sample_project.h"
 #include "tests/support/allocation_limit.h"
 #include "tests/support/file_faults.h"
+#include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 using namespace hairpaint;
@@ -34,11 +35,10 @@ class TestExportFaults : public QObject
 {
     Q_OBJECT
 private:
-    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<test::FaultyFolder> m_folder;
     std::shared_ptr<const sim::StrandFrame> m_frame;
-    QString m_message; ///< Of the last failure.
 
-    [[nodiscard]] bool exportAs(const ExportFormat& format, const QString& path)
+    [[nodiscard]] Result<void> exportAs(const ExportFormat& format, const QString& path)
     {
         ExportRequest request{.format = &format,
                               .target = &exportTargets().front(),
@@ -46,36 +46,25 @@ private:
                               .cards = {.triangles = 1000, .atlasPx = 1024}};
         if (format.isAvatar)
             request.avatar = test::mannequinAvatar();
-        const Result<void> done = exportHair(m_frame, request, path);
-        m_message = done ? QString() : done.error().message;
-        return done.has_value();
-    }
-
-    /// The folder as it should be, and a sentence where it was not done.
-    [[nodiscard]] QString judge(bool done, const test::FolderContent& before, const test::FolderContent& after)
-    {
-        const test::FolderContent now = test::contentOf(m_folder->path());
-        test::putBack(m_folder->path(), before);
-        if (now != (done ? after : before))
-            return QStringLiteral("done %1, and the folder holds %2")
-                .arg(done)
-                .arg(QStringList(now.keys()).join(QLatin1Char(' ')));
-        // Cards come with pictures, and the one that failed is named.
-        return done || test::isOneSentenceNaming(m_message, m_folder->path()) ? QString() : m_message;
+        return exportHair(m_frame, request, path);
     }
 
     template<typename Fault, typename... Options>
-    [[nodiscard]] QString underEach(const ExportFormat& format, Options... options)
+    [[nodiscard]] QString hairUnderEach(int format, Options... options)
     {
-        const QString path = m_folder->filePath(QStringLiteral("hair.") + QLatin1StringView(format.suffix));
-        test::writeBytes(path, "old");
-        const test::FolderContent before = test::contentOf(m_folder->path());
-        if (!exportAs(format, path))
-            return QStringLiteral("it fails without a fault: ") + m_message;
-        const test::FolderContent after = test::contentOf(m_folder->path());
-        test::putBack(m_folder->path(), before);
-        return test::underEachFault<Fault>([&] { return exportAs(format, path); },
-                                           [&](bool done) { return judge(done, before, after); }, options...);
+        const ExportFormat& written = exportFormats()[static_cast<std::size_t>(format)];
+        const QString path = m_folder->filePath(QStringLiteral("hair.") + QLatin1StringView(written.suffix));
+        return m_folder->underEach<Fault>(
+            {path}, [&] { return exportAs(written, path); }, options...);
+    }
+
+    template<typename Fault, typename... Options>
+    [[nodiscard]] QString sheetUnderEach(const char* name, Options... options)
+    {
+        const sim::HeadMesh head = test::makeBallHead(64);
+        const QString path = m_folder->filePath(QLatin1StringView(name));
+        return m_folder->underEach<Fault>(
+            {path}, [&] { return writeUvSheet(head, path); }, options...);
     }
 
     static void everyFormat()
@@ -92,7 +81,7 @@ private:
 private Q_SLOTS:
     void initTestCase() { m_frame = test::frameOf({test::hairGroup(1, 4'000, 40'000, 0)}); }
 
-    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+    void init() { m_folder = std::make_unique<test::FaultyFolder>(); }
 
 #ifdef Q_OS_LINUX
     void severalFilesTakeTheirPlacesTogetherOrNotAtAll()
@@ -100,26 +89,17 @@ private Q_SLOTS:
         QStringList places;
         for (const char* name : {"a", "b", "c", "d"})
             places += m_folder->filePath(QLatin1StringView(name));
-        test::writeBytes(places[1], "old b");
-        test::writeBytes(places[3], "old d");
-        const test::FolderContent before = test::contentOf(m_folder->path());
-        const auto work = [&] {
-            const StagedFiles staged(m_folder->path());
+        const auto work = [&]() -> Result<void> {
+            StagedFiles staged(m_folder->path());
             Result<void> done = staged.check(places[0]);
             for (qsizetype i = 0; i < places.size() && done; ++i)
                 if (const Checked<void> written = writeFile(staged.pathFor(places[i]), "new"); !written)
                     done = cannotWrite(places[i], written.error());
-            if (done)
-                done = staged.publish(places);
-            m_message = done ? QString() : done.error().message;
-            return done.has_value();
+            return done ? staged.publish(places) : done;
         };
+        QCOMPARE(m_folder->underEach<test::FileFault>({places[1], places[3]}, work), QString());
         QVERIFY(work());
-        const test::FolderContent after = test::contentOf(m_folder->path());
-        QCOMPARE(after.size(), 4);
-        test::putBack(m_folder->path(), before);
-        QCOMPARE(test::underEachFault<test::FileFault>(work, [&](bool done) { return judge(done, before, after); }),
-                 QString());
+        QCOMPARE(test::contentOf(m_folder->path()).size(), 4);
     }
 
     void hairIsExportedOrTheOldFilesAreThere_data()
@@ -129,7 +109,13 @@ private Q_SLOTS:
     void hairIsExportedOrTheOldFilesAreThere()
     {
         QFETCH(int, number);
-        QCOMPARE(underEach<test::FileFault>(exportFormats()[static_cast<std::size_t>(number)]), QString());
+        QCOMPARE(hairUnderEach<test::FileFault>(number), QString());
+    }
+
+    void theSheetIsExportedOrTheOldOneIsThere()
+    {
+        for (const char* name : {"uv.pdf", "uv.svg"})
+            QCOMPARE(sheetUnderEach<test::FileFault>(name), QString());
     }
 #endif
 
@@ -140,8 +126,14 @@ private Q_SLOTS:
     void whereMemoryIsRefusedHairIsExportedOrTheOldFilesAreThere()
     {
         QFETCH(int, number);
-        const ExportFormat& format = exportFormats()[static_cast<std::size_t>(number)];
-        QCOMPARE(underEach<test::AllocationFault>(format, format.hasCards ? kPictureBytes : kLargeBytes), QString());
+        const bool hasCards = exportFormats()[static_cast<std::size_t>(number)].hasCards;
+        QCOMPARE(hairUnderEach<test::AllocationFault>(number, hasCards ? kPictureBytes : kLargeBytes), QString());
+    }
+
+    void whereMemoryIsRefusedTheSheetIsExportedOrTheOldOneIsThere()
+    {
+        for (const char* name : {"uv.pdf", "uv.svg"})
+            QCOMPARE(sheetUnderEach<test::AllocationFault>(name, kLargeBytes), QString());
     }
 };
 

@@ -74,6 +74,60 @@ private:
         });
     }
 
+    /// Empty where all that the journal took is in its file.
+    template<typename Fault, typename... Options>
+    [[nodiscard]] QString journalUnderEach(Options... options)
+    {
+        // Small enough that it is written anew on the way.
+        constexpr qint64 kRewriteBytes = 4000;
+        std::vector<JournalState> states;
+        Project project = test::filledPatch(MapKind::Length, 1234);
+        project.head = builtInHead();
+        for (int step = 0; step < 6; ++step) {
+            for (int tile = 0; tile < 4; ++tile)
+                project.groups.front()
+                    .map(MapKind::Length)
+                    .layers.front()
+                    .raster.setTexel(tile * 64, 0, {static_cast<std::uint16_t>(step + 1), 65535, 0, 0});
+            states.push_back({.project = project,
+                              .path = m_path,
+                              .step = QString::number(step),
+                              .index = step,
+                              .count = step,
+                              .timeMs = step});
+        }
+        const QString file = m_folder->filePath(QStringLiteral("journal"));
+        int taken = 0;
+        return test::underEachFault<Fault>(
+            [&] {
+                QFile::remove(file);
+                taken = 0;
+                JournalWriter writer(file, kRewriteBytes);
+                bool all = true;
+                for (const JournalState& state : states) {
+                    all =
+                        all && whereMemoryLasts([&] { return writer.append(state).has_value(); }, [] { return false; });
+                    taken += all ? 1 : 0;
+                }
+                return all;
+            },
+            [&](bool done) -> QString {
+                if (taken == 0)
+                    return {};
+                const Result<std::optional<RecoveredWork>> work = readJournal(file);
+                if (!work || !*work)
+                    return QStringLiteral("nothing came back of %1").arg(taken);
+                // One that was not acknowledged may be there all the same.
+                const RecoveredWork& found = **work;
+                const int newest = found.steps[found.current].index;
+                if (newest != taken - 1 && (done || newest != taken))
+                    return QStringLiteral("step %1 came back of %2").arg(newest).arg(taken);
+                const JournalState& was = states[static_cast<std::size_t>(newest)];
+                return test::difference(was.project, found.steps[found.current].project);
+            },
+            options...);
+    }
+
 private Q_SLOTS:
     void init()
     {
@@ -110,55 +164,14 @@ private Q_SLOTS:
 
     void whatAJournalHasTakenIsThere()
     {
-        // Small enough that it is written anew on the way.
-        constexpr qint64 kRewriteBytes = 4000;
-        std::vector<JournalState> states;
-        Project project = test::filledPatch(MapKind::Length, 1234);
-        project.head = builtInHead();
-        for (int step = 0; step < 6; ++step) {
-            for (int tile = 0; tile < 4; ++tile)
-                project.groups.front()
-                    .map(MapKind::Length)
-                    .layers.front()
-                    .raster.setTexel(tile * 64, 0, {static_cast<std::uint16_t>(step + 1), 65535, 0, 0});
-            states.push_back({.project = project,
-                              .path = m_path,
-                              .step = QString::number(step),
-                              .index = step,
-                              .count = step,
-                              .timeMs = step});
-        }
-        const QString file = m_folder->filePath(QStringLiteral("journal"));
-        int taken = 0;
-        const QString wrong = test::underEachFault<test::FileFault>(
-            [&] {
-                QFile::remove(file);
-                taken = 0;
-                JournalWriter writer(file, kRewriteBytes);
-                bool all = true;
-                for (const JournalState& state : states) {
-                    all = all && writer.append(state);
-                    taken += all ? 1 : 0;
-                }
-                return all;
-            },
-            [&](bool done) -> QString {
-                if (taken == 0)
-                    return {};
-                const Result<std::optional<RecoveredWork>> work = readJournal(file);
-                if (!work || !*work)
-                    return QStringLiteral("nothing came back of %1").arg(taken);
-                // One that was not acknowledged may be there all the same.
-                const RecoveredWork& found = **work;
-                const int newest = found.steps[found.current].index;
-                if (newest != taken - 1 && (done || newest != taken))
-                    return QStringLiteral("step %1 came back of %2").arg(newest).arg(taken);
-                const JournalState& was = states[static_cast<std::size_t>(newest)];
-                return test::difference(was.project, found.steps[found.current].project);
-            });
-        QCOMPARE(wrong, QString());
+        QCOMPARE(journalUnderEach<test::FileFault>(), QString());
     }
 #endif
+
+    void whereMemoryIsRefusedWhatAJournalHasTakenIsThere()
+    {
+        QCOMPARE(journalUnderEach<test::AllocationFault>(kLargeBytes), QString());
+    }
 
     void whereMemoryIsRefusedAProjectIsOpenedOrASentenceSaysWhyNot()
     {

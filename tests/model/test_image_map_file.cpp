@@ -158,11 +158,14 @@ private Q_SLOTS:
         QTest::addColumn<int>("size");
         QTest::newRow("small") << 10 << 10 << 0 << 256;
         QTest::newRow("right") << 512 << 512 << 0 << 512;
-        QTest::newRow("odd") << 513 << 40 << 0 << 1024;
+        QTest::newRow("odd") << 513 << 300 << 0 << 1024;
         QTest::newRow("not square") << 256 << 512 << 0 << 512;
         QTest::newRow("asked smaller") << 1024 << 1024 << 256 << 256;
         QTest::newRow("asked larger") << 256 << 256 << 1024 << 1024;
-        QTest::newRow("very wide") << 9000 << 1 << 0 << 8192;
+        QTest::newRow("four times as wide") << 1024 << 256 << 0 << 1024;
+        QTest::newRow("five times as tall") << 200 << 1000 << 0 << 1024;
+        QTest::newRow("ribbon") << 5000 << 2 << 0 << 256;
+        QTest::newRow("upright ribbon") << 100 << 8192 << 0 << 512;
         QTest::newRow("one pixel") << 1 << 1 << 0 << 256;
     }
     void anImageGetsTheNextSizeThatAMapMayHave()
