@@ -48,7 +48,7 @@ bool StagedFiles::makeFolder(const QString& path)
     std::error_code problem;
     std::filesystem::create_directory(QFileInfo(path).filesystemFilePath(), problem);
     if (problem) {
-        m_problem = QString::fromLocal8Bit(problem.message());
+        m_problem = writeRefusal(QString::fromLocal8Bit(problem.message()));
         return false;
     }
     m_lock.setFileName(path + QLatin1Char('/') + kLockName);
@@ -58,7 +58,7 @@ bool StagedFiles::makeFolder(const QString& path)
             return true;
         m_lock.close(); // Somebody who sweeps was between the two.
     } else {
-        m_problem = m_lock.errorString();
+        m_problem = writeRefusal(m_lock.errorString());
     }
     (void)QDir().rmdir(path);
     return false;
@@ -81,7 +81,7 @@ Result<void> StagedFiles::check(const QString& place) const
 {
     if (!m_folder.isEmpty())
         return {};
-    return cannotWrite(place, {.text = writeRefusal(m_problem)});
+    return cannotWrite(place, {.text = m_problem});
 }
 
 QString StagedFiles::stagedPath(const QString& name) const
