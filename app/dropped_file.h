@@ -11,7 +11,7 @@ enum class FileKind
 {
     Project,
     Style,
-        Head,
+    Head,
     Curves,
     Image ///< Whatever is none of the others.
 };

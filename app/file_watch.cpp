@@ -11,16 +11,13 @@ constexpr int kSettledMs = 200;
 
 } // namespace
 
-FileWatch::FileWatch(QObject* parent) : QObject(parent)
+FileWatch::FileWatch(Jobs& jobs, QObject* parent) : QObject(parent), m_jobs(jobs)
 {
     m_soon.setSingleShot(true);
     m_soon.setInterval(kSettledMs);
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &FileWatch::look);
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &FileWatch::look);
-    connect(&m_soon, &QTimer::timeout, this, [this] {
-        watch();
-        Q_EMIT maybeChanged();
-    });
+    connect(&m_soon, &QTimer::timeout, this, &FileWatch::ask);
 }
 
 void FileWatch::setPath(const QString& path)
@@ -30,17 +27,34 @@ void FileWatch::setPath(const QString& path)
         m_watcher.removePaths(watched);
     m_soon.stop();
     m_path = path;
-    watch();
+    m_isAsked = false;
+    ++m_pathNumber;
+    if (!path.isEmpty())
+        ask();
 }
 
-void FileWatch::watch()
+void FileWatch::ask()
+{
+    if (m_isAsked)
+        return m_soon.start(); // The last question waits for its answer yet.
+    m_isAsked = true;
+    m_jobs.ask<FileStamp>([path = m_path] { return stampOf(path); }, this,
+                          [this, number = m_pathNumber](const FileStamp& now) {
+                              if (number != m_pathNumber)
+                                  return;
+                              m_isAsked = false;
+                              watch(now);
+                              Q_EMIT looked(now);
+                          });
+}
+
+void FileWatch::watch(const FileStamp& now)
 {
     // A file that was replaced is another one to the system.
-    const QFileInfo file(m_path);
-    if (!m_path.isEmpty() && file.exists() && !m_watcher.files().contains(m_path))
+    if (now.exists && !m_watcher.files().contains(m_path))
         m_watcher.addPath(m_path);
-    const QString folder = file.absolutePath();
-    if (!m_path.isEmpty() && QFileInfo::exists(folder) && !m_watcher.directories().contains(folder))
+    const QString folder = QFileInfo(m_path).absolutePath();
+    if (!m_watcher.directories().contains(folder))
         m_watcher.addPath(folder);
 }
 

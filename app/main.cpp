@@ -185,5 +185,8 @@ int main(int argc, char** argv)
     describeApplication();
     if (argc > 1 && isForCommandLine(QString::fromLocal8Bit(argv[1])))
         return runCommandLine(argc, argv);
-    return runEditor(argc, argv);
+    const int code = runEditor(argc, argv);
+    if (hairpaint::app::Jobs::anyLeft())
+        std::_Exit(code); // A thread waits for a disk that does not answer; nothing may be taken from under it.
+    return code;
 }

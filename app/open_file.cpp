@@ -1,4 +1,4 @@
-// Locks by name, changes by size and time.
+// Locks by name.
 #include "app/open_file.h"
 
 #include <QCryptographicHash>
@@ -10,19 +10,16 @@ namespace hairpaint::app {
 
 namespace {
 
-/// Links and spellings of one file have one lock.
-QString lockPath(const QString& path)
+QString lockPath(const QString& wholeName)
 {
-    const QFileInfo file(path);
-    const QString whole = file.exists() ? file.canonicalFilePath() : file.absoluteFilePath();
-    const QByteArray name = QCryptographicHash::hash(whole.toUtf8(), QCryptographicHash::Sha1).toHex();
+    const QByteArray name = QCryptographicHash::hash(wholeName.toUtf8(), QCryptographicHash::Sha1).toHex();
     return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/open/") +
            QString::fromLatin1(name) + QStringLiteral(".lock");
 }
 
-std::unique_ptr<QLockFile> lockOf(const QString& path)
+std::unique_ptr<QLockFile> lockOf(const QString& wholeName)
 {
-    const QString lock = lockPath(path);
+    const QString lock = lockPath(wholeName);
     QDir().mkpath(QFileInfo(lock).absolutePath());
     auto file = std::make_unique<QLockFile>(lock);
     file->setStaleLockTime(0); // As long as its window lives.
@@ -31,38 +28,24 @@ std::unique_ptr<QLockFile> lockOf(const QString& path)
 
 } // namespace
 
-bool OpenFile::isOpenElsewhere(const QString& path)
+bool OpenFile::isOpenElsewhere(const FileStamp& file)
 {
-    const std::unique_ptr<QLockFile> lock = lockOf(path);
+    const std::unique_ptr<QLockFile> lock = lockOf(file.wholeName);
     // Where no lock can be written, there is none to be found either.
     return !lock->tryLock(0) && lock->error() == QLockFile::LockFailedError;
 }
 
-void OpenFile::set(const QString& path)
+void OpenFile::set(const QString& path, const FileStamp& stamp)
 {
-    if (path != m_path || !m_lock) {
+    if (!m_lock || path != m_path || stamp.wholeName != m_stamp.wholeName) {
         m_lock.reset();
-        m_path = path;
-        if (!path.isEmpty()) {
-            m_lock = lockOf(path);
+        if (!stamp.wholeName.isEmpty()) {
+            m_lock = lockOf(stamp.wholeName);
             (void)m_lock->tryLock(0); // One that another window holds was asked about.
         }
     }
-    const QFileInfo file(path);
-    m_existed = !path.isEmpty() && file.exists();
-    m_size = file.size();
-    m_modified = file.lastModified();
-}
-
-bool OpenFile::changedOutside() const
-{
-    const QFileInfo file(m_path);
-    return !m_path.isEmpty() && file.exists() && (file.size() != m_size || file.lastModified() != m_modified);
-}
-
-bool OpenFile::gone() const
-{
-    return m_existed && !QFileInfo::exists(m_path);
+    m_path = path;
+    m_stamp = stamp;
 }
 
 } // namespace hairpaint::app

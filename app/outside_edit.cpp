@@ -62,8 +62,8 @@ void OutsideEdit::begin()
         return;
     if (!*written)
         return Q_EMIT failed(written->error().message);
-    auto watch = std::make_unique<FileWatch>();
-    connect(watch.get(), &FileWatch::maybeChanged, this, [this, path] { look(path); });
+    auto watch = std::make_unique<FileWatch>(m_jobs);
+    connect(watch.get(), &FileWatch::looked, this, [this, path] { look(path); });
     watch->setPath(path);
     m_away[path] = {.layer = target, .bytes = contentOf(path), .watch = std::move(watch)};
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))

@@ -12,8 +12,10 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScopedValueRollback>
+#include <QStandardPaths>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <utility>
 
 namespace hairpaint::app {
@@ -31,10 +33,10 @@ const QUndoCommand* newestStep(model::Document& document)
 } // namespace
 
 ProjectFiles::ProjectFiles(Session& session, Settings& settings, Jobs& jobs, QWidget& window)
-    : QObject(&window), m_session(session), m_settings(settings), m_jobs(jobs), m_window(window),
+    : QObject(&window), m_session(session), m_settings(settings), m_jobs(jobs), m_window(window), m_watch(jobs),
       m_encoded(model::makeEncodedLayers())
 {
-    connect(&m_watch, &FileWatch::maybeChanged, this, &ProjectFiles::tellOfOutside);
+    connect(&m_watch, &FileWatch::looked, this, &ProjectFiles::tellOfOutside);
 }
 
 QString ProjectFiles::displayName() const
@@ -49,9 +51,9 @@ void ProjectFiles::setThumbnailMaker(std::function<Picture()> maker)
     m_thumbnail = std::move(maker);
 }
 
-void ProjectFiles::setPath(const QString& path, const QString& nameWithoutPath)
+void ProjectFiles::setPath(const QString& path, const QString& nameWithoutPath, const FileStamp& stamp)
 {
-    m_file.set(path);
+    m_file.set(path, stamp);
     m_watch.setPath(path);
     m_toldOfOutside.clear();
     m_nameWithoutPath = nameWithoutPath;
@@ -78,37 +80,45 @@ bool ProjectFiles::newBaldProject()
 
 bool ProjectFiles::begin(const QString& doing, const std::function<model::Project()>& make)
 {
-    return take(doing, model::makeEncodedLayers(), {},
-                [&make](const model::Progress&) { return model::Result<model::Project>(make()); });
+    const Taken taken = take(doing, model::makeEncodedLayers(), {},
+                             [make](const model::Progress&) { return model::Result<model::Project>(make()); });
+    if (taken.problem)
+        complain(taken.problem->message);
+    return taken.isOpen;
 }
 
-bool ProjectFiles::take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
-                        const Work<model::Project>& read)
+QString ProjectFiles::openingOf(const QString& path)
+{
+    return tr("Opening %1").arg(QFileInfo(path).fileName());
+}
+
+ProjectFiles::Taken ProjectFiles::take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded,
+                                       const QString& path, Work<model::Project> read)
 {
     struct Ready
     {
         model::Project project;
         model::ResolvedMaps maps;
+        FileStamp stamp;
     };
-    std::optional<model::Result<Ready>> ready =
-        m_jobs.await<Ready>(doing, [&read](const model::Progress& progress) -> model::Result<Ready> {
+    Awaited<Ready> ready = m_jobs.awaitOrLeave<Ready>(
+        doing, [read = std::move(read), path](const model::Progress& progress) -> model::Result<Ready> {
             model::Result<model::Project> project = read(progress);
             if (!project)
                 return tl::unexpected(project.error());
             model::ResolvedMaps maps(*project);
-            return Ready{.project = std::move(*project), .maps = std::move(maps)};
+            return Ready{.project = std::move(*project), .maps = std::move(maps), .stamp = stampOf(path)};
         });
-    if (!ready)
-        return false;
-    if (!*ready) {
-        if (!ready->error().isDamage) // For that there is more than words.
-            complain(ready->error().message);
-        return false;
-    }
+    if (ready.end == WorkEnd::Left)
+        return {.isOpen = false, .problem = model::cannotOpen(path, model::silentDisk()).value()};
+    if (ready.end == WorkEnd::Cancelled)
+        return {};
+    if (!*ready.result)
+        return {.isOpen = false, .problem = ready.result->error()};
     m_encoded = std::move(encoded);
-    m_session.document().replace(std::move((*ready)->project), std::move((*ready)->maps));
-    setPath(path);
-    return true;
+    m_session.document().replace(std::move((*ready.result)->project), std::move((*ready.result)->maps));
+    setPath(path, {}, (*ready.result)->stamp);
+    return {.isOpen = true, .problem = std::nullopt};
 }
 
 void ProjectFiles::open()
@@ -121,7 +131,14 @@ void ProjectFiles::open()
 
 bool ProjectFiles::mayOpenTwice(const QString& path)
 {
-    if (QFileInfo(path) == QFileInfo(this->path()) || !OpenFile::isOpenElsewhere(path))
+    const Awaited<FileStamp> stamp = m_jobs.awaitOrLeave<FileStamp>(
+        openingOf(path), [path](const model::Progress&) -> model::Result<FileStamp> { return stampOf(path); });
+    if (stamp.end == WorkEnd::Left)
+        complain(model::cannotOpen(path, model::silentDisk()).value().message);
+    if (stamp.end != WorkEnd::Done || !*stamp.result)
+        return false;
+    const FileStamp& file = **stamp.result;
+    if (file.wholeName == m_file.stamp().wholeName || !OpenFile::isOpenElsewhere(file))
         return true;
     QMessageBox box(QMessageBox::Question, tr("Open project"),
                     tr("'%1' is open in another window. What is saved in one of them would replace what was saved in "
@@ -150,14 +167,22 @@ ProjectFiles::Outside ProjectFiles::askAboutOutside()
                                           : Outside::Stop;
 }
 
-void ProjectFiles::tellOfOutside()
+bool ProjectFiles::answerOutside()
+{
+    const Outside answer = askAboutOutside();
+    return answer == Outside::Replace ? saveTo(path(), Changed::Replace) : answer == Outside::SaveAs && saveAs();
+}
+
+void ProjectFiles::tellOfOutside(const FileStamp& now)
 {
     if (m_saving)
         return;
+    if (m_file.stamp().wholeName.isEmpty())
+        m_file.set(path(), now); // The first that is known of it.
     QString text;
-    if (m_file.gone())
+    if (isGone(m_file.stamp(), now))
         text = tr("'%1' is no longer where it was; saving writes it again.").arg(displayName());
-    else if (m_file.changedOutside())
+    else if (isChanged(m_file.stamp(), now))
         text = tr("'%1' was changed by another program; saving asks before it replaces that.").arg(displayName());
     if (std::exchange(m_toldOfOutside, text) != text && !text.isEmpty())
         Q_EMIT changedOutside(text);
@@ -168,25 +193,16 @@ bool ProjectFiles::openPath(const QString& path)
     if (!mayOpenTwice(path) || !mayDiscard())
         return false;
     const auto encoded = model::makeEncodedLayers();
-    bool unreadable = false;
-    std::optional<model::Error> damage;
-    const bool taken =
-        take(tr("Opening %1").arg(QFileInfo(path).fileName()), encoded, path, [&](const model::Progress& progress) {
-            bool goesOn = true;
-            model::Result<model::Project> project = model::loadProject(path, encoded.get(), [&](double done) {
-                goesOn = goesOn && progress(done);
-                return goesOn;
-            });
-            unreadable = !project && goesOn;
-            if (unreadable && project.error().isDamage)
-                damage = project.error();
-            return project;
-        });
-    if (unreadable)
-        m_settings.removeRecentFile(QFileInfo(path).absoluteFilePath());
-    if (damage)
-        return offerRepair(damage->message) && openRepaired(path);
-    return taken;
+    const Taken taken = take(openingOf(path), encoded, path, [path, encoded](const model::Progress& progress) {
+        return model::loadProject(path, encoded.get(), progress);
+    });
+    if (!taken.problem)
+        return taken.isOpen;
+    m_settings.removeRecentFile(QFileInfo(path).absoluteFilePath());
+    if (taken.problem->isDamage)
+        return offerRepair(taken.problem->message) && openRepaired(path);
+    complain(taken.problem->message);
+    return false;
 }
 
 bool ProjectFiles::restore(const model::RecoveredWork& work)
@@ -215,26 +231,28 @@ bool ProjectFiles::openRepaired(const QString& path)
         model::RepairedProject repaired;
         model::ResolvedMaps maps;
     };
-    std::optional<model::Result<Ready>> ready =
-        m_jobs.await<Ready>(tr("Repairing %1").arg(QFileInfo(path).fileName()),
-                            [&path](const model::Progress& progress) -> model::Result<Ready> {
-                                model::Result<model::RepairedProject> repaired = model::repairProject(path, progress);
-                                if (!repaired)
-                                    return tl::unexpected(repaired.error());
-                                model::ResolvedMaps maps(repaired->project);
-                                return Ready{.repaired = std::move(*repaired), .maps = std::move(maps)};
-                            });
-    if (!ready)
+    Awaited<Ready> ready =
+        m_jobs.awaitOrLeave<Ready>(tr("Repairing %1").arg(QFileInfo(path).fileName()),
+                                   [path](const model::Progress& progress) -> model::Result<Ready> {
+                                       model::Result<model::RepairedProject> repaired =
+                                           model::repairProject(path, progress);
+                                       if (!repaired)
+                                           return tl::unexpected(repaired.error());
+                                       model::ResolvedMaps maps(repaired->project);
+                                       return Ready{.repaired = std::move(*repaired), .maps = std::move(maps)};
+                                   });
+    if (ready.end == WorkEnd::Cancelled)
         return false;
-    if (!*ready) {
-        complain(ready->error().message);
+    if (ready.end == WorkEnd::Left || !*ready.result) {
+        complain(ready.end == WorkEnd::Left ? model::cannotOpen(path, model::silentDisk()).value().message
+                                            : ready.result->error().message);
         return false;
     }
-    model::RepairedProject& repaired = (*ready)->repaired;
+    model::RepairedProject& repaired = (*ready.result)->repaired;
     m_encoded = model::makeEncodedLayers();
     model::RecoveredWork work;
     work.steps.emplace_back().project = std::move(repaired.project);
-    m_session.document().restore(work, std::move((*ready)->maps));
+    m_session.document().restore(work, std::move((*ready.result)->maps));
     m_settings.setLastFolder(QFileInfo(path).absolutePath());
     setPath({}, tr("%1 (repaired)").arg(QFileInfo(path).completeBaseName()));
     RepairDialog(path, repaired.losses, &m_window).exec();
@@ -245,24 +263,31 @@ bool ProjectFiles::save()
 {
     if (path().isEmpty())
         return saveAs();
-    if (m_file.changedOutside()) {
-        const Outside answer = askAboutOutside();
-        if (answer != Outside::Replace)
-            return answer == Outside::SaveAs && saveAs();
-    }
-    return saveTo(path());
+    return saveTo(path(), Changed::Ask);
 }
 
 bool ProjectFiles::saveAs()
 {
-    const QString suggested =
-        path().isEmpty() ? m_settings.lastFolder() + QLatin1Char('/') + displayName() + QStringLiteral(".hairpaint")
-                         : path();
+    return saveUnder(path().isEmpty()
+                         ? m_settings.lastFolder() + QLatin1Char('/') + displayName() + QStringLiteral(".hairpaint")
+                         : path());
+}
+
+bool ProjectFiles::saveUnder(const QString& suggested)
+{
     const QString path = askSavePath(m_window, {.title = tr("Save project"),
                                                 .suggestedPath = suggested,
                                                 .filter = tr("Hair Paint projects (*.hairpaint)"),
                                                 .suffix = QStringLiteral("hairpaint")});
-    return !path.isEmpty() && saveTo(path);
+    return !path.isEmpty() && saveTo(path, Changed::Replace); // Which the dialog has asked about.
+}
+
+bool ProjectFiles::saveElsewhere(const QString& path)
+{
+    // A dialog that began in the folder would wait for it too.
+    return offerAnotherPlace(model::cannotWrite(path, model::silentDisk()).value().message) &&
+           saveUnder(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QLatin1Char('/') +
+                     QFileInfo(path).fileName());
 }
 
 bool ProjectFiles::mayDiscard()
@@ -278,8 +303,40 @@ bool ProjectFiles::mayDiscard()
     return answer == QMessageBox::Discard;
 }
 
-bool ProjectFiles::saveTo(const QString& path)
+bool ProjectFiles::isLeft(const QString& path) const
 {
+    return std::ranges::any_of(m_left,
+                               [&path](const auto& left) { return left.first == path && !left.second.expired(); });
+}
+
+Work<ProjectFiles::Saved> ProjectFiles::savingOf(const QString& path, Changed changed)
+{
+    // A copy shares tiles, so it is cheap, and the document may go on meanwhile.
+    return [path, before = changed == Changed::Ask ? m_file.stamp() : FileStamp(),
+            picture = m_thumbnail ? m_thumbnail() : Picture(), project = m_session.document().committed(),
+            keepsEarlier = m_settings.preferences().earlierVersions,
+            encoded = m_encoded](const model::Progress& progress) -> model::Result<Saved> {
+        if (isChanged(before, stampOf(path)))
+            return Saved{.stamp = {}, .wasChanged = true};
+        const QImage thumbnail =
+            picture ? picture([&](double drawn) { return progress(drawn * kThumbnailFraction); }) : QImage();
+        if (keepsEarlier)
+            if (const model::Checked<void> kept = model::keepEarlierVersions(path); !kept)
+                return model::cannotWrite(model::earlierVersion(path, 1), kept.error());
+        const model::Result<void> saved =
+            model::saveProject(project, path, thumbnail, encoded.get(), [&](double written) {
+                return progress(kThumbnailFraction + written * (1.0 - kThumbnailFraction));
+            });
+        if (!saved)
+            return tl::unexpected(saved.error());
+        return Saved{.stamp = stampOf(path)};
+    };
+}
+
+bool ProjectFiles::saveTo(const QString& path, Changed changed)
+{
+    if (isLeft(path))
+        return saveElsewhere(path);
     // The picture is to show what is saved.
     const std::shared_ptr<const void> whole = m_session.wholeHair();
     const QString saving = tr("Saving %1").arg(QFileInfo(path).fileName());
@@ -289,32 +346,27 @@ bool ProjectFiles::saveTo(const QString& path)
     });
     if (!came)
         return false;
-    const Picture picture = m_thumbnail ? m_thumbnail() : Picture();
-    // A copy shares tiles, so it is cheap, and the document may go on meanwhile.
     model::Document& document = m_session.document();
-    const model::Project project = document.committed();
     const QUndoCommand* newest = newestStep(document);
-    const bool keepsEarlier = m_settings.preferences().earlierVersions;
-    const QScopedValueRollback saves(m_saving, true);
-    const std::optional<model::Result<void>> saved =
-        m_jobs.await<void>(saving, [&](const model::Progress& progress) -> model::Result<void> {
-            const QImage thumbnail =
-                picture ? picture([&](double drawn) { return progress(drawn * kThumbnailFraction); }) : QImage();
-            if (keepsEarlier)
-                if (const model::Checked<void> kept = model::keepEarlierVersions(path); !kept)
-                    return model::cannotWrite(model::earlierVersion(path, 1), kept.error());
-            return model::saveProject(project, path, thumbnail, m_encoded.get(), [&](double written) {
-                return progress(kThumbnailFraction + written * (1.0 - kThumbnailFraction));
-            });
-        });
-    if (!saved)
-        return false;
-    if (!*saved)
-        return offerAnotherPlace(saved->error().message) && saveAs();
+    const auto underWay = std::make_shared<const bool>(true);
+    Awaited<Saved> saved = [&] {
+        const QScopedValueRollback saves(m_saving, true);
+        return m_jobs.awaitOrLeave<Saved>(saving, [work = savingOf(path, changed), underWay](
+                                                      const model::Progress& progress) { return work(progress); });
+    }();
+    if (saved.end == WorkEnd::Left) {
+        m_left.emplace_back(path, underWay);
+        m_encoded = model::makeEncodedLayers(); // It may still use the other.
+        return saveElsewhere(path);
+    }
+    if (!*saved.result) // What was written in spite of it is there.
+        return saved.end != WorkEnd::Cancelled && offerAnotherPlace(saved.result->error().message) && saveAs();
+    if ((*saved.result)->wasChanged)
+        return answerOutside();
     // A number that was being typed may have become a step meanwhile, which the file does not hold.
     if (newestStep(document) == newest)
         document.markSaved();
-    setPath(path);
+    setPath(path, {}, (*saved.result)->stamp);
     return true;
 }
 

@@ -12,11 +12,15 @@
 #include <QObject>
 
 #include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace hairpaint::app {
 
-/// Shows message boxes and file dialogs over `window`. Loading and saving run on another thread with progress.
+/// Shows message boxes and file dialogs over `window`. Loading and saving run on another thread with progress; what a
+/// disk or a network folder does not answer in time is left to itself.
 class ProjectFiles : public QObject
 {
     Q_OBJECT
@@ -28,8 +32,9 @@ public:
     /// Draws the picture that files are saved with, on a thread of the jobs'; made anew for each file, on this one.
     using Picture = std::function<QImage(const model::Progress&)>;
     void setThumbnailMaker(std::function<Picture()> maker);
-    /// The open project came from here; from nowhere, it may have a name all the same.
-    void setPath(const QString& path, const QString& nameWithoutPath = {});
+    /// The open project came from here; from nowhere, it may have a name all the same. Without a stamp the disk is
+    /// asked for it.
+    void setPath(const QString& path, const QString& nameWithoutPath = {}, const FileStamp& stamp = {});
 
     void newProject();     ///< With the first of the built-in styles.
     bool newBaldProject(); ///< With an empty group; false where the user wants to keep what is open.
@@ -52,12 +57,34 @@ Q_SIGNALS:
 private:
     /// Without a file.
     bool begin(const QString& doing, const std::function<model::Project()>& make);
+    [[nodiscard]] static QString openingOf(const QString& path);
+    struct Taken
+    {
+        bool isOpen = false;
+        std::optional<model::Error> problem; ///< None where it was cancelled.
+    };
     /// Reads a project and resolves its maps in the background; then it takes the place of the one that is open.
-    bool take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
-              const Work<model::Project>& read);
+    Taken take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
+               Work<model::Project> read);
     /// What can be read of a damaged file takes the place of the project that is open, as one that was never saved.
     bool openRepaired(const QString& path);
-    bool saveTo(const QString& path);
+    enum class Changed ///< By another program.
+    {
+        Ask,
+        Replace
+    };
+    bool saveTo(const QString& path, Changed changed);
+    bool saveUnder(const QString& suggested);
+    /// Tells of a disk that does not answer.
+    bool saveElsewhere(const QString& path);
+    struct Saved
+    {
+        FileStamp stamp;
+        bool wasChanged = false; ///< By another program, so it was not saved.
+    };
+    [[nodiscard]] Work<Saved> savingOf(const QString& path, Changed changed);
+    /// An earlier save there, or an opening, was left to itself and has not ended.
+    [[nodiscard]] bool isLeft(const QString& path) const;
     /// Asks before this window saves over what another one does, or another program has done.
     [[nodiscard]] bool mayOpenTwice(const QString& path);
     enum class Outside
@@ -67,7 +94,8 @@ private:
         Stop
     };
     [[nodiscard]] Outside askAboutOutside();
-    void tellOfOutside();
+    bool answerOutside();
+    void tellOfOutside(const FileStamp& now);
     [[nodiscard]] bool offerAnotherPlace(const QString& problem);
     [[nodiscard]] bool offerRepair(const QString& problem);
     void complain(const QString& message);
@@ -83,6 +111,7 @@ private:
     QString m_nameWithoutPath; ///< Empty: untitled.
     std::function<Picture()> m_thumbnail;
     std::shared_ptr<model::EncodedLayers> m_encoded;
+    std::vector<std::pair<QString, std::weak_ptr<const void>>> m_left; ///< Saves by their paths, until they end.
 };
 
 } // namespace hairpaint::app

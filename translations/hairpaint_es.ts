@@ -1156,6 +1156,10 @@
         <source>among the names of the head&apos;s joints these were not found: %1; export the hair as .glb with spring bones instead</source>
         <translation>entre los nombres de las articulaciones de la cabeza faltan estos: %1; exporta el pelo como .glb con huesos de muelle</translation>
     </message>
+    <message>
+        <source>its disk or network folder does not answer; try again when it does, or use another place</source>
+        <translation>su disco o carpeta de red no responde; vuelva a intentarlo cuando lo haga o use otro lugar</translation>
+    </message>
 </context>
 <context>
     <name>GroupSchema</name>

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QElapsedTimer>
 #include <QEventLoop>
 #include <QLabel>
 #include <QMouseEvent>
@@ -21,6 +22,33 @@ namespace {
 
 constexpr int kMsUntilShown = 500;
 constexpr int kMsBetweenLooks = 30;
+constexpr int kMsUntilLeft = 2000; ///< After Cancel.
+
+std::atomic<int> leftThreads = 0;
+
+/// What the window and the thread of some work share.
+struct Watched
+{
+    std::function<void(const model::Progress&)> work;
+    std::atomic<double> fraction = 0.0;
+    std::atomic<bool> isToStop = false;
+    std::mutex mutex;
+    QEventLoop* loop = nullptr; ///< Null once nobody waits any more.
+    bool hasEnded = false;
+};
+
+void workWatched(const std::shared_ptr<Watched>& watched)
+{
+    const sim::ArenaScope arena(sim::Arena::Background);
+    watched->work([&watched](double done) {
+        watched->fraction = done;
+        return !watched->isToStop;
+    });
+    const std::lock_guard lock(watched->mutex);
+    watched->hasEnded = true;
+    if (watched->loop != nullptr)
+        QMetaObject::invokeMethod(watched->loop, "quit", Qt::QueuedConnection); // It may not have begun yet.
+}
 
 /// What is done, how far it is, and Cancel.
 class ProgressWindow : public QDialog
@@ -45,7 +73,8 @@ public:
         layout->addWidget(m_buttons);
     }
 
-    [[nodiscard]] bool cancelled() const { return m_cancelled; }
+    [[nodiscard]] bool cancelled() const { return m_sinceCancel.isValid(); }
+    [[nodiscard]] bool isLongCancelled() const { return cancelled() && m_sinceCancel.hasExpired(kMsUntilLeft); }
 
     void showFraction(double fraction)
     {
@@ -58,7 +87,8 @@ public:
     /// Cancel, Esc and the frame's close button: the window stays until the work has ended.
     void reject() override
     {
-        m_cancelled = true;
+        if (!cancelled())
+            m_sinceCancel.start();
         m_label->setText(Jobs::tr("Cancelling…"));
         m_buttons->setEnabled(false);
     }
@@ -67,7 +97,7 @@ private:
     QLabel* m_label;
     QProgressBar* m_bar;
     QDialogButtonBox* m_buttons;
-    bool m_cancelled = false;
+    QElapsedTimer m_sinceCancel;
 };
 
 /// Takes all input from everything but one window. Events go on being taken from the system, so that none of them is
@@ -156,35 +186,71 @@ bool watch(const QString& doing, QWidget& window, QEventLoop& loop, const Look& 
 
 } // namespace
 
-Jobs::Jobs(QWidget& window) : QObject(&window), m_window(window) {}
+Jobs::Jobs(QWidget& window) : QObject(&window), m_window(window), m_ear(std::make_shared<Ear>())
+{
+    m_ear->jobs = this;
+}
 
 Jobs::~Jobs()
 {
+    {
+        const std::lock_guard lock(m_ear->mutex);
+        m_ear->jobs = nullptr;
+    }
     for (std::jthread& thread : m_threads)
         thread.request_stop();
     m_threads.clear(); // Waits for each.
 }
 
-bool Jobs::runWatched(const QString& doing, const std::function<void(const model::Progress&)>& work)
+WorkEnd Jobs::runWatched(const QString& doing, std::function<void(const model::Progress&)> work, bool mayBeLeft)
 {
-    std::atomic<double> fraction = 0.0;
     QEventLoop loop;
-    std::jthread thread([&](const std::stop_token& stop) {
-        const sim::ArenaScope arena(sim::Arena::Background);
-        work([&](double done) {
-            fraction = done;
-            return !stop.stop_requested();
-        });
-        QMetaObject::invokeMethod(&loop, "quit", Qt::QueuedConnection); // It may not have begun yet.
+    const auto watched = std::make_shared<Watched>();
+    watched->work = std::move(work);
+    watched->loop = &loop;
+    ++leftThreads; // Until it is known that it is not.
+    std::thread thread([watched] {
+        workWatched(watched);
+        watched->work = nullptr; // What it owns goes with it.
+        --leftThreads;
     });
     const bool cancelled = watch(doing, m_window, loop, [&](ProgressWindow& progress) {
-        progress.showFraction(fraction);
-        if (progress.cancelled())
-            thread.request_stop();
+        progress.showFraction(watched->fraction);
+        watched->isToStop = progress.cancelled();
+        if (mayBeLeft && progress.isLongCancelled())
+            loop.quit();
     });
-    thread.request_stop(); // Where the program ends, the work has not.
+    watched->isToStop = true; // Where the program ends, the work has not.
+    const bool isLeft = [&] {
+        const std::lock_guard lock(watched->mutex);
+        watched->loop = nullptr;
+        return mayBeLeft && !watched->hasEnded;
+    }();
+    if (isLeft) {
+        thread.detach();
+        return WorkEnd::Left;
+    }
     thread.join();
-    return cancelled;
+    return cancelled ? WorkEnd::Cancelled : WorkEnd::Done;
+}
+
+void Jobs::runLeft(std::function<std::function<void()>()> work)
+{
+    ++leftThreads;
+    std::thread([work = std::move(work), ear = m_ear] {
+        std::function<void()> told = work();
+        {
+            const std::lock_guard lock(ear->mutex);
+            if (ear->jobs != nullptr)
+                ear->jobs->tellLater(std::move(told));
+        }
+        --leftThreads;
+    }).detach();
+}
+
+bool Jobs::anyLeft()
+{
+    return leftThreads > 0;
 }
 
 bool Jobs::awaitUntil(const QString& doing, const std::function<bool()>& ready)
@@ -222,10 +288,15 @@ void Jobs::workUnwatched(const std::stop_token& stop)
             m_unwatched.pop_front();
         }
         std::function<void()> told = work([&stop](double) { return !stop.stop_requested(); });
-        const std::lock_guard lock(m_mutex);
-        m_told.push_back(std::move(told));
-        QCoreApplication::postEvent(this, new QEvent(QEvent::User));
+        tellLater(std::move(told));
     }
+}
+
+void Jobs::tellLater(std::function<void()> told)
+{
+    const std::lock_guard lock(m_mutex);
+    m_told.push_back(std::move(told));
+    QCoreApplication::postEvent(this, new QEvent(QEvent::User));
 }
 
 void Jobs::customEvent(QEvent* /*event*/)

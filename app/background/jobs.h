@@ -10,7 +10,9 @@
 
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -26,6 +28,22 @@ namespace hairpaint::app {
 /// as it is until the job is done.
 template<typename T>
 using Work = std::function<model::Result<T>(const model::Progress&)>;
+
+/// How work ended that was waited for.
+enum class WorkEnd
+{
+    Done,
+    Cancelled,
+    Left ///< It was cancelled, and still has not stopped.
+};
+
+template<typename T>
+struct Awaited
+{
+    WorkEnd end = WorkEnd::Done;
+    std::optional<model::Result<T>>
+        result; ///< None where it is left; where it was cancelled, what it did all the same.
+};
 
 /// Lives on the GUI thread. Whatever a job throws becomes its error, which names `doing`: what is done, the file named,
 /// as in "Reading head.glb".
@@ -44,9 +62,20 @@ public:
     /// Waits in the same way until `ready` (asked again and again, on the GUI thread); false where cancelled.
     [[nodiscard]] bool awaitUntil(const QString& doing, const std::function<bool()>& ready);
 
+    /// The same for work on a disk that may not answer: what has not stopped a while after Cancel is left to itself,
+    /// so it owns all that it uses.
+    template<typename T>
+    [[nodiscard]] Awaited<T> awaitOrLeave(const QString& doing, Work<T> work);
+
     /// Nobody waits: `done` gets the result, on the GUI thread, unless `receiver` is gone by then.
     template<typename T>
     void start(const QString& doing, Work<T> work, QObject* receiver, std::function<void(model::Result<T>)> done);
+    /// Nobody waits, not even the end of the program, for what a disk says that may not answer. The question owns all
+    /// that it uses; where it throws, the answer is T().
+    template<typename T>
+    void ask(std::function<T()> question, QObject* receiver, std::function<void(T)> done);
+    /// Work that was left to itself, or a question, is under way: the program ends without its threads' leave.
+    [[nodiscard]] static bool anyLeft();
 
 protected:
     void customEvent(QEvent* event) override; ///< Something is done that nobody waited for.
@@ -55,11 +84,21 @@ private:
     /// Makes what is told of the work, on the GUI thread.
     using Unwatched = std::function<std::function<void()>(const model::Progress&)>;
 
-    bool runWatched(const QString& doing, const std::function<void(const model::Progress&)>& work);
+    WorkEnd runWatched(const QString& doing, std::function<void(const model::Progress&)> work, bool mayBeLeft);
     void runUnwatched(Unwatched work);
+    void runLeft(std::function<std::function<void()>()> work);
+    void tellLater(std::function<void()> told);
     void workUnwatched(const std::stop_token& stop);
 
+    /// Of threads that may outlive the service.
+    struct Ear
+    {
+        std::mutex mutex;
+        Jobs* jobs = nullptr; ///< Null when it is gone.
+    };
+
     QWidget& m_window;
+    std::shared_ptr<Ear> m_ear;
     std::mutex m_mutex; ///< Of the work and of what is told of it.
     std::condition_variable_any m_wanted;
     std::deque<Unwatched> m_unwatched;
@@ -71,13 +110,46 @@ template<typename T>
 std::optional<model::Result<T>> Jobs::await(const QString& doing, const Work<T>& work)
 {
     std::optional<model::Result<T>> result;
-    const bool cancelled = runWatched(doing, [&](const model::Progress& progress) {
-        result.emplace(model::guarded(doing, [&] { return work(progress); }));
-    });
+    const WorkEnd end = runWatched(
+        doing,
+        [&](const model::Progress& progress) { result.emplace(model::guarded(doing, [&] { return work(progress); })); },
+        false);
     // What was written in spite of it is there; what was only read or made is not used.
-    if (cancelled && (!std::is_void_v<T> || !*result))
+    if (end == WorkEnd::Cancelled && (!std::is_void_v<T> || !*result))
         return std::nullopt;
     return result;
+}
+
+template<typename T>
+Awaited<T> Jobs::awaitOrLeave(const QString& doing, Work<T> work)
+{
+    const auto result = std::make_shared<std::optional<model::Result<T>>>();
+    const WorkEnd end = runWatched(
+        doing,
+        [doing, work = std::move(work), result](const model::Progress& progress) {
+            result->emplace(model::guarded(doing, [&] { return work(progress); }));
+        },
+        true);
+    if (end == WorkEnd::Left)
+        return {.end = end, .result = std::nullopt};
+    return {.end = end, .result = std::move(*result)};
+}
+
+template<typename T>
+void Jobs::ask(std::function<T()> question, QObject* receiver, std::function<void(T)> done)
+{
+    runLeft([question = std::move(question), receiver = QPointer<QObject>(receiver),
+             done = std::move(done)]() -> std::function<void()> {
+        auto answer = std::make_shared<T>();
+        try {
+            *answer = question();
+        } catch (const std::exception&) { // It says nothing, then.
+        }
+        return [receiver, done, answer] {
+            if (receiver)
+                done(std::move(*answer));
+        };
+    });
 }
 
 template<typename T>

@@ -283,11 +283,11 @@ QByteArray deflated(const QByteArray& bytes)
 
 } // namespace
 
-Checked<void> ArchiveWriter::writeTo(const QString& path) const
+Checked<bool> ArchiveWriter::writeTo(const QString& path, const std::function<bool()>& isWanted) const
 {
     AtomicFile file(path);
     if (Checked<void> opened = file.open(); !opened)
-        return opened;
+        return tl::unexpected(opened.error());
     qint64 at = 0;
     QByteArray directory;
     for (const Entry& entry : m_entries) {
@@ -311,7 +311,13 @@ Checked<void> ArchiveWriter::writeTo(const QString& path) const
     }
     file.write(directory);
     file.write(endOfDirectory(static_cast<int>(m_entries.size()), directory.size(), at));
-    return file.commit();
+    if (Checked<void> flushed = file.flush(); !flushed)
+        return tl::unexpected(flushed.error());
+    if (isWanted && !isWanted())
+        return false;
+    if (Checked<void> written = file.commit(); !written)
+        return tl::unexpected(written.error());
+    return true;
 }
 
 } // namespace hairpaint::model

@@ -7,6 +7,7 @@
 #include <QByteArray>
 #include <QStringList>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -69,8 +70,9 @@ public:
     };
     /// `name`: ASCII; `checksum`: CRC-32 of the bytes, where it is known.
     void add(const QByteArray& name, const QByteArray& bytes, Method method, std::optional<quint32> checksum = {});
-    /// Atomic: afterwards `path` holds the archive, or what it held before.
-    [[nodiscard]] Checked<void> writeTo(const QString& path) const;
+    /// Atomic: afterwards `path` holds the archive, or what it held before. Where it `isWanted` no longer when all of
+    /// it lies on the disk, it takes no place and the answer is false.
+    [[nodiscard]] Checked<bool> writeTo(const QString& path, const std::function<bool()>& isWanted = {}) const;
 
 private:
     struct Entry

@@ -112,6 +112,7 @@ void AtomicFile::writeThrough(QByteArrayView bytes)
             continue;
         }
         beginFlush(file, at, written);
+        m_isFlushed = false;
         bytes = bytes.sliced(static_cast<qsizetype>(written));
     }
 }
@@ -129,13 +130,22 @@ void AtomicFile::rewrite(qint64 at, QByteArrayView bytes)
         m_problem = writeProblem(file);
 }
 
-Checked<void> AtomicFile::commit()
+Checked<void> AtomicFile::flush()
 {
     writeThrough(m_buffer);
-    if (!failed())
+    m_buffer.clear();
+    if (!failed() && !m_isFlushed)
         m_problem = syncProblem(m_staged.file());
     if (failed())
         return refuse(m_problem);
+    m_isFlushed = true;
+    return {};
+}
+
+Checked<void> AtomicFile::commit()
+{
+    if (Checked<void> flushed = flush(); !flushed)
+        return flushed;
     if (!m_staged.place())
         return refuse(isDiskFull(m_path) ? noSpace() : m_staged.problem());
     flushFolder(QFileInfo(m_path).absolutePath());

@@ -21,6 +21,8 @@ public:
     /// Over bytes that were written before; what is written later follows the last of all.
     void rewrite(qint64 at, QByteArrayView bytes);
     [[nodiscard]] bool failed() const { return !m_problem.isEmpty(); }
+    /// Has every byte lie on the disk, which may take long; nothing has taken the place of anything yet.
+    [[nodiscard]] Checked<void> flush();
     [[nodiscard]] Checked<void> commit();
 
 private:
@@ -30,6 +32,7 @@ private:
     QString m_path;
     QByteArray m_buffer;
     QString m_problem;
+    bool m_isFlushed = false; ///< Since the last byte.
 };
 
 /// All of a file at once.

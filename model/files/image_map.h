@@ -10,8 +10,8 @@
 namespace hairpaint::model {
 
 /// Reads an image as a layer of the map: by the map's scale, or `grey` as the value itself. Resampled bilinearly
-/// (indices: nearest) to `size`, or where `size` is 0 to the next power of two of 256..8192 from the image's longer side
-/// or four times its shorter one, whichever is less. Alpha becomes coverage.
+/// (indices: nearest) to `size`, or where `size` is 0 to the next power of two of 256..8192 from the image's longer
+/// side or four times its shorter one, whichever is less. Alpha becomes coverage.
 [[nodiscard]] Result<sim::TiledRaster> layerFromImage(const ForeignImage& image, const MapSpec& spec, bool grey,
                                                       int size);
 

@@ -78,7 +78,7 @@ Result<void> write(const Preset& preset, const QString& path)
     if (Checked<bool> added = addLayers(archive, preset.groups, cache, {}); !added)
         return cannotWrite(path, added.error());
     addThumbnail(archive, preset.picture);
-    if (Checked<void> written = archive.writeTo(path); !written)
+    if (const Checked<bool> written = archive.writeTo(path); !written)
         return cannotWrite(path, written.error());
     return {};
 }

@@ -53,14 +53,21 @@ Result<void> write(const Project& project, const QString& path, const QImage& th
     addMimetype(archive, kProjectMimetype);
     archive.add("project.json", *json, ArchiveWriter::Method::Deflated);
     addHead(archive, project.head);
-    const Checked<bool> added = addLayers(archive, project.groups, cache, progress);
+    double done = 0.0;
+    const Checked<bool> added = addLayers(archive, project.groups, cache, [&](double fraction) {
+        done = fraction;
+        return !progress || progress(fraction);
+    });
     if (!added)
         return cannotWrite(path, added.error());
     if (!*added)
         return cancelled(path);
     addThumbnail(archive, thumbnail);
-    if (Checked<void> written = archive.writeTo(path); !written)
+    const Checked<bool> written = archive.writeTo(path, [&] { return !progress || progress(done); });
+    if (!written)
         return cannotWrite(path, written.error());
+    if (!*written)
+        return cancelled(path);
     return {};
 }
 

@@ -73,6 +73,13 @@ Clause notEnoughMemory()
             .cure = Clause::Cure::OtherFile};
 }
 
+Clause silentDisk()
+{
+    return {.text = say(QT_TRANSLATE_NOOP("Files", "its disk or network folder does not answer; try again when it "
+                                                   "does, or use another place")),
+            .cure = Clause::Cure::OtherFile};
+}
+
 Result<void> checkReadable(const QString& path, qint64 mostBytes)
 {
     const auto refused = [&path](const QString& text) {

@@ -41,8 +41,9 @@ using Checked = tl::expected<T, Clause>;
 [[nodiscard]] QString readRefusal(const QString& reason);
 [[nodiscard]] QString writeRefusal(const QString& reason);
 
-/// A clause: want of memory.
+/// Clauses: want of memory, and a disk that does not answer.
 [[nodiscard]] Clause notEnoughMemory();
+[[nodiscard]] Clause silentDisk();
 
 /// cannotOpen or cannotWrite.
 using Phrase = tl::unexpected<Error> (*)(const QString& path, const Clause& clause);

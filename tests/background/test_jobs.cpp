@@ -95,6 +95,74 @@ private:
     };
 
 private Q_SLOTS:
+    void workThatDoesNotStopIsLeft()
+    {
+        Window window;
+        std::atomic<bool> goesOn = true;
+        std::atomic<bool> wasTold = false;
+        {
+            Jobs jobs(window);
+            const When cancels(
+                [&] { return shownProgress(window) != nullptr; },
+                [&] {
+                    shownProgress(window)->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
+                });
+            const Awaited<int> awaited = jobs.awaitOrLeave<int>(
+                QStringLiteral("Waiting"), [&goesOn, &wasTold](const model::Progress& progress) -> model::Result<int> {
+                    while (goesOn)
+                        std::this_thread::yield();
+                    wasTold = !progress(1.0);
+                    return 1;
+                });
+            QCOMPARE(awaited.end, WorkEnd::Left);
+            QVERIFY(!awaited.result);
+        }
+        QVERIFY(Jobs::anyLeft());
+        goesOn = false;
+        QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
+        QVERIFY(wasTold);
+    }
+
+    void workThatMayBeLeftEndsLikeAnyOther()
+    {
+        Window window;
+        Jobs jobs(window);
+        const Awaited<int> done = jobs.awaitOrLeave<int>(QStringLiteral("Counting"),
+                                                         [](const model::Progress&) { return model::Result<int>(42); });
+        QCOMPARE(done.end, WorkEnd::Done);
+        QCOMPARE(**done.result, 42);
+        const When cancels(
+            [&] { return shownProgress(window) != nullptr; },
+            [&] { shownProgress(window)->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click(); });
+        const Awaited<int> stopped = jobs.awaitOrLeave<int>(QStringLiteral("Waiting"), untilStopped);
+        QCOMPARE(stopped.end, WorkEnd::Cancelled);
+        QVERIFY(!*stopped.result);
+    }
+
+    void aQuestionIsNotWaitedFor()
+    {
+        Window window;
+        std::atomic<bool> answers = false;
+        int answered = 0;
+        const std::function<int()> question = [&answers] {
+            while (!answers)
+                std::this_thread::yield();
+            return 42;
+        };
+        {
+            Jobs jobs(window);
+            jobs.ask<int>(question, &window, [&answered](int answer) { answered = answer; });
+        }
+        QVERIFY(Jobs::anyLeft());
+        answers = true;
+        QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
+        QCoreApplication::processEvents();
+        QCOMPARE(answered, 0); // Who asked is gone.
+        Jobs jobs(window);
+        jobs.ask<int>(question, &window, [&answered](int answer) { answered = answer; });
+        QTRY_COMPARE_WITH_TIMEOUT(answered, 42, kPatienceMs);
+    }
+
     void theResultOfWorkComesBack()
     {
         Window window;

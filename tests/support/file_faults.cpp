@@ -3,10 +3,14 @@
 
 #ifdef Q_OS_LINUX
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdarg>
+#include <cstdio>
+#include <cstring>
 #include <fcntl.h>
+#include <sys/inotify.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -15,6 +19,43 @@ namespace {
 
 std::atomic<bool> isCounting{false};
 std::atomic<int> callsUntilFault{0};
+
+std::atomic<const char*> stalledFolder{nullptr};
+std::atomic<const char*> stalledCall{nullptr};
+std::atomic<int> waitingThreads{0};
+std::atomic<int> mainThreadCalls{0};
+std::atomic<const char*> lastMainCall{""};
+
+/// Nothing that may lock or allocate: it stands in for calls of the C library.
+void stallAt(const char* call, const char* path)
+{
+    const char* folder = stalledFolder;
+    if (folder == nullptr || path == nullptr || std::strncmp(path, folder, std::strlen(folder)) != 0)
+        return;
+    if (getpid() == static_cast<pid_t>(syscall(SYS_gettid))) {
+        lastMainCall = call;
+        ++mainThreadCalls;
+        return;
+    }
+    if (const char* only = stalledCall; only != nullptr && std::strcmp(only, call) != 0)
+        return;
+    constexpr useconds_t kMicrosecondsBetweenLooks = 2000;
+    ++waitingThreads;
+    while (stalledFolder != nullptr)
+        usleep(kMicrosecondsBetweenLooks);
+    --waitingThreads;
+}
+
+void stallAt(const char* call, int descriptor)
+{
+    if (stalledFolder == nullptr)
+        return;
+    std::array<char, 64> link{};
+    std::array<char, 4096> path{};
+    std::snprintf(link.data(), link.size(), "/proc/self/fd/%d", descriptor);
+    if (syscall(SYS_readlink, link.data(), path.data(), path.size() - 1) > 0)
+        stallAt(call, path.data());
+}
 
 bool isFileFault(int error)
 {
@@ -33,6 +74,7 @@ bool isOrdinaryFile(int descriptor)
 
 int openAt(int folder, const char* path, int flags, mode_t mode)
 {
+    stallAt("open", path);
     if ((flags & (O_WRONLY | O_RDWR | O_CREAT)) != 0 && isFileFault(EACCES))
         return -1;
     return static_cast<int>(syscall(SYS_openat, folder, path, flags, mode));
@@ -65,6 +107,7 @@ extern "C" int open64(const char* path, int flags, ...)
 
 extern "C" ssize_t write(int descriptor, const void* bytes, size_t count)
 {
+    stallAt("write", descriptor);
     if (isCounting && isOrdinaryFile(descriptor) && isFileFault(ENOSPC))
         return -1;
     return syscall(SYS_write, descriptor, bytes, count);
@@ -72,6 +115,7 @@ extern "C" ssize_t write(int descriptor, const void* bytes, size_t count)
 
 extern "C" int fsync(int descriptor)
 {
+    stallAt("fsync", descriptor);
     return isFileFault(EIO) ? -1 : static_cast<int>(syscall(SYS_fsync, descriptor));
 }
 
@@ -82,6 +126,7 @@ extern "C" int fdatasync(int descriptor)
 
 extern "C" int rename(const char* from, const char* to) noexcept
 {
+    stallAt("rename", to);
     return isFileFault(EACCES) ? -1 : static_cast<int>(syscall(SYS_rename, from, to));
 }
 
@@ -100,7 +145,58 @@ extern "C" int linkat(int fromFolder, const char* from, int toFolder, const char
     return isFileFault(EPERM) ? -1 : static_cast<int>(syscall(SYS_linkat, fromFolder, from, toFolder, to, flags));
 }
 
+extern "C" int statx(int folder, const char* path, int flags, unsigned mask, struct statx* status) noexcept
+{
+    stallAt("statx", path);
+    return static_cast<int>(syscall(SYS_statx, folder, path, flags, mask, status));
+}
+
+extern "C" int access(const char* path, int mode) noexcept
+{
+    stallAt("access", path);
+    return static_cast<int>(syscall(SYS_access, path, mode));
+}
+
+extern "C" ssize_t readlink(const char* path, char* target, size_t size) noexcept
+{
+    stallAt("readlink", path);
+    return syscall(SYS_readlink, path, target, size);
+}
+
+extern "C" int inotify_add_watch(int descriptor, const char* path, uint32_t mask) noexcept
+{
+    stallAt("inotify_add_watch", path);
+    return static_cast<int>(syscall(SYS_inotify_add_watch, descriptor, path, mask));
+}
+
 namespace hairpaint::test {
+
+FileStall::FileStall(const char* folder, const char* call)
+{
+    mainThreadCalls = 0;
+    stalledCall = call;
+    stalledFolder = folder;
+}
+
+FileStall::~FileStall()
+{
+    stalledFolder = nullptr;
+}
+
+int FileStall::waiting()
+{
+    return waitingThreads;
+}
+
+int FileStall::askedByMain()
+{
+    return mainThreadCalls;
+}
+
+const char* FileStall::lastByMain()
+{
+    return lastMainCall;
+}
 
 FileFault::FileFault(int nth)
 {

@@ -1,5 +1,5 @@
 // A disk that fails on order: while one lives, the n-th time that a file is opened for writing, written, flushed or
-// renamed fails, on every thread.
+// renamed fails, on every thread. Or one that does not answer: whatever is asked of a folder waits.
 #pragma once
 
 #include <QtGlobal>
@@ -20,6 +20,22 @@ public:
 
     /// There were so many.
     [[nodiscard]] static bool happened();
+};
+
+/// What threads ask of files below a folder waits until it goes, as where a server does not answer; what the main
+/// thread asks is counted instead, and goes through. One at a time.
+class FileStall
+{
+public:
+    /// `call`: the only one that waits, as "fsync".
+    explicit FileStall(const char* folder, const char* call = nullptr);
+    ~FileStall();
+    FileStall(const FileStall&) = delete;
+    FileStall& operator=(const FileStall&) = delete;
+
+    [[nodiscard]] static int waiting();            ///< Threads.
+    [[nodiscard]] static int askedByMain();        ///< Calls.
+    [[nodiscard]] static const char* lastByMain(); ///< Name of the last of those calls; of static lifetime.
 };
 
 } // namespace hairpaint::test

@@ -1,0 +1,187 @@
+// A network folder whose server does not answer: the window lives on, nothing is lost, and there is another place.
+#include "tests/app/box_answer.h"
+#include "tests/app/window_fixture.h"
+#include "tests/model/archive_maker.h"
+#include "tests/support/file_faults.h"
+#include "tests/support/test_program.h"
+
+#include <QDialogButtonBox>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace hairpaint::app {
+
+#ifdef Q_OS_LINUX
+namespace {
+
+/// Cancels what takes long once the disk is waited for, gives another place where one is asked for, and counts the
+/// window's moments meanwhile.
+class Patient : public BoxAnswer
+{
+public:
+    Patient(const QString& button, QString otherPlace = {}) : BoxAnswer(button), m_otherPlace(std::move(otherPlace)) {}
+    int moments = 0;
+    int cancelled = 0;
+
+protected:
+    void timerEvent(QTimerEvent* event) override
+    {
+        ++moments;
+        BoxAnswer::timerEvent(event);
+    }
+
+    bool ends(QWidget& dialog) override
+    {
+        auto* buttons = dialog.findChild<QDialogButtonBox*>();
+        if (dialog.objectName() == QLatin1String("progressWindow")) {
+            if (test::FileStall::waiting() > 0 && buttons->button(QDialogButtonBox::Cancel)->isEnabled()) {
+                ++cancelled;
+                buttons->button(QDialogButtonBox::Cancel)->click();
+            }
+            return true;
+        }
+        if (dialog.inherits("QFileDialog") && !m_otherPlace.isEmpty()) {
+            dialog.findChild<QLineEdit*>()->setText(m_otherPlace);
+            for (QAbstractButton* button : buttons->buttons())
+                if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
+                    button->click();
+            return true;
+        }
+        return false;
+    }
+
+private:
+    QString m_otherPlace;
+};
+
+} // namespace
+#endif
+
+class TestSilentDisk : public QObject, private WindowFixture
+{
+    Q_OBJECT
+#ifdef Q_OS_LINUX
+private:
+    QString m_place; ///< The folder.
+    QByteArray m_placeBytes;
+    QString m_path;
+
+    void openSaved()
+    {
+        openWindow(model::newProject());
+        m_window->files().setPath(m_path);
+        QVERIFY(m_window->files().save());
+        QTest::qWait(300); // It has looked at what it wrote.
+        model::Document& document = session().document();
+        document.push(model::setBackgroundCommand(document, 0xFF112233U));
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        prepareApplication();
+        m_place = m_folder.filePath(QStringLiteral("server"));
+        m_placeBytes = QFile::encodeName(m_place);
+        m_path = m_place + QStringLiteral("/shared.hairpaint");
+    }
+    void init()
+    {
+        QDir(m_place).removeRecursively();
+        QVERIFY(QDir().mkpath(m_place));
+        QFile::remove(m_folder.filePath(QStringLiteral("other.hairpaint")));
+    }
+    void cleanup()
+    {
+        m_window.reset();
+    }
+
+    void whatCantBeSavedStaysOpenAndGoesElsewhere_data()
+    {
+        QTest::addColumn<QByteArray>("call");
+        for (const char* call : {"statx", "open", "write", "fsync"})
+            QTest::newRow(call) << QByteArray(call);
+    }
+    void whatCantBeSavedStaysOpenAndGoesElsewhere()
+    {
+        QFETCH(QByteArray, call);
+        openSaved();
+        const QByteArray before = test::readBytes(m_path);
+        const QString other = m_folder.filePath(QStringLiteral("other.hairpaint"));
+        {
+            const test::FileStall stall(m_placeBytes.constData(), call.constData());
+            {
+                Patient patient(QStringLiteral("Cancel"));
+                QVERIFY(!m_window->files().save());
+                QCOMPARE(patient.cancelled, 1);
+                QVERIFY2(patient.moments > 50, qPrintable(QString::number(patient.moments)));
+                QCOMPARE(patient.asked.size(), 1);
+                QVERIFY2(test::FileStall::askedByMain() == 0, test::FileStall::lastByMain());
+                QVERIFY(patient.asked.front().contains(QStringLiteral("shared.hairpaint")));
+                QVERIFY(session().document().modified());
+
+                // What waits there is not waited for again.
+                QVERIFY(!m_window->files().save());
+                QCOMPARE(patient.cancelled, 1);
+                QCOMPARE(patient.asked.size(), 2);
+            }
+            Patient goesElsewhere(QStringLiteral("Save under another name..."), other);
+            QVERIFY(m_window->files().save());
+            QVERIFY(!session().document().modified());
+            QVERIFY(QFile::exists(other));
+            QVERIFY2(test::FileStall::askedByMain() == 0, test::FileStall::lastByMain());
+        }
+        // It was called off, so the one who answers late replaces nothing.
+        QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
+        QVERIFY(test::readBytes(m_path) == before);
+        QCOMPARE(QDir(m_place).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 1);
+        m_window->files().setPath(m_path);
+        QVERIFY(m_window->files().save());
+        QVERIFY(test::readBytes(m_path) != before);
+    }
+
+    void whatDoesNotOpenLeavesTheWindow()
+    {
+        openSaved();
+        m_window->files().setPath({});
+        {
+            const test::FileStall stall(m_placeBytes.constData());
+            Patient patient(QStringLiteral("Cancel"));
+            QVERIFY(!m_window->files().openPath(m_path));
+            QCOMPARE(patient.cancelled, 1);
+            QCOMPARE(patient.asked.size(), 1);
+            QVERIFY(patient.asked.front().contains(QStringLiteral("shared.hairpaint")));
+            QVERIFY2(test::FileStall::askedByMain() == 0, test::FileStall::lastByMain());
+            QVERIFY(m_window->files().path().isEmpty());
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
+        BoxAnswer discard(QStringLiteral("Discard"));
+        QVERIFY(m_window->files().openPath(m_path));
+    }
+
+    void theWindowAsksNothingOfItsOwn()
+    {
+        openSaved();
+        QSignalSpy told(&m_window->files(), &ProjectFiles::changedOutside);
+        QTest::qWait(300);
+        {
+            const test::FileStall stall(m_placeBytes.constData());
+            m_window->files().lookOutside();
+            QTRY_VERIFY_WITH_TIMEOUT(test::FileStall::waiting() > 0, kPatienceMs);
+            for (const char* action : {"edit.undo", "edit.redo"})
+                m_window->actions().find(QLatin1StringView(action))->trigger();
+            BoxAnswer stay(QStringLiteral("Cancel"));
+            QVERIFY(!m_window->close()); // It asks.
+            QCOMPARE(stay.asked.size(), 1);
+            QTest::qWait(300);
+            QVERIFY2(test::FileStall::askedByMain() == 0, test::FileStall::lastByMain());
+            QFile::remove(m_path); // By the main thread, as if by others.
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(told.size(), 1, kPatienceMs);
+    }
+#endif
+};
+
+} // namespace hairpaint::app
+
+HAIRPAINT_TEST(hairpaint::app::TestSilentDisk, Widgets)
+#include "test_silent_disk.moc"
