@@ -3,9 +3,11 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 namespace hairpaint::importer {
 
@@ -80,14 +82,34 @@ int keptChannels(const OIIO::ImageSpec& spec)
     return std::min(spec.nchannels, 4);
 }
 
+/// The library takes what follows a question mark for options; whoever reads one format does not.
+std::unique_ptr<OIIO::ImageInput> openPlainly(const std::string& path, const OIIO::ImageSpec& config)
+{
+    const std::string list = OIIO::get_string_attribute("format_list");
+    for (const OIIO::string_view& format : OIIO::Strutil::splitsv(list, ",")) {
+        if (format == "null") // Which reads whatever it is given.
+            continue;
+        auto input = OIIO::ImageInput::create(format);
+        OIIO::ImageSpec spec;
+        if (input && input->open(path, spec, config))
+            return input;
+    }
+    return nullptr;
+}
+
+std::unique_ptr<OIIO::ImageInput> openImage(const std::string& path)
+{
+    OIIO::ImageSpec config;
+    config.attribute(kUnassociated, 1);
+    return path.find('?') == std::string::npos ? OIIO::ImageInput::open(path, &config) : openPlainly(path, config);
+}
+
 } // namespace
 
 tl::expected<wire::Image, wire::Reason> readImage(const std::string& path)
 {
     setGlobals();
-    OIIO::ImageSpec config;
-    config.attribute(kUnassociated, 1);
-    const auto input = OIIO::ImageInput::open(path, &config);
+    const auto input = openImage(path);
     if (!input) {
         std::error_code unreadable;
         const bool there =

@@ -1,0 +1,118 @@
+// Names that scripts and other systems give: each verb reads and writes the file that is meant, under that name.
+#include "tests/app/program.h"
+#include "tests/app/thin_project.h"
+#include "tests/support/test_program.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace hairpaint;
+
+class TestOddNames : public QObject
+{
+    Q_OBJECT
+private:
+    QTemporaryDir m_folder;
+    QByteArray m_project; ///< A file's bytes.
+
+    [[nodiscard]] static QByteArray bytesOf(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("plain.hairpaint"));
+        QCOMPARE(test::runProgram({QStringLiteral("new"), QStringLiteral("-o"), path, QStringLiteral("--preset"),
+                                   QStringLiteral("Buzz cut")})
+                     .code,
+                 0);
+        QVERIFY(test::thinOut(path));
+        m_project = bytesOf(path);
+    }
+
+    void everyVerbTakesTheName_data()
+    {
+        QTest::addColumn<QString>("name");
+        const auto row = [](const char* what, const char* name) { QTest::newRow(what) << QString::fromUtf8(name); };
+        row("spaces", " two  spaces ");
+        row("dots", ".take 1.2");
+        row("a dash first", "-o");
+        row("punctuation", "50%20#1 a{b}[c](d) it's `x` $HOME");
+        row("accents, whole and in pieces", "\xC3\xB1 n\xCC\x83");
+        row("other scripts", "\xF0\x9F\x92\x87 \xD7\xA9\xD7\xA2\xD7\xA8");
+        QTest::newRow("as long as they come") << QString(240, QLatin1Char('x'));
+#ifndef Q_OS_WIN // Where these are no names.
+        row("question marks and their like", "what?a=1 *:|<>\"\\");
+        row("control characters", "two\nlines \x1b[31mred");
+#endif
+    }
+    void everyVerbTakesTheName()
+    {
+        QFETCH(QString, name);
+        const QTemporaryDir place;
+        const QString folder = place.filePath(name);
+        QVERIFY(QDir().mkdir(folder));
+        const auto file = [&](const char* suffix) { return folder + QLatin1Char('/') + name + QLatin1String(suffix); };
+        const QString project = file(".hairpaint");
+        {
+            QFile made(project);
+            QVERIFY(made.open(QIODevice::WriteOnly));
+            made.write(m_project);
+        }
+        QStringList there{QFileInfo(project).fileName()};
+        const auto passes = [](const QStringList& arguments) {
+            const test::Outcome outcome = test::runProgram(arguments);
+            if (outcome.code != 0 || !outcome.error.isEmpty())
+                qWarning("%d: %s", outcome.code, qPrintable(outcome.error));
+            return outcome.code == 0 && outcome.error.isEmpty();
+        };
+        const auto written = [&](const char* suffix) {
+            there += QFileInfo(file(suffix)).fileName();
+            return file(suffix);
+        };
+        QVERIFY(passes({QStringLiteral("info"), project}));
+        QVERIFY(passes({QStringLiteral("export"), project, QStringLiteral("-o"), written(".hair"),
+                        QStringLiteral("--hairs"), QStringLiteral("100")}));
+        QVERIFY(passes({QStringLiteral("export"), project, QStringLiteral("-o"), written(".usdz"),
+                        QStringLiteral("--hairs"), QStringLiteral("100")}));
+        QVERIFY(
+            passes({QStringLiteral("render"), project, QStringLiteral("-o"), written(".png"), QStringLiteral("--size"),
+                    QStringLiteral("32x32"), QStringLiteral("--settle"), QStringLiteral("0")}));
+        QVERIFY(passes({QStringLiteral("repair"), project, QStringLiteral("-o"), written("2.hairpaint")}));
+        QVERIFY(passes({QStringLiteral("new"), QStringLiteral("-o"), written("3.hairpaint"), QStringLiteral("--curves"),
+                        file(".hair"), QStringLiteral("--map"), QStringLiteral("density=") + file(".png")}));
+        {
+            QFile cube(file(".obj"));
+            QVERIFY(cube.open(QIODevice::WriteOnly));
+            cube.write("v 0 0 0\nv 0.2 0 0\nv 0 0.2 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+            there += QFileInfo(cube).fileName();
+        }
+        const test::Outcome head = test::runProgram({QStringLiteral("new"), QStringLiteral("-o"),
+                                                     written("4.hairpaint"), QStringLiteral("--head"), file(".obj")});
+        QVERIFY2(head.code == 0, qPrintable(head.error));
+        there.sort();
+        QStringList found = QDir(folder).entryList(QDir::Files | QDir::Hidden);
+        found.sort();
+        QCOMPARE(found, there);
+        QVERIFY(model::loadProject(file("2.hairpaint")));
+        QVERIFY(model::loadProject(file("3.hairpaint")));
+        QCOMPARE(bytesOf(project), m_project);
+    }
+
+    /// What is told of a name stays one line of letters.
+    void aSentenceHoldsNoControlCharacters()
+    {
+        const QString name = QStringLiteral("two\nlines \x1b[31mred\x07\x7f.hairpaint");
+        const test::Outcome outcome = test::runProgram({QStringLiteral("info"), m_folder.filePath(name)});
+        QCOMPARE(outcome.code, 1);
+        QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
+        for (const QChar c : outcome.error.chopped(1))
+            QVERIFY2(c.isPrint(), qPrintable(outcome.error));
+    }
+};
+
+HAIRPAINT_TEST(TestOddNames, Core)
+#include "test_odd_names.moc"
