@@ -177,7 +177,7 @@ struct HairMotion
 model::Result<void> exportFilm(SettledHair& hair, const HairMotion& wanted, const model::ExportRequest& request,
                                const QString& output)
 {
-    model::StagedFiles staged(QFileInfo(output).absolutePath());
+    model::StagedFiles staged(QFileInfo(output).path());
     if (model::Result<void> ready = staged.check(framePath(output, wanted.film.first)); !ready)
         return ready;
     QStringList places;

@@ -163,7 +163,7 @@ model::Result<void> renderFilm(PictureMaker& maker, SettledHair& hair, const Ren
 {
     const Interruption interruption;
     // Pictures of a film lie beside their places until the last one is there.
-    model::StagedFiles folder(QFileInfo(output).absolutePath());
+    model::StagedFiles folder(QFileInfo(output).path());
     if (model::Result<void> ready = folder.check(framePath(output, options.film.first)); !ready)
         return ready;
     QStringList frames;

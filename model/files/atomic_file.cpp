@@ -31,7 +31,7 @@ QString noSpace()
 bool isDiskFull(const QString& path)
 {
     constexpr qint64 kHardlyAnything = 4096;
-    const QStorageInfo disk(QFileInfo(path).absolutePath());
+    const QStorageInfo disk(QFileInfo(path).path());
     return disk.isValid() && disk.isReady() && disk.bytesAvailable() < kHardlyAnything;
 }
 
@@ -148,7 +148,7 @@ Checked<void> AtomicFile::commit()
         return flushed;
     if (!m_staged.place())
         return refuse(isDiskFull(m_path) ? noSpace() : m_staged.problem());
-    flushFolder(QFileInfo(m_path).absolutePath());
+    flushFolder(QFileInfo(m_path).path());
     return {};
 }
 

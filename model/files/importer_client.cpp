@@ -112,7 +112,7 @@ tl::unexpected<Error> nonsense(const QString& path)
 
 wire::Bytes readRequest(wire::Kind kind, const QString& path)
 {
-    return wire::encodeText(kind, QFileInfo(path).absoluteFilePath().toUtf8().toStdString());
+    return wire::encodeText(kind, path.toUtf8().toStdString());
 }
 
 } // namespace

@@ -111,9 +111,9 @@ Checked<void> checkWritable(const QString& path)
         return refuse(say(QT_TRANSLATE_NOOP("Files", "it is a folder; give the name of a file")));
     if (info.exists() && !info.isFile())
         return refuse(say(QT_TRANSLATE_NOOP("Files", "it is not an ordinary file; choose another name")));
-    if (!QFileInfo(info.absolutePath()).isDir())
+    if (!QFileInfo(info.path()).isDir())
         return refuse(say(QT_TRANSLATE_NOOP("Files", "there is no folder '%1'; make it first"))
-                          .arg(shownPath(info.absolutePath())));
+                          .arg(shownPath(info.path())));
     return {};
 }
 

@@ -17,7 +17,9 @@ namespace hairpaint::model {
 
 StagedFile::StagedFile(const QString& path) : m_path(path)
 {
-    if (const QString behind = QFileInfo(path).canonicalFilePath(); !behind.isEmpty())
+    // Of no other file: a folder above may have a name that Qt can't spell.
+    const QFileInfo named(path);
+    if (const QString behind = named.isSymLink() ? named.canonicalFilePath() : QString(); !behind.isEmpty())
         m_path = behind;
     m_file.setFileName(m_path);
 }
@@ -33,7 +35,7 @@ bool StagedFile::openNameless()
 {
 #ifdef O_TMPFILE
     constexpr mode_t kByUmask = 0666;
-    const QByteArray folder = QFile::encodeName(QFileInfo(m_path).absolutePath());
+    const QByteArray folder = QFile::encodeName(QFileInfo(m_path).path());
     const int descriptor = ::open(folder.constData(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kByUmask);
     if (descriptor < 0)
         return false; // Not every file system can.
@@ -54,7 +56,7 @@ bool StagedFile::open()
         return false;
     }
     if (!openNameless()) {
-        const QString folder = before.absolutePath();
+        const QString folder = before.path();
         bool opened = false;
         for (int tries = 0; tries < kStagedNameTries && !opened; ++tries) {
             m_file.setFileName(stagedNameIn(folder));
@@ -77,7 +79,7 @@ bool StagedFile::nameIt()
 #ifdef O_TMPFILE
     const QByteArray open = "/proc/self/fd/" + QByteArray::number(m_file.handle());
     for (int tries = 0; tries < kStagedNameTries; ++tries) {
-        const QString name = stagedNameIn(QFileInfo(m_path).absolutePath());
+        const QString name = stagedNameIn(QFileInfo(m_path).path());
         if (::linkat(AT_FDCWD, open.constData(), AT_FDCWD, QFile::encodeName(name).constData(), AT_SYMLINK_FOLLOW) ==
             0) {
             m_stagedName = name;

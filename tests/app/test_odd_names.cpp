@@ -6,6 +6,11 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#ifdef Q_OS_LINUX
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
 using namespace hairpaint;
 
 class TestOddNames : public QObject
@@ -101,6 +106,30 @@ private Q_SLOTS:
         QVERIFY(model::loadProject(file("3.hairpaint")));
         QCOMPARE(bytesOf(project), m_project);
     }
+
+#ifdef Q_OS_LINUX
+    /// Qt spells names in UTF-8, so a folder of another spelling is worked in from inside.
+    void aFolderOfAnotherSpellingIsWorkedIn()
+    {
+        const QTemporaryDir place;
+        const QByteArray folder = QFile::encodeName(place.path()) + "/caf\xE9";
+        QCOMPARE(::mkdir(folder.constData(), 0700), 0);
+        const auto inFolder = [&folder] { (void)!::chdir(folder.constData()); };
+        const auto passes = [&inFolder](const char* arguments) {
+            const test::Outcome outcome =
+                test::runProgram(QString::fromLatin1(arguments).split(QLatin1Char(' ')), inFolder);
+            return outcome.error.isEmpty() ? QString::number(outcome.code) : outcome.error;
+        };
+        QCOMPARE(passes("new -o p.hairpaint --preset Bob"), QStringLiteral("0"));
+        QCOMPARE(passes("render p.hairpaint -o p.png --size 32x32 --settle 0"), QStringLiteral("0"));
+        QCOMPARE(passes("render p.hairpaint -o p.png --size 32x32 --settle 0 --frames 1-1"), QStringLiteral("0"));
+        QCOMPARE(passes("new -o p.hairpaint --map length=p.png"), QStringLiteral("0"));
+        QCOMPARE(passes("export p.hairpaint -o p.glb --hairs 100"), QStringLiteral("0"));
+        for (const char* name : {"p.hairpaint", "p.png", "p.0001.png", "p.glb"})
+            QCOMPARE(::unlink((folder + '/' + name).constData()), 0);
+        QCOMPARE(::rmdir(folder.constData()), 0);
+    }
+#endif
 
     /// What is told of a name stays one line of letters.
     void aSentenceHoldsNoControlCharacters()

@@ -36,7 +36,7 @@ Result<void> writeCardFile(const CurveSet& curves, const ExportSettings& setting
     for (const QString& place : places)
         if (const Checked<void> writable = checkWritable(place); !writable)
             return cannotWrite(place, writable.error());
-    StagedFiles staged(QFileInfo(path).absolutePath());
+    StagedFiles staged(QFileInfo(path).path());
     if (Result<void> ready = staged.check(path); !ready)
         return ready;
     std::optional<HairCards> cards =
