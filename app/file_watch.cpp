@@ -50,12 +50,16 @@ void FileWatch::ask()
 
 void FileWatch::watch(const FileStamp& now)
 {
+    bool isNew = false;
+    const auto add = [this, &isNew](const QString& path, const QStringList& watched) {
+        isNew = (!watched.contains(path) && m_watcher.addPath(path)) || isNew;
+    };
     // A file that was replaced is another one to the system.
-    if (now.exists && !m_watcher.files().contains(m_path))
-        m_watcher.addPath(m_path);
-    const QString folder = QFileInfo(m_path).absolutePath();
-    if (!m_watcher.directories().contains(folder))
-        m_watcher.addPath(folder);
+    if (now.exists)
+        add(m_path, m_watcher.files());
+    add(QFileInfo(m_path).absolutePath(), m_watcher.directories());
+    if (isNew)
+        look(); // It may have changed before it was watched.
 }
 
 void FileWatch::look()

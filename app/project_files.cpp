@@ -320,6 +320,8 @@ Work<ProjectFiles::Saved> ProjectFiles::savingOf(const QString& path, Changed ch
             return Saved{.stamp = {}, .wasChanged = true};
         const QImage thumbnail =
             picture ? picture([&](double drawn) { return progress(drawn * kThumbnailFraction); }) : QImage();
+        if (!progress(kThumbnailFraction))
+            return model::cancelled(path); // Before earlier versions make room for one that does not come.
         if (keepsEarlier)
             if (const model::Checked<void> kept = model::keepEarlierVersions(path); !kept)
                 return model::cannotWrite(model::earlierVersion(path, 1), kept.error());
