@@ -41,11 +41,25 @@ glm::vec3 inSkin(const glm::vec3& way, const glm::vec3& normal)
     return way - normal * glm::dot(way, normal);
 }
 
-/// In which direction a strand leaves the skin, unit; zero where it has none. Hair that turns has turned by its first
-/// stretch already, half as much as by the second.
-glm::vec3 rootWay(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& normalHd)
+/// Hair that stands off the skin from its root on, longer than it would by its stiffness, and does not hang.
+float heldOf(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& normalHd)
 {
-    constexpr float kGoesOn = 0.5F; ///< Cosine between stretches that are one turn.
+    const glm::vec3 quarter = placeAlong(axisHd, 0.25F * lengthM) - axisHd.front();
+    const glm::vec3 end = axisHd.back() - placeAlong(axisHd, 0.5F * lengthM);
+    const float rises = glm::dot(quarter, normalHd) / std::max(glm::length(quarter), 1e-6F);
+    const float hangs = -end.y / std::max(glm::length(end), 1e-6F);
+    // What bends over is held by less.
+    const float goesOn = glm::dot(quarter, end) / std::max(glm::length(quarter) * glm::length(end), 1e-6F);
+    return softStep(0.45F, 0.75F, rises) * (1.0F - softStep(0.3F, 0.8F, hangs)) * softStep(0.015F, 0.04F, lengthM) *
+           glm::mix(0.8F, 1.0F, softStep(0.4F, 0.9F, goesOn));
+}
+
+/// In which direction a strand leaves the skin, unit; zero where it has none. Hair that turns has turned by its first
+/// stretch already, half as much as by the second. `held`: heldOf.
+glm::vec3 rootWay(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& normalHd, float held)
+{
+    constexpr float kGoesOn = 0.5F;    ///< Cosine between stretches that are one turn.
+    constexpr float kHeldBends = 0.5F; ///< Most of its bend it has by its style, not by its weight.
     const float stretchM = std::min(kRootWayM, lengthM * kRootWayPart);
     const glm::vec3 middle = placeAlong(axisHd, stretchM);
     const glm::vec3 first = middle - axisHd.front();
@@ -60,22 +74,13 @@ glm::vec3 rootWay(std::span<const glm::vec3> axisHd, float lengthM, const glm::v
     if (!(flatLength > 0.0F) || !(nextLength > 0.0F) || glm::dot(flat, flatNext) < kGoesOn * flatLength * nextLength)
         return first / length;
     const glm::vec3 turned = 1.5F * flat / flatLength - 0.5F * flatNext / nextLength;
-    // Likewise with the angle to the skin of hair too short for the head to bend away under it.
+    // Likewise with the angle to the skin of hair too short for the head to bend away under it, and of hair that is
+    // held and bends by its weight.
     const float rises = glm::dot(first, normalHd) / length;
     const float risesNext = glm::dot(next, normalHd) / std::max(glm::length(next), 1e-6F);
-    const float isShort = 1.0F - softStep(0.5F, 1.0F, stretchM / kRootWayM);
-    const float sine = std::clamp(rises + 0.5F * isShort * (rises - risesNext), -1.0F, 1.0F);
+    const float bends = std::max(1.0F - softStep(0.5F, 1.0F, stretchM / kRootWayM), kHeldBends * held);
+    const float sine = std::clamp(rises + 0.5F * bends * (rises - risesNext), -1.0F, 1.0F);
     return turned * (std::sqrt(1.0F - sine * sine) / glm::length(turned)) + normalHd * sine;
-}
-
-/// Hair that stands off the skin from its root on, longer than it would by its stiffness, and does not hang.
-float heldOf(std::span<const glm::vec3> axisHd, float lengthM, const glm::vec3& normalHd)
-{
-    const glm::vec3 quarter = placeAlong(axisHd, 0.25F * lengthM) - axisHd.front();
-    const glm::vec3 end = axisHd.back() - placeAlong(axisHd, 0.5F * lengthM);
-    const float rises = glm::dot(quarter, normalHd) / std::max(glm::length(quarter), 1e-6F);
-    const float hangs = -end.y / std::max(glm::length(end), 1e-6F);
-    return softStep(0.45F, 0.75F, rises) * (1.0F - softStep(0.3F, 0.8F, hangs)) * softStep(0.015F, 0.04F, lengthM);
 }
 
 struct Followed
@@ -136,7 +141,8 @@ std::optional<PlacedStrands> placeStrands(const ForeignStrands& strands, const C
                 if (!(glm::distance(root.positionHd, pointsHd.front()) <= kFurthestRootM))
                     continue;
                 const StrandShape shape = measureStrand(pointsHd, scratch);
-                const glm::vec3 wayHd = rootWay(scratch.axisHd, shape.lengthM, root.normalHd);
+                const float held = heldOf(scratch.axisHd, shape.lengthM, root.normalHd);
+                const glm::vec3 wayHd = rootWay(scratch.axisHd, shape.lengthM, root.normalHd, held);
                 if (!(shape.lengthM > kLeastLengthM) || wayHd == glm::vec3(0.0F))
                     continue;
                 StrandLook look = strands.looks[first + i];
@@ -146,7 +152,7 @@ std::optional<PlacedStrands> placeStrands(const ForeignStrands& strands, const C
                                         shape,
                                         static_cast<std::uint32_t>(pointsHd.size()),
                                         look,
-                                        heldOf(scratch.axisHd, shape.lengthM, root.normalHd)};
+                                        held};
                 if (i % followEach == 0)
                     followStrand(scratch.axisHd, skin, distances, followed[i / followEach]);
             }

@@ -339,11 +339,17 @@ private:
     void writeGel(HairGroup& group) const
     {
         constexpr float kGelOfHeld = 0.92F;
-        constexpr float kFewHeld = 0.1F; ///< Of all hairs: some that stand by chance need none.
+        constexpr float kMostStand = 0.5F; ///< Of the hairs of a place, where it is held.
+        constexpr double kFewHeld = 0.02;  ///< Of all hairs: single ones that stand by chance need no gel.
         double held = 0.0;
-        for (const PlacedStrand& strand : m_placed.strands)
-            held += strand.held;
-        if (held < kFewHeld * static_cast<double>(m_placed.strands.size()))
+        double all = 0.0;
+        for (std::size_t i = 0; i < m_texels.count(); ++i) {
+            const TexelSum& sum = m_sums.strands[i];
+            const double hairs = static_cast<double>(sum.densityPerM2) * static_cast<double>(m_texels.areaM2[i]);
+            all += hairs;
+            held += sum.held > kMostStand * sum.weight ? hairs : 0.0;
+        }
+        if (held < kFewHeld * all)
             return;
         const auto map = filled<float>([](const TexelSum& sum) { return kGelOfHeld * sum.held / sum.weight; });
         writeScalar(group, MapKind::Gel, map.values, 1.0F);

@@ -218,6 +218,50 @@ private Q_SLOTS:
         QVERIFY(groups->front().settings.greatestDensityPerM2 <= 4e6F);
     }
 
+    void aTuftThatStandsIsHeldAndStraysAreNot_data()
+    {
+        QTest::addColumn<bool>("together");
+        QTest::newRow("a tuft") << true;
+        QTest::newRow("strays") << false;
+    }
+    void aTuftThatStandsIsHeldAndStraysAreNot()
+    {
+        QFETCH(bool, together);
+        // One hair of twenty stands, the others lie along the ball.
+        constexpr int kStrands = 8000;
+        constexpr int kSegments = 6;
+        constexpr float kRadiusM = 0.1F;
+        constexpr float kLengthM = 0.06F;
+        QByteArray bytes(128, '\0');
+        bytes.replace(0, 4, "HAIR");
+        const std::array<quint32, 4> header{kStrands, (kSegments + 1) * kStrands, 2, kSegments};
+        std::memcpy(bytes.data() + 4, header.data(), sizeof(header));
+        for (int i = 0; i < kStrands; ++i) {
+            const float y = 1.0F - 2.0F * (static_cast<float>(i) + 0.5F) / kStrands;
+            const float turn = 2.4F * static_cast<float>(i);
+            const glm::vec3 up(std::sqrt(1.0F - y * y) * std::cos(turn), y, std::sqrt(1.0F - y * y) * std::sin(turn));
+            const glm::vec3 along = glm::normalize(glm::cross(up, glm::vec3(0.0F, 1.0F, 0.0F)));
+            const bool stands = together ? up.z > 0.9F : i % 20 == 0;
+            for (int point = 0; point <= kSegments; ++point) {
+                const float far = kLengthM * static_cast<float>(point) / kSegments;
+                const float angle = far / kRadiusM;
+                const glm::vec3 place = stands ? up * (kRadiusM + far)
+                                               : (up * std::cos(angle) + along * std::sin(angle)) *
+                                                     (kRadiusM + 0.002F * std::min(angle, 1.0F));
+                bytes.append(reinterpret_cast<const char*>(&place), sizeof(place));
+            }
+        }
+        test::writeBytes(path(), bytes);
+        const Result<std::vector<HairGroup>> groups = groupsFromCurves(path(), {}, ball());
+        QVERIFY(groups && groups->size() == 1);
+        const auto gelAt = [&](const glm::vec3& place) {
+            return valueAt(groups->front(), MapKind::Gel, ball()->skin->nearest(place).uv).x;
+        };
+        const float top = gelAt({0.0F, 0.0F, kRadiusM});
+        QVERIFY2(together ? top > 0.6F : top < 0.01F, qPrintable(QString::number(top)));
+        QVERIFY(gelAt({0.7F * kRadiusM, 0.0F, -0.7F * kRadiusM}) < 0.1F);
+    }
+
     void manyPrimsAreOneGroup()
     {
         QByteArray text = "#usda 1.0\n(\n metersPerUnit = 1\n)\n";
