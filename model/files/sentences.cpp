@@ -112,8 +112,8 @@ Checked<void> checkWritable(const QString& path)
     if (info.exists() && !info.isFile())
         return refuse(say(QT_TRANSLATE_NOOP("Files", "it is not an ordinary file; choose another name")));
     if (!QFileInfo(info.path()).isDir())
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "there is no folder '%1'; make it first"))
-                          .arg(shownPath(info.path())));
+        return refuse(
+            say(QT_TRANSLATE_NOOP("Files", "there is no folder '%1'; make it first")).arg(shownPath(info.path())));
     return {};
 }
 

@@ -80,9 +80,9 @@ int openAt(int folder, const char* path, int flags, mode_t mode)
     return static_cast<int>(syscall(SYS_openat, folder, path, flags, mode));
 }
 
-mode_t modeOf(int flags, std::va_list arguments)
+bool hasMode(int flags)
 {
-    return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, mode_t) : 0;
+    return (flags & (O_CREAT | O_TMPFILE)) != 0;
 }
 
 } // namespace
@@ -91,7 +91,7 @@ extern "C" int open(const char* path, int flags, ...)
 {
     std::va_list arguments;
     va_start(arguments, flags);
-    const mode_t mode = modeOf(flags, arguments);
+    const mode_t mode = hasMode(flags) ? va_arg(arguments, mode_t) : 0;
     va_end(arguments);
     return openAt(AT_FDCWD, path, flags, mode);
 }
@@ -100,7 +100,7 @@ extern "C" int open64(const char* path, int flags, ...)
 {
     std::va_list arguments;
     va_start(arguments, flags);
-    const mode_t mode = modeOf(flags, arguments);
+    const mode_t mode = hasMode(flags) ? va_arg(arguments, mode_t) : 0;
     va_end(arguments);
     return openAt(AT_FDCWD, path, flags, mode);
 }

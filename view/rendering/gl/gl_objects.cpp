@@ -55,13 +55,16 @@ VertexArray makeVertexArray()
     return VertexArray(id);
 }
 
-void Buffer::reserve(std::size_t bytes)
+bool Buffer::reserve(std::size_t bytes)
 {
+    constexpr std::size_t kLargeBytes = 4U << 20U;
+    constexpr std::size_t kManyTimes = 4; // So that hair that moves and stands still by turns does not allocate.
     bytes = std::max<std::size_t>(bytes, 16);
-    if (bytes <= m_capacity)
-        return;
+    const bool isTooLarge = m_capacity > std::max(kLargeBytes, kManyTimes * bytes);
+    if (bytes <= m_capacity && !isTooLarge)
+        return false;
     // Some room to grow, so that a stroke that adds hair does not allocate every frame.
-    const std::size_t wanted = m_capacity == 0 ? bytes : bytes + bytes / 4;
+    const std::size_t wanted = m_capacity == 0 || isTooLarge ? bytes : bytes + bytes / 4;
     m_capacity = 0;
     unsigned id = 0;
     glGenBuffers(1, &id);
@@ -74,6 +77,7 @@ void Buffer::reserve(std::size_t bytes)
     if (given >= static_cast<GLint64>(wanted))
         m_capacity = wanted;
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    return true;
 }
 
 void Buffer::assign(const void* data, std::size_t bytes)

@@ -50,13 +50,14 @@ using VertexArray = GlName<deleteVertexArray>;
 [[nodiscard]] Framebuffer makeFramebuffer();
 [[nodiscard]] VertexArray makeVertexArray();
 
-/// A buffer that grows and never shrinks.
+/// A buffer as large as what it was asked for last, or some times larger.
 class Buffer
 {
 public:
-    /// Makes room for `bytes`; what it held is lost when it grows. At least 16 bytes, so that it can always be bound.
-    /// Where OpenGL has no memory its capacity is 0, and the next call tries again.
-    void reserve(std::size_t bytes);
+    /// Makes room for `bytes`; true where it was made anew, and what it held is lost: it was too small, or large for
+    /// nothing. At least 16 bytes, so that it can always be bound. Where OpenGL has no memory its capacity is 0, and the
+    /// next call tries again.
+    bool reserve(std::size_t bytes);
     /// Room for at least `bytes`, and those written.
     void assign(const void* data, std::size_t bytes);
     void write(std::size_t offset, const void* data, std::size_t bytes);

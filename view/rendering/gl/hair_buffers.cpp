@@ -52,10 +52,9 @@ std::size_t HairBuffers::uploadStyles()
     m_stylesOf.reset();
     constexpr std::size_t chunkBytes = sim::kChunkSlots * sizeof(PackedStyle);
     const auto packedChunks = static_cast<std::size_t>(m_groom->packedChunks);
-    if (packedChunks * chunkBytes > m_styles.capacity() || m_roots != m_groom->roots)
+    if (m_styles.reserve(packedChunks * chunkBytes) || m_roots != m_groom->roots)
         m_uploaded.clear();
     m_roots = m_groom->roots;
-    m_styles.reserve(packedChunks * chunkBytes);
     if (m_styles.capacity() < packedChunks * chunkBytes)
         return 0;
     m_uploaded.resize(std::max(packedChunks, m_uploaded.size()));
