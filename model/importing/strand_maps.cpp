@@ -3,12 +3,11 @@
 
 #include "model/importing/lock_estimate.h"
 #include "model/importing/outward_fill.h"
+#include "model/importing/strand_spacing.h"
 #include "model/texel_math.h"
 #include "sim/base/parallel.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/groom/groom.h"
-
-#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,13 +18,9 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr std::size_t kNeighboursCounted = 8; ///< By which it is found how far apart strands stand.
-constexpr float kFurthestApartM = 0.03F;
-constexpr std::array kLookedAroundM{0.003F, 0.006F, 0.012F, 0.024F, 0.048F, 0.096F};
-constexpr std::size_t kMostLookedAt = 512; ///< All of them may stand in one place.
-constexpr float kReachOfSpacing = 1.4F;    ///< Standard deviation of a strand's weight, in distances between strands;
-constexpr float kReachOfTexel = 0.6F;      ///< no less than this, in texels.
-constexpr float kReaches = 2.4F;           ///< Standard deviations until which it weighs.
+constexpr float kReachOfSpacing = 1.4F; ///< Standard deviation of a strand's weight, in distances between strands;
+constexpr float kReachOfTexel = 0.6F;   ///< no less than this, in texels.
+constexpr float kReaches = 2.4F;        ///< Standard deviations until which it weighs.
 constexpr float kFurtherReachM = 0.004F;
 constexpr float kSameSide = 0.2F;             ///< Cosine between normals of one side of an ear.
 constexpr std::size_t kStrandsBetween = 4096; ///< Questions whether it goes on.
@@ -85,38 +80,6 @@ float curlOf(float turns)
         (sim::turnsOfCurl(middle, false) < turns ? low : high) = middle;
     }
     return high < 1e-4F ? 0.0F : high;
-}
-
-/// How far from its neighbours each strand stands.
-std::vector<float> spacingsM(const std::vector<PlacedStrand>& strands)
-{
-    std::vector<glm::vec3> rootsHd;
-    rootsHd.reserve(strands.size());
-    for (const PlacedStrand& strand : strands)
-        rootsHd.push_back(strand.root.placeHd);
-    const PlaceGrid grid(rootsHd, 0.003F);
-    std::vector<float> spacings(strands.size(), kFurthestApartM);
-    const float perRadius = std::sqrt(glm::pi<float>() / static_cast<float>(kNeighboursCounted));
-    sim::parallelFor(strands.size(), 256, [&](std::size_t begin, std::size_t end) {
-        std::vector<float> squares;
-        for (std::size_t i = begin; i < end; ++i)
-            for (const float radiusM : kLookedAroundM) {
-                squares.clear();
-                grid.near(rootsHd[i], radiusM, [&](std::uint32_t other) {
-                    const glm::vec3 way = rootsHd[other] - rootsHd[i];
-                    if (const float square = glm::dot(way, way); square <= radiusM * radiusM)
-                        squares.push_back(square);
-                    return squares.size() < kMostLookedAt;
-                });
-                if (squares.size() <= kNeighboursCounted)
-                    continue;
-                // The first is the strand itself.
-                std::ranges::nth_element(squares, squares.begin() + kNeighboursCounted);
-                spacings[i] = std::min(perRadius * std::sqrt(squares[kNeighboursCounted]), kFurthestApartM);
-                break;
-            }
-    });
-    return spacings;
 }
 
 /// Texels around a place on the skin and what they weigh there.
@@ -183,7 +146,7 @@ void addStrand(const PlacedStrand& strand, std::span<const TexelsAround::Weighed
 
 std::optional<StrandSums> summed(const PlacedStrands& placed, const SkinTexels& texels, const Progress& progress)
 {
-    const std::vector<float> spacings = spacingsM(placed.strands);
+    const std::vector<float> spacings = strandSpacingsM(placed.strands);
     StrandSums sums{std::vector<TexelSum>(texels.count()), std::vector<WaySum>(texels.count()),
                     std::vector<WaySum>(texels.count())};
     TexelsAround around(texels);
