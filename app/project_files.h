@@ -83,7 +83,7 @@ private:
         bool wasChanged = false; ///< By another program, so it was not saved.
     };
     [[nodiscard]] Work<Saved> savingOf(const QString& path, Changed changed);
-    /// An earlier save there, or an opening, was left to itself and has not ended.
+    /// An earlier save there was left to itself and has not ended.
     [[nodiscard]] bool isLeft(const QString& path) const;
     /// Asks before this window saves over what another one does, or another program has done.
     [[nodiscard]] bool mayOpenTwice(const QString& path);

@@ -41,8 +41,8 @@ template<typename T>
 struct Awaited
 {
     WorkEnd end = WorkEnd::Done;
-    std::optional<model::Result<T>>
-        result; ///< None where it is left; where it was cancelled, what it did all the same.
+    /// None where it is left; where it was cancelled, what it did all the same.
+    std::optional<model::Result<T>> result;
 };
 
 /// Lives on the GUI thread. Whatever a job throws becomes its error, which names `doing`: what is done, the file named,
@@ -130,9 +130,8 @@ Awaited<T> Jobs::awaitOrLeave(const QString& doing, Work<T> work)
             result->emplace(model::guarded(doing, [&] { return work(progress); }));
         },
         true);
-    if (end == WorkEnd::Left)
-        return {.end = end, .result = std::nullopt};
-    return {.end = end, .result = std::move(*result)};
+    // What is left may be writing it.
+    return {.end = end, .result = end == WorkEnd::Left ? std::nullopt : std::move(*result)};
 }
 
 template<typename T>

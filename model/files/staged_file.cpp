@@ -19,7 +19,7 @@ StagedFile::StagedFile(const QString& path) : m_path(path)
 {
     // Of no other file: a folder above may have a name that Qt can't spell.
     const QFileInfo named(path);
-    if (const QString behind = named.isSymLink() ? named.canonicalFilePath() : QString(); !behind.isEmpty())
+    if (const QString behind = named.isSymbolicLink() ? named.canonicalFilePath() : QString(); !behind.isEmpty())
         m_path = behind;
     m_file.setFileName(m_path);
 }

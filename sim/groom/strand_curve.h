@@ -19,7 +19,8 @@ namespace hairpaint::sim {
 inline constexpr float kCurlEaseFraction = 0.25F;
 /// Part of a turn of the braid over which its wisps part where it begins.
 inline constexpr float kBraidEaseTurns = 0.5F;
-inline constexpr float kWispRadiusFraction = 0.9F; ///< A wisp's radius in units of r: wisps touch where the plait bends too.
+inline constexpr float kWispRadiusFraction =
+    0.9F; ///< A wisp's radius in units of r: wisps touch where the plait bends too.
 /// The wisps of a twist run round its middle at this distance and have this radius, in units of r; a loc is one wisp.
 inline constexpr float kTwistFraction = 0.6F;
 inline constexpr float kTwistWispFraction = 0.65F;

@@ -85,7 +85,8 @@ private Q_SLOTS:
             // Thickest on lip and chin.
             for (const glm::vec3& grows :
                  {glm::vec3(side * 0.005F, -0.095F, 0.1F), glm::vec3(side * 0.010F, -0.054F, 0.105F)})
-                QVERIFY2(densityNear(*beard, *on, grows) > 0.9F, qPrintable(QStringLiteral("%1: %2").arg(grows.y).arg(densityNear(*beard, *on, grows))));
+                QVERIFY2(densityNear(*beard, *on, grows) > 0.9F,
+                         qPrintable(QStringLiteral("%1: %2").arg(grows.y).arg(densityNear(*beard, *on, grows))));
             const float cheek = densityNear(*beard, *on, glm::vec3(side * 0.045F, -0.07F, 0.07F));
             QVERIFY2(cheek > 0.7F && cheek < 0.85F, qPrintable(QString::number(cheek)));
             for (const glm::vec3& bare :

@@ -55,8 +55,8 @@ class Buffer
 {
 public:
     /// Makes room for `bytes`; true where it was made anew, and what it held is lost: it was too small, or large for
-    /// nothing. At least 16 bytes, so that it can always be bound. Where OpenGL has no memory its capacity is 0, and the
-    /// next call tries again.
+    /// nothing. At least 16 bytes, so that it can always be bound. Where OpenGL has no memory its capacity is 0, and
+    /// the next call tries again.
     bool reserve(std::size_t bytes);
     /// Room for at least `bytes`, and those written.
     void assign(const void* data, std::size_t bytes);
