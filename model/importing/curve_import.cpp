@@ -2,6 +2,7 @@
 #include "model/importing/curve_import.h"
 
 #include "model/files/sentences.h"
+#include "model/importing/braid_estimate.h"
 #include "model/importing/curve_reader.h"
 #include "model/importing/strand_maps.h"
 
@@ -89,13 +90,15 @@ Result<std::vector<HairGroup>> groupsFromCurves(const QString& path, const Curve
             const ForeignStrands& strands = curves->groups[i];
             const double part = (1.0 - kTexelsFound) / static_cast<double>(curves->groups.size());
             const double from = kTexelsFound + part * static_cast<double>(i);
-            const std::optional<PlacedStrands> placed =
+            std::optional<PlacedStrands> placed =
                 placeStrands(strands, *placement, *head->skin, head->distances.get(),
                              partOfImport(progress, from, from + part * kStrandsMeasured));
             if (!placed)
                 return cancelled(path);
             if (placed->strands.empty())
                 continue;
+            if (!estimateBraids(strands, *placement, *placed))
+                return cancelled(path);
             const QString name = strands.name.isEmpty() ? QFileInfo(path).completeBaseName() : strands.name;
             std::optional<HairGroup> group =
                 groupFromStrands(*placed, strands.hasColours, *texels, name, head,

@@ -148,11 +148,12 @@ std::optional<PlacedStrands> placeStrands(const ForeignStrands& strands, const C
                 StrandLook look = strands.looks[first + i];
                 look.rootWidth *= placement.scaleM;
                 look.tipWidth *= placement.scaleM;
-                found[i] = PlacedStrand{{root.positionHd, root.normalHd, wayHd},
-                                        shape,
-                                        static_cast<std::uint32_t>(pointsHd.size()),
-                                        look,
-                                        held};
+                found[i] = {.root = {root.positionHd, root.normalHd, wayHd},
+                            .shape = shape,
+                            .points = static_cast<std::uint32_t>(pointsHd.size()),
+                            .look = look,
+                            .held = held,
+                            .source = static_cast<std::uint32_t>(first + i)};
                 if (i % followEach == 0)
                     followStrand(scratch.axisHd, skin, distances, followed[i / followEach]);
             }

@@ -4,6 +4,7 @@
 #include "model/importing/foreign_curves.h"
 #include "model/importing/strand_shape.h"
 #include "model/progress.h"
+#include "sim/groom/groom.h"
 #include "sim/skin/distance_grid.h"
 #include "sim/skin/skin.h"
 
@@ -34,17 +35,23 @@ struct PlacedStrand
 {
     SkinWay root; ///< The way is that to the place 2 cm along, of short hair a third along.
     StrandShape shape;
-    std::uint32_t points = 2; ///< It was told with.
-    StrandLook look;          ///< Widths in m.
-    float held = 0.0F;        ///< 0..1: how far it stands where gravity would lay it down.
+    std::uint32_t points = 2;                    ///< It was told with.
+    StrandLook look;                             ///< Widths in m.
+    float held = 0.0F;                           ///< 0..1: how far it stands where gravity would lay it down.
+    std::uint32_t source = 0;                    ///< Its number in the file's group.
+    sim::BraidKind braid = sim::BraidKind::None; ///< In a braid its length is the braid's.
 };
 
 struct PlacedStrands
 {
     std::vector<PlacedStrand> strands;
     std::vector<SkinWay> further; ///< Where some of them lie on skin further on.
-    float heightM =
-        0.0F; ///< Over the skin, of half of the strands no more, where they begin to lie; 0 where none does.
+    /// Over the skin, of half of the strands no more, where they begin to lie; 0 where none does.
+    float heightM = 0.0F;
+    float braidRadiusM = 0.0F;  ///< Of its braids; 0 where it has none.
+    float braidSpacingM = 0.0F; ///< As GroupSettings has it.
+    /// Between patches of roots, where each braid has one; 0 where they are not apart.
+    float braidGapM = 0.0F;
 };
 
 /// Strands whose roots are further from the skin than `kFurthestRootM`, or that have no length, are left out. None

@@ -3,9 +3,10 @@
 
 #include "model/importing/lock_estimate.h"
 #include "model/importing/outward_fill.h"
-#include "model/importing/strand_spacing.h"
+#include "model/importing/strand_sums.h"
 #include "model/texel_math.h"
 #include "sim/base/parallel.h"
+#include "sim/groom/braid_layout.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/groom/groom.h"
 
@@ -18,154 +19,11 @@ namespace hairpaint::model {
 
 namespace {
 
-constexpr float kReachOfSpacing = 1.4F; ///< Standard deviation of a strand's weight, in distances between strands;
-constexpr float kReachOfTexel = 0.6F;   ///< no less than this, in texels.
-constexpr float kReaches = 2.4F;        ///< Standard deviations until which it weighs.
-constexpr float kFurtherReachM = 0.004F;
-constexpr float kSameSide = 0.2F;             ///< Cosine between normals of one side of an ear.
-constexpr std::size_t kStrandsBetween = 4096; ///< Questions whether it goes on.
 constexpr int kMostImportedNodes = 16;
 constexpr float kWidestStrandM = 1e-3F;
 constexpr float kThinnestStrandM = 10e-6F;
-
-/// What strands sum up to at a texel, each by its weight.
-struct TexelSum
-{
-    float weight = 0.0F;
-    float densityPerM2 = 0.0F;
-    float lengthM = 0.0F;
-    float curl = 0.0F;
-    float radiusM = 0.0F;
-    float coiled = 0.0F; ///< Weight of those with a coil.
-    float held = 0.0F;
-    glm::vec3 rootColour{0.0F};
-    glm::vec3 tipColour{0.0F};
-};
-
-/// How hair runs there: the mean of directions in the skin, of their lengths, and the nearest one.
-struct WaySum
-{
-    float weight = 0.0F;
-    float flatness = 0.0F;
-    glm::vec3 meanHd{0.0F};
-    float nearestWeight = 0.0F;
-    glm::vec3 nearestHd{0.0F};
-
-    void add(const SkinWay& way, float wayWeight)
-    {
-        const glm::vec3 alongHd = way.wayHd - way.normalHd * glm::dot(way.wayHd, way.normalHd);
-        weight += wayWeight;
-        flatness += wayWeight * glm::length(alongHd);
-        meanHd += wayWeight * alongHd;
-        if (wayWeight > nearestWeight) {
-            nearestWeight = wayWeight;
-            nearestHd = alongHd;
-        }
-    }
-    /// In that frame; where two sides of a parting meet, that of the nearest strand.
-    [[nodiscard]] glm::vec2 in(const sim::SkinFrame& frame) const
-    {
-        const float flat = flatness / weight;
-        return sim::shortened(
-            sim::turned(frame.fromHd(meanHd / weight), flat, frame.fromHd(nearestHd), sim::kPartedDirections));
-    }
-};
-
-float curlOf(float turns)
-{
-    float low = 0.0F;
-    float high = 1.0F;
-    for (int i = 0; i < 20; ++i) {
-        const float middle = 0.5F * (low + high);
-        (sim::turnsOfCurl(middle, false) < turns ? low : high) = middle;
-    }
-    return high < 1e-4F ? 0.0F : high;
-}
-
-/// Texels around a place on the skin and what they weigh there.
-class TexelsAround
-{
-public:
-    explicit TexelsAround(const SkinTexels& texels) : m_texels(texels) {}
-
-    struct Weighed
-    {
-        std::uint32_t index;
-        float weight;
-    };
-    /// Valid until the next call.
-    [[nodiscard]] std::span<const Weighed> at(const SkinWay& way, float reachM)
-    {
-        m_found.clear();
-        const float furthest2 = kReaches * kReaches * reachM * reachM;
-        m_texels.grid->near(way.placeHd, kReaches * reachM, [&](std::uint32_t index) {
-            const glm::vec3 aside = m_texels.placeHd[index] - way.placeHd;
-            const float square = glm::dot(aside, aside);
-            if (square < furthest2 && glm::dot(m_texels.frame[index].normal, way.normalHd) > kSameSide)
-                m_found.push_back({index, std::exp(-0.5F * square / (reachM * reachM))});
-            return true;
-        });
-        return m_found;
-    }
-
-private:
-    const SkinTexels& m_texels;
-    std::vector<Weighed> m_found;
-};
-
-struct StrandSums
-{
-    std::vector<TexelSum> strands; ///< By texel on the skin.
-    std::vector<WaySum> roots;
-    std::vector<WaySum> further;
-};
-
-void addStrand(const PlacedStrand& strand, std::span<const TexelsAround::Weighed> around, const SkinTexels& texels,
-               StrandSums& sums)
-{
-    float area = 0.0F;
-    for (const auto& [index, weight] : around)
-        area += weight * texels.areaM2[index];
-    const float curl = strand.shape.turns > 0.0F ? curlOf(strand.shape.turns) : 0.0F;
-    for (const auto& [index, weight] : around) {
-        TexelSum& sum = sums.strands[index];
-        sum.weight += weight;
-        sum.densityPerM2 += weight / area;
-        sum.lengthM += weight * strand.shape.lengthM;
-        sum.held += weight * strand.held;
-        sum.rootColour += weight * strand.look.rootColour;
-        sum.tipColour += weight * strand.look.tipColour;
-        if (curl > 0.0F) {
-            sum.curl += weight * curl;
-            sum.radiusM += weight * strand.shape.radiusM;
-            sum.coiled += weight;
-        }
-        sums.roots[index].add(strand.root, weight);
-    }
-}
-
-std::optional<StrandSums> summed(const PlacedStrands& placed, const SkinTexels& texels, const Progress& progress)
-{
-    const std::vector<float> spacings = strandSpacingsM(placed.strands);
-    StrandSums sums{std::vector<TexelSum>(texels.count()), std::vector<WaySum>(texels.count()),
-                    std::vector<WaySum>(texels.count())};
-    TexelsAround around(texels);
-    for (std::size_t i = 0; i < placed.strands.size(); ++i) {
-        if (i % kStrandsBetween == 0 && progress &&
-            !progress(static_cast<double>(i) / static_cast<double>(placed.strands.size())))
-            return std::nullopt;
-        // Where texels are large, as far as the nearest.
-        float reachM = std::max(kReachOfSpacing * spacings[i], kReachOfTexel * texels.sideM);
-        std::span<const TexelsAround::Weighed> found;
-        for (int tries = 0; tries < 4 && found.empty(); ++tries, reachM *= 2.0F)
-            found = around.at(placed.strands[i].root, reachM);
-        addStrand(placed.strands[i], found, texels, sums);
-    }
-    for (const SkinWay& way : placed.further)
-        for (const auto& [index, weight] : around.at(way, kFurtherReachM))
-            sums.further[index].add(way, weight);
-    return sums;
-}
+constexpr float kBraidEdge = 3.0F;
+constexpr float kBraidInside = 6.0F; ///< A texel or two from there, so that no hair stands on the edge.
 
 /// Values over a whole map.
 template<typename Value>
@@ -226,6 +84,7 @@ public:
         writeDensity(group);
         writeLength(group);
         writeCurl(group);
+        writeBraids(group);
         writeGel(group);
         writeLocks(group);
         writeDirection(group);
@@ -254,12 +113,20 @@ private:
         });
     }
 
+    /// Beyond the outermost hairs of a braid none is told to grow: patches on both sides of a parting would become one.
+    /// `inside`: weight; among hairs it is twelve.
+    [[nodiscard]] static bool isBesideBraids(const TexelSum& sum, float inside)
+    {
+        return sum.weight < inside && 2.0F * sum.braided[0] < sum.weight;
+    }
+
     void writeDensity(HairGroup& group) const
     {
         MapValues<float> map(m_texels.size);
         std::vector<float> some;
         for (std::size_t i = 0; i < m_texels.count(); ++i) {
-            map.set(m_texels.texel[i], m_sums.strands[i].densityPerM2);
+            map.set(m_texels.texel[i],
+                    isBesideBraids(m_sums.strands[i], kBraidInside) ? 0.0F : m_sums.strands[i].densityPerM2);
             if (m_sums.strands[i].densityPerM2 > 0.0F)
                 some.push_back(m_sums.strands[i].densityPerM2);
         }
@@ -297,6 +164,39 @@ private:
         const float greatest = std::clamp(roundUp(*std::ranges::max_element(radii.values)), 0.0005F, 0.2F);
         group.settings.greatestCurlRadiusM = greatest;
         writeScalar(group, MapKind::CurlSize, radii.values, greatest);
+    }
+
+    void writeBraids(HairGroup& group) const
+    {
+        if (m_placed.braidRadiusM <= 0.0F)
+            return;
+        MapValues<glm::vec4> weights(m_texels.size);
+        for (std::size_t i = 0; i < m_texels.count(); ++i) {
+            const TexelSum& sum = m_sums.strands[i];
+            weights.set(m_texels.texel[i], isBesideBraids(sum, kBraidEdge) || sum.weight <= 0.0F
+                                               ? glm::vec4(1.0F, 0.0F, 0.0F, 0.0F)
+                                               : sum.braided / sum.weight);
+        }
+        fillOutward(static_cast<std::size_t>(m_texels.size), weights.values, weights.known);
+        writeLayer(group, MapKind::Braid, [&](std::size_t texel) {
+            const glm::vec4& all = weights.values[texel];
+            glm::length_t heaviest = 0;
+            for (glm::length_t kind = 1; kind < all.length(); ++kind)
+                heaviest = all[kind] > all[heaviest] ? kind : heaviest;
+            return sim::Texel{static_cast<std::uint16_t>(heaviest), 65535};
+        });
+        group.settings.braidRadiusM = std::clamp(m_placed.braidRadiusM, 0.0005F, 0.2F);
+        group.settings.braidSpacingM = std::clamp(m_placed.braidSpacingM, 0.005F, 2.0F);
+        group.settings.nodesPerHair = kMostImportedNodes; // They hang and lie in bends.
+        // As many basis hairs as tell patches apart.
+        constexpr float kNarrower = 0.7F; ///< The map's are a little wider than the hair's.
+        constexpr double kMostForGaps = 65536.0;
+        if (m_placed.braidGapM > 0.0F) {
+            const double spacingM = kNarrower * m_placed.braidGapM / sim::kBraidReachSpacings;
+            group.settings.basisHairs =
+                std::max(group.settings.basisHairs,
+                         static_cast<int>(std::min(m_skinAreaM2 / (spacingM * spacingM), kMostForGaps)));
+        }
     }
 
     void writeGel(HairGroup& group) const
@@ -427,7 +327,7 @@ private:
         }
         std::vector<float> points; // Of strands without a coil: two a segment, as they are exported.
         for (const PlacedStrand& strand : m_placed.strands)
-            if (strand.shape.turns == 0.0F)
+            if (strand.shape.turns == 0.0F && strand.braid == sim::BraidKind::None)
                 points.push_back(static_cast<float>(strand.points));
         if (2 * points.size() > m_placed.strands.size())
             settings.nodesPerHair =

@@ -11,8 +11,6 @@ namespace hairpaint::sim {
 
 namespace {
 
-/// Neighbours in a region stand no further apart than this many mean spacings of basis hairs.
-constexpr float kReachSpacings = 1.8F;
 /// So many hairs of one kind in a cell of that size are compared with those around. On an even skin there are three;
 /// where a mesh folds into thousands of layers, comparing all of them with all would never end.
 constexpr std::size_t kMostCompared = 32;
@@ -109,7 +107,7 @@ void BraidLayout::findRegions(const RootSet& roots)
 {
     const auto count = static_cast<std::uint32_t>(m_kindOfBasis.size());
     const float reachM = std::max(
-        kReachSpacings * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(count)), kLeastReachM);
+        kBraidReachSpacings * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(count)), kLeastReachM);
     std::array<std::vector<std::uint32_t>, kBraidKinds> ofKind;
     for (std::uint32_t basis = 0; basis < count; ++basis)
         ofKind.at(m_kindOfBasis[basis]).push_back(basis);
