@@ -14,6 +14,7 @@
 #include "model/importing/curve_import.h"
 #include "model/importing/curve_reader.h"
 #include "model/style_transfer.h"
+#include "view/dialogs/hair_import_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/landmarks_dialog.h"
 
@@ -308,11 +309,8 @@ void Exchange::previewChosen(const std::shared_ptr<const sim::StrandFrame>& fram
 
 void Exchange::importHair()
 {
-    QStringList patterns;
-    for (const QString& ending : model::curveFileEndings())
-        patterns += QStringLiteral("*.%1").arg(ending);
-    const QString path = askOpenPath(tr("Import hair"), tr("Hair curves (%1)").arg(patterns.join(QLatin1Char(' '))));
-    if (!path.isEmpty())
+    const QString patterns = QStringLiteral("*.") + model::curveFileEndings().join(QLatin1String(" *."));
+    if (const QString path = askOpenPath(tr("Import hair"), tr("Hair curves (%1)").arg(patterns)); !path.isEmpty())
         importHairFrom(path);
 }
 
@@ -322,10 +320,15 @@ void Exchange::importHairFrom(const QString& path)
     model::Document& document = m_session.document();
     m_session.endPreviews(); // What is only shown is no ground to add to.
     const QString name = QFileInfo(path).fileName();
+    view::HairImportDialog dialog(name, &m_window);
+    Q_EMIT dialogMade(dialog, view::HelpDialog::Topic::HairImport);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const model::CurveSpaceChoice choice = dialog.choice();
     const std::shared_ptr<const model::Head> head = document.committed().head;
     std::optional<model::Result<Groups>> groups =
-        m_jobs.await<Groups>(tr("Reading %1").arg(name), [&path, &head](const model::Progress& progress) {
-            return model::groupsFromCurves(path, {}, head, progress);
+        m_jobs.await<Groups>(tr("Reading %1").arg(name), [&](const model::Progress& progress) {
+            return model::groupsFromCurves(path, choice, head, progress);
         });
     if (!groups)
         return;

@@ -1534,29 +1534,6 @@
     </message>
 </context>
 <context>
-    <name>HeadImportDialog</name>
-    <message>
-        <source>Millimetres</source>
-        <translation>Milímetros</translation>
-    </message>
-    <message>
-        <source>Centimetres</source>
-        <translation>Centímetros</translation>
-    </message>
-    <message>
-        <source>Inches</source>
-        <translation>Pulgadas</translation>
-    </message>
-    <message>
-        <source>Decimetres</source>
-        <translation>Decímetros</translation>
-    </message>
-    <message>
-        <source>Metres</source>
-        <translation>Metros</translation>
-    </message>
-</context>
-<context>
     <name>HeadView</name>
     <message>
         <source>The window has no OpenGL context.</source>
@@ -1657,6 +1634,37 @@
         <source>English</source>
         <extracomment>What your language calls itself, with a capital letter: it stands so in the Preferences.</extracomment>
         <translation>Español</translation>
+    </message>
+</context>
+<context>
+    <name>LengthUnits</name>
+    <message>
+        <source>Millimetres</source>
+        <translation>Milímetros</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Centímetros</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Pulgadas</translation>
+    </message>
+    <message>
+        <source>Decimetres</source>
+        <translation>Decímetros</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Metros</translation>
+    </message>
+    <message>
+        <source>Y (glTF, Maya)</source>
+        <translation>Y (glTF, Maya)</translation>
+    </message>
+    <message>
+        <source>Z (Blender, 3ds Max)</source>
+        <translation>Z (Blender, 3ds Max)</translation>
     </message>
 </context>
 <context>
@@ -3471,6 +3479,37 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::HairImportDialog</name>
+    <message>
+        <source>Import hair</source>
+        <translation>Importar pelo</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automático</translation>
+    </message>
+    <message>
+        <source>One &amp;unit is</source>
+        <translation>Una &amp;unidad es</translation>
+    </message>
+    <message>
+        <source>&amp;Up is</source>
+        <translation>Hacia &amp;arriba es</translation>
+    </message>
+    <message>
+        <source>Automatic takes what the file says, or else what brings the roots to the head. The hair becomes a new group, with maps to paint on.</source>
+        <translation>Automático toma lo que dice el archivo o, si no dice nada, lo que lleva las raíces a la cabeza. El pelo pasa a ser un grupo nuevo, con mapas en los que pintar.</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::HairPanel</name>
     <message>
         <source>Hair</source>
@@ -3550,14 +3589,6 @@ Se ha perdido esto:</translation>
     <message>
         <source>By height</source>
         <translation>Por altura</translation>
-    </message>
-    <message>
-        <source>Y (glTF, Maya)</source>
-        <translation>Y (glTF, Maya)</translation>
-    </message>
-    <message>
-        <source>Z (Blender, 3ds Max)</source>
-        <translation>Z (Blender, 3ds Max)</translation>
     </message>
     <message>
         <source>Height</source>
@@ -3818,6 +3849,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>A head whose file had a whole body&apos;s skeleton goes out with it as a VRM avatar: the hair swings on the head&apos;s bone. Bones are told by their names, as Mixamo, Unreal, Blender, VRoid and others have them; arms that hang are held out to the sides, as VRM wants it.</source>
         <translation>Una cabeza cuyo archivo tenía el esqueleto de un cuerpo entero sale con él como avatar VRM: el pelo se mece sobre el hueso de la cabeza. Los huesos se reconocen por sus nombres, como los tienen Mixamo, Unreal, Blender, VRoid y otros; los brazos que cuelgan se extienden a los lados, como VRM lo pide.</translation>
+    </message>
+    <message>
+        <source>Import hair</source>
+        <translation>Importar pelo</translation>
+    </message>
+    <message>
+        <source>Hair of other programs, as .hair or USD, becomes a hair group: density, length, direction, curl, braids and colours are told from its curves and painted into the maps. Unit and axes need to be set only where the hair comes in too large, too small or lying on its side.</source>
+        <translation>El pelo de otros programas, en .hair o USD, pasa a ser un grupo de pelo: la densidad, la longitud, la dirección, el rizo, las trenzas y los colores se deducen de sus curvas y se pintan en los mapas. La unidad y los ejes solo hace falta indicarlos si el pelo entra demasiado grande, demasiado pequeño o tumbado.</translation>
     </message>
 </context>
 <context>

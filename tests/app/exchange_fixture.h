@@ -7,6 +7,7 @@
 #include "tests/support/test_heads.h"
 #include "view/dialogs/export_hair_dialog.h"
 #include "view/dialogs/export_maps_dialog.h"
+#include "view/dialogs/hair_import_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/landmarks_dialog.h"
 
@@ -30,6 +31,8 @@ public:
     QString file;          ///< Typed into file dialogs; they are cancelled where it is empty.
     QString name;          ///< Typed where a name is asked for.
     bool takesHead = true; ///< Whether the head's dialog is accepted.
+    bool takesHair = true;
+    std::function<void(view::HairImportDialog&)> choosesSpace; ///< Before its dialog is accepted.
     bool takesLandmarks = true;
     std::function<void(view::LandmarksDialog&)> movesLandmarks; ///< Before its dialog is accepted.
     std::function<void(view::ExportHairDialog&)> choosesExport; ///< Before its dialog is accepted.
@@ -52,6 +55,10 @@ protected:
             press(*input, true);
         } else if (auto* head = qobject_cast<view::HeadImportDialog*>(waiting)) {
             press(*head, takesHead);
+        } else if (auto* hair = qobject_cast<view::HairImportDialog*>(waiting)) {
+            if (choosesSpace)
+                choosesSpace(*hair);
+            press(*hair, takesHair);
         } else if (auto* landmarks = qobject_cast<view::LandmarksDialog*>(waiting)) {
             if (movesLandmarks)
                 movesLandmarks(*landmarks);

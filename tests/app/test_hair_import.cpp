@@ -7,6 +7,7 @@
 #include "tests/app/thin_project.h"
 #include "tests/support/test_program.h"
 
+#include <QComboBox>
 #include <QJsonArray>
 #include <QtTest>
 
@@ -130,6 +131,42 @@ private Q_SLOTS:
         QCOMPARE(editor().activeGroup(), document.committed().groups.back().id);
         document.undo();
         QCOMPARE(document.committed().groups.size(), std::size_t{1});
+    }
+
+    void theDialogsUnitAndAxisAreTakenAndCancelImportsNothing()
+    {
+        const QString curves = file(QStringLiteral("turned.hair"));
+        QCOMPARE(test::runProgram(
+                     {kExport, m_original, kOutput, curves, QStringLiteral("--target"), QStringLiteral("blender")})
+                     .code,
+                 0);
+        open(model::newProject());
+        m_answers->takesHair = false;
+        int asked = 0;
+        m_answers->choosesSpace = [&asked](view::HairImportDialog& dialog) {
+            const model::CurveSpaceChoice choice = dialog.choice();
+            QVERIFY(!choice.metresPerUnit && !choice.upAxis);
+            ++asked;
+        };
+        drop(curves);
+        QTRY_COMPARE_WITH_TIMEOUT(asked, 1, kPatienceMs);
+        QTest::qWait(100);
+        QCOMPARE(stack().count(), 0);
+
+        m_answers->takesHair = true;
+        m_answers->choosesSpace = [&asked](view::HairImportDialog& dialog) {
+            for (auto* box : dialog.findChildren<QComboBox*>())
+                for (int i = 0; i < box->count(); ++i)
+                    if (box->itemText(i) == QLatin1String("Metres") || box->itemText(i).startsWith(QLatin1Char('Z')))
+                        box->setCurrentIndex(i);
+            const model::CurveSpaceChoice choice = dialog.choice();
+            QVERIFY(choice.metresPerUnit == 1.0F && choice.upAxis == model::UpAxis::Z);
+            ++asked;
+        };
+        drop(curves);
+        QTRY_COMPARE_WITH_TIMEOUT(stack().count(), 1, kPatienceMs);
+        QCOMPARE(asked, 2);
+        QCOMPARE(session().document().committed().groups.back().name, QStringLiteral("turned"));
     }
 
     void whatIsNoHairIsSaidAndChangesNothing()

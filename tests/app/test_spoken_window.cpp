@@ -9,6 +9,7 @@
 #include "tests/support/seen_text.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
+#include "view/dialogs/hair_import_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
@@ -328,12 +329,15 @@ private Q_SLOTS:
         QVERIFY2(m_foreign.isEmpty(), qPrintable(m_foreign.join(QStringLiteral(" | "))));
     }
 
-    void theImportDialogIsTranslated()
+    void theImportDialogsAreTranslated()
     {
         speakLanguage(std::make_unique<test::MarkedLetters>());
-        view::HeadImportDialog dialog(test::makeBallHead(), QStringLiteral("head.obj"));
-        dialog.show();
-        look(dialog);
+        view::HeadImportDialog head(test::makeBallHead(), QStringLiteral("head.obj"));
+        view::HairImportDialog hair(QStringLiteral("long.hair"));
+        for (QDialog* dialog : std::initializer_list<QDialog*>{&head, &hair}) {
+            dialog->show();
+            look(*dialog);
+        }
         QVERIFY2(m_foreign.isEmpty(), qPrintable(m_foreign.join(QStringLiteral(" | "))));
     }
 

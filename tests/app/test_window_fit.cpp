@@ -9,6 +9,7 @@
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/about_dialog.h"
+#include "view/dialogs/hair_import_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/head_view.h"
 #include "view/panels/sidebar.h"
@@ -143,7 +144,8 @@ private Q_SLOTS:
         }
         view::AboutDialog about(QStringLiteral("0.1.0"), m_window->headView().rendererDescription());
         view::HeadImportDialog import(test::makeBallHead(), QStringLiteral("head.obj"));
-        for (QDialog* dialog : std::initializer_list<QDialog*>{&about, &import}) {
+        view::HairImportDialog hair(QStringLiteral("long.hair"));
+        for (QDialog* dialog : std::initializer_list<QDialog*>{&about, &import, &hair}) {
             dialog->show();
             QVERIFY(QTest::qWaitForWindowExposed(dialog));
             measure(*dialog);

@@ -6,6 +6,7 @@
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/about_dialog.h"
+#include "view/dialogs/hair_import_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/light_dialog.h"
 #include "view/dialogs/preferences_dialog.h"
@@ -66,6 +67,8 @@ std::map<QString, std::pair<Make, QSize>> everything()
               return std::make_unique<HeadImportDialog>(test::makeBallHead(), QStringLiteral("head.obj"));
           },
           {}}},
+        {QStringLiteral("hair import"),
+         {[](EditorState&) { return std::make_unique<HairImportDialog>(QStringLiteral("long.hair")); }, {}}},
         {QStringLiteral("preferences"),
          {[](EditorState&) {
               return std::make_unique<PreferencesDialog>(Preferences{}, std::vector<std::pair<QString, QString>>{},

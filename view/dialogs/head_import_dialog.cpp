@@ -2,6 +2,7 @@
 #include "view/dialogs/head_import_dialog.h"
 
 #include "model/files/head_file.h"
+#include "view/dialogs/length_units.h"
 #include "view/dialogs/mesh_silhouette.h"
 #include "view/theme.h"
 #include "view/widgets/bar_slider.h"
@@ -28,19 +29,6 @@ constexpr double kCm = 100.0;
 /// Heads, busts and whole bodies lie between these; anything else is most likely a wrong unit.
 constexpr double kShortestCm = 12.0;
 constexpr double kTallestCm = 230.0;
-
-struct Unit
-{
-    const char* title;
-    double metres;
-};
-constexpr Unit kUnits[] = {
-    {QT_TRANSLATE_NOOP("HeadImportDialog", "Millimetres"), 0.001},
-    {QT_TRANSLATE_NOOP("HeadImportDialog", "Centimetres"), 0.01},
-    {QT_TRANSLATE_NOOP("HeadImportDialog", "Inches"), 0.0254},
-    {QT_TRANSLATE_NOOP("HeadImportDialog", "Decimetres"), 0.1},
-    {QT_TRANSLATE_NOOP("HeadImportDialog", "Metres"), 1.0},
-};
 
 } // namespace
 
@@ -94,12 +82,12 @@ QFormLayout* HeadImportDialog::buildForm()
     form->setSpacing(metrics::kGap);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_unit = new QComboBox(this);
-    for (const Unit& unit : kUnits)
-        m_unit->addItem(tr(unit.title), unit.metres);
+    for (const LengthUnit& unit : kLengthUnits)
+        m_unit->addItem(titleOf(unit), unit.metres);
     m_unit->addItem(tr("By height"), 0.0);
     m_axis = new QComboBox(this);
-    m_axis->addItem(tr("Y (glTF, Maya)"), static_cast<int>(model::UpAxis::Y));
-    m_axis->addItem(tr("Z (Blender, 3ds Max)"), static_cast<int>(model::UpAxis::Z));
+    for (const model::UpAxis axis : {model::UpAxis::Y, model::UpAxis::Z})
+        m_axis->addItem(titleOf(axis), static_cast<int>(axis));
     m_height = new BarSlider(tr("Height"), this);
     m_height->setRange(1.0, 300.0, 1);
     m_height->setExponent(2.0);
@@ -147,9 +135,9 @@ void HeadImportDialog::guess()
     m_axis->setCurrentIndex(m_axis->findData(static_cast<int>(likely.upAxis)));
     m_ownScale = static_cast<double>(likely.unitScale);
     int index = m_unit->count() - 1;
-    for (int i = 0; i < static_cast<int>(std::size(kUnits)); ++i)
-        if (std::abs(kUnits[i].metres - m_ownScale) < m_ownScale * 1e-3)
-            index = i;
+    for (std::size_t i = 0; i < kLengthUnits.size(); ++i)
+        if (std::abs(kLengthUnits.at(i).metres - m_ownScale) < m_ownScale * 1e-3)
+            index = static_cast<int>(i);
     m_unit->setCurrentIndex(index);
 }
 

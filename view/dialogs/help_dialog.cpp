@@ -134,6 +134,12 @@ QString dialogPages()
                "Where the hairstyle is carried over, seven landmarks bring both heads together. They are "
                "found by the head's shape; drag one to where it lies on the left head if it was not "
                "found right. File > Replace head > Landmarks shows them again, and hair goes along.")) +
+           heading(Topic::HairImport, HelpDialog::tr("Import hair")) +
+           paragraph(HelpDialog::tr("Hair of other programs, as .hair or USD, becomes a hair group: density, length, "
+                                    "direction, curl, braids "
+                                    "and colours are told from its curves and painted into the maps. Unit and axes "
+                                    "need to be set only where "
+                                    "the hair comes in too large, too small or lying on its side.")) +
            heading(Topic::HairExport, HelpDialog::tr("Export hair")) +
            paragraph(HelpDialog::tr(
                "The format says what the file holds, the program whose unit and axes it is written in. USD has the "

@@ -26,6 +26,7 @@ public:
         Wind,
         Light,
         HeadImport,
+        HairImport,
         HairExport,
         MapExport,
         Preferences
