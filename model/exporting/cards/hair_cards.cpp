@@ -63,12 +63,10 @@ bool addLevels(const CurveSet& set, const SampledHair& hair, const HairField& fi
     for (int number = 0; number < settings.levels; ++number, triangles /= 2) {
         if (progress && !progress(kSampled + (kDivided - kSampled) * number / settings.levels))
             return false;
-        if (number == 0) {
-            cards.levels.push_back(finestLevel(set, hair, field, weights, byGroup, triangles));
-            triangles = cards.finest().triangles(); // Hair that asks for few gets half of these.
-        } else {
-            cards.levels.push_back(coarserLevel(set, hair, field, weights, byGroup, cards.finest(), triangles));
-        }
+        cards.levels.push_back(number == 0
+                                   ? finestLevel(set, hair, field, weights, byGroup, triangles)
+                                   : coarserLevel(set, hair, field, weights, byGroup, cards.finest(), triangles));
+        triangles = cards.levels.back().triangles(); // Half of what it has, not of what it might have.
     }
     if (!settings.springBones || cards.finest().strips.empty())
         return true;
