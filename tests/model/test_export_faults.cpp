@@ -18,7 +18,7 @@ using namespace hairpaint::model;
 
 namespace {
 
-constexpr std::size_t kLargeBytes = 32 << 10;
+constexpr std::size_t kLargeBufferBytes = 32 << 10;
 constexpr std::size_t kPictureBytes = 2 << 20; ///< Cards ask for so many smaller pieces that it would take minutes.
 
 /// With the address sanitizer they take minutes; their files go the way of
@@ -127,13 +127,13 @@ private Q_SLOTS:
     {
         QFETCH(int, number);
         const bool hasCards = exportFormats()[static_cast<std::size_t>(number)].hasCards;
-        QCOMPARE(hairUnderEach<test::AllocationFault>(number, hasCards ? kPictureBytes : kLargeBytes), QString());
+        QCOMPARE(hairUnderEach<test::AllocationFault>(number, hasCards ? kPictureBytes : kLargeBufferBytes), QString());
     }
 
     void whereMemoryIsRefusedTheSheetIsExportedOrTheOldOneIsThere()
     {
         for (const char* name : {"uv.pdf", "uv.svg"})
-            QCOMPARE(sheetUnderEach<test::AllocationFault>(name, kLargeBytes), QString());
+            QCOMPARE(sheetUnderEach<test::AllocationFault>(name, kLargeBufferBytes), QString());
     }
 };
 
