@@ -106,8 +106,9 @@ BraidLayout::BraidLayout(const RootSet& roots, std::vector<std::uint8_t> kindOfB
 void BraidLayout::findRegions(const RootSet& roots)
 {
     const auto count = static_cast<std::uint32_t>(m_kindOfBasis.size());
-    const float reachM = std::max(
-        kBraidReachSpacings * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(count)), kLeastReachM);
+    const float reachM =
+        std::max(kBraidReachSpacings * std::sqrt(static_cast<float>(roots.skin->areaM2()) / static_cast<float>(count)),
+                 kLeastReachM);
     std::array<std::vector<std::uint32_t>, kBraidKinds> ofKind;
     for (std::uint32_t basis = 0; basis < count; ++basis)
         ofKind.at(m_kindOfBasis[basis]).push_back(basis);
