@@ -3,6 +3,7 @@
 // strands are its radius.
 #include "model/importing/braid_estimate.h"
 
+#include "model/importing/median.h"
 #include "model/importing/place_grid.h"
 #include "model/importing/touching_sets.h"
 #include "sim/groom/strand_curve.h"
@@ -374,13 +375,6 @@ bool isNarrow(const std::vector<std::uint32_t>& bundle, const std::vector<glm::v
     return squares < static_cast<double>(bundle.size()) * kWidestTipsM * kWidestTipsM;
 }
 
-float middleOf(std::vector<float>& values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
 /// How far the roots of different sets are apart at least, as far as it is worth knowing.
 float gapM(std::span<const glm::vec3> rootsHd, std::span<const std::vector<std::uint32_t>> patches)
 {
@@ -418,7 +412,7 @@ void setSpacing(std::span<const glm::vec3> rootsHd, std::span<const glm::vec3> m
                 squared = std::min(squared, glm::dot(other - middle, other - middle));
         nearestM.push_back(std::sqrt(squared));
     }
-    placed.braidSpacingM = kSpacingOfNearest * middleOf(nearestM);
+    placed.braidSpacingM = kSpacingOfNearest * medianOf(nearestM);
 }
 
 /// Writes braids into their strands.
@@ -439,7 +433,7 @@ void tell(std::span<const Braid> braids, PlacedStrands& placed)
             middleHd += strand.root.placeHd / static_cast<float>(braid.strands.size());
         }
     }
-    placed.braidRadiusM = middleOf(radiiM);
+    placed.braidRadiusM = medianOf(radiiM);
     setSpacing(rootsHd, middlesHd, placed);
 }
 

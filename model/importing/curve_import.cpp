@@ -97,7 +97,8 @@ Result<std::vector<HairGroup>> groupsFromCurves(const QString& path, const Curve
                 return cancelled(path);
             if (placed->strands.empty())
                 continue;
-            if (!estimateBraids(strands, *placement, *placed))
+            const double measured = from + part * kStrandsMeasured;
+            if (!estimateBraids(strands, *placement, *placed, partOfImport(progress, measured, measured)))
                 return cancelled(path);
             const QString name = strands.name.isEmpty() ? QFileInfo(path).completeBaseName() : strands.name;
             std::optional<HairGroup> group =

@@ -1,6 +1,7 @@
 // Strand by strand.
 #include "model/importing/placed_strands.h"
 
+#include "model/importing/median.h"
 #include "model/polyline.h"
 #include "sim/base/parallel.h"
 
@@ -167,11 +168,8 @@ std::optional<PlacedStrands> placeStrands(const ForeignStrands& strands, const C
                 heightsM.push_back(*one.heightM);
         }
     }
-    if (!heightsM.empty()) {
-        const auto middle = heightsM.begin() + static_cast<std::ptrdiff_t>(heightsM.size() / 2);
-        std::ranges::nth_element(heightsM, middle);
-        placed.heightM = *middle;
-    }
+    if (!heightsM.empty())
+        placed.heightM = medianOf(heightsM);
     return placed;
 }
 

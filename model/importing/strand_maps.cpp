@@ -2,18 +2,16 @@
 #include "model/importing/strand_maps.h"
 
 #include "model/importing/lock_estimate.h"
+#include "model/importing/median.h"
 #include "model/importing/outward_fill.h"
 #include "model/importing/strand_sums.h"
 #include "model/texel_math.h"
-#include "sim/base/parallel.h"
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/groom/groom.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 namespace hairpaint::model {
 
@@ -322,8 +320,8 @@ private:
                 taper.push_back(std::clamp(strand.look.tipWidth / strand.look.rootWidth, 0.0F, 1.0F));
             }
         if (2 * widths.size() > m_placed.strands.size()) {
-            settings.material.widthM = middleOf(widths);
-            settings.material.tipAlpha = middleOf(taper);
+            settings.material.widthM = medianOf(widths);
+            settings.material.tipAlpha = medianOf(taper);
         }
         std::vector<float> points; // Of strands without a coil: two a segment, as they are exported.
         for (const PlacedStrand& strand : m_placed.strands)
@@ -331,16 +329,10 @@ private:
                 points.push_back(static_cast<float>(strand.points));
         if (2 * points.size() > m_placed.strands.size())
             settings.nodesPerHair =
-                std::clamp(static_cast<int>(middleOf(points) + 2.0F) / 2, sim::kLeastNodes, kMostImportedNodes);
+                std::clamp(static_cast<int>(medianOf(points) + 2.0F) / 2, sim::kLeastNodes, kMostImportedNodes);
         // Hair rises a little above its height in the coat before it lies, so that half of it lies at all of the
         // coat's.
         settings.physics.volumeM = std::clamp(m_placed.heightM, 0.0F, 0.05F);
-    }
-    [[nodiscard]] static float middleOf(std::vector<float>& values)
-    {
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::ranges::nth_element(values, middle);
-        return *middle;
     }
 
     const PlacedStrands& m_placed;
