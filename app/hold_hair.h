@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/background/jobs.h"
-#include "app/exchange.h"
+#include "app/exchange/hair_exchange.h"
 #include "app/session.h"
 #include "model/commands/commands.h"
 
@@ -15,7 +15,8 @@ class HoldHair
 {
     Q_DECLARE_TR_FUNCTIONS(HoldHair)
 public:
-    HoldHair(Session& session, Exchange& exchange, Jobs& jobs) : m_session(session), m_exchange(exchange), m_jobs(jobs)
+    HoldHair(Session& session, HairExchange& exchange, Jobs& jobs)
+        : m_session(session), m_exchange(exchange), m_jobs(jobs)
     {}
 
     /// The active group's, inside the selection: its directions and its gel, as one undo step.
@@ -26,7 +27,7 @@ private:
     held(const std::shared_ptr<const sim::StrandFrame>& hair);
 
     Session& m_session;
-    Exchange& m_exchange;
+    HairExchange& m_exchange;
     Jobs& m_jobs;
 };
 

@@ -101,14 +101,14 @@ QString ownStylePath(const QString& name)
            QStringLiteral(".hairpreset");
 }
 
-model::Result<QString> renameStyle(const QString& path, const QString& name)
+model::Result<void> renameStyle(const QString& path, const QString& name, const model::Progress& progress)
 {
     model::Result<model::Preset> preset = model::loadPreset(path);
     if (!preset)
         return tl::unexpected(preset.error());
     preset->name = name;
     const QString renamed = ownStylePath(name);
-    if (const model::Result<void> saved = model::savePreset(*preset, renamed); !saved)
+    if (const model::Result<void> saved = model::savePreset(*preset, renamed, progress); !saved)
         return tl::unexpected(saved.error());
     // Where letters' case does not count the new file may be the old one.
     if (QFileInfo(renamed).canonicalFilePath() != QFileInfo(path).canonicalFilePath() && !QFile::remove(path))
@@ -116,7 +116,7 @@ model::Result<QString> renameStyle(const QString& path, const QString& name)
             QCoreApplication::translate(
                 "Library", "The style is now '%1', but its old file '%2' could not be removed; delete it by hand.")
                 .arg(name, path));
-    return renamed;
+    return {};
 }
 
 } // namespace hairpaint::app

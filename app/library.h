@@ -27,9 +27,10 @@ namespace hairpaint::app {
 [[nodiscard]] model::Result<model::Preset> loadStyle(const QString& path);
 /// The name of a style of that list as people read it: opens its file. Any thread.
 [[nodiscard]] QString styleName(const QString& path);
-/// The user's own style gets another name, and a file named after it; a style of that name is replaced. Returns the new
-/// path. Reads and writes the whole style. Any thread.
-[[nodiscard]] model::Result<QString> renameStyle(const QString& path, const QString& name);
+/// The user's own style gets another name, and a file named after it; a style of that name is replaced;
+/// nothing changes where `progress` says no in time. Reads and writes the whole style. Any thread.
+[[nodiscard]] model::Result<void> renameStyle(const QString& path, const QString& name,
+                                              const model::Progress& progress = {});
 /// Where the user's own style of that name lies.
 [[nodiscard]] QString ownStylePath(const QString& name);
 

@@ -62,9 +62,8 @@ ProjectFiles::Picture thumbnailOf(rendering::Scene scene)
 MainWindow::MainWindow(model::Project project, const QString& path, QWidget* parent)
     : QMainWindow(parent), m_session(std::move(project)), m_jobs(*this), m_freedMemory(m_session.document(), m_jobs),
       m_files(m_session, m_settings, m_jobs, *this), m_journal(m_session.document(), JournalFolder::root()),
-      m_exchange(m_session, m_settings, m_jobs, *this), m_mapExchange(m_session, m_settings, m_jobs, *this),
-      m_actions(m_settings, *this), m_preferences(m_settings), m_clipCommands(m_session),
-      m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this)
+      m_exchange(m_session, m_settings, m_jobs, *this), m_actions(m_settings, *this), m_preferences(m_settings),
+      m_clipCommands(m_session), m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this)
 {
     setAcceptDrops(true);
     setMinimumSize(kSmallestWindow);
@@ -77,7 +76,7 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     connectAreas();
     connectFiles();
     applyTheme();
-    auto* styles = new StyleStripController(m_workspace->styleStrip(), m_exchange, m_jobs);
+    auto* styles = new StyleStripController(m_workspace->styleStrip(), m_exchange.styles(), m_jobs);
     view::StatusReadout& status = m_workspace->status();
     connect(styles, &StyleStripController::failed, &status,
             [&status](const QString& problem) { status.showMessage(problem, true); });
@@ -119,7 +118,7 @@ void MainWindow::buildMenus()
     view::EditorState& editor = m_session.editor();
     view::HeadView& head = m_workspace->headView();
     view::Sidebar& sidebar = m_workspace->sidebar();
-    m_fileMenu = new FileMenu(tr("&File"), m_actions, m_files, m_exchange, m_mapExchange, editor, bar);
+    m_fileMenu = new FileMenu(tr("&File"), m_actions, m_files, m_exchange, editor, bar);
     for (QMenu* menu : std::initializer_list<QMenu*>{
              m_fileMenu,
              new EditMenu(tr("&Edit"), m_actions, m_session, m_clipCommands, sidebar.layers(), m_dialogs, bar),
@@ -194,8 +193,7 @@ void MainWindow::connectAreas()
     connect(&head, &view::HeadView::statusText, &status, showMessage);
     connect(&paint, &view::PaintView::statusText, &status, showMessage);
     connect(&m_clipCommands, &ClipCommands::told, &status, showMessage);
-    connect(&m_exchange, &Exchange::done, &status, showMessage);
-    connect(&m_mapExchange, &MapExchange::done, &status, showMessage);
+    connect(&m_exchange.work(), &FileWork::done, &status, showMessage);
     auto* areaMenu = new AreaMenu(m_actions, this);
     const auto showMenu = [areaMenu](const QPoint& globalPosition) { areaMenu->popup(globalPosition); };
     connect(&head, &view::HeadView::contextMenuWanted, areaMenu, showMenu);
@@ -209,7 +207,7 @@ void MainWindow::connectFiles()
         scene.cards.reset();
         return thumbnailOf(scene);
     });
-    m_exchange.setSceneSource([this] { return m_workspace->headView().pictureScene(); });
+    m_exchange.hair().setSceneSource([this] { return m_workspace->headView().pictureScene(); });
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
     connect(&m_files, &ProjectFiles::pathChanged, this, [this] { m_journal.setPath(m_files.path()); });
     view::StatusReadout& status = m_workspace->status();
@@ -218,13 +216,12 @@ void MainWindow::connectFiles()
     connect(&m_journal, &Journal::stopped, &status, &view::StatusReadout::setUnprotected);
     connect(&m_journal, &Journal::resumed, &status, [&status] { status.setUnprotected({}); });
     view::HeadView& head = m_workspace->headView();
-    connect(&m_exchange, &Exchange::cardsMade, &head, &view::HeadView::showCards);
+    connect(&m_exchange.hair(), &HairExchange::cardsMade, &head, &view::HeadView::showCards);
     connect(&head, &view::HeadView::cardsShownChanged, this, [this] { m_actions.follow(); });
     const auto addHelp = [this](QDialog& dialog, view::HelpDialog::Topic topic) {
         m_dialogs.addHelpKey(dialog, topic);
     };
-    connect(&m_exchange, &Exchange::dialogMade, this, addHelp);
-    connect(&m_mapExchange, &MapExchange::dialogMade, this, addHelp);
+    connect(&m_exchange.work(), &FileWork::dialogMade, this, addHelp);
     connect(&m_preferences, &LivePreferences::changed, this, &MainWindow::applyPreferences);
 }
 
@@ -254,16 +251,16 @@ void MainWindow::openFile(const QString& path)
         m_files.openPath(path);
         break;
     case FileKind::Style:
-        m_exchange.applyStyleFrom(path);
+        m_exchange.styles().applyFrom(path);
         break;
     case FileKind::Head:
-        m_exchange.importHeadFrom(path);
+        m_exchange.heads().importHeadFrom(path);
         break;
     case FileKind::Curves:
-        m_exchange.importHairFrom(path);
+        m_exchange.hair().importHairFrom(path);
         break;
     case FileKind::Image:
-        m_exchange.importImageFrom(path, false);
+        m_exchange.maps().importImageFrom(path, false);
         break;
     }
 }

@@ -4,11 +4,10 @@
 #include "app/action_set.h"
 #include "app/background/journal.h"
 #include "app/clip_commands.h"
-#include "app/exchange.h"
+#include "app/exchange/exchange.h"
 #include "app/focus_return.h"
 #include "app/freed_memory.h"
 #include "app/live_preferences.h"
-#include "app/map_exchange.h"
 #include "app/physical_keys.h"
 #include "app/project_files.h"
 #include "app/session.h"
@@ -84,7 +83,6 @@ private:
     ProjectFiles m_files;
     Journal m_journal;
     Exchange m_exchange;
-    MapExchange m_mapExchange;
     ActionSet m_actions;
     LivePreferences m_preferences;
     ClipCommands m_clipCommands;

@@ -17,13 +17,6 @@ namespace {
 
 constexpr std::size_t kSketchedHairs = 20'000;
 
-model::Result<void> writeBytes(const QByteArray& bytes, const QString& path)
-{
-    if (const model::Checked<void> written = model::writeFile(path, bytes); !written)
-        return model::cannotWrite(path, written.error());
-    return {};
-}
-
 } // namespace
 
 PictureMaker::PictureMaker() : m_renderer(std::make_unique<rendering::SoftwareRenderer>()) {}
@@ -100,7 +93,7 @@ model::Result<void> PictureMaker::save(const rendering::Scene& scene, QSize size
     quality.linear = isExr(path);
     if (!quality.linear) {
         const model::Result<QImage> picture = draw(scene, quality, size, progress);
-        return picture ? writePicture(*picture, path) : tl::unexpected(picture.error());
+        return picture ? writePicture(*picture, path, progress) : tl::unexpected(picture.error());
     }
     if (qint64{size.width()} * size.height() > kMostLinearPixels)
         return model::cannotWrite(
@@ -109,10 +102,10 @@ model::Result<void> PictureMaker::save(const rendering::Scene& scene, QSize size
                                .arg(kMostLinearPixels / 1'000'000)});
     if (model::Result<void> drawn = drawOnly(scene, quality, size, progress); !drawn)
         return drawn;
-    return writeBytes(exrBytes(m_renderer->takeLinear(), size), path);
+    return model::writeWanted(path, exrBytes(m_renderer->takeLinear(), size), progress);
 }
 
-model::Result<void> writePicture(const QImage& picture, const QString& path)
+model::Result<void> writePicture(const QImage& picture, const QString& path, const model::Progress& progress)
 {
     // Into memory first: libpng would tell of a full disk on standard error, in a line of its own.
     QByteArray bytes;
@@ -121,7 +114,7 @@ model::Result<void> writePicture(const QImage& picture, const QString& path)
     if (!picture.save(&buffer, "PNG"))
         return model::cannotWrite(
             path, {.text = QCoreApplication::translate("Picture", "there is no picture of that size; choose another")});
-    return writeBytes(bytes, path);
+    return model::writeWanted(path, bytes, progress);
 }
 
 bool isExr(const QString& path)

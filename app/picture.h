@@ -57,7 +57,8 @@ private:
                                             std::shared_ptr<const sim::StrandFrame> frame,
                                             const rendering::Camera& camera);
 /// Writes a PNG whole or not at all.
-[[nodiscard]] model::Result<void> writePicture(const QImage& picture, const QString& path);
+[[nodiscard]] model::Result<void> writePicture(const QImage& picture, const QString& path,
+                                               const model::Progress& progress = {});
 /// Whether a picture of that name is OpenEXR.
 [[nodiscard]] bool isExr(const QString& path);
 

@@ -15,13 +15,13 @@ struct StyleList
 
 } // namespace
 
-StyleStripController::StyleStripController(view::StyleStrip& strip, Exchange& exchange, Jobs& jobs)
+StyleStripController::StyleStripController(view::StyleStrip& strip, StyleFiles& styles, Jobs& jobs)
     : QObject(&strip), m_strip(strip), m_jobs(jobs), m_pictures(jobs)
 {
-    connect(&exchange, &Exchange::stylesChanged, this, &StyleStripController::refresh);
-    connect(&strip, &view::StyleStrip::saveStyleRequested, &exchange, &Exchange::saveStyle);
-    connect(&strip, &view::StyleStrip::renameStyleRequested, &exchange, &Exchange::renameStyle);
-    connect(&strip, &view::StyleStrip::deleteStyleRequested, &exchange, &Exchange::deleteStyle);
+    connect(&styles, &StyleFiles::changed, this, &StyleStripController::refresh);
+    connect(&strip, &view::StyleStrip::saveStyleRequested, &styles, &StyleFiles::save);
+    connect(&strip, &view::StyleStrip::renameStyleRequested, &styles, &StyleFiles::rename);
+    connect(&strip, &view::StyleStrip::deleteStyleRequested, &styles, &StyleFiles::remove);
     connect(&strip, &view::StyleStrip::pictureWanted, &m_pictures, &StylePictures::make);
     connect(&m_pictures, &StylePictures::made, &strip, &view::StyleStrip::setPicture);
     connect(&strip, &view::StyleStrip::failed, this, &StyleStripController::failed);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/background/jobs.h"
-#include "app/exchange.h"
+#include "app/exchange/style_files.h"
 #include "app/style_pictures.h"
 #include "view/panels/style_strip.h"
 
@@ -10,13 +10,13 @@
 
 namespace hairpaint::app {
 
-/// The library is read in the background, anew whenever `exchange` changes it. Belongs to the strip; `exchange` and the
+/// The library is read in the background, anew whenever `styles` changes it. Belongs to the strip; `styles` and the
 /// jobs outlive both. GUI thread.
 class StyleStripController : public QObject
 {
     Q_OBJECT
 public:
-    StyleStripController(view::StyleStrip& strip, Exchange& exchange, Jobs& jobs);
+    StyleStripController(view::StyleStrip& strip, StyleFiles& styles, Jobs& jobs);
     void refresh();
 
 Q_SIGNALS:

@@ -2305,201 +2305,6 @@
     </message>
 </context>
 <context>
-    <name>hairpaint::app::Exchange</name>
-    <message>
-        <source>Load image into %1</source>
-        <translation>Cargar imagen en %1</translation>
-    </message>
-    <message>
-        <source>Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</source>
-        <translation>Imágenes (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</translation>
-    </message>
-    <message>
-        <source>Load %1 into %2</source>
-        <translation>Cargar %1 en %2</translation>
-    </message>
-    <message>
-        <source>Save %1 as image</source>
-        <translation>Guardar %1 como imagen</translation>
-    </message>
-    <message>
-        <source>Images (*.png *.tif *.exr *.tga)</source>
-        <translation>Imágenes (*.png *.tif *.exr *.tga)</translation>
-    </message>
-    <message>
-        <source>%1 written</source>
-        <translation>%1 guardado</translation>
-    </message>
-    <message>
-        <source>Import head</source>
-        <translation>Importar cabeza</translation>
-    </message>
-    <message>
-        <source>Export hair</source>
-        <translation>Exportar pelo</translation>
-    </message>
-    <message>
-        <source>hair</source>
-        <translation>pelo</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>Guardar captura</translation>
-    </message>
-    <message>
-        <source>hairstyle</source>
-        <translation>peinado</translation>
-    </message>
-    <message>
-        <source>PNG images (*.png)</source>
-        <translation>Imágenes PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>Save style</source>
-        <translation>Guardar peinado</translation>
-    </message>
-    <message>
-        <source>Name of the style</source>
-        <translation>Nombre del peinado</translation>
-    </message>
-    <message>
-        <source>My style</source>
-        <translation>Mi peinado</translation>
-    </message>
-    <message>
-        <source>The folder &apos;%1&apos; could not be made; check that you may write there.</source>
-        <translation>No se pudo crear la carpeta «%1»; comprueba que puedes escribir ahí.</translation>
-    </message>
-    <message>
-        <source>There is a style &apos;%1&apos; already. Replace it?</source>
-        <translation>Ya hay un peinado «%1». ¿Quieres reemplazarlo?</translation>
-    </message>
-    <message>
-        <source>Style &apos;%1&apos; saved</source>
-        <translation>Peinado «%1» guardado</translation>
-    </message>
-    <message>
-        <source>Delete style</source>
-        <translation>Eliminar peinado</translation>
-    </message>
-    <message>
-        <source>Move &apos;%1&apos; to the trash?</source>
-        <translation>¿Quieres mover «%1» a la papelera?</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; could not be moved to the trash; delete it by hand.</source>
-        <translation>«%1» no se pudo mover a la papelera; elimínalo a mano.</translation>
-    </message>
-    <message>
-        <source>Hair Paint</source>
-        <translation>Hair Paint</translation>
-    </message>
-    <message>
-        <source>;;All files (*)</source>
-        <translation>;;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Reading %1</source>
-        <translation>Leyendo %1</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>Escribiendo %1</translation>
-    </message>
-    <message>
-        <source>Preparing %1</source>
-        <translation>Preparando %1</translation>
-    </message>
-    <message>
-        <source>Waiting for the newest hair</source>
-        <translation>Esperando el pelo más reciente</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this hair; take less density or smaller maps.</source>
-        <translation>No hay memoria suficiente para este pelo; elige menos densidad o mapas más pequeños.</translation>
-    </message>
-    <message>
-        <source>Saving style %1</source>
-        <translation>Guardando el estilo %1</translation>
-    </message>
-    <message>
-        <source>Rename style</source>
-        <translation>Cambiar el nombre del estilo</translation>
-    </message>
-    <message>
-        <source>There is no hair group whose map it could be; add one in the panel Hair.</source>
-        <translation>No hay ningún grupo de pelo cuyo mapa pudiera ser; añade uno en el panel Pelo.</translation>
-    </message>
-    <message>
-        <source>%1 was resampled from %2 × %3 to %4 × %4; Map &gt; Map size changes the map&apos;s</source>
-        <translation>%1 se ha remuestreado de %2 × %3 a %4 × %4; Mapa &gt; Tamaño del mapa cambia el del mapa</translation>
-    </message>
-    <message>
-        <source>Renaming %1</source>
-        <translation>Cambiando el nombre de %1</translation>
-    </message>
-    <message>
-        <source>Carrying the hair over</source>
-        <translation>Pasando el pelo</translation>
-    </message>
-    <message>
-        <source>The head so far has no landmarks; the maps stay as they lie</source>
-        <translation>La cabeza anterior no tiene puntos de referencia; los mapas se quedan como están</translation>
-    </message>
-    <message>
-        <source>PNG images without background (*.png)</source>
-        <translation>Imágenes PNG sin fondo (*.png)</translation>
-    </message>
-    <message>
-        <source>OpenEXR images in linear light, without background (*.exr)</source>
-        <translation>Imágenes OpenEXR en luz lineal, sin fondo (*.exr)</translation>
-    </message>
-    <message>
-        <source>Save Blender add-on</source>
-        <translation>Guardar complemento de Blender</translation>
-    </message>
-    <message>
-        <source>Python scripts (*.py)</source>
-        <translation>Guiones de Python (*.py)</translation>
-    </message>
-    <message>
-        <source>Blender add-on</source>
-        <translation>Complemento de Blender</translation>
-    </message>
-    <message>
-        <source>The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit &gt; Preferences &gt; Add-ons; then File &gt; Import reads hair that is exported as .hair.</source>
-        <translation>El complemento está instalado en Blender %1. Activa allí «Hair Paint hair» en Editar &gt; Preferencias &gt; Complementos; después Archivo &gt; Importar lee el pelo exportado como .hair.</translation>
-    </message>
-    <message>
-        <source>Making cards</source>
-        <translation>Haciendo tarjetas</translation>
-    </message>
-    <message>
-        <source>There is no hair to make cards of; paint some density first.</source>
-        <translation>No hay pelo del que hacer tarjetas; pinta primero algo de densidad.</translation>
-    </message>
-    <message>
-        <source>Import hair</source>
-        <translation>Importar pelo</translation>
-    </message>
-    <message>
-        <source>Hair curves (%1)</source>
-        <translation>Curvas de pelo (%1)</translation>
-    </message>
-    <message>
-        <source>The head was replaced while &apos;%1&apos; was read; import it again.</source>
-        <translation>La cabeza se reemplazó mientras se leía «%1»; impórtalo de nuevo.</translation>
-    </message>
-    <message>
-        <source>%1 imported</source>
-        <translation>%1 importado</translation>
-    </message>
-    <message>
-        <source>Meshes (*.glb *.gltf *.vrm *.obj *.fbx *.ply *.dae *.3ds *.x3d)</source>
-        <translation>Mallas (*.glb *.gltf *.vrm *.obj *.fbx *.ply *.dae *.3ds *.x3d)</translation>
-    </message>
-</context>
-<context>
     <name>hairpaint::app::FileMenu</name>
     <message>
         <source>&amp;Quit</source>
@@ -2580,6 +2385,112 @@
     <message>
         <source>Import hair &amp;curves…</source>
         <translation>Importar cur&amp;vas de pelo…</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::FileWork</name>
+    <message>
+        <source>;;All files (*)</source>
+        <translation>;;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Escribiendo %1</translation>
+    </message>
+    <message>
+        <source>%1 written</source>
+        <translation>%1 guardado</translation>
+    </message>
+    <message>
+        <source>Hair Paint</source>
+        <translation>Hair Paint</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Leyendo %1</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::HairExchange</name>
+    <message>
+        <source>Waiting for the newest hair</source>
+        <translation>Esperando el pelo más reciente</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this hair; take less density or smaller maps.</source>
+        <translation>No hay memoria suficiente para este pelo; elige menos densidad o mapas más pequeños.</translation>
+    </message>
+    <message>
+        <source>Export hair</source>
+        <translation>Exportar pelo</translation>
+    </message>
+    <message>
+        <source>hair</source>
+        <translation>pelo</translation>
+    </message>
+    <message>
+        <source>Making cards</source>
+        <translation>Haciendo tarjetas</translation>
+    </message>
+    <message>
+        <source>There is no hair to make cards of; paint some density first.</source>
+        <translation>No hay pelo del que hacer tarjetas; pinta primero algo de densidad.</translation>
+    </message>
+    <message>
+        <source>Import hair</source>
+        <translation>Importar pelo</translation>
+    </message>
+    <message>
+        <source>Hair curves (%1)</source>
+        <translation>Curvas de pelo (%1)</translation>
+    </message>
+    <message>
+        <source>The head was replaced while &apos;%1&apos; was read; import it again.</source>
+        <translation>La cabeza se reemplazó mientras se leía «%1»; impórtalo de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 imported</source>
+        <translation>%1 importado</translation>
+    </message>
+    <message>
+        <source>Save Blender add-on</source>
+        <translation>Guardar complemento de Blender</translation>
+    </message>
+    <message>
+        <source>Python scripts (*.py)</source>
+        <translation>Guiones de Python (*.py)</translation>
+    </message>
+    <message>
+        <source>Installing the add-on</source>
+        <translation>Instalando el complemento</translation>
+    </message>
+    <message>
+        <source>Blender add-on</source>
+        <translation>Complemento de Blender</translation>
+    </message>
+    <message>
+        <source>The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit &gt; Preferences &gt; Add-ons; then File &gt; Import reads hair that is exported as .hair.</source>
+        <translation>El complemento está instalado en Blender %1. Activa allí «Hair Paint hair» en Editar &gt; Preferencias &gt; Complementos; después Archivo &gt; Importar lee el pelo exportado como .hair.</translation>
+    </message>
+    <message>
+        <source>PNG images without background (*.png)</source>
+        <translation>Imágenes PNG sin fondo (*.png)</translation>
+    </message>
+    <message>
+        <source>PNG images (*.png)</source>
+        <translation>Imágenes PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>OpenEXR images in linear light, without background (*.exr)</source>
+        <translation>Imágenes OpenEXR en luz lineal, sin fondo (*.exr)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Guardar captura</translation>
+    </message>
+    <message>
+        <source>hairstyle</source>
+        <translation>peinado</translation>
     </message>
 </context>
 <context>
@@ -2675,6 +2586,29 @@
     <message>
         <source>An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most</source>
         <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; %1 como máximo</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::HeadExchange</name>
+    <message>
+        <source>Import head</source>
+        <translation>Importar cabeza</translation>
+    </message>
+    <message>
+        <source>Meshes (*.glb *.gltf *.vrm *.obj *.fbx *.ply *.dae *.3ds *.x3d)</source>
+        <translation>Mallas (*.glb *.gltf *.vrm *.obj *.fbx *.ply *.dae *.3ds *.x3d)</translation>
+    </message>
+    <message>
+        <source>Preparing %1</source>
+        <translation>Preparando %1</translation>
+    </message>
+    <message>
+        <source>The head so far has no landmarks; the maps stay as they lie</source>
+        <translation>La cabeza anterior no tiene puntos de referencia; los mapas se quedan como están</translation>
+    </message>
+    <message>
+        <source>Carrying the hair over</source>
+        <translation>Pasando el pelo</translation>
     </message>
 </context>
 <context>
@@ -2798,16 +2732,32 @@
         <translation>Documentos PDF (*.pdf);;Dibujos SVG (*.svg)</translation>
     </message>
     <message>
-        <source>Writing %1</source>
-        <translation>Escribiendo %1</translation>
+        <source>There is no hair group whose map it could be; add one in the panel Hair.</source>
+        <translation>No hay ningún grupo de pelo cuyo mapa pudiera ser; añade uno en el panel Pelo.</translation>
     </message>
     <message>
-        <source>%1 written</source>
-        <translation>%1 guardado</translation>
+        <source>Load image into %1</source>
+        <translation>Cargar imagen en %1</translation>
     </message>
     <message>
-        <source>Hair Paint</source>
-        <translation>Hair Paint</translation>
+        <source>Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</source>
+        <translation>Imágenes (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)</translation>
+    </message>
+    <message>
+        <source>Load %1 into %2</source>
+        <translation>Cargar %1 en %2</translation>
+    </message>
+    <message>
+        <source>%1 was resampled from %2 × %3 to %4 × %4; Map &gt; Map size changes the map&apos;s</source>
+        <translation>%1 se ha remuestreado de %2 × %3 a %4 × %4; Mapa &gt; Tamaño del mapa cambia el del mapa</translation>
+    </message>
+    <message>
+        <source>Save %1 as image</source>
+        <translation>Guardar %1 como imagen</translation>
+    </message>
+    <message>
+        <source>Images (*.png *.tif *.exr *.tga)</source>
+        <translation>Imágenes (*.png *.tif *.exr *.tga)</translation>
     </message>
 </context>
 <context>
@@ -2866,10 +2816,6 @@
     <message>
         <source>The layer of &apos;%1&apos; is no longer there; undo what removed it and save the image again.</source>
         <translation>La capa de «%1» ya no existe; deshaz lo que la quitó y guarda la imagen de nuevo.</translation>
-    </message>
-    <message>
-        <source>Reading %1</source>
-        <translation>Leyendo %1</translation>
     </message>
     <message>
         <source>%1 came back</source>
@@ -3057,6 +3003,57 @@ Se ha perdido esto:</translation>
     <message>
         <source>There is not enough memory for this hair: what is shown is older. Undo the last change, or take less density or smaller maps.</source>
         <translation>No hay memoria suficiente para este pelo: lo que se ve es anterior. Deshaz el último cambio, o elige menos densidad o mapas más pequeños.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::StyleFiles</name>
+    <message>
+        <source>Save style</source>
+        <translation>Guardar peinado</translation>
+    </message>
+    <message>
+        <source>Name of the style</source>
+        <translation>Nombre del peinado</translation>
+    </message>
+    <message>
+        <source>My style</source>
+        <translation>Mi peinado</translation>
+    </message>
+    <message>
+        <source>The folder &apos;%1&apos; could not be made; check that you may write there.</source>
+        <translation>No se pudo crear la carpeta «%1»; comprueba que puedes escribir ahí.</translation>
+    </message>
+    <message>
+        <source>There is a style &apos;%1&apos; already. Replace it?</source>
+        <translation>Ya hay un peinado «%1». ¿Quieres reemplazarlo?</translation>
+    </message>
+    <message>
+        <source>Saving style %1</source>
+        <translation>Guardando el estilo %1</translation>
+    </message>
+    <message>
+        <source>Style &apos;%1&apos; saved</source>
+        <translation>Peinado «%1» guardado</translation>
+    </message>
+    <message>
+        <source>Rename style</source>
+        <translation>Cambiar el nombre del estilo</translation>
+    </message>
+    <message>
+        <source>Renaming %1</source>
+        <translation>Cambiando el nombre de %1</translation>
+    </message>
+    <message>
+        <source>Delete style</source>
+        <translation>Eliminar peinado</translation>
+    </message>
+    <message>
+        <source>Move &apos;%1&apos; to the trash?</source>
+        <translation>¿Quieres mover «%1» a la papelera?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; could not be moved to the trash; delete it by hand.</source>
+        <translation>«%1» no se pudo mover a la papelera; elimínalo a mano.</translation>
     </message>
 </context>
 <context>

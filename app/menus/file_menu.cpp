@@ -7,13 +7,13 @@
 
 namespace hairpaint::app {
 
-FileMenu::FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files, Exchange& exchange, MapExchange& maps,
+FileMenu::FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files, Exchange& exchange,
                    view::EditorState& editor, QWidget* parent)
     : QMenu(title, parent), m_files(files)
 {
     addProjectActions(actions, editor);
     addSeparator();
-    addMapActions(actions, exchange, maps);
+    addMapActions(actions, exchange.maps());
     addSeparator();
     addExchangeActions(actions, exchange, editor);
     addSeparator();
@@ -38,44 +38,42 @@ void FileMenu::addProjectActions(ActionSet& actions, view::EditorState& editor)
                  {"file.saveAs", tr("Save &as…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_S}, [this] { m_files.saveAs(); }}});
 }
 
-void FileMenu::addMapActions(ActionSet& actions, Exchange& exchange, MapExchange& maps)
+void FileMenu::addMapActions(ActionSet& actions, MapExchange& maps)
 {
-    actions.add(
-        *this,
-        {{"file.loadImage", tr("Load &image into map…"), {}, [&exchange] { exchange.importImage(false); }, "import"},
-         {"file.loadGrey", tr("Load &grey image into map…"), {}, [&exchange] { exchange.importImage(true); }},
-         {"file.saveImage", tr("Save &map as image…"), {}, [&exchange] { exchange.exportMap(); }, "export"},
-         {"file.saveImages", tr("Sa&ve maps as images…"), {}, [&maps] { maps.saveMaps(); }},
-         {"file.editOutside", tr("Edit layer in ano&ther program"), {}, [&maps] { maps.editOutside(); }},
-         {"file.uvSheet", tr("Save &UV sheet…"), {}, [&maps] { maps.saveSheet(); }}});
+    actions.add(*this,
+                {{"file.loadImage", tr("Load &image into map…"), {}, [&maps] { maps.importImage(false); }, "import"},
+                 {"file.loadGrey", tr("Load &grey image into map…"), {}, [&maps] { maps.importImage(true); }},
+                 {"file.saveImage", tr("Save &map as image…"), {}, [&maps] { maps.exportMap(); }, "export"},
+                 {"file.saveImages", tr("Sa&ve maps as images…"), {}, [&maps] { maps.saveMaps(); }},
+                 {"file.editOutside", tr("Edit layer in ano&ther program"), {}, [&maps] { maps.editOutside(); }},
+                 {"file.uvSheet", tr("Save &UV sheet…"), {}, [&maps] { maps.saveSheet(); }}});
 }
 
 void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange, const view::EditorState& editor)
 {
-    addHeads(*addMenu(tr("Replace &head")), actions, exchange, editor);
+    addHeads(*addMenu(tr("Replace &head")), actions, exchange.heads(), editor);
     addSeparator();
+    HairExchange& hair = exchange.hair();
     actions.add(
         *this,
-        {{"file.exportHair", tr("&Export hair…"), {Qt::CTRL | Qt::Key_E}, [&exchange] { exchange.exportHair(); }},
-         {"file.importHair", tr("Import hair &curves…"), {}, [&exchange] { exchange.importHair(); }},
-         {"file.blender", tr("Install B&lender add-on"), {}, [&exchange] { exchange.installBlenderAddon(); }},
-         {"file.picture", tr("Save &picture…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_P}, [&exchange] {
-              exchange.savePicture();
-          }}});
+        {{"file.exportHair", tr("&Export hair…"), {Qt::CTRL | Qt::Key_E}, [&hair] { hair.exportHair(); }},
+         {"file.importHair", tr("Import hair &curves…"), {}, [&hair] { hair.importHair(); }},
+         {"file.blender", tr("Install B&lender add-on"), {}, [&hair] { hair.installBlenderAddon(); }},
+         {"file.picture", tr("Save &picture…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_P}, [&hair] { hair.savePicture(); }}});
 }
 
-void FileMenu::addHeads(QMenu& menu, ActionSet& actions, Exchange& exchange, const view::EditorState& editor)
+void FileMenu::addHeads(QMenu& menu, ActionSet& actions, HeadExchange& heads, const view::EditorState& editor)
 {
     for (const model::NamedHead& head : model::builtInHeads())
-        actions.add(menu, {{"file.head." + head.name.toLatin1(), inMenu(head.title), {}, [&exchange, head] {
-                                exchange.useBuiltInHead(head);
+        actions.add(menu, {{"file.head." + head.name.toLatin1(), inMenu(head.title), {}, [&heads, head] {
+                                heads.useBuiltInHead(head);
                             }}});
     menu.addSeparator();
     const model::Document& document = editor.document();
-    actions.add(menu, {{"file.importHead", tr("&Import head…"), {}, [&exchange] { exchange.importHead(); }},
+    actions.add(menu, {{"file.importHead", tr("&Import head…"), {}, [&heads] { heads.importHead(); }},
                        {.id = "file.landmarks",
                         .text = tr("&Landmarks…"),
-                        .run = [&exchange] { exchange.moveLandmarks(); },
+                        .run = [&heads] { heads.moveLandmarks(); },
                         .enabled = [&document] { return !document.project().head->builtIn; }}});
 }
 

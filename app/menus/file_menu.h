@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/action_set.h"
-#include "app/exchange.h"
-#include "app/map_exchange.h"
+#include "app/exchange/exchange.h"
 #include "app/project_files.h"
 
 #include <QMenu>
@@ -15,15 +14,15 @@ class FileMenu : public QMenu
 {
     Q_OBJECT
 public:
-    FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files, Exchange& exchange, MapExchange& maps,
+    FileMenu(const QString& title, ActionSet& actions, ProjectFiles& files, Exchange& exchange,
              view::EditorState& editor, QWidget* parent);
     void showRecentFiles(const QStringList& paths);
 
 private:
     void addProjectActions(ActionSet& actions, view::EditorState& editor);
-    void addMapActions(ActionSet& actions, Exchange& exchange, MapExchange& maps);
+    void addMapActions(ActionSet& actions, MapExchange& maps);
     void addExchangeActions(ActionSet& actions, Exchange& exchange, const view::EditorState& editor);
-    static void addHeads(QMenu& menu, ActionSet& actions, Exchange& exchange, const view::EditorState& editor);
+    static void addHeads(QMenu& menu, ActionSet& actions, HeadExchange& heads, const view::EditorState& editor);
 
     ProjectFiles& m_files;
     QMenu* m_recent = nullptr;

@@ -7,7 +7,7 @@ namespace hairpaint::app {
 
 HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, view::HeadView& head,
                    view::Sidebar& sidebar, WindowDialogs& dialogs, Exchange& exchange, Jobs& jobs, QWidget* parent)
-    : QMenu(title, parent), m_faceHair(session, jobs, *parent->window()), m_holdHair(session, exchange, jobs)
+    : QMenu(title, parent), m_faceHair(session, jobs, *parent->window()), m_holdHair(session, exchange.hair(), jobs)
 {
     addWeather(actions, session, head, dialogs);
     addSkin(actions, session);
@@ -35,7 +35,7 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
                   .run = [&sidebar] { sidebar.hair().removeGroup(); },
                   .enabled = [&session] { return session.document().committed().groups.size() > 1; }}});
     addSeparator();
-    actions.add(*this, {{"hair.saveStyle", tr("&Save style…"), {}, [&exchange] { exchange.saveStyle(); }}});
+    actions.add(*this, {{"hair.saveStyle", tr("&Save style…"), {}, [&exchange] { exchange.styles().save(); }}});
 }
 
 void HairMenu::addWeather(ActionSet& actions, Session& session, view::HeadView& head, WindowDialogs& dialogs)

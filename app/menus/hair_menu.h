@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/action_set.h"
-#include "app/exchange.h"
+#include "app/exchange/exchange.h"
 #include "app/face_hair.h"
 #include "app/hold_hair.h"
 #include "app/window_dialogs.h"

@@ -97,7 +97,7 @@ void ViewMenu::addLook(ActionSet& actions, Workspace& workspace, view::EditorSta
           .on = [&editor] { return editor.directionsShown(); }},
          {.id = "view.cards",
           .text = tr("Hair &as cards"),
-          .run = [&head, &exchange] { head.cardsShown() ? head.showCards(nullptr) : exchange.previewCards(); },
+          .run = [&head, &exchange] { head.cardsShown() ? head.showCards(nullptr) : exchange.hair().previewCards(); },
           .on = [&head] { return head.cardsShown(); }},
          {.id = "view.night",
           .text = tr("&Night paper"),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/action_set.h"
-#include "app/exchange.h"
+#include "app/exchange/exchange.h"
 #include "app/live_preferences.h"
 #include "app/workspace.h"
 

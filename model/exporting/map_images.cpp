@@ -89,6 +89,8 @@ Result<void> writeMapImages(std::span<const WantedMap> maps, const QString& fold
         if (!written)
             return tl::unexpected(staged.named(written.error(), place));
     }
+    if (progress && !progress(1.0))
+        return cancelled(folder);
     return staged.publish(places);
 }
 

@@ -101,9 +101,7 @@ Result<void> writeInPieces(const QString& path, std::size_t bytes, const Progres
     writer.end();
     if (writer.cancelled())
         return cancelled(path);
-    if (const Checked<void> written = file.commit(); !written)
-        return cannotWrite(path, written.error());
-    return {};
+    return commitWanted(file, path, progress);
 }
 
 tl::unexpected<Clause> tooManyPoints()

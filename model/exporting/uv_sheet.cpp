@@ -155,15 +155,12 @@ bool isUvSheet(const QString& path)
     return isPdf(path) || path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
 }
 
-Result<void> writeUvSheet(const sim::HeadMesh& mesh, const QString& path)
+Result<void> writeUvSheet(const sim::HeadMesh& mesh, const QString& path, const Progress& progress)
 {
     return withinMemory(path, cannotWrite, [&]() -> Result<void> {
         const Sheet sheet = sheetOf(mesh);
         const std::string bytes = isPdf(path) ? pdfOf(sheet) : svgOf(sheet);
-        if (const Checked<void> written = writeFile(path, {bytes.data(), static_cast<qsizetype>(bytes.size())});
-            !written)
-            return cannotWrite(path, written.error());
-        return {};
+        return writeWanted(path, {bytes.data(), static_cast<qsizetype>(bytes.size())}, progress);
     });
 }
 

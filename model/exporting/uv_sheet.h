@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/error.h"
+#include "model/progress.h"
 #include "sim/skin/head_mesh.h"
 
 #include <QString>
@@ -10,7 +11,7 @@ namespace hairpaint::model {
 
 /// Edges in fine grey lines, borders of islands in black, in a square on A4 paper: PDF or SVG by the name's ending.
 /// Atomic. Any thread.
-[[nodiscard]] Result<void> writeUvSheet(const sim::HeadMesh& mesh, const QString& path);
+[[nodiscard]] Result<void> writeUvSheet(const sim::HeadMesh& mesh, const QString& path, const Progress& progress = {});
 /// Whether the name ends in one of those.
 [[nodiscard]] bool isUvSheet(const QString& path);
 

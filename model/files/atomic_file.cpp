@@ -168,6 +168,26 @@ bool replaceFile(const QString& from, const QString& to)
     return !problem;
 }
 
+Result<void> commitWanted(AtomicFile& file, const QString& path, const Progress& progress)
+{
+    if (const Checked<void> flushed = file.flush(); !flushed)
+        return cannotWrite(path, flushed.error());
+    if (progress && !progress(1.0))
+        return cancelled(path);
+    if (const Checked<void> written = file.commit(); !written)
+        return cannotWrite(path, written.error());
+    return {};
+}
+
+Result<void> writeWanted(const QString& path, QByteArrayView bytes, const Progress& progress)
+{
+    AtomicFile file(path);
+    if (const Checked<void> opened = file.open(); !opened)
+        return cannotWrite(path, opened.error());
+    file.write(bytes);
+    return commitWanted(file, path, progress);
+}
+
 Checked<void> writeFile(const QString& path, QByteArrayView bytes)
 {
     AtomicFile file(path);

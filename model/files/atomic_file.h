@@ -3,6 +3,7 @@
 
 #include "model/files/sentences.h"
 #include "model/files/staged_file.h"
+#include "model/progress.h"
 
 #include <QByteArrayView>
 
@@ -35,8 +36,14 @@ private:
     bool m_isFlushed = false; ///< Since the last byte.
 };
 
+/// Commits `file`, which is to be `path`, unless `progress` says no once every byte lies on the disk, which may have
+/// taken long: then nothing is replaced.
+[[nodiscard]] Result<void> commitWanted(AtomicFile& file, const QString& path, const Progress& progress);
+
 /// All of a file at once.
 [[nodiscard]] Checked<void> writeFile(const QString& path, QByteArrayView bytes);
+/// The same, unless `progress` says no meanwhile.
+[[nodiscard]] Result<void> writeWanted(const QString& path, QByteArrayView bytes, const Progress& progress);
 
 /// Everything written to an open file lies on its disk when this returns well.
 [[nodiscard]] Checked<void> flushToDisk(QFileDevice& file);

@@ -196,9 +196,7 @@ Result<void> ImporterClient::encodeImage(const ForeignImage& image, const QStrin
     if (!body)
         return tl::unexpected(body.error());
     const auto size = static_cast<qsizetype>(body->size());
-    if (const Checked<void> written = writeFile(path, {body->data(), size}); !written)
-        return cannotWrite(path, written.error());
-    return {};
+    return writeWanted(path, {body->data(), size}, progress);
 }
 
 } // namespace hairpaint::model

@@ -65,7 +65,7 @@ Result<Preset> read(const QString& path)
     return std::move(opened->preset);
 }
 
-Result<void> write(const Preset& preset, const QString& path)
+Result<void> write(const Preset& preset, const QString& path, const Progress& progress)
 {
     const Checked<QByteArray> json = presetToJson(preset);
     if (!json)
@@ -78,9 +78,10 @@ Result<void> write(const Preset& preset, const QString& path)
     if (Checked<bool> added = addLayers(archive, preset.groups, cache, {}); !added)
         return cannotWrite(path, added.error());
     addThumbnail(archive, preset.picture);
-    if (const Checked<bool> written = archive.writeTo(path); !written)
+    const Checked<bool> written = archive.writeTo(path, [&progress] { return !progress || progress(1.0); });
+    if (!written)
         return cannotWrite(path, written.error());
-    return {};
+    return *written ? Result<void>() : cancelled(path);
 }
 
 } // namespace
@@ -110,15 +111,15 @@ Result<Preset> loadPreset(const QString& path)
     return withinMemory(path, cannotOpen, [&path] { return read(path); });
 }
 
-Result<void> savePreset(const Preset& preset, const QString& path)
+Result<void> savePreset(const Preset& preset, const QString& path, const Progress& progress)
 {
     return withinMemory(path, cannotWrite, [&] {
         Id nextId = 1;
         if (idsFit(preset.groups, nextId))
-            return write(preset, path);
+            return write(preset, path, progress);
         Preset renumbered = preset;
         renumber(renumbered.groups, nextId);
-        return write(renumbered, path);
+        return write(renumbered, path, progress);
     });
 }
 

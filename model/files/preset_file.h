@@ -5,11 +5,12 @@
 
 #include "model/error.h"
 #include "model/preset.h"
+#include "model/progress.h"
 
 namespace hairpaint::model {
 
 [[nodiscard]] Result<Preset> loadPreset(const QString& path); ///< Also resource paths (":/presets/bob.hairpreset").
-[[nodiscard]] Result<void> savePreset(const Preset& preset, const QString& path);
+[[nodiscard]] Result<void> savePreset(const Preset& preset, const QString& path, const Progress& progress = {});
 
 /// What the library knows without reading the maps.
 struct PresetEntry

@@ -1,7 +1,7 @@
 // The window with somebody who answers its dialogs: what comes in from other programs and goes out to them.
 #pragma once
 
-#include "app/exchange.h"
+#include "app/exchange/exchange.h"
 #include "model/files/glb.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_heads.h"
@@ -118,7 +118,7 @@ protected:
         openWindow(std::move(project));
         m_answers = std::make_unique<Answerer>();
         m_done.clear();
-        QObject::connect(m_window->findChild<Exchange*>(), &Exchange::done, m_answers.get(),
+        QObject::connect(m_window->findChild<FileWork*>(), &FileWork::done, m_answers.get(),
                          [this](const QString& text) { m_done += text; });
     }
 

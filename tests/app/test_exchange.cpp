@@ -302,7 +302,7 @@ private Q_SLOTS:
     {
         open(starterProject());
         int drawn = 0;
-        m_window->findChild<Exchange*>()->setSceneSource([this, &drawn] {
+        m_window->findChild<HairExchange*>()->setSceneSource([this, &drawn] {
             ++drawn;
             return m_window->headView().pictureScene();
         });

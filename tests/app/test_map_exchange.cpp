@@ -1,6 +1,6 @@
 // Maps for other programs, by the window's menus: images, the sheet, the clipboard, and layers edited elsewhere.
 #include "app/languages.h"
-#include "app/map_exchange.h"
+#include "app/exchange/map_exchange.h"
 #include "model/commands/commands.h"
 #include "model/exporting/map_images.h"
 #include "model/names.h"
@@ -41,7 +41,7 @@ private:
     {
         open(std::move(project));
         m_told.clear();
-        QObject::connect(m_window->findChild<MapExchange*>(), &MapExchange::done, m_answers.get(),
+        QObject::connect(m_window->findChild<FileWork*>(), &FileWork::done, m_answers.get(),
                          [this](const QString& text) { m_told += text; });
     }
     /// Where Blender keeps what is the user's; nothing is there yet.

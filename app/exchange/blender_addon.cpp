@@ -1,5 +1,5 @@
 // Where Blender keeps what is the user's: docs.blender.org, "Blender's Directory Layout".
-#include "app/blender_addon.h"
+#include "app/exchange/blender_addon.h"
 
 #include "model/files/atomic_file.h"
 #include "model/files/sentences.h"
@@ -51,20 +51,18 @@ QString blenderVersionOf(const QString& addonFolder)
     return addonFolder.chopped(addonsPart().size()).section(QLatin1Char('/'), -1);
 }
 
-model::Result<void> installBlenderAddon(const QString& addonFolder)
+model::Result<void> installBlenderAddon(const QString& addonFolder, const model::Progress& progress)
 {
     QDir().mkpath(addonFolder); // Where it can't be, writing says so.
-    return saveBlenderAddon(QDir(addonFolder).filePath(blenderAddonName()));
+    return saveBlenderAddon(QDir(addonFolder).filePath(blenderAddonName()), progress);
 }
 
-model::Result<void> saveBlenderAddon(const QString& path)
+model::Result<void> saveBlenderAddon(const QString& path, const model::Progress& progress)
 {
     QFile script(QStringLiteral(":/blender/") + blenderAddonName());
     const QByteArray text = script.open(QIODevice::ReadOnly) ? script.readAll() : QByteArray();
     Q_ASSERT(!text.isEmpty());
-    if (const model::Checked<void> written = model::writeFile(path, text); !written)
-        return model::cannotWrite(path, written.error());
-    return {};
+    return model::writeWanted(path, text, progress);
 }
 
 } // namespace hairpaint::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/error.h"
+#include "model/progress.h"
 
 #include <QStringList>
 
@@ -14,8 +15,8 @@ namespace hairpaint::app {
 /// "3.4" of such a folder.
 [[nodiscard]] QString blenderVersionOf(const QString& addonFolder);
 /// Makes the folder and writes the script into it. Atomic.
-[[nodiscard]] model::Result<void> installBlenderAddon(const QString& addonFolder);
+[[nodiscard]] model::Result<void> installBlenderAddon(const QString& addonFolder, const model::Progress& progress = {});
 /// Only writes the script. Atomic.
-[[nodiscard]] model::Result<void> saveBlenderAddon(const QString& path);
+[[nodiscard]] model::Result<void> saveBlenderAddon(const QString& path, const model::Progress& progress = {});
 
 } // namespace hairpaint::app

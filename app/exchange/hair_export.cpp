@@ -1,5 +1,5 @@
 // Which frame is exported, and the export.
-#include "app/hair_export.h"
+#include "app/exchange/hair_export.h"
 
 #include "app/cli/settled_hair.h"
 #include "model/files/sentences.h"

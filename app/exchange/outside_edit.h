@@ -1,7 +1,7 @@
 // A layer in a program of the user's: written as an image, watched, and taken back whenever that program saves it.
 #pragma once
 
-#include "app/background/jobs.h"
+#include "app/exchange/file_work.h"
 #include "app/file_watch.h"
 #include "app/session.h"
 
@@ -20,14 +20,10 @@ class OutsideEdit : public QObject
 {
     Q_OBJECT
 public:
-    OutsideEdit(Session& session, Jobs& jobs);
+    OutsideEdit(Session& session, FileWork& files);
 
     /// Writes the active layer as a PNG image of 16 bits, its coverage as alpha, and has the system open it.
     void begin();
-
-Q_SIGNALS:
-    void told(const QString& message); ///< For the status bar.
-    void failed(const QString& message);
 
 private:
     /// A layer that is away.
@@ -43,7 +39,7 @@ private:
     void replaceLayer(const model::LayerAddress& address, sim::TiledRaster raster);
 
     Session& m_session;
-    Jobs& m_jobs;
+    FileWork& m_files;
     std::unique_ptr<QTemporaryDir> m_folder; ///< From the first layer on.
     std::map<QString, Away> m_away;          ///< By path.
     int m_number = 0;

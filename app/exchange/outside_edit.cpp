@@ -1,5 +1,5 @@
 // Writing, watching and reading back.
-#include "app/outside_edit.h"
+#include "app/exchange/outside_edit.h"
 
 #include "model/commands/commands.h"
 #include "model/files/image_map.h"
@@ -25,7 +25,7 @@ QByteArray contentOf(const QString& path)
 
 } // namespace
 
-OutsideEdit::OutsideEdit(Session& session, Jobs& jobs) : m_session(session), m_jobs(jobs)
+OutsideEdit::OutsideEdit(Session& session, FileWork& files) : m_session(session), m_files(files)
 {
     // Its layers have the same numbers, and are others.
     connect(&session.document(), &model::Document::changed, this, [this](const model::Change& change) {
@@ -40,37 +40,36 @@ void OutsideEdit::begin()
     const model::LayerAddress target = m_session.editor().target();
     const model::Layer* layer = m_session.document().committed().layer(target.group, target.map, target.layer);
     if (layer == nullptr)
-        return Q_EMIT failed(tr("There is no layer to be edited; add one in the panel Layers."));
+        return m_files.complain(tr("There is no layer to be edited; add one in the panel Layers."));
     if (layer->locked)
-        return Q_EMIT failed(
+        return m_files.complain(
             tr("The layer '%1' is locked; unlock it in the panel Layers first.").arg(model::shownName(layer->name)));
     if (m_folder == nullptr || !m_folder->isValid())
         m_folder = std::make_unique<QTemporaryDir>();
     if (!m_folder->isValid())
-        return Q_EMIT failed(
+        return m_files.complain(
             model::cannotWrite(QDir::tempPath(), {.text = model::writeRefusal(m_folder->errorString())})
                 .value()
                 .message);
     const model::MapSpec& spec = model::mapSpec(target.map);
     const QString path =
         m_folder->filePath(QStringLiteral("%1-%2.png").arg(QLatin1StringView(spec.id)).arg(++m_number));
-    const std::optional<model::Result<void>> written = m_jobs.await<void>(
-        tr("Writing %1").arg(QFileInfo(path).fileName()), [&, raster = layer->raster](const model::Progress& progress) {
-            return model::ImporterClient().writeImage(model::imageFromLayer(raster, spec), path, 16, progress);
-        });
+    const bool written = m_files.change(tr("Writing %1").arg(QFileInfo(path).fileName()), path,
+                                        [raster = layer->raster, &spec, path](const model::Progress& progress) {
+                                            return model::ImporterClient().writeImage(
+                                                model::imageFromLayer(raster, spec), path, 16, progress);
+                                        });
     if (!written)
         return;
-    if (!*written)
-        return Q_EMIT failed(written->error().message);
-    auto watch = std::make_unique<FileWatch>(m_jobs);
+    auto watch = std::make_unique<FileWatch>(m_files.jobs());
     connect(watch.get(), &FileWatch::looked, this, [this, path] { look(path); });
     watch->setPath(path);
     m_away[path] = {.layer = target, .bytes = contentOf(path), .watch = std::move(watch)};
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
-        return Q_EMIT failed(
+        return m_files.complain(
             tr("The system knows no program that opens '%1'; open it yourself: what is saved there comes back.")
                 .arg(QDir::toNativeSeparators(path)));
-    Q_EMIT told(tr("%1 is open elsewhere: what is saved there comes back").arg(QFileInfo(path).fileName()));
+    m_files.tell(tr("%1 is open elsewhere: what is saved there comes back").arg(QFileInfo(path).fileName()));
 }
 
 void OutsideEdit::look(const QString& path)
@@ -84,7 +83,7 @@ void OutsideEdit::look(const QString& path)
     const QScopedValueRollback taking(m_isTaking, true);
     away.bytes = bytes;
     if (!away.layer)
-        return Q_EMIT failed(
+        return m_files.complain(
             tr("The layer of '%1' is in another project; open that one and load the image into its map "
                "with File > Load image into map.")
                 .arg(QDir::toNativeSeparators(path)));
@@ -98,24 +97,23 @@ void OutsideEdit::takeBack(const QString& path, model::LayerAddress layer)
         return m_session.document().committed().layer(layer.group, layer.map, layer.layer);
     };
     if (current() == nullptr)
-        return Q_EMIT failed(tr("The layer of '%1' is no longer there; undo what removed it and save the image again.")
-                                 .arg(QFileInfo(path).fileName()));
+        return m_files.complain(
+            tr("The layer of '%1' is no longer there; undo what removed it and save the image again.")
+                .arg(QFileInfo(path).fileName()));
     if (current()->locked)
-        return Q_EMIT failed(tr("The layer '%1' is locked; unlock it in the panel Layers and save '%2' again.")
-                                 .arg(model::shownName(current()->name), QFileInfo(path).fileName()));
+        return m_files.complain(tr("The layer '%1' is locked; unlock it in the panel Layers and save '%2' again.")
+                                    .arg(model::shownName(current()->name), QFileInfo(path).fileName()));
     const int size = current()->raster.size();
-    std::optional<model::Result<model::ImageLayer>> read = m_jobs.await<model::ImageLayer>(
-        tr("Reading %1").arg(QFileInfo(path).fileName()), [&path, &layer, size](const model::Progress& progress) {
+    std::optional<model::ImageLayer> read =
+        m_files.read<model::ImageLayer>(path, [path, layer, size](const model::Progress& progress) {
             return model::layerFromFile(path, model::mapSpec(layer.map), false, size, progress);
         });
     if (!read)
         return;
-    if (!*read)
-        return Q_EMIT failed(read->error().message);
     if (current() == nullptr || current()->raster.size() != size)
         return;
-    replaceLayer(layer, std::move((*read)->raster));
-    Q_EMIT told(tr("%1 came back").arg(QFileInfo(path).fileName()));
+    replaceLayer(layer, std::move(read->raster));
+    m_files.tell(tr("%1 came back").arg(QFileInfo(path).fileName()));
 }
 
 void OutsideEdit::replaceLayer(const model::LayerAddress& address, sim::TiledRaster raster)

@@ -1,0 +1,34 @@
+// What comes in from other programs and goes out to them, in the window.
+#pragma once
+
+#include "app/exchange/hair_exchange.h"
+#include "app/exchange/head_exchange.h"
+#include "app/exchange/map_exchange.h"
+#include "app/exchange/style_files.h"
+
+namespace hairpaint::app {
+
+/// Everything of its kind that the menus offer, with the one way in which it asks and tells. GUI thread.
+class Exchange
+{
+public:
+    Exchange(Session& session, Settings& settings, Jobs& jobs, QWidget& window)
+        : m_work(settings, jobs, window), m_hair(session, m_work), m_heads(session, m_work), m_maps(session, m_work),
+          m_styles(session, m_work)
+    {}
+
+    [[nodiscard]] FileWork& work() { return m_work; }
+    [[nodiscard]] HairExchange& hair() { return m_hair; }
+    [[nodiscard]] HeadExchange& heads() { return m_heads; }
+    [[nodiscard]] MapExchange& maps() { return m_maps; }
+    [[nodiscard]] StyleFiles& styles() { return m_styles; }
+
+private:
+    FileWork m_work;
+    HairExchange m_hair;
+    HeadExchange m_heads;
+    MapExchange m_maps;
+    StyleFiles m_styles;
+};
+
+} // namespace hairpaint::app

@@ -1,0 +1,68 @@
+// Asking, waiting and telling: see the header.
+#include "app/exchange/file_work.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+namespace hairpaint::app {
+
+FileWork::FileWork(Settings& settings, Jobs& jobs, QWidget& window)
+    : QObject(&window), m_settings(settings), m_jobs(jobs), m_window(window)
+{}
+
+QString FileWork::askSavePath(SaveQuestion question, QString* chosenFilter)
+{
+    question.suggestedPath =
+        m_settings.lastFolder() + QLatin1Char('/') + question.suggestedPath + QLatin1Char('.') + question.suffix;
+    const QString path = app::askSavePath(m_window, question, chosenFilter);
+    if (!path.isEmpty())
+        m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    return path;
+}
+
+QString FileWork::askOpenPath(const QString& title, const QString& filter)
+{
+    const QString path =
+        QFileDialog::getOpenFileName(&m_window, title, m_settings.lastFolder(), filter + tr(";;All files (*)"));
+    if (!path.isEmpty())
+        m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    return path;
+}
+
+bool FileWork::write(const QString& path, Work<void> work)
+{
+    const QString name = QFileInfo(path).fileName();
+    if (!change(tr("Writing %1").arg(name), path, std::move(work)))
+        return false;
+    Q_EMIT done(tr("%1 written").arg(name));
+    return true;
+}
+
+bool FileWork::change(const QString& doing, const QString& path, Work<void> work)
+{
+    const Awaited<void> awaited = m_jobs.awaitOrLeave<void>(doing, std::move(work));
+    const bool failed = awaited.result && !*awaited.result;
+    complainOf(awaited.end, failed ? &awaited.result->error() : nullptr, path, model::cannotWrite);
+    return awaited.result && !failed; // What was written in spite of Cancel is there.
+}
+
+void FileWork::complain(const QString& message)
+{
+    QMessageBox::warning(&m_window, tr("Hair Paint"), message);
+}
+
+void FileWork::complainOf(WorkEnd end, const model::Error* error, const QString& path, model::Phrase phrase)
+{
+    if (end == WorkEnd::Left)
+        complain(phrase(path, model::silentDisk()).value().message);
+    else if (end == WorkEnd::Done && error != nullptr)
+        complain(error->message);
+}
+
+QString FileWork::readingOf(const QString& path)
+{
+    return tr("Reading %1").arg(QFileInfo(path).fileName());
+}
+
+} // namespace hairpaint::app

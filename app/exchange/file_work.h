@@ -1,0 +1,69 @@
+// Files of other programs in the window: asked for, read and written with progress, and what went wrong is told.
+#pragma once
+
+#include "app/background/jobs.h"
+#include "app/save_dialog.h"
+#include "app/settings.h"
+#include "model/files/sentences.h"
+#include "view/dialogs/help_dialog.h"
+
+#include <QObject>
+
+namespace hairpaint::app {
+
+/// Shows file dialogs, progress and message boxes over `window`. What a disk or a network folder does not answer is
+/// left to itself a while after Cancel, so all work owns what it uses. GUI thread, blocking.
+class FileWork : public QObject
+{
+    Q_OBJECT
+public:
+    FileWork(Settings& settings, Jobs& jobs, QWidget& window);
+
+    /// Both begin in the last folder, and remember the one that is chosen; empty where cancelled.
+    /// `question.suggestedPath`: a name without folder and ending; see app::askSavePath.
+    [[nodiscard]] QString askSavePath(SaveQuestion question, QString* chosenFilter = nullptr);
+    [[nodiscard]] QString askOpenPath(const QString& title, const QString& filter);
+
+    /// What is read of the file `path`. None where it failed, which has been told, or was cancelled.
+    template<typename T>
+    [[nodiscard]] std::optional<T> read(const QString& path, Work<T> work);
+    /// Writes the file or folder `path`, and tells that it did; false where it failed, which has been told, or was
+    /// cancelled.
+    bool write(const QString& path, Work<void> work);
+    /// The same, where what is done has words of its own, and nothing is told when it is.
+    bool change(const QString& doing, const QString& path, Work<void> work);
+
+    void tell(const QString& message) { Q_EMIT done(message); }
+    void complain(const QString& message);
+    void announce(QDialog& dialog, view::HelpDialog::Topic topic) { Q_EMIT dialogMade(dialog, topic); }
+    [[nodiscard]] QWidget& window() const { return m_window; }
+    [[nodiscard]] Jobs& jobs() const { return m_jobs; }
+    [[nodiscard]] Settings& settings() const { return m_settings; }
+
+Q_SIGNALS:
+    void done(const QString& message); ///< For the status bar.
+    /// About to be shown; the help has a page on it.
+    void dialogMade(QDialog& dialog, hairpaint::view::HelpDialog::Topic topic);
+
+private:
+    [[nodiscard]] static QString readingOf(const QString& path);
+    /// Nothing to be told: it is there, or was cancelled.
+    void complainOf(WorkEnd end, const model::Error* error, const QString& path, model::Phrase phrase);
+
+    Settings& m_settings;
+    Jobs& m_jobs;
+    QWidget& m_window;
+};
+
+template<typename T>
+std::optional<T> FileWork::read(const QString& path, Work<T> work)
+{
+    Awaited<T> awaited = m_jobs.awaitOrLeave<T>(readingOf(path), std::move(work));
+    const bool failed = awaited.result && !*awaited.result;
+    complainOf(awaited.end, failed ? &awaited.result->error() : nullptr, path, model::cannotOpen);
+    if (awaited.end != WorkEnd::Done || failed)
+        return std::nullopt;
+    return std::move(**awaited.result);
+}
+
+} // namespace hairpaint::app

@@ -1,0 +1,195 @@
+// Curves, cards and pictures: see the header.
+#include "app/exchange/hair_exchange.h"
+
+#include "app/exchange/blender_addon.h"
+#include "app/exchange/hair_export.h"
+#include "app/picture.h"
+#include "model/commands/commands.h"
+#include "model/importing/curve_import.h"
+#include "model/importing/curve_reader.h"
+#include "view/dialogs/hair_import_dialog.h"
+
+#include <QFileInfo>
+#include <QMessageBox>
+
+namespace hairpaint::app {
+
+namespace {
+
+constexpr QSize kPictureSize(2048, 2048);
+
+} // namespace
+
+HairExchange::HairExchange(Session& session, FileWork& files) : QObject(&files), m_session(session), m_files(files) {}
+
+void HairExchange::setSceneSource(std::function<rendering::Scene()> source)
+{
+    m_scene = std::move(source);
+}
+
+std::shared_ptr<const sim::StrandFrame> HairExchange::currentHair()
+{
+    const std::shared_ptr<const void> whole = m_session.wholeHair();
+    const bool came = m_files.jobs().awaitUntil(tr("Waiting for the newest hair"), [this] {
+        m_session.endPreviews(); // Also those that come late.
+        return m_session.hair() != Session::Hair::Underway;
+    });
+    if (!came)
+        return nullptr;
+    if (m_session.hair() == Session::Hair::Current)
+        return m_session.frame();
+    m_files.complain(tr("There is not enough memory for this hair; take less density or smaller maps."));
+    return nullptr;
+}
+
+void HairExchange::exportHair()
+{
+    const std::shared_ptr<const sim::StrandFrame> frame = currentHair();
+    if (frame == nullptr)
+        return;
+    const model::Project project = m_session.document().committed();
+    m_export.author = m_files.settings().avatarAuthor();
+    view::ExportHairDialog dialog(exportableGroups(project, *frame), m_export, &m_files.window());
+    dialog.setAvatarProblem(avatarProblem(project));
+    m_files.announce(dialog, view::HelpDialog::Topic::HairExport);
+    const int answer = dialog.exec();
+    if (answer == QDialog::Rejected)
+        return;
+    view::HairExportChoice choice = dialog.choice();
+    m_export = choice;
+    m_files.settings().setAvatarAuthor(choice.author);
+    if (answer == view::ExportHairDialog::kPreview)
+        return previewChosen(frame);
+    const QString suffix = QString::fromLatin1(choice.request.format->suffix);
+    const QString path =
+        m_files.askSavePath({.title = tr("Export hair"),
+                             .suggestedPath = choice.request.format->isAvatar ? project.head->name : tr("hair"),
+                             .filter = QStringLiteral("%1 (*.%2)").arg(choice.request.format->titleText(), suffix),
+                             .suffix = suffix,
+                             .otherSuffixes = model::exportSuffixes()});
+    if (path.isEmpty())
+        return;
+    // The name's ending may tell of another format.
+    if (const model::ExportFormat* named = model::findExportFormat(path, choice.request.format))
+        choice.request.format = named;
+    m_files.write(path, [project, frame, choice, path](const model::Progress& progress) {
+        return exportChosen(project, frame, choice, path, progress);
+    });
+}
+
+void HairExchange::previewCards()
+{
+    const std::shared_ptr<const sim::StrandFrame> frame = currentHair();
+    if (frame == nullptr)
+        return;
+    model::CurveOptions& curves = m_export.request.curves;
+    curves = {};
+    for (const view::ExportableGroup& group : exportableGroups(m_session.document().committed(), *frame))
+        curves.groups.push_back({.id = group.id, .name = group.name});
+    previewChosen(frame);
+}
+
+void HairExchange::previewChosen(const std::shared_ptr<const sim::StrandFrame>& frame)
+{
+    using CardsPtr = std::shared_ptr<const rendering::CardSet>;
+    const model::Project project = m_session.document().committed();
+    const std::optional<model::Result<CardsPtr>> cards =
+        m_files.jobs().await<CardsPtr>(tr("Making cards"), [&](const model::Progress& progress) {
+            return cardsChosen(project, frame, m_export, progress);
+        });
+    if (!cards)
+        return;
+    if (!*cards)
+        return m_files.complain(cards->error().message);
+    if ((**cards)->triangles.empty())
+        return m_files.complain(tr("There is no hair to make cards of; paint some density first."));
+    Q_EMIT cardsMade(**cards);
+}
+
+void HairExchange::importHair()
+{
+    const QString patterns = QStringLiteral("*.") + model::curveFileEndings().join(QLatin1String(" *."));
+    if (const QString path = m_files.askOpenPath(tr("Import hair"), tr("Hair curves (%1)").arg(patterns));
+        !path.isEmpty())
+        importHairFrom(path);
+}
+
+void HairExchange::importHairFrom(const QString& path)
+{
+    using Groups = std::vector<model::HairGroup>;
+    model::Document& document = m_session.document();
+    m_session.endPreviews(); // What is only shown is no ground to add to.
+    const QString name = QFileInfo(path).fileName();
+    view::HairImportDialog dialog(name, &m_files.window());
+    m_files.announce(dialog, view::HelpDialog::Topic::HairImport);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const model::CurveSpaceChoice choice = dialog.choice();
+    const std::shared_ptr<const model::Head> head = document.committed().head;
+    std::optional<Groups> groups = m_files.read<Groups>(path, [path, choice, head](const model::Progress& progress) {
+        return model::groupsFromCurves(path, choice, head, progress);
+    });
+    if (!groups)
+        return;
+    if (document.committed().head != head)
+        return m_files.complain(tr("The head was replaced while '%1' was read; import it again.").arg(name));
+    const std::size_t before = document.committed().groups.size();
+    document.push(model::importHairCommand(document, std::move(*groups), name));
+    if (document.committed().groups.size() > before)
+        m_session.editor().setActiveGroup(document.committed().groups[before].id);
+    m_files.tell(tr("%1 imported").arg(name));
+}
+
+void HairExchange::installBlenderAddon()
+{
+    const QStringList folders = blenderAddonFolders();
+    if (folders.isEmpty()) {
+        const QString name = blenderAddonName();
+        const QString path = m_files.askSavePath({.title = tr("Save Blender add-on"),
+                                                  .suggestedPath = QFileInfo(name).completeBaseName(),
+                                                  .filter = tr("Python scripts (*.py)"),
+                                                  .suffix = QFileInfo(name).suffix()});
+        if (!path.isEmpty())
+            m_files.write(path, [path](const model::Progress& progress) { return saveBlenderAddon(path, progress); });
+        return;
+    }
+    const bool installed =
+        m_files.change(tr("Installing the add-on"), folders.front(),
+                       [folders](const model::Progress& progress) -> model::Result<void> {
+                           for (const QString& folder : folders)
+                               if (model::Result<void> one = app::installBlenderAddon(folder, progress); !one)
+                                   return one;
+                           return {};
+                       });
+    if (!installed)
+        return;
+    QStringList versions;
+    for (const QString& folder : folders)
+        versions += blenderVersionOf(folder);
+    QMessageBox::information(&m_files.window(), tr("Blender add-on"),
+                             tr("The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit > "
+                                "Preferences > Add-ons; then File > Import reads hair that is exported as .hair.")
+                                 .arg(versions.join(QLatin1String(", "))));
+}
+
+void HairExchange::savePicture()
+{
+    const QString transparent = tr("PNG images without background (*.png)");
+    const QStringList filters{tr("PNG images (*.png)"), transparent,
+                              tr("OpenEXR images in linear light, without background (*.exr)")};
+    QString filter;
+    const QString path = m_files.askSavePath({.title = tr("Save picture"),
+                                              .suggestedPath = tr("hairstyle"),
+                                              .filter = filters.join(QLatin1String(";;")),
+                                              .suffix = QStringLiteral("png")},
+                                             &filter);
+    if (path.isEmpty() || currentHair() == nullptr)
+        return;
+    rendering::Scene scene = m_scene();
+    scene.transparent = isExr(path) || filter == transparent;
+    m_files.write(path, [scene, path](const model::Progress& progress) {
+        return PictureMaker().save(scene, kPictureSize, {}, path, progress);
+    });
+}
+
+} // namespace hairpaint::app
