@@ -1,6 +1,6 @@
 // Maps for other programs, by the window's menus: images, the sheet, the clipboard, and layers edited elsewhere.
-#include "app/languages.h"
 #include "app/exchange/map_exchange.h"
+#include "app/languages.h"
 #include "model/commands/commands.h"
 #include "model/exporting/map_images.h"
 #include "model/names.h"

@@ -45,7 +45,10 @@ private Q_SLOTS:
         QDir(m_place).removeRecursively();
         QVERIFY(QDir().mkpath(m_place));
     }
-    void cleanup() { closeWindow(); }
+    void cleanup()
+    {
+        closeWindow();
+    }
 
     void whatCantBeWrittenIsGivenUp_data()
     {
