@@ -6,8 +6,10 @@ layout(std430, binding = 3) buffer Voxels { uint voxels[]; };
 layout(r32f, binding = 0) writeonly uniform image3D opacity;
 
 uniform int gridSide;
-uniform int firstLayer; // Of this grid in the voxels.
+uniform int firstLayer; // Of this grid in the voxels; 0: the light's.
 uniform float unit; // Opacity of one voxel unit.
+
+const float kMostOfVoxel = 2.5; // As in view/rendering/eye_grid.h.
 
 void main()
 {
@@ -21,6 +23,6 @@ void main()
         float here = float(voxels[at]) * unit;
         voxels[at] = 0u;
         imageStore(opacity, ivec3(xy, z), vec4(sum + 0.5 * here));
-        sum += here;
+        sum += firstLayer > 0 ? min(here, kMostOfVoxel) : here;
     }
 }

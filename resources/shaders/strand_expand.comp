@@ -13,6 +13,7 @@ const uint kTwist = 2u;
 const uint kLoc = 3u;
 const float kCurlEaseFraction = 0.25;
 const float kBraidEaseTurns = 0.5;
+const float kBraidFirstFraction = 0.25;
 const float kWispRadiusFraction = 0.9;
 const float kTwistFraction = 0.6;
 const float kTwistWispFraction = 0.65;
@@ -20,8 +21,11 @@ const float kLocWispFraction = 0.9;
 const float kPlaitRoomTurns = 0.2;
 const float kTwistRoomTurns = 0.3;
 const float kTuftFraction = 0.12;
-const float kTuftBraidFraction = 0.35;
 const float kTuftWispFraction = 1.5;
+const float kTuftUneven = 0.5;
+const float kTieFraction = 0.05;
+const float kTieBraidFraction = 0.25;
+const float kTieWispFraction = 0.6;
 
 uniform uint firstStrand;
 uniform uint strandCount;
@@ -54,29 +58,33 @@ vec3 perpendicular(vec3 reference, vec3 tangent)
 
 // Along the frame's first axis, the strand and the third, at fraction q of a braid of so many metres: equation 3 for the
 // wisp of a plait, a circle for that of a twist, and the hair's place in the wisp, of which a loc has one; in the end the
-// wisps close up and open into a tuft.
+// wisps are tied and open into a tuft.
 vec3 braidedOffset(uint slot, uint braid, float q, float metres)
 {
     uint kind = braid & 0xFFu;
     float wisp = float((braid >> 8) & 3u);
     float turns = styles[slot].braidTurns;
     float tuft = kind == kLoc ? 0.0 : max(q - (1.0 - kTuftFraction), 0.0) / kTuftFraction;
-    float r = styles[slot].braidRadiusM * min(q * turns / kBraidEaseTurns, 1.0);
+    float tied = kind == kLoc ? 0.0 : smoothstep(1.0 - kTuftFraction - kTieFraction, 1.0 - kTuftFraction, q);
+    float r = styles[slot].braidRadiusM * mix(kBraidFirstFraction, 1.0, min(q * turns / kBraidEaseTurns, 1.0));
     float angle = 2.0 * kPi * (turns * q + wisp / (kind == kTwist ? 2.0 : 3.0));
     float swing = kind == kTwist ? 1.0 : 2.0;
-    float pathR = (kind == kLoc ? 0.0 : kind == kTwist ? kTwistFraction : 1.0) * r * mix(1.0, kTuftBraidFraction, tuft);
+    float pathR = (kind == kLoc ? 0.0 : kind == kTwist ? kTwistFraction : 1.0) * r * mix(1.0, kTieBraidFraction, tied) * (1.0 - tuft);
     float wispFraction = kind == kLoc ? kLocWispFraction : kind == kTwist ? kTwistWispFraction : kWispRadiusFraction;
-    float wispR = r * wispFraction * mix(1.0, kTuftWispFraction, tuft);
+    float wispR = r * wispFraction *
+                  (mix(1.0, kTieWispFraction, tied) + (kTuftWispFraction - kTieWispFraction) * tuft * (2.0 - tuft));
     // A hair's place in the wisp lies across the wisp's own path, so that wisps are round.
     float perFraction = pathR * turns * 2.0 * kPi;
     vec3 along = normalize(vec3(-sin(angle) * perFraction, max(metres, 1e-6), swing * cos(swing * angle) * perFraction));
     float aside = length(along.yz);
-    vec2 place = vec2(styles[slot].wispOffsetX, styles[slot].wispOffsetY) * wispR;
+    vec2 wispOffset = vec2(styles[slot].wispOffsetX, styles[slot].wispOffsetY);
+    vec2 place = wispOffset * wispR;
+    float shorter = metres * kTuftFraction * kTuftUneven * tuft * dot(wispOffset, wispOffset);
     // Along the braid they have the room that their number leaves.
     float room = metres * (kind == kTwist ? kTwistRoomTurns : kPlaitRoomTurns) / max(turns, 1e-3);
     float squash = min(1.0, room / max(wispR, 1e-6));
     return vec3(cos(angle), 0.0, sin(swing * angle)) * pathR +
-           vec3(place.x * aside, -(place.x * along.x * along.y + place.y * along.z) / aside * squash,
+           vec3(place.x * aside, -(place.x * along.x * along.y + place.y * along.z) / aside * squash - shorter,
                 (place.y * along.y - place.x * along.x * along.z) / aside);
 }
 
@@ -109,6 +117,8 @@ void main()
     vec3 lastPoint = p1;
     vec3 lastTangent = normalize(p2 - p0);
     vec3 reference = perpendicular(rootTangent, lastTangent);
+    int sharedNode = int(braidStart * float(nodes - 1) + 0.5) + 1; // The node from which on all hairs of a braid run alike.
+    bool isFramed = !isBraided || sharedNode > nodes - 1;          // As it will be.
     for (int j = 0; j <= segments; ++j) {
         float s = float(j) * inverseSegments;
         float u = s * float(nodes - 1);
@@ -129,6 +139,15 @@ void main()
         float length2 = dot(tangent, tangent);
         tangent = length2 > 1e-16 ? tangent * inversesqrt(length2) : lastTangent;
 
+        if (!isFramed && u >= float(sharedNode)) {
+            isFramed = true;
+            vec3 to = node(slot, sharedNode);
+            vec3 onward = sharedNode < nodes - 1 ? node(slot, sharedNode + 1) - node(slot, sharedNode - 1)
+                                              : 2.0 * (to - node(slot, sharedNode - 1));
+            lastPoint = to;
+            lastTangent = dot(onward, onward) > 1e-16 ? normalize(onward) : lastTangent;
+            reference = perpendicular(rootTangent, lastTangent);
+        }
         vec3 v1 = point - lastPoint;
         float d1 = dot(v1, v1);
         if (d1 > 1e-16) {
@@ -141,10 +160,12 @@ void main()
         lastPoint = point;
         lastTangent = tangent;
 
-        if (isBraided && s > braidStart) {
-            vec3 across = perpendicular(rootTangent, tangent);
+        float gathered = 1.0 + u - braidStart * float(nodes - 1);
+        if (isBraided && gathered > 0.0) {
+            vec3 across = u < float(sharedNode) ? perpendicular(rootTangent, tangent) : reference;
             float metres = sqrt(length2) * float(nodes - 1) * (1.0 - braidStart);
-            vec3 offset = braidedOffset(slot, braid, (s - braidStart) / (1.0 - braidStart), metres);
+            float q = max(s - braidStart, 0.0) / (1.0 - braidStart);
+            vec3 offset = braidedOffset(slot, braid, q, metres) * min(gathered, 1.0);
             point += across * offset.x + tangent * offset.y + cross(across, tangent) * offset.z;
         } else if (isCurled) {
             float angle = phase + 2.0 * kPi * turns * s;

@@ -16,6 +16,7 @@ uniform uint pointCount;
 uniform float fraction;      // Of the hairs that are drawn, as much wider,
 uniform float deepFraction;  // and of those where others hide them.
 uniform float undrawnCoverings;
+uniform bool inEveryColumn;  // Those lie in each of the columns around, not only between them.
 uniform vec4 material;       // Shine, roughness, alpha at root and tip.
 uniform float groupWidthM;   // Diameter of a hair whose width is 1.
 uniform float variationScale;
@@ -31,6 +32,21 @@ const float kNearestDrawnM = 0.01;
 vec3 colourFromBytes(uint bits)
 {
     return linearFromSrgb(unpackUnorm4x8(bits).rgb);
+}
+
+// Before a place between the columns around, in the one with the least.
+float inColumnWithLeast(vec3 place)
+{
+    int side = textureSize(opacityToEye, 0).x;
+    vec3 at = clamp(place * float(side) - 0.5, 0.0, float(side) - 1.001);
+    ivec3 low = ivec3(at);
+    float least = 1e9;
+    for (int column = 0; column < 4; ++column) {
+        ivec3 voxel = low + ivec3(column & 1, column >> 1, 0);
+        least = min(least, mix(texelFetch(opacityToEye, voxel, 0).x, texelFetch(opacityToEye, voxel + ivec3(0, 0, 1), 0).x,
+                               fract(at.z)));
+    }
+    return least;
 }
 
 void main()
@@ -71,7 +87,8 @@ void main()
     float widthM = styles[slot].width * groupWidthM * kept / min(drawn * (1.0 + 0.5 * kFadingPart), 1.0);
     float width = widthM * gridSize.z / max(clip.w, kNearestDrawnM) * mix(material.z, material.w, s * s);
     width = min(width, kGreatestWidth) * min(slant, kMostSlant);
-    width = clip.w > kNearestDrawnM && towardEye < undrawnCoverings ? width : 0.0;
+    float before = inEveryColumn ? inColumnWithLeast(seen) : towardEye;
+    width = clip.w > kNearestDrawnM && before < undrawnCoverings ? width : 0.0;
 
     // Pigment fades evenly toward the tip.
     float variation = styles[slot].variation * variationScale;

@@ -31,7 +31,7 @@ glm::vec3 alongSkin(glm::vec3 direction, glm::vec3 normal)
 
 /// Bezier's cubic that leaves and arrives along the skin. For two places on a circle its handles, 2/3 of the chord over
 /// 1 + cos of half the angle, are those of the circle's arc.
-std::array<glm::vec3, kSamples> scalpPath(const RootFrame& from, const RootFrame& to)
+std::array<glm::vec3, kSamples> scalpPath(const RootFrame& from, const RootFrame& to, float aboveM)
 {
     const glm::vec3 chord = to.positionHd - from.positionHd;
     const float cosAngle = glm::dot(from.normalHd, to.normalHd);
@@ -45,7 +45,8 @@ std::array<glm::vec3, kSamples> scalpPath(const RootFrame& from, const RootFrame
         const float t = static_cast<float>(i) / static_cast<float>(kSamples - 1);
         const float u = 1.0F - t;
         path[i] = from.positionHd * (u * u * u) + b1 * (3.0F * u * u * t) + b2 * (3.0F * u * t * t) +
-                  to.positionHd * (t * t * t) + (from.normalHd * u + to.normalHd * t) * (4.0F * u * t * liftM);
+                  to.positionHd * (t * t * t) + (from.normalHd * u + to.normalHd * t) * (4.0F * u * t * liftM) +
+                  to.normalHd * (t * t * aboveM);
     }
     return path;
 }
@@ -79,9 +80,10 @@ int gatheringNode(int nodes)
     return std::max((nodes + 1) / 4, 1);
 }
 
-float braidRest(const RootFrame& root, const RootFrame& centre, float centreLengthM, std::span<glm::vec3> nodesHd)
+float braidRest(const RootFrame& root, const RootFrame& centre, float aboveM, float centreLengthM,
+                std::span<glm::vec3> nodesHd)
 {
-    const std::array<glm::vec3, kSamples> path = scalpPath(root, centre);
+    const std::array<glm::vec3, kSamples> path = scalpPath(root, centre, aboveM);
     std::array<float, kSamples> lengthUpTo{};
     for (std::size_t i = 1; i < kSamples; ++i)
         lengthUpTo[i] = lengthUpTo[i - 1] + lengthOf(path[i] - path[i - 1]);
@@ -97,7 +99,7 @@ float braidRest(const RootFrame& root, const RootFrame& centre, float centreLeng
     }
     const float segmentM = centreLengthM / static_cast<float>(nodesHd.size() - 1 - gathered);
     for (std::size_t node = gathered; node < nodesHd.size(); ++node)
-        nodesHd[node] = centre.positionHd + centre.normalHd * (segmentM * static_cast<float>(node - gathered));
+        nodesHd[node] = centre.positionHd + centre.normalHd * (aboveM + segmentM * static_cast<float>(node - gathered));
     return scalpM;
 }
 
@@ -109,6 +111,11 @@ std::uint32_t wispCount(BraidKind kind)
 float braidGirthM(const GroupSettings& settings, BraidKind kind, float lengthM)
 {
     return braidRadiusM(settings, lengthM) * girthFraction(kind);
+}
+
+float braidBeginsAboveM(const GroupSettings& settings, BraidKind kind, float lengthM)
+{
+    return kBraidFirstFraction * braidGirthM(settings, kind, lengthM);
 }
 
 void applyBraid(const GroupSettings& settings, BraidKind kind, const RootChance& chance, float scalpM,

@@ -110,10 +110,11 @@ private:
     {
         const RootSet& roots = m_inputs.roots;
         const float centreLengthM = m_inputs.basisLengthM[centre];
-        const float scalpM = braidRest(rootFrame(roots, slot), rootFrame(roots, roots.basisSlot[centre]), centreLengthM,
+        const auto kind = static_cast<BraidKind>(m_inputs.kinds[slot]);
+        const float scalpM = braidRest(rootFrame(roots, slot), rootFrame(roots, roots.basisSlot[centre]),
+                                       braidBeginsAboveM(m_inputs.settings, kind, centreLengthM), centreLengthM,
                                        std::span(m_buffer).first(m_nodes));
-        applyBraid(m_inputs.settings, static_cast<BraidKind>(m_inputs.kinds[slot]), chance, scalpM, centreLengthM,
-                   style);
+        applyBraid(m_inputs.settings, kind, chance, scalpM, centreLengthM, style);
         m_passed.put(slot, {});
         store(slot, style, {.centre = centre});
     }

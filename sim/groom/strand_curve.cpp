@@ -89,14 +89,17 @@ WispPath wispPath(const StrandStyle& style, float turned)
 glm::vec3 braidedOffset(const StrandStyle& style, float q, float lengthM)
 {
     const float parted = std::min(q * style.braidTurns / kBraidEaseTurns, 1.0F);
-    const float r = style.braidRadiusM * parted;
+    const float r = style.braidRadiusM * (kBraidFirstFraction + (1.0F - kBraidFirstFraction) * parted);
     if (style.braid == BraidKind::Loc)
         return glm::vec3(style.wispOffset.x, 0.0F, style.wispOffset.y) * (r * kLocWispFraction);
     const bool twist = style.braid == BraidKind::Twist;
     const float tuft = std::max(q - (1.0F - kTuftFraction), 0.0F) / kTuftFraction;
-    const float pathR = r * (1.0F + (kTuftBraidFraction - 1.0F) * tuft);
+    const float tie = std::clamp((q - (1.0F - kTuftFraction - kTieFraction)) / kTieFraction, 0.0F, 1.0F);
+    const float tied = tie * tie * (3.0F - 2.0F * tie);
+    const float pathR = r * (1.0F + (kTieBraidFraction - 1.0F) * tied) * (1.0F - tuft);
     const float wispR =
-        r * (twist ? kTwistWispFraction : kWispRadiusFraction) * (1.0F + (kTuftWispFraction - 1.0F) * tuft);
+        r * (twist ? kTwistWispFraction : kWispRadiusFraction) *
+        (1.0F + (kTieWispFraction - 1.0F) * tied + (kTuftWispFraction - kTieWispFraction) * tuft * (2.0F - tuft));
     const float turnRad = glm::two_pi<float>() * style.braidTurns;
     const WispPath path = wispPath(style, turnRad * q);
     // A hair's place in the wisp lies across the wisp's own path, so that wisps are round.
@@ -109,6 +112,7 @@ glm::vec3 braidedOffset(const StrandStyle& style, float q, float lengthM)
     // Along the braid they have the room that their number leaves.
     const float roomM = lengthM * (twist ? kTwistRoomTurns : kPlaitRoomTurns) / std::max(style.braidTurns, 1e-3F);
     inWisp.y *= std::min(1.0F, roomM / std::max(wispR, 1e-6F));
+    inWisp.y -= lengthM * kTuftFraction * kTuftUneven * tuft * glm::dot(style.wispOffset, style.wispOffset);
     return glm::vec3(path.middle.x, 0.0F, path.middle.y) * pathR + inWisp;
 }
 
@@ -158,29 +162,42 @@ void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangent
     pointsHd.clear();
     if (skeletonHd.size() < 2 || segments < 1)
         return;
+    const std::size_t last = skeletonHd.size() - 1;
     const bool isCurled = style.turns > 0.0F && style.curlRadiusM > 0.0F;
     const bool isBraided = style.braid != BraidKind::None && style.braidStart < 1.0F;
     glm::vec3 lastPoint = skeletonHd[0];
     glm::vec3 lastTangent = across(glm::vec3(0.0F), rootTangentHd); // Only where the skeleton has no direction at all.
     glm::vec3 reference(0.0F);
+    const auto shared = static_cast<std::size_t>(std::lround(style.braidStart * static_cast<float>(last))) + 1;
+    bool isFramed = !isBraided || shared > last; // As it will be.
     for (int j = 0; j <= segments; ++j) {
         const float s = static_cast<float>(j) / static_cast<float>(segments);
-        const float u = s * static_cast<float>(skeletonHd.size() - 1);
-        const std::size_t segment = std::min(static_cast<std::size_t>(u), skeletonHd.size() - 2);
+        const float u = s * static_cast<float>(last);
+        const std::size_t segment = std::min(static_cast<std::size_t>(u), last - 1);
         const auto [position, derivative] = catmullRom(skeletonHd, segment, u - static_cast<float>(segment));
         const float squared = glm::dot(derivative, derivative);
         const glm::vec3 tangent = squared > kTiny ? derivative / std::sqrt(squared) : lastTangent;
+        if (!isFramed && u >= static_cast<float>(shared)) {
+            isFramed = true;
+            const CurvePoint node = catmullRom(skeletonHd, std::min(shared, last - 1), shared < last ? 0.0F : 1.0F);
+            const float nodeSquared = glm::dot(node.derivative, node.derivative);
+            lastPoint = node.position;
+            lastTangent = nodeSquared > kTiny ? node.derivative / std::sqrt(nodeSquared) : lastTangent;
+            reference = across(rootTangentHd, lastTangent);
+        }
         reference =
             j == 0 ? across(rootTangentHd, tangent) : carried(reference, lastPoint, lastTangent, position, tangent);
         lastPoint = position;
         lastTangent = tangent;
 
         glm::vec3 point = position;
-        if (isBraided && s > style.braidStart) {
-            const glm::vec3 first = across(rootTangentHd, tangent);
+        const float gathered = 1.0F + u - style.braidStart * static_cast<float>(last);
+        if (isBraided && gathered > 0.0F) {
+            const glm::vec3 first = u < static_cast<float>(shared) ? across(rootTangentHd, tangent) : reference;
             const float braidM =
                 std::sqrt(squared) * static_cast<float>(skeletonHd.size() - 1) * (1.0F - style.braidStart);
-            const glm::vec3 offset = braidedOffset(style, (s - style.braidStart) / (1.0F - style.braidStart), braidM);
+            const float q = std::max(s - style.braidStart, 0.0F) / (1.0F - style.braidStart);
+            const glm::vec3 offset = braidedOffset(style, q, braidM) * std::min(gathered, 1.0F);
             point += first * offset.x + tangent * offset.y + glm::cross(first, tangent) * offset.z;
         } else if (isCurled) {
             const glm::vec3 offset = curlOffset(style.phase + glm::two_pi<float>() * style.turns * s) *

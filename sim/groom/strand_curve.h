@@ -17,8 +17,10 @@ namespace hairpaint::sim {
 
 /// Fraction of the strand, from the root, over which the curl's radius grows from 0.
 inline constexpr float kCurlEaseFraction = 0.25F;
-/// Part of a turn of the braid over which its wisps part where it begins.
+/// Part of a turn of the braid over which its wisps part where it begins, and the fraction of r that they begin with:
+/// they come to it over the span before, since so many hairs never pass through one point.
 inline constexpr float kBraidEaseTurns = 0.5F;
+inline constexpr float kBraidFirstFraction = 0.25F;
 inline constexpr float kWispRadiusFraction =
     0.9F; ///< A wisp's radius in units of r: wisps touch where the plait bends too.
 /// The wisps of a twist run round its middle at this distance and have this radius, in units of r; a loc is one wisp.
@@ -28,11 +30,16 @@ inline constexpr float kLocWispFraction = 0.9F;
 /// A wisp's greatest radius along the braid, in turns of it, so that three, or two, of them fill a turn.
 inline constexpr float kPlaitRoomTurns = 0.2F;
 inline constexpr float kTwistRoomTurns = 0.3F;
-/// Last fraction of the braid, a tuft: there the wisps close up to kTuftBraidFraction of r while each opens by
-/// kTuftWispFraction.
+/// Last fraction of the braid, a tuft like a paint brush: its wisps become one and open to kTuftWispFraction of their
+/// radius, and the hairs of a wisp's rim end kTuftUneven of it before the end, those of its middle there.
 inline constexpr float kTuftFraction = 0.12F;
-inline constexpr float kTuftBraidFraction = 0.35F;
 inline constexpr float kTuftWispFraction = 1.5F;
+inline constexpr float kTuftUneven = 0.5F;
+/// Fraction of the braid before the tuft where it is drawn together as by a tie: there the wisps close up to
+/// kTieBraidFraction of r, and each to kTieWispFraction of its radius.
+inline constexpr float kTieFraction = 0.05F;
+inline constexpr float kTieBraidFraction = 0.25F;
+inline constexpr float kTieWispFraction = 0.6F;
 
 /// Segments that a style's curl and braid ask for: at least 8 points a turn; 0..256, 0 for a straight hair.
 [[nodiscard]] int curveSegmentsOf(const StrandStyle& style);
@@ -45,9 +52,10 @@ inline constexpr float kTuftWispFraction = 1.5F;
 
 /// Evaluates segments + 1 points, root first, along the skeleton (Catmull-Rom through `skeletonHd`, evenly by node).
 /// `rootTangentHd`: frameTangentHd, turned as the head is. A curl stands in the skeleton's rotation-minimising frame,
-/// which starts from that tangent (double reflection, Wang et al. 2008); a braid in the frame that has the tangent's
-/// own projection as its first axis at every point, since hairs reach the braid from all sides. The shader
-/// strand_expand.comp does the same.
+/// which starts from that tangent (double reflection, Wang et al. 2008). A braid's hairs reach it from all sides: over
+/// the first span of it their frame has that tangent's own projection as its first axis, and from the node after, which
+/// they share, it too minimises rotation, so that a braid that bends does not come apart. The shader strand_expand.comp
+/// does the same.
 void evaluateStrand(std::span<const glm::vec3> skeletonHd, glm::vec3 rootTangentHd, const StrandStyle& style,
                     int segments, std::vector<glm::vec3>& pointsHd);
 

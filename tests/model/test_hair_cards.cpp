@@ -109,6 +109,23 @@ private Q_SLOTS:
         QVERIFY2(filled >= 0.7F, qPrintable(QString::number(filled)));
     }
 
+    void straysOfManyGroupsStayInTheBudgetToo()
+    {
+        std::vector<sim::GroomInput::Group> groups;
+        for (int id = 1; id <= 6; ++id)
+            groups.push_back(hairGroup(id, 30'000, 30'000, 65535));
+        const CurveSet set = curvesOf(frameOf(groups));
+        for (const int triangles : {1'000, 1'400, 1'800}) {
+            const HairCards cards = cardsOf(set, {.triangles = triangles, .atlasPx = 1024});
+            QVERIFY2(cards.finest().triangles() <= triangles, qPrintable(QString::number(cards.finest().triangles())));
+            std::vector<bool> held(set.curves().size());
+            for (const CardStrip& strip : cards.finest().strips)
+                for (const std::uint32_t hair : strip.hairs)
+                    held[hair] = true;
+            QVERIFY(std::ranges::find(held, false) == held.end());
+        }
+    }
+
     void everyCornerLiesInItsPatch()
     {
         const CurveSet set = curvesOf(frameOf({denseGroup(65535, 0)}));

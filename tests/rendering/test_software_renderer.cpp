@@ -134,6 +134,30 @@ private Q_SLOTS:
         QVERIFY2(uneven < 12.0, qPrintable(QString::number(uneven)));
     }
 
+    /// However many hairs lie in a column of the grid, they may lie in a small part of it.
+    void whatLooksOutBesideADenseLockIsDrawn()
+    {
+        constexpr int kSide = 240;
+        constexpr int kLockPixels = 3;
+        Scene scene = emptyScene();
+        const std::vector<HandMadeStrand> curtain = comb(0xFFC0C0C0U, 1600, 0.2F);
+        std::vector<HandMadeStrand> both = curtain;
+        for (HandMadeStrand strand : comb(0xFF202020U, 20'000, 0.001F, 60e-6F)) {
+            for (glm::vec3& node : strand.nodesWo)
+                node.z += 0.08F;
+            both.push_back(std::move(strand));
+        }
+        scene.hair = makeFrame(curtain, plainSettings());
+        const Picture alone = softly(scene, rendering::pictureQuality(), kSide, kSide);
+        scene.hair = makeFrame(both, plainSettings());
+        const Picture beside = softly(scene, rendering::pictureQuality(), kSide, kSide);
+        const auto differ = [&](int x) { return std::abs(alone.at(x, kSide / 2).y - beside.at(x, kSide / 2).y) > 40; };
+        QVERIFY(differ(kSide / 2)); // The lock itself.
+        for (int x = kSide / 2 - 30; x < kSide / 2 + 30; ++x)
+            if (std::abs(x - kSide / 2) > kLockPixels)
+                QVERIFY2(!differ(x), qPrintable(QString::number(x)));
+    }
+
     void theHeadsPictureHoldsWhileHairMoves()
     {
         Scene scene;

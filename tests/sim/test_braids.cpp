@@ -1,5 +1,6 @@
 // Braids grow in connected regions, and their hairs gather at the middle.
 #include "sim/groom/braid_layout.h"
+#include "sim/groom/braid_path.h"
 #include "tests/sim/groom_reading.h"
 #include "tests/sim/small_groom.h"
 #include "tests/support/test_program.h"
@@ -133,6 +134,7 @@ void TestBraids::allHairsOfABraidShareItsSkeleton()
     for (const auto& [centre, slots] : braids) {
         const std::uint32_t centreSlot = groom->roots->basisSlot[centre];
         const float centreLengthM = groom->basis->segmentLengths[centre] * 7.0F;
+        const float aboveM = braidBeginsAboveM(input.groups[0].settings, BraidKind::Plait, centreLengthM);
         for (const std::uint32_t slot : slots) {
             const StrandStyle& style = groom->style(slot);
             const int gathered = static_cast<int>(std::lround(style.braidStart * 7.0F));
@@ -141,7 +143,7 @@ void TestBraids::allHairsOfABraidShareItsSkeleton()
             for (int node = gathered; node < 8; ++node) {
                 const float fraction = static_cast<float>(node - gathered) / static_cast<float>(7 - gathered);
                 const glm::vec3 expected = groom->roots->positionHd[centreSlot] +
-                                           groom->roots->normalHd[centreSlot] * (centreLengthM * fraction);
+                                           groom->roots->normalHd[centreSlot] * (aboveM + centreLengthM * fraction);
                 QVERIFY(glm::length(restNode(*groom, slot, node) - expected) < 1e-6F);
             }
             QVERIFY(style.lengthM >= centreLengthM);

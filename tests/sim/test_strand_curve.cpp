@@ -91,7 +91,8 @@ private Q_SLOTS:
     void aTwistHasTwoWispsOnOppositeSides();
     void aLocIsOneWispToItsEnd();
     void hairsOfABraidAreTurnedAlikeFromWhereverTheyCome();
-    void beforeABraidTheHairLiesOnItsSkeleton();
+    void beforeABraidTheHairLiesOnItsSkeletonAndGathers();
+    void aBraidThatBendsIsNotTwisted();
     void aBraidEndsInATuft();
     void thereAreEightPointsATurn_data();
     void thereAreEightPointsATurn();
@@ -172,7 +173,7 @@ void TestStrandCurve::aBraidAlongYIsEquation3Literally()
         const float w = static_cast<float>(wisp) * 2.0F * kPi / 3.0F;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const float s = static_cast<float>(i) / 200.0F;
-            if (s * style.braidTurns < kBraidEaseTurns || s > 1.0F - kTuftFraction)
+            if (s * style.braidTurns < kBraidEaseTurns || s > 1.0F - kTuftFraction - kTieFraction)
                 continue;
             const float t = 2.0F * kPi * style.braidTurns * s;
             const glm::vec3 expected(0.01F * std::cos(t + w), 0.3F * s, 0.01F * std::sin(2.0F * (t + w)));
@@ -186,7 +187,7 @@ void TestStrandCurve::theRootStaysWhereItIs_data()
     QTest::addColumn<bool>("braided");
     QTest::addColumn<float>("start");
     QTest::newRow("curled") << false << 0.0F;
-    QTest::newRow("braided from the root") << true << 0.0F;
+    QTest::newRow("braided from the first node on") << true << 1.0F / 15.0F;
     QTest::newRow("braided further on") << true << 0.25F;
 }
 
@@ -307,7 +308,7 @@ void TestStrandCurve::aTwistHasTwoWispsOnOppositeSides()
     std::array<std::vector<glm::vec3>, 2> wisps;
     for (std::uint32_t wisp = 0; wisp < 2; ++wisp)
         evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, braidedStyle(wisp, 0.0F, BraidKind::Twist), 240, wisps.at(wisp));
-    for (std::size_t i = 40; i < 180; ++i) {
+    for (std::size_t i = 40; i < 165; ++i) {
         const glm::vec3 axis(0.0F, 0.3F * static_cast<float>(i) / 240.0F, 0.0F);
         QVERIFY(glm::length(0.5F * (wisps[0][i] + wisps[1][i]) - axis) < 1e-5F);
         QVERIFY(std::abs(glm::length(wisps[0][i] - axis) - kTwistFraction * 0.01F) < 1e-5F);
@@ -350,16 +351,44 @@ void TestStrandCurve::hairsOfABraidAreTurnedAlikeFromWhereverTheyCome()
         QVERIFY(glm::length(fromLeft[i] - fromRight[i]) < 1e-6F);
 }
 
-void TestStrandCurve::beforeABraidTheHairLiesOnItsSkeleton()
+void TestStrandCurve::beforeABraidTheHairLiesOnItsSkeletonAndGathers()
 {
     const auto skeleton = bentSkeleton(0.06F);
     std::vector<glm::vec3> plain;
     std::vector<glm::vec3> braided;
     evaluateStrand(skeleton, {0.0F, 0.0F, 1.0F}, StrandStyle{}, 150, plain);
     evaluateStrand(skeleton, {0.0F, 0.0F, 1.0F}, braidedStyle(2, 0.4F), 150, braided);
-    for (std::size_t i = 0; i <= 60; ++i)
+    for (std::size_t i = 0; i <= 50; ++i)
         QVERIFY(plain[i] == braided[i]);
+    // Over the span before, it comes to where the wisp begins, beside the middle of the braid.
+    for (std::size_t i = 51; i <= 60; ++i)
+        QVERIFY(glm::length(plain[i] - braided[i]) > glm::length(plain[i - 1] - braided[i - 1]));
+    const float beside = kBraidFirstFraction * 0.01F * glm::length(braidOffset(0.0F, 4.0F / 3.0F * kPi));
+    QVERIFY(std::abs(glm::length(plain[60] - braided[60]) - beside) < 1e-5F);
     QVERIFY(glm::length(plain[100] - braided[100]) > 0.003F);
+}
+
+void TestStrandCurve::aBraidThatBendsIsNotTwisted()
+{
+    // Down, and then along the root's own tangent, past which its projection would turn over.
+    std::vector<glm::vec3> skeleton{{0.0F, 0.0F, 0.0F}};
+    for (int i = 1; i < 16; ++i) {
+        const float angle = 0.5F * kPi * std::clamp(static_cast<float>(i - 5) / 4.0F, 0.0F, 1.04F);
+        skeleton.push_back(skeleton.back() + 0.02F * glm::vec3(std::sin(angle), -std::cos(angle), 0.001F));
+    }
+    StrandStyle style = braidedStyle(0, 0.2F);
+    style.braidTurns = 0.01F; // The wisp shows the frame.
+    style.wisp = 1;
+    style.braidRadiusM = 1.0F;
+    std::vector<glm::vec3> middle;
+    std::vector<glm::vec3> wisp;
+    evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, StrandStyle{}, 150, middle);
+    evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 150, wisp);
+    for (std::size_t i = 41; i < 120; ++i) {
+        const glm::vec3 before = glm::normalize(wisp[i - 1] - middle[i - 1]);
+        const glm::vec3 here = glm::normalize(wisp[i] - middle[i]);
+        QVERIFY2(glm::dot(before, here) > 0.99F, qPrintable(QString::number(i)));
+    }
 }
 
 void TestStrandCurve::aBraidEndsInATuft()
@@ -371,9 +400,16 @@ void TestStrandCurve::aBraidEndsInATuft()
     evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 200, middle);
     style.wispOffset.x = 1.0F;
     evaluateStrand(skeleton, {1.0F, 0.0F, 0.0F}, style, 200, aside);
-    // The wisps draw together at the tip while each spreads.
-    QVERIFY(glm::length(middle.back() - skeleton.back()) < 0.5F * style.braidRadiusM);
-    QVERIFY(glm::length(aside.back() - middle.back()) > 1.2F * glm::length(aside[120] - middle[120]));
+    const auto besideAxis = [](glm::vec3 point) { return glm::length(glm::vec2(point.x, point.z)); };
+    // Drawn together before it.
+    const auto tie = static_cast<std::size_t>(200.0F * (1.0F - kTuftFraction));
+    QVERIFY(besideAxis(middle[tie]) < 1.5F * kTieBraidFraction * style.braidRadiusM);
+    QVERIFY(glm::length(aside[tie] - middle[tie]) < 0.8F * glm::length(aside[120] - middle[120]));
+    // Its wisps are one in the end, each wider, and the rim's hairs end before those of the middle.
+    QVERIFY(besideAxis(middle.back()) < 0.01F * style.braidRadiusM);
+    QVERIFY(besideAxis(aside.back()) > 1.2F * glm::length(aside[120] - middle[120]));
+    QVERIFY(std::abs(middle.back().y - 0.3F) < 1e-5F);
+    QVERIFY(std::abs(aside.back().y - 0.3F * (1.0F - kTuftFraction * kTuftUneven)) < 1e-5F);
 }
 
 void TestStrandCurve::thereAreEightPointsATurn_data()

@@ -26,8 +26,11 @@ inline constexpr float kFadingPart = 0.15F; ///< Of the drawn hairs: more that t
 struct DepthOfCoat
 {
     float undrawnCoverings; ///< Of hair in front, from which on nothing is drawn.
-    float widest;           ///< That hidden hair becomes where fewer stand for more, samples.
-    float leastFraction;    ///< Of it that is drawn.
+    /// Those lie in every column of the grid around a place, not only between them: what looks out beside a dense lock
+    /// is drawn. A fifth slower.
+    bool inEveryColumn;
+    float widest;        ///< That hidden hair becomes where fewer stand for more, samples.
+    float leastFraction; ///< Of it that is drawn.
 };
 /// Of all hairs, the fraction of those drawn that is left where others hide them by half and more.
 [[nodiscard]] float deepFraction(const DepthOfCoat& depth, float widthSp, float fraction);

@@ -16,6 +16,10 @@ struct EyeGrid
     float middleM = 1.0F;   ///< Distance of its middle.
 };
 
+/// A voxel hides no more than this, in coverings, of what lies behind: many hairs may lie in a small part of its
+/// section.
+inline constexpr float kMostOfVoxel = 2.5F;
+
 /// Around the hair as `constants` bound it, as far as that lies in the picture.
 [[nodiscard]] EyeGrid eyeGrid(const FrameConstants& constants);
 

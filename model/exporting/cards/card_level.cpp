@@ -55,6 +55,25 @@ Strays straysFrom(const CurveSet& set, const SampledHair& hair, const std::vecto
     return strays;
 }
 
+int stripTriangles(const std::vector<HairLock>& locks)
+{
+    int sum = 0;
+    for (const HairLock& lock : locks)
+        sum += model::stripTriangles(lock);
+    return sum;
+}
+
+/// Each group with strays has a flyaway, however few triangles there are: those that are too many for them go back to
+/// their locks.
+void keepAsFit(std::vector<HairLock>& flyaways, int triangles, Strays& strays)
+{
+    for (int used = stripTriangles(flyaways); used > triangles && !flyaways.empty(); flyaways.pop_back()) {
+        used -= model::stripTriangles(flyaways.back());
+        for (const std::uint32_t i : flyaways.back().hairs)
+            strays.isOne[i] = false;
+    }
+}
+
 int flyawayTriangles(int triangles)
 {
     return static_cast<int>(static_cast<float>(triangles) * kFlyawayPart);
@@ -220,6 +239,8 @@ CardLevel finestLevel(const CurveSet& set, const SampledHair& hair, const HairFi
     const int forFlyaways = flyawayTriangles(left);
     std::vector<HairLock> locks = dividedIntoLocks(hair, byGroup, weights, left - forFlyaways);
     Strays strays = straysFrom(set, hair, locks);
+    std::vector<HairLock> flyaways = dividedIntoLocks(hair, std::move(strays.hairs), weights, forFlyaways);
+    keepAsFit(flyaways, left - stripTriangles(locks), strays);
     for (HairLock& lock : locks) {
         std::vector<std::uint32_t> staying;
         staying.reserve(lock.hairs.size());
@@ -229,8 +250,7 @@ CardLevel finestLevel(const CurveSet& set, const SampledHair& hair, const HairFi
             lock.hairs = std::move(staying);
     }
     addStripsAlong(locks, false, set, hair, field, level.strips);
-    addStripsAlong(dividedIntoLocks(hair, std::move(strays.hairs), weights, forFlyaways), true, set, hair, field,
-                   level.strips);
+    addStripsAlong(flyaways, true, set, hair, field, level.strips);
     sortStrips(set, hair, level);
     level.patchOf.resize(level.strips.size());
     std::iota(level.patchOf.begin(), level.patchOf.end(), std::size_t{0});

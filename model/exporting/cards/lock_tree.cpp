@@ -156,6 +156,13 @@ void stripPlaces(const HairLock& lock, std::vector<std::uint16_t>& kept)
     keptPoints(lock.meanWo, glm::clamp(kOfSpread * lock.spreadM, kFinestM, kCoarsestM), kept);
 }
 
+int stripTriangles(const HairLock& lock)
+{
+    std::vector<std::uint16_t> kept;
+    stripPlaces(lock, kept);
+    return 2 * (static_cast<int>(kept.size()) - 1);
+}
+
 std::vector<HairLock> dividedIntoLocks(const SampledHair& hair, std::vector<std::vector<std::uint32_t>> sets,
                                        std::span<const float> weights, int triangles)
 {

@@ -20,10 +20,13 @@ struct HairLock
 /// Which of its places a strip along the lock has nodes at, both ends among them.
 void stripPlaces(const HairLock& lock, std::vector<std::uint16_t>& kept);
 
+/// Of a strip along it: two a segment.
+[[nodiscard]] int stripTriangles(const HairLock& lock);
+
 /// Divides what runs most apart again and again, as long as the strips along all locks have at most `triangles`
-/// together, two a segment; a lock of less than a hair's few widths stays whole. `sets`: hairs that are never in one
-/// lock, of which those without hairs give none and the others at least one. `weights`: by hair of SampledHair, above
-/// 0: how much it matters. The same hairs give the same locks.
+/// together; a lock of less than a hair's few widths stays whole. `sets`: hairs that are never in one lock, of which
+/// those without hairs give none and the others at least one, however few triangles there are. `weights`: by hair of
+/// SampledHair, above 0: how much it matters. The same hairs give the same locks.
 [[nodiscard]] std::vector<HairLock> dividedIntoLocks(const SampledHair& hair,
                                                      std::vector<std::vector<std::uint32_t>> sets,
                                                      std::span<const float> weights, int triangles);

@@ -15,8 +15,10 @@ constexpr unsigned kWorkgroup = 64;
 constexpr float kVoxelUnitM2 = 1e-9F; ///< Hair's area that one unit of a voxel stands for.
 
 // The shaders stop at what is opaque, so that more of what lies deep is drawn than in software.
-constexpr DepthOfCoat kFineDepth{.undrawnCoverings = 10.0F, .widest = 0.55F, .leastFraction = 0.45F};
-constexpr DepthOfCoat kMovingDepth{.undrawnCoverings = 8.0F, .widest = 1.67F, .leastFraction = 0.3F};
+constexpr DepthOfCoat kFineDepth{
+    .undrawnCoverings = 10.0F, .inEveryColumn = true, .widest = 0.55F, .leastFraction = 0.45F};
+constexpr DepthOfCoat kMovingDepth{
+    .undrawnCoverings = 8.0F, .inEveryColumn = false, .widest = 1.67F, .leastFraction = 0.3F};
 constexpr float kFineToleranceSp = 0.4F; ///< Of samples that are half as wide as pixels.
 constexpr float kMovingToleranceSp = 0.5F;
 
@@ -216,6 +218,7 @@ bool HairPass::projectPiece()
     m_shade.set("fraction", m_shares.at(groupId).fraction);
     m_shade.set("deepFraction", m_shares.at(groupId).deep);
     m_shade.set("undrawnCoverings", m_depth.undrawnCoverings);
+    m_shade.set("inEveryColumn", m_depth.inEveryColumn ? 1 : 0);
     m_shade.set("material", glm::vec4(settings.material.shine, settings.material.roughness, settings.material.rootAlpha,
                                       settings.material.tipAlpha));
     m_shade.set("groupWidthM", settings.material.widthM);

@@ -15,6 +15,7 @@ namespace hairpaint::rendering::HWY_NAMESPACE {
 
 inline constexpr float kTwoPi = 6.28318531F;
 inline constexpr float kTinySquare = 1e-16F;
+inline constexpr float kNodeTolerance = 1e-3F; ///< Of numbers of nodes.
 
 /// `reference` at unit length in the plane across a unit tangent, or any vector there.
 template<class F>
@@ -62,27 +63,35 @@ HWY_INLINE Triple<Lanes> braidedOffset(const StrandBlock& block, std::size_t lan
     const Lanes parted = least(q * turns * Lanes(1.0F / sim::kBraidEaseTurns), one);
     const Lanes tuft =
         select(isLoc, zero, most(q - Lanes(1.0F - sim::kTuftFraction), zero) * Lanes(1.0F / sim::kTuftFraction));
-    const Lanes r = loaded(block.braidRadiusM.data() + lane) * parted;
+    const Lanes tie = clamped(
+        (q - Lanes(1.0F - sim::kTuftFraction - sim::kTieFraction)) * Lanes(1.0F / sim::kTieFraction), 0.0F, 1.0F);
+    const Lanes tied = select(isLoc, zero, tie * tie * (Lanes(3.0F) - tie * Lanes(2.0F)));
+    const Lanes r = loaded(block.braidRadiusM.data() + lane) * mixed(Lanes(sim::kBraidFirstFraction), one, parted);
     const Lanes angle = (turns * q + wisp * select(isTwist, Lanes(0.5F), Lanes(1.0F / 3.0F))) * Lanes(kTwoPi);
     const Lanes pathR = select(isLoc, zero, select(isTwist, Lanes(sim::kTwistFraction), one)) * r *
-                        mixed(one, Lanes(sim::kTuftBraidFraction), tuft);
+                        mixed(one, Lanes(sim::kTieBraidFraction), tied) * (one - tuft);
     const Lanes wispR = r *
                         select(isLoc, Lanes(sim::kLocWispFraction),
                                select(isTwist, Lanes(sim::kTwistWispFraction), Lanes(sim::kWispRadiusFraction))) *
-                        mixed(one, Lanes(sim::kTuftWispFraction), tuft);
+                        (mixed(one, Lanes(sim::kTieWispFraction), tied) +
+                         Lanes(sim::kTuftWispFraction - sim::kTieWispFraction) * tuft * (Lanes(2.0F) - tuft));
     const Lanes swing = select(isTwist, one, Lanes(2.0F)); // Of the third axis, for one of the first.
     // A hair's place in the wisp lies across the wisp's own path, so that wisps are round.
     const Lanes perFraction = pathR * turns * Lanes(kTwoPi);
     const Triple<Lanes> along = unit(Triple<Lanes>{zero - sinOf(angle) * perFraction, most(lengthM, Lanes(1e-6F)),
                                                    cosOf(angle * swing) * swing * perFraction});
     const Lanes aside = root(along.y * along.y + along.z * along.z);
-    const Lanes x = loaded(block.wispX.data() + lane) * wispR;
-    const Lanes y = loaded(block.wispY.data() + lane) * wispR;
+    const Lanes wispX = loaded(block.wispX.data() + lane);
+    const Lanes wispY = loaded(block.wispY.data() + lane);
+    const Lanes x = wispX * wispR;
+    const Lanes y = wispY * wispR;
+    const Lanes shorter =
+        lengthM * Lanes(sim::kTuftFraction * sim::kTuftUneven) * tuft * (wispX * wispX + wispY * wispY);
     // Along the braid they have the room that their number leaves; a loc is alone.
     const Lanes room =
         lengthM * select(isTwist, Lanes(sim::kTwistRoomTurns), Lanes(sim::kPlaitRoomTurns)) / most(turns, Lanes(1e-3F));
     const Lanes squash = least(one, room / most(wispR, Lanes(1e-6F)));
-    return {cosOf(angle) * pathR + x * aside, zero - (x * along.x * along.y + y * along.z) / aside * squash,
+    return {cosOf(angle) * pathR + x * aside, zero - (x * along.x * along.y + y * along.z) / aside * squash - shorter,
             sinOf(angle * swing) * pathR + (y * along.y - x * along.x * along.z) / aside};
 }
 
@@ -134,12 +143,20 @@ HWY_INLINE void evaluateCurves(const StrandBlock& block, const SpanSegments& spa
             Yes braided{};
             if (block.anyBraid) {
                 const Lanes start = loaded(block.braidStart.data() + lane);
-                braided = (loaded(block.braid.data() + lane) > Lanes(0.5F)) & (Lanes(s) > start);
+                // The node from which on all hairs of a braid run alike.
+                const Lanes shared = start * Lanes(static_cast<float>(nodes - 1)) + Lanes(1.0F);
+                const Lanes at(static_cast<float>(k) + along);
+                const Lanes gathered = at - shared + Lanes(2.0F);
+                braided = (loaded(block.braid.data() + lane) > Lanes(0.5F)) & (gathered > Lanes(0.0F));
                 const Lanes q = clamped((Lanes(s) - start) / most(Lanes(1.0F) - start, Lanes(1e-6F)), 0.0F, 1.0F);
                 const Lanes braidM =
                     root(square) * Lanes(static_cast<float>(nodes - 1)) * most(Lanes(1.0F) - start, Lanes(1e-6F));
-                const Triple<Lanes> offset = braidedOffset(block, lane, q, braidM);
-                const Triple<Lanes> first = across(rootTangent, tangent);
+                const Triple<Lanes> offset = braidedOffset(block, lane, q, braidM) * least(gathered, Lanes(1.0F));
+                const Triple<Lanes> projected = across(rootTangent, tangent);
+                const Yes isBefore = at < shared - Lanes(kNodeTolerance);
+                if (along == 0.0F || j == spans.total)
+                    reference = select(braided & (at < shared + Lanes(kNodeTolerance)), projected, reference);
+                const Triple<Lanes> first = select(isBefore, projected, reference);
                 point = select(braided, axis + first * offset.x + tangent * offset.y + cross(first, tangent) * offset.z,
                                axis);
             }

@@ -58,18 +58,30 @@ HWY_INLINE GridPlace placeIn(int side, const Triple<Lanes>& place, int slices)
     return found;
 }
 
-/// In a slice of the grid.
-HWY_INLINE Lanes sliceAt(const std::uint32_t* grid, int side, const GridPlace& place, int slice)
+/// In a slice of the grid: between the columns around the place, and the least of those.
+struct SliceOpacity
+{
+    Lanes mixed, least;
+};
+HWY_INLINE SliceOpacity columnsAt(const std::uint32_t* grid, int side, const GridPlace& place, int slice)
 {
     const IntTag di;
     const auto* from = reinterpret_cast<const std::int32_t*>(grid) + slice * side * side;
-    const auto along = [&](int row) {
+    const auto along = [&](int row) -> SliceOpacity {
         const Ints pair = hn::GatherIndex(di, from + row * side, place.first);
         const Lanes low(hn::ConvertTo(Tag(), hn::And(pair, hn::Set(di, 0xFFFF))));
         const Lanes high(hn::ConvertTo(Tag(), hn::And(hn::ShiftRight<16>(pair), hn::Set(di, 0xFFFF))));
-        return mixed(low, high, place.x);
+        return {mixed(low, high, place.x), least(low, high)};
     };
-    return mixed(along(0), along(1), place.y) * Lanes(1.0F / kGridUnits);
+    const SliceOpacity low = along(0);
+    const SliceOpacity high = along(1);
+    const Lanes unit(1.0F / kGridUnits);
+    return {mixed(low.mixed, high.mixed, place.y) * unit, least(low.least, high.least) * unit};
+}
+
+HWY_INLINE Lanes sliceAt(const std::uint32_t* grid, int side, const GridPlace& place, int slice)
+{
+    return columnsAt(grid, side, place, slice).mixed;
 }
 
 HWY_INLINE Lanes opacityAt(const std::uint32_t* grid, int side, const Triple<Lanes>& place)
@@ -82,12 +94,15 @@ HWY_INLINE Lanes opacityAt(const std::uint32_t* grid, int side, const Triple<Lan
 struct OpacityTwice
 {
     Lanes here, further;
+    Lanes inEveryColumn; ///< Here: so much in each of the columns around.
 };
 HWY_INLINE OpacityTwice opacityTwice(const std::uint32_t* grid, int side, const Triple<Lanes>& place)
 {
     const GridPlace at = placeIn(side, place, 3);
-    const Lanes middle = sliceAt(grid, side, at, 1);
-    return {mixed(sliceAt(grid, side, at, 0), middle, at.z), mixed(middle, sliceAt(grid, side, at, 2), at.z)};
+    const SliceOpacity near = columnsAt(grid, side, at, 0);
+    const SliceOpacity middle = columnsAt(grid, side, at, 1);
+    return {mixed(near.mixed, middle.mixed, at.z), mixed(middle.mixed, sliceAt(grid, side, at, 2), at.z),
+            mixed(near.least, middle.least, at.z)};
 }
 
 /// All of the column that the place lies in.

@@ -45,8 +45,10 @@ void setStyle(StrandBlock& block, std::size_t lane, const sim::StrandStyle& styl
     block.anyBraid = block.anyBraid || braided;
 }
 
-constexpr DepthOfCoat kFineDepth{.undrawnCoverings = 6.0F, .widest = 0.55F, .leastFraction = 0.45F};
-constexpr DepthOfCoat kMovingDepth{.undrawnCoverings = 4.5F, .widest = 1.67F, .leastFraction = 0.3F};
+constexpr DepthOfCoat kFineDepth{
+    .undrawnCoverings = 8.0F, .inEveryColumn = true, .widest = 0.55F, .leastFraction = 0.45F};
+constexpr DepthOfCoat kMovingDepth{
+    .undrawnCoverings = 4.5F, .inEveryColumn = false, .widest = 1.67F, .leastFraction = 0.3F};
 
 /// What threads keep from block to block.
 struct BlockScratch
@@ -111,7 +113,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
         batch.clear();
     m_turnWoFromHd = glm::mat3(constants.woFromHd);
     const DepthOfCoat& depth = fine ? kFineDepth : kMovingDepth;
-    m_undrawnCoverings = depth.undrawnCoverings;
+    m_depth = depth;
     // As far as the shaders' 4095 keys reach.
     constexpr float kKeys = 4095.0F;
     constexpr float kDepths = 65535.0F;
@@ -175,7 +177,8 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .nearestM = m_nearestM,
                       .depthsPerM = m_depthsPerM,
                       .toleranceSp = fine ? 0.2F : 0.5F,
-                      .undrawnCoverings = m_undrawnCoverings,
+                      .undrawnCoverings = depth.undrawnCoverings,
+                      .inEveryColumn = depth.inEveryColumn,
                       .deepFraction = deepFraction(depth, group.widthSp, group.fraction),
                       .lighting = hairLighting(constants, material)};
         const std::size_t count = group.list->slots().size();

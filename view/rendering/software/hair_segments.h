@@ -1,6 +1,7 @@
 // All hair of a picture as segments in its tiles.
 #pragma once
 
+#include "view/rendering/drawn_fraction.h"
 #include "view/rendering/frame_constants.h"
 #include "view/rendering/software/opacity_grids.h"
 #include "view/rendering/software/screen_segments.h"
@@ -31,8 +32,8 @@ public:
     [[nodiscard]] float detail() const { return m_detail; }
     /// Of the batches drawn.
     [[nodiscard]] std::size_t segmentCount() const;
-    /// Coverings of hair in front from which on nothing was drawn.
-    [[nodiscard]] float undrawnCoverings() const { return m_undrawnCoverings; }
+    /// How deep in other hair nothing was drawn.
+    [[nodiscard]] const DepthOfCoat& depth() const { return m_depth; }
     [[nodiscard]] float nearestM() const { return m_nearestM; }
     [[nodiscard]] float depthsPerM() const { return m_depthsPerM; }
 
@@ -64,7 +65,7 @@ private:
     float m_detail = 0.0F;
     OpacityGrids m_grids;
     TileGrid m_tiles;
-    float m_undrawnCoverings = 0.0F;
+    DepthOfCoat m_depth{};
     float m_nearestM = 0.0F;
     float m_depthsPerM = 0.0F;
 };

@@ -283,9 +283,10 @@ void shadeRows(const ShadeTask& task, int begin, int end)
             const Lanes px = loaded(atX) * Lanes(2.0F / task.sizeSp.x) - Lanes(1.0F);
             const Lanes py = loaded(atY) * Lanes(2.0F / task.sizeSp.y) - Lanes(1.0F);
             // Hair that lies so deep was left out: what is left to see through in front of it shows nothing behind.
-            const float before = 1.5F / static_cast<float>(task.gridSide);
-            const Lanes coverings =
-                opacityAt(task.opacity[1], task.gridSide, inEyeGrid(task.eyeGrid, px, py, loaded(distance), before));
+            const float aLittle = 1.5F / static_cast<float>(task.gridSide);
+            const OpacityTwice hair = opacityTwice(task.opacity[1], task.gridSide,
+                                                   inEyeGrid(task.eyeGrid, px, py, loaded(distance), aLittle));
+            const Lanes coverings = task.inEveryColumn ? hair.inEveryColumn : hair.here;
             HWY_ALIGN float result[kMostLanes];
             stored(smoothStep(0.7F * task.undrawnCoverings, task.undrawnCoverings, coverings), result);
             std::copy_n(result, count, task.hidden + (out - task.shade));

@@ -62,7 +62,8 @@ struct ShadeTask
     const float* distancesM = nullptr;
     const std::uint8_t* rowHasHead = nullptr; ///< Of each row of samples; 0: none.
     glm::vec3 viewAxisWo{0.0F};               ///< Away from the eye, unit: distances are measured along it.
-    float undrawnCoverings = 0.0F;            ///< As StrandView has it.
+    float undrawnCoverings = 0.0F;            ///< As StrandView has both.
+    bool inEveryColumn = true;
     float* shade = nullptr;
     float* hidden = nullptr; ///< 0..1: how surely what lies behind the hair is hidden by it.
 };

@@ -92,7 +92,7 @@ void OpacityGrids::sum(const FrameConstants& constants)
                     const float here = any ? static_cast<float>(area) * unit : 0.0F;
                     units[x] =
                         static_cast<std::int32_t>(std::min((sums[x] + 0.5F * here) * kGridUnits + 0.5F, kMostUnits));
-                    sums[x] += here;
+                    sums[x] += grid == 1 ? std::min(here, kMostOfVoxel) : here;
                 }
                 units.back() = units[kGridSide - 1];
                 for (std::size_t x = 0; x < kGridSide; ++x)

@@ -144,7 +144,8 @@ void SoftwareRenderer::State::shade()
                          .distancesM = head.distancesM().data(),
                          .rowHasHead = head.rowHasHead().data(),
                          .viewAxisWo = glm::normalize(glm::vec3(far) / far.w - glm::vec3(constants.eyeWo)),
-                         .undrawnCoverings = hair.undrawnCoverings(),
+                         .undrawnCoverings = hair.depth().undrawnCoverings,
+                         .inEveryColumn = hair.depth().inEveryColumn,
                          .shade = skinShade.data(),
                          .hidden = hiddenBehind.data()};
     sim::parallelFor(static_cast<std::size_t>(shadeSize.y), 8, [&](std::size_t begin, std::size_t end) {

@@ -64,6 +64,7 @@ struct StrandView
     float toleranceSp = 0.25F; ///< How far a drawn curve may lie beside the true one.
     /// Coverings of hair in front, seen by the eye, from which on nothing is drawn.
     float undrawnCoverings = 10.0F;
+    bool inEveryColumn = true; ///< Those; see DepthOfCoat.
     /// Of those, the fraction that is left where others hide them by half and more; 1 where all are drawn.
     float deepFraction = 1.0F;
     HairLighting lighting;

@@ -162,8 +162,9 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         const OpacityTwice eyeward = opacityTwice(view.opacity[1], view.gridSide, toEye);
         const Lanes towardEye = eyeward.here;
         const Lanes spread = own * wideningOf(view, order, eyeward.further);
-        const Yes seen =
-            (clip.z > Lanes(kNearestDrawnM)) & (Lanes(view.undrawnCoverings) > towardEye) & (spread > Lanes(0.0F));
+        const Yes seen = (clip.z > Lanes(kNearestDrawnM)) &
+                         (Lanes(view.undrawnCoverings) > (view.inEveryColumn ? eyeward.inEveryColumn : towardEye)) &
+                         (spread > Lanes(0.0F));
         if (!any(seen)) {
             stored(Lanes(0.0F), out.width.data() + row);
             last = here;
