@@ -154,7 +154,7 @@ tl::expected<model::RiggedMesh, wire::Refusal> readMesh(const std::string& path)
         return tl::unexpected(wire::Reason::NoTriangles);
     if (!wire::meshFits(mesh))
         return tl::unexpected(wire::Reason::Damaged);
-    mesh.skeleton.joints = skeleton.joints().joints;
+    mesh.skeleton.joints = skeleton.joints(isGltf(ending) ? vrmBones(path) : BoneNames()).joints;
     // A head without its skeleton is better than none.
     if (mesh.skeleton.empty() || !model::withinLimits(mesh.skeleton, mesh.positionsHd.size()))
         mesh.skeleton = {};

@@ -218,7 +218,7 @@ std::vector<model::BoneWeights> SceneSkeleton::weightsOf(const aiMesh& mesh, con
     return weights;
 }
 
-model::HeadSkeleton SceneSkeleton::joints() const
+model::HeadSkeleton SceneSkeleton::joints(const BoneNames& bones) const
 {
     if (m_joints.size() > model::HeadSkeleton::kMostJoints)
         return {};
@@ -236,8 +236,10 @@ model::HeadSkeleton SceneSkeleton::joints() const
         }
         toWorld.push_back(own);
         places.push_back({.position = {own.a4, own.b4, own.c4}, .rotation = rotationOf(own)});
-        const aiString& name = joint.node->mName;
-        skeleton.joints.push_back({.name = model::jointNameOf({name.C_Str(), name.length}), .parent = joint.parent});
+        const std::string_view name(joint.node->mName.C_Str(), joint.node->mName.length);
+        const auto bone = bones.find(std::string(name));
+        skeleton.joints.push_back(
+            {.name = model::jointNameOf(bone == bones.end() ? name : bone->second), .parent = joint.parent});
     }
     setPlaces(skeleton, places);
     return skeleton;

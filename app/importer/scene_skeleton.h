@@ -1,6 +1,7 @@
 // The joints of a scene, and what its meshes' vertices follow.
 #pragma once
 
+#include "app/importer/vrm_bones.h"
 #include "model/heads/head_skeleton.h"
 
 #include <assimp/scene.h>
@@ -29,8 +30,8 @@ public:
     [[nodiscard]] std::vector<model::BoneWeights> weightsOf(const aiMesh& mesh, const aiNode& node,
                                                             const aiMatrix4x4& placed);
     /// Without weights; none where there are too many joints, or where they stand can't be told. Once all weights are
-    /// asked for.
-    [[nodiscard]] model::HeadSkeleton joints() const;
+    /// asked for. What `bones` tell of bears the bone's name.
+    [[nodiscard]] model::HeadSkeleton joints(const BoneNames& bones) const;
 
 private:
     struct Joint

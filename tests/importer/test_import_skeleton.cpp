@@ -152,6 +152,81 @@ private Q_SLOTS:
         QVERIFY(isThere);
     }
 
+    void theBonesThatAVrmNamesAreTakenAtItsWord_data()
+    {
+        QTest::addColumn<bool>("isOld");
+        QTest::addColumn<int>("twins");
+        QTest::newRow("VRM 1.0") << false << 0;
+        QTest::newRow("VRM 0.x") << true << 0;
+        QTest::newRow("two nodes of one name") << false << 1;
+    }
+    void theBonesThatAVrmNamesAreTakenAtItsWord()
+    {
+        QFETCH(bool, isOld);
+        QFETCH(int, twins);
+        const RiggedMesh body = test::makeMannequin();
+        const HumanoidBones known = *humanoidBones(body.skeleton.joints);
+        const QByteArray glb = withJson(glbFromMesh(body), [&](QJsonObject& json) {
+            QJsonObject now;
+            QJsonArray before;
+            for (std::size_t bone = 0; bone < kHumanBoneCount; ++bone) {
+                if (known.joints.at(bone) < 0)
+                    continue;
+                const QString id = QLatin1StringView(humanBoneSpec(static_cast<HumanBone>(bone)).id);
+                const int node = kFirstJoint + known.joints.at(bone);
+                now[id] = QJsonObject{{QStringLiteral("node"), node}};
+                before.append(QJsonObject{{QStringLiteral("bone"), id}, {QStringLiteral("node"), node}});
+            }
+            for (std::size_t i = 0; i < test::kMannequin.size(); ++i)
+                changeNode(json, kFirstJoint + static_cast<int>(i), QStringLiteral("name"),
+                           QStringLiteral("骨%1").arg(i));
+            if (twins > 0)
+                addNode(json, {{QStringLiteral("name"), QStringLiteral("骨5")}});
+            json[QLatin1String("extensions")] =
+                isOld ? QJsonObject{{QStringLiteral("VRM"),
+                                     QJsonObject{{QStringLiteral("humanoid"),
+                                                  QJsonObject{{QStringLiteral("humanBones"), before}}}}}}
+                      : QJsonObject{{QStringLiteral("VRMC_vrm"),
+                                     QJsonObject{{QStringLiteral("humanoid"),
+                                                  QJsonObject{{QStringLiteral("humanBones"), now}}}}}};
+        });
+        const Result<RiggedMesh> mesh = read(glb, "body.vrm");
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        const Checked<HumanoidBones> bones = humanoidBones(mesh->skeleton.joints);
+        QCOMPARE(bones.has_value(), twins == 0);
+        const std::vector<JointPlace> places = placesOf(mesh->skeleton);
+        for (std::size_t bone = 0; twins == 0 && bone < kHumanBoneCount; ++bone) {
+            QCOMPARE(bones->joints.at(bone) < 0, known.joints.at(bone) < 0);
+            if (known.joints.at(bone) < 0)
+                continue;
+            const glm::vec3 at = places[static_cast<std::size_t>(bones->joints.at(bone))].position;
+            const glm::vec3 wanted = test::kMannequin.at(static_cast<std::size_t>(known.joints.at(bone))).position;
+            QVERIFY2(glm::distance(at, wanted) < 1e-4F, humanBoneSpec(static_cast<HumanBone>(bone)).id);
+        }
+    }
+
+    void aVrmThatNamesNonsenseHasItsOwnNames_data()
+    {
+        QTest::addColumn<QJsonValue>("bones");
+        QTest::newRow("no object") << QJsonValue(3);
+        QTest::newRow("no nodes") << QJsonValue(QJsonObject{{QStringLiteral("head"), 4}});
+        QTest::newRow("nodes that are not there")
+            << QJsonValue(QJsonObject{{QStringLiteral("head"), QJsonObject{{QStringLiteral("node"), 4'000}}},
+                                      {QStringLiteral("hips"), QJsonObject{{QStringLiteral("node"), -1}}}});
+    }
+    void aVrmThatNamesNonsenseHasItsOwnNames()
+    {
+        QFETCH(QJsonValue, bones);
+        const QByteArray glb = withJson(glbFromMesh(test::makeMannequin()), [&bones](QJsonObject& json) {
+            json[QLatin1String("extensions")] = QJsonObject{
+                {QStringLiteral("VRMC_vrm"),
+                 QJsonObject{{QStringLiteral("humanoid"), QJsonObject{{QStringLiteral("humanBones"), bones}}}}}};
+        });
+        const Result<RiggedMesh> mesh = read(glb, "body.vrm");
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        QCOMPARE(strayJoint(mesh->skeleton), QString());
+    }
+
     void severalRootsGetOne()
     {
         const QByteArray glb = withJson(glbFromMesh(test::makeMannequin()), [](QJsonObject& json) {
