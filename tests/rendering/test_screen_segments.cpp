@@ -27,11 +27,11 @@ StrandPoints uprightStrands(int segments)
 
 void drawPicture(SegmentBatch& batch, const StrandPoints& points, int segments, int blocks)
 {
-    SegmentBounds bounds;
+    SegmentScratch scratch;
     batch.clear();
     for (int i = 0; i < blocks; ++i)
-        batch.add(kTiles, points, segments, bounds);
-    batch.sort(kTiles);
+        batch.add(kTiles, points, segments, scratch);
+    batch.sort(kTiles, scratch);
 }
 
 std::ptrdiff_t entriesOf(const SegmentBatch& batch)

@@ -6,6 +6,7 @@
 #include "view/rendering/frame_lights.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace hairpaint::rendering {
@@ -50,12 +51,15 @@ constexpr DepthOfCoat kFineDepth{
 constexpr DepthOfCoat kMovingDepth{
     .undrawnCoverings = 4.5F, .inEveryColumn = false, .widest = 1.67F, .leastFraction = 0.3F};
 
+constexpr float kFineToleranceSp = 0.4F; ///< Of samples that are half as wide as pixels.
+constexpr float kMovingToleranceSp = 0.5F;
+
 /// What threads keep from block to block.
 struct BlockScratch
 {
     StrandBlock block;
     StrandPoints points;
-    SegmentBounds bounds;
+    SegmentScratch segments;
 };
 
 BlockScratch& blockScratch()
@@ -98,6 +102,37 @@ void fillBlock(StrandBlock& block, const sim::GroupFrame& group, std::span<const
 }
 static_assert(kBlockLanes == sim::kLanes);
 
+/// False where surely nothing of the block lies in the rows of tiles that are drawn.
+bool mayTouchRows(const StrandBlock& block, const StrandView& view, const TileGrid& tiles)
+{
+    constexpr float kOvershoot = 0.25F;   ///< Of the nodes' distances: how far curves may lie beyond them at most.
+    constexpr float kMostRadii = 2.5F;    ///< That a curl or a braid is wide on each side.
+    constexpr float kNearestSeenM = 0.1F; ///< Closer by all is drawn.
+    if (tiles.rows() == tiles.up)
+        return true;
+    float lowest = std::numeric_limits<float>::max();
+    float highest = std::numeric_limits<float>::lowest();
+    float nearestM = lowest;
+    float radiusM = 0.0F;
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+        radiusM =
+            std::max({radiusM, block.curlRadiusM[lane], block.braid[lane] > 0.0F ? block.braidRadiusM[lane] : 0.0F});
+        for (std::size_t node = 0; node < static_cast<std::size_t>(block.nodes); ++node) {
+            const float* at = block.nodesWo.data() + node * 3 * kBlockLanes + lane;
+            const glm::vec4 clip = view.projectionFromWo * glm::vec4(at[0], at[kBlockLanes], at[2 * kBlockLanes], 1.0F);
+            const float up = (clip.y / clip.w * 0.5F + 0.5F) * view.sizeSp.y;
+            nearestM = std::min(nearestM, clip.w);
+            lowest = std::min(lowest, up);
+            highest = std::max(highest, up);
+        }
+    }
+    if (!(nearestM > kNearestSeenM))
+        return true;
+    const float reach = 2.0F + (highest - lowest) * kOvershoot + kMostRadii * radiusM * view.samplesPerM / nearestM;
+    return highest + reach > static_cast<float>(tiles.firstUp * kTileSp) &&
+           lowest - reach < static_cast<float>(tiles.endUp * kTileSp);
+}
+
 } // namespace
 
 void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants,
@@ -111,6 +146,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     m_detail = 1.0F; // The first hair there will be is to come whole.
     for (SegmentBatch& batch : m_batches)
         batch.clear();
+    m_usedBytes = 0;
     m_turnWoFromHd = glm::mat3(constants.woFromHd);
     const DepthOfCoat& depth = fine ? kFineDepth : kMovingDepth;
     m_depth = depth;
@@ -123,6 +159,10 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
     const float cellM = static_cast<float>(kCellSp) / samplesPerM(constants);
     m_tiles =
         TileGrid(static_cast<int>(constants.target.x), static_cast<int>(constants.target.y), cellM * m_depthsPerM);
+    constexpr std::size_t kSampleBytes = 8;
+    const std::size_t sampleBytes =
+        static_cast<std::size_t>(m_tiles.width) * static_cast<std::size_t>(m_tiles.height) * kSampleBytes;
+    m_mostBatchBytes = std::max(m_mostBytes - std::min(sampleBytes, m_mostBytes), m_mostBytes / 5);
     if (!frame) {
         m_lists.clear();
         m_batches.clear();
@@ -176,7 +216,7 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
                       .variationScale = material.colourVariation,
                       .nearestM = m_nearestM,
                       .depthsPerM = m_depthsPerM,
-                      .toleranceSp = fine ? 0.2F : 0.5F,
+                      .toleranceSp = fine ? kFineToleranceSp : kMovingToleranceSp,
                       .undrawnCoverings = depth.undrawnCoverings,
                       .inEveryColumn = depth.inEveryColumn,
                       .deepFraction = deepFraction(depth, group.widthSp, group.fraction),
@@ -193,6 +233,8 @@ void HairSegments::begin(const std::shared_ptr<const sim::StrandFrame>& frame, c
 
 void HairSegments::drawBatch(std::size_t number)
 {
+    if (isTooMuch())
+        return;
     const Piece& piece = m_pieces[number];
     const Group& group = m_groups[piece.group];
     SegmentBatch& batch = m_batches[number];
@@ -201,13 +243,27 @@ void HairSegments::drawBatch(std::size_t number)
     for (std::size_t first = piece.first; first < piece.end; first += kBlockLanes) {
         const std::size_t lanes = std::min(kBlockLanes, piece.end - first);
         fillBlock(scratch.block, *group.frame, group.list->slots().subspan(first, lanes), m_turnWoFromHd);
+        if (!mayTouchRows(scratch.block, group.view, m_tiles))
+            continue;
         const SpanSegments segments = segmentsFor(group.view, scratch.block);
         drawnPoints(group.view, scratch.block, segments, scratch.points);
-        batch.add(m_tiles, scratch.points, segments.total, scratch.bounds);
+        batch.add(m_tiles, scratch.points, segments.total, scratch.segments);
         all += static_cast<std::size_t>(segments.total) * lanes;
     }
-    batch.sort(m_tiles);
+    batch.sort(m_tiles, scratch.segments);
     m_batchSegments[number] = all;
+    m_usedBytes += batch.usedBytes();
+}
+
+void HairSegments::setRows(int firstUp, int endUp)
+{
+    m_tiles.firstUp = firstUp;
+    m_tiles.endUp = endUp;
+    if (m_usedBytes > m_mostBatchBytes) // Fewer will be needed.
+        m_batches = std::vector<SegmentBatch>(m_batchCount);
+    for (SegmentBatch& batch : m_batches)
+        batch.clear();
+    m_usedBytes = 0;
 }
 
 std::size_t HairSegments::segmentCount() const

@@ -7,6 +7,7 @@
 #include "view/rendering/software/screen_segments.h"
 #include "view/rendering/software/strand_list.h"
 
+#include <atomic>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -17,6 +18,9 @@ namespace hairpaint::rendering {
 class HairSegments
 {
 public:
+    /// `mostBytes`: about as many are held of what a picture needs while it is drawn, its samples included; a fraction
+    /// of that in any case.
+    explicit HairSegments(std::size_t mostBytes) : m_mostBytes(mostBytes) {}
     /// Chooses the strands, fills the opacity grids and cuts the strands into batches. Unless `fine`, hair that is half
     /// hidden is drawn by fewer strands.
     void begin(const std::shared_ptr<const sim::StrandFrame>& frame, const FrameConstants& constants, float detail,
@@ -24,6 +28,10 @@ public:
     /// How many batches there are; each can be drawn on its own, on any thread.
     [[nodiscard]] std::size_t batchCount() const { return m_batchCount; }
     void drawBatch(std::size_t batch);
+    /// Its batches were too many bytes for one go, so that some are empty: fewer rows are to be drawn at once.
+    [[nodiscard]] bool isTooMuch() const { return m_usedBytes > m_mostBatchBytes && m_tiles.rows() > 1; }
+    /// From now on these rows of tiles are drawn; the batches are to be drawn anew.
+    void setRows(int firstUp, int endUp);
     [[nodiscard]] const SegmentBatch& batch(std::size_t number) const { return m_batches[number]; }
     [[nodiscard]] const OpacityGrids& grids() const { return m_grids; }
     [[nodiscard]] const TileGrid& tiles() const { return m_tiles; }
@@ -65,6 +73,9 @@ private:
     float m_detail = 0.0F;
     OpacityGrids m_grids;
     TileGrid m_tiles;
+    std::size_t m_mostBytes;
+    std::size_t m_mostBatchBytes = 0;
+    std::atomic<std::size_t> m_usedBytes = 0; ///< Of the batches drawn.
     DepthOfCoat m_depth{};
     float m_nearestM = 0.0F;
     float m_depthsPerM = 0.0F;

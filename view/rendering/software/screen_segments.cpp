@@ -14,7 +14,7 @@ template<class T>
 void reserveMore(std::vector<T>& elements, std::size_t count, std::size_t more)
 {
     if (elements.size() < count + more)
-        elements.resize(std::max(count + more, elements.size() + elements.size() / 2));
+        elements.resize(std::max(count + more, elements.size() + elements.size() / 4));
 }
 
 /// Frees what is more than twice what is needed.
@@ -32,23 +32,27 @@ constexpr std::uint32_t kLowHalf = 0xFFFFU;
 void SegmentBatch::clear()
 {
     m_mostSegments = std::max(m_mostSegments, std::exchange(m_segmentCount, 0));
-    m_mostFound = std::max(m_mostFound, std::exchange(m_foundCount, 0));
+    m_mostSorted = std::max(m_mostSorted, std::exchange(m_sortedCount, 0));
     if (++m_pictures < kPicturesKept)
         return;
     freeBeyond(m_segments, std::exchange(m_mostSegments, 0));
-    freeBeyond(m_sorted, m_mostFound);
-    freeBeyond(m_found, std::exchange(m_mostFound, 0));
+    freeBeyond(m_sorted, std::exchange(m_mostSorted, 0));
     m_pictures = 0;
 }
 
 std::size_t SegmentBatch::heldBytes() const
 {
-    return m_segments.size() * sizeof(ScreenSegment) + m_found.size() * sizeof(Found) +
-           m_sorted.size() * sizeof(TileEntry);
+    return m_segments.size() * sizeof(ScreenSegment) + m_sorted.size() * sizeof(TileEntry);
 }
 
-void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds)
+std::size_t SegmentBatch::usedBytes() const
 {
+    return m_segmentCount * sizeof(ScreenSegment) + m_sortedCount * sizeof(TileEntry);
+}
+
+void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentScratch& scratch)
+{
+    SegmentBounds& bounds = scratch.bounds;
     findBounds(tiles, points, segments, bounds);
     const std::size_t most = static_cast<std::size_t>(segments) * kBlockLanes;
     reserveMore(m_segments, m_segmentCount, most);
@@ -68,14 +72,15 @@ void SegmentBatch::add(const TileGrid& tiles, const StrandPoints& points, int se
                        .depth = std::bit_cast<std::array<std::uint16_t, 2>>(bounds.depths[a]),
                        .width = width,
                        .colour = {points.colour[lit0 ? a : b], points.colour[lit1 ? b : a]}};
-            addToTiles(tiles, segment, bounds.tilesX[a], bounds.tilesY[a]);
+            addToTiles(tiles, segment, bounds.tilesX[a], bounds.tilesY[a], scratch);
             ++m_segmentCount;
         }
 }
 
 /// Hair that crosses other hair within a tile has to be sorted where it crosses: a segment that goes far in depth is
 /// sorted cell by cell.
-void SegmentBatch::addToTile(const TileGrid& tiles, const ScreenSegment& segment, int tileX, int tileY)
+void SegmentBatch::addToTile(const TileGrid& tiles, const ScreenSegment& segment, int tileX, int tileY,
+                             SegmentScratch& scratch)
 {
     const bool steep = std::abs(segment.y1 - segment.y0) > std::abs(segment.x1 - segment.x0);
     const auto corner = static_cast<float>((steep ? tileY : tileX) * kTileSp);
@@ -87,12 +92,12 @@ void SegmentBatch::addToTile(const TileGrid& tiles, const ScreenSegment& segment
     const float length = main1 - main0;
     const float perSample = std::abs(length) > 1e-3F ? (static_cast<float>(segment.depth[1]) - depth0) / length : 0.0F;
     const auto number = static_cast<std::uint32_t>(m_segmentCount);
-    const auto tile = static_cast<std::uint32_t>(tileY * tiles.across + tileX);
+    const auto tile = static_cast<std::uint32_t>(tiles.number(tileX, tileY));
     const auto found = [&](int firstCell, int lastCell, float from, float to) {
         const float depth = depth0 + perSample * (0.5F * (from + to) - main0);
-        m_found[m_foundCount++] = {.piece = SegmentPiece::of(number, firstCell, lastCell),
-                                   .tile = tile,
-                                   .depth = static_cast<std::uint16_t>(std::clamp(depth, 0.0F, 65535.0F))};
+        scratch.found[scratch.foundCount++] = {.piece = SegmentPiece::of(number, firstCell, lastCell),
+                                               .tile = tile,
+                                               .depth = static_cast<std::uint16_t>(std::clamp(depth, 0.0F, 65535.0F))};
     };
     if (std::abs(perSample) * (high - low) <= tiles.evenDepths) {
         found(0, kCells - 1, low, high);
@@ -107,16 +112,20 @@ void SegmentBatch::addToTile(const TileGrid& tiles, const ScreenSegment& segment
 }
 
 void SegmentBatch::addToTiles(const TileGrid& tiles, const ScreenSegment& segment, std::uint32_t tilesX,
-                              std::uint32_t tilesY)
+                              std::uint32_t tilesY, SegmentScratch& scratch)
 {
     const auto left = static_cast<int>(tilesX & kLowHalf);
     const auto right = static_cast<int>(tilesX >> 16U);
     const auto low = static_cast<int>(tilesY & kLowHalf);
     const auto high = static_cast<int>(tilesY >> 16U);
-    reserveMore(m_found, m_foundCount,
-                static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(high - low + 1) * kCells);
+    const int first = std::max(low, tiles.firstUp);
+    const int last = std::min(high, tiles.endUp - 1);
+    if (first > last)
+        return;
+    reserveMore(scratch.found, scratch.foundCount,
+                static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(last - first + 1) * kCells);
     if (left == right && low == high) {
-        addToTile(tiles, segment, left, low);
+        addToTile(tiles, segment, left, low, scratch);
         return;
     }
     const float reach = 1.0F + 0.5F * kWidthUnit * static_cast<float>(std::max(segment.width[0], segment.width[1]));
@@ -124,27 +133,27 @@ void SegmentBatch::addToTiles(const TileGrid& tiles, const ScreenSegment& segmen
     const float dy = segment.y1 - segment.y0;
     // Half a tile's diagonal along each axis, as far as the segment's side reaches.
     const float side = (std::abs(dx) + std::abs(dy)) * (0.5F * kTileSp + reach);
-    for (int ty = low; ty <= high; ++ty)
+    for (int ty = first; ty <= last; ++ty)
         for (int tx = left; tx <= right; ++tx) {
             const float cx = (static_cast<float>(tx) + 0.5F) * kTileSp - segment.x0;
             const float cy = (static_cast<float>(ty) + 0.5F) * kTileSp - segment.y0;
             if (left != right && low != high && std::abs(cx * dy - cy * dx) > side)
                 continue;
-            addToTile(tiles, segment, tx, ty);
+            addToTile(tiles, segment, tx, ty, scratch);
         }
 }
 
-void SegmentBatch::sort(const TileGrid& tiles)
+void SegmentBatch::sort(const TileGrid& tiles, SegmentScratch& scratch)
 {
-    const auto end = m_found.begin() + static_cast<std::ptrdiff_t>(m_foundCount);
+    m_sortedCount = std::exchange(scratch.foundCount, 0);
+    const auto end = scratch.found.begin() + static_cast<std::ptrdiff_t>(m_sortedCount);
     m_tileBegin.assign(tiles.count() + 1, 0);
-    for (auto found = m_found.begin(); found != end; ++found)
+    for (auto found = scratch.found.begin(); found != end; ++found)
         ++m_tileBegin[found->tile + 1];
     for (std::size_t tile = 0; tile < tiles.count(); ++tile)
         m_tileBegin[tile + 1] += m_tileBegin[tile];
-    if (m_sorted.size() < m_foundCount)
-        m_sorted.resize(m_found.size());
-    for (auto found = m_found.begin(); found != end; ++found)
+    reserveMore(m_sorted, 0, m_sortedCount);
+    for (auto found = scratch.found.begin(); found != end; ++found)
         m_sorted[m_tileBegin[found->tile]++] = {.piece = found->piece, .depth = found->depth, .batch = 0};
     // Each now holds its end, which is the next one's beginning.
     for (std::size_t tile = tiles.count(); tile > 0; --tile)

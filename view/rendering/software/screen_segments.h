@@ -64,17 +64,43 @@ struct TileGrid
     int up = 0;
     int width = 0; ///< Samples.
     int height = 0;
+    int firstUp = 0;         ///< The rows of tiles that are drawn: from this one
+    int endUp = 0;           ///< up to this one.
     float evenDepths = 0.0F; ///< A segment that reaches over more in a tile is cut at the cells.
     TileGrid() = default;
     TileGrid(int widthSp, int heightSp, float evenDepthsWanted)
         : across((widthSp + kTileSp - 1) / kTileSp), up((heightSp + kTileSp - 1) / kTileSp), width(widthSp),
-          height(heightSp), evenDepths(evenDepthsWanted)
+          height(heightSp), endUp(up), evenDepths(evenDepthsWanted)
     {}
-    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(across) * static_cast<std::size_t>(up); }
+    [[nodiscard]] int rows() const { return endUp - firstUp; }
+    /// Of those rows, numbered from the first on.
+    [[nodiscard]] std::size_t count() const
+    {
+        return static_cast<std::size_t>(across) * static_cast<std::size_t>(rows());
+    }
+    [[nodiscard]] std::size_t number(int x, int y) const
+    {
+        return static_cast<std::size_t>(y - firstUp) * static_cast<std::size_t>(across) + static_cast<std::size_t>(x);
+    }
 };
 
 /// Finds the segments that are seen, and what they touch.
 void findBounds(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds);
+
+/// What a batch is made with; a thread keeps it from batch to batch.
+struct SegmentScratch
+{
+    /// That a piece lies in a tile.
+    struct Found
+    {
+        SegmentPiece piece;
+        std::uint32_t tile;
+        std::uint16_t depth;
+    };
+    SegmentBounds bounds;
+    std::vector<Found> found; ///< As long as it ever was; the first foundCount count.
+    std::size_t foundCount = 0;
+};
 
 /// The segments of a run of strands. What it holds is kept from picture to picture, so that nothing is allocated while
 /// the hair moves; what few pictures needed is freed after kPicturesKept.
@@ -84,33 +110,28 @@ public:
     static constexpr int kPicturesKept = 64;
 
     void clear(); ///< Before each picture.
-    /// A block of strands. `bounds`: scratch.
-    void add(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentBounds& bounds);
-    /// Sorts by tile, in the order in which they came. After that add() needs clear().
-    void sort(const TileGrid& tiles);
+    /// A block of strands.
+    void add(const TileGrid& tiles, const StrandPoints& points, int segments, SegmentScratch& scratch);
+    /// Sorts by tile, in the order in which they came, and is done with the scratch. After that add() needs clear().
+    void sort(const TileGrid& tiles, SegmentScratch& scratch);
     [[nodiscard]] const ScreenSegment* segments() const { return m_segments.data(); }
     [[nodiscard]] const TileEntry* begin(std::size_t tile) const { return m_sorted.data() + m_tileBegin[tile]; }
     [[nodiscard]] const TileEntry* end(std::size_t tile) const { return m_sorted.data() + m_tileBegin[tile + 1]; }
     [[nodiscard]] std::size_t heldBytes() const; ///< Of segments and of where they lie.
+    [[nodiscard]] std::size_t usedBytes() const; ///< Of these, by this picture.
 
 private:
-    struct Found
-    {
-        SegmentPiece piece;
-        std::uint32_t tile;
-        std::uint16_t depth;
-    };
-    void addToTile(const TileGrid& tiles, const ScreenSegment& segment, int tileX, int tileY);
-    void addToTiles(const TileGrid& tiles, const ScreenSegment& segment, std::uint32_t tilesX, std::uint32_t tilesY);
+    void addToTile(const TileGrid& tiles, const ScreenSegment& segment, int tileX, int tileY, SegmentScratch& scratch);
+    void addToTiles(const TileGrid& tiles, const ScreenSegment& segment, std::uint32_t tilesX, std::uint32_t tilesY,
+                    SegmentScratch& scratch);
 
     std::vector<ScreenSegment> m_segments; ///< As long as it ever was; the first m_segmentCount count.
     std::size_t m_segmentCount = 0;
-    std::vector<Found> m_found; ///< Likewise.
-    std::size_t m_foundCount = 0;
-    std::vector<TileEntry> m_sorted;
+    std::vector<TileEntry> m_sorted; ///< Likewise.
+    std::size_t m_sortedCount = 0;
     std::vector<std::uint32_t> m_tileBegin;
     std::size_t m_mostSegments = 0; ///< In a picture, of the last ones.
-    std::size_t m_mostFound = 0;
+    std::size_t m_mostSorted = 0;
     int m_pictures = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 // After foreach_target.
 #include "view/rendering/light/lanes_inl.h"
+#include <algorithm>
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -55,12 +56,13 @@ void boundsOfAll(const TileGrid& tiles, const StrandPoints& points, int segments
             const Lanes y1 = loaded(points.y.data() + b);
             const Lanes reach = Lanes(1.0F) + most(w0, w1) * Lanes(0.5F * kWidthUnit);
             // False for what is not a number.
-            const auto within = [&](Lanes p, Lanes q, int size) {
+            const auto within = [&](Lanes p, Lanes q, int first, int size) {
+                const Lanes begin(static_cast<float>(first));
                 const Lanes end(static_cast<float>(size));
-                return ((p + reach > Lanes(0.0F)) | (q + reach > Lanes(0.0F))) &
-                       ((p - reach < end) | (q - reach < end));
+                return ((p + reach > begin) | (q + reach > begin)) & ((p - reach < end) | (q - reach < end));
             };
-            const Yes inside = wide & within(x0, x1, tiles.width) & within(y0, y1, tiles.height);
+            const Yes inside = wide & within(x0, x1, 0, tiles.width) &
+                               within(y0, y1, tiles.firstUp * kTileSp, std::min(tiles.endUp * kTileSp, tiles.height));
             seen |= bitsOf(inside) << lane;
             tilesOf(x0, x1, reach, static_cast<float>(tiles.across - 1), bounds.tilesX.data() + a);
             tilesOf(y0, y1, reach, static_cast<float>(tiles.up - 1), bounds.tilesY.data() + a);

@@ -58,7 +58,8 @@ struct SoftwareRenderer::State
     FrameStatistics statistics;
     SkullSize skull;
     HeadPicture head;
-    HairSegments hair;
+    std::size_t mostBytes;
+    HairSegments hair{mostBytes};
     std::vector<const ScreenSegment*> segments; ///< By batch.
     std::vector<float> skinShade;
     std::vector<float> hiddenBehind; ///< In the same cells.
@@ -70,9 +71,12 @@ struct SoftwareRenderer::State
     std::vector<float> linear;
     std::optional<Picture> underWay;
 
+    explicit State(std::size_t mostHeldBytes) : mostBytes(mostHeldBytes) {}
     void prepare(const Scene& scene, const Quality& quality, int width, int height);
     void drawBatches(std::size_t count);
     void readyTiles();
+    void drawRows(int firstUp, int rows);
+    [[nodiscard]] double fraction() const;
     void drawTiles(std::size_t count);
     void drawTile(std::size_t tile);
     void shade();
@@ -113,7 +117,8 @@ void SoftwareRenderer::State::readyTiles()
     segments.clear();
     for (std::size_t batch = 0; batch < hair.batchCount(); ++batch)
         segments.push_back(hair.batch(batch).segments());
-    shade();
+    if (hair.tiles().firstUp == 0)
+        shade();
 }
 
 void SoftwareRenderer::State::shade()
@@ -161,7 +166,7 @@ void SoftwareRenderer::State::drawTile(std::size_t tile)
     const auto across = static_cast<std::size_t>(tiles.across);
     TileTask task;
     task.x0 = static_cast<int>(tile % across) * kTileSp;
-    task.y0 = static_cast<int>(tile / across) * kTileSp;
+    task.y0 = (tiles.firstUp + static_cast<int>(tile / across)) * kTileSp;
     task.width = std::min(kTileSp, tiles.width - task.x0);
     task.height = std::min(kTileSp, tiles.height - task.y0);
     task.anyHead = head.isIn(task.x0, task.y0, task.width, task.height);
@@ -210,17 +215,40 @@ void SoftwareRenderer::State::drawTiles(std::size_t count)
     underWay->nextTile += count;
 }
 
+/// Begins with `rows` rows of tiles from that one on.
+void SoftwareRenderer::State::drawRows(int firstUp, int rows)
+{
+    hair.setRows(firstUp, std::min(firstUp + rows, hair.tiles().up));
+    underWay->nextBatch = 0;
+    underWay->nextTile = 0;
+}
+
+/// How much of the picture is done, 0..1.
+double SoftwareRenderer::State::fraction() const
+{
+    const TileGrid& tiles = hair.tiles();
+    const auto done = static_cast<double>(underWay->nextBatch + underWay->nextTile);
+    const auto all = static_cast<double>(hair.batchCount() + tiles.count());
+    return (tiles.firstUp + tiles.rows() * done / all) / tiles.up;
+}
+
 /// Draws at most so many batches, or where none is left so many tiles. False where nothing was left.
 bool SoftwareRenderer::State::piece(std::size_t batches, std::size_t tiles)
 {
     const std::size_t batchesLeft = hair.batchCount() - underWay->nextBatch;
     if (batchesLeft > 0) {
         drawBatches(std::min(batches, batchesLeft));
+        if (hair.isTooMuch())
+            drawRows(hair.tiles().firstUp, (hair.tiles().rows() + 1) / 2);
         return true;
     }
     const std::size_t tilesLeft = hair.tiles().count() - underWay->nextTile;
-    if (tilesLeft == 0)
-        return false;
+    if (tilesLeft == 0) {
+        if (hair.tiles().endUp == hair.tiles().up)
+            return false;
+        drawRows(hair.tiles().endUp, hair.tiles().rows());
+        return true;
+    }
     if (underWay->nextTile == 0)
         readyTiles();
     drawTiles(std::min(tiles, tilesLeft));
@@ -244,7 +272,7 @@ void SoftwareRenderer::State::finish(bool inSteps)
     underWay.reset();
 }
 
-SoftwareRenderer::SoftwareRenderer() : m_state(std::make_unique<State>()) {}
+SoftwareRenderer::SoftwareRenderer(std::size_t mostBytes) : m_state(std::make_unique<State>(mostBytes)) {}
 
 SoftwareRenderer::~SoftwareRenderer() = default;
 
@@ -293,8 +321,7 @@ bool SoftwareRenderer::drawPatiently(const Scene& scene, const Quality& quality,
     }
     begin(scene, quality, width, height);
     while (!step(0.0)) {
-        const auto all = static_cast<double>(m_state->hair.batchCount() + m_state->hair.tiles().count());
-        if (!progress(static_cast<double>(m_state->underWay->nextBatch + m_state->underWay->nextTile) / all))
+        if (!progress(m_state->fraction()))
             return false;
     }
     return true;
@@ -313,14 +340,14 @@ void SoftwareRenderer::readLinear(std::vector<float>& pixels)
 std::vector<std::uint8_t> SoftwareRenderer::takePicture()
 {
     std::vector<std::uint8_t> pixels = std::move(m_state->pixels);
-    m_state = std::make_unique<State>();
+    m_state = std::make_unique<State>(m_state->mostBytes);
     return pixels;
 }
 
 std::vector<float> SoftwareRenderer::takeLinear()
 {
     std::vector<float> linear = std::move(m_state->linear);
-    m_state = std::make_unique<State>();
+    m_state = std::make_unique<State>(m_state->mostBytes);
     return linear;
 }
 

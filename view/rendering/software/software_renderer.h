@@ -15,7 +15,11 @@ namespace hairpaint::rendering {
 class SoftwareRenderer final : public Backend
 {
 public:
-    SoftwareRenderer();
+    static constexpr std::size_t kMostBytes = 720U << 20U;
+
+    /// `mostBytes`: a picture of more hair than takes about so much memory is drawn some rows at a time, with the same
+    /// result.
+    explicit SoftwareRenderer(std::size_t mostBytes = kMostBytes);
     ~SoftwareRenderer() override;
 
     void draw(const Scene& scene, const Quality& quality, int width, int height) override;
