@@ -17,7 +17,8 @@ StrandPoints uprightStrands(int segments)
     points.resize(static_cast<std::size_t>(segments) + 1);
     for (std::size_t i = 0; i < points.x.size(); ++i) {
         points.x[i] = 10.0F + 18.0F * static_cast<float>(i % kBlockLanes);
-        points.y[i] = 5.0F + 300.0F * static_cast<float>(i / kBlockLanes) / static_cast<float>(segments);
+        const std::size_t point = i / kBlockLanes;
+        points.y[i] = 5.0F + 300.0F * static_cast<float>(point) / static_cast<float>(segments);
         points.depth[i] = 1000.0F;
         points.width[i] = 1.0F;
         points.colour[i] = 0;
