@@ -1,6 +1,7 @@
 // Exports to a network folder whose server does not answer, and imports from there: the window lives on, and nothing
 // comes late.
 #include "tests/app/exchange_fixture.h"
+#include "tests/app/thin_project.h"
 #include "tests/support/file_faults.h"
 #include "tests/support/test_program.h"
 
@@ -24,6 +25,17 @@ private:
         return QDir(m_place).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
     }
 
+    /// With few hairs; one window does for all.
+    void openOnce()
+    {
+        if (m_window == nullptr)
+            open(test::thinned(starterProject()));
+        m_answers->said.clear();
+        m_answers->cancelled = 0;
+        m_answers->choosesExport = nullptr;
+        m_done.clear();
+    }
+
 private Q_SLOTS:
     void initTestCase()
     {
@@ -45,7 +57,7 @@ private Q_SLOTS:
         QDir(m_place).removeRecursively();
         QVERIFY(QDir().mkpath(m_place));
     }
-    void cleanup()
+    void cleanupTestCase()
     {
         closeWindow();
     }
@@ -67,7 +79,7 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, action);
         QFETCH(QString, name);
-        open(starterProject());
+        openOnce();
         QTRY_VERIFY_WITH_TIMEOUT(session().hair() == Session::Hair::Current, kPatienceMs);
         m_answers->file = QDir(m_place).filePath(name);
         m_answers->choosesExport = [&name](view::ExportHairDialog& dialog) {
@@ -102,7 +114,7 @@ private Q_SLOTS:
     void whatCantBeReadIsGivenUp()
     {
         QFETCH(QString, name);
-        open(model::newProject());
+        openOnce();
         const QString file = QDir(m_place).filePath(name);
         {
             QFile there(file);
