@@ -89,7 +89,11 @@ private:
 
 BoneNames vrmBones(const std::string& path)
 {
-    const std::string json = jsonOf(path);
+    return bonesInJson(jsonOf(path));
+}
+
+BoneNames bonesInJson(const std::string& json)
+{
     rapidjson::Document document;
     // Iteratively: however deep it is, the stack is not.
     document.Parse<rapidjson::kParseIterativeFlag>(json.data(), json.size());
