@@ -1,7 +1,7 @@
 // Reads no more than a glTF's JSON, with limits.
 #include "app/importer/vrm_bones.h"
 
-#include <rapidjson/document.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <bit>
@@ -14,9 +14,9 @@ namespace hairpaint::importer {
 
 namespace {
 
-using Json = rapidjson::Value;
+using Json = nlohmann::json;
 
-constexpr std::uintmax_t kMostBytes = 64U << 20U;
+constexpr std::uintmax_t kMostBytes = 16U << 20U;
 constexpr std::size_t kHeaderBytes = 20; ///< Of a binary glTF, with that of its first chunk.
 
 static_assert(std::endian::native == std::endian::little);
@@ -48,40 +48,38 @@ std::string jsonOf(const std::string& path)
 }
 
 /// Null where it is no object or has no such member.
-const Json* member(const Json* object, const char* name)
+const Json& member(const Json& object, const char* name)
 {
-    if (object == nullptr || !object->IsObject())
-        return nullptr;
-    const auto found = object->FindMember(name);
-    return found == object->MemberEnd() ? nullptr : &found->value;
+    static const Json none;
+    const auto found = object.find(name);
+    return found == object.end() ? none : *found;
 }
 
 class NodeNames
 {
 public:
-    explicit NodeNames(const Json* nodes) : m_nodes(nodes != nullptr && nodes->IsArray() ? nodes : nullptr)
+    explicit NodeNames(const Json& nodes) : m_nodes(nodes)
     {
-        for (rapidjson::SizeType i = 0; m_nodes != nullptr && i < m_nodes->Size(); ++i)
-            ++m_bearers[nameOf(i)];
+        for (const Json& node : nodes)
+            ++m_bearers[nameOf(node)];
     }
-    /// Empty where no other bears it.
-    [[nodiscard]] std::string own(const Json* node) const
+    /// Empty where there is no such node, or others bear its name.
+    [[nodiscard]] std::string own(const Json& node) const
     {
-        if (m_nodes == nullptr || node == nullptr || !node->IsUint() || node->GetUint() >= m_nodes->Size())
+        if (!node.is_number_unsigned() || !m_nodes.is_array() || node.get<std::uint64_t>() >= m_nodes.size())
             return {};
-        std::string name = nameOf(node->GetUint());
+        std::string name = nameOf(m_nodes[node.get<std::size_t>()]);
         return m_bearers.at(name) == 1 ? name : std::string();
     }
 
 private:
-    [[nodiscard]] std::string nameOf(rapidjson::SizeType i) const
+    [[nodiscard]] static std::string nameOf(const Json& node)
     {
-        const Json* name = member(&(*m_nodes)[i], "name");
-        return name != nullptr && name->IsString() ? std::string(name->GetString(), name->GetStringLength())
-                                                   : std::string();
+        const Json& name = member(node, "name");
+        return name.is_string() ? name.get<std::string>() : std::string();
     }
 
-    const Json* m_nodes;
+    const Json& m_nodes;
     std::unordered_map<std::string, int> m_bearers;
 };
 
@@ -94,27 +92,26 @@ BoneNames vrmBones(const std::string& path)
 
 BoneNames bonesInJson(const std::string& json)
 {
-    rapidjson::Document document;
-    // Iteratively: however deep it is, the stack is not.
-    document.Parse<rapidjson::kParseIterativeFlag>(json.data(), json.size());
-    if (json.empty() || document.HasParseError())
+    constexpr bool kThrows = false;
+    const Json root = Json::parse(json, nullptr, kThrows);
+    if (!root.is_object())
         return {};
-    const NodeNames names(member(&document, "nodes"));
+    const NodeNames names(member(root, "nodes"));
     BoneNames bones;
-    const auto add = [&](const std::string& bone, const Json* node) {
+    const auto add = [&](const std::string& bone, const Json& node) {
         if (std::string name = names.own(node); !name.empty())
             bones.try_emplace(std::move(name), bone);
     };
-    const Json* extensions = member(&document, "extensions");
-    const Json* now = member(member(member(extensions, "VRMC_vrm"), "humanoid"), "humanBones");
-    if (now != nullptr && now->IsObject())
-        for (const auto& bone : now->GetObject())
-            add(bone.name.GetString(), member(&bone.value, "node"));
-    const Json* before = member(member(member(extensions, "VRM"), "humanoid"), "humanBones");
-    if (before != nullptr && before->IsArray())
-        for (const Json& bone : before->GetArray())
-            if (const Json* id = member(&bone, "bone"); id != nullptr && id->IsString())
-                add(id->GetString(), member(&bone, "node"));
+    const Json& extensions = member(root, "extensions");
+    const Json& now = member(member(member(extensions, "VRMC_vrm"), "humanoid"), "humanBones");
+    if (now.is_object())
+        for (const auto& [bone, value] : now.items())
+            add(bone, member(value, "node"));
+    const Json& before = member(member(member(extensions, "VRM"), "humanoid"), "humanBones");
+    if (before.is_array())
+        for (const Json& bone : before)
+            if (const Json& id = member(bone, "bone"); id.is_string())
+                add(id.get<std::string>(), member(bone, "node"));
     return bones;
 }
 

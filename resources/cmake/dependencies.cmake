@@ -46,7 +46,7 @@ if(NOT HAIRPAINT_THREADS_ONLY)
     pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
     find_package(assimp REQUIRED)
     find_package(OpenImageIO REQUIRED)
-    find_path(RAPIDJSON_INCLUDE_DIRS rapidjson/document.h REQUIRED)
+    find_package(nlohmann_json REQUIRED)
     # Debian's target lists an include folder of OpenCV that is not installed.
     set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OpenImageIO_INCLUDE_DIRS}")
 endif()
