@@ -1,6 +1,8 @@
 // Threads, the progress window, and input while it waits.
 #include "app/background/jobs.h"
 
+#include "app/background/thread_time.h"
+
 #include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -22,7 +24,8 @@ namespace {
 
 constexpr int kMsUntilShown = 500;
 constexpr int kMsBetweenLooks = 30;
-constexpr int kMsUntilLeft = 2000; ///< After Cancel.
+constexpr int kMsUntilLeft = 2000; ///< After Cancel, while nothing is computed.
+constexpr double kBusyMs = 3.0;    ///< Between two looks.
 
 std::atomic<int> leftThreads = 0;
 
@@ -73,8 +76,15 @@ public:
         layout->addWidget(m_buttons);
     }
 
-    [[nodiscard]] bool cancelled() const { return m_sinceCancel.isValid(); }
-    [[nodiscard]] bool isLongCancelled() const { return cancelled() && m_sinceCancel.hasExpired(kMsUntilLeft); }
+    [[nodiscard]] bool cancelled() const { return m_sinceBusy.isValid(); }
+    /// For long, and nothing has been computed meanwhile.
+    [[nodiscard]] bool isLongCancelled(double processorMs)
+    {
+        if (cancelled() && processorMs > m_processorMs + kBusyMs)
+            m_sinceBusy.restart();
+        m_processorMs = processorMs;
+        return cancelled() && m_sinceBusy.hasExpired(kMsUntilLeft);
+    }
 
     void showFraction(double fraction)
     {
@@ -88,7 +98,7 @@ public:
     void reject() override
     {
         if (!cancelled())
-            m_sinceCancel.start();
+            m_sinceBusy.start();
         m_label->setText(Jobs::tr("Cancelling…"));
         m_buttons->setEnabled(false);
     }
@@ -97,7 +107,8 @@ private:
     QLabel* m_label;
     QProgressBar* m_bar;
     QDialogButtonBox* m_buttons;
-    QElapsedTimer m_sinceCancel;
+    QElapsedTimer m_sinceBusy; ///< Since Cancel, or since the work was last seen computing after it.
+    double m_processorMs = 0.0;
 };
 
 /// Takes all input from everything but one window. Events go on being taken from the system, so that none of them is
@@ -217,7 +228,7 @@ WorkEnd Jobs::runWatched(const QString& doing, std::function<void(const model::P
     const bool cancelled = watch(doing, m_window, loop, [&](ProgressWindow& progress) {
         progress.showFraction(watched->fraction);
         watched->isToStop = progress.cancelled();
-        if (mayBeLeft && progress.isLongCancelled())
+        if (mayBeLeft && progress.isLongCancelled(processorMs(thread)))
             loop.quit();
     });
     watched->isToStop = true; // Where the program ends, the work has not.

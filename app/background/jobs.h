@@ -62,8 +62,8 @@ public:
     /// Waits in the same way until `ready` (asked again and again, on the GUI thread); false where cancelled.
     [[nodiscard]] bool awaitUntil(const QString& doing, const std::function<bool()>& ready);
 
-    /// The same for work on a disk that may not answer: what has not stopped a while after Cancel is left to itself,
-    /// so it owns all that it uses.
+    /// The same for work on a disk that may not answer: what has not stopped a while after Cancel, and computes nothing
+    /// meanwhile, is left to itself, so it owns all that it uses.
     template<typename T>
     [[nodiscard]] Awaited<T> awaitOrLeave(const QString& doing, Work<T> work);
 

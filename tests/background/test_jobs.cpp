@@ -7,6 +7,7 @@
 #include "tests/support/test_program.h"
 
 #include <QAction>
+#include <QDeadlineTimer>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QLineEdit>
@@ -15,6 +16,7 @@
 #include <QtTest>
 
 #include <atomic>
+#include <chrono>
 #include <new>
 #include <stdexcept>
 #include <thread>
@@ -110,7 +112,7 @@ private Q_SLOTS:
             const Awaited<int> awaited = jobs.awaitOrLeave<int>(
                 QStringLiteral("Waiting"), [&goesOn, &wasTold](const model::Progress& progress) -> model::Result<int> {
                     while (goesOn)
-                        std::this_thread::yield();
+                        std::this_thread::sleep_for(std::chrono::milliseconds(20));
                     wasTold = !progress(1.0);
                     return 1;
                 });
@@ -122,6 +124,25 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
         QVERIFY(wasTold);
     }
+
+#if defined(Q_OS_LINUX) || defined(Q_OS_WIN)
+    void workThatComputesIsWaitedForHoweverLong()
+    {
+        Window window;
+        Jobs jobs(window);
+        const When cancels(
+            [&] { return shownProgress(window) != nullptr; },
+            [&] { shownProgress(window)->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click(); });
+        const Awaited<int> awaited =
+            jobs.awaitOrLeave<int>(QStringLiteral("Counting"), [](const model::Progress& progress) {
+                const QDeadlineTimer end(4000);
+                while (!end.hasExpired()) {
+                }
+                return progress(1.0) ? model::Result<int>(1) : model::failure(QStringLiteral("Stopped."));
+            });
+        QCOMPARE(awaited.end, WorkEnd::Cancelled);
+    }
+#endif
 
     void workThatMayBeLeftEndsLikeAnyOther()
     {
