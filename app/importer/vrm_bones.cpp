@@ -47,7 +47,7 @@ std::string jsonOf(const std::string& path)
     return file ? json : std::string();
 }
 
-/// Null where it is no object or has no such member.
+/// A null where it is no object or has no such member.
 const Json& member(const Json& object, const char* name)
 {
     static const Json none;

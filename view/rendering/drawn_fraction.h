@@ -22,12 +22,17 @@ inline constexpr float kFadingPart = 0.15F; ///< Of the drawn hairs: more that t
 /// voxels are the smaller. `fine`: a picture to be kept.
 [[nodiscard]] std::size_t hairsForGrids(const FrameConstants& constants, bool fine);
 
+/// How far a drawn curve may lie beside the true one: in pictures at rest, whose samples are half as wide as pixels,
+/// and in moving ones.
+inline constexpr float kFineToleranceSp = 0.4F;
+inline constexpr float kMovingToleranceSp = 0.5F;
+
 /// How what lies behind other hair is drawn.
 struct DepthOfCoat
 {
     float undrawnCoverings; ///< Of hair in front, from which on nothing is drawn.
     /// Those lie in every column of the grid around a place, not only between them: what looks out beside a dense lock
-    /// is drawn. A fifth slower.
+    /// is drawn. A seventh slower.
     bool inEveryColumn;
     float widest;        ///< That hidden hair becomes where fewer stand for more, samples.
     float leastFraction; ///< Of it that is drawn.

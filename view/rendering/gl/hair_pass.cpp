@@ -19,8 +19,6 @@ constexpr DepthOfCoat kFineDepth{
     .undrawnCoverings = 10.0F, .inEveryColumn = true, .widest = 0.55F, .leastFraction = 0.45F};
 constexpr DepthOfCoat kMovingDepth{
     .undrawnCoverings = 8.0F, .inEveryColumn = false, .widest = 1.67F, .leastFraction = 0.3F};
-constexpr float kFineToleranceSp = 0.4F; ///< Of samples that are half as wide as pixels.
-constexpr float kMovingToleranceSp = 0.5F;
 
 /// No more than 65535 workgroups are promised in one direction; batches keep below.
 void dispatch(std::size_t invocations)

@@ -51,9 +51,6 @@ constexpr DepthOfCoat kFineDepth{
 constexpr DepthOfCoat kMovingDepth{
     .undrawnCoverings = 4.5F, .inEveryColumn = false, .widest = 1.67F, .leastFraction = 0.3F};
 
-constexpr float kFineToleranceSp = 0.4F; ///< Of samples that are half as wide as pixels.
-constexpr float kMovingToleranceSp = 0.5F;
-
 /// What threads keep from block to block.
 struct BlockScratch
 {
@@ -239,6 +236,7 @@ void HairSegments::drawBatch(std::size_t number)
     const Group& group = m_groups[piece.group];
     SegmentBatch& batch = m_batches[number];
     BlockScratch& scratch = blockScratch();
+    scratch.segments.foundCount = 0; // Memory may have run out in the middle of another.
     std::size_t all = 0;
     for (std::size_t first = piece.first; first < piece.end; first += kBlockLanes) {
         const std::size_t lanes = std::min(kBlockLanes, piece.end - first);
