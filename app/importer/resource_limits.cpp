@@ -34,7 +34,7 @@ void limitResources()
     AssignProcessToJobObject(job, GetCurrentProcess());
 }
 
-#elif (defined(__unix__) || defined(__APPLE__)) && !defined(__SANITIZE_ADDRESS__)
+#elif (defined(__unix__) || defined(__APPLE__)) && !defined(HAIRPAINT_ASAN)
 
 namespace {
 

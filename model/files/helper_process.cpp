@@ -27,7 +27,7 @@ constexpr int kPollMs = 50;
 
 #ifdef Q_OS_UNIX
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(HAIRPAINT_ASAN)
 constexpr bool kLimitMemory = false; // address sanitizers reserve terabytes
 #else
 constexpr bool kLimitMemory = true;

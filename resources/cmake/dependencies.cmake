@@ -41,7 +41,7 @@ endif()
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Test)
 qt_standard_project_setup()
 
-if(NOT HAIRPAINT_THREADS_ONLY)
+if(NOT HAIRPAINT_TESTS STREQUAL "tsan")
     find_package(Qt6 6.4 REQUIRED COMPONENTS OpenGL OpenGLWidgets Svg LinguistTools)
     pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
     find_package(assimp REQUIRED)

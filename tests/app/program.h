@@ -78,7 +78,7 @@ inline Outcome runProgram(const QStringList& arguments, const std::function<void
             .peakBytes = peakBytes};
 }
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(HAIRPAINT_ASAN)
 inline constexpr double kMostSeconds = 60.0;        // All is several times slower.
 inline constexpr qint64 kMostBytes = 6'000'000'000; // Shadow memory and quarantine.
 #else

@@ -286,7 +286,7 @@ private Q_SLOTS:
         for (const char* mode : {"abort", "silent", "hang", "spin", "endless garbage", "huge length", "endless body",
                                  "image of wrong size", "good, then abort"})
             QTest::newRow(mode) << QByteArray(mode);
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(HAIRPAINT_ASAN)
         QTest::newRow("allocate") << QByteArray("allocate");
 #endif
     }

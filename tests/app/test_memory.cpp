@@ -13,7 +13,7 @@ namespace {
 
 // Elsewhere nothing is known of when memory goes back, and the sanitizer holds it: there the work is done, and what it
 // leaves is not judged.
-#if defined(Q_OS_LINUX) && !defined(__SANITIZE_ADDRESS__)
+#if defined(Q_OS_LINUX) && !defined(HAIRPAINT_ASAN)
 constexpr bool kMemoryIsKnown = true;
 #else
 constexpr bool kMemoryIsKnown = false;

@@ -251,7 +251,7 @@ private Q_SLOTS:
             return;
         qInfo("with one style at rest: %.0f %.0f %.0f %.0f %.0f", atRest[0], atRest[1], atRest[2], atRest[3],
               atRest[4]);
-#if !defined(__SANITIZE_ADDRESS__) // Which holds freed memory back.
+#if !defined(HAIRPAINT_ASAN) // Which holds freed memory back.
         QVERIFY(atRest[4] <= 1.05 * atRest[1]);
 #endif
     }

@@ -59,7 +59,7 @@ private Q_SLOTS:
                                  "good, then abort",
                                  "good, then hang"})
             QTest::newRow(mode) << QByteArray(mode);
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(HAIRPAINT_ASAN)
         QTest::newRow("allocate") << QByteArray("allocate");
 #endif
     }

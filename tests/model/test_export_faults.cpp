@@ -23,7 +23,7 @@ constexpr std::size_t kPictureBytes = 2 << 20; ///< Cards ask for so many smalle
 
 /// With the address sanitizer they take minutes; their files go the way of
 /// severalFilesTakeTheirPlacesTogetherOrNotAtAll.
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(HAIRPAINT_ASAN)
 constexpr bool kTakesCards = false;
 #else
 constexpr bool kTakesCards = true;

@@ -147,7 +147,7 @@ private Q_SLOTS:
             std::pair{"white", qRgb(0xE8, 0xE6, 0xE2)}, std::pair{"pink", qRgb(0xE8, 0x6C, 0xA8)},
             std::pair{"blue", qRgb(0x2A, 0x4F, 0xB0)},  std::pair{"red", qRgb(0xB0, 0x20, 0x20)},
             std::pair{"green", qRgb(0x2E, 0x8B, 0x57)}};
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(HAIRPAINT_ASAN)
         constexpr std::size_t kStep = 4; // A picture takes long; the code is the same for each.
 #else
         constexpr std::size_t kStep = 1;

@@ -7,7 +7,7 @@
 #include <new>
 
 // The sanitizers have a malloc of their own, and call it before they are ready for code they watch.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(HAIRPAINT_ASAN) && !defined(HAIRPAINT_TSAN)
 #define HAIRPAINT_MALLOC_CAN_FAIL
 // What malloc is in glibc, under a name that nobody takes the place of.
 extern "C" void* __libc_malloc(std::size_t bytes);

@@ -10,7 +10,7 @@ flaky=0
 entry_counts() {
     awk '
         $1 == "Start" { name[$2 + 0] = $3 }
-        match($0, /^[0-9]+: Totals: /) {
+        /^[0-9]+: Totals: / {
             number = $1 + 0
             for (i = 2; i < NF; ++i) {
                 if ($(i + 1) ~ /^passed/) good[number] += $i
@@ -26,41 +26,82 @@ entry_counts() {
 run_entries() {
     local preset=$1 log=$2 jobs=$3
     shift 3
-    LSAN_OPTIONS="suppressions=$PWD/tests/support/lsan.supp:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1 \
-        ctest --test-dir "build/$preset" -V -j "$jobs" --output-log "$PWD/$log" "$@" 2>/dev/null |
-        sed -u -n 's|^ *\([0-9]*/[0-9]*\) Test .*|\1|p' | show_progress "testing"
+    ctest --test-dir "build/$preset" -V -j "$jobs" --output-log "$PWD/$log" "$@" 2>&1 |
+        sed -u -n 's|^ *\([0-9]*/[0-9]*\) Test .*|\1|p' | show_progress "testing $preset"
 }
 
-# suite PRESET [CTEST_ARG...]: builds it and runs its entries, those that fail once more and alone.
-suite() {
-    local preset=$1 log name good bad counts
+# run_suite PRESET [CTEST_ARG...]: runs the entries of a build, those that fail once more and alone.
+run_suite() {
+    local preset=$1 log=build/$1/tests.log name good bad before=$passed
     shift
-    say "== $preset"
-    if ! build "$preset" "${targets[@]}"; then
-        failed=$((failed + 1))
-        return
-    fi
-    log=build/$preset/tests.log
-    run_entries "$preset" "$log" "$jobs" --output-junit "$PWD/build/$preset/tests.xml" "$@"
-    # Read once: a name that is FLAKY is counted as it was when it passed.
-    counts=$(entry_counts "$log")
+    run_entries "$preset" "$log" 3 --output-junit "$PWD/build/$preset/tests.xml" "$@" # Windows wait for their timers.
     while read -r name good bad; do
-        [ -n "$name" ] || continue
         if [ "$bad" -ne 0 ]; then
             say "   $name failed; once more, alone"
             show_failure "$log" "$name"
-            run_entries "$preset" "build/$preset/again-$name.log" 1 -R "^${name//./\\.}\$"
-            read -r name good bad <<<"$(entry_counts "build/$preset/again-$name.log")"
+            run_entries "$preset" "build/$preset/again.log" 1 -R "^${name//./\\.}\$"
+            read -r name good bad < <(entry_counts "build/$preset/again.log")
             if [ "$bad" -eq 0 ]; then
                 flaky=$((flaky + 1))
                 say "   FLAKY $name"
+            else
+                show_failure "build/$preset/again.log" "$name"
             fi
         fi
         passed=$((passed + good))
         failed=$((failed + bad))
-    done <<<"$counts"
-    show_slowest "$log"
-    say "   $passed passed, $failed failed so far; the whole log is $log"
+    done < <(entry_counts "$log")
+    [ "$passed" -gt "$before" ] || failed=$((failed + 1)) # Nothing was run.
+    say "   the slowest of $preset:"
+    sed -n 's|^ *[0-9]*/[0-9]* Test  *#[0-9]*: \([^ ]*\) .* \([0-9.]*\) sec.*|     \2 s  \1|p' "$log" | sort -rn | head -n 10 >&2
+    say "   so far $passed passed, $failed failed; the whole log is $log"
+}
+
+# suite PRESET
+suite() {
+    say "== $1"
+    build "$1" || { failed=$((failed + 1)); return; }
+    run_suite "$1"
+}
+
+# sanitized PRESET
+sanitized() {
+    install_packages "${HAIRPAINT_CLANG_PACKAGES[@]}" || exit 1
+    suite "$1"
+}
+
+# crowded TIMES: the ordinary suite so often, beside two processes that use both cores.
+crowded() {
+    local turn burners=()
+    say "== crowded"
+    build release || { failed=$((failed + 1)); return; }
+    for turn in 1 2; do
+        while :; do :; done &
+        burners+=($!)
+    done
+    # shellcheck disable=SC2064
+    trap "kill ${burners[*]}" EXIT
+    for ((turn = 1; turn <= $1; ++turn)); do
+        say "   turn $turn of $1"
+        run_suite release
+    done
+}
+
+# named NAME...: builds and runs the entries whose names hold one of them.
+named() {
+    local pattern entries programs
+    pattern=$(IFS='|' && echo "$*")
+    configure release || { failed=$((failed + 1)); return; }
+    # Lines add_test([=[sim.lay]=] ".../tests/sim/test_sim" "lay").
+    entries=$(cat build/release/tests/*/CTestTestfile.cmake | sed -n 's|^add_test(\[=\[\([^]]*\)\]=\] .*/tests/[a-z]*/\([a-z_]*\)".*|\1 \2|p')
+    mapfile -t programs < <(awk -v pattern="$pattern" '$1 ~ pattern { print $2 }' <<<"$entries" | sort -u)
+    if [ "${#programs[@]}" -eq 0 ]; then
+        say "No test has a name that holds $*. The names:"
+        cut -d ' ' -f 1 <<<"$entries" | tr '\n' ' ' >&2
+        exit 2
+    fi
+    build release "${programs[@]}" || { failed=$((failed + 1)); return; }
+    run_suite release -R "$pattern"
 }
 
 # show_failure LOG NAME: what that entry said of it.
@@ -72,31 +113,133 @@ show_failure() {
     grep -E "Test +#[0-9]+: $2 .*\*\*\*" "$1" >&2
 }
 
-show_slowest() {
-    say "   the slowest:"
-    sed -n 's|^ *[0-9]*/[0-9]* Test  *#[0-9]*: \([^ ]*\) .* \([0-9.]*\) sec.*|\2 s  \1|p' "$1" | sort -rn | head -n 10 |
-        sed 's/^/     /' >&2
-}
-
-# fuzz SECONDS: every fuzz target for so long, from the inputs of tests/data/fuzz on; each is one test.
+# fuzz SECONDS: every fuzz target for so long, two at a time, from the inputs of tests/data/fuzz on; each is one test.
 fuzz() {
-    local target name log begin
+    install_packages "${HAIRPAINT_CLANG_PACKAGES[@]}" || exit 1
     say "== fuzz"
-    configure asan && build asan fuzz_targets || { failed=$((failed + 1)); return; }
-    for target in build/asan/tests/fuzz/fuzz_*; do
-        [ -f "$target" ] && [ -x "$target" ] || continue
-        name=${target##*/fuzz_}
-        log=build/asan/fuzz-$name.log
+    build asan fuzz_targets || { failed=$((failed + 1)); return; }
+    rm -f build/fuzz/*.result
+    find build/asan/tests/fuzz -maxdepth 1 -name 'fuzz_*' -type f -executable | sort | xargs -P 2 -I TARGET bash -c '
+        name=${1##*/fuzz_} log=build/fuzz/${1##*/fuzz_}.log
         mkdir -p "build/fuzz/found/$name" "build/fuzz/inputs/$name"
-        say "   fuzzing $name"
-        if ASAN_OPTIONS=quarantine_size_mb=16 QT_QPA_PLATFORM=offscreen "$target" -max_total_time="$1" -timeout=60 \
+        if ASAN_OPTIONS=quarantine_size_mb=16 QT_QPA_PLATFORM=offscreen "$1" -max_total_time="$2" -timeout=60 \
             -rss_limit_mb=2500 -max_len=16384 -artifact_prefix="build/fuzz/found/$name/" \
             "build/fuzz/inputs/$name" "tests/data/fuzz/$name" >"$log" 2>&1; then
-            passed=$((passed + 1))
+            echo "   fuzz_$name found nothing" | tee "build/fuzz/$name.result" >&2
         else
-            failed=$((failed + 1))
-            grep -E 'ERROR|SUMMARY|Test unit written' "$log" | head -n 5
-            say "   fuzz_$name: the whole log is $log"
-        fi
-    done
+            grep -E "ERROR|SUMMARY|Test unit written" "$log" | head -n 5 >&2
+            echo "   fuzz_$name: the whole log is $log" >&2
+            echo failed >"build/fuzz/$name.result"
+        fi' _ TARGET "$1"
+    count_results build/fuzz/*.result
+}
+
+# count_results FILE...: each is one test, which failed where it says so.
+count_results() {
+    local bad
+    bad=$(cat "$@" | grep -c '^failed')
+    failed=$((failed + bad))
+    passed=$((passed + $# - bad))
+}
+
+# tidy SECONDS FILE...: clang-format and clang-tidy; each file is one test. Those that are not begun by then are told of.
+tidy() {
+    local end=$((SECONDS + $1)) file late
+    shift
+    [ "$#" -eq 0 ] && return
+    mkdir -p build/tidy/clean build/tidy/results
+    rm -f build/tidy/results/*
+    # Precompiled headers of GCC mean nothing to clang; generated files must be there.
+    cmake -S . -B build/tidy -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
+        -DHAIRPAINT_BENCHMARKS=ON -DHAIRPAINT_GENERATORS=ON >build/tidy/configure.log 2>&1 || { tail -n 5 build/tidy/configure.log; failed=$((failed + 1)); return; }
+    # Only what moc writes is read; the targets themselves would compile every library first.
+    find build/tidy -name AutogenInfo.json -print0 | xargs -0 -P 2 -I INFO cmake -E cmake_autogen INFO Debug >/dev/null 2>&1
+    printf '%s\n' "$@" | END=$(($(date +%s) + end - SECONDS)) xargs -P 2 -I FILE bash -c '
+        name=$(printf %s "$1" | tr / _) log=build/tidy/$(printf %s "$1" | tr / _).log
+        finish() { echo "$1 $2" >"build/tidy/results/$name"; echo; exit; }
+        clang-format --dry-run --Werror "$1" >"$log" 2>&1 || finish failed "$1"
+        case "$1" in *_wgl.cpp | *.h) finish good "$1" ;; esac
+        [ "$(date +%s)" -lt "$END" ] || finish late "$1"
+        # A file that was clean is not read again until its text, headers included, or the checks differ.
+        command=$(grep -F -B 1 "\"file\": \"$PWD/$1\"" build/tidy/compile_commands.json | sed -n "s/^ *\"command\": \"\(.*\)\",\$/\1/p" | head -n 1 | sed "s/\\\\\(.\)/\1/g")
+        key=$({ cat .clang-tidy; cd build/tidy && eval "${command/ -o * -c / -E }" 2>/dev/null; } | sha256sum | cut -c 1-32)
+        [ -e "build/tidy/clean/$key" ] && finish good "$1"
+        clang-tidy -quiet -p build/tidy "$1" >"$log" 2>/dev/null || finish failed "$1"
+        touch "build/tidy/clean/$key"
+        finish good "$1"' _ FILE | count_lines "$#" | show_progress "reading"
+    while read -r _ file; do
+        grep -E '(error|warning):' "build/tidy/$(printf %s "$file" | tr / _).log" | head -n 20 >&2
+    done < <(grep -h '^failed' build/tidy/results/*)
+    late=$(cat build/tidy/results/* | grep -c '^late')
+    [ "$late" -eq 0 ] || say "   $late of $# files were not read for want of time; tests/run --tidy reads all"
+    count_results build/tidy/results/*
+}
+
+# count_lines ALL: lines "DONE/ALL".
+count_lines() {
+    local line done=0
+    while IFS= read -r line; do echo "$((++done))/$1"; done
+}
+
+# Our own sources; the sanitizers' and Windows' guarded files included.
+is_source='\.(cpp|h)$'
+
+tidy_all() {
+    install_packages "${HAIRPAINT_TIDY_PACKAGES[@]}" || exit 1
+    say "== tidy"
+    mapfile -t files < <(git ls-files | grep -E "$is_source")
+    tidy 36000 "${files[@]}"
+}
+
+# What differs from where this work began: where it left origin's main, or else, as in a clone of its result, the last commit
+# of four hours before it. All files are formatted; as many as can be in eight minutes are read, the newest first.
+tidy_changed() {
+    local base
+    install_packages "${HAIRPAINT_TIDY_PACKAGES[@]}" || exit 1
+    say "== tidy"
+    base=$(git merge-base HEAD origin/main 2>/dev/null)
+    if [ -z "$base" ] || [ "$base" = "$(git rev-parse HEAD)" ]; then
+        base=$(git rev-list -1 --before="$(($(git log -1 --format=%ct) - 4 * 3600))" HEAD)
+    fi
+    say "   what changed since $(git log -1 --format='%h %s' "${base:-HEAD}")"
+    mapfile -t files < <(git log --no-renames --diff-filter=d --name-only --pretty=format: "${base:-HEAD}..HEAD" | grep -E "$is_source" |
+        awk '!seen[$0]++' | while read -r file; do [ -f "$file" ] && printf '%s\n' "$file"; done)
+    tidy 480 "${files[@]}"
+    git ls-files | grep -E "$is_source" | xargs clang-format --dry-run --Werror || failed=$((failed + 1))
+}
+
+# counted COMMAND...: its last line tells "N passed, M failed".
+counted() {
+    local log=build/counted.log good bad
+    "$@" 2>&1 | tee "$log" >&2
+    read -r good bad < <(tail -n 1 "$log" | sed -n 's/^\([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p')
+    passed=$((passed + ${good:-0}))
+    failed=$((failed + ${bad:-1}))
+}
+
+exchange() {
+    say "== exchange"
+    install_packages "${HAIRPAINT_EXCHANGE_PACKAGES[@]}" || exit 1
+    command -v npm >/dev/null || install_packages npm || exit 1 # A newer one than Debian's may be there.
+    build release hairpaint || exit 1
+    mkdir -p build/exchange
+    cp tests/exchange/package.json build/exchange/
+    npm install --prefix build/exchange --no-fund --no-audit --silent || exit 1
+    NODE_PATH=$PWD/build/exchange/node_modules counted /usr/bin/python3 tests/exchange/check.py build/release/app/hairpaint build/exchange
+}
+
+models() {
+    say "== models"
+    install_packages "${HAIRPAINT_MODELS_PACKAGES[@]}" || exit 1
+    build release hairpaint hairpaint-import || exit 1
+    counted /usr/bin/python3 tests/importer/foreign_models.py build/release/app/hairpaint /usr/share/assimp/models
+}
+
+bench() {
+    say "== bench"
+    install_packages "${HAIRPAINT_BENCH_PACKAGES[@]}" || exit 1
+    build bench hairpaint_bench || exit 1
+    ctest --test-dir build/bench -R '^bench\.' --output-on-failure >/dev/null || exit 1
+    build/bench/tests/bench/hairpaint_bench --benchmark_out=build/bench.json --benchmark_out_format=json
+    exit
 }

@@ -3,7 +3,7 @@
 
 namespace hairpaint::test {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(HAIRPAINT_ASAN) || defined(HAIRPAINT_TSAN)
 inline constexpr int kPatienceMs = 180'000; ///< Five to ten times slower, and another program beside it.
 #else
 inline constexpr int kPatienceMs = 60'000;

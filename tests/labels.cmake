@@ -1,0 +1,62 @@
+# What each entry of the tests is, and which speed runs what.
+#
+#   logic    sim, model, readers and writers, without a window
+#   window   a window or one of its areas, driven by mouse and keys
+#   program  the program started from outside, as a script or a user does
+#   hair     seconds of moving hair, or a style made anew
+#   gpu      pictures, by either renderer
+#   fault    disks, memory, files or processes that fail
+#   walk     one way through the whole window, for the address sanitizer
+#   threads  several threads at work, for the thread sanitizer
+
+# A build runs the entries that have one of its labels, and compiles no other tests.
+set(hairpaint_labels_of_release logic window program hair gpu fault)
+set(hairpaint_labels_of_asan logic program fault walk)
+set(hairpaint_labels_of_tsan threads)
+
+# The first row whose expression matches FOLDER.NAME counts.
+set(hairpaint_label_rows
+    "sim\\..*" "logic threads"
+    "background\\.(jobs|journal_thread)" "fault threads"
+    "background\\.seen_race" "threads"
+    "background\\..*" "logic threads"
+    "heads\\..*" "logic"
+    "fuzz\\..*" "fault"
+    "importer\\..*" "fault"
+
+    "model\\.(built_in_styles|bust_motion|fallen_hair|held_tips|hold|stroke_grooms)" "hair"
+    "model\\.(export_faults|faults|hostile_project|repair|want_of_memory)" "fault"
+    "model\\..*" "logic"
+
+    "rendering\\..*" "gpu"
+    "view\\.(gl_presenter|head_view|head_view_still|head_view_without_gl)" "window gpu"
+    "view\\..*" "window"
+
+    "app\\.(commands|interruption|layering|settings_store|starter|translations)" "logic"
+    "app\\.(lie|skin_contact)" "hair"
+    "app\\.(drawn_pictures|kept_pictures|style_pictures)" "gpu"
+    "app\\.monkey" "window walk"
+    "app\\.(broken_files|ended_window|error_sentences|killed_window|long_work|recovery|repair_damage|unwritable_places)" "fault"
+    "app\\.(open_file|silent_disk|silent_exchange)" "window"
+    "app\\.(avatar_command|bounds|command_line|drawn_images|export_command|new_command|odd_names|render_command)" "program"
+    "app\\..*" "window"
+)
+
+# hairpaint_labels(ENTRY VARIABLE): its labels; empty where this build does not run it.
+function(hairpaint_labels entry variable)
+    set(${variable} "" PARENT_SCOPE)
+    set(rows ${hairpaint_label_rows})
+    while(rows)
+        list(POP_FRONT rows pattern labels)
+        if(entry MATCHES "^(${pattern})$")
+            separate_arguments(labels)
+            foreach(label IN LISTS labels)
+                if(label IN_LIST hairpaint_labels_of_${HAIRPAINT_TESTS})
+                    set(${variable} "${labels}" PARENT_SCOPE)
+                endif()
+            endforeach()
+            return()
+        endif()
+    endwhile()
+    message(FATAL_ERROR "No row of tests/labels.cmake says what ${entry} is")
+endfunction()
