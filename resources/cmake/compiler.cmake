@@ -53,6 +53,10 @@ if(HAIRPAINT_SANITIZE)
     # Each of Highway's instruction sets is half a minute of compiling instrumented kernels: the least and one wide one do.
     target_compile_definitions(hairpaint_options INTERFACE
         "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX2|HWY_AVX3|HWY_AVX3_DL)")
+    # What these see the address sanitizer sees as soon as it is used, and they are half of what the compiler works at.
+    if(HAIRPAINT_SANITIZE MATCHES "undefined" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+        add_compile_options(-fno-sanitize=null,object-size,pointer-overflow)
+    endif()
     # Instrumented code confuses these two in GCC 12; the plain builds check them.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         target_compile_options(hairpaint_options INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized)
@@ -65,5 +69,20 @@ function(hairpaint_fuzzed)
         foreach(target IN LISTS ARGN)
             target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
         endforeach()
+    endif()
+endfunction()
+
+# hairpaint_kernels(SOURCE...): Highway compiles a kernel's source once for each instruction set, so that it can share no unit
+# with another. For the sanitizers Clang works at one for minutes: the least set does there, and heap memory, which is what
+# kernels read and write.
+function(hairpaint_kernels)
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    if(HAIRPAINT_SANITIZE)
+        set(options -O1)
+        if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+            list(APPEND options -fno-sanitize=undefined,fuzzer-no-link -mllvm -asan-stack=0)
+            set_source_files_properties(${ARGN} PROPERTIES COMPILE_DEFINITIONS HWY_COMPILE_ONLY_STATIC)
+        endif()
+        set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${options}" SKIP_PRECOMPILE_HEADERS ON)
     endif()
 endfunction()

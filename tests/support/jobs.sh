@@ -53,7 +53,8 @@ run_suite() {
     done < <(entry_counts "$log")
     [ "$passed" -gt "$before" ] || failed=$((failed + 1)) # Nothing was run.
     say "   the slowest of $preset:"
-    sed -n 's|^ *[0-9]*/[0-9]* Test  *#[0-9]*: \([^ ]*\) .* \([0-9.]*\) sec.*|     \2 s  \1|p' "$log" | sort -rn | head -n 10 >&2
+    sed -n 's|.*<testcase name="\([^"]*\)".* time="\([0-9.]*\)".*|\2 s  \1|p' "build/$preset/tests.xml" | sort -rn | head -n 10 |
+        sed 's/^/     /' >&2
     say "   so far $passed passed, $failed failed; the whole log is $log"
 }
 
@@ -110,7 +111,6 @@ show_failure() {
         $1 == "Start" && $3 == name { number = $2 + 0 }
         number && $1 == number ":" && /FAIL!|XPASS|SKIP|QFATAL|Loc:|ERROR: |runtime error|AddressSanitizer|ThreadSanitizer|LeakSanitizer|Actual|Expected/' "$1" |
         head -n 30 >&2
-    grep -E "Test +#[0-9]+: $2 .*\*\*\*" "$1" >&2
 }
 
 # fuzz SECONDS: every fuzz target for so long, two at a time, from the inputs of tests/data/fuzz on; each is one test.
