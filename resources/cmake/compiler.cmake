@@ -34,7 +34,8 @@ if(MSVC)
     target_compile_options(hairpaint_options INTERFACE /W4 /WX /utf-8 /fp:precise /permissive- /Zc:__cplusplus)
 else()
     # Contraction would fuse a multiply and an add on some machines and not on others.
-    target_compile_options(hairpaint_options INTERFACE -Wall -Wextra -Wconversion -Werror -ffp-contract=off)
+    target_compile_options(hairpaint_options INTERFACE -Wall -Wextra -Wconversion -Werror -ffp-contract=off
+        $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>) # GCC's -Wconversion leaves that out in C++.
 endif()
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Where several sources are compiled as one, a source's own types look like a header's.

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
+#include <numeric>
+#include <span>
 
 namespace hairpaint::sim {
 
@@ -45,8 +46,6 @@ void addFan(HeadMesh& mesh, const std::vector<unsigned>& ring)
 std::vector<std::pair<unsigned, unsigned>> openEdges(const HeadMesh& mesh)
 {
     const std::vector<unsigned> welded = weldedVertices(mesh);
-    std::vector<std::uint64_t> edges; // Directed; the one of the neighbour runs the other way.
-    edges.reserve(mesh.triangles.size() * 3);
     const auto eachEdge = [&](const auto& use) {
         for (const glm::uvec3& triangle : mesh.triangles)
             for (int k = 0; k < 3; ++k) {
@@ -56,14 +55,19 @@ std::vector<std::pair<unsigned, unsigned>> openEdges(const HeadMesh& mesh)
                     use(from, to);
             }
     };
-    const auto key = [&](unsigned from, unsigned to) {
-        return (static_cast<std::uint64_t>(welded[from]) << 32U) | welded[to];
-    };
-    eachEdge([&](unsigned from, unsigned to) { edges.push_back(key(from, to)); });
-    std::sort(edges.begin(), edges.end());
+    // Directed edges by where they begin, counted, summed up and filled in; the one of the neighbour runs the other
+    // way.
+    std::vector<std::size_t> firstOf(welded.size() + 1, 0);
+    eachEdge([&](unsigned from, unsigned /*to*/) { ++firstOf[welded[from] + 1]; });
+    std::partial_sum(firstOf.begin(), firstOf.end(), firstOf.begin());
+    std::vector<unsigned> ends(firstOf.back());
+    std::vector<std::size_t> next(firstOf.begin(), firstOf.end() - 1);
+    eachEdge([&](unsigned from, unsigned to) { ends[next[welded[from]]++] = welded[to]; });
     std::vector<std::pair<unsigned, unsigned>> open;
     eachEdge([&](unsigned from, unsigned to) {
-        if (!std::binary_search(edges.begin(), edges.end(), key(to, from)))
+        const std::span begun =
+            std::span(ends).subspan(firstOf[welded[to]], firstOf[welded[to] + 1] - firstOf[welded[to]]);
+        if (std::ranges::find(begun, welded[from]) == begun.end())
             open.emplace_back(from, to);
     });
     return open;

@@ -31,7 +31,7 @@ private Q_SLOTS:
             fill(project, kind, 65'535);
         fill(project, model::MapKind::Braid, 1);
         sim::GroupSettings& settings = project.groups.front().settings;
-        settings.greatestDensityPerM2 = 3e6F;
+        settings.greatestDensityPerM2 = 1e6F;
         settings.greatestLengthM = 2.0F;
         settings.nodesPerHair = 32;
         settings.braidSpacingM = 0.005F;

@@ -302,7 +302,7 @@ private Q_SLOTS:
         qputenv("HAIRPAINT_FAKE_HELPER", mode);
         // Helpers that never answer are given up soon; the others may take their time on a busy machine.
         if (mode == "hang" || mode == "spin")
-            qputenv("HAIRPAINT_IMPORT_MS", "2000");
+            qputenv("HAIRPAINT_IMPORT_MS", "500");
         QCOMPARE(faultOf(m_folder.path(), verb("new --map", image), QStringLiteral("any.png")), QString());
         QCOMPARE(faultOf(m_folder.path(), verb("new --head", head), QStringLiteral("any.glb")), QString());
     }

@@ -45,7 +45,8 @@ private Q_SLOTS:
             const QString image = filled("density.png", QColor(255 - green, 255, 255 - green));
             const QString project = path("density.hairpaint");
             const Outcome made = runProgram({QStringLiteral("new"), QStringLiteral("-o"), project,
-                                             QStringLiteral("--map"), QStringLiteral("density=") + image});
+                                             QStringLiteral("--map"), QStringLiteral("density=") + image,
+                                             QStringLiteral("--max-candidates"), QStringLiteral("50000")});
             QCOMPARE(made.error, QString());
             QCOMPARE(made.code, 0);
             const double hairs = infoOf(project).value(QLatin1String("hairs")).toDouble();

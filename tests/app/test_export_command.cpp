@@ -57,7 +57,10 @@ private Q_SLOTS:
         for (const model::ExportFormat& format : model::exportFormats())
             if (!format.isAvatar) // Of another head.
                 QTest::newRow(format.id) << QString::fromLatin1(format.suffix)
-                                         << (format.hasCards ? QStringList{QStringLiteral("--cards")} : QStringList{});
+                                         << (format.hasCards
+                                                 ? QStringList{QStringLiteral("--cards"), QStringLiteral("--atlas"),
+                                                               QStringLiteral("1024")}
+                                                 : QStringList{});
     }
     void everyFormatIsWritten()
     {

@@ -4,13 +4,14 @@
 #include "model/files/project_file.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/skin/skin_frame.h"
-#include "tests/app/program.h"
+#include "tests/app/exported_hair.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <algorithm>
+#include <map>
 
 using namespace hairpaint;
 using namespace hairpaint::test;
@@ -42,19 +43,19 @@ class TestLie : public QObject
 private:
     QTemporaryDir m_folder;
 
-    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+    std::map<float, Strands> m_natural; ///< By the length; what several tests look at is settled once.
+
+    [[nodiscard]] Strands exported(const app::SettledHair& hair, std::optional<std::size_t> hairs = std::nullopt) const
+    {
+        return exportedHair(hair, m_folder.filePath(QStringLiteral("lie.hair")), hairs);
+    }
 
     /// The scalp of "Buzz cut", straight hair of one length and gel, combed back or not at all.
-    [[nodiscard]] QString projectOf(float lengthM, float gel, bool combedBack) const
+    [[nodiscard]] static std::optional<model::Project> projectOf(float lengthM, float gel, bool combedBack)
     {
-        const QString file = path("lie.hairpaint");
-        const Outcome made = runProgram({QStringLiteral("new"), QStringLiteral("-o"), file, QStringLiteral("--preset"),
-                                         QStringLiteral("Buzz cut")});
-        if (!made.error.isEmpty())
-            return {};
-        model::Result<model::Project> project = model::loadProject(file);
+        std::optional<model::Project> project = styledProject(QStringLiteral("Buzz cut"));
         if (!project)
-            return {};
+            return std::nullopt;
         model::HairGroup& group = project->groups.front();
         group.settings.greatestLengthM = lengthM;
         group.settings.nodesPerHair = 10;
@@ -77,16 +78,16 @@ private:
                 return texel;
             });
         }
-        return model::saveProject(*project, file, {}) ? file : QString();
+        return project;
     }
 
-    [[nodiscard]] std::vector<std::vector<glm::vec3>> exported(const QString& project, const QStringList& more) const
+    /// Hair that nobody combed, after two seconds.
+    [[nodiscard]] const Strands& natural(float lengthM)
     {
-        const Outcome outcome =
-            runProgram(QStringList{QStringLiteral("export"), project, QStringLiteral("-o"), path("lie.hair"),
-                                   QStringLiteral("--hairs"), QString::number(kHairs)} +
-                       more);
-        return outcome.error.isEmpty() ? readHair(path("lie.hair")) : std::vector<std::vector<glm::vec3>>{};
+        Strands& hairs = m_natural[lengthM];
+        if (const auto project = hairs.empty() ? projectOf(lengthM, 0.0F, false) : std::nullopt)
+            hairs = exported(app::SettledHair(*project, 2.0), kHairs);
+        return hairs;
     }
 
 private Q_SLOTS:
@@ -102,7 +103,7 @@ private Q_SLOTS:
 
 void TestLie::naturalHairHasNoSpikes()
 {
-    const auto hairs = exported(projectOf(0.03F, 0.0F, false), {QStringLiteral("--settle"), QStringLiteral("2")});
+    const Strands& hairs = natural(0.03F);
     QCOMPARE(hairs.size(), std::size_t{kHairs});
     const glm::vec3 whorl(-0.006F, 0.105F, -0.05F);
     int pairs = 0;
@@ -130,7 +131,7 @@ void TestLie::shortHairLiesCloseToTheSkin_data()
 void TestLie::shortHairLiesCloseToTheSkin()
 {
     QFETCH(float, lengthM);
-    const auto hairs = exported(projectOf(lengthM, 0.0F, false), {QStringLiteral("--settle"), QStringLiteral("2")});
+    const Strands& hairs = natural(lengthM);
     QCOMPARE(hairs.size(), std::size_t{kHairs});
     const sim::DistanceGrid& grid = *model::builtInHead()->distances;
     int points = 0;
@@ -146,18 +147,28 @@ void TestLie::shortHairLiesCloseToTheSkin()
 
 void TestLie::combedAndGelledHairStays_data()
 {
-    QTest::addColumn<QStringList>("after");
-    QTest::newRow("ten seconds of still air") << QStringList{QStringLiteral("--settle"), QStringLiteral("10")};
-    QTest::newRow("a nod") << QStringList{QStringLiteral("--settle"), QStringLiteral("1"), QStringLiteral("--motion"),
-                                          QStringLiteral("nod")};
+    QTest::addColumn<double>("settleSeconds");
+    QTest::addColumn<bool>("nods");
+    QTest::newRow("ten seconds of still air") << 10.0 << false;
+    QTest::newRow("a nod") << 1.0 << true;
 }
 
 void TestLie::combedAndGelledHairStays()
 {
-    QFETCH(QStringList, after);
-    const QString file = projectOf(0.09F, 0.3F, true);
-    const auto combed = exported(file, {QStringLiteral("--settle"), QStringLiteral("0")});
-    const auto settled = exported(file, after);
+    QFETCH(double, settleSeconds);
+    QFETCH(bool, nods);
+    const std::optional<model::Project> project = projectOf(0.09F, 0.3F, true);
+    QVERIFY(project);
+    app::SettledHair hair(*project, 0.0);
+    const Strands combed = exported(hair, kHairs);
+    hair.advance(settleSeconds);
+    if (nods) { // As the program moves the head before it exports.
+        hair.setMotion(sim::NeckMotion::Nod);
+        hair.advance(sim::secondsOf(sim::NeckMotion::Nod));
+        hair.setMotion(std::nullopt);
+        hair.advance(1.0);
+    }
+    const Strands settled = exported(hair, kHairs);
     QCOMPARE(combed.size(), std::size_t{kHairs});
     QCOMPARE(settled.size(), combed.size());
     std::vector<float> shifts;
@@ -171,17 +182,12 @@ void TestLie::combedAndGelledHairStays()
 
 void TestLie::hairBesideAPartingNeitherStandsNorCrossesIt()
 {
-    const QString bob = path("bob.hairpaint");
-    QVERIFY(runProgram(
-                {QStringLiteral("new"), QStringLiteral("-o"), bob, QStringLiteral("--preset"), QStringLiteral("Bob")})
-                .error.isEmpty());
-    const auto settled = [&](const char* seconds) {
-        const Outcome outcome = runProgram({QStringLiteral("export"), bob, QStringLiteral("-o"), path("bob.hair"),
-                                            QStringLiteral("--settle"), QString::fromLatin1(seconds)});
-        return outcome.error.isEmpty() ? readHair(path("bob.hair")) : std::vector<std::vector<glm::vec3>>{};
-    };
-    const auto rest = settled("0");
-    const auto hairs = settled("3");
+    const std::optional<model::Project> bob = styledProject(QStringLiteral("Bob"));
+    QVERIFY(bob);
+    app::SettledHair hair(*bob, 0.0);
+    const Strands rest = exported(hair);
+    hair.advance(3.0);
+    const Strands hairs = exported(hair);
     QCOMPARE(hairs.size(), rest.size());
     constexpr std::size_t kNode = 4;
     int beside = 0;
@@ -202,14 +208,9 @@ void TestLie::hairBesideAPartingNeitherStandsNorCrossesIt()
 
 void TestLie::longHairAboveTheEarsHangsAsItsNeighboursDo()
 {
-    const QString file = path("long.hairpaint");
-    QVERIFY(runProgram({QStringLiteral("new"), QStringLiteral("-o"), file, QStringLiteral("--preset"),
-                        QStringLiteral("Long straight")})
-                .error.isEmpty());
-    QVERIFY(runProgram({QStringLiteral("export"), file, QStringLiteral("-o"), path("long.hair"),
-                        QStringLiteral("--settle"), QStringLiteral("3")})
-                .error.isEmpty());
-    const auto hairs = readHair(path("long.hair"));
+    const std::optional<model::Project> project = styledProject(QStringLiteral("Long straight"));
+    QVERIFY(project);
+    const Strands hairs = exported(app::SettledHair(*project, 3.0));
     QVERIFY(hairs.size() > 70000);
     // What is laid over an ear points away from the head, and sinks.
     const auto aside = std::ranges::count_if(hairs, [](const std::vector<glm::vec3>& hair) {
@@ -221,17 +222,12 @@ void TestLie::longHairAboveTheEarsHangsAsItsNeighboursDo()
 
 void TestLie::hairAtTheEdgeOfAPartingLiesToItsOwnSide()
 {
-    const QString file = path("split.hairpaint");
-    QVERIFY(runProgram({QStringLiteral("new"), QStringLiteral("-o"), file, QStringLiteral("--preset"),
-                        QStringLiteral("Split dye")})
-                .error.isEmpty());
-    QVERIFY(runProgram({QStringLiteral("export"), file, QStringLiteral("-o"), path("split.hair"),
-                        QStringLiteral("--settle"), QStringLiteral("0")})
-                .error.isEmpty());
+    const std::optional<model::Project> project = styledProject(QStringLiteral("Split dye"));
+    QVERIFY(project);
     constexpr std::size_t kNode = 4;
     int beside = 0;
     int crossing = 0;
-    for (const std::vector<glm::vec3>& hair : readHair(path("split.hair"))) {
+    for (const std::vector<glm::vec3>& hair : exported(app::SettledHair(*project, 0.0))) {
         const glm::vec3 root = hair.front();
         if (std::abs(root.x) > 0.015F || root.y < 0.06F)
             continue;

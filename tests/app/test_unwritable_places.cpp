@@ -50,7 +50,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         m_good = path(QStringLiteral("good.hairpaint"));
-        QVERIFY(model::saveProject(thinned(model::newProject()), m_good, {}));
+        QVERIFY(model::saveProject(smallProject(), m_good, {}));
     }
 
     void whatCantBeWrittenEndsWithOneSentence_data()
@@ -146,6 +146,7 @@ private Q_SLOTS:
                              QStringLiteral("Buzz cut")})
                      .code,
                  0);
+        QVERIFY(thinOut(styled));
         QTest::newRow("new") << QStringList{QStringLiteral("new"), QStringLiteral("-o"), project,
                                             QStringLiteral("--preset"), QStringLiteral("Buzz cut")}
                              << project;

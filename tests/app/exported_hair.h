@@ -1,0 +1,38 @@
+// Hair of styles as `hairpaint export` writes it, made in this process: a start of the program for each shape would
+// load the head and grow the hair once more.
+#pragma once
+
+#include "app/cli/settled_hair.h"
+#include "app/library.h"
+#include "model/exporting/export_format.h"
+#include "model/files/project_file.h"
+#include "model/preset.h"
+#include "tests/app/program.h"
+
+namespace hairpaint::test {
+
+using Strands = std::vector<std::vector<glm::vec3>>;
+
+/// As `hairpaint new --preset NAME` makes it; none where there is no such style.
+inline std::optional<model::Project> styledProject(const QString& name)
+{
+    const model::Result<model::Preset> preset = app::loadPresetNamed(name);
+    if (!preset)
+        return std::nullopt;
+    model::Project project = model::newProject();
+    model::applyPreset(project, *preset);
+    return project;
+}
+
+/// Written to `file` and read back; `hairs`: as with --hairs. Empty where it can't be written.
+inline Strands exportedHair(const app::SettledHair& hair, const QString& file,
+                            std::optional<std::size_t> hairs = std::nullopt)
+{
+    model::ExportRequest request{.format = &model::exportFormats().front(), .target = &model::exportTargets().front()};
+    for (const model::HairGroup& group : hair.project().groups)
+        request.curves.groups.push_back({.id = group.id, .name = group.name});
+    request.curves.hairs = hairs;
+    return model::exportHair(hair.frame(), request, file) ? readHair(file) : Strands();
+}
+
+} // namespace hairpaint::test
