@@ -13,7 +13,7 @@ using namespace hairpaint::test;
 
 namespace {
 
-constexpr float kRadiusM = 0.1F;
+constexpr float kBallRadiusM = 0.1F;
 
 struct Hairdresser : HeadStudio
 {
@@ -40,8 +40,8 @@ struct Hairdresser : HeadStudio
 
 glm::vec3 onBall(float longitude, float latitude)
 {
-    return kRadiusM * glm::vec3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
-                                std::cos(latitude) * std::cos(longitude));
+    return kBallRadiusM * glm::vec3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
+                                    std::cos(latitude) * std::cos(longitude));
 }
 
 float degreesBetween(glm::vec3 a, glm::vec3 b)
@@ -71,7 +71,7 @@ private Q_SLOTS:
         QFETCH(float, from);
         QFETCH(float, to);
         QFETCH(float, rise);
-        Hairdresser comb(makeBallHead(96, kRadiusM));
+        Hairdresser comb(makeBallHead(96, kBallRadiusM));
         std::vector<glm::vec3> way;
         for (int i = 0; i <= 40; ++i) {
             const float t = static_cast<float>(i) / 40.0F;
@@ -91,10 +91,10 @@ private Q_SLOTS:
 
     void aBrushWideIsCombedTheSameWay()
     {
-        Hairdresser comb(makeBallHead(96, kRadiusM));
+        Hairdresser comb(makeBallHead(96, kBallRadiusM));
         comb.stroke({onBall(0.0F, 0.4F), onBall(0.0F, 0.1F), onBall(0.0F, -0.2F), onBall(0.0F, -0.4F)});
         for (const float beside : {-0.012F, -0.006F, 0.006F, 0.012F}) {
-            const glm::vec3 place = onBall(beside / kRadiusM, 0.0F);
+            const glm::vec3 place = onBall(beside / kBallRadiusM, 0.0F);
             QVERIFY(degreesBetween(comb.directionAt(place), {0.0F, -1.0F, 0.0F}) < 5.0F);
         }
     }
@@ -141,7 +141,7 @@ private Q_SLOTS:
     {
         QFETCH(ToolId, tool);
         QFETCH(bool, builtIn);
-        Hairdresser comb(makeBallHead(96, kRadiusM), builtIn);
+        Hairdresser comb(makeBallHead(96, kBallRadiusM), builtIn);
         comb.mirror = true;
         comb.tool = tool;
         comb.settings.value(MapKind::Direction).direction = {0.5F, -0.6F};
@@ -197,7 +197,7 @@ private Q_SLOTS:
     {
         QFETCH(float, longitude);
         QFETCH(float, latitude);
-        Hairdresser comb(makeBallHead(96, kRadiusM));
+        Hairdresser comb(makeBallHead(96, kBallRadiusM));
         comb.settings.comb = CombKind::Whorl;
         comb.settings.brushSizeM = 0.04F;
         const glm::vec3 centre = onBall(longitude, latitude);
@@ -231,7 +231,7 @@ private Q_SLOTS:
     void theOtherSidesWhorlTurnsTheOtherWayAndOneInTheMiddleIsAlone()
     {
         QFETCH(bool, builtIn);
-        Hairdresser comb(makeBallHead(96, kRadiusM), builtIn);
+        Hairdresser comb(makeBallHead(96, kBallRadiusM), builtIn);
         comb.mirror = true;
         comb.settings.comb = CombKind::Whorl;
         comb.stroke({onBall(0.6F, 0.0F)});

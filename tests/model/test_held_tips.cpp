@@ -23,7 +23,7 @@ using namespace hairpaint::test;
 
 namespace {
 
-constexpr int kHairs = 20000;
+constexpr int kHeldHairs = 20000;
 
 sim::StrandFrame stillFrame(sim::Simulation& simulation, double seconds)
 {
@@ -54,7 +54,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, style);
         QFETCH(double, part);
-        Document document(wearing(style, kHairs));
+        Document document(wearing(style, kHeldHairs));
         QCOMPARE(document.project().groups.front().map(MapKind::Length).layers.front().name, style);
         const Id group = document.project().groups.front().id;
         sim::Simulation simulation;
@@ -94,7 +94,7 @@ private Q_SLOTS:
 
     void theBrushHoldsWhatLiesOnTheShoulders()
     {
-        Studio studio(wearing(QStringLiteral("Long straight"), kHairs));
+        Studio studio(wearing(QStringLiteral("Long straight"), kHeldHairs));
         studio.map = MapKind::Direction;
         studio.settings.comb = CombKind::Hold;
         studio.settings.brushSizeM = 0.03F;

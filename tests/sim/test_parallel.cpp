@@ -154,12 +154,10 @@ void TestParallel::whatABodyThrowsComesOutOfTheLoop()
     QFETCH(int, threads);
     setThreadCount(threads);
     for (const std::size_t culprit : {std::size_t{0}, std::size_t{57}, std::size_t{99}})
-        QVERIFY_EXCEPTION_THROWN(parallelFor(100, 1,
-                                             [&](std::size_t begin, std::size_t end) {
-                                                 if (begin <= culprit && culprit < end)
-                                                     throw std::bad_alloc();
-                                             }),
-                                 std::bad_alloc);
+        QVERIFY_THROWS_EXCEPTION(std::bad_alloc, parallelFor(100, 1, [&](std::size_t begin, std::size_t end) {
+                                     if (begin <= culprit && culprit < end)
+                                         throw std::bad_alloc();
+                                 }));
     std::atomic<std::size_t> done{0};
     parallelFor(100, 1, [&](std::size_t begin, std::size_t end) { done += end - begin; });
     QCOMPARE(done.load(), std::size_t{100});
