@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -74,6 +76,21 @@ wire::Bytes meshSpoilt(bool wrongIndex)
     return wire::encodeMesh(mesh);
 }
 
+wire::Bytes received(std::size_t count)
+{
+    wire::Bytes bytes(count);
+    bytes.resize(std::fread(bytes.data(), 1, count, stdin));
+    return bytes;
+}
+
+/// What it is asked to encode, as it stands.
+wire::Bytes unencoded()
+{
+    const auto header = wire::decodeHeader(received(wire::kHeaderBytes));
+    const auto request = header ? wire::decodeRequest(received(header->bodyBytes)) : std::nullopt;
+    return request ? wire::encodeFile(std::as_bytes(std::span(request->image.samples))) : wire::Bytes();
+}
+
 } // namespace
 
 int main()
@@ -137,5 +154,7 @@ int main()
     }
     if (mode == "good")
         send(goodImage());
+    if (mode == "unencoded")
+        send(unencoded());
     return 0;
 }

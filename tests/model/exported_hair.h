@@ -80,18 +80,21 @@ inline std::shared_ptr<const model::Avatar> mannequinAvatar(float droop = 0.0F)
     return avatar;
 }
 
-/// In that format; cards small, so that they are soon there.
+/// Smaller than the window offers, so that cards are soon there.
+inline constexpr int kTinyAtlasPx = 256;
+
+/// In that format.
 inline model::Result<void> exportedAs(const model::ExportFormat& format,
                                       const std::shared_ptr<const sim::StrandFrame>& frame, const QString& path,
                                       const model::Progress& progress = {})
 {
+    static const std::shared_ptr<const model::Avatar> avatar = mannequinAvatar();
     return model::exportHair(frame,
                              {.format = &format,
                               .target = &model::exportTargets().front(),
                               .curves = allOf(*frame),
-                              .cards = {.triangles = model::CardSettings::kFewestTriangles,
-                                        .atlasPx = model::CardSettings::kSmallestAtlasPx},
-                              .avatar = format.isAvatar ? mannequinAvatar() : nullptr},
+                              .cards = {.triangles = model::CardSettings::kFewestTriangles, .atlasPx = kTinyAtlasPx},
+                              .avatar = format.isAvatar ? avatar : nullptr},
                              path, progress);
 }
 

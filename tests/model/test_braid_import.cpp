@@ -21,6 +21,7 @@ namespace {
 constexpr float kLengthM = 0.2F;
 constexpr float kRadiusM = 0.007F;
 constexpr float kSpacingM = 0.08F;
+constexpr float kDensityPerM2 = 50'000.0F; ///< With more hairs the maps are of 512 texels a side.
 constexpr std::uint16_t kAll = 65535;
 
 } // namespace
@@ -54,7 +55,7 @@ private:
     [[nodiscard]] static sim::GroomInput::Group braided(sim::BraidKind kind)
     {
         sim::GroomInput::Group group = hairGroup(1, kAll, kAll, 0);
-        group.settings.greatestDensityPerM2 = 60'000.0F;
+        group.settings.greatestDensityPerM2 = kDensityPerM2;
         group.settings.greatestLengthM = kLengthM;
         group.settings.braidRadiusM = kRadiusM;
         group.settings.braidSpacingM = kSpacingM;
@@ -107,7 +108,7 @@ private Q_SLOTS:
         QFETCH(int, curl);
         QFETCH(int, clump);
         sim::GroomInput::Group group = braided(sim::BraidKind::None);
-        group.settings.basisHairs = 256; // Locks of some thirty hairs.
+        group.settings.basisHairs = 256; // Locks of some 25 hairs.
         group.maps[sim::MapSlot::Curl] = flat(1, {static_cast<std::uint16_t>(curl)});
         group.maps[sim::MapSlot::Clump] = flat(1, {static_cast<std::uint16_t>(clump)});
         const std::optional<HairGroup> found = back(group);

@@ -19,7 +19,7 @@ using namespace hairpaint::model;
 namespace {
 
 constexpr std::size_t kLargeBufferBytes = 32 << 10;
-constexpr std::size_t kPictureBytes = 2 << 20; ///< Cards ask for so many smaller pieces that it would take minutes.
+constexpr std::size_t kPictureBytes = 128 << 10; ///< Cards ask for so many smaller pieces that it would take minutes.
 
 /// With the address sanitizer they take minutes; their files go the way of
 /// severalFilesTakeTheirPlacesTogetherOrNotAtAll.
@@ -36,17 +36,20 @@ class TestExportFaults : public QObject
     Q_OBJECT
 private:
     std::unique_ptr<test::FaultyFolder> m_folder;
-    std::shared_ptr<const sim::StrandFrame> m_frame;
+    std::shared_ptr<const sim::StrandFrame> m_hair;
+    std::shared_ptr<const sim::StrandFrame> m_tuft; ///< For cards, which take a grid over all hair: it is small here.
+    std::shared_ptr<const Avatar> m_avatar = test::mannequinAvatar();
 
     [[nodiscard]] Result<void> exportAs(const ExportFormat& format, const QString& path)
     {
+        const auto& frame = format.hasCards ? m_tuft : m_hair;
         ExportRequest request{.format = &format,
                               .target = &exportTargets().front(),
-                              .curves = test::allOf(*m_frame),
-                              .cards = {.triangles = 1000, .atlasPx = 1024}};
+                              .curves = test::allOf(*frame),
+                              .cards = {.triangles = 1000, .atlasPx = test::kTinyAtlasPx}};
         if (format.isAvatar)
-            request.avatar = test::mannequinAvatar();
-        return exportHair(m_frame, request, path);
+            request.avatar = m_avatar;
+        return exportHair(frame, request, path);
     }
 
     template<typename Fault, typename... Options>
@@ -79,7 +82,17 @@ private:
     }
 
 private Q_SLOTS:
-    void initTestCase() { m_frame = test::frameOf({test::hairGroup(1, 4'000, 40'000, 0)}); }
+    void initTestCase()
+    {
+        m_hair = test::frameOf({test::hairGroup(1, 4'000, 40'000, 0)});
+        sim::GroomInput::Group tuft = test::hairGroup(1, 0, 40'000, 0);
+        sim::TiledRaster density = *tuft.maps[sim::MapSlot::Density];
+        for (int y = 112; y < 144; ++y)
+            for (int x = 112; x < 144; ++x)
+                density.setTexel(x, y, {65535});
+        tuft.maps[sim::MapSlot::Density] = std::make_shared<const sim::TiledRaster>(std::move(density));
+        m_tuft = test::frameOf({tuft});
+    }
 
     void init() { m_folder = std::make_unique<test::FaultyFolder>(); }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -38,6 +39,22 @@ sim::GroomInput::Group denseGroup(std::uint16_t length, std::uint16_t curl)
 HairCards cardsOf(const CurveSet& set, const CardSettings& settings = kSmall)
 {
     return *makeCards(set, settings, {});
+}
+
+/// Dense hair as long as can be, made once for each curl.
+const CurveSet& denseCurves(std::uint16_t curl)
+{
+    static std::map<std::uint16_t, CurveSet> sets;
+    const auto found = sets.find(curl);
+    return found != sets.end() ? found->second
+                               : sets.emplace(curl, curvesOf(frameOf({denseGroup(65535, curl)}))).first->second;
+}
+
+/// Cards of such hair without curls.
+const HairCards& straightCards()
+{
+    static const HairCards cards = cardsOf(denseCurves(0));
+    return cards;
 }
 
 /// Cosine by which the side turns around the strip, whose bends do not count.
@@ -98,7 +115,7 @@ private Q_SLOTS:
     void theBudgetIsMet()
     {
         QFETCH(int, triangles);
-        const CurveSet set = curvesOf(frameOf({denseGroup(65535, 10'000)}));
+        const CurveSet& set = denseCurves(10'000);
         const HairCards cards = cardsOf(set, {.triangles = triangles, .atlasPx = 1024});
         QVERIFY2(cards.finest().triangles() <= triangles && cards.finest().triangles() > triangles * 9 / 10,
                  qPrintable(QString::number(cards.finest().triangles())));
@@ -127,8 +144,7 @@ private Q_SLOTS:
 
     void everyCornerLiesInItsPatch()
     {
-        const CurveSet set = curvesOf(frameOf({denseGroup(65535, 0)}));
-        const HairCards cards = cardsOf(set);
+        const HairCards& cards = straightCards();
         const CardMesh mesh = cardMesh(cards, cards.finest(), 0);
         const auto size = static_cast<float>(cards.images.size());
         std::size_t at = 0;
@@ -209,7 +225,7 @@ private Q_SLOTS:
     {
         // Of curls, few numbers of triangles come near the budget.
         for (const std::uint16_t curl : std::array<std::uint16_t, 3>{15'000, 30'000, 45'000}) {
-            const CurveSet set = curvesOf(frameOf({denseGroup(65535, curl)}));
+            const CurveSet& set = denseCurves(curl);
             const HairCards cards = cardsOf(set, {.triangles = 3'000, .atlasPx = 1024, .levels = 4});
             for (std::size_t number = 1; number < cards.levels.size(); ++number)
                 QVERIFY2(2 * cards.levels[number].triangles() <= cards.levels[number - 1].triangles(),
@@ -222,7 +238,7 @@ private Q_SLOTS:
 
     void aLevelMoreChangesNothingOfTheFirst()
     {
-        const CurveSet set = curvesOf(frameOf({denseGroup(65535, 10'000)}));
+        const CurveSet& set = denseCurves(10'000);
         const HairCards alone = cardsOf(set);
         const HairCards first = cardsOf(set, {.triangles = 2'000, .atlasPx = 1024, .levels = 2});
         QCOMPARE(cardMesh(alone, alone.finest(), 0).indices, cardMesh(first, first.finest(), 0).indices);
@@ -231,8 +247,8 @@ private Q_SLOTS:
 
     void stripsFaceAwayFromTheHead()
     {
-        const CurveSet set = curvesOf(frameOf({denseGroup(65535, 0)}));
-        const HairCards cards = cardsOf(set);
+        const CurveSet& set = denseCurves(0);
+        const HairCards& cards = straightCards();
         const glm::vec3 middle = 0.5F * (set.groups()[0].leastWo + set.groups()[0].greatestWo);
         double outward = 0.0;
         double area = 0.0;
@@ -267,7 +283,7 @@ private Q_SLOTS:
 
     void stripsDoNotTwist()
     {
-        const HairCards cards = cardsOf(curvesOf(frameOf({denseGroup(65535, 20'000)})));
+        const HairCards cards = cardsOf(denseCurves(20'000));
         std::size_t sharp = 0;
         std::size_t all = 0;
         for (const CardStrip& strip : cards.finest().strips)
@@ -278,7 +294,7 @@ private Q_SLOTS:
 
     void alphaCoversAsMuchInSmallerLevels()
     {
-        const HairCards cards = cardsOf(curvesOf(frameOf({denseGroup(65535, 0)})));
+        const HairCards& cards = straightCards();
         const int size = cards.images.size();
         // Of the whole atlas, as graphics cards make its levels.
         const auto covered = [&](int level) {
@@ -304,7 +320,7 @@ private Q_SLOTS:
 
     void rootsAreOnTopOfPatches()
     {
-        HairCards cards = cardsOf(curvesOf(frameOf({denseGroup(65535, 0)})));
+        const HairCards& cards = straightCards();
         for (std::size_t i = 0; i < cards.patches.size(); ++i) {
             if (cards.finest().strips[i].flyaway)
                 continue;

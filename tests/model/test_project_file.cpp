@@ -263,7 +263,8 @@ private Q_SLOTS:
                 lacking.push_back(spec.kind);
         const Result<Project> project = loadProject(file);
         QVERIFY2(project, project ? "" : qPrintable(project.error().message));
-        Project expected = test::makeSampleProject(256, lacking);
+        constexpr float kReleasedHeadCm = 10.0F;
+        Project expected = test::makeSampleProject(256, lacking, kReleasedHeadCm);
         expected.skin = SkinTone::Clay; // Version 0.1 knew no other.
         const LightSettings standard;   // It knew the key light and the ambient light alone.
         expected.light.temperatureK = standard.temperatureK;

@@ -47,14 +47,14 @@ bool isCutFromBelow(const sim::TiledRaster& left, const sim::TiledRaster& was, c
     const sim::Texel empty = emptyTexel(spec);
     bool isCut = false;
     for (int y = 0; y < was.size(); ++y) {
-        bool same = true;
-        bool blank = true;
-        for (int x = 0; x < was.size(); ++x) {
-            same = same && left.texel(x, y) == was.texel(x, y);
-            blank = blank && left.texel(x, y) == empty;
-        }
-        isCut = isCut || !same;
-        if (isCut && !blank)
+        const auto isRow = [&](const auto& wanted) {
+            for (int x = 0; x < was.size(); ++x)
+                if (left.texel(x, y) != wanted(x))
+                    return false;
+            return true;
+        };
+        isCut = isCut || !isRow([&](int x) { return was.texel(x, y); });
+        if (isCut && !isRow([&](int) { return empty; }))
             return false;
     }
     return true;
@@ -152,9 +152,10 @@ private:
             const MapSpec& spec = *findMapSpec(span.name.section(QLatin1Char('/'), 2, 2));
             const Layer* left = layerOf(project, spec.kind, id);
             const Layer* was = layerOf(m_project, spec.kind, id);
-            if (isWhole(span) && (left == nullptr || !(left->raster == was->raster)))
+            const bool isSame = left != nullptr && left->raster == was->raster;
+            if (isWhole(span) && !isSame)
                 return QStringLiteral("%1 is whole and was lost; said '%2'").arg(span.name, said);
-            if (left != nullptr && left->raster.channels() == was->raster.channels() &&
+            if (left != nullptr && !isSame && left->raster.channels() == was->raster.channels() &&
                 left->raster.size() == was->raster.size() && !isCutFromBelow(left->raster, was->raster, spec))
                 return QStringLiteral("%1 is made up").arg(span.name);
             if (jsonIsWhole && (left == nullptr || left->name != was->name || left->blend != was->blend ||

@@ -39,6 +39,25 @@ std::shared_ptr<const Head> importedHead(sim::HeadMesh mesh)
     return head;
 }
 
+struct Foreign
+{
+    test::ForeignHead known;
+    std::shared_ptr<const Head> head; ///< Imported.
+};
+
+/// A child's head or a scan, each imported once.
+const Foreign& foreign(bool scan)
+{
+    const auto made = [](test::ForeignHead known) {
+        std::shared_ptr<const Head> head = importedHead(known.mesh);
+        return Foreign{.known = std::move(known), .head = std::move(head)};
+    };
+    const sim::HeadMesh& bust = builtInHead()->skin->mesh();
+    static const Foreign child = made(test::childOf(bust));
+    static const Foreign scanned = made(test::scanOf(bust));
+    return scan ? scanned : child;
+}
+
 /// Places of a head that a hairdresser looks at: along the hairline, and along a parting in the middle.
 std::vector<glm::vec3> hairlineAndParting()
 {
@@ -88,11 +107,10 @@ private:
         QTest::newRow("a child's head") << false;
         QTest::newRow("a scan") << true;
     }
-    static test::ForeignHead foreignHead()
+    static const Foreign& foreignHead()
     {
         QFETCH(bool, scan);
-        const sim::HeadMesh& known = builtInHead()->skin->mesh();
-        return scan ? test::scanOf(known) : test::childOf(known);
+        return foreign(scan);
     }
 
 private Q_SLOTS:
@@ -105,8 +123,7 @@ private Q_SLOTS:
     void landmarksOfForeignHeadsAreFound_data() { foreignHeads(); }
     void landmarksOfForeignHeadsAreFound()
     {
-        const test::ForeignHead foreign = foreignHead();
-        const std::shared_ptr<const Head> head = importedHead(foreign.mesh);
+        const auto& [foreign, head] = foreignHead();
         QVERIFY(head->landmarks.has_value());
         for (std::size_t i = 0; i < sim::kHeadLandmarkCount; ++i) {
             const glm::vec3 wanted = foreign.place(builtInHead()->landmarks->positionsHd[i]);
@@ -119,8 +136,7 @@ private Q_SLOTS:
     void hairlineAndPartingLieAtTheSamePlaces_data() { foreignHeads(); }
     void hairlineAndPartingLieAtTheSamePlaces()
     {
-        const test::ForeignHead foreign = foreignHead();
-        const std::shared_ptr<const Head> head = importedHead(foreign.mesh);
+        const auto& [foreign, head] = foreignHead();
         const auto correspondence = UvCorrespondence::make(builtInHead(), head, 512);
         float worst = 0.0F;
         for (const glm::vec3& wanted : hairlineAndParting()) {
@@ -193,7 +209,7 @@ private Q_SLOTS:
 
     void thereAndBackIsTheSameHair()
     {
-        const std::shared_ptr<const Head> child = importedHead(test::childOf(builtInHead()->skin->mesh()).mesh);
+        const std::shared_ptr<const Head>& child = foreign(false).head;
         const auto there = carriedGroups(m_project.groups, m_project.head, child);
         const auto back = carriedGroups(*there, child, m_project.head);
         const sim::TiledRaster& before = m_project.groups.front().map(MapKind::Density).layers.front().raster;
@@ -220,7 +236,7 @@ private Q_SLOTS:
         stack.layers.back().opacity = 0.5F;
         for (int tile = 0; tile < stack.layers.front().raster.tileCount(); ++tile)
             stack.layers.front().raster.setUniform(tile, {12345, 65535});
-        const std::shared_ptr<const Head> child = importedHead(test::childOf(builtInHead()->skin->mesh()).mesh);
+        const std::shared_ptr<const Head>& child = foreign(false).head;
         const auto groups = carriedGroups(project.groups, project.head, child);
         const MapStack& carried = groups->front().map(MapKind::Length);
         QCOMPARE(carried.layers.size(), stack.layers.size());
@@ -232,8 +248,7 @@ private Q_SLOTS:
     void hairLiesTheSameWayOnTheOtherHead_data() { foreignHeads(); }
     void hairLiesTheSameWayOnTheOtherHead()
     {
-        const test::ForeignHead foreign = foreignHead();
-        const std::shared_ptr<const Head> head = importedHead(foreign.mesh);
+        const auto& [foreign, head] = foreignHead();
         Project project = newProject();
         project.groups = {makeGroup(project, QStringLiteral("Scalp"), 512)};
         sim::TiledRaster& painted = project.groups.front().map(MapKind::Direction).layers.front().raster;
@@ -288,7 +303,7 @@ private Q_SLOTS:
         for (int y = 0; y < braid.size(); ++y)
             for (int x = 0; x < braid.size(); ++x)
                 braid.setTexel(x, y, {static_cast<std::uint16_t>((x / 9 + y / 9) % 2 == 0 ? 3 : 0), 65535});
-        const std::shared_ptr<const Head> child = importedHead(test::childOf(builtInHead()->skin->mesh()).mesh);
+        const std::shared_ptr<const Head>& child = foreign(false).head;
         const auto groups = carriedGroups(project.groups, project.head, child);
         const sim::TiledRaster& carried = groups->front().map(MapKind::Braid).layers.front().raster;
         int braided = 0;
@@ -303,7 +318,7 @@ private Q_SLOTS:
 
     void stoppedMidwayNothingComes()
     {
-        const std::shared_ptr<const Head> child = importedHead(test::childOf(builtInHead()->skin->mesh()).mesh);
+        const std::shared_ptr<const Head>& child = foreign(false).head;
         for (const double stop : {0.1, 0.7})
             QVERIFY(
                 !carriedGroups(m_project.groups, m_project.head, child, [stop](double done) { return done < stop; }));
@@ -318,7 +333,7 @@ private Q_SLOTS:
 
     void aStyleAppliedOnAForeignHeadIsCarriedThere()
     {
-        const std::shared_ptr<const Head> child = importedHead(test::childOf(builtInHead()->skin->mesh()).mesh);
+        const std::shared_ptr<const Head>& child = foreign(false).head;
         Project project = m_project;
         project.head = child;
         project.groups.front() = makeGroup(project, QStringLiteral("Scalp"), 256);
@@ -333,7 +348,7 @@ private Q_SLOTS:
     void aHeadAndTheHairCarriedToItAreOneStep()
     {
         Document document(m_project);
-        const std::shared_ptr<const Head> child = importedHead(test::childOf(builtInHead()->skin->mesh()).mesh);
+        const std::shared_ptr<const Head>& child = foreign(false).head;
         const auto carried = carriedGroups(m_project.groups, m_project.head, child);
         document.push(setHeadCommand(document, child, {}, *carried));
         QCOMPARE(document.undoStack().count(), 1);

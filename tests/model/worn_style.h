@@ -7,7 +7,23 @@
 #include "model/files/project_file.h"
 #include "model/preset.h"
 
+#include <utility>
+#include <vector>
+
 namespace hairpaint::test {
+
+/// Read once a program.
+inline const std::vector<model::Preset>& builtInStyles()
+{
+    static const std::vector<model::Preset> styles = [] {
+        std::vector<model::Preset> read;
+        for (const QString& path : model::builtInPresets())
+            if (auto preset = model::loadPreset(path))
+                read.push_back(std::move(*preset));
+        return read;
+    }();
+    return styles;
+}
 
 /// At most `maxHairs` of the style named so in the strip. The first layer of each of its maps has its name.
 inline model::Project wearing(const QString& style, int maxHairs)
@@ -15,11 +31,9 @@ inline model::Project wearing(const QString& style, int maxHairs)
     model::Project project = model::newProject();
     project.maxHairs = maxHairs;
     model::Document document(std::move(project));
-    for (const QString& path : model::builtInPresets()) {
-        const auto preset = model::loadPreset(path);
-        if (preset && preset->name == style)
-            document.push(model::applyPresetCommand(document, *preset));
-    }
+    for (const model::Preset& preset : builtInStyles())
+        if (preset.name == style)
+            document.push(model::applyPresetCommand(document, preset));
     return document.project();
 }
 

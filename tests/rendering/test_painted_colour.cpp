@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <vector>
@@ -52,8 +53,11 @@ Lab labOf(QRgb colour)
     return labOf(qRed(colour), qGreen(colour), qBlue(colour));
 }
 
-std::vector<std::uint8_t> coatPicture(QRgb painted, float shine, float azimuthRad)
+/// From each of kEyesRad.
+std::vector<std::vector<std::uint8_t>> coatPictures(QRgb painted, float shine)
 {
+    static const std::shared_ptr<const sim::HeadMesh> head = makeBall(kBall);
+    static const std::vector<HandMadeStrand> grey = hairOnBall(kBall, {.hairs = 16'000, .lengthM = 0.25F});
     const std::uint32_t colour = 0xFF000000U | static_cast<std::uint32_t>(qBlue(painted)) << 16U |
                                  static_cast<std::uint32_t>(qGreen(painted)) << 8U |
                                  static_cast<std::uint32_t>(qRed(painted));
@@ -61,15 +65,19 @@ std::vector<std::uint8_t> coatPicture(QRgb painted, float shine, float azimuthRa
     settings.material.shine = shine;
     settings.material.tipAlpha = 1.0F;
     rendering::Scene scene = emptyScene();
-    scene.head = makeBall(kBall);
-    scene.hair = makeFrame(
-        hairOnBall(kBall, {.hairs = 16'000, .lengthM = 0.25F, .rootColour = colour, .tipColour = colour}), settings);
-    scene.camera.azimuthRad = azimuthRad;
+    scene.head = head;
+    std::vector<HandMadeStrand> strands = grey;
+    for (HandMadeStrand& strand : strands)
+        strand.style.rootColour = strand.style.tipColour = colour;
+    scene.hair = makeFrame(strands, settings);
     rendering::SoftwareRenderer renderer;
-    renderer.draw(scene, {.samples = 4}, kCoatSide, kCoatSide);
-    std::vector<std::uint8_t> pixels;
-    renderer.read(pixels);
-    return pixels;
+    std::vector<std::vector<std::uint8_t>> pictures(kEyesRad.size());
+    for (std::size_t eye = 0; eye < kEyesRad.size(); ++eye) {
+        scene.camera.azimuthRad = kEyesRad.at(eye);
+        renderer.draw(scene, {.samples = 4}, kCoatSide, kCoatSide);
+        renderer.read(pictures[eye]);
+    }
+    return pictures;
 }
 
 /// Pixels that nothing but hair covers, by eye: where blue hair is all blue and red hair all red.
@@ -78,9 +86,11 @@ const std::vector<std::vector<bool>>& coats()
     static const std::vector<std::vector<bool>> all = [] {
         std::vector<std::vector<bool>> masks;
         masks.reserve(kEyesRad.size());
-        for (const float eye : kEyesRad) {
-            const std::vector<std::uint8_t> red = coatPicture(qRgb(200, 0, 0), 0.0F, eye);
-            const std::vector<std::uint8_t> blue = coatPicture(qRgb(0, 0, 200), 0.0F, eye);
+        const auto reds = coatPictures(qRgb(200, 0, 0), 0.0F);
+        const auto blues = coatPictures(qRgb(0, 0, 200), 0.0F);
+        for (std::size_t eye = 0; eye < kEyesRad.size(); ++eye) {
+            const std::vector<std::uint8_t>& red = reds[eye];
+            const std::vector<std::uint8_t>& blue = blues[eye];
             std::vector<bool> mask(red.size() / 4);
             for (std::size_t i = 0; i < mask.size(); ++i)
                 mask[i] = red[4 * i] > 6 * red[4 * i + 2] && blue[4 * i + 2] > 6 * blue[4 * i];
@@ -104,8 +114,9 @@ Seen seenOf(QRgb painted, float shine)
     Seen seen;
     std::vector<double> lightness;
     seen.ofEyes.reserve(kEyesRad.size());
+    const auto pictures = coatPictures(painted, shine);
     for (std::size_t eye = 0; eye < kEyesRad.size(); ++eye) {
-        const std::vector<std::uint8_t> pixels = coatPicture(painted, shine, kEyesRad.at(eye));
+        const std::vector<std::uint8_t>& pixels = pictures[eye];
         const std::vector<bool>& mask = coats().at(eye);
         lightness.reserve(lightness.size() + mask.size());
         const std::size_t first = lightness.size();

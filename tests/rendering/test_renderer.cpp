@@ -192,33 +192,35 @@ void TestRenderer::hairBehindTheHeadIsHidden()
 
 void TestRenderer::onlyChangedChunksAreSent()
 {
+    constexpr int kWidth = 60; // What is sent is the same for a picture of any size.
+    constexpr int kHeight = 45;
     Scene scene = emptyScene();
     auto frame = makeFrame(comb(0xFF808080U, 5000), plainSettings(), 77);
     scene.hair = frame;
-    draw(scene);
+    draw(scene, {}, kWidth, kHeight);
     const std::size_t all = m_renderer->statistics().uploadedBytes;
     QVERIFY(all > 5 * sim::kChunkSlots * sizeof(rendering::PackedStyle));
-    draw(scene);
+    draw(scene, {}, kWidth, kHeight);
     QCOMPARE(m_renderer->statistics().uploadedBytes, std::size_t{0});
 
     // Another frame of the same hair at rest: nothing.
     scene.hair = std::make_shared<sim::StrandFrame>(*frame);
-    draw(scene);
+    draw(scene, {}, kWidth, kHeight);
     QCOMPARE(m_renderer->statistics().uploadedBytes, std::size_t{0});
     // One hair moved: its block of the skeletons only. All of it moved: all of them.
     auto moved = std::make_shared<sim::StrandFrame>(*frame);
     moved->groups[0].positions[5] += 0.001F;
     scene.hair = moved;
-    draw(scene);
+    draw(scene, {}, kWidth, kHeight);
     QCOMPARE(m_renderer->statistics().uploadedBytes, std::size_t{16384});
     auto everything = std::make_shared<sim::StrandFrame>(*frame);
     for (float& coordinate : everything->groups[0].positions)
         coordinate += 0.001F;
     scene.hair = everything;
-    draw(scene);
+    draw(scene, {}, kWidth, kHeight);
     QCOMPARE(m_renderer->statistics().uploadedBytes, frame->groups[0].positions.size() * sizeof(float));
     scene.hair = frame;
-    draw(scene);
+    draw(scene, {}, kWidth, kHeight);
 
     // One chunk has another colour: its styles; neither the list nor the positions.
     auto groom = std::make_shared<sim::Groom>(*frame->groups[0].groom);
@@ -228,7 +230,7 @@ void TestRenderer::onlyChangedChunksAreSent()
     auto painted = std::make_shared<sim::StrandFrame>(*frame);
     painted->groups[0].groom = groom;
     scene.hair = painted;
-    draw(scene);
+    draw(scene, {}, kWidth, kHeight);
     QCOMPARE(m_renderer->statistics().uploadedBytes, sim::kChunkSlots * sizeof(rendering::PackedStyle));
 }
 

@@ -18,8 +18,8 @@ using rendering::Scene;
 
 namespace {
 
-constexpr int kSteppedWidth = 200;
-constexpr int kSteppedHeight = 150;
+constexpr int kSteppedWidth = 100;
+constexpr int kSteppedHeight = 76;
 
 /// A head with a ring on it and two groups of hair, of several pieces each.
 Scene hairyScene()
@@ -137,7 +137,7 @@ void TestSteppedPictures::stepsGiveThePictureDrawnAtOnce()
     QFETCH(float, detail);
     const Quality quality{.detail = detail, .samples = samples};
     const Scene scene = hairyScene();
-    const Picture whole = draw(scene, quality);
+    const Picture whole = draw(scene, quality, kSteppedWidth, kSteppedHeight);
     const rendering::FrameStatistics statistics = m_renderer->statistics();
     draw(redComb());
     m_renderer->begin(scene, quality, kSteppedWidth, kSteppedHeight);
@@ -155,7 +155,7 @@ void TestSteppedPictures::stepsGiveThePictureDrawnAtOnce()
 
 void TestSteppedPictures::aLargeBudgetIsOneStep()
 {
-    const Picture whole = draw(hairyScene());
+    const Picture whole = draw(hairyScene(), {}, kSteppedWidth, kSteppedHeight);
     draw(redComb());
     m_renderer->begin(hairyScene(), {}, kSteppedWidth, kSteppedHeight);
     QVERIFY(m_renderer->step(std::numeric_limits<double>::infinity()));
@@ -166,7 +166,7 @@ void TestSteppedPictures::aPictureWithoutHairIsOneStep()
 {
     Scene bald = hairyScene();
     bald.hair.reset();
-    const Picture whole = draw(bald);
+    const Picture whole = draw(bald, {}, kSteppedWidth, kSteppedHeight);
     draw(redComb());
     m_renderer->begin(bald, {}, kSteppedWidth, kSteppedHeight);
     QVERIFY(m_renderer->step(0.0));
@@ -176,7 +176,7 @@ void TestSteppedPictures::aPictureWithoutHairIsOneStep()
 
 void TestSteppedPictures::whatOthersDoBetweenStepsDoesNoHarm()
 {
-    const Picture whole = draw(hairyScene());
+    const Picture whole = draw(hairyScene(), {}, kSteppedWidth, kSteppedHeight);
     draw(redComb());
     const ForeignState foreign;
     foreign.set();
@@ -210,7 +210,7 @@ void TestSteppedPictures::theLastPictureStaysUntilTheNextIsWhole()
         ++steps;
     } while (!m_renderer->step(0.0));
     QVERIFY(steps >= 5);
-    QCOMPARE(lastPicture().pixels == draw(hairyScene()).pixels, true);
+    QCOMPARE(lastPicture().pixels == draw(hairyScene(), {}, kSteppedWidth, kSteppedHeight).pixels, true);
 }
 
 void TestSteppedPictures::aPictureDrawnMeanwhileDropsTheOneUnderWay_data()
@@ -224,7 +224,7 @@ void TestSteppedPictures::aPictureDrawnMeanwhileDropsTheOneUnderWay()
 {
     QFETCH(bool, inSteps);
     const Picture red = draw(redComb(), {}, 120, 90);
-    const Picture hairy = draw(hairyScene());
+    const Picture hairy = draw(hairyScene(), {}, kSteppedWidth, kSteppedHeight);
     m_renderer->begin(hairyScene(), {}, kSteppedWidth, kSteppedHeight);
     QVERIFY(!m_renderer->step(0.0));
     QVERIFY(!m_renderer->step(0.0));
@@ -236,7 +236,7 @@ void TestSteppedPictures::aPictureDrawnMeanwhileDropsTheOneUnderWay()
         QVERIFY(inSteps);
     QCOMPARE(lastPicture(120, 90).pixels == red.pixels, true);
     QCOMPARE(m_renderer->statistics().drawnHairs, std::size_t{3000});
-    QCOMPARE(draw(hairyScene()).pixels == hairy.pixels, true);
+    QCOMPARE(draw(hairyScene(), {}, kSteppedWidth, kSteppedHeight).pixels == hairy.pixels, true);
 }
 
 void TestSteppedPictures::stepsDoNotCountInTheTimeOfWhatIsDrawnAtOnce()

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLevels = 3; ///< That are heeded; further ones are a few texels of a card.
 constexpr float kOpaque = 255.0F;
-constexpr float kBorder = -1.0F; ///< Of a plane: what no move changes.
+constexpr std::uint16_t kBorder = 256; ///< Beyond every alpha: what no move changes.
 
 struct Plane
 {
@@ -39,16 +39,16 @@ Plane alphaPlane(const std::vector<std::uint8_t>& alpha, int sizePx, const Atlas
 Plane halved(const Plane& plane)
 {
     Plane half{.width = std::max(plane.width / 2, 1), .height = std::max(plane.height / 2, 1), .values = {}};
-    half.values.reserve(static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
-    const auto at = [&plane](int x, int y) {
-        return plane
-            .values[static_cast<std::size_t>(std::min(y, plane.height - 1)) * static_cast<std::size_t>(plane.width) +
-                    static_cast<std::size_t>(std::min(x, plane.width - 1))];
-    };
-    for (int y = 0; y < half.height; ++y)
-        for (int x = 0; x < half.width; ++x)
-            half.values.push_back(
-                0.25F * (at(2 * x, 2 * y) + at(2 * x + 1, 2 * y) + at(2 * x, 2 * y + 1) + at(2 * x + 1, 2 * y + 1)));
+    half.values.resize(static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
+    const auto width = static_cast<std::size_t>(plane.width);
+    const std::size_t beside = plane.width > 1 ? 1 : 0;
+    const std::size_t below = plane.height > 1 ? width : 0;
+    float* out = half.values.data();
+    for (int y = 0; y < half.height; ++y) {
+        const float* in = plane.values.data() + 2 * static_cast<std::size_t>(y) * width;
+        for (int x = 0; x < half.width; ++x, in += 2)
+            *out++ = 0.25F * (in[0] + in[beside] + in[below] + in[below + beside]);
+    }
     return half;
 }
 
@@ -77,7 +77,9 @@ std::uint8_t moved(std::uint8_t alpha, const Move& move)
 /// A patch with what lies around it up to whole texels of the last level: nothing on its border, then more like itself.
 struct Surrounded
 {
-    Plane plane;
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint16_t> alpha;    ///< 0..255, or kBorder.
     std::array<Plane, kLevels> inside{}; ///< By level: 1 where a texel's middle lies in the patch.
 };
 
@@ -88,27 +90,28 @@ Surrounded surrounded(const std::vector<std::uint8_t>& alpha, int sizePx, const 
     const int top = patch.y / kStep * kStep;
     const auto reach = [](int from, int end) { return (end - from + kStep - 1) / kStep * kStep; };
     Surrounded made;
-    made.plane = {
-        .width = reach(left, patch.x + patch.width), .height = reach(top, patch.y + patch.height), .values = {}};
-    const Plane own = alphaPlane(alpha, sizePx, patch);
+    made.width = reach(left, patch.x + patch.width);
+    made.height = reach(top, patch.y + patch.height);
+    made.alpha.reserve(static_cast<std::size_t>(made.width) * static_cast<std::size_t>(made.height));
     // Beyond the border the patch is seen as in a mirror.
     const auto mirrored = [](int at, int length) {
         const int away = at < 0 ? -2 - at : at > length ? 2 * length - at : at;
         return at == -1 || at == length ? -1 : std::clamp(away, 0, length - 1);
     };
-    for (int y = 0; y < made.plane.height; ++y)
-        for (int x = 0; x < made.plane.width; ++x) {
+    for (int y = 0; y < made.height; ++y)
+        for (int x = 0; x < made.width; ++x) {
             const int ownX = mirrored(left + x - patch.x, patch.width);
             const int ownY = mirrored(top + y - patch.y, patch.height);
-            made.plane.values.push_back(
-                ownX < 0 || ownY < 0 ? kBorder
-                                     : own.values[static_cast<std::size_t>(ownY) * static_cast<std::size_t>(own.width) +
-                                                  static_cast<std::size_t>(ownX)]);
+            made.alpha.push_back(
+                ownX < 0 || ownY < 0
+                    ? kBorder
+                    : alpha[static_cast<std::size_t>(patch.y + ownY) * static_cast<std::size_t>(sizePx) +
+                            static_cast<std::size_t>(patch.x + ownX)]);
         }
     for (int level = 0; level < kLevels; ++level) {
         const int side = 2 << level;
         Plane& inside = made.inside.at(static_cast<std::size_t>(level));
-        inside = {.width = made.plane.width / side, .height = made.plane.height / side, .values = {}};
+        inside = {.width = made.width / side, .height = made.height / side, .values = {}};
         for (int y = 0; y < inside.height; ++y)
             for (int x = 0; x < inside.width; ++x) {
                 const int atX = left + x * side + side / 2 - patch.x;
@@ -133,12 +136,11 @@ float coverageInside(const Plane& plane, const Plane& inside)
 /// How much the first levels' coverage differs from `wanted` once alpha is moved: sum of squares.
 float awayAfter(const Surrounded& patch, const Move& move, float wanted)
 {
-    std::array<float, 256> table{};
-    for (std::size_t i = 0; i < table.size(); ++i)
+    std::array<float, kBorder + 1> table{}; // The border has none.
+    for (std::size_t i = 0; i < kBorder; ++i)
         table.at(i) = static_cast<float>(moved(static_cast<std::uint8_t>(i), move)) / kOpaque;
-    Plane level = patch.plane;
-    for (float& value : level.values)
-        value = value == kBorder ? 0.0F : table.at(static_cast<std::size_t>(std::lround(value * kOpaque)));
+    Plane level{.width = patch.width, .height = patch.height, .values = std::vector<float>(patch.alpha.size())};
+    std::ranges::transform(patch.alpha, level.values.begin(), [&table](std::uint16_t alpha) { return table[alpha]; });
     float sum = 0.0F;
     for (const Plane& inside : patch.inside) {
         level = halved(level);

@@ -25,15 +25,18 @@ constexpr std::array<CardImageKind, 7> kImageKinds = {{
 
 constexpr std::uint8_t kSeen = 128; ///< Alpha from which a texel has hair of its own.
 
-/// For every texel the index of about the nearest seed: two passes over the rows, each looking at the neighbours that
+/// For every texel about the nearest seed: two passes over the rows, each looking at the neighbours that
 /// it has been to (Danielsson 1980).
 class NearestSeeds
 {
 public:
     NearestSeeds(const std::vector<std::uint8_t>& alpha, int size) : m_size(size), m_nearest(alpha.size())
     {
-        for (std::size_t i = 0; i < alpha.size(); ++i)
-            m_nearest[i] = alpha[i] >= kSeen ? static_cast<std::uint32_t>(i) : kNone;
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x)
+                m_nearest[at(x, y)] = alpha[at(x, y)] >= kSeen
+                                          ? static_cast<std::uint32_t>(y) << kRowShift | static_cast<std::uint32_t>(x)
+                                          : kNone;
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x)
                 take(x, y, {{{-1, 0}, {-1, -1}, {0, -1}, {1, -1}}});
@@ -47,22 +50,31 @@ public:
                 take(x, y, {{{-1, 0}, {-1, 0}, {-1, 0}, {-1, 0}}});
         }
     }
-    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    [[nodiscard]] std::uint32_t of(std::size_t texel) const { return m_nearest[texel]; }
+    /// Its index; the texel's own where there is no seed.
+    [[nodiscard]] std::size_t of(std::size_t texel) const
+    {
+        const std::uint32_t seed = m_nearest[texel];
+        return seed == kNone ? texel : at(columnOf(seed), rowOf(seed));
+    }
 
 private:
-    [[nodiscard]] std::int64_t squared(std::uint32_t seed, int x, int y) const
+    // A seed is kept as its row and column: an index would have to be divided for every neighbour that is looked at.
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    static constexpr int kRowShift = 16;
+    static int columnOf(std::uint32_t seed) { return static_cast<int>(seed & 0xFFFFU); }
+    static int rowOf(std::uint32_t seed) { return static_cast<int>(seed >> kRowShift); }
+    static int squared(std::uint32_t seed, int x, int y)
     {
         if (seed == kNone)
-            return std::numeric_limits<std::int64_t>::max();
-        const std::int64_t dx = static_cast<std::int64_t>(seed % static_cast<std::uint32_t>(m_size)) - x;
-        const std::int64_t dy = static_cast<std::int64_t>(seed / static_cast<std::uint32_t>(m_size)) - y;
+            return std::numeric_limits<int>::max();
+        const int dx = columnOf(seed) - x;
+        const int dy = rowOf(seed) - y;
         return dx * dx + dy * dy;
     }
     void take(int x, int y, const std::array<glm::ivec2, 4>& neighbours)
     {
         std::uint32_t& own = m_nearest[at(x, y)];
-        std::int64_t least = squared(own, x, y);
+        int least = squared(own, x, y);
         if (least == 0)
             return;
         for (const glm::ivec2& step : neighbours) {
@@ -70,7 +82,7 @@ private:
             if (other.x < 0 || other.y < 0 || other.x >= m_size || other.y >= m_size)
                 continue;
             const std::uint32_t seed = m_nearest[at(other.x, other.y)];
-            const std::int64_t away = squared(seed, x, y);
+            const int away = squared(seed, x, y);
             if (away < least) {
                 least = away;
                 own = seed;
@@ -116,11 +128,9 @@ CardImages::CardImages(int sizePx)
 void CardImages::dilate()
 {
     const NearestSeeds nearest(m_alpha, m_size);
-    for (std::size_t i = 0; i < m_texels.size(); ++i) {
-        const std::uint32_t seed = nearest.of(i);
-        if (seed != NearestSeeds::kNone && seed != i)
+    for (std::size_t i = 0; i < m_texels.size(); ++i)
+        if (const std::size_t seed = nearest.of(i); seed != i)
             m_texels[i] = m_texels[seed];
-    }
 }
 
 std::span<const CardImageKind> cardImageKinds()

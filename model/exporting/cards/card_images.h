@@ -35,6 +35,7 @@ public:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_size) + static_cast<std::size_t>(x);
     }
     [[nodiscard]] std::vector<CardTexel>& texels() { return m_texels; }
+    [[nodiscard]] const std::vector<CardTexel>& texels() const { return m_texels; }
     [[nodiscard]] std::vector<std::uint8_t>& alpha() { return m_alpha; }
     [[nodiscard]] const std::vector<std::uint8_t>& alpha() const { return m_alpha; }
 

@@ -87,29 +87,36 @@ void HairField::fillHead(const CurveSet& set)
 void HairField::measureOpenness()
 {
     constexpr float kDirections = 6.0F;
+    // Half of a cell's own hair lies before its middle.
+    std::vector<float> half(m_areaPerM.size());
+    sim::parallelFor(half.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            half[i] = std::exp(-0.5F * kShading * m_areaPerM[i] * m_cellM);
+    });
     m_openness.assign(m_areaPerM.size(), 0.0F);
     for (int axis = 0; axis < 3; ++axis) {
         const int other = (axis + 1) % 3;
         const int third = (axis + 2) % 3;
-        const auto sweep = [&](int a, int b, bool forward) {
+        glm::ivec3 next(0);
+        next[axis] = 1;
+        const std::size_t stride = indexOf(next);
+        const auto length = static_cast<std::size_t>(m_size[axis]);
+        const auto sweep = [&](std::size_t first, bool forward) {
             float light = 1.0F;
-            for (int i = 0; i < m_size[axis]; ++i) {
-                glm::ivec3 cell(0);
-                cell[axis] = forward ? i : m_size[axis] - 1 - i;
-                cell[other] = a;
-                cell[third] = b;
-                const std::size_t index = indexOf(cell);
-                // Half of the cell's own hair lies before its middle.
-                const float half = std::exp(-0.5F * kShading * m_areaPerM[index] * m_cellM);
-                m_openness[index] += light * half / kDirections;
-                light *= half * half;
+            for (std::size_t i = 0; i < length; ++i) {
+                const std::size_t index = first + stride * (forward ? i : length - 1 - i);
+                m_openness[index] += light * half[index] / kDirections;
+                light *= half[index] * half[index];
             }
         };
         sim::parallelFor(static_cast<std::size_t>(m_size[other]), 8, [&](std::size_t begin, std::size_t end) {
             for (std::size_t a = begin; a < end; ++a)
                 for (int b = 0; b < m_size[third]; ++b) {
-                    sweep(static_cast<int>(a), b, true);
-                    sweep(static_cast<int>(a), b, false);
+                    glm::ivec3 cell(0);
+                    cell[other] = static_cast<int>(a);
+                    cell[third] = b;
+                    sweep(indexOf(cell), true);
+                    sweep(indexOf(cell), false);
                 }
         });
     }
@@ -126,12 +133,12 @@ void HairField::blurFilled()
             before = m_filled;
             const std::size_t stride = strides.at(static_cast<std::size_t>(axis));
             const auto length = static_cast<std::size_t>(m_size[axis]);
-            for (std::size_t i = 0; i < before.size(); ++i) {
-                const std::size_t at = i / stride % length;
-                const float low = at > 0 ? before[i - stride] : 0.0F;
-                const float high = at + 1 < length ? before[i + stride] : 0.0F;
-                m_filled[i] = 0.25F * (low + high) + 0.5F * before[i];
-            }
+            for (std::size_t i = 0, at = 0; i < before.size(); i += stride, at = at + 1 < length ? at + 1 : 0)
+                for (std::size_t j = i; j < i + stride; ++j) {
+                    const float low = at > 0 ? before[j - stride] : 0.0F;
+                    const float high = at + 1 < length ? before[j + stride] : 0.0F;
+                    m_filled[j] = 0.25F * (low + high) + 0.5F * before[j];
+                }
         }
 }
 
