@@ -3,15 +3,15 @@
 #   logic    sim, model, readers and writers, without a window
 #   window   a window or one of its areas, driven by mouse and keys
 #   program  the program started from outside, as a script or a user does
-#   hair     seconds of moving hair, or a style made anew
+#   hair     seconds of moving hair, a style made anew, or the built-in heads measured
 #   gpu      pictures, by either renderer
 #   fault    disks, memory, files or processes that fail
-#   walk     one way through the whole window, for the address sanitizer
+#   memory   for the address sanitizer, too, though of a kind that it leaves out: the command line, a walk of the window
 #   threads  several threads at work, for the thread sanitizer
 
 # A build runs the entries that have one of its labels, and compiles no other tests.
 set(hairpaint_labels_of_release logic window program hair gpu fault)
-set(hairpaint_labels_of_asan logic program fault walk)
+set(hairpaint_labels_of_asan logic fault memory)
 set(hairpaint_labels_of_tsan threads)
 
 # The first row whose expression matches FOLDER.NAME counts.
@@ -20,11 +20,11 @@ set(hairpaint_label_rows
     "background\\.(jobs|journal_thread)" "fault threads"
     "background\\.seen_race" "threads"
     "background\\..*" "logic threads"
-    "heads\\..*" "logic"
+    "heads\\..*" "hair"
     "fuzz\\..*" "fault"
     "importer\\..*" "fault"
 
-    "model\\.(built_in_styles|bust_motion|fallen_hair|held_tips|hold|stroke_grooms)" "hair"
+    "model\\.(built_in_styles|bust_motion|face_hair|fallen_hair|held_tips|hold|stroke_grooms|style_transfer)" "hair"
     "model\\.(export_faults|faults|hostile_project|repair|want_of_memory)" "fault"
     "model\\..*" "logic"
 
@@ -35,10 +35,11 @@ set(hairpaint_label_rows
     "app\\.(commands|interruption|layering|settings_store|starter|translations)" "logic"
     "app\\.(lie|skin_contact)" "hair"
     "app\\.(drawn_pictures|kept_pictures|style_pictures)" "gpu"
-    "app\\.monkey" "window walk"
-    "app\\.(broken_files|ended_window|error_sentences|killed_window|long_work|recovery|repair_damage|unwritable_places)" "fault"
+    "app\\.monkey" "window memory"
+    "app\\.(broken_files|ended_window|error_sentences|killed_window|long_work|recovery|repair_damage)" "fault"
     "app\\.(open_file|silent_disk|silent_exchange)" "window"
-    "app\\.(avatar_command|bounds|command_line|drawn_images|export_command|new_command|odd_names|render_command)" "program"
+    "app\\.(avatar_command|command_line|export_command|new_command|render_command)" "program memory"
+    "app\\.(bounds|drawn_images|odd_names|unwritable_places)" "program"
     "app\\..*" "window"
 )
 

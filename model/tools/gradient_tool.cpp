@@ -22,12 +22,14 @@ struct Ramp
     float perTx = 0.0F;      ///< Radial: 1 / radius.
     GradientKind kind = GradientKind::Linear;
 
-    Ramp(GradientKind gradient, glm::vec2 start, glm::vec2 end) : startTx(start), kind(gradient)
+    Ramp(GradientKind gradient, glm::vec2 start, glm::vec2 end) : startTx(exact(start)), kind(gradient)
     {
-        const glm::vec2 displacement = end - start;
+        const glm::vec2 displacement = exact(end) - startTx;
         alongTx = displacement / std::max(glm::dot(displacement, displacement), 1e-6F);
         perTx = 1.0F / std::max(glm::length(displacement), 1e-3F);
     }
+    /// To 1/64 of a texel, so that offsets are exact and a mirrored ramp gives the same values to the last bit.
+    static glm::vec2 exact(glm::vec2 tx) { return glm::round(tx * 64.0F) / 64.0F; }
     [[nodiscard]] float at(glm::vec2 tx) const
     {
         const glm::vec2 offset = tx - startTx;

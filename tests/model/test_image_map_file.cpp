@@ -185,7 +185,7 @@ private Q_SLOTS:
     {
         ForeignImage image{.width = 256, .height = 256, .channels = 1, .pixels = {}};
         for (int i = 0; i < 256 * 256; ++i)
-            image.pixels.push_back(static_cast<std::uint16_t>(i * 40'503));
+            image.pixels.push_back(static_cast<std::uint16_t>(static_cast<unsigned>(i) * 40'503U));
         const auto layer = layerFromImage(image, mapSpec(MapKind::Length), true, 0);
         for (int i = 0; i < 256 * 256; i += 77)
             QCOMPARE(layer->texel(i % 256, i / 256)[0], image.pixels[static_cast<std::size_t>(i)]);

@@ -1,36 +1,15 @@
 // How drawn frames of the 3D area come to the screen.
 #pragma once
 
+#include "view/head/shot.h"
 #include "view/presenter_choice.h"
 #include "view/rendering/backend.h"
-#include "view/rendering/scene.h"
 
 #include <QImage>
 #include <QObject>
 #include <QWidget>
 
 namespace hairpaint::view {
-
-/// From where a picture is seen, and how the head is turned in it.
-struct Sight
-{
-    rendering::Camera camera;
-    sim::HeadPose pose;
-    friend bool operator==(const Sight&, const Sight&) = default;
-};
-
-/// What to draw next.
-struct Shot
-{
-    rendering::Scene scene;
-    std::size_t allHairs = 0;
-    bool still = false; ///< Nothing moves: there is time for a finer picture.
-
-    [[nodiscard]] Sight sight() const
-    {
-        return {.camera = scene.camera, .pose = scene.hair ? scene.hair->pose : sim::HeadPose()};
-    }
-};
 
 /// Lives on the GUI thread and owns a renderer, wherever that lives.
 class FramePresenter : public QObject

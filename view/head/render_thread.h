@@ -2,8 +2,10 @@
 #pragma once
 
 #include "sim/base/mailbox.h"
-#include "view/head/frame_presenter.h"
+#include "view/head/shot.h"
+#include "view/rendering/backend.h"
 
+#include <QImage>
 #include <QThread>
 
 #include <memory>
