@@ -3,13 +3,11 @@
 #include "tests/support/test_heads.h"
 
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <string>
-#include <thread>
 
 using namespace hairpaint;
 
@@ -23,8 +21,9 @@ void send(const wire::Bytes& bytes)
 
 [[noreturn]] void sleepForEver()
 {
+    const std::atomic<bool> isOver = false;
     for (;;)
-        std::this_thread::sleep_for(std::chrono::seconds(1));
+        isOver.wait(false);
 }
 
 [[noreturn]] void workForEver()
