@@ -21,6 +21,7 @@ public:
 
     void setPath(const QString& path); ///< Empty: nothing is watched.
     void look();
+    [[nodiscard]] bool isLooking() const { return m_isAsked || m_soon.isActive(); } ///< Or will in a moment.
 
 Q_SIGNALS:
     void looked(const FileStamp& now); ///< Once for a path, then soon after the last of some changes.

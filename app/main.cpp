@@ -150,10 +150,6 @@ int runEditor(int argc, char** argv)
     hairpaint::app::returnLargeMemory();
     const std::unique_ptr<QApplication> application = openDisplay(argc, argv);
     hairpaint::app::speak(hairpaint::app::Settings().preferences().language);
-    QApplication::setStyle(QStringLiteral("Fusion"));
-    QFont font(QStringList{QStringLiteral("Inter"), QStringLiteral("Noto Sans"), QApplication::font().family()});
-    font.setPixelSize(13);
-    QApplication::setFont(font);
     hairpaint::view::initResources();
 
     QString path;

@@ -65,6 +65,7 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
       m_exchange(m_session, m_settings, m_jobs, *this), m_actions(m_settings, *this), m_preferences(m_settings),
       m_clipCommands(m_session), m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this)
 {
+    view::applyTheme(*qApp, m_preferences.current().theme); // First: what is built asks how large its text is.
     setAcceptDrops(true);
     setMinimumSize(kSmallestWindow);
     m_workspace = new Workspace(m_session.editor(), m_jobs, m_preferences.current());
@@ -75,7 +76,6 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     connectSession();
     connectAreas();
     connectFiles();
-    applyTheme();
     auto* styles = new StyleStripController(m_workspace->styleStrip(), m_exchange.styles(), m_jobs);
     view::StatusReadout& status = m_workspace->status();
     connect(styles, &StyleStripController::failed, &status,
@@ -362,16 +362,9 @@ QAction* MainWindow::actionAt(PhysicalKey key) const
 void MainWindow::applyPreferences()
 {
     m_session.editor().setNightPaper(!m_preferences.current().whitePaper);
-    applyTheme();
+    view::applyTheme(*qApp, m_preferences.current().theme);
+    m_workspace->setTheme(view::Theme::of(m_preferences.current().theme));
     m_actions.follow();
-}
-
-void MainWindow::applyTheme()
-{
-    const view::Theme theme = view::Theme::of(m_preferences.current().theme);
-    QApplication::setPalette(theme.palette());
-    qApp->setStyleSheet(theme.styleSheet());
-    m_workspace->setTheme(theme);
 }
 
 void MainWindow::showTitle()

@@ -37,6 +37,7 @@ public:
 
     [[nodiscard]] Session& session() { return m_session; }
     [[nodiscard]] ProjectFiles& files() { return m_files; }
+    [[nodiscard]] Jobs& jobs() { return m_jobs; }
     [[nodiscard]] ActionSet& actions() { return m_actions; }
     [[nodiscard]] view::PaintView& paintView();
     [[nodiscard]] view::HeadView& headView();
@@ -45,6 +46,8 @@ public:
     void offerUnsavedWork();
     /// Before the program ends without asking: all that was done is in the journal when it returns.
     void keepWork();
+    /// All that was done is in the journal.
+    [[nodiscard]] bool isWorkKept() { return m_journal.idle() && !m_journal.isStopped(); }
 
     /// Opens a project, applies a style, imports a mesh or an image: whatever the file is.
     void openFile(const QString& path);
@@ -67,7 +70,6 @@ private:
     void connectFiles();
 
     void applyPreferences();
-    void applyTheme();
     void showTitle();
 
     /// Alt and a digit: strands take that map's colours while both are held.

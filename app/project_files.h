@@ -48,6 +48,7 @@ public:
     bool mayDiscard();
     /// Looks whether others have changed the file; not every system tells of it.
     void lookOutside() { m_watch.look(); }
+    [[nodiscard]] bool isLooking() const { return m_watch.isLooking(); } ///< At the file, for what others did to it.
 
 Q_SIGNALS:
     void pathChanged();

@@ -50,6 +50,11 @@ Session::Hair Session::hair() const
     return m_failedRevision == m_document.revision() ? Hair::Failed : Hair::Underway;
 }
 
+bool Session::resting() const
+{
+    return !m_inputTimer.isActive() && m_worker->resting() && !m_frameAnnounced;
+}
+
 void Session::endPreviews()
 {
     m_document.endEdit();

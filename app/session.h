@@ -29,6 +29,8 @@ public:
     [[nodiscard]] view::EditorState& editor() { return m_editor; }
     [[nodiscard]] const std::shared_ptr<const sim::StrandFrame>& frame() const { return m_frame; }
     [[nodiscard]] bool paused() const { return m_paused; }
+    /// No other frame comes before something else is asked for.
+    [[nodiscard]] bool resting() const;
 
     enum class Hair : std::uint8_t
     {

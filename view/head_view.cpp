@@ -27,7 +27,7 @@ namespace hairpaint::view {
 
 HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choice, QWidget* parent)
     : PaintedArea(state, parent), m_state(state), m_overlay(new HeadOverlay(theme, this)),
-      m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_turn(std::make_unique<HeadTurn>()),
+      m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_turn(new HeadTurn(this)),
       m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
       m_pointer(std::make_unique<HeadPointer>(state, *m_scene, *m_turn, *this)),
       m_pacer(std::make_unique<FramePacer>()), m_directions(std::make_unique<DirectionHairs>()),
@@ -76,7 +76,7 @@ void HeadView::connectParts()
     connect(&m_directionsTimer, &QTimer::timeout, this, &HeadView::refreshDirections);
     connect(&m_state, &EditorState::targetChanged, &m_directionsTimer, qOverload<>(&QTimer::start));
 
-    connect(m_turn.get(), &HeadTurn::poseWanted, this, &HeadView::poseWanted);
+    connect(m_turn, &HeadTurn::poseWanted, this, &HeadView::poseWanted);
     connect(m_pointer.get(), &HeadPointer::cameraWanted, this, &HeadView::setCamera);
     connect(m_pointer.get(), &HeadPointer::lightDragged, this, &HeadView::refreshEnvironment);
     connect(m_pointer.get(), &HeadPointer::lightWanted, this, &HeadView::lightWanted);

@@ -138,8 +138,8 @@ private:
     WeatherOverlay* m_weather;
     ViewSigns* m_signs;
     FramePresenter* m_presenter = nullptr; ///< A child.
+    HeadTurn* m_turn;                      ///< A child.
 
-    std::unique_ptr<HeadTurn> m_turn;
     std::unique_ptr<HeadScene> m_scene;
     std::unique_ptr<HeadPointer> m_pointer;
     std::unique_ptr<FramePacer> m_pacer;

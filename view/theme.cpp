@@ -83,8 +83,8 @@ QString Theme::styleSheet() const
 
 QFont themeFont(TextRole role)
 {
-    static const bool hasInter = QFontDatabase::hasFamily(QStringLiteral("Inter"));
-    QFont font = hasInter ? QFont(QStringLiteral("Inter")) : QFontDatabase::systemFont(QFontDatabase::GeneralFont);
+    QFont font(QStringList{QStringLiteral("Inter"), QStringLiteral("Noto Sans"),
+                           QFontDatabase::systemFont(QFontDatabase::GeneralFont).family()});
     font.setStyleHint(QFont::SansSerif);
     switch (role) {
     case TextRole::Body:
@@ -108,10 +108,13 @@ void applyTheme(QApplication& application, ThemeKind kind)
 {
     initResources();
     const Theme theme = Theme::of(kind);
+    const QString sheet = theme.styleSheet();
+    if (application.styleSheet() == sheet)
+        return; // As another window has it.
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setFont(themeFont(TextRole::Body));
     QApplication::setPalette(theme.palette());
-    application.setStyleSheet(theme.styleSheet());
+    application.setStyleSheet(sheet);
 }
 
 } // namespace hairpaint::view

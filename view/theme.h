@@ -54,7 +54,7 @@ enum class TextRole
 };
 [[nodiscard]] QFont themeFont(TextRole role);
 
-/// Style, palette, fonts and style sheet of the whole program; may be called again to switch while it runs.
+/// Style, font, palette and style sheet of the whole program; may be called again to switch while it runs.
 void applyTheme(QApplication& application, ThemeKind kind);
 
 } // namespace hairpaint::view

@@ -57,7 +57,8 @@ void workWatched(const std::shared_ptr<Watched>& watched)
 class ProgressWindow : public QDialog
 {
 public:
-    ProgressWindow(const QString& doing, QWidget& parent) : QDialog(&parent)
+    ProgressWindow(const QString& doing, QWidget& parent, const Jobs::Clock& clock)
+        : QDialog(&parent), m_clock(clock), m_beganMs(clock())
     {
         setWindowTitle(Jobs::tr("Hair Paint"));
         setModal(true);
@@ -76,14 +77,20 @@ public:
         layout->addWidget(m_buttons);
     }
 
-    [[nodiscard]] bool cancelled() const { return m_sinceBusy.isValid(); }
+    void showOnceLong()
+    {
+        if (!isVisible() && m_clock() - m_beganMs >= kMsUntilShown)
+            show();
+    }
+
+    [[nodiscard]] bool cancelled() const { return m_busyMs.has_value(); }
     /// For long, and nothing has been computed meanwhile.
     [[nodiscard]] bool isLongCancelled(double processorMs)
     {
         if (cancelled() && processorMs > m_processorMs + kBusyMs)
-            m_sinceBusy.restart();
+            m_busyMs = m_clock();
         m_processorMs = processorMs;
-        return cancelled() && m_sinceBusy.hasExpired(kMsUntilLeft);
+        return cancelled() && m_clock() - *m_busyMs >= kMsUntilLeft;
     }
 
     void showFraction(double fraction)
@@ -98,7 +105,7 @@ public:
     void reject() override
     {
         if (!cancelled())
-            m_sinceBusy.start();
+            m_busyMs = m_clock();
         m_label->setText(Jobs::tr("Cancelling…"));
         m_buttons->setEnabled(false);
     }
@@ -107,7 +114,9 @@ private:
     QLabel* m_label;
     QProgressBar* m_bar;
     QDialogButtonBox* m_buttons;
-    QElapsedTimer m_sinceBusy; ///< Since Cancel, or since the work was last seen computing after it.
+    const Jobs::Clock& m_clock;
+    qint64 m_beganMs;
+    std::optional<qint64> m_busyMs; ///< When Cancel was pressed, or when the work was last seen computing after it.
     double m_processorMs = 0.0;
 };
 
@@ -178,15 +187,17 @@ private:
 
 /// Waits for `ended` with the window after a while; whether Cancel was pressed. `look` is called now and then.
 template<typename Look>
-bool watch(const QString& doing, QWidget& window, QEventLoop& loop, const Look& look)
+bool watch(const QString& doing, QWidget& window, const Jobs::Clock& clock, QEventLoop& loop, const Look& look)
 {
     while (QWidget* popup = QApplication::activePopupWidget())
         popup->close();
-    ProgressWindow progress(doing, window);
+    ProgressWindow progress(doing, window, clock);
     const InputStop stop(progress);
-    QTimer::singleShot(kMsUntilShown, &progress, &QWidget::show);
     QTimer looks;
-    QObject::connect(&looks, &QTimer::timeout, &progress, [&] { look(progress); });
+    QObject::connect(&looks, &QTimer::timeout, &progress, [&] {
+        progress.showOnceLong();
+        look(progress);
+    });
     looks.start(kMsBetweenLooks);
     loop.exec();
     progress.hide();
@@ -200,6 +211,9 @@ bool watch(const QString& doing, QWidget& window, QEventLoop& loop, const Look& 
 Jobs::Jobs(QWidget& window) : QObject(&window), m_window(window), m_ear(std::make_shared<Ear>())
 {
     m_ear->jobs = this;
+    QElapsedTimer sinceStart;
+    sinceStart.start();
+    m_clock = [sinceStart] { return sinceStart.elapsed(); };
 }
 
 Jobs::~Jobs()
@@ -225,7 +239,7 @@ WorkEnd Jobs::runWatched(const QString& doing, std::function<void(const model::P
         watched->work = nullptr; // What it owns goes with it.
         --leftThreads;
     });
-    const bool cancelled = watch(doing, m_window, loop, [&](ProgressWindow& progress) {
+    const bool cancelled = watch(doing, m_window, m_clock, loop, [&](ProgressWindow& progress) {
         progress.showFraction(watched->fraction);
         watched->isToStop = progress.cancelled();
         if (mayBeLeft && progress.isLongCancelled(processorMs(thread)))
@@ -269,7 +283,7 @@ bool Jobs::awaitUntil(const QString& doing, const std::function<bool()>& ready)
     if (ready())
         return true;
     QEventLoop loop;
-    watch(doing, m_window, loop, [&](ProgressWindow& progress) {
+    watch(doing, m_window, m_clock, loop, [&](ProgressWindow& progress) {
         if (ready() || progress.cancelled())
             loop.quit();
     });

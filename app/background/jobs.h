@@ -54,6 +54,10 @@ public:
     explicit Jobs(QWidget& window);
     ~Jobs() override; ///< Tells what is under way to stop and waits for it; nobody hears of it any more.
 
+    /// Milliseconds since any moment: what tells how long work takes. Real time unless set.
+    using Clock = std::function<qint64()>;
+    void setClock(Clock clock) { m_clock = std::move(clock); }
+
     /// The result, waited for: the window stays alive but takes no input, and what is clicked or typed meanwhile is
     /// lost. After half a second a window shows how far the work is; its Cancel is all that can be pressed. None where
     /// the work was cancelled.
@@ -98,6 +102,7 @@ private:
     };
 
     QWidget& m_window;
+    Clock m_clock;
     std::shared_ptr<Ear> m_ear;
     std::mutex m_mutex; ///< Of the work and of what is told of it.
     std::condition_variable_any m_wanted;

@@ -48,11 +48,19 @@ public:
         return m_value.has_value();
     }
 
+    [[nodiscard]] bool awaited() const ///< Whether a thread is in waitAndTake() and there is nothing to take.
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_awaited && !m_value;
+    }
+
     /// Waits until there is a value.
     [[nodiscard]] T waitAndTake()
     {
         std::unique_lock lock(m_mutex);
+        m_awaited = true;
         m_arrived.wait(lock, [this] { return m_value.has_value(); });
+        m_awaited = false;
         T value = *std::move(m_value);
         m_value.reset();
         return value;
@@ -71,6 +79,7 @@ private:
     mutable std::mutex m_mutex;
     std::condition_variable m_arrived;
     std::optional<T> m_value;
+    bool m_awaited = false;
 };
 
 } // namespace hairpaint::sim

@@ -264,6 +264,11 @@ void SimulationWorker::setDetail(float detail)
     m_state->requests.update([&](Requests& r) { r.detail = std::clamp(detail, kLeastDetail, 1.0F); });
 }
 
+bool SimulationWorker::resting() const
+{
+    return m_state->requests.awaited();
+}
+
 std::shared_ptr<const StrandFrame> SimulationWorker::takeFrame()
 {
     return m_state->frames.take().value_or(nullptr);

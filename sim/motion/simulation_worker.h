@@ -39,6 +39,9 @@ public:
     /// moves.
     void setDetail(float detail);
 
+    /// Nothing moves and all that was asked for is done: no frame comes before something else is asked for.
+    [[nodiscard]] bool resting() const;
+
     /// The newest frame since the last call, or null.
     [[nodiscard]] std::shared_ptr<const StrandFrame> takeFrame();
     /// The revision of the newest content that could not be made into hair, for want of memory, since the last call.

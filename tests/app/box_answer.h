@@ -15,7 +15,7 @@ namespace hairpaint::app {
 class BoxAnswer : public QObject
 {
 public:
-    explicit BoxAnswer(QString button) : m_button(std::move(button)) { startTimer(20); }
+    explicit BoxAnswer(QString button) : m_button(std::move(button)) { startTimer(5); }
     QStringList asked; ///< What the boxes said.
     bool sawFileDialog = false;
 

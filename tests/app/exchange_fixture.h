@@ -41,7 +41,7 @@ public:
     int cancelled = 0;    ///< How often it was.
     QStringList said;     ///< What message boxes said.
 
-    Answerer() { startTimer(20); }
+    Answerer() { startTimer(5); }
 
 protected:
     void timerEvent(QTimerEvent* /*event*/) override

@@ -150,7 +150,7 @@ private Q_SLOTS:
         };
         drop(curves);
         QTRY_COMPARE_WITH_TIMEOUT(asked, 1, kPatienceMs);
-        QTest::qWait(100);
+        test::handleDueEvents();
         QCOMPARE(stack().count(), 0);
 
         m_answers->takesHair = true;

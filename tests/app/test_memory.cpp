@@ -55,19 +55,16 @@ private:
         return residentMegabytes();
     }
 
-    /// Until the 3D area has drawn hair, or a head without.
+    /// Until the 3D area has drawn hair, or a head without, as finely as it can.
     void awaitPicture(bool withHair)
     {
-        bool drawn = false;
+        std::size_t drawnHairs = 0;
         QObject watching;
         connect(&m_window->headView(), &view::HeadView::frameDrawn, &watching,
-                [&drawn, withHair](const rendering::FrameStatistics& statistics) {
-                    drawn = (statistics.drawnHairs > 0) == withHair;
-                });
+                [&drawnHairs](const rendering::FrameStatistics& statistics) { drawnHairs = statistics.drawnHairs; });
         awaitNewestHair();
-        m_window->headView().update();
-        QTRY_VERIFY_WITH_TIMEOUT(drawn, kPatienceMs);
-        QTest::qWait(500); // The still picture, and what comes after it.
+        awaitFinePicture();
+        QCOMPARE(drawnHairs > 0, withHair);
     }
 
     void fill(model::MapKind kind, std::uint16_t value)
@@ -108,6 +105,7 @@ private Q_SLOTS:
     void hairThatIsGoneLeavesNothing()
     {
         openWholeWindow(model::newProject());
+        session().setPaused(true);           // So that the finest picture comes at once.
         fill(model::MapKind::Density, 2000); // What is kept once there was any hair.
         awaitPicture(true);
         fill(model::MapKind::Density, 0);

@@ -14,6 +14,12 @@
 #include <array>
 #include <random>
 
+#if defined(HAIRPAINT_ASAN)
+#include <sanitizer/allocator_interface.h>
+#elif defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace hairpaint::app {
 
 namespace {
@@ -41,6 +47,19 @@ protected:
 constexpr int kFifths = 5;
 constexpr int kRestsAFifth = 8;
 constexpr int kLongRun = 10'000; ///< Actions from which on memory can be expected to have settled.
+
+/// What the program has asked for and not given back; 0 where that is not known.
+qint64 allocatedBytes()
+{
+#if defined(HAIRPAINT_ASAN)
+    return static_cast<qint64>(__sanitizer_get_current_allocated_bytes());
+#elif defined(__GLIBC__)
+    const struct mallinfo2 all = mallinfo2();
+    return static_cast<qint64>(all.uordblks + all.hblkhd);
+#else
+    return 0;
+#endif
+}
 
 /// So many, or as the environment says: HAIRPAINT_MONKEY_ACTIONS=100000 HAIRPAINT_MONKEY_SEED=7 (and
 /// QTEST_FUNCTION_TIMEOUT, in ms, for what takes more than five minutes).
@@ -147,7 +166,17 @@ private:
                               Qt::LeftButton, {}, QPoint(static_cast<int>(below(800)), 30));
     }
 
-    void act()
+    void act(int number)
+    {
+        actSomehow();
+        if (number % 8 != 0)
+            return;
+        QCoreApplication::processEvents();
+        // Without a loop that runs nobody else does it.
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+
+    void actSomehow()
     {
         switch (below(10)) {
         case 0:
@@ -174,26 +203,27 @@ private:
                               Qt::LeftButton, {}, QPoint(10, 5));
     }
 
-    /// What is held while one and the same style rests on the head in one and the same view, whatever was done before.
-    [[nodiscard]] double megabytesAtRest()
+    /// One and the same head rests in one and the same view, whatever was done before.
+    void rest()
     {
         model::Document& document = session().document();
-        document.push(model::applyPresetCommand(document, m_style));
-        document.push(model::setWindCommand(document, m_project.wind));
+        document.push(model::setWindCommand(document, {.enabled = false}));
         document.push(model::setEllipsoidsCommand(document, m_project.ellipsoids, QString()));
         editor().setActiveMap(model::MapKind::Density);
         // A copy of all replaces whatever was copied.
         for (const char* id : {"view.both", "view.home", "view.fit", "look.front", "edit.none", "edit.copy"})
             m_window->actions().find(QLatin1StringView(id))->trigger();
-        const auto isShown = [this, &document] {
-            const auto frame = session().frame();
-            return frame != nullptr && frame->revision >= document.revision();
-        };
-        if (!QTest::qWaitFor(isShown, kPatienceMs))
-            qWarning("The hair of a style did not come.");
-        QTest::qWait(300); // Its picture does.
+        QTRY_VERIFY_WITH_TIMEOUT(session().hair() == Session::Hair::Current, kPatienceMs);
+        awaitFinePicture();
+        QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         returnFreedMemory();
+    }
+
+    [[nodiscard]] double megabytesAtRest()
+    {
+        session().document().push(model::applyPresetCommand(session().document(), m_style));
+        rest();
         return static_cast<double>(test::residentBytes(QCoreApplication::applicationPid())) / 1e6;
     }
 
@@ -219,12 +249,7 @@ private Q_SLOTS:
         std::array<double, kFifths> atRest{};    // and what it held where nothing but the past differs.
         const int restEvery = actions / (kFifths * kRestsAFifth);
         for (int i = 0; i < actions; ++i) {
-            act();
-            if (i % 8 == 0) {
-                QCoreApplication::processEvents();
-                // Without a loop that runs nobody else does it.
-                QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-            }
+            act(i);
             const auto fifth = static_cast<std::size_t>(qint64{i} * kFifths / actions);
             if (actions >= kLongRun && i % restEvery == restEvery - 1)
                 atRest[fifth] += megabytesAtRest() / kRestsAFifth;
@@ -254,6 +279,35 @@ private Q_SLOTS:
 #if !defined(HAIRPAINT_ASAN) // Which holds freed memory back.
         QVERIFY(atRest[4] <= 1.05 * atRest[1]);
 #endif
+    }
+
+    /// The same actions from the same content, again and again: what they need is there after two rounds.
+    void actionsLeaveNothingBehind()
+    {
+        constexpr int kRounds = 4;
+        constexpr int kActions = 60;
+        constexpr int kMostBytes = kActions * 2 * 8'000;
+        constexpr int kMostWidgets = 10;
+        m_project = model::newProject();
+        openWindow(m_project);
+        const Closer closer;
+        std::array<qint64, kRounds> bytes{};
+        std::array<qsizetype, kRounds> widgets{};
+        for (std::size_t round = 0; round < kRounds && !QTest::currentTestFailed(); ++round) {
+            m_random.seed(static_cast<unsigned>(fromEnvironment("HAIRPAINT_MONKEY_SEED", 1)));
+            for (int i = 0; i < kActions; ++i)
+                act(i);
+            session().document().settle();
+            session().document().replace(m_project, model::ResolvedMaps(m_project)); // No step is left of the past.
+            rest();
+            QTRY_VERIFY_WITH_TIMEOUT(session().resting(), kPatienceMs);
+            bytes.at(round) = allocatedBytes();
+            widgets.at(round) = QApplication::allWidgets().size();
+            qInfo("round %d: %.3f MB, %d widgets", static_cast<int>(round), static_cast<double>(bytes.at(round)) * 1e-6,
+                  static_cast<int>(widgets.at(round)));
+        }
+        QVERIFY(bytes.back() - bytes[1] < kMostBytes);
+        QVERIFY(widgets.back() - widgets[1] < kMostWidgets);
     }
 };
 

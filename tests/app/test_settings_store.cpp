@@ -2,6 +2,7 @@
 #include "app/settings_store.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/full_disk.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 
 #include <QSettings>
@@ -76,7 +77,7 @@ private Q_SLOTS:
             store.setValue(QStringLiteral("keys/%1").arg(i), i);
         QVERIFY(!QFile::exists(file));
         QCoreApplication::processEvents();
-        QTRY_VERIFY(QFile::exists(file));
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), test::kPatienceMs);
         QCOMPARE(SettingsStore(file).value(QStringLiteral("keys/99")).toInt(), 99);
         // What is the same already is not written again.
         QVERIFY(QFile::remove(file));

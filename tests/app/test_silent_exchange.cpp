@@ -28,8 +28,10 @@ private:
     /// With few hairs; one window does for all.
     void openOnce()
     {
-        if (m_window == nullptr)
+        if (m_window == nullptr) {
             open(test::thinned(starterProject()));
+            hurryJobs();
+        }
         m_answers->said.clear();
         m_answers->cancelled = 0;
         m_answers->choosesExport = nullptr;

@@ -183,7 +183,6 @@ private Q_SLOTS:
     {
         QStandardPaths::setTestModeEnabled(true);
         view::initResources();
-        view::applyTheme(*qApp, view::ThemeKind::Dark); // The fonts, too.
     }
     void init()
     {

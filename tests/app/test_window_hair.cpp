@@ -105,11 +105,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(blown() > 0.05, kPatienceMs);
         // So that what is held is what is compared with: no frame is on its way any more.
         session().setPaused(true);
-        std::uint64_t number = 0;
-        do {
-            number = session().frame()->number;
-            QTest::qWait(200);
-        } while (session().frame()->number != number);
+        QTRY_VERIFY_WITH_TIMEOUT(session().resting(), kPatienceMs);
         const model::LyingField field(model::lyingHairs(session().frame()->groups.front(), session().frame()->pose));
         const auto directions = map(model::MapKind::Direction);
         const auto gel = map(model::MapKind::Gel);

@@ -4,12 +4,13 @@
 #include "app/library.h"
 #include "app/main_window.h"
 #include "tests/app/thin_project.h"
-#include "tests/support/patience.h"
+#include "tests/support/await.h"
 #include "view/head_view.h"
 #include "view/paint_view.h"
 #include "view/panels/style_strip.h"
 #include "view/resources.h"
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -70,11 +71,31 @@ protected:
     /// simulation after that content and comes back with its frame.
     void awaitNewestHair()
     {
-        QTest::qWait(20); // Content is sent when the event loop has nothing else to do.
+        test::handleDueEvents(); // Content is sent when the event loop has nothing else to do.
         m_stepM += 1e-6F;
         session().setPose({.rotation = {1.0F, 0.0F, 0.0F, 0.0F}, .positionWo = {m_stepM, 0.0F, 0.0F}});
         session().resetHair();
         QTRY_COMPARE_WITH_TIMEOUT(session().frame()->pose.positionWo.x, m_stepM, kPatienceMs);
+    }
+
+    /// Until nothing is seen to move and the 3D area's picture is as fine as it gets.
+    void awaitFinePicture()
+    {
+        view::HeadView& head = m_window->headView();
+        const auto isFine = [&head] { return !head.awake() && !head.refining(); };
+        QTRY_VERIFY_WITH_TIMEOUT(isFine(), kPatienceMs);
+        // One that was asked for is begun before this one, and has told so then.
+        QVERIFY(!head.grabPicture(QSize(8, 8)).isNull());
+        test::handleDueEvents();
+        QTRY_VERIFY_WITH_TIMEOUT(isFine(), kPatienceMs);
+    }
+
+    /// What takes long is shown, and left after Cancel, fifty times as soon.
+    void hurryJobs()
+    {
+        QElapsedTimer clock;
+        clock.start();
+        m_window->jobs().setClock([clock] { return 50 * clock.elapsed(); });
     }
 
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)

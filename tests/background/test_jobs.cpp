@@ -7,7 +7,6 @@
 #include "tests/support/test_program.h"
 
 #include <QAction>
-#include <QDeadlineTimer>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QLineEdit>
@@ -16,7 +15,7 @@
 #include <QtTest>
 
 #include <atomic>
-#include <chrono>
+#include <ctime>
 #include <new>
 #include <stdexcept>
 #include <thread>
@@ -39,6 +38,18 @@ model::Result<int> untilStopped(const model::Progress& progress)
     while (progress(0.25))
         std::this_thread::yield();
     return model::failure(QStringLiteral("stopped"));
+}
+
+/// A second is over with each look at it.
+Jobs::Clock secondALook()
+{
+    return [ms = qint64{0}]() mutable { return ms += 1000; };
+}
+
+/// What this process has computed for; its other threads hardly do.
+double processorMs()
+{
+    return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 /// Does something once, as soon as it may.
@@ -104,6 +115,7 @@ private Q_SLOTS:
         std::atomic<bool> wasTold = false;
         {
             Jobs jobs(window);
+            jobs.setClock(secondALook());
             const When cancels(
                 [&] { return shownProgress(window) != nullptr; },
                 [&] {
@@ -111,8 +123,7 @@ private Q_SLOTS:
                 });
             const Awaited<int> awaited = jobs.awaitOrLeave<int>(
                 QStringLiteral("Waiting"), [&goesOn, &wasTold](const model::Progress& progress) -> model::Result<int> {
-                    while (goesOn)
-                        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                    goesOn.wait(true);
                     wasTold = !progress(1.0);
                     return 1;
                 });
@@ -121,6 +132,7 @@ private Q_SLOTS:
         }
         QVERIFY(Jobs::anyLeft());
         goesOn = false;
+        goesOn.notify_all();
         QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
         QVERIFY(wasTold);
     }
@@ -130,13 +142,24 @@ private Q_SLOTS:
     {
         Window window;
         Jobs jobs(window);
+        // A second is over whenever the work has computed for much longer than a look needs to see it.
+        std::atomic<qint64> nowMs = 0;
+        jobs.setClock([&nowMs] { return nowMs.load(); });
+        std::atomic<bool> isCancelled = false;
         const When cancels(
             [&] { return shownProgress(window) != nullptr; },
-            [&] { shownProgress(window)->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click(); });
+            [&] {
+                shownProgress(window)->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
+                isCancelled = true;
+            });
         const Awaited<int> awaited =
-            jobs.awaitOrLeave<int>(QStringLiteral("Counting"), [](const model::Progress& progress) {
-                const QDeadlineTimer end(4000);
-                while (!end.hasExpired()) {
+            jobs.awaitOrLeave<int>(QStringLiteral("Counting"), [&](const model::Progress& progress) {
+                constexpr int kSeconds = 20;
+                for (int second = 0; second < kSeconds; second += isCancelled ? 1 : 0) {
+                    const double began = processorMs();
+                    while (processorMs() < began + 10.0) {
+                    }
+                    nowMs += 1000;
                 }
                 return progress(1.0) ? model::Result<int>(1) : model::failure(QStringLiteral("Stopped."));
             });
@@ -148,12 +171,17 @@ private Q_SLOTS:
     {
         Window window;
         Jobs jobs(window);
+        qint64 nowMs = 0;
+        jobs.setClock([&nowMs] { return nowMs; });
         const Awaited<int> done = jobs.awaitOrLeave<int>(QStringLiteral("Counting"),
                                                          [](const model::Progress&) { return model::Result<int>(42); });
         QCOMPARE(done.end, WorkEnd::Done);
         QCOMPARE(**done.result, 42);
         const When cancels(
-            [&] { return shownProgress(window) != nullptr; },
+            [&] {
+                nowMs = 1000;
+                return shownProgress(window) != nullptr;
+            },
             [&] { shownProgress(window)->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click(); });
         const Awaited<int> stopped = jobs.awaitOrLeave<int>(QStringLiteral("Waiting"), untilStopped);
         QCOMPARE(stopped.end, WorkEnd::Cancelled);
@@ -245,6 +273,7 @@ private Q_SLOTS:
         QFETCH(bool, byKey);
         Window window;
         Jobs jobs(window);
+        jobs.setClock(secondALook());
         When cancel([&] { return shownProgress(window) != nullptr; },
                     [&] {
                         QDialog* progress = shownProgress(window);
@@ -268,8 +297,14 @@ private Q_SLOTS:
         Window window;
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         Jobs jobs(window);
+        qint64 nowMs = 0;
+        jobs.setClock([&nowMs] { return nowMs; });
         std::atomic<bool> disturbed = false;
-        When early([] { return true; }, [&] { window.disturb(); });
+        When early([] { return true; },
+                   [&] {
+                       window.disturb();
+                       nowMs = 1000;
+                   });
         When late([&] { return shownProgress(window) != nullptr; },
                   [&] {
                       window.disturb();

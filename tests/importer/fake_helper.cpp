@@ -3,7 +3,6 @@
 #include "tests/support/test_heads.h"
 
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -11,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <thread>
 
 using namespace hairpaint;
 
@@ -25,8 +23,9 @@ void send(const wire::Bytes& bytes)
 
 [[noreturn]] void sleepForEver()
 {
+    const std::atomic<bool> isOver = false;
     for (;;)
-        std::this_thread::sleep_for(std::chrono::seconds(1));
+        isOver.wait(false);
 }
 
 [[noreturn]] void workForEver()

@@ -1,15 +1,33 @@
 // The mailbox between two threads: the latest wins, nothing is lost, waiting ends.
 #include "sim/base/mailbox.h"
+#include "tests/support/await.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <thread>
 #include <vector>
 
 using namespace hairpaint::sim;
+
+namespace {
+
+/// Goes on by a millisecond with each look at it.
+struct LookedAtClock
+{
+    using duration = std::chrono::milliseconds;
+    using rep = duration::rep;
+    using period = duration::period;
+    using time_point = std::chrono::time_point<LookedAtClock>;
+    static constexpr bool is_steady = true;
+    static inline std::atomic<rep> looks = 0;
+    static time_point now() { return time_point(duration(++looks)); }
+};
+
+} // namespace
 
 class TestMailbox : public QObject
 {
@@ -19,6 +37,7 @@ private Q_SLOTS:
     void theLatestValueWins();
     void anEmptyBoxGivesNothing();
     void editsGatherUntilTheyAreTaken();
+    void itTellsWhetherSomebodyWaits();
     void aWaitingTakeWakesWhenAValueArrives();
     void aTakeUntilADeadlineGivesUp();
     void valuesFromManyThreadsAllArrive();
@@ -49,6 +68,18 @@ void TestMailbox::editsGatherUntilTheyAreTaken()
     QCOMPARE(box.take().value(), (std::vector<int>{3}));
 }
 
+void TestMailbox::itTellsWhetherSomebodyWaits()
+{
+    Mailbox<int> box;
+    QVERIFY(!box.awaited());
+    std::thread reader([&box] { (void)box.waitAndTake(); });
+    QVERIFY(hairpaint::test::awaitUntil([&] { return box.awaited(); }));
+    box.put(1);
+    QVERIFY(!box.awaited()); // Whether it was taken yet or not.
+    reader.join();
+    QVERIFY(!box.awaited());
+}
+
 void TestMailbox::aWaitingTakeWakesWhenAValueArrives()
 {
     Mailbox<int> box;
@@ -63,9 +94,10 @@ void TestMailbox::aWaitingTakeWakesWhenAValueArrives()
 void TestMailbox::aTakeUntilADeadlineGivesUp()
 {
     Mailbox<int> box;
-    const auto now = std::chrono::steady_clock::now();
-    QVERIFY(!box.takeUntil(now + std::chrono::milliseconds(5)));
-    QVERIFY(std::chrono::steady_clock::now() - now >= std::chrono::milliseconds(5));
+    const auto now = LookedAtClock::now();
+    const auto deadline = now + std::chrono::milliseconds(5);
+    QVERIFY(!box.takeUntil(deadline));
+    QVERIFY(LookedAtClock::now() > deadline);
     box.put(3);
     QCOMPARE(box.takeUntil(now).value_or(0), 3);
 }

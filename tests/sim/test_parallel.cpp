@@ -1,11 +1,11 @@
 // Parallel loops cover the whole range once, on as many threads as were asked for.
 #include "sim/base/parallel.h"
+#include "tests/support/await.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <atomic>
-#include <chrono>
 #include <mutex>
 #include <new>
 #include <set>
@@ -71,19 +71,14 @@ void TestParallel::eightThreadsAreEightOnAnyMachine()
     std::mutex mutex;
     std::set<std::thread::id> seen;
     // A piece waits until eight threads have come, so that a quick one cannot take them all; it gives up in the end.
-    const auto giveUp = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    std::atomic<bool> gaveUp{false};
     parallelFor(64, 1, [&](std::size_t, std::size_t) {
-        for (;;) {
-            {
-                const std::lock_guard lock(mutex);
-                seen.insert(std::this_thread::get_id());
-                if (seen.size() >= 8)
-                    return;
-            }
-            if (std::chrono::steady_clock::now() > giveUp)
-                return;
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
+        const bool came = hairpaint::test::awaitUntil([&] {
+            const std::lock_guard lock(mutex);
+            seen.insert(std::this_thread::get_id());
+            return seen.size() >= 8 || gaveUp;
+        });
+        gaveUp = gaveUp || !came;
     });
     QCOMPARE(seen.size(), std::size_t{8});
 }

@@ -2,6 +2,7 @@
 #include "sim/motion/simulation_worker.h"
 #include "sim/solver/solver_layout.h"
 #include "tests/support/allocation_limit.h"
+#include "tests/support/await.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/test_program.h"
 
@@ -9,7 +10,6 @@
 
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <thread>
 #include <utility>
 
@@ -18,28 +18,22 @@ using namespace hairpaint::test;
 
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(300); // only ever waited for where a test fails
-
-/// Waits for a frame that fulfils the condition; null after kPatience.
+/// Waits for a frame that fulfils the condition; null where none comes.
 template<typename Condition>
 std::shared_ptr<const StrandFrame> awaitFrame(SimulationWorker& worker, Condition condition)
 {
-    const auto deadline = std::chrono::steady_clock::now() + kPatience;
-    while (std::chrono::steady_clock::now() < deadline) {
-        if (const auto frame = worker.takeFrame(); frame && condition(*frame))
-            return frame;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return nullptr;
+    std::shared_ptr<const StrandFrame> frame;
+    const bool came = awaitUntil([&] {
+        frame = worker.takeFrame();
+        return frame && condition(*frame);
+    });
+    return came ? frame : nullptr;
 }
 
-/// Waits until the callback has come so often; false after kPatience. The frame of a call can be taken before it.
+/// Waits until the callback has come so often. The frame of a call can be taken before it.
 bool awaitCalls(const std::atomic<int>& calls, int count)
 {
-    const auto deadline = std::chrono::steady_clock::now() + kPatience;
-    while (calls < count && std::chrono::steady_clock::now() < deadline)
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return calls >= count;
+    return awaitUntil([&] { return calls >= count; });
 }
 
 bool hasHair(const StrandFrame& frame)
@@ -188,12 +182,12 @@ void TestSimulationWorker::stillHairStopsTheFramesUntilSomethingHappens()
     const auto last = awaitFrame(worker, [](const StrandFrame& frame) { return hasHair(frame) && frame.asleep; });
     QVERIFY(last);
     // One call a frame, and no frame after the one that says so.
-    QVERIFY(awaitCalls(calls, static_cast<int>(last->number)));
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    QVERIFY(awaitUntil([&] { return worker.resting(); }));
     QCOMPARE(calls.load(), static_cast<int>(last->number));
     QVERIFY(!worker.takeFrame());
     worker.setWind(kSideBreeze);
     QVERIFY(awaitFrame(worker, [](const StrandFrame& frame) { return !frame.asleep; }));
+    QVERIFY(!worker.resting());
 }
 
 void TestSimulationWorker::aFrameKeptStaysAsItWas()

@@ -6,13 +6,16 @@
 #include <limits>
 #include <new>
 
-// The sanitizers have a malloc of their own, and call it before they are ready for code they watch.
-#if defined(__GLIBC__) && !defined(HAIRPAINT_ASAN) && !defined(HAIRPAINT_TSAN)
-#define HAIRPAINT_MALLOC_CAN_FAIL
-// What malloc is in glibc, under a name that nobody takes the place of.
-extern "C" void* __libc_malloc(std::size_t bytes);
-extern "C" void* __libc_calloc(std::size_t count, std::size_t bytes);
-extern "C" void* __libc_realloc(void* memory, std::size_t bytes);
+// What malloc is in the C library or the address sanitizer, under a name that nobody takes the place of.
+#if defined(__GLIBC__) && defined(HAIRPAINT_ASAN)
+#define HAIRPAINT_OWN_MALLOC(name) __interceptor_##name
+#elif defined(__GLIBC__) && !defined(HAIRPAINT_TSAN)
+#define HAIRPAINT_OWN_MALLOC(name) __libc_##name
+#endif
+#ifdef HAIRPAINT_OWN_MALLOC
+extern "C" void* HAIRPAINT_OWN_MALLOC(malloc)(std::size_t bytes);
+extern "C" void* HAIRPAINT_OWN_MALLOC(calloc)(std::size_t count, std::size_t bytes);
+extern "C" void* HAIRPAINT_OWN_MALLOC(realloc)(void* memory, std::size_t bytes);
 #endif
 
 namespace {
@@ -31,8 +34,8 @@ bool isFault(std::size_t bytes)
 
 void* plainMalloc(std::size_t bytes)
 {
-#ifdef HAIRPAINT_MALLOC_CAN_FAIL
-    return __libc_malloc(bytes);
+#ifdef HAIRPAINT_OWN_MALLOC
+    return HAIRPAINT_OWN_MALLOC(malloc)(bytes);
 #else
     return std::malloc(bytes);
 #endif
@@ -96,20 +99,20 @@ bool AllocationFault::happened()
 
 } // namespace hairpaint::test
 
-#ifdef HAIRPAINT_MALLOC_CAN_FAIL
+#ifdef HAIRPAINT_OWN_MALLOC
 extern "C" void* malloc(std::size_t bytes) noexcept
 {
-    return isFault(bytes) ? nullptr : __libc_malloc(bytes);
+    return isFault(bytes) ? nullptr : HAIRPAINT_OWN_MALLOC(malloc)(bytes);
 }
 
 extern "C" void* calloc(std::size_t count, std::size_t bytes) noexcept
 {
-    return isFault(count * bytes) ? nullptr : __libc_calloc(count, bytes);
+    return isFault(count * bytes) ? nullptr : HAIRPAINT_OWN_MALLOC(calloc)(count, bytes);
 }
 
 extern "C" void* realloc(void* memory, std::size_t bytes) noexcept
 {
-    return isFault(bytes) ? nullptr : __libc_realloc(memory, bytes);
+    return isFault(bytes) ? nullptr : HAIRPAINT_OWN_MALLOC(realloc)(memory, bytes);
 }
 #endif
 

@@ -16,8 +16,8 @@ public:
     AllocationLimit& operator=(const AllocationLimit&) = delete;
 };
 
-/// The n-th allocation of `leastBytes` or more fails, by operator new and, on Linux without a sanitizer, by malloc,
-/// which Qt and C libraries use. One at a time.
+/// The n-th allocation of `leastBytes` or more fails, by operator new and, on Linux without the thread sanitizer, by
+/// malloc, which Qt and C libraries use. One at a time.
 class AllocationFault
 {
 public:

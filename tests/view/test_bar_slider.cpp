@@ -1,5 +1,6 @@
 // The filled bar answers mouse, wheel, keys and typing, and tells of each change once.
 #include "panel_fixture.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/theme.h"
 
@@ -105,7 +106,7 @@ private Q_SLOTS:
         QTest::mouseClick(m_slider.get(), Qt::LeftButton, Qt::NoModifier, at(0.25));
         QCOMPARE(m_slider->value(), 25.0);
         QCOMPARE(m_finished->count(), 0);
-        QTRY_COMPARE(m_finished->count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(m_finished->count(), 1, hairpaint::test::kPatienceMs);
     }
 
     void typing_sets_a_value_data()
@@ -169,7 +170,7 @@ private Q_SLOTS:
         QVERIFY(turn());
         QVERIFY(turn());
         QCOMPARE(m_slider->value(), 52.0);
-        QTRY_COMPARE(m_finished->count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(m_finished->count(), 1, hairpaint::test::kPatienceMs);
     }
 
     void the_mark_leaves_the_words_alone_data()

@@ -1,7 +1,7 @@
 // The direction map as short hairs over the head.
 #include "head_fixture.h"
 #include "sim/groom/direction_texel.h"
-#include "tests/support/patience.h"
+#include "tests/support/await.h"
 #include "tests/support/test_program.h"
 #include "view/head/direction_hairs.h"
 #include "view/head/head_overlay.h"
@@ -57,7 +57,7 @@ private Q_SLOTS:
         HeadFixture f;
         fill(f, model::MapKind::Direction, covered({0.9F, 0.0F}));
         f.editor.state.setActiveMap(model::MapKind::Density);
-        QTest::qWait(1);
+        handleDueEvents();
         QVERIFY(shown(f).empty());
         f.editor.state.setActiveMap(model::MapKind::Direction);
         QTRY_VERIFY_WITH_TIMEOUT(amid(shown(f)).size() > 20, kPatienceMs);

@@ -1,6 +1,7 @@
 // Nothing is cut off at the smallest sizes, in both themes and with long words; icons and themes are whole.
 #include "panel_fixture.h"
 
+#include "tests/support/await.h"
 #include "tests/support/clipping.h"
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/test_heads.h"
@@ -139,7 +140,7 @@ private Q_SLOTS:
         bar.show();
         for (const auto& tool : f.state.tools()) {
             f.state.setActiveTool(tool->id());
-            QTest::qWait(1);
+            test::handleDueEvents();
             const QStringList cut = test::clipped(bar);
             QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral("; "))));
         }
@@ -249,7 +250,7 @@ private Q_SLOTS:
         sidebar.show();
         const QRgb dark = sidebar.grab().toImage().pixel(4, 4);
         applyTheme(*qApp, ThemeKind::Light);
-        QTest::qWait(1);
+        test::handleDueEvents();
         const QRgb light = sidebar.grab().toImage().pixel(4, 4);
         QCOMPARE(QColor(dark), Theme::of(ThemeKind::Dark).panel);
         QCOMPARE(QColor(light), Theme::of(ThemeKind::Light).panel);

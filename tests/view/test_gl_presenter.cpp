@@ -1,11 +1,12 @@
 // The QOpenGLWidget of the 3D area, in a real window: run on xcb under Xvfb.
 #include "head_fixture.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/head/gl_presenter.h"
 
 #include <epoxy/gl.h>
 
-#include <QElapsedTimer>
+#include <QDeadlineTimer>
 #include <QMainWindow>
 #include <QOpenGLWidget>
 #include <QSignalSpy>
@@ -46,9 +47,8 @@ struct Presented
     {
         const int before = frames;
         int turns = 0;
-        QElapsedTimer timer;
-        timer.start();
-        while (frames == before && timer.elapsed() < 60'000) {
+        const QDeadlineTimer giveUp(test::kPatienceMs);
+        while (frames == before && !giveUp.hasExpired()) {
             QCoreApplication::processEvents();
             ++turns;
         }
@@ -84,6 +84,9 @@ private Q_SLOTS:
         const model::LayerAddress at = editor.state.target();
         editor.document.apply({}, [at](model::Project& project) {
             project.layer(at.group, at.map, at.layer)->raster = sim::TiledRaster(256, 2, {32000, 65535});
+            // Their number is what matters.
+            project.groups.front().settings.nodesPerHair = sim::kLeastNodes;
+            project.groups.front().settings.greatestLengthM = 0.02F;
         });
         const std::shared_ptr<const sim::Skin> skin = editor.document.project().head->skin;
         m_hairy.scene.head = std::shared_ptr<const sim::HeadMesh>(skin, &skin->mesh());
@@ -116,7 +119,7 @@ private Q_SLOTS:
         QSignalSpy drawn(m_area, &view::HeadView::frameDrawn);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        QTRY_VERIFY(drawn.count() >= 1);
+        QTRY_VERIFY_WITH_TIMEOUT(drawn.count() >= 1, test::kPatienceMs);
         auto* canvas = m_area->findChild<QOpenGLWidget*>();
         QVERIFY(canvas != nullptr);
         const QImage shown = canvas->grabFramebuffer();
@@ -133,16 +136,16 @@ private Q_SLOTS:
     {
         QSignalSpy drawn(m_area, &view::HeadView::frameDrawn);
         m_window->show();
-        QTRY_VERIFY(drawn.count() >= 1);
+        QTRY_VERIFY_WITH_TIMEOUT(drawn.count() >= 1, test::kPatienceMs);
         const QImage before = m_area->grabPicture({120, 100});
         QSignalSpy told(m_area, &view::HeadView::glUnavailable);
         const auto answers =
             std::exchange(epoxy_glGetGraphicsResetStatusARB, []() -> GLenum { return GL_UNKNOWN_CONTEXT_RESET_ARB; });
         drawn.clear();
         m_area->findChild<QOpenGLWidget*>()->update();
-        QTRY_COMPARE(told.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, test::kPatienceMs);
         epoxy_glGetGraphicsResetStatusARB = answers;
-        QTRY_VERIFY(drawn.count() >= 1);
+        QTRY_VERIFY_WITH_TIMEOUT(drawn.count() >= 1, test::kPatienceMs);
         QVERIFY(m_area->findChild<QOpenGLWidget*>() == nullptr);
         const QImage after = m_area->grabPicture({120, 100});
         QVERIFY(std::abs(lightness(after, {60, 50}) - lightness(before, {60, 50})) < 6);
@@ -152,14 +155,14 @@ private Q_SLOTS:
     {
         QSignalSpy drawn(m_area, &view::HeadView::frameDrawn);
         m_window->show();
-        QTRY_VERIFY(drawn.count() >= 1);
+        QTRY_VERIFY_WITH_TIMEOUT(drawn.count() >= 1, test::kPatienceMs);
         // As when a dock floats: Qt makes the context anew.
         QMainWindow other;
         other.resize(480, 400);
         other.setCentralWidget(m_window->takeCentralWidget());
         drawn.clear();
         other.show();
-        QTRY_VERIFY(drawn.count() >= 1);
+        QTRY_VERIFY_WITH_TIMEOUT(drawn.count() >= 1, test::kPatienceMs);
         const QImage shown = m_area->findChild<QOpenGLWidget*>()->grabFramebuffer();
         QVERIFY(lightness(shown, {shown.width() / 2, shown.height() / 2}) > lightness(shown, {10, 10}) + 30);
     }
@@ -311,10 +314,10 @@ private Q_SLOTS:
             refines = on;
         });
         m_window->show();
-        QTRY_VERIFY_WITH_TIMEOUT(shownAtTheEnd > 0, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(shownAtTheEnd > 0, test::kPatienceMs);
         QVERIFY(wentOn);
         QVERIFY(shownAtTheEnd < m_hairy.allHairs);
-        QTRY_VERIFY_WITH_TIMEOUT(begun > 1, 60'000); // Still again.
+        QTRY_VERIFY_WITH_TIMEOUT(begun > 1, test::kPatienceMs); // Still again.
     }
 
 private:

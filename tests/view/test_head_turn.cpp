@@ -1,7 +1,8 @@
 // The head in the 3D area turned by H and a drag, by motions, and back.
 #include "head_fixture.h"
-#include "tests/support/patience.h"
+#include "tests/support/await.h"
 #include "tests/support/test_program.h"
+#include "view/head/head_turn.h"
 #include "view/head_view.h"
 
 #include <QTest>
@@ -15,6 +16,19 @@ using namespace hairpaint::test;
 class HeadTurnTest : public QObject
 {
     Q_OBJECT
+private:
+    static constexpr double kStepSeconds = 0.02;
+
+    static view::HeadTurn& turnOf(HeadFixture& f) { return *f.area.findChild<view::HeadTurn*>(); }
+
+    /// What moves the head goes on to its end, in the time of the test.
+    static void goThrough(HeadFixture& f)
+    {
+        QVERIFY(turnOf(f).moving());
+        while (turnOf(f).moving())
+            turnOf(f).advance(kStepSeconds);
+    }
+
 private Q_SLOTS:
     void holdingHTurnsTheHead()
     {
@@ -31,7 +45,10 @@ private Q_SLOTS:
         QCOMPARE(f.editor.document.undoStack().count(), 0);
         // Let go it comes back by itself, about the neck's base: the ball's, which has no landmarks.
         QVERIFY(f.area.awake());
-        QTRY_COMPARE_WITH_TIMEOUT(poses.back(), sim::HeadPose{}, kPatienceMs);
+        const std::size_t letGo = poses.size();
+        QTRY_VERIFY_WITH_TIMEOUT(poses.size() > letGo, kPatienceMs);
+        goThrough(f);
+        QCOMPARE(poses.back(), sim::HeadPose{});
         for (const sim::HeadPose& pose : poses) {
             const glm::vec3 base(0.0F, -kBallM, 0.0F);
             QVERIFY(glm::distance(pose.rotation * base + pose.positionWo, base) < 1e-3F);
@@ -86,18 +103,19 @@ private Q_SLOTS:
         QVERIFY(f.area.awake());
         // Where the hair stands still the head does, too.
         f.area.setHairPaused(true);
+        QVERIFY(!turnOf(f).moving());
         const std::size_t before = poses.size();
-        QTest::qWait(50);
+        turnOf(f).advance(kStepSeconds);
+        handleDueEvents();
         QCOMPARE(poses.size(), before);
         f.area.setHairPaused(false);
-        QTRY_COMPARE_WITH_TIMEOUT(poses.back(), sim::HeadPose{}, kPatienceMs);
-        QVERIFY(poses.size() > before + 1);
-        // The last poses may all be the same to the last bit.
-        for (std::size_t all = 0; all != poses.size();) {
-            all = poses.size();
-            QTest::qWait(200);
-        }
+        goThrough(f);
         QCOMPARE(poses.back(), sim::HeadPose{});
+        const std::size_t all = poses.size();
+        QVERIFY(all > before + 1);
+        turnOf(f).advance(kStepSeconds);
+        handleDueEvents();
+        QCOMPARE(poses.size(), all);
         QCOMPARE(f.editor.document.undoStack().count(), 0);
     }
 
@@ -113,13 +131,16 @@ private Q_SLOTS:
         QTest::mousePress(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
         const std::size_t held = poses.size();
         f.area.moveHead(sim::NeckMotion::Nod);
-        QTest::qWait(50);
+        QVERIFY(!turnOf(f).moving());
+        turnOf(f).advance(kStepSeconds);
+        handleDueEvents();
         QCOMPARE(poses.size(), held);
         f.move(kMiddle + QPoint(-100, 0), Qt::LeftButton, Qt::NoModifier);
         QVERIFY((poses.back().rotation * glm::vec3(0.0F, 0.0F, 1.0F)).x < -0.3F);
         QTest::mouseRelease(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
         QTest::keyRelease(&f.area, Qt::Key_H);
-        QTRY_COMPARE_WITH_TIMEOUT(poses.back(), sim::HeadPose{}, kPatienceMs);
+        goThrough(f);
+        QCOMPARE(poses.back(), sim::HeadPose{});
     }
 
     void resettingTheViewEndsAMotion()
@@ -133,7 +154,8 @@ private Q_SLOTS:
         const std::size_t reset = poses.size();
         const auto aside = [&](std::size_t i) { return std::abs((poses[i].rotation * glm::vec3(0, 0, 1)).x); };
         f.area.resetCamera();
-        QTRY_COMPARE_WITH_TIMEOUT(poses.back(), sim::HeadPose{}, kPatienceMs);
+        goThrough(f);
+        QCOMPARE(poses.back(), sim::HeadPose{});
         for (std::size_t i = reset; i < poses.size(); ++i)
             QVERIFY(aside(i) <= aside(i - 1));
     }

@@ -169,7 +169,7 @@ private Q_SLOTS:
         };
         QVERIFY(endsAreTouched());
         f.area.setView(rendering::StandardView::Left);
-        QTRY_VERIFY(!f.area.awake());
+        QTRY_VERIFY_WITH_TIMEOUT(!f.area.awake(), kPatienceMs);
         QTRY_VERIFY_WITH_TIMEOUT(endsAreTouched(), kPatienceMs);
         const auto frame = std::make_shared<sim::StrandFrame>(*f.frame());
         frame->pose.rotation = glm::angleAxis(0.7F, glm::vec3(0.0F, 1.0F, 0.0F));
@@ -242,7 +242,7 @@ private Q_SLOTS:
         HeadFixture f;
         f.area.fit();
         const auto topOf = [&f] { return f.area.positionOf({0.0F, 0.1F, 0.0F})->y(); };
-        QTRY_VERIFY(topOf() > 0.0);
+        QTRY_VERIFY_WITH_TIMEOUT(topOf() > 0.0, kPatienceMs);
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
         const auto frame = std::make_shared<sim::StrandFrame>(*f.frame());
         // The first hair's last node, half a metre up and toward the eye.
@@ -253,8 +253,8 @@ private Q_SLOTS:
         f.area.setFrame(frame);
         QVERIFY(f.area.positionOf(tip)->y() < 0.0);
         f.area.fit();
-        QTRY_VERIFY(f.area.positionOf(tip)->y() > 0.0);
-        QTRY_VERIFY(!f.area.awake()); // The camera is there.
+        QTRY_VERIFY_WITH_TIMEOUT(f.area.positionOf(tip)->y() > 0.0, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!f.area.awake(), kPatienceMs); // The camera is there.
         QVERIFY(f.area.positionOf(tip)->y() < 0.2 * f.area.height());
         // Not for hair that is hidden.
         const auto hidden = std::make_shared<sim::StrandFrame>(*frame);
@@ -263,14 +263,14 @@ private Q_SLOTS:
         hidden->groups.front().groom = groom;
         f.area.setFrame(hidden);
         f.area.fit();
-        QTRY_VERIFY(f.area.positionOf(tip)->y() < 0.0);
+        QTRY_VERIFY_WITH_TIMEOUT(f.area.positionOf(tip)->y() < 0.0, kPatienceMs);
     }
 
     void standardViewsTurnThere()
     {
         HeadFixture f;
         f.area.setView(rendering::StandardView::Left);
-        QTRY_VERIFY(std::abs(f.area.camera().azimuthRad - 1.5708F) < 0.01F);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(f.area.camera().azimuthRad - 1.5708F) < 0.01F, kPatienceMs);
     }
 
     void hairAppearsWhereADabWasPainted()
@@ -295,8 +295,8 @@ private Q_SLOTS:
     {
         HeadFixture f;
         QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
-        QTRY_VERIFY(drawn.count() >= 1);
-        QTRY_VERIFY(!f.area.rendererDescription().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(drawn.count() >= 1, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!f.area.rendererDescription().isEmpty(), kPatienceMs);
         const QImage shown = f.area.grab().toImage();
         QVERIFY(shown.pixelColor(kMiddle).lightness() > shown.pixelColor(kBackground).lightness() + 30);
     }
@@ -306,7 +306,7 @@ private Q_SLOTS:
         for (int i = 0; i < 4; ++i) {
             HeadFixture f;
             QSignalSpy drawn(&f.area, &view::HeadView::frameDrawn);
-            QTRY_VERIFY(drawn.count() >= 1);
+            QTRY_VERIFY_WITH_TIMEOUT(drawn.count() >= 1, kPatienceMs);
         }
     }
 
@@ -322,7 +322,7 @@ private Q_SLOTS:
             refines = f.area.refining();
         });
         // Refinement of a still picture comes to an end.
-        QTRY_VERIFY(refined && !f.area.awake());
+        QTRY_VERIFY_WITH_TIMEOUT(refined && !f.area.awake(), kPatienceMs);
         const int before = drawn;
         QCoreApplication::processEvents();
         QVERIFY(!f.area.awake() && !f.area.refining());

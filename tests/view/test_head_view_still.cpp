@@ -1,5 +1,6 @@
 // The 3D area tells still hair from moving hair, and shows what state its picture is in.
 #include "head_fixture.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/head/frame_presenter.h"
 #include "view/head/head_overlay.h"
@@ -29,7 +30,8 @@ private Q_SLOTS:
         });
         f.area.setFrame(frame);
         // Step by step: how many hairs the first picture has is the machine's affair (see test_detail_governor).
-        QTRY_VERIFY(frames > 1 && drawn == frame->hairCount && !f.area.refining() && !f.area.awake());
+        QTRY_VERIFY_WITH_TIMEOUT(frames > 1 && drawn == frame->hairCount && !f.area.refining() && !f.area.awake(),
+                                 kPatienceMs);
 
         // A drift that nobody sees leaves the fine picture alone.
         for (const float distanceM : {1e-5F, 2e-5F}) {
@@ -39,8 +41,8 @@ private Q_SLOTS:
         const int before = frames;
         // What adds up to more than a pixel is shown at once, and refined anew.
         f.area.setFrame(movedBy(*frame, 0.01F));
-        QTRY_VERIFY(frames > before + 1);
-        QTRY_COMPARE(drawn, frame->hairCount);
+        QTRY_VERIFY_WITH_TIMEOUT(frames > before + 1, kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(drawn, frame->hairCount, kPatienceMs);
     }
 
     /// Of moving hair a frame places what is drawn; the finest picture shows the rest as soon as it comes.
@@ -57,7 +59,6 @@ private Q_SLOTS:
         connect(&f.area, &view::HeadView::frameDrawn, this,
                 [&](const rendering::FrameStatistics& statistics) { last = statistics; });
         f.area.setFrame(coarse);
-        constexpr int kPatienceMs = 60'000;
         const auto finest = [&] {
             return last.drawnHairs > 0 && last.detail >= 1.0F && !f.area.refining() && !f.area.awake();
         };
@@ -85,11 +86,11 @@ private Q_SLOTS:
             after = signs->text();
         });
         f.area.setFrame(frame);
-        QTRY_VERIFY(whileRefining);
+        QTRY_VERIFY_WITH_TIMEOUT(whileRefining, kPatienceMs);
         QVERIFY(whileRefining->contains(QStringLiteral("Refining")));
         QVERIFY(after.isEmpty());
         drawn.clear();
-        QTRY_VERIFY(!drawn.isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!drawn.isEmpty(), kPatienceMs);
     }
 
     void aBrushOnTheFarSideShowsAsAGhostAndTheViewTurnsToIt()
@@ -108,8 +109,9 @@ private Q_SLOTS:
         QVERIFY(!overlay->ghost().isEmpty() && overlay->isVisible());
         QVERIFY(overlay->ghost().boundingRect().contains(f.area.positionOf(behind.positionHd).value()));
         f.area.turnToBrush();
-        QTRY_VERIFY(overlay->ghost().isEmpty());
-        QTRY_VERIFY(std::abs(std::remainder(f.area.camera().azimuthRad - 2.85F, 6.2832F)) < 0.1F);
+        QTRY_VERIFY_WITH_TIMEOUT(overlay->ghost().isEmpty(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(std::remainder(f.area.camera().azimuthRad - 2.85F, 6.2832F)) < 0.1F,
+                                 kPatienceMs);
         const std::optional<sim::SurfacePoint> seen = f.area.skinAt(f.area.positionOf(behind.positionHd).value());
         QVERIFY(seen && glm::distance(seen->positionHd, behind.positionHd) < 0.003F);
     }

@@ -1,4 +1,5 @@
 // The paint area driven by mouse, wheel, keys and pen.
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
 #include "view/paint_view.h"
@@ -103,11 +104,11 @@ private Q_SLOTS:
         QVERIFY(f.editor.density(f.area.uvAt(QPoint(150, 400))) < 0.01F);
         QVERIFY(bright(edge) > 100);
         QCOMPARE(bright(QRect(320, 200, 250, 350)), 0);
-        QTRY_COMPARE(bright(edge), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(bright(edge), 0, test::kPatienceMs);
         f.editor.document.redo();
         QVERIFY(f.editor.density(f.area.uvAt(QPoint(150, 400))) > 0.99F);
         QVERIFY(bright(edge) > 100);
-        QTRY_COMPARE(bright(edge), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(bright(edge), 0, test::kPatienceMs);
     }
     void aClickPaintsUnderThePointerAndNowhereElse_data()
     {
@@ -323,7 +324,8 @@ private Q_SLOTS:
         const QImage first = f.area.grab().toImage();
         const QPoint corner = f.area.positionOf({0.25F, 0.75F}).toPoint();
         QVERIFY(differs(without, first, QRect(corner - QPoint(2, 2), QSize(60, 5))));
-        QTRY_VERIFY(differs(first, f.area.grab().toImage(), QRect(corner - QPoint(2, 2), QSize(60, 5))));
+        QTRY_VERIFY_WITH_TIMEOUT(differs(first, f.area.grab().toImage(), QRect(corner - QPoint(2, 2), QSize(60, 5))),
+                                 test::kPatienceMs);
     }
 
     void aLockedLayerIsNotPaintedAndTheReasonIsSaid()

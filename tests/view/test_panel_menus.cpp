@@ -3,6 +3,7 @@
 
 #include "model/commands/commands.h"
 #include "model/hair_kinds.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/panels/hair_panel.h"
 #include "view/panels/layer_list.h"
@@ -81,7 +82,7 @@ private Q_SLOTS:
         QVERIFY(name != nullptr);
         name->setText(QStringLiteral("Fringe"));
         QTest::keyClick(name, Qt::Key_Return);
-        QTRY_COMPARE(layers().front().name, QStringLiteral("Fringe"));
+        QTRY_COMPARE_WITH_TIMEOUT(layers().front().name, QStringLiteral("Fringe"), test::kPatienceMs);
     }
 
     void adding_a_group_asks_what_grows()

@@ -2,6 +2,7 @@
 #include "panel_fixture.h"
 
 #include "model/commands/commands.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/panels/hair_panel.h"
 #include "view/panels/layer_list.h"
@@ -187,12 +188,12 @@ private Q_SLOTS:
         QVERIFY(editor != nullptr);
         editor->setText(QStringLiteral("Brows"));
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(f.document.project().groups[1].name, QStringLiteral("Brows"));
+        QTRY_COMPARE_WITH_TIMEOUT(f.document.project().groups[1].name, QStringLiteral("Brows"), test::kPatienceMs);
         QTest::keyClick(list, Qt::Key_Down, Qt::AltModifier);
-        QTRY_COMPARE(f.document.project().groups[2].name, QStringLiteral("Brows"));
+        QTRY_COMPARE_WITH_TIMEOUT(f.document.project().groups[2].name, QStringLiteral("Brows"), test::kPatienceMs);
         QCOMPARE(list->currentRow(), 2);
         QTest::keyClick(list, Qt::Key_Up, Qt::AltModifier);
-        QTRY_COMPARE(f.document.project().groups[1].name, QStringLiteral("Brows"));
+        QTRY_COMPARE_WITH_TIMEOUT(f.document.project().groups[1].name, QStringLiteral("Brows"), test::kPatienceMs);
         QTest::keyClick(list, Qt::Key_Delete);
         QCOMPARE(list->count(), 2);
         QCOMPARE(f.steps(), 6);
@@ -219,7 +220,7 @@ private Q_SLOTS:
         QCOMPARE(namesOf(*list), QStringList({first, second}));
         QVERIFY(!buttonNamed(panel, QStringLiteral("Move layer down"))->isEnabled());
         QTest::keyClick(list, Qt::Key_Up, Qt::AltModifier);
-        QTRY_COMPARE(namesOf(*list), QStringList({second, first}));
+        QTRY_COMPARE_WITH_TIMEOUT(namesOf(*list), QStringList({second, first}), test::kPatienceMs);
         buttonNamed(panel, QStringLiteral("Duplicate layer"))->click();
         QCOMPARE(list->count(), 3);
         QCOMPARE(f.state.activeLayer(), list->idAt(0));
@@ -245,7 +246,7 @@ private Q_SLOTS:
         QSignalSpy wanted(list, &LayerList::moveWanted);
         // Below the middle of the last row: to the bottom.
         QVERIFY(list->dropAt(list->visualItemRect(list->item(2)).bottomLeft() + QPoint(40, -2)));
-        QTRY_COMPARE(namesOf(*list), QStringList({before[1], before[2], before[0]}));
+        QTRY_COMPARE_WITH_TIMEOUT(namesOf(*list), QStringList({before[1], before[2], before[0]}), test::kPatienceMs);
         QCOMPARE(f.steps(), 3);
         f.document.undo();
         QCOMPARE(namesOf(*list), before);
@@ -305,7 +306,8 @@ private Q_SLOTS:
         QVERIFY(editor != nullptr);
         editor->setText(QStringLiteral("Fringe"));
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(f.scalp().map(MapKind::Length).layers.front().name, QStringLiteral("Fringe"));
+        QTRY_COMPARE_WITH_TIMEOUT(f.scalp().map(MapKind::Length).layers.front().name, QStringLiteral("Fringe"),
+                                  test::kPatienceMs);
         QCOMPARE(f.steps(), 1);
     }
 

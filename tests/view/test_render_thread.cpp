@@ -1,10 +1,14 @@
 // The thread that draws off screen ends when it is told to, not when its picture is done.
 #include "head_fixture.h"
+#include "tests/support/await.h"
 #include "tests/support/test_program.h"
 #include "view/head/render_thread.h"
 
-#include <QElapsedTimer>
 #include <QSignalSpy>
+#include <QThread>
+
+#include <atomic>
+#include <thread>
 
 using namespace hairpaint;
 using namespace hairpaint::test;
@@ -28,42 +32,38 @@ private:
         return {.scene = scene, .allHairs = scene.hair->hairCount, .still = true};
     }
 
-    struct Steps
+    /// What the thread tells, heard on it while it draws.
+    struct Told
     {
-        int count = 0;
-        qint64 lastMs = 0;
+        explicit Told(view::RenderThread& thread)
+        {
+            QObject::connect(&thread, &view::RenderThread::frameReady, [this] { ++frames; });
+            QObject::connect(&thread, &view::RenderThread::pieceDrawn, [this] {
+                ++pieces;
+                if (frames != holdsAfter)
+                    return;
+                isHeld = true;
+                while (!isLetGo && !QThread::currentThread()->isInterruptionRequested())
+                    std::this_thread::yield();
+            });
+        }
+        std::atomic<int> frames = 0;
+        std::atomic<int> pieces = 0;
+        std::atomic<int> holdsAfter = -1; ///< After so many frames the next piece waits until it is let go.
+        std::atomic<bool> isHeld = false;
+        std::atomic<bool> isLetGo = false;
     };
 
-    /// Draws a still picture step by step, all of it or only so many; none where one does not come.
-    static Steps refine(view::RenderThread& thread, const view::Shot& shot, int most = 100)
-    {
-        QSignalSpy ready(&thread, &view::RenderThread::frameReady);
-        thread.draw(shot, kLarge);
-        Steps steps;
-        QElapsedTimer timer;
-        for (bool refines = true; refines && steps.count < most; ++steps.count) {
-            timer.start();
-            if (!ready.wait(60'000))
-                return {};
-            if (const auto frame = thread.takeFrame())
-                refines = frame->refines;
-            steps.lastMs = timer.elapsed();
-        }
-        return steps;
-    }
-
-    static Steps allStepsOf(const view::Shot& shot)
+    /// How many steps it takes until the picture is as fine as it gets; 0 where that never comes.
+    static int stepsOf(const view::Shot& shot)
     {
         view::RenderThread thread;
-        return refine(thread, shot);
-    }
-
-    /// Into the last and longest step, as far as it takes here.
-    static bool goIntoTheLast(view::RenderThread& thread, const view::Shot& shot, const Steps& all)
-    {
-        const int before = refine(thread, shot, all.count - 1).count;
-        QTest::qWait(static_cast<int>(all.lastMs / 4));
-        return before == all.count - 1;
+        QSignalSpy ready(&thread, &view::RenderThread::frameReady);
+        thread.draw(shot, kLarge);
+        for (int steps = 1; ready.wait(kPatienceMs); ++steps)
+            if (const auto frame = thread.takeFrame(); frame && !frame->refines)
+                return steps;
+        return 0;
     }
 
 private Q_SLOTS:
@@ -72,32 +72,44 @@ private Q_SLOTS:
         HeadFixture f;
         const view::Shot shot = stillShot(f);
         QVERIFY(shot.allHairs > 10'000);
-        const Steps all = allStepsOf(shot);
-        QVERIFY(all.count > 1);
+        const int all = stepsOf(shot);
+        QVERIFY(all > 1);
         auto thread = std::make_unique<view::RenderThread>();
-        QVERIFY(goIntoTheLast(*thread, shot, all));
-        QElapsedTimer timer;
-        timer.start();
+        Told told(*thread);
+        told.holdsAfter = all - 1; // In the last and longest step.
+        thread->draw(shot, kLarge);
+        QVERIFY(awaitUntil([&] { return told.isHeld.load(); }));
+        const int pieces = told.pieces;
         thread.reset();
-        QVERIFY(timer.elapsed() < all.lastMs / 2);
+        QCOMPARE(told.pieces.load(), pieces);
+        QCOMPARE(told.frames.load(), all - 1);
     }
 
     void anotherPictureEndsTheFineOne()
     {
         HeadFixture f;
         const view::Shot still = stillShot(f);
-        const Steps all = allStepsOf(still);
-        QVERIFY(all.count > 1);
+        const int all = stepsOf(still);
+        QVERIFY(all > 1);
         view::RenderThread thread;
-        QVERIFY(goIntoTheLast(thread, still, all));
+        Told told(thread);
+        told.holdsAfter = all - 1;
+        thread.draw(still, kLarge);
+        QVERIFY(awaitUntil([&] { return told.isHeld.load(); }));
+        const int pieces = told.pieces;
+        QCoreApplication::processEvents(); // Of the frames before.
+        (void)thread.takeFrame();
         QSignalSpy ready(&thread, &view::RenderThread::frameReady);
         view::Shot moving = still;
         moving.still = false;
         thread.draw(moving, kLarge / 8);
-        QVERIFY(ready.wait(60'000));
+        told.isLetGo = true;
+        QVERIFY(ready.wait(kPatienceMs));
         const auto frame = thread.takeFrame();
         QVERIFY(frame);
         QCOMPARE(frame->image.size(), kLarge / 8);
+        QCOMPARE(told.pieces.load(), pieces);
+        QCOMPARE(told.frames.load(), all);
     }
 };
 

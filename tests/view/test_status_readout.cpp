@@ -1,6 +1,7 @@
 // The line at the window's foot: the value under the pointer, errors, and limits on hairs.
 #include "panel_fixture.h"
 
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/panels/status_readout.h"
 
@@ -36,7 +37,7 @@ private Q_SLOTS:
         QVERIFY(!texts().contains(QStringLiteral("Length: 15")));
         status.showMessage(QStringLiteral("It is locked."), true, 50);
         QVERIFY(texts().contains(QStringLiteral("It is locked.")));
-        QTRY_VERIFY(texts().contains(f.state.activeTool().hint()));
+        QTRY_VERIFY_WITH_TIMEOUT(texts().contains(f.state.activeTool().hint()), test::kPatienceMs);
     }
 
     void every_kind_of_comb_says_what_it_does()

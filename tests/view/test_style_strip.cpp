@@ -2,6 +2,7 @@
 #include "panel_fixture.h"
 
 #include "model/commands/commands.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/panels/hair_panel.h"
 #include "view/panels/layers_panel.h"
@@ -108,7 +109,7 @@ private Q_SLOTS:
         const auto before = f.document.project().groups;
         f.enter(0);
         QVERIFY(!f.document.previewing());
-        QTRY_VERIFY(f.document.previewing());
+        QTRY_VERIFY_WITH_TIMEOUT(f.document.previewing(), test::kPatienceMs);
         QVERIFY(!sameGroups(f.document.project().groups, before));
         QVERIFY(sameGroups(f.document.committed().groups, before));
         f.leave(0);
@@ -123,7 +124,7 @@ private Q_SLOTS:
         StripFixture f;
         const auto before = f.document.project().groups;
         f.enter(1);
-        QTRY_VERIFY(f.document.previewing());
+        QTRY_VERIFY_WITH_TIMEOUT(f.document.previewing(), test::kPatienceMs);
         const auto shown = f.document.project().groups;
         QTest::mouseClick(&f.tile(1), Qt::LeftButton);
         QCOMPARE(f.steps(), 1);
@@ -152,10 +153,10 @@ private Q_SLOTS:
     {
         StripFixture f;
         f.enter(0);
-        QTRY_VERIFY(f.document.previewing());
+        QTRY_VERIFY_WITH_TIMEOUT(f.document.previewing(), test::kPatienceMs);
         f.leave(0);
         f.enter(1);
-        QTRY_VERIFY(f.document.previewing());
+        QTRY_VERIFY_WITH_TIMEOUT(f.document.previewing(), test::kPatienceMs);
         const auto layers = f.scalp().map(MapKind::Density).layers;
         QCOMPARE(layers.front().raster.texel(100, 100)[0], std::uint16_t(60000));
         f.leave(1);
@@ -166,7 +167,7 @@ private Q_SLOTS:
         StripFixture f;
         QTest::mouseClick(&f.tile(0), Qt::LeftButton);
         QCOMPARE(f.steps(), 0); // Read in the background.
-        QTRY_COMPARE(f.steps(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(f.steps(), 1, test::kPatienceMs);
         QCOMPARE(f.scalp().settings.greatestLengthM, 0.6F);
     }
 
@@ -175,7 +176,7 @@ private Q_SLOTS:
         StripFixture f;
         QSignalSpy failed(&f.strip, &StyleStrip::failed);
         QTest::mouseClick(&f.tile(2), Qt::LeftButton);
-        QTRY_COMPARE(failed.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatienceMs);
         QCOMPARE(f.steps(), 0);
         QVERIFY(!f.document.previewing());
     }
@@ -184,7 +185,7 @@ private Q_SLOTS:
     {
         StripFixture f;
         f.enter(0);
-        QTRY_VERIFY(f.document.previewing());
+        QTRY_VERIFY_WITH_TIMEOUT(f.document.previewing(), test::kPatienceMs);
         f.document.push(renameGroupCommand(f.document, f.document.committed().groups[1].id, QStringLiteral("Brows")));
         QVERIFY(!f.document.previewing());
         f.leave(0);
@@ -208,7 +209,7 @@ private Q_SLOTS:
         f.state.setActiveLayer(f.document.project().groups[1].map(MapKind::Length).layers.front().id);
         const model::LayerAddress before = f.state.target();
         f.enter(0);
-        QTRY_VERIFY(f.document.previewing());
+        QTRY_VERIFY_WITH_TIMEOUT(f.document.previewing(), test::kPatienceMs);
         QVERIFY(f.state.activeGroup() != before.group);
         if (undone)
             f.document.undo();
@@ -285,7 +286,7 @@ private Q_SLOTS:
                            .tags = {},
                            .folder = QStringLiteral("own"),
                            .picture = {}}});
-        QTRY_COMPARE(wanted.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(wanted.count(), 1, test::kPatienceMs);
         QImage picture(96, 96, QImage::Format_RGB32);
         picture.fill(Qt::darkYellow);
         strip.setPicture(QStringLiteral("bob"), picture);

@@ -1,6 +1,7 @@
 // The palette picks what a map is painted with, in the group's own units.
 #include "panel_fixture.h"
 
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/melanin.h"
@@ -98,7 +99,7 @@ private Q_SLOTS:
         anchor.show();
         const QPointer<ValuePalette> palette = ValuePalette::openUnder(anchor, f.state);
         QTest::mouseClick(palette->findChild<QPushButton*>(), Qt::LeftButton);
-        QTRY_VERIFY(palette.isNull());
+        QTRY_VERIFY_WITH_TIMEOUT(palette.isNull(), test::kPatienceMs);
         auto* dialog = anchor.findChild<QColorDialog*>();
         QVERIFY(dialog != nullptr);
         dialog->setCurrentColor(QColor(1, 2, 3));

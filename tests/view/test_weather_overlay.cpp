@@ -1,4 +1,5 @@
 // The paper's keys: arrows and Page Up and Down for the wind, R, G and B for the light.
+#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
 #include "view/head_view.h"
@@ -141,7 +142,7 @@ private Q_SLOTS:
         Fixture f;
         f.overlay.setPause(1);
         QTest::keyClick(&f.overlay, Qt::Key_PageUp);
-        QTRY_COMPARE(f.windDone, 1);
+        QTRY_COMPARE_WITH_TIMEOUT(f.windDone, 1, test::kPatienceMs);
         QVERIFY(!f.overlay.pausing());
         QTest::keyClick(&f.overlay, Qt::Key_Escape);
         QCOMPARE(f.windDone, 1);

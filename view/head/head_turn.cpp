@@ -7,7 +7,7 @@
 
 namespace hairpaint::view {
 
-HeadTurn::HeadTurn()
+HeadTurn::HeadTurn(QObject* parent) : QObject(parent)
 {
     constexpr int kTickMs = 8; // A step of the simulation.
     m_tick.setInterval(kTickMs);
@@ -77,8 +77,16 @@ void HeadTurn::setPaused(bool paused)
 void HeadTurn::onTick()
 {
     constexpr double kSecondsPerNs = 1e-9;
-    const double seconds = *m_seconds + static_cast<double>(m_sinceTick.nsecsElapsed()) * kSecondsPerNs;
+    const double passedSeconds = static_cast<double>(m_sinceTick.nsecsElapsed()) * kSecondsPerNs;
     m_sinceTick.start();
+    advance(passedSeconds);
+}
+
+void HeadTurn::advance(double passedSeconds)
+{
+    if (!moving())
+        return;
+    const double seconds = *m_seconds + passedSeconds;
     m_seconds = seconds;
     sim::NeckAngles angles = sim::returning(m_before, seconds);
     if (m_motion) {

@@ -18,7 +18,7 @@ class HeadTurn : public QObject
 {
     Q_OBJECT
 public:
-    HeadTurn();
+    explicit HeadTurn(QObject* parent = nullptr);
 
     /// The one asked for last; the simulation follows.
     [[nodiscard]] const sim::HeadPose& pose() const { return m_pose; }
@@ -32,6 +32,8 @@ public:
     void play(sim::NeckMotion motion);
     void turnBack(); ///< Ends a motion: the head comes back from where it is; nothing while it is held by a drag.
     void setPaused(bool paused); ///< As the hair is: a motion and the way back wait.
+    /// The motion or the way back goes on by so much time, as it does by itself in real time; nothing while it waits.
+    void advance(double passedSeconds);
     /// Not while they wait.
     [[nodiscard]] bool moving() const { return m_tick.isActive(); }
 

@@ -5,7 +5,6 @@
 #include "view/rendering/detail_governor.h"
 #include "view/rendering/software/software_renderer.h"
 
-#include <atomic>
 #include <new>
 #include <utility>
 
@@ -29,23 +28,23 @@ public:
 
     explicit Worker(RenderThread& owner) : m_owner(owner) {}
 
-    /// From any thread: a fine picture under way is given up.
-    void hurry() { m_stopping = true; }
-
     void drawLatest()
     {
         if (std::optional<Job> job = m_jobs.take())
             m_last = std::move(job);
         else if (!std::exchange(m_refines, false))
             return; // An earlier call has drawn it already.
-        if (!m_last || m_stopping)
+        if (!m_last || isToEnd())
             return;
         const sim::ArenaScope arena(sim::Arena::Drawing);
         const Shot& shot = m_last->shot;
         // A fine picture may take seconds: whatever comes meanwhile goes first.
         rendering::Backend::Progress goesOn;
         if (shot.still)
-            goesOn = [this](double) { return !m_stopping && !m_jobs.waiting(); };
+            goesOn = [this](double fraction) {
+                Q_EMIT m_owner.pieceDrawn(fraction);
+                return !isToEnd() && !m_jobs.waiting();
+            };
         try {
             if (!m_renderer.drawPatiently(shot.scene, m_governor.begin(shot.still), m_last->size.width(),
                                           m_last->size.height(), goesOn))
@@ -73,6 +72,8 @@ public:
     sim::Mailbox<Frame> m_frames;
 
 private:
+    [[nodiscard]] static bool isToEnd() { return QThread::currentThread()->isInterruptionRequested(); }
+
     [[nodiscard]] QImage readImage(QSize size)
     {
         m_renderer.read(m_pixels);
@@ -90,7 +91,6 @@ private:
     rendering::DetailGovernor m_governor{kWantedMs, 1.0F};
     std::optional<Job> m_last;
     bool m_refines = false;
-    std::atomic<bool> m_stopping = false;
     std::vector<std::uint8_t> m_pixels;
 };
 
@@ -103,7 +103,7 @@ RenderThread::RenderThread(QObject* parent) : QObject(parent), m_worker(std::mak
 
 RenderThread::~RenderThread()
 {
-    m_worker->hurry();
+    m_thread.requestInterruption(); // A fine picture under way is given up.
     m_thread.quit();
     m_thread.wait();
 }

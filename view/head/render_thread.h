@@ -37,6 +37,8 @@ public:
 
 Q_SIGNALS:
     void frameReady();
+    /// A piece of a still picture is drawn: 0 to 1 of its hair are. Emitted on the thread that draws.
+    void pieceDrawn(double fraction);
 
 private:
     class Worker;
