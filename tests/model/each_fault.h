@@ -16,7 +16,7 @@ namespace hairpaint::test {
 
 inline constexpr int kMostFaults = 2000; ///< More than anything that is tried asks for.
 
-inline constexpr int kFewestFaults = 2;  ///< Else nothing was tried.
+inline constexpr int kFewestFaults = 2; ///< Else nothing was tried.
 
 /// Names and bytes.
 using FolderContent = QMap<QString, QByteArray>;

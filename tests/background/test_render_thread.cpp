@@ -1,6 +1,7 @@
 // The thread that draws off screen ends when it is told to, not when its picture is done.
-#include "head_fixture.h"
+#include "sim/motion/simulation.h"
 #include "tests/support/await.h"
+#include "tests/support/painted_ball.h"
 #include "tests/support/test_program.h"
 #include "view/head/render_thread.h"
 
@@ -8,6 +9,7 @@
 #include <QThread>
 
 #include <atomic>
+#include <memory>
 #include <thread>
 
 using namespace hairpaint;
@@ -18,18 +20,22 @@ class RenderThreadTest : public QObject
     Q_OBJECT
 private:
     static constexpr QSize kLarge{800, 800};
+    static constexpr int kHairs = 12'000;
 
     /// Of hair that takes long to be drawn finely.
-    static view::Shot stillShot(HeadFixture& f)
+    static view::Shot stillShot()
     {
-        f.area.hide();
-        const model::LayerAddress at = f.editor.state.target();
-        f.editor.document.apply({}, [at](model::Project& project) {
-            project.layer(at.group, at.map, at.layer)->raster = sim::TiledRaster(256, 2, {65535, 65535});
-        });
-        f.area.setFrame(f.frame());
-        const rendering::Scene scene = f.area.pictureScene();
-        return {.scene = scene, .allHairs = scene.hair->hairCount, .still = true};
+        sim::Simulation simulation;
+        simulation.setInput(paintedBall(kHairs, 500));
+        simulation.advance(1.0 / 60.0);
+        auto frame = std::make_shared<sim::StrandFrame>();
+        simulation.writeFrame(*frame);
+        rendering::Scene scene;
+        scene.head = std::make_shared<const sim::HeadMesh>(makeBallHead());
+        scene.hair = frame;
+        scene.camera.targetWo = glm::vec3(0.0F);
+        scene.camera.distanceM = 0.6F;
+        return {.scene = scene, .allHairs = frame->hairCount, .still = true};
     }
 
     /// What the thread tells, heard on it while it draws.
@@ -69,8 +75,7 @@ private:
 private Q_SLOTS:
     void closingGivesUpTheFinePicture()
     {
-        HeadFixture f;
-        const view::Shot shot = stillShot(f);
+        const view::Shot shot = stillShot();
         QVERIFY(shot.allHairs > 10'000);
         const int all = stepsOf(shot);
         QVERIFY(all > 1);
@@ -87,8 +92,7 @@ private Q_SLOTS:
 
     void anotherPictureEndsTheFineOne()
     {
-        HeadFixture f;
-        const view::Shot still = stillShot(f);
+        const view::Shot still = stillShot();
         const int all = stepsOf(still);
         QVERIFY(all > 1);
         view::RenderThread thread;
@@ -113,5 +117,5 @@ private Q_SLOTS:
     }
 };
 
-HAIRPAINT_TEST(RenderThreadTest, Widgets)
+HAIRPAINT_TEST(RenderThreadTest, Gui)
 #include "test_render_thread.moc"
