@@ -56,7 +56,7 @@ qint64 allocatedBytes()
     return static_cast<qint64>(__sanitizer_get_current_allocated_bytes());
 #elif defined(__GLIBC__)
     const struct mallinfo2 all = mallinfo2();
-    return static_cast<qint64>(all.uordblks + all.hblkhd);
+    return static_cast<qint64>(all.uordblks) + static_cast<qint64>(all.hblkhd);
 #else
     return 0;
 #endif
