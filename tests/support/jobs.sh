@@ -192,7 +192,7 @@ tidy_all() {
 }
 
 # What differs from where this work began: where it left origin's main, or else, as in a clone of its result, the last commit
-# of four hours before it. All files are formatted; as many as can be in eight minutes are read, the newest first.
+# of four hours before it. All files are formatted; as many as can be in four minutes are read, the newest first.
 tidy_changed() {
     local base
     install_packages "${HAIRPAINT_TIDY_PACKAGES[@]}" || exit 1
@@ -204,7 +204,7 @@ tidy_changed() {
     say "   what changed since $(git log -1 --format='%h %s' "${base:-HEAD}")"
     mapfile -t files < <(git log --no-renames --diff-filter=d --name-only --pretty=format: "${base:-HEAD}..HEAD" | grep -E "$is_source" |
         awk '!seen[$0]++' | while read -r file; do [ -f "$file" ] && printf '%s\n' "$file"; done)
-    tidy 480 "${files[@]}"
+    tidy 240 "${files[@]}"
     git ls-files | grep -E "$is_source" | xargs clang-format --dry-run --Werror || failed=$((failed + 1))
 }
 
