@@ -140,17 +140,18 @@ private Q_SLOTS:
             model::ToolSettings settings = f.state.toolSettings();
             return settings.value(MapKind::Colour).colour;
         };
-        const auto clickAt = [](BarSlider* s, double fraction) {
-            QTest::mouseClick(s, Qt::LeftButton, {}, QPoint(qRound(fraction * s->width()), s->height() / 2));
+        const auto clickAt = [](BarSlider& slider, double fraction) {
+            QTest::mouseClick(&slider, Qt::LeftButton, {},
+                              QPoint(qRound(fraction * slider.width()), slider.height() / 2));
         };
-        clickAt(redness, 0.5);
-        clickAt(melanin, 0.9);
+        clickAt(*redness, 0.5);
+        clickAt(*melanin, 0.9);
         const QColor black = painted();
-        clickAt(melanin, 0.2);
+        clickAt(*melanin, 0.2);
         const QColor blond = painted();
         QVERIFY(black.lightness() < 30 && blond.lightness() > 120);
         QVERIFY(blond.red() > blond.green() && blond.green() > blond.blue());
-        clickAt(redness, 0.95);
+        clickAt(*redness, 0.95);
         const double warmth = static_cast<double>(painted().red()) / painted().blue();
         QVERIFY(warmth > static_cast<double>(blond.red()) / blond.blue());
         QVERIFY(std::abs(melanin->value() - 20.0) < 3.0); // It stayed where it was put.
