@@ -134,12 +134,13 @@ fuzz() {
     count_results build/fuzz/*.result
 }
 
-# count_results FILE...: each is one test, which failed where it says so.
+# count_results FILE...: each is one test, which failed or was late where it says so.
 count_results() {
-    local bad
+    local bad late
     bad=$(cat "$@" | grep -c '^failed')
+    late=$(cat "$@" | grep -c '^late')
     failed=$((failed + bad))
-    passed=$((passed + $# - bad))
+    passed=$((passed + $# - bad - late))
 }
 
 # tidy SECONDS FILE...: clang-format and clang-tidy; each file is one test. Those that are not begun by then are told of.

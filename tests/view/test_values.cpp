@@ -135,7 +135,8 @@ private Q_SLOTS:
         };
         BarSlider* melanin = slider(QStringLiteral("Melanin"));
         BarSlider* redness = slider(QStringLiteral("Redness"));
-        QVERIFY(melanin != nullptr && redness != nullptr);
+        if (melanin == nullptr || redness == nullptr)
+            QFAIL("There are no such sliders.");
         const auto painted = [&] {
             model::ToolSettings settings = f.state.toolSettings();
             return settings.value(MapKind::Colour).colour;
