@@ -46,7 +46,9 @@ model::Project starterProject()
     if (!styles.isEmpty())
         if (const model::Result<model::Preset> preset = model::loadPreset(styles.front()))
             model::applyPreset(project, *preset);
-    // A breath: enough to see that hair lives, too little to skew a haircut.
+    // Calm, so that the first thing seen is the haircut. Where the wind is turned on it is a breath: enough to see that
+    // hair lives, too little to skew the cut.
+    project.wind.enabled = false;
     project.wind.velocity = glm::vec3(0.12F, 0.0F, 0.1F);
     return project;
 }

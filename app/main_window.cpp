@@ -16,6 +16,7 @@
 #include "app/recovery/recovery.h"
 #include "app/style_strip_controller.h"
 #include "app/workspace.h"
+#include "view/head/turn_hint.h"
 #include "view/head_view.h"
 #include "view/map_legend.h"
 #include "view/paint_view.h"
@@ -40,7 +41,7 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr QSize kSmallestWindow(1100, 680);
+constexpr QSize kSmallestWindow(960, 600);
 constexpr QSize kFirstWindow(1440, 900);
 constexpr QSize kThumbnail(256, 256);
 constexpr int kReasonMs = 20'000; ///< For reading why there is no picture or no hair, or what others did.
@@ -87,7 +88,6 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     if (!restoreGeometry(m_settings.windowGeometry()))
         resize(kFirstWindow);
     m_workspace->showAreas(Workspace::Areas::Both);
-    installEventFilter(m_workspace);
     m_workspace->paintView().setFocus(); // Keys mean tools and maps from the first moment.
 }
 
@@ -189,6 +189,13 @@ void MainWindow::connectAreas()
     new FrameMeter(head, m_session, status); // Belongs to the status line.
     connect(&head, &view::HeadView::glUnavailable, &status,
             [&status](const QString& reason) { status.showMessage(reason, true, kReasonMs); });
+    if (!m_settings.viewTurned()) {
+        auto* hint = new view::TurnHint(head);
+        connect(&head, &view::HeadView::viewTurned, hint, [this, hint] {
+            m_settings.setViewTurned();
+            hint->deleteLater();
+        });
+    }
     const auto showMessage = [&status](const QString& text) { status.showMessage(text); };
     connect(&head, &view::HeadView::statusText, &status, showMessage);
     connect(&paint, &view::PaintView::statusText, &status, showMessage);

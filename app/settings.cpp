@@ -78,6 +78,16 @@ void Settings::setLastFolder(const QString& folder)
     m_settings.setValue(QStringLiteral("lastFolder"), folder);
 }
 
+bool Settings::viewTurned() const
+{
+    return m_settings.value(QStringLiteral("viewTurned")).toBool();
+}
+
+void Settings::setViewTurned()
+{
+    m_settings.setValue(QStringLiteral("viewTurned"), true);
+}
+
 QString Settings::avatarAuthor() const
 {
     return m_settings.value(QStringLiteral("avatarAuthor")).toString();

@@ -31,6 +31,10 @@ public:
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
 
+    /// Whether the 3D area was ever turned by hand, so that nobody need be told how.
+    [[nodiscard]] bool viewTurned() const;
+    void setViewTurned();
+
     /// Whom avatars name as their author.
     [[nodiscard]] QString avatarAuthor() const;
     void setAvatarAuthor(const QString& author);

@@ -11,7 +11,10 @@
 #include "view/panels/style_strip.h"
 #include "view/panels/tool_bar.h"
 #include "view/widgets/drop_hint.h"
+#include "view/widgets/focus_ring.h"
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QKeyEvent>
 #include <QVBoxLayout>
 
@@ -54,8 +57,7 @@ Workspace::Workspace(view::EditorState& editor, Jobs& jobs, const view::Preferen
     m_status = new view::StatusReadout(editor);
     layOut();
     m_dropHint = new view::DropHint(this);
-    m_paintView->installEventFilter(this);
-    m_headView->installEventFilter(this);
+    nameFocusAreas();
 }
 
 void Workspace::layOut()
@@ -119,18 +121,39 @@ void Workspace::setTheme(const view::Theme& theme)
     m_headView->setTheme(theme);
 }
 
-bool Workspace::eventFilter(QObject* watched, QEvent* event)
+void Workspace::nameFocusAreas()
 {
-    // Tab hides the panels while an area has the focus; elsewhere it moves the focus, as Qt does by itself when the
-    // widget that has it is hidden.
-    if (event->type() == QEvent::KeyPress) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        if (key->key() == Qt::Key_Tab && key->modifiers() == Qt::NoModifier) {
-            setPanelsHidden(!m_panelsHidden);
-            return true;
-        }
-    }
-    return QWidget::eventFilter(watched, event);
+    m_focusAreas = new FocusAreas(
+        {{.widget = m_optionBar},
+         {.widget = m_toolBar},
+         {.widget = m_paintView},
+         {.widget = m_headView},
+         {.widget = &m_sidebar->maps()},
+         {.widget = &m_sidebar->layers(), .uncover = [this] { m_sidebar->showLayers(); }, .container = m_sidebar},
+         {.widget = &m_sidebar->hair(), .uncover = [this] { m_sidebar->showHair(); }, .container = m_sidebar},
+         {.widget = m_styleStrip}},
+        this);
+    for (QWidget* area : std::initializer_list<QWidget*>{m_paintView, m_headView})
+        new view::FocusRing(area);
+}
+
+bool Workspace::focusNextPrevChild(bool next)
+{
+    return m_focusAreas->stepWithin(next) || QWidget::focusNextPrevChild(next);
+}
+
+void Workspace::keyPressEvent(QKeyEvent* event)
+{
+    // Keys that the widget with the focus had no use for. A button takes only the space bar by itself.
+    QWidget* focus = QApplication::focusWidget();
+    auto* button = qobject_cast<QAbstractButton*>(focus);
+    QWidget* area = m_paintView->isVisible() ? static_cast<QWidget*>(m_paintView) : m_headView;
+    if (button != nullptr && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter))
+        button->click();
+    else if (event->key() == Qt::Key_Escape && focus != m_paintView && focus != m_headView)
+        area->setFocus(Qt::ShortcutFocusReason);
+    else
+        QWidget::keyPressEvent(event);
 }
 
 } // namespace hairpaint::app

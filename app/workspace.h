@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/background/jobs.h"
+#include "app/focus_areas.h"
 #include "view/dialogs/preferences_dialog.h"
 #include "view/editor_state.h"
 
@@ -22,7 +23,7 @@ class ToolBar;
 
 namespace hairpaint::app {
 
-/// Owns them. As an event filter of an area, or of the window, it hides the panels with Tab. GUI thread.
+/// Owns them. GUI thread.
 class Workspace : public QWidget
 {
     Q_OBJECT
@@ -47,6 +48,7 @@ public:
     [[nodiscard]] view::StyleStrip& styleStrip() const { return *m_styleStrip; }
     [[nodiscard]] view::StatusReadout& status() const { return *m_status; }
     [[nodiscard]] view::DropHint& dropHint() const { return *m_dropHint; }
+    [[nodiscard]] FocusAreas& focusAreas() const { return *m_focusAreas; }
 
     [[nodiscard]] Areas areas() const { return m_areas; }
     void showAreas(Areas areas);
@@ -59,10 +61,12 @@ Q_SIGNALS:
     void arranged(); ///< Other areas are shown, or the panels are hidden or back.
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     void layOut();
+    void nameFocusAreas();
 
     view::ToolBar* m_toolBar = nullptr;
     view::OptionBar* m_optionBar = nullptr;
@@ -74,6 +78,7 @@ private:
     view::StyleStrip* m_styleStrip = nullptr;
     view::StatusReadout* m_status = nullptr;
     view::DropHint* m_dropHint = nullptr;
+    FocusAreas* m_focusAreas = nullptr;
     Areas m_areas = Areas::Both;
     bool m_panelsHidden = false;
 };

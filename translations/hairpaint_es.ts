@@ -169,10 +169,6 @@
         <translation>Cabeza: %1, %2 vértices, %3 triángulos</translation>
     </message>
     <message>
-        <source>Hairs: %1 (%2 exported, %3 basis hairs), seed %4</source>
-        <translation>Pelos: %1 (%2 se exportan, %3 pelos guía), semilla %4</translation>
-    </message>
-    <message>
         <source>Group %1: %2 hairs of %3 nodes</source>
         <translation>Grupo %1: %2 pelos de %3 nodos</translation>
     </message>
@@ -545,6 +541,10 @@
     <message>
         <source>Avatars have one level of detail; --lods is for cards as .glb</source>
         <translation>Los avatares tienen un solo nivel de detalle; --lods es para tarjetas como .glb</translation>
+    </message>
+    <message>
+        <source>Hairs: %1 (%2 exported, %3 simulated), seed %4</source>
+        <translation>Pelos: %1 (%2 se exportan, %3 simulados), semilla %4</translation>
     </message>
 </context>
 <context>
@@ -1236,10 +1236,6 @@
         <translation>Con más, el pelo se dobla con más detalle y cuesta más</translation>
     </message>
     <message>
-        <source>Basis hairs</source>
-        <translation>Pelos guía</translation>
-    </message>
-    <message>
         <source>Turns mode</source>
         <translation>Modo de vueltas</translation>
     </message>
@@ -1316,10 +1312,6 @@
         <translation>Cuánto se agarra el pelo a la cabeza</translation>
     </message>
     <message>
-        <source>Wind</source>
-        <translation>Viento</translation>
-    </message>
-    <message>
         <source>How strongly the wind takes this hair</source>
         <translation>Con qué fuerza el viento mueve este pelo</translation>
     </message>
@@ -1364,16 +1356,24 @@
         <translation>Diferencia entre pelos vecinos</translation>
     </message>
     <message>
-        <source>Hairs on the whole scalp that are simulated; the others follow them</source>
-        <translation>Pelos de todo el cuero cabelludo que se simulan; los demás los siguen</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>Rigidez</translation>
-    </message>
-    <message>
         <source>A hair so long nearly carries itself; shorter hair stands, longer hair hangs</source>
         <translation>Un pelo de esta longitud apenas se sostiene; más corto se mantiene de pie, más largo cuelga</translation>
+    </message>
+    <message>
+        <source>Simulated hairs</source>
+        <translation>Pelos simulados</translation>
+    </message>
+    <message>
+        <source>Of the whole scalp; the others follow the nearest of them</source>
+        <translation>De todo el cuero cabelludo; los demás siguen a los más cercanos</translation>
+    </message>
+    <message>
+        <source>Stands up to</source>
+        <translation>Se sostiene hasta</translation>
+    </message>
+    <message>
+        <source>Moved by wind</source>
+        <translation>Lo mueve el viento</translation>
     </message>
 </context>
 <context>
@@ -2217,6 +2217,46 @@
         <source>Drag over hair to lift it, with a Lift below zero to lay it; its direction stays</source>
         <translation>Arrastra sobre el pelo para levantarlo o, con Elevación bajo cero, tumbarlo; su dirección se mantiene</translation>
     </message>
+    <message>
+        <source>Takes paint off the active layer, so that what lies below shows again.</source>
+        <translation>Quita pintura de la capa activa, de modo que vuelve a verse lo que hay debajo.</translation>
+    </message>
+    <message>
+        <source>Paints the chosen value on the active map, on the flat map or on the head.</source>
+        <translation>Pinta el valor elegido en el mapa activo, sobre el mapa plano o sobre la cabeza.</translation>
+    </message>
+    <message>
+        <source>Lays, lifts, smooths or swirls hair where it is drawn along.</source>
+        <translation>Tiende, levanta, alisa o arremolina el pelo por donde pasa.</translation>
+    </message>
+    <message>
+        <source>Fills a whole patch, or the whole map, with the chosen value.</source>
+        <translation>Rellena una mancha entera, o todo el mapa, con el valor elegido.</translation>
+    </message>
+    <message>
+        <source>Takes hold of hair where it is seen and lays it where it is let go.</source>
+        <translation>Agarra el pelo donde se ve y lo tiende donde se suelta.</translation>
+    </message>
+    <message>
+        <source>Paints from the first value to the second, along a line or around a point.</source>
+        <translation>Pinta del primer valor al segundo, a lo largo de una línea o alrededor de un punto.</translation>
+    </message>
+    <message>
+        <source>Parts the hair along a line.</source>
+        <translation>Hace la raya del pelo a lo largo de una línea.</translation>
+    </message>
+    <message>
+        <source>Takes a value from the map, to paint on with it.</source>
+        <translation>Toma un valor del mapa para seguir pintando con él.</translation>
+    </message>
+    <message>
+        <source>Limits what is painted to a rectangle.</source>
+        <translation>Limita a un rectángulo lo que se pinta.</translation>
+    </message>
+    <message>
+        <source>Paints filled rectangles, ellipses and polygons.</source>
+        <translation>Pinta rectángulos, elipses y polígonos rellenos.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::ClipCommands</name>
@@ -2508,20 +2548,8 @@
         <translation>&amp;Guardar peinado…</translation>
     </message>
     <message>
-        <source>&amp;Wind</source>
-        <translation>&amp;Viento</translation>
-    </message>
-    <message>
-        <source>W&amp;ind…</source>
-        <translation>V&amp;iento…</translation>
-    </message>
-    <message>
         <source>&amp;Light…</source>
         <translation>&amp;Luz…</translation>
-    </message>
-    <message>
-        <source>Weat&amp;her keys</source>
-        <translation>&amp;Teclas del clima</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
@@ -2586,6 +2614,18 @@
     <message>
         <source>An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most</source>
         <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; %1 como máximo</translation>
+    </message>
+    <message>
+        <source>&amp;Wind blows</source>
+        <translation>Sopla el &amp;viento</translation>
+    </message>
+    <message>
+        <source>W&amp;ind settings…</source>
+        <translation>Ajustes del v&amp;iento…</translation>
+    </message>
+    <message>
+        <source>Wind and lig&amp;ht by keys</source>
+        <translation>Viento y luz con &amp;teclas</translation>
     </message>
 </context>
 <context>
@@ -3140,10 +3180,6 @@ Se ha perdido esto:</translation>
         <translation>&amp;Intercambiar lados</translation>
     </message>
     <message>
-        <source>&amp;Hide panels	Tab</source>
-        <translation>&amp;Ocultar paneles	Tab</translation>
-    </message>
-    <message>
         <source>&amp;Fit</source>
         <translation>A&amp;justar</translation>
     </message>
@@ -3164,10 +3200,6 @@ Se ha perdido esto:</translation>
         <translation>&amp;Malla de alambre</translation>
     </message>
     <message>
-        <source>&amp;Night paper</source>
-        <translation>Papel &amp;nocturno</translation>
-    </message>
-    <message>
         <source>&amp;Dark theme</source>
         <translation>Tema os&amp;curo</translation>
     </message>
@@ -3186,6 +3218,22 @@ Se ha perdido esto:</translation>
     <message>
         <source>Hair &amp;as cards</source>
         <translation>&amp;Ver el pelo como tarjetas</translation>
+    </message>
+    <message>
+        <source>&amp;Hide panels</source>
+        <translation>Oc&amp;ultar paneles</translation>
+    </message>
+    <message>
+        <source>&amp;Next area</source>
+        <translation>Área siguie&amp;nte</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious area</source>
+        <translation>Área anteri&amp;or</translation>
+    </message>
+    <message>
+        <source>Dar&amp;k paper</source>
+        <translation>Papel oscuro</translation>
     </message>
 </context>
 <context>
@@ -3736,14 +3784,6 @@ Se ha perdido esto:</translation>
         <translation>Mantener H y arrastrar</translation>
     </message>
     <message>
-        <source>Hide the panels</source>
-        <translation>Ocultar los paneles</translation>
-    </message>
-    <message>
-        <source>Tab</source>
-        <translation>Tab</translation>
-    </message>
-    <message>
         <source>Pointer</source>
         <translation>Puntero</translation>
     </message>
@@ -3854,6 +3894,18 @@ Se ha perdido esto:</translation>
     <message>
         <source>Hair of other programs, as .hair or USD, becomes a hair group: density, length, direction, curl, braids and colours are told from its curves and painted into the maps. Unit and axes need to be set only where the hair comes in too large, too small or lying on its side.</source>
         <translation>El pelo de otros programas, en .hair o USD, pasa a ser un grupo de pelo: la densidad, la longitud, la dirección, el rizo, las trenzas y los colores se deducen de sus curvas y se pintan en los mapas. La unidad y los ejes solo hace falta indicarlos si el pelo entra demasiado grande, demasiado pequeño o tumbado.</translation>
+    </message>
+    <message>
+        <source>Within an area of the window; pick</source>
+        <translation>Dentro de un área de la ventana; elegir</translation>
+    </message>
+    <message>
+        <source>Tab and arrows; Enter</source>
+        <translation>Tab y flechas; Intro</translation>
+    </message>
+    <message>
+        <source>From a panel back to the map</source>
+        <translation>De un panel de vuelta al mapa</translation>
     </message>
 </context>
 <context>
@@ -4539,6 +4591,13 @@ Se ha perdido esto:</translation>
     <message>
         <source>Tools</source>
         <translation>Herramientas</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::TurnHint</name>
+    <message>
+        <source>Drag beside the head to turn it; the wheel zooms</source>
+        <translation>Arrastra junto a la cabeza para girarla; la rueda acerca</translation>
     </message>
 </context>
 <context>

@@ -69,6 +69,7 @@ bool EditorState::setActiveGroup(model::Id group)
 
 bool EditorState::setActiveMap(MapKind map)
 {
+    m_mapBeforeTool.reset();
     if (map == m_activeMap)
         return false;
     commitStroke();
@@ -122,11 +123,26 @@ bool EditorState::setActiveTool(model::ToolId id)
     commitStroke();
     m_previousTool = m_activeTool;
     m_activeTool = index;
-    if (const std::optional<MapKind> map = activeTool().map())
-        setActiveMap(*map);
+    takeToolsMap();
     Q_EMIT activeToolChanged();
     Q_EMIT overlayChanged();
     return true;
+}
+
+void EditorState::takeToolsMap()
+{
+    const std::optional<MapKind> before = m_mapBeforeTool;
+    if (const std::optional<MapKind> map = activeTool().map()) {
+        const MapKind left = m_activeMap;
+        m_mapBeforeTool = setActiveMap(*map) ? before.value_or(left) : before;
+    } else if (before) {
+        setActiveMap(*before);
+    }
+}
+
+bool EditorState::layingHair() const
+{
+    return stroking() && activeTool().map() == MapKind::Direction;
 }
 
 void EditorState::toggleTool(model::ToolId id)
@@ -347,8 +363,8 @@ void EditorState::press(const model::ToolEvent& event)
 {
     // With Ctrl every painting tool picks the value under the pointer.
     const bool picks = event.modifiers.testFlag(Qt::ControlModifier) && activeTool().picksWithCtrl(event.area);
-    if (const std::optional<MapKind> map = activeTool().map())
-        setActiveMap(*map);
+    if (activeTool().map())
+        takeToolsMap();
     // Somebody else's edit ends before it is asked what there is to paint on.
     if (!picks && activeTool().paints() && !stroking())
         m_document.endEdit();
@@ -421,6 +437,7 @@ void EditorState::onDocumentChanged(const Change& change)
         if (m_document.project().group(change.group) != nullptr) {
             m_activeGroup = change.group;
             m_activeMap = change.map;
+            m_mapBeforeTool.reset();
             followAmounts(false);
             Q_EMIT targetChanged();
         }

@@ -97,6 +97,8 @@ public:
     void cancelStroke();
     void commitStroke(); ///< Ends what a tool still has open (a polygon), keeping it.
     [[nodiscard]] bool stroking() const;
+    /// A tool that lays hair works at present: what is looked at is the hair.
+    [[nodiscard]] bool layingHair() const;
     /// A key pressed over either area: Esc and Enter end what runs, others are the active tool's. False: not ours.
     bool toolKey(Qt::Key key, Qt::KeyboardModifiers modifiers);
 
@@ -125,6 +127,7 @@ private:
     [[nodiscard]] QString refusalOn(const model::HairGroup& group, model::MapKind map) const;
     /// Why it can't change the other maps that it is set to change.
     [[nodiscard]] QString refusalOnOthers() const;
+    void takeToolsMap(); ///< Makes the active tool's own map the active one, or what was before it again.
     template<typename Call>
     void withTool(const Call& call);
 
@@ -132,9 +135,10 @@ private:
     std::vector<std::unique_ptr<model::Tool>> m_tools;
     std::size_t m_activeTool = 0;
     std::size_t m_previousTool = 0;
-    bool m_toolWorks = false;           ///< A change that is told meanwhile is the active tool's.
-    model::LayerAddress m_strokeTarget; ///< Stays the same from press to release.
-    bool m_saidOfCtrl = false;          ///< In this stroke.
+    std::optional<model::MapKind> m_mapBeforeTool; ///< Active again when the tool that has a map of its own is left.
+    bool m_toolWorks = false;                      ///< A change that is told meanwhile is the active tool's.
+    model::LayerAddress m_strokeTarget;            ///< Stays the same from press to release.
+    bool m_saidOfCtrl = false;                     ///< In this stroke.
     model::ToolSettings m_toolSettings;
     model::ValueAmounts m_amounts;
     model::Selection m_selection;

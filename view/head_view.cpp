@@ -63,6 +63,10 @@ void HeadView::connectParts()
     connect(&m_state.document(), &model::Document::changed, this, &HeadView::onDocumentChanged);
     connect(&m_state, &EditorState::hoverChanged, this, &HeadView::refreshRings);
     connect(&m_state, &EditorState::toolSettingsChanged, this, &HeadView::refreshRings);
+    const auto showDirections = [this] { m_overlay->setDirectionsFaded(false); };
+    for (const auto signal :
+         {&EditorState::targetChanged, &EditorState::activeToolChanged, &EditorState::viewOptionsChanged})
+        connect(&m_state, signal, this, showDirections);
     connect(&m_state, &EditorState::viewOptionsChanged, this, [this] {
         refreshRings();
         refreshOverlay();
@@ -81,6 +85,7 @@ void HeadView::connectParts()
     connect(m_pointer.get(), &HeadPointer::lightDragged, this, &HeadView::refreshEnvironment);
     connect(m_pointer.get(), &HeadPointer::lightWanted, this, &HeadView::lightWanted);
     connect(m_pointer.get(), &HeadPointer::puffWanted, this, &HeadView::puffWanted);
+    connect(m_pointer.get(), &HeadPointer::viewTurned, this, &HeadView::viewTurned);
     connect(m_pointer.get(), &HeadPointer::statusText, this, &HeadView::statusText);
     connect(m_pointer.get(), &HeadPointer::contextMenuWanted, this, &HeadView::contextMenuWanted);
     connect(m_pacer.get(), &FramePacer::drawDue, this, &HeadView::draw);
@@ -292,6 +297,8 @@ void HeadView::onDocumentChanged(const model::Change& change)
         if (m_state.collidersShown())
             refreshOverlay();
     }
+    if (change.aspect == Aspect::Texels && m_state.layingHair())
+        m_overlay->setDirectionsFaded(true);
     if (change.aspect != Aspect::Environment && change.aspect != Aspect::Settings)
         m_directionsTimer.start();
 }

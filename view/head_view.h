@@ -99,6 +99,7 @@ Q_SIGNALS:
     void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
     void glUnavailable(const QString& reason); ///< The graphics card can't draw; our own renderer goes on.
     void statusText(const QString& text);
+    void viewTurned(); ///< By a drag.
     void contextMenuWanted(const QPoint& globalPosition);
     void weatherShownChanged(bool shown);
     void cardsShownChanged(bool shown);

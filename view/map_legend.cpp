@@ -21,6 +21,10 @@ constexpr int kWidth = 184;
 constexpr int kBar = 12;
 constexpr int kLine = 18;
 constexpr double kLeastTickGap = 0.15; ///< Of the bar's width.
+constexpr int kNear = 24;              ///< Pixels around the card.
+constexpr int kFadeMs = 150;
+constexpr double kFadedOpacity = 0.12;
+constexpr int kMostOfArea = 4; ///< Where the card is higher or wider than this part of the area it is folded.
 
 /// Round numbers that keep their distance on the bar, with both ends.
 QList<MapLegend::Tick> ticksOf(const sim::GroupSettings& settings, const model::MapSpec& spec)
@@ -57,6 +61,11 @@ MapLegend::MapLegend(QWidget* parent) : QWidget(parent)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAccessibleName(tr("What the colours mean"));
+    parent->installEventFilter(this);
+    m_fading.setDuration(kFadeMs);
+    m_fading.setStartValue(1.0);
+    m_fading.setEndValue(kFadedOpacity);
+    connect(&m_fading, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
     hide();
 }
 
@@ -95,8 +104,6 @@ void MapLegend::showMap(const model::MapSpec& spec, const sim::GroupSettings& se
         m_labels.append(spec.palette[i].titleText());
         m_colours.append(valueColour(spec, value, nightPaper));
     }
-    const int lines = static_cast<int>(m_labels.size()) + 1;
-    resize(kWidth, 2 * metrics::kGap + lines * kLine + (m_isScale ? kBar + metrics::kGrid : 0));
     place();
     show();
     raise();
@@ -105,8 +112,31 @@ void MapLegend::showMap(const model::MapSpec& spec, const sim::GroupSettings& se
 
 void MapLegend::place()
 {
-    if (const QWidget* area = parentWidget())
-        move(metrics::kPadding, area->height() - height() - metrics::kPadding);
+    const QSize area = parentWidget()->size();
+    const int lines = static_cast<int>(m_labels.size()) + 1;
+    const int whole = 2 * metrics::kGap + lines * kLine + (m_isScale ? kBar + metrics::kGrid : 0);
+    m_folded = !m_isScale && (whole > area.height() / kMostOfArea || 2 * kWidth > area.width());
+    resize(kWidth, m_folded ? 2 * metrics::kGap + 2 * kLine : whole);
+    move(metrics::kPadding, area.height() - height() - metrics::kPadding);
+}
+
+void MapLegend::setFaded(bool faded)
+{
+    if (std::exchange(m_faded, faded) == faded)
+        return;
+    m_fading.setDirection(faded ? QAbstractAnimation::Forward : QAbstractAnimation::Backward);
+    m_fading.start();
+}
+
+bool MapLegend::eventFilter(QObject* watched, QEvent* event)
+{
+    if (const auto* pointer = dynamic_cast<QSinglePointEvent*>(event))
+        setFaded(geometry().adjusted(-kNear, -kNear, kNear, kNear).contains(pointer->position().toPoint()));
+    else if (event->type() == QEvent::Leave)
+        setFaded(false);
+    else if (event->type() == QEvent::Resize && isVisible())
+        place();
+    return QWidget::eventFilter(watched, event);
 }
 
 void MapLegend::paintScale(QPainter& painter, const QRect& line) const
@@ -130,11 +160,23 @@ void MapLegend::paintScale(QPainter& painter, const QRect& line) const
     }
 }
 
+void MapLegend::paintFolded(QPainter& painter, const QRect& line) const
+{
+    painter.setPen(Theme::current().line);
+    const double step =
+        std::min<double>(kBar + metrics::kGrid, line.width() / std::max(1.0, static_cast<double>(m_colours.size())));
+    for (qsizetype i = 0; i < m_colours.size(); ++i) {
+        painter.setBrush(m_colours[i]);
+        painter.drawRoundedRect(QRectF(line.left() + static_cast<double>(i) * step, line.top() + 3, kBar, kBar), 2, 2);
+    }
+}
+
 void MapLegend::paintEvent(QPaintEvent* /*event*/)
 {
     const Theme theme = Theme::current();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    painter.setOpacity(m_fading.currentValue().toDouble());
     painter.setPen(theme.line);
     painter.setBrush(theme.panel);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), metrics::kRadius, metrics::kRadius);
@@ -147,6 +189,10 @@ void MapLegend::paintEvent(QPaintEvent* /*event*/)
     painter.setFont(themeFont(TextRole::Status));
     if (m_isScale) {
         paintScale(painter, line);
+        return;
+    }
+    if (m_folded) {
+        paintFolded(painter, line);
         return;
     }
     for (qsizetype i = 0; i < m_labels.size(); ++i, line.translate(0, kLine)) {

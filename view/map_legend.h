@@ -5,11 +5,13 @@
 #include "sim/groom/group_settings.h"
 
 #include <QList>
+#include <QVariantAnimation>
 #include <QWidget>
 
 namespace hairpaint::view {
 
-/// A card over an area; lets every pointer event through.
+/// A card over an area; lets every pointer event through, and fades while the pointer is near it, so that what lies
+/// below can be seen and painted. In a small area it is folded to its title and its colours.
 class MapLegend : public QWidget
 {
     Q_OBJECT
@@ -25,17 +27,21 @@ public:
 
     /// Stands in the parent's lower left corner.
     void showMap(const model::MapSpec& spec, const sim::GroupSettings& settings, bool nightPaper = false);
-    /// Keeps to that corner when the parent changes size.
-    void place();
+    [[nodiscard]] bool faded() const { return m_faded; }
+    [[nodiscard]] bool folded() const { return m_folded; }
     /// "Length" and "0–30 cm", or the names of an index map's colours.
     [[nodiscard]] const QString& title() const { return m_title; }
     [[nodiscard]] const QStringList& labels() const { return m_labels; }
     [[nodiscard]] const QList<Tick>& ticks() const { return m_ticks; }
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void setFaded(bool faded);
+    void place(); ///< In that corner of the parent, folded where that is small.
+    void paintFolded(QPainter& painter, const QRect& line) const;
     void paintScale(QPainter& painter, const QRect& line) const;
 
     QString m_title;
@@ -43,6 +49,9 @@ private:
     QList<Tick> m_ticks;
     QList<QColor> m_colours; ///< Of a scale from its paper to its full colour, or one for each label.
     bool m_isScale = false;
+    bool m_folded = false;
+    bool m_faded = false;
+    QVariantAnimation m_fading{this};       ///< Its value is the card's opacity.
     const model::MapSpec* m_spec = nullptr; ///< What is shown, so that showing it again costs nothing.
     sim::GroupSettings m_settings;
     bool m_nightPaper = false;

@@ -321,7 +321,6 @@ void PaintView::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     m_state->transform.widget = QSizeF(size());
-    m_state->legend->place();
     if (m_state->fitted)
         m_state->transform.fit(QRectF(0.0, 0.0, 1.0, 1.0));
     lookChanged();

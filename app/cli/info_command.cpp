@@ -97,7 +97,7 @@ QString asText(const QJsonObject& info, std::uint64_t seed)
         CommandLine::tr("Head: %1, %2 vertices, %3 triangles")
             .arg(head[QLatin1StringView("name")].toString(), count(head, "vertices"), count(head, "triangles")) +
         QLatin1Char('\n');
-    text += CommandLine::tr("Hairs: %1 (%2 exported, %3 basis hairs), seed %4")
+    text += CommandLine::tr("Hairs: %1 (%2 exported, %3 simulated), seed %4")
                 .arg(count(info, "hairs"), count(info, "exported"), count(info, "basis_hairs"), QString::number(seed)) +
             QLatin1Char('\n');
     for (const auto& value : info[QLatin1StringView("groups")].toArray()) {

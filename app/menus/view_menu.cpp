@@ -58,9 +58,18 @@ void ViewMenu::addAreas(ActionSet& actions, Workspace& workspace)
                         area("view.paint", tr("&Paint area only"), Qt::Key_F3, Areas::Paint),
                         {"view.swap", tr("&Swap sides"), {Qt::Key_F4}, [&workspace] { workspace.swapAreas(); }, "swap"},
                         {.id = "view.panels",
-                         .text = tr("&Hide panels\tTab"),
+                         .text = tr("&Hide panels"),
+                         .keys = {Qt::Key_F11},
                          .run = [&workspace] { workspace.setPanelsHidden(!workspace.panelsHidden()); },
-                         .on = [&workspace] { return workspace.panelsHidden(); }}});
+                         .on = [&workspace] { return workspace.panelsHidden(); }},
+                        {.id = "view.nextArea",
+                         .text = tr("&Next area"),
+                         .keys = {Qt::Key_F6},
+                         .run = [&workspace] { workspace.focusAreas().step(true); }},
+                        {.id = "view.previousArea",
+                         .text = tr("Pre&vious area"),
+                         .keys = {Qt::SHIFT | Qt::Key_F6},
+                         .run = [&workspace] { workspace.focusAreas().step(false); }}});
 }
 
 void ViewMenu::addLook(ActionSet& actions, Workspace& workspace, view::EditorState& editor, Exchange& exchange)
@@ -100,7 +109,7 @@ void ViewMenu::addLook(ActionSet& actions, Workspace& workspace, view::EditorSta
           .run = [&head, &exchange] { head.cardsShown() ? head.showCards(nullptr) : exchange.hair().previewCards(); },
           .on = [&head] { return head.cardsShown(); }},
          {.id = "view.night",
-          .text = tr("&Night paper"),
+          .text = tr("Dar&k paper"),
           .run = [&editor] { editor.setNightPaper(!editor.nightPaper()); },
           .icon = "paper",
           .on = [&editor] { return editor.nightPaper(); }}});

@@ -25,6 +25,11 @@ public:
     [[nodiscard]] ToolId id() const override { return m_erases ? ToolId::Eraser : ToolId::Brush; }
     [[nodiscard]] QString title() const override { return m_erases ? tr("Eraser") : tr("Brush"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return m_erases ? Qt::Key_E : Qt::Key_B; }
+    [[nodiscard]] QString purpose() const override
+    {
+        return m_erases ? tr("Takes paint off the active layer, so that what lies below shows again.")
+                        : tr("Paints the chosen value on the active map, on the flat map or on the head.");
+    }
     [[nodiscard]] QString hint() const override
     {
         return m_erases ? tr("Drag to erase; Shift+click for a straight line from the last point")

@@ -55,6 +55,10 @@ public:
     [[nodiscard]] ToolId id() const override { return ToolId::Comb; }
     [[nodiscard]] QString title() const override { return tr("Comb"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_C; }
+    [[nodiscard]] QString purpose() const override
+    {
+        return tr("Lays, lifts, smooths or swirls hair where it is drawn along.");
+    }
     [[nodiscard]] QString hint() const override
     {
         return tr("Drag to lay hair along the stroke; Shift+click for a straight line from the last point");

@@ -88,6 +88,10 @@ public:
     [[nodiscard]] ToolId id() const override { return ToolId::Fill; }
     [[nodiscard]] QString title() const override { return tr("Fill"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::SHIFT | Qt::Key_G; }
+    [[nodiscard]] QString purpose() const override
+    {
+        return tr("Fills a whole patch, or the whole map, with the chosen value.");
+    }
     [[nodiscard]] QString hint() const override
     {
         return tr("Click to fill what has a similar value around the pointer");

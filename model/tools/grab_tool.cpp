@@ -39,6 +39,10 @@ public:
     [[nodiscard]] ToolId id() const override { return ToolId::Grab; }
     [[nodiscard]] QString title() const override { return tr("Grab"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_Y; }
+    [[nodiscard]] QString purpose() const override
+    {
+        return tr("Takes hold of hair where it is seen and lays it where it is let go.");
+    }
     [[nodiscard]] QString hint() const override
     {
         return tr("Press on hair and drag it where it should go; with Ctrl it grows or shrinks to the pointer");

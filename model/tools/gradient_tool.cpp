@@ -54,6 +54,10 @@ public:
     [[nodiscard]] ToolId id() const override { return ToolId::Gradient; }
     [[nodiscard]] QString title() const override { return tr("Gradient"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_G; }
+    [[nodiscard]] QString purpose() const override
+    {
+        return tr("Paints from the first value to the second, along a line or around a point.");
+    }
     [[nodiscard]] QString hint() const override
     {
         return tr("Drag from the first value to the second; Shift keeps to steps of 45 degrees");

@@ -28,6 +28,7 @@ public:
     [[nodiscard]] ToolId id() const override { return ToolId::Part; }
     [[nodiscard]] QString title() const override { return tr("Part"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_P; }
+    [[nodiscard]] QString purpose() const override { return tr("Parts the hair along a line."); }
     [[nodiscard]] QString hint() const override;
     [[nodiscard]] std::vector<ToolOption> options() const override
     {

@@ -14,6 +14,7 @@ public:
     [[nodiscard]] ToolId id() const override { return ToolId::Picker; }
     [[nodiscard]] QString title() const override { return tr("Picker"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_I; }
+    [[nodiscard]] QString purpose() const override { return tr("Takes a value from the map, to paint on with it."); }
     [[nodiscard]] QString hint() const override { return tr("Click to take the value under the pointer"); }
     [[nodiscard]] std::vector<ToolOption> options() const override { return {ToolOption::Value}; }
 

@@ -19,6 +19,7 @@ public:
     [[nodiscard]] ToolId id() const override { return ToolId::Select; }
     [[nodiscard]] QString title() const override { return tr("Select"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_M; }
+    [[nodiscard]] QString purpose() const override { return tr("Limits what is painted to a rectangle."); }
     [[nodiscard]] QString hint() const override
     {
         return tr("Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing");

@@ -32,6 +32,7 @@ public:
     [[nodiscard]] ToolId id() const override { return ToolId::Shape; }
     [[nodiscard]] QString title() const override { return tr("Shape"); }
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_U; }
+    [[nodiscard]] QString purpose() const override { return tr("Paints filled rectangles, ellipses and polygons."); }
     [[nodiscard]] QString hint() const override
     {
         return m_kind == ShapeKind::Polygon && active()

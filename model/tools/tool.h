@@ -106,6 +106,8 @@ public:
     [[nodiscard]] virtual ToolId id() const = 0;
     [[nodiscard]] virtual QString title() const = 0;
     [[nodiscard]] virtual QKeySequence defaultKey() const = 0;
+    /// What it is for, a sentence.
+    [[nodiscard]] virtual QString purpose() const = 0;
     /// What the status bar says the tool does next.
     [[nodiscard]] virtual QString hint() const = 0;
     /// The same of what it does with these settings.

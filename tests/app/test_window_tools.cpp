@@ -396,7 +396,7 @@ private Q_SLOTS:
         const auto button = [this, gradient]() -> QString {
             for (const QToolButton* one : m_window->findChild<view::ToolBar*>()->findChildren<QToolButton*>())
                 if (one->accessibleName() == gradient->iconText())
-                    return one->toolTip();
+                    return one->toolTip().section(QStringLiteral("<b>"), 1).section(QStringLiteral("</b>"), 0, 0);
             return {};
         };
         const QString name = gradient->iconText();

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include <array>
 #include <random>
 
 using namespace hairpaint;
@@ -29,8 +30,10 @@ MapStack randomStack(MapKind kind, int layers, std::mt19937& random)
                     channel = static_cast<std::uint16_t>(random());
                 if (kind == MapKind::Braid)
                     value[0] %= 4;
-                if (random() % 3 == 0)
-                    value[static_cast<std::size_t>(mapSpec(kind).valueChannels)] = random() % 2 == 0 ? 0 : 65535;
+                // Nothing, all, and what is nearly all but lets something through.
+                constexpr std::array<std::uint16_t, 4> kCoverages{0, 65535, 65534, 65001};
+                if (random() % 2 == 0)
+                    value[static_cast<std::size_t>(mapSpec(kind).valueChannels)] = kCoverages[random() % 4];
                 return value;
             };
             switch (random() % 3) {

@@ -118,6 +118,26 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(right(), 0, kPatienceMs);
     }
 
+    void theyFadeWhileHairIsCombedAndAfter()
+    {
+        HeadFixture f;
+        const auto* overlay = f.area.findChild<view::HeadOverlay*>();
+        f.editor.state.setActiveTool(model::ToolId::Comb);
+        QVERIFY(!overlay->directionsFaded());
+        QTest::mousePress(&f.area, Qt::LeftButton, {}, kMiddle - QPoint(40, 0));
+        for (int x = -35; x <= 40; x += 5)
+            f.move(kMiddle + QPoint(x, 0), Qt::LeftButton, {});
+        QVERIFY(overlay->directionsFaded());
+        QTest::mouseRelease(&f.area, Qt::LeftButton, {}, kMiddle + QPoint(40, 0));
+        QVERIFY(overlay->directionsFaded());
+        f.editor.state.setActiveTool(model::ToolId::Brush);
+        QVERIFY(!overlay->directionsFaded());
+        // The map itself is painted: it is what is looked at.
+        f.editor.state.setActiveMap(model::MapKind::Direction);
+        QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
+        QVERIFY(!overlay->directionsFaded());
+    }
+
     void theyGoWithTheHead()
     {
         HeadFixture f;

@@ -148,6 +148,26 @@ private Q_SLOTS:
         press();
         QCOMPARE(refused.count(), 1);
     }
+
+    void theMapBeforeTheCombIsTheBrushsAgain()
+    {
+        Fixture f;
+        f.state.setActiveMap(MapKind::Colour);
+        f.state.setActiveTool(model::ToolId::Comb);
+        QCOMPARE(f.state.activeMap(), MapKind::Direction);
+        f.state.setActiveTool(model::ToolId::Part);
+        f.state.setActiveTool(model::ToolId::Brush);
+        QCOMPARE(f.state.activeMap(), MapKind::Colour);
+        // Chosen while the comb is in hand: that is the one.
+        f.state.setActiveTool(model::ToolId::Comb);
+        f.state.setActiveMap(MapKind::Curl);
+        f.state.setActiveTool(model::ToolId::Brush);
+        QCOMPARE(f.state.activeMap(), MapKind::Curl);
+        f.state.setActiveTool(model::ToolId::Comb);
+        f.state.setActiveMap(MapKind::Direction);
+        f.state.setActiveTool(model::ToolId::Brush);
+        QCOMPARE(f.state.activeMap(), MapKind::Direction);
+    }
 };
 
 HAIRPAINT_TEST(TestEditorState, Widgets)

@@ -315,14 +315,12 @@ private Q_SLOTS:
         HeadFixture f;
         int drawn = 0;
         bool refines = false;
-        bool refined = false;
         connect(&f.area, &view::HeadView::frameDrawn, this, [&] {
             ++drawn;
-            refined = refines && !f.area.refining();
-            refines = f.area.refining();
+            refines = refines || f.area.refining();
         });
         // Refinement of a still picture comes to an end.
-        QTRY_VERIFY_WITH_TIMEOUT(refined && !f.area.awake(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(refines && !f.area.refining() && !f.area.awake(), kPatienceMs);
         const int before = drawn;
         QCoreApplication::processEvents();
         QVERIFY(!f.area.awake() && !f.area.refining());

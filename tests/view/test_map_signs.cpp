@@ -102,6 +102,42 @@ private Q_SLOTS:
         editor.state.setActiveMap(model::MapKind::Colour);
         QVERIFY(!legend->isVisible());
     }
+
+    void theLegendGivesWayToThePointer()
+    {
+        test::Editor editor(test::makeProject(test::makeBallHead()));
+        view::PaintView area(editor.state, view::Theme::of(view::ThemeKind::Dark));
+        area.resize(900, 900);
+        area.show();
+        editor.state.setActiveMap(model::MapKind::Direction);
+        auto* legend = area.findChild<view::MapLegend*>();
+        QVERIFY(legend->isVisible() && !legend->folded());
+        QTest::mouseMove(&area, QPoint(450, 450));
+        QVERIFY(!legend->faded());
+        const QImage whole = legend->grab().toImage();
+        QTest::mouseMove(&area, legend->geometry().center());
+        QVERIFY(legend->faded());
+        auto* fading = legend->findChild<QVariantAnimation*>();
+        fading->setCurrentTime(fading->duration());
+        QVERIFY(legend->grab().toImage() != whole);
+        QTest::mouseMove(&area, QPoint(450, 450));
+        QVERIFY(!legend->faded());
+    }
+
+    void theLegendIsFoldedInASmallArea()
+    {
+        test::Editor editor(test::makeProject(test::makeBallHead()));
+        view::PaintView area(editor.state, view::Theme::of(view::ThemeKind::Dark));
+        area.resize(300, 380);
+        area.show();
+        editor.state.setActiveMap(model::MapKind::Direction);
+        const auto* legend = area.findChild<view::MapLegend*>();
+        QVERIFY(legend->folded());
+        QVERIFY(legend->height() < 60 && legend->geometry().bottom() < 380);
+        area.resize(800, 800);
+        QVERIFY(!legend->folded());
+        QVERIFY(legend->geometry().bottom() > 700 && legend->geometry().bottom() < 800);
+    }
 };
 
 HAIRPAINT_TEST(TestMapSigns, Widgets)

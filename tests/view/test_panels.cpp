@@ -380,7 +380,9 @@ private Q_SLOTS:
             QCOMPARE(sliderNamed(options, QStringLiteral("Size"))->isVisible(), hasSize);
             const bool hasTolerance = std::ranges::find(wanted, model::ToolOption::FillTolerance) != wanted.end();
             QCOMPARE(sliderNamed(options, QStringLiteral("Tolerance"))->isVisible(), hasTolerance);
-            QVERIFY(buttons[static_cast<qsizetype>(i)]->toolTip().startsWith(tool.title()));
+            const QString tip = buttons[static_cast<qsizetype>(i)]->toolTip();
+            for (const QString& told : {tool.title(), tool.purpose(), tool.hint()})
+                QVERIFY2(!told.isEmpty() && tip.contains(told.toHtmlEscaped()), qPrintable(tip));
         }
     }
 

@@ -98,8 +98,16 @@ private Q_SLOTS:
                     return std::pair(label->text(), label->toolTip());
             return std::pair(QString(), QString());
         };
+        const auto says = [&status](const QString& words) {
+            const QList<QLabel*> labels = status.findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text().contains(words); });
+        };
         const auto free = shown(50, 50, sim::HairLimit::None);
         const auto limited = shown(50, 50, sim::HairLimit::MaxHairs);
+        QVERIFY(says(QStringLiteral("A lower greatest density")));
+        status.showMessage(QStringLiteral("another"));
+        (void)shown(50, 50, sim::HairLimit::MaxHairs); // It is said once.
+        QVERIFY(says(QStringLiteral("another")));
         const auto heavy = shown(40, 50, sim::HairLimit::Memory);
         QCOMPARE(free, std::pair(QStringLiteral("50 hairs"), QString()));
         QCOMPARE(limited.first, QStringLiteral("50 hairs, limit reached"));

@@ -87,7 +87,8 @@ QString pointerPage(const std::vector<KeyBinding>& bindings)
     table.row(HelpDialog::tr("3D area: move the view"), HelpDialog::tr("Middle drag"));
     table.row(HelpDialog::tr("3D area: turn the light"), HelpDialog::tr("Shift and right-drag"));
     table.row(HelpDialog::tr("3D area: turn the head, so that the hair swings"), HelpDialog::tr("Hold H and drag"));
-    table.row(HelpDialog::tr("Hide the panels"), HelpDialog::tr("Tab"));
+    table.row(HelpDialog::tr("Within an area of the window; pick"), HelpDialog::tr("Tab and arrows; Enter"));
+    table.row(HelpDialog::tr("From a panel back to the map"), HelpDialog::tr("Esc"));
     return heading(HelpDialog::Topic::Pointer, HelpDialog::tr("Pointer")) + table.html();
 }
 

@@ -17,6 +17,8 @@ namespace {
 constexpr double kStepUv = 1.0 / 128.0;
 constexpr int kMostSteps = 64;             ///< Between two corners.
 constexpr double kDirectionsOpacity = 0.6; ///< Hair is seen below.
+constexpr double kFadedOpacity = 0.1;
+constexpr int kFadeMs = 150;
 
 /// Where a place of the map shows; none off the skin or on the far side.
 std::optional<QPointF> shownAt(QPointF uv, const sim::Skin& skin, const rendering::Camera& camera,
@@ -38,6 +40,10 @@ HeadOverlay::HeadOverlay(const Theme& theme, QWidget* parent) : QWidget(parent),
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_NoSystemBackground);
     hide();
+    m_fading.setDuration(kFadeMs);
+    m_fading.setStartValue(kDirectionsOpacity);
+    m_fading.setEndValue(kFadedOpacity);
+    connect(&m_fading, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
 }
 
 void HeadOverlay::setTheme(const Theme& theme)
@@ -128,6 +134,14 @@ void HeadOverlay::setDirections(std::vector<HairSpine> hairs)
     showIfNeeded();
 }
 
+void HeadOverlay::setDirectionsFaded(bool faded)
+{
+    if (std::exchange(m_directionsFaded, faded) == faded)
+        return;
+    m_fading.setDirection(faded ? QAbstractAnimation::Forward : QAbstractAnimation::Backward);
+    m_fading.start();
+}
+
 void HeadOverlay::showIfNeeded()
 {
     setVisible(!m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
@@ -140,7 +154,7 @@ void HeadOverlay::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     if (!m_directions.empty()) {
-        painter.setOpacity(kDirectionsOpacity);
+        painter.setOpacity(m_fading.currentValue().toDouble());
         painter.drawImage(QPointF(), m_directionsPicture);
         painter.setOpacity(1.0);
     }

@@ -8,6 +8,7 @@
 #include "view/theme.h"
 
 #include <QImage>
+#include <QVariantAnimation>
 #include <QWidget>
 
 #include <vector>
@@ -36,6 +37,9 @@ public:
     /// Hairs that show a direction map, in this widget's coordinates: faint, under everything else.
     void setDirections(std::vector<HairSpine> hairs);
     [[nodiscard]] const std::vector<HairSpine>& directions() const { return m_directions; }
+    /// Nearly gone, within 150 ms: while the hair below is what is looked at.
+    void setDirectionsFaded(bool faded);
+    [[nodiscard]] bool directionsFaded() const { return m_directionsFaded; }
 
     /// The brush's ring where the head hides it, in this widget's coordinates; empty where it is seen.
     void setGhost(const QPolygonF& ring);
@@ -55,6 +59,8 @@ private:
     QPolygonF m_chosenEnds;          ///< and the ends of its axes.
     QPolygonF m_ghost;
     std::vector<HairSpine> m_directions;
+    bool m_directionsFaded = false;
+    QVariantAnimation m_fading; ///< Its value is the directions' opacity.
     QImage m_directionsPicture; ///< This widget is painted with every frame below it.
 };
 

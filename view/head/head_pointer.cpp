@@ -123,6 +123,8 @@ void HeadPointer::release(const PointerSample& sample)
         Q_EMIT cameraWanted(m_cameraBefore);
         Q_EMIT contextMenuWanted(m_area.mapToGlobal(sample.position.toPoint()));
     }
+    if (drag == Drag::Orbit && std::hypot(moved.x(), moved.y()) >= kClickPx)
+        Q_EMIT viewTurned();
     hoverAt(sample);
     updateCursor();
 }

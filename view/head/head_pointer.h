@@ -51,6 +51,7 @@ Q_SIGNALS:
     void lightWanted(const hairpaint::model::LightSettings& light, bool done);
     void puffWanted(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);
     void statusText(const QString& text);
+    void viewTurned(); ///< A drag that turned the view has ended.
     void contextMenuWanted(const QPoint& globalPosition);
 
 private:

@@ -38,6 +38,11 @@ void Sidebar::askWhatGrows()
     m_hair->askWhatGrows();
 }
 
+void Sidebar::showLayers()
+{
+    m_tabs->setCurrentWidget(m_layers);
+}
+
 void Sidebar::showHair()
 {
     m_tabs->setCurrentWidget(m_hair);

@@ -15,8 +15,10 @@ class Sidebar : public QWidget
     Q_OBJECT
 public:
     explicit Sidebar(EditorState& state, QWidget* parent = nullptr);
+    [[nodiscard]] MapsPanel& maps() const { return *m_maps; }
     [[nodiscard]] LayersPanel& layers() const { return *m_layers; }
     [[nodiscard]] HairPanel& hair() const { return *m_hair; }
+    void showLayers();
     void showHair();
     void askWhatGrows(); ///< Shows the hair panel and its list of kinds of hair.
     [[nodiscard]] QSize sizeHint() const override { return {280, 640}; }

@@ -10,9 +10,13 @@
 #include <QLabel>
 #include <QLocale>
 
+#include <utility>
+
 namespace hairpaint::view {
 
 namespace {
+
+constexpr int kLimitMs = 12'000; ///< For reading what to do about it.
 
 /// Numbers stand in a field as wide as the widest of them, so that the line does not twitch.
 QLabel* makeNumber(QWidget* parent, const QString& widest)
@@ -117,6 +121,8 @@ void StatusReadout::setHairs(qint64 drawn, qint64 all, sim::HairLimit limit)
                                        : tr("%1 of %Ln hairs", nullptr, total).arg(QLocale().toString(drawn));
     m_hairs->setText(limit == sim::HairLimit::None ? hairs : tr("%1, limit reached").arg(hairs));
     m_hairs->setToolTip(whyFewer(limit));
+    if (std::exchange(m_limit, limit) != limit && limit != sim::HairLimit::None)
+        showMessage(whyFewer(limit), true, kLimitMs);
 }
 
 void StatusReadout::setSimulationMs(double milliseconds)

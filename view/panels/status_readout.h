@@ -50,6 +50,7 @@ private:
     QLabel* m_frames = nullptr;
     QTimer m_message;
     bool m_paused = false;
+    sim::HairLimit m_limit = sim::HairLimit::None;
     Saved m_savedState = Saved::NothingToSave;
     QString m_unprotected;
 };

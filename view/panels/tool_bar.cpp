@@ -8,14 +8,18 @@
 
 #include <QAction>
 #include <QButtonGroup>
+#include <QGridLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::view {
 
 namespace {
+
+constexpr int kSpacing = 2;
 
 QToolButton* makeTarget(QWidget* parent)
 {
@@ -27,11 +31,21 @@ QToolButton* makeTarget(QWidget* parent)
     return button;
 }
 
-void describe(QToolButton& button, const QString& title, const QKeySequence& key)
+/// `sentences`: below the title, each on a line.
+void describe(QToolButton& button, const QString& title, const QKeySequence& key, const QStringList& sentences = {})
 {
     button.setAccessibleName(title);
-    button.setToolTip(key.isEmpty() ? title
-                                    : QStringLiteral("%1 (%2)").arg(title, key.toString(QKeySequence::NativeText)));
+    button.setAccessibleDescription(sentences.join(QLatin1Char(' ')));
+    const QString named =
+        key.isEmpty() ? title : QStringLiteral("%1 (%2)").arg(title, key.toString(QKeySequence::NativeText));
+    if (sentences.isEmpty()) {
+        button.setToolTip(named);
+        return;
+    }
+    QString tip = QStringLiteral("<p style='white-space:pre'><b>%1</b>").arg(named.toHtmlEscaped());
+    for (const QString& sentence : sentences)
+        tip += QStringLiteral("<br>") + sentence.toHtmlEscaped();
+    button.setToolTip(tip + QStringLiteral("</p>"));
 }
 
 } // namespace
@@ -40,20 +54,21 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
 {
     setObjectName(QStringLiteral("toolBar"));
     setAttribute(Qt::WA_StyledBackground);
-    setFixedWidth(metrics::kToolBar);
     setAccessibleName(tr("Tools"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::kGrid, metrics::kGrid, metrics::kGrid, metrics::kGap);
-    layout->setSpacing(2);
+    layout->setSpacing(kSpacing);
+    m_tools = new QGridLayout;
+    m_tools->setSpacing(kSpacing);
+    layout->addLayout(m_tools);
     auto* group = new QButtonGroup(this);
     for (const auto& tool : state.tools()) {
         QToolButton* button = makeTarget(this);
         button->setCheckable(true);
         button->setIcon(icon(QLatin1String(model::toolName(tool->id()))));
-        describe(*button, tool->title(), tool->defaultKey());
+        describe(*button, tool->title(), tool->defaultKey(), {tool->purpose(), tool->hint()});
         connect(button, &QToolButton::clicked, this, [this, id = tool->id()] { m_state.setActiveTool(id); });
         group->addButton(button);
-        layout->addWidget(button);
         m_buttons.push_back(button);
     }
     layout->addSpacing(metrics::kGap);
@@ -62,9 +77,10 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
             [this, values](bool second) { ValuePalette::openUnder(*values, m_state, second); });
     layout->addWidget(values, 0, Qt::AlignHCenter);
     layout->addStretch(1);
-    m_foot = new QVBoxLayout;
-    m_foot->setSpacing(2);
+    m_foot = new QGridLayout;
+    m_foot->setSpacing(kSpacing);
     layout->addLayout(m_foot);
+    arrange(1);
     connect(&state, &EditorState::activeToolChanged, this, &ToolBar::follow);
     follow();
 }
@@ -74,7 +90,9 @@ void ToolBar::setAction(model::ToolId tool, const QAction& action)
     const auto found = std::ranges::find(m_state.tools(), tool, [](const auto& one) { return one->id(); });
     Q_ASSERT(found != m_state.tools().end());
     QToolButton* button = m_buttons[static_cast<std::size_t>(found - m_state.tools().begin())];
-    const auto follow = [button, title = (*found)->title(), &action] { describe(*button, title, action.shortcut()); };
+    const auto follow = [button, &tool = **found, &action] {
+        describe(*button, tool.title(), action.shortcut(), {tool.purpose(), tool.hint()});
+    };
     connect(&action, &QAction::changed, button, follow);
     follow();
 }
@@ -87,7 +105,39 @@ void ToolBar::addFootAction(QAction* action)
     const auto follow = [button, action] { describe(*button, action->iconText(), action->shortcut()); };
     connect(action, &QAction::changed, button, follow);
     follow();
-    m_foot->addWidget(button);
+    m_footButtons.push_back(button);
+    arrange(std::exchange(m_columns, 0));
+}
+
+int ToolBar::heightOf(int columns) const
+{
+    const auto rows = [columns](std::size_t buttons) { return (static_cast<int>(buttons) + columns - 1) / columns; };
+    const QMargins margins = layout()->contentsMargins();
+    return margins.top() + margins.bottom() +
+           (rows(m_buttons.size()) + rows(m_footButtons.size())) * (metrics::kTarget + kSpacing) + 2 * metrics::kGap +
+           findChild<ValuePair*>()->sizeHint().height();
+}
+
+void ToolBar::arrange(int columns)
+{
+    if (columns == m_columns)
+        return;
+    m_columns = columns;
+    for (const auto& [grid, buttons] : {std::pair(m_tools, &m_buttons), std::pair(m_foot, &m_footButtons)})
+        for (std::size_t i = 0; i < buttons->size(); ++i)
+            grid->addWidget((*buttons)[i], static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+    setFixedWidth(metrics::kToolBar + (columns - 1) * (metrics::kTarget + kSpacing));
+}
+
+QSize ToolBar::minimumSizeHint() const
+{
+    return {metrics::kToolBar, heightOf(2)};
+}
+
+void ToolBar::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    arrange(height() < heightOf(1) ? 2 : 1);
 }
 
 void ToolBar::follow()

@@ -6,12 +6,13 @@
 #include <QWidget>
 
 class QAction;
+class QGridLayout;
 class QToolButton;
-class QVBoxLayout;
 
 namespace hairpaint::view {
 
-/// 44 px wide. One checkable button a tool, below them the value pair; at the foot the actions of addFootAction.
+/// 44 px wide, of two columns where the window is too low for one. One checkable button a tool, below them the value
+/// pair; at the foot the actions of addFootAction.
 class ToolBar : public QWidget
 {
     Q_OBJECT
@@ -21,13 +22,22 @@ public:
     void setAction(model::ToolId tool, const QAction& action);
     /// A button for one of the main window's actions (mirror, wireframe, ...) at the foot. Not owned.
     void addFootAction(QAction* action);
+    [[nodiscard]] QSize minimumSizeHint() const override; ///< Of two columns.
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void follow();
+    [[nodiscard]] int heightOf(int columns) const;
+    void arrange(int columns);
 
     EditorState& m_state;
     std::vector<QToolButton*> m_buttons; ///< In the order of state.tools().
-    QVBoxLayout* m_foot = nullptr;
+    std::vector<QToolButton*> m_footButtons;
+    QGridLayout* m_tools = nullptr;
+    QGridLayout* m_foot = nullptr;
+    int m_columns = 0;
 };
 
 } // namespace hairpaint::view
