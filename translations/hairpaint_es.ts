@@ -3221,19 +3221,19 @@ Se ha perdido esto:</translation>
     </message>
     <message>
         <source>&amp;Hide panels</source>
-        <translation>Oc&amp;ultar paneles</translation>
+        <translation>&amp;Ocultar paneles</translation>
     </message>
     <message>
         <source>&amp;Next area</source>
-        <translation>Área siguie&amp;nte</translation>
+        <translation>Hacia el área siguie&amp;nte</translation>
     </message>
     <message>
         <source>Pre&amp;vious area</source>
-        <translation>Área anteri&amp;or</translation>
+        <translation>&amp;Hacia el área anterior</translation>
     </message>
     <message>
         <source>Dar&amp;k paper</source>
-        <translation>Papel oscuro</translation>
+        <translation>Papel osc&amp;uro</translation>
     </message>
 </context>
 <context>

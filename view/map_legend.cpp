@@ -134,7 +134,7 @@ bool MapLegend::eventFilter(QObject* watched, QEvent* event)
         setFaded(geometry().adjusted(-kNear, -kNear, kNear, kNear).contains(pointer->position().toPoint()));
     else if (event->type() == QEvent::Leave)
         setFaded(false);
-    else if (event->type() == QEvent::Resize && isVisible())
+    else if (event->type() == QEvent::Resize && !isHidden())
         place();
     return QWidget::eventFilter(watched, event);
 }

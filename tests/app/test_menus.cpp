@@ -8,14 +8,10 @@
 #include "view/head_view.h"
 #include "view/paint_view.h"
 #include "view/panels/option_bar.h"
-#include "view/panels/sidebar.h"
 #include "view/panels/status_readout.h"
-#include "view/panels/style_strip.h"
 #include "view/panels/tool_bar.h"
 #include "view/resources.h"
-#include "view/theme.h"
 #include "view/widgets/drop_hint.h"
-#include "view/widgets/focus_ring.h"
 
 #include <QDir>
 #include <QDragEnterEvent>
@@ -36,31 +32,6 @@ private:
     std::unique_ptr<MainWindow> m_window;
 
     [[nodiscard]] bool checked(const char* id) { return m_window->actions().find(QLatin1StringView(id))->isChecked(); }
-    static void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
-    {
-        QTest::keyClick(QApplication::focusWidget(), key, modifiers);
-    }
-    static bool isIn(const QWidget& area)
-    {
-        const QWidget* focus = QApplication::focusWidget();
-        return focus == &area || area.isAncestorOf(focus);
-    }
-    static QString focusName()
-    {
-        const QWidget* focus = QApplication::focusWidget();
-        return focus == nullptr ? QStringLiteral("none")
-                                : QStringLiteral("%1 %2").arg(QLatin1StringView(focus->metaObject()->className()),
-                                                              focus->accessibleName());
-    }
-    /// In the order in which F6 goes through them.
-    [[nodiscard]] std::vector<QWidget*> keyboardAreas() const
-    {
-        const MainWindow& window = *m_window;
-        return {window.findChild<view::OptionBar*>(), window.findChild<view::ToolBar*>(),
-                window.findChild<view::PaintView*>(), window.findChild<view::HeadView*>(),
-                window.findChild<view::MapsPanel*>(), window.findChild<view::LayersPanel*>(),
-                window.findChild<view::HairPanel*>(), window.findChild<view::StyleStrip*>()};
-    }
     void trigger(const char* id) { m_window->actions().find(QLatin1StringView(id))->trigger(); }
 
 private Q_SLOTS:
@@ -232,140 +203,6 @@ private Q_SLOTS:
         QVERIFY(!m_window->headView().isVisible() && m_window->paintView().isVisible());
         trigger("view.both");
         QVERIFY(checked("view.both") && !checked("view.paint"));
-    }
-
-    void f11HidesThePanels()
-    {
-        const auto* panel = m_window->findChild<view::ToolBar*>();
-        press(Qt::Key_F11);
-        QVERIFY(!panel->isVisible() && checked("view.panels"));
-        press(Qt::Key_F11);
-        QVERIFY(panel->isVisible() && !checked("view.panels"));
-    }
-
-    void f6GoesFromAreaToAreaAndShiftBack()
-    {
-        const std::vector<QWidget*> areas = keyboardAreas();
-        m_window->paintView().setFocus();
-        const auto start = std::ranges::find(areas, static_cast<QWidget*>(&m_window->paintView())) - areas.begin();
-        for (std::size_t i = 1; i <= areas.size(); ++i) {
-            press(Qt::Key_F6);
-            QVERIFY2(isIn(*areas[(static_cast<std::size_t>(start) + i) % areas.size()]), qPrintable(focusName()));
-        }
-        for (std::size_t i = 1; i <= areas.size(); ++i) {
-            press(Qt::Key_F6, Qt::ShiftModifier);
-            QVERIFY2(isIn(*areas[(static_cast<std::size_t>(start) + areas.size() - i) % areas.size()]),
-                     qPrintable(focusName()));
-        }
-        // It comes back to where it was in an area, and leaves out what is hidden.
-        auto* strip = m_window->findChild<view::StyleStrip*>();
-        press(Qt::Key_F6);
-        QVERIFY(isIn(m_window->headView()));
-        trigger("view.panels");
-        press(Qt::Key_F6);
-        QVERIFY(isIn(m_window->paintView()));
-        trigger("view.panels");
-        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
-        press(Qt::Key_F6, Qt::ShiftModifier);
-        press(Qt::Key_F6, Qt::ShiftModifier);
-        QVERIFY(isIn(*strip));
-        press(Qt::Key_Right);
-        press(Qt::Key_Right);
-        const QWidget* third = QApplication::focusWidget();
-        QVERIFY(isIn(*strip));
-        press(Qt::Key_F6);
-        press(Qt::Key_F6, Qt::ShiftModifier);
-        QCOMPARE(QApplication::focusWidget(), third);
-    }
-
-    void tabGoesRoundWithinAPanel()
-    {
-        int panels = 0;
-        for (QWidget* area : keyboardAreas()) {
-            m_window->paintView().setFocus();
-            for (int i = 0; i < 20 && !isIn(*area); ++i)
-                press(Qt::Key_F6);
-            QWidget* first = QApplication::focusWidget();
-            press(Qt::Key_Tab);
-            if (!isIn(*area))
-                continue; // It is a single stop, as a list or buttons that exclude each other are.
-            press(Qt::Key_Backtab, Qt::ShiftModifier);
-            QCOMPARE(QApplication::focusWidget(), first);
-            ++panels;
-            int stops = 0;
-            do {
-                press(Qt::Key_Tab);
-                QVERIFY2(isIn(*area), qPrintable(focusName()));
-                QVERIFY(++stops < 200);
-            } while (QApplication::focusWidget() != first);
-            QVERIFY(stops > 1);
-        }
-        QVERIFY(panels >= 4);
-    }
-
-    void tabInAnAreaGoesOnToTheNext()
-    {
-        m_window->paintView().setFocus();
-        press(Qt::Key_Tab);
-        QVERIFY(isIn(m_window->headView()));
-        press(Qt::Key_Backtab, Qt::ShiftModifier);
-        QVERIFY(isIn(m_window->paintView()));
-        QVERIFY(m_window->findChild<view::ToolBar*>()->isVisible());
-    }
-
-    void theAreaThatAKeyChoseIsFramedUntilTheMouseTakesOver()
-    {
-        m_window->paintView().setFocus(Qt::OtherFocusReason);
-        press(Qt::Key_F6);
-        auto* ofHead = m_window->headView().findChild<view::FocusRing*>();
-        const auto* ofPaint = m_window->paintView().findChild<view::FocusRing*>();
-        QVERIFY(ofHead->isVisible() && !ofPaint->isVisible());
-        QCOMPARE(ofHead->grab().toImage().pixelColor(0, 50), view::Theme::current().accent);
-        QTest::mouseClick(&m_window->headView(), Qt::LeftButton, {}, QPoint(5, 5));
-        QVERIFY(!ofHead->isVisible());
-    }
-
-    void enterPicksWhatHasTheFocus()
-    {
-        view::EditorState& editor = m_window->session().editor();
-        const auto reach = [this](const QWidget& area) {
-            for (int i = 0; i < 20 && !isIn(area); ++i)
-                press(Qt::Key_F6);
-        };
-        reach(*m_window->findChild<view::ToolBar*>());
-        const auto before = editor.activeTool().id();
-        press(Qt::Key_Down);
-        press(Qt::Key_Return);
-        QVERIFY(editor.activeTool().id() != before);
-        reach(*m_window->findChild<view::MapsPanel*>());
-        const model::MapKind map = editor.activeMap();
-        press(Qt::Key_Down);
-        QVERIFY(editor.activeMap() != map);
-        press(Qt::Key_Up);
-        QCOMPARE(editor.activeMap(), map);
-        editor.setActiveTool(before);
-    }
-
-    void escGoesFromAPanelToTheMap()
-    {
-        m_window->paintView().setFocus();
-        for (int i = 0; i < 3; ++i)
-            press(Qt::Key_F6);
-        QVERIFY(!isIn(m_window->paintView()));
-        press(Qt::Key_Escape);
-        QVERIFY(isIn(m_window->paintView()));
-    }
-
-    void ctrlYRedoes()
-    {
-        model::Document& document = m_window->session().document();
-        trigger("hair.face");
-        const std::vector<model::HairGroup> after = document.committed().groups;
-        press(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(document.committed().groups != after);
-        press(Qt::Key_Y, Qt::ControlModifier);
-        QVERIFY(document.committed().groups == after);
-        document.undo();
     }
 
     void bracketsGoByTheirPlaceUntilTheyAreBoundAnew()

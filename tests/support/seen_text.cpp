@@ -17,6 +17,7 @@
 #include <QPaintEngine>
 #include <QPointer>
 #include <QTabBar>
+#include <QTextDocumentFragment>
 #include <QTextEdit>
 #include <QToolTip>
 
@@ -161,6 +162,9 @@ QStringList carriedTexts(QWidget& widget)
         if (child != nullptr)
             addOwn(texts, *child);
     QToolTip::hideText();
+    for (QString& text : texts)
+        if (Qt::mightBeRichText(text))
+            text = QTextDocumentFragment::fromHtml(text).toPlainText();
     texts.removeAll(QString());
     texts.removeDuplicates();
     return texts;

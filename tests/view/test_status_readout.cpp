@@ -94,7 +94,7 @@ private Q_SLOTS:
         const auto shown = [&](qint64 drawn, qint64 all, sim::HairLimit limit) {
             status.setHairs(drawn, all, limit);
             for (const QLabel* label : status.findChildren<QLabel*>())
-                if (label->text().contains(QStringLiteral("hairs")))
+                if (label->text().contains(QStringLiteral("hairs")) && label->text().front().isDigit())
                     return std::pair(label->text(), label->toolTip());
             return std::pair(QString(), QString());
         };

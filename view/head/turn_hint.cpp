@@ -5,12 +5,16 @@
 
 #include <QEvent>
 
+#include <algorithm>
+
 namespace hairpaint::view {
 
 TurnHint::TurnHint(QWidget& area) : QLabel(tr("Drag beside the head to turn it; the wheel zooms"), &area)
 {
     setObjectName(QStringLiteral("turnHint"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAlignment(Qt::AlignCenter);
+    setWordWrap(true);
     area.installEventFilter(this);
     place();
 }
@@ -26,9 +30,11 @@ bool TurnHint::eventFilter(QObject* watched, QEvent* event)
 void TurnHint::place()
 {
     ensurePolished();
-    adjustSize();
     const QSize area = parentWidget()->size();
-    move((area.width() - width()) / 2, area.height() - height() - metrics::kPadding);
+    constexpr int kSides = 26; // The pill's own, as its style says.
+    const int width = std::min(fontMetrics().horizontalAdvance(text()) + kSides, area.width() - 2 * metrics::kPadding);
+    resize(width, heightForWidth(width));
+    move((area.width() - width) / 2, area.height() - height() - metrics::kPadding);
     raise();
 }
 
