@@ -256,8 +256,12 @@ void blendColours(BlendMode mode, const std::uint16_t* layer, std::size_t layerS
 void coloursAsTheyAre(const MapSpec& /*spec*/, bool /*nightPaper*/, const std::uint16_t* values, std::size_t step,
                       std::size_t count, std::uint16_t* colours)
 {
-    for (std::size_t texel = 0; texel < count; ++texel)
-        colours = std::copy_n(values + texel * step, 3, colours);
+    // One by one: six bytes are no work for a call.
+    for (std::size_t texel = 0; texel < count; ++texel, values += step, colours += 3) {
+        colours[0] = values[0];
+        colours[1] = values[1];
+        colours[2] = values[2];
+    }
 }
 
 void coloursFromColours(const MapSpec& /*spec*/, std::span<sim::Texel> /*texels*/) {}

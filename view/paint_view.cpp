@@ -14,6 +14,7 @@
 #include <QKeyEvent>
 #include <QPaintEvent>
 #include <QPainter>
+#include <QTimer>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -26,6 +27,8 @@ namespace {
 
 constexpr double kZoomPerNotch = 1.2;
 constexpr double kWheelNotch = 120.0;
+constexpr double kRefineMs = 4.0; ///< Of a frame's sixteen.
+constexpr int kRestMs = 80;
 
 /// Around all tiles that a change touched, in uv; empty where it names none.
 QPolygonF outlineOf(const model::Change& change, const model::Document& document)
@@ -103,6 +106,7 @@ struct PaintView::State
 
     QPolygonF changedOutline; ///< In uv: what the last change of texels touched; empty after other changes.
     PaintOverlay overlay;
+    QTimer refining; ///< Runs while the map's picture is of samples.
 };
 
 PaintView::PaintView(EditorState& state, const Theme& theme, StartBackdrop start, QWidget* parent)
@@ -112,6 +116,8 @@ PaintView::PaintView(EditorState& state, const Theme& theme, StartBackdrop start
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMinimumSize(160, 160);
     m_state->legend = new MapLegend(this);
+    m_state->refining.setSingleShot(true);
+    connect(&m_state->refining, &QTimer::timeout, this, &PaintView::refine);
     connect(&state.document(), &model::Document::changed, this, &PaintView::onDocumentChanged);
     connect(&state.document(), &model::Document::undone, this, &PaintView::showChangedOutline);
     connect(&state.document(), &model::Document::redone, this, &PaintView::showChangedOutline);
@@ -266,13 +272,25 @@ void PaintView::refreshMap()
     const QList<QRectF> changed =
         m_state->canvas.setMap(exists ? editor.document().resolved(editor.activeGroup(), editor.activeMap()) : nullptr,
                                spec, editor.nightPaper());
+    updatePaper(changed);
+    refreshLegend();
+}
+
+void PaintView::updatePaper(const QList<QRectF>& parts)
+{
     const QTransform toWidget = m_state->transform.paperToWidget();
     QRegion dirty;
     const int reach = m_state->canvas.reachPx();
-    for (const QRectF& part : changed)
+    for (const QRectF& part : parts)
         dirty += toWidget.mapRect(part).toAlignedRect().adjusted(-reach, -reach, reach, reach);
     update(dirty);
-    refreshLegend();
+}
+
+void PaintView::refine()
+{
+    updatePaper(m_state->canvas.refine(kRefineMs));
+    if (m_state->canvas.pyramid().isCoarse())
+        m_state->refining.start(0);
 }
 
 void PaintView::refreshLegend()
@@ -315,6 +333,9 @@ void PaintView::paintEvent(QPaintEvent* event)
     }
     painter.setClipRegion(event->region());
     m_state->overlay.paint(painter);
+    // Not while it changes from frame to frame; what is refined itself goes on.
+    if (m_state->canvas.pyramid().isCoarse() && (!m_state->refining.isActive() || m_state->refining.interval() > 0))
+        m_state->refining.start(kRestMs);
 }
 
 void PaintView::resizeEvent(QResizeEvent* event)

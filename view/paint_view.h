@@ -70,7 +70,9 @@ private:
 
     void onDocumentChanged(const model::Change& change);
     void showChangedOutline(); ///< For a moment, as undo and redo do.
-    void refreshMap();         ///< Takes the active map's resolved raster and repaints what differs.
+    void updatePaper(const QList<QRectF>& parts);
+    void refine();     ///< What is drawn of samples of the map, a few milliseconds' worth.
+    void refreshMap(); ///< Takes the active map's resolved raster and repaints what differs.
     void refreshHead();
     void refreshRings();
     void refreshLegend();

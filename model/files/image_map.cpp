@@ -148,19 +148,28 @@ ForeignImage imageFromLayer(const sim::TiledRaster& layer, const MapSpec& spec)
 void paintMapTexels(const sim::TiledRaster& resolved, const MapSpec& spec, bool nightPaper, const sim::TexelRect& rect,
                     QRgb* pixels, int stride)
 {
+    paintMapSamples(resolved, spec, nightPaper, rect, 1, pixels, stride);
+}
+
+void paintMapSamples(const sim::TiledRaster& resolved, const MapSpec& spec, bool nightPaper, const sim::TexelRect& rect,
+                     int apart, QRgb* pixels, int stride)
+{
     RowColours colours{};
     const auto narrow = [](const std::uint16_t* rgb) {
         return qRgb(narrowed(rgb[0]), narrowed(rgb[1]), narrowed(rgb[2]));
     };
-    for (int y = rect.y0; y < rect.y1; ++y) {
-        QRgb* out = pixels + static_cast<std::ptrdiff_t>(y - rect.y0) * stride;
+    const auto middle = static_cast<std::size_t>(apart / 2);
+    for (int y = rect.y0 + apart / 2; y < rect.y1; y += apart) {
+        QRgb* out = pixels + static_cast<std::ptrdiff_t>((y - rect.y0) / apart) * stride;
         forEachRun(resolved, rect, y, [&](int /*x*/, const std::uint16_t* texels, std::size_t step, int count) {
-            const int different = step == 0 ? 1 : count;
-            shownColours(spec, nightPaper, texels, step, static_cast<std::size_t>(different), colours.data());
+            const int samples = count / apart;
+            const int different = step == 0 ? 1 : samples;
+            shownColours(spec, nightPaper, texels + middle * step, step * static_cast<std::size_t>(apart),
+                         static_cast<std::size_t>(different), colours.data());
             for (int i = 0; i < different; ++i)
                 out[i] = narrow(colours.data() + std::ptrdiff_t{3} * i);
-            std::fill(out + different, out + count, out[0]);
-            out += count;
+            std::fill(out + different, out + samples, out[0]);
+            out += samples;
         });
     }
 }

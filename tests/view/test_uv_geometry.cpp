@@ -1,4 +1,5 @@
 // The paint area's geometry: navigation, the ring's ellipse, the thinned wireframe, the baked shading.
+#include "model/map_colours.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
 #include "view/paint/map_pyramid.h"
@@ -192,6 +193,67 @@ private Q_SLOTS:
             QCOMPARE(drawn(mended), drawn(fresh));
         }
         QVERIFY(mended.setSource(std::make_shared<sim::TiledRaster>(raster), spec, true).isEmpty());
+    }
+
+    void aLargeMapIsDrawnOfSamplesAndThenOfMeans()
+    {
+        constexpr int kSize = 2048;
+        const model::MapSpec& spec = model::mapSpec(model::MapKind::Length);
+        std::mt19937 random(7);
+        // Columns of 1 texel, so that samples and means differ; patches of a tile that differ from each other.
+        sim::TiledRaster raster(kSize, 1);
+        for (int index = 0; index < raster.tileCount(); ++index) {
+            const auto value = static_cast<std::uint16_t>(random());
+            std::size_t at = 0;
+            for (std::uint16_t& texel : raster.writableTile(index))
+                texel = at++ % 2 == 0 ? value : 0;
+        }
+        UvTransform transform;
+        transform.widget = {500.0, 500.0};
+        transform.centrePaper = {0.5, 0.5};
+        transform.pxPerPaper = 512.0;
+        const auto drawn = [&](view::MapPyramid& pyramid) {
+            QImage image(500, 500, QImage::Format_RGB32);
+            QPainter painter(&image);
+            const QRectF visible = transform.paperToWidget().inverted().mapRect(QRectF(QPointF(), transform.widget));
+            pyramid.draw(painter, transform.paperToWidget(), visible, 1.0);
+            return image;
+        };
+        const auto refined = [](view::MapPyramid& pyramid) {
+            QList<QRectF> parts;
+            while (pyramid.isCoarse())
+                parts += pyramid.refine(0.0);
+            return parts;
+        };
+        view::MapPyramid pyramid;
+        pyramid.setSource(std::make_shared<sim::TiledRaster>(raster), spec, true);
+        const QImage coarse = drawn(pyramid);
+        QVERIFY(pyramid.isCoarse());
+        QCOMPARE(drawn(pyramid), coarse);
+        QCOMPARE(refined(pyramid).size(), 4);
+        const QImage fine = drawn(pyramid);
+        QVERIFY(!pyramid.isCoarse() && fine != coarse);
+        // The mean of the stripes.
+        const int sum = qBlue(model::shownTexel(spec, raster.texel(736, 928), true)) +
+                        qBlue(model::shownTexel(spec, raster.texel(737, 928), true));
+        const QPoint at = transform.paperToWidget().map(QPointF(736.5 / kSize, 928.5 / kSize)).toPoint();
+        QVERIFY(std::abs(qBlue(fine.pixel(at)) - sum / 2) < 4);
+
+        // Mended where nothing finer is there, and where it is, it looks like a new one.
+        raster.setTexel(700, 900, {65535});
+        pyramid.setSource(std::make_shared<sim::TiledRaster>(raster), spec, true);
+        static_cast<void>(drawn(pyramid));
+        refined(pyramid);
+        view::MapPyramid fresh;
+        fresh.setSource(std::make_shared<sim::TiledRaster>(raster), spec, true);
+        static_cast<void>(drawn(fresh));
+        raster.setTexel(701, 900, {65535});
+        for (view::MapPyramid* one : {&pyramid, &fresh}) {
+            one->setSource(std::make_shared<sim::TiledRaster>(raster), spec, true);
+            static_cast<void>(drawn(*one));
+            refined(*one);
+        }
+        QCOMPARE(drawn(pyramid), drawn(fresh));
     }
 };
 

@@ -4,6 +4,8 @@
 #include "model/files/image_map.h"
 #include "sim/base/parallel.h"
 
+#include <QElapsedTimer>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +19,10 @@ constexpr int kMendedAtOnce = 96;
 constexpr int kKeptTiles = 192;
 /// Of a larger map the finest pictures go as soon as they are halved.
 constexpr int kLargestKeptSide = 4096;
+
+/// What shows a larger map halved is of samples first.
+constexpr int kLargestAtOnce = 1024;
+constexpr int kMostApart = sim::TiledRaster::kTileSize;
 
 QRgb averaged(QRgb a, QRgb b, QRgb c, QRgb d)
 {
@@ -83,13 +89,15 @@ QList<QRectF> MapPyramid::setSource(std::shared_ptr<const sim::TiledRaster> rast
 void MapPyramid::rebuildLevels()
 {
     m_levels.clear();
+    m_drawnCells = {};
     if (!m_raster)
         return;
     int side = m_raster->size();
     while (true) {
         const int tileSide = std::min(side, kTileSide);
         const int across = side / tileSide;
-        m_levels.push_back({side, across, tileSide, std::vector<QImage>(static_cast<std::size_t>(across) * across)});
+        m_levels.push_back({side, across, tileSide, std::vector<QImage>(static_cast<std::size_t>(across) * across),
+                            std::vector<std::uint8_t>(static_cast<std::size_t>(across) * across)});
         if (side <= kTileSide)
             break;
         side /= 2;
@@ -190,22 +198,98 @@ QImage MapPyramid::halvedTile(std::size_t level, int column, int row)
     return image;
 }
 
+bool MapPyramid::isThere(std::size_t level, int column, int row) const
+{
+    const std::size_t index = m_levels[level].indexOf(column, row);
+    return !m_levels[level].tiles[index].isNull() && m_levels[level].coarse[index] == 0;
+}
+
 const QImage& MapPyramid::tile(std::size_t level, int column, int row)
 {
     const std::size_t index = m_levels[level].indexOf(column, row);
-    if (m_levels[level].tiles[index].isNull())
+    if (!isThere(level, column, row)) {
         m_levels[level].tiles[index] = level == 0 ? paintedTile(column, row) : halvedTile(level, column, row);
+        m_levels[level].coarse[index] = 0;
+    }
     return m_levels[level].tiles[index];
+}
+
+void MapPyramid::sampleTile(std::size_t level, int column, int row)
+{
+    Level& own = m_levels[level];
+    const std::size_t index = own.indexOf(column, row);
+    if (!own.tiles[index].isNull())
+        return;
+    const int apart = m_levels.front().side / own.side;
+    const int side = own.tileSide * apart;
+    const sim::TexelRect rect{column * side, row * side, (column + 1) * side, (row + 1) * side};
+    sim::Texel value{};
+    if (uniform(rect, value)) {
+        (void)tile(level, column, row);
+        return;
+    }
+    own.tiles[index] = QImage(own.tileSide, own.tileSide, QImage::Format_RGB32);
+    own.coarse[index] = 1;
+    QImage& image = own.tiles[index];
+    model::paintMapSamples(*m_raster, *m_spec, m_nightPaper, rect, apart, reinterpret_cast<QRgb*>(image.bits()),
+                           static_cast<int>(image.bytesPerLine() / 4));
+}
+
+bool MapPyramid::makeOne(std::size_t level, int column, int row)
+{
+    for (int i = 0; level > 0 && i < 4; ++i) {
+        const QPoint child(2 * column + i % 2, 2 * row + i / 2);
+        if (!isThere(level - 1, child.x(), child.y())) {
+            (void)makeOne(level - 1, child.x(), child.y());
+            return false;
+        }
+    }
+    (void)tile(level, column, row);
+    return true;
+}
+
+bool MapPyramid::isCoarse() const
+{
+    if (m_drawnLevel >= m_levels.size())
+        return false;
+    const Level& level = m_levels[m_drawnLevel];
+    for (int row = m_drawnCells.top(); row <= m_drawnCells.bottom(); ++row)
+        for (int column = m_drawnCells.left(); column <= m_drawnCells.right(); ++column)
+            if (level.coarse[level.indexOf(column, row)] != 0)
+                return true;
+    return false;
+}
+
+QList<QRectF> MapPyramid::refine(double milliseconds)
+{
+    QList<QRectF> refined;
+    if (!isCoarse())
+        return refined;
+    const Level& level = m_levels[m_drawnLevel];
+    QElapsedTimer timer;
+    timer.start();
+    for (int row = m_drawnCells.top(); row <= m_drawnCells.bottom(); ++row)
+        for (int column = m_drawnCells.left(); column <= m_drawnCells.right(); ++column)
+            while (level.coarse[level.indexOf(column, row)] != 0) {
+                if (makeOne(m_drawnLevel, column, row))
+                    refined.append(QRectF(QPointF(column, row) / level.across, QSizeF(1.0, 1.0) / level.across));
+                if (static_cast<double>(timer.nsecsElapsed()) > milliseconds * 1e6)
+                    return refined;
+            }
+    return refined;
 }
 
 void MapPyramid::makeTiles(std::size_t level, const QRect& cells)
 {
     // What a tile is made of belongs to no other one of its level.
     const auto count = static_cast<std::size_t>(cells.width()) * static_cast<std::size_t>(cells.height());
+    const int apart = m_levels.front().side / m_levels[level].side;
+    const bool sampled = m_levels.front().side > kLargestAtOnce && apart > 1 && apart <= kMostApart;
     sim::parallelFor(count, 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const int cell = static_cast<int>(i);
-            tile(level, cells.left() + cell % cells.width(), cells.top() + cell / cells.width());
+            const int column = cells.left() + static_cast<int>(i) % cells.width();
+            const int row = cells.top() + static_cast<int>(i) / cells.width();
+            sampled ? sampleTile(level, column, row) : (void)tile(level, column, row);
         }
     });
 }
@@ -237,11 +321,14 @@ void MapPyramid::draw(QPainter& painter, const QTransform& paperToWidget, const 
     const QRect cells(QPoint(cell(visiblePaper.left()), cell(visiblePaper.top())),
                       QPoint(cell(visiblePaper.right()), cell(visiblePaper.bottom())));
     makeTiles(chosen, cells);
+    // What is drawn anew is often a part of what is seen.
+    m_drawnCells = chosen == m_drawnLevel ? m_drawnCells.united(cells) : cells;
+    m_drawnLevel = chosen;
     for (int row = cells.top(); row <= cells.bottom(); ++row) {
         for (int column = cells.left(); column <= cells.right(); ++column) {
             const QPointF topLeft = snapped(QPointF(column, row) / across);
             const QPointF bottomRight = snapped(QPointF(column + 1, row + 1) / across);
-            const QImage& image = tile(chosen, column, row);
+            const QImage& image = m_levels[chosen].tiles[m_levels[chosen].indexOf(column, row)];
             if (single(image))
                 painter.fillRect(QRectF(topLeft, bottomRight), QColor(image.pixel(0, 0)));
             else

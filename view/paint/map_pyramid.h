@@ -18,7 +18,8 @@ namespace hairpaint::view {
 /// Texels of a map of `size` by `size` on the paper.
 [[nodiscard]] QRectF paperRect(const sim::TexelRect& rect, int size);
 
-/// Paper coordinates: the unit square, y down. Uniform tiles are one pixel. GUI thread.
+/// Paper coordinates: the unit square, y down. Uniform tiles are one pixel. What shows much of a large map small is
+/// drawn of samples first, which refine() replaces by means. GUI thread.
 class MapPyramid
 {
 public:
@@ -31,6 +32,11 @@ public:
 
     /// Draws what `visiblePaper` covers. Smooth where texels are smaller than pixels, crisp where they are larger.
     void draw(QPainter& painter, const QTransform& paperToWidget, const QRectF& visiblePaper, double devicePixelRatio);
+    /// Whether something that was drawn last is of samples.
+    [[nodiscard]] bool isCoarse() const;
+    /// Makes some of it what it should be, for about `milliseconds`. Returns the parts of the paper that look
+    /// different.
+    QList<QRectF> refine(double milliseconds);
     /// Pictures held, in bytes.
     [[nodiscard]] std::size_t byteCount() const;
 
@@ -40,7 +46,8 @@ private:
         int side = 0;   ///< Texels.
         int across = 0; ///< Tiles.
         int tileSide = kTileSide;
-        std::vector<QImage> tiles; ///< Null: to be made.
+        std::vector<QImage> tiles;        ///< Null: to be made.
+        std::vector<std::uint8_t> coarse; ///< 1: of samples.
         [[nodiscard]] std::size_t indexOf(int column, int row) const
         {
             return static_cast<std::size_t>(row) * static_cast<std::size_t>(across) + static_cast<std::size_t>(column);
@@ -50,9 +57,13 @@ private:
     void rebuildLevels();
     /// Repaints one raster tile in every picture that shows it.
     void mend(int rasterTile);
-    /// Those of a level that are not there yet, on several threads.
+    /// Those of a level that are not there yet, on several threads; of samples where means would take too long.
     void makeTiles(std::size_t level, const QRect& cells);
     const QImage& tile(std::size_t level, int column, int row);
+    [[nodiscard]] bool isThere(std::size_t level, int column, int row) const;
+    void sampleTile(std::size_t level, int column, int row);
+    /// Makes one picture that the tile is a mean of, or, where all are there, the tile: true.
+    bool makeOne(std::size_t level, int column, int row);
     [[nodiscard]] QImage paintedTile(int column, int row) const;
     [[nodiscard]] QImage halvedTile(std::size_t level, int column, int row);
     [[nodiscard]] bool uniform(const sim::TexelRect& rect, sim::Texel& value) const;
@@ -62,6 +73,8 @@ private:
     const model::MapSpec* m_spec = nullptr;
     bool m_nightPaper = true;
     std::vector<Level> m_levels;
+    std::size_t m_drawnLevel = 0; ///< Last, and which of its tiles.
+    QRect m_drawnCells;
 };
 
 } // namespace hairpaint::view

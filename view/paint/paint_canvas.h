@@ -38,6 +38,8 @@ public:
     /// Returns the parts of the paper that changed.
     QList<QRectF> setMap(std::shared_ptr<const sim::TiledRaster> raster, const model::MapSpec& spec, bool nightPaper);
     [[nodiscard]] const MapPyramid& pyramid() const { return m_pyramid; }
+    /// MapPyramid::refine.
+    QList<QRectF> refine(double milliseconds) { return m_pyramid.refine(milliseconds); }
     /// How far what is drawn of a texel may reach beyond it, px.
     [[nodiscard]] int reachPx() const;
     void invalidate(); ///< The look changed.
