@@ -11,9 +11,11 @@
 #include "view/panels/maps_panel.h"
 #include "view/panels/option_bar.h"
 #include "view/panels/tool_bar.h"
+#include "view/panels/tool_hint.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -383,6 +385,40 @@ private Q_SLOTS:
             const QString tip = buttons[static_cast<qsizetype>(i)]->toolTip();
             for (const QString& told : {tool.title(), tool.purpose(), tool.hint()})
                 QVERIFY2(!told.isEmpty() && tip.contains(told.toHtmlEscaped()), qPrintable(tip));
+        }
+    }
+
+    void a_tools_hint_tells_and_shows_what_it_does()
+    {
+        PanelFixture f;
+        ToolBar tools(f.state);
+        tools.resize(44, 800);
+        tools.show();
+        const auto ask = [&tools, &f](model::ToolId tool) {
+            const auto index = std::ranges::find(f.state.tools(), tool, [](const auto& one) { return one->id(); }) -
+                               f.state.tools().begin();
+            QToolButton* button = tools.findChildren<QToolButton*>().at(index);
+            const QPoint middle = button->rect().center();
+            QHelpEvent event(QEvent::ToolTip, middle, button->mapToGlobal(middle));
+            QCoreApplication::sendEvent(button, &event);
+            return button;
+        };
+        const auto* hint = tools.findChild<ToolHint*>();
+        auto* demo = hint->findChild<ToolDemo*>();
+        ask(model::ToolId::Brush);
+        QVERIFY(hint->isVisible() && !demo->isVisible());
+        for (const model::ToolId tool :
+             {model::ToolId::Comb, model::ToolId::Part, model::ToolId::Grab, model::ToolId::Gradient}) {
+            QToolButton* button = ask(tool);
+            QVERIFY(hint->isVisible() && demo->isVisible());
+            QCOMPARE(hint->findChild<QLabel*>()->text(), button->toolTip());
+            auto* play = demo->findChild<QVariantAnimation*>();
+            const QImage before = demo->grab().toImage();
+            play->setCurrentTime(play->duration() * 7 / 8);
+            QVERIFY(demo->grab().toImage() != before);
+            QEvent leave(QEvent::Leave);
+            QCoreApplication::sendEvent(button, &leave);
+            QVERIFY(!hint->isVisible());
         }
     }
 

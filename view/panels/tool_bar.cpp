@@ -1,6 +1,7 @@
 // The column of tools.
 #include "view/panels/tool_bar.h"
 
+#include "view/panels/tool_hint.h"
 #include "view/theme.h"
 #include "view/widgets/icons.h"
 #include "view/widgets/value_pair.h"
@@ -42,10 +43,10 @@ void describe(QToolButton& button, const QString& title, const QKeySequence& key
         button.setToolTip(named);
         return;
     }
-    QString tip = QStringLiteral("<p style='white-space:pre'><b>%1</b>").arg(named.toHtmlEscaped());
+    QString tip = QStringLiteral("<b>%1</b>").arg(named.toHtmlEscaped());
     for (const QString& sentence : sentences)
         tip += QStringLiteral("<br>") + sentence.toHtmlEscaped();
-    button.setToolTip(tip + QStringLiteral("</p>"));
+    button.setToolTip(tip);
 }
 
 } // namespace
@@ -61,6 +62,7 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
     m_tools = new QGridLayout;
     m_tools->setSpacing(kSpacing);
     layout->addLayout(m_tools);
+    auto* hint = new ToolHint(this);
     auto* group = new QButtonGroup(this);
     for (const auto& tool : state.tools()) {
         QToolButton* button = makeTarget(this);
@@ -68,6 +70,7 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
         button->setIcon(icon(QLatin1String(model::toolName(tool->id()))));
         describe(*button, tool->title(), tool->defaultKey(), {tool->purpose(), tool->hint()});
         connect(button, &QToolButton::clicked, this, [this, id = tool->id()] { m_state.setActiveTool(id); });
+        hint->watch(*button, tool->id());
         group->addButton(button);
         m_buttons.push_back(button);
     }
