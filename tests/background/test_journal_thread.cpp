@@ -49,8 +49,10 @@ void TestJournalThread::stepsThatComeFasterThanTheDiskEndWithTheLast()
     model::Document document(model::newProject());
     {
         Journal journal(document, root.path());
-        for (int i = 1; i <= 200; ++i)
+        for (int i = 1; i <= 200; ++i) {
             step(document, i);
+            (void)journal.idle(); // Asked while it writes.
+        }
         document.undo();
         journal.flush();
         QVERIFY(journal.idle() || !journal.isStopped());
