@@ -1970,6 +1970,73 @@
     </message>
 </context>
 <context>
+    <name>NumberText</name>
+    <message>
+        <source>mm|millimetre|millimetres|millimeter|millimeters</source>
+        <translation>mm|milímetro|milímetros</translation>
+    </message>
+    <message>
+        <source>cm|centimetre|centimetres|centimeter|centimeters</source>
+        <translation>cm|centímetro|centímetros</translation>
+    </message>
+    <message>
+        <source>m|metre|metres|meter|meters</source>
+        <translation>m|metro|metros</translation>
+    </message>
+    <message>
+        <source>in|inch|inches|&quot;|&apos;&apos;</source>
+        <translation>pulg|pulgada|pulgadas</translation>
+    </message>
+    <message>
+        <source>ft|foot|feet|&apos;</source>
+        <translation>pie|pies</translation>
+    </message>
+    <message>
+        <source>°|deg|degree|degrees</source>
+        <translation>°|grado|grados</translation>
+    </message>
+    <message>
+        <source>rad|radian|radians</source>
+        <translation>rad|radián|radianes</translation>
+    </message>
+    <message>
+        <source>hairs/cm²|/cm²</source>
+        <translation>pelos/cm²</translation>
+    </message>
+    <message>
+        <source>hairs/mm²|/mm²</source>
+        <translation>pelos/mm²</translation>
+    </message>
+    <message>
+        <source>hairs/in²|/in²</source>
+        <translation>pelos/in²|pelos/pulg²</translation>
+    </message>
+    <message>
+        <source>There is no number.</source>
+        <translation>No hay ningún número.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large a number.</source>
+        <translation>«%1» es un número demasiado grande.</translation>
+    </message>
+    <message>
+        <source>Nothing can be divided by 0.</source>
+        <translation>Nada se puede dividir entre 0.</translation>
+    </message>
+    <message>
+        <source>“%1” means nothing here; type the number alone.</source>
+        <translation>«%1» no significa nada aquí; escribe solo el número.</translation>
+    </message>
+    <message>
+        <source>“%1” is no unit for this; use %2.</source>
+        <translation>«%1» no es una unidad válida aquí; usa %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>«%1» no es un número.</translation>
+    </message>
+</context>
+<context>
     <name>Picture</name>
     <message>
         <source>Drawing the picture was cancelled.</source>
@@ -3236,6 +3303,18 @@ Se ha perdido esto:</translation>
     <message>
         <source>Ctrl-drag for fine, double-click to type</source>
         <translation>Control+arrastrar: ajuste fino; doble clic: escribir</translation>
+    </message>
+    <message>
+        <source>%1 is the most that can be set here.</source>
+        <translation>%1 es lo máximo que se puede poner aquí.</translation>
+    </message>
+    <message>
+        <source>%1 is the least that can be set here.</source>
+        <translation>%1 es lo mínimo que se puede poner aquí.</translation>
+    </message>
+    <message>
+        <source>%1 It stays %2.</source>
+        <translation>%1 Se queda en %2.</translation>
     </message>
 </context>
 <context>
@@ -4609,6 +4688,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>How much of the pigment is the red one</source>
         <translation>Qué parte del pigmento es la rojiza</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour; type six digits of 0–9 and A–F, such as %2.</source>
+        <translation>«%1» no es un color; escribe seis cifras de 0–9 y A–F, como %2.</translation>
     </message>
 </context>
 <context>

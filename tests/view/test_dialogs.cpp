@@ -14,6 +14,7 @@
 #include <QDialogButtonBox>
 #include <QKeySequenceEdit>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTreeWidget>
@@ -211,6 +212,12 @@ private Q_SLOTS:
         QVERIFY(std::abs(dialog.unitScale() * scale - 1.0F) < 1e-3F);
         BarSlider* height = sliderNamed(dialog, QStringLiteral("Height"));
         dialog.show();
+        const float unit = dialog.unitScale();
+        const QPoint there(height->width() * 9 / 10, 12);
+        QTest::mouseClick(height, Qt::LeftButton, {}, there);
+        QTest::mouseDClick(height, Qt::LeftButton, {}, there);
+        QCOMPARE(dialog.unitScale(), unit); // A double click types; it sets nothing.
+        QTest::keyClick(height->findChild<QLineEdit*>(), Qt::Key_Escape);
         holdAt(*height, 0.5);
         letGo(*height);
         QVERIFY(std::abs(dialog.heightCm() - height->value()) < 0.1);

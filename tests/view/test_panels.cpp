@@ -74,6 +74,42 @@ private Q_SLOTS:
         QCOMPARE(slider->value(), 30.0);
     }
 
+    void a_click_that_waits_for_its_double_is_of_the_group_it_was_made_on()
+    {
+        PanelFixture f;
+        HairPanel panel(f.state);
+        panel.resize(280, 900);
+        panel.show();
+        BarSlider* slider = sliderNamed(panel, QStringLiteral("Stiffness"));
+        QVERIFY(slider != nullptr);
+        const sim::GroupSettings beard = f.document.project().groups[1].settings;
+        const sim::GroupSettings scalp = f.scalp().settings;
+        QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() * 9 / 10, 12));
+        f.state.setActiveGroup(f.document.project().groups[1].id);
+        QVERIFY(!slider->editing());
+        QVERIFY(f.document.project().groups[1].settings == beard);
+        QVERIFY(!(f.scalp().settings == scalp));
+        QCOMPARE(slider->value(), 5.0);
+        QCOMPARE(f.steps(), 1);
+    }
+
+    void what_undo_took_back_while_a_click_waits_for_its_double_stays_so()
+    {
+        PanelFixture f;
+        HairPanel panel(f.state);
+        panel.resize(280, 900);
+        panel.show();
+        BarSlider* slider = sliderNamed(panel, QStringLiteral("Stiffness"));
+        QVERIFY(slider != nullptr);
+        const sim::GroupSettings before = f.scalp().settings;
+        QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() * 9 / 10, 12));
+        f.document.undo();
+        slider->release(); // As when the time for a second click is over.
+        QVERIFY(f.scalp().settings == before);
+        QCOMPARE(slider->value(), 5.0);
+        QCOMPARE(f.steps(), 0);
+    }
+
     void a_slider_brought_back_leaves_no_command_and_no_preview()
     {
         PanelFixture f;

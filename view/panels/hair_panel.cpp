@@ -23,6 +23,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -165,10 +166,11 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
     slider->setHint(schemaText(row.hint));
     // A session a slider: moving one ends, and keeps, what another one left open.
     auto session = std::make_shared<model::EditSession>();
-    const auto show = [this, &row, session](double value) {
+    auto edited = std::make_shared<model::Id>(0); // Also when another group becomes the active one meanwhile.
+    const auto show = [this, &row, session, edited](double value) {
         if (!session->active())
             m_state.document().endEdit(); // What somebody only looks at may have another group.
-        const model::HairGroup* shown = group();
+        const model::HairGroup* shown = m_state.document().project().group(*edited);
         if (shown == nullptr)
             return;
         m_state.document().show(*session, {.text = settingText(row, *shown)},
@@ -178,11 +180,10 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
                                         row.writeShown(one->settings, value, fraction);
                                 });
     };
+    connect(slider, &BarSlider::editingBegan, this, [this, edited] { *edited = m_state.activeGroup(); });
+    connect(this, &HairPanel::groupChanged, slider, &BarSlider::release);
     connect(slider, &BarSlider::valueChanged, this, show);
-    connect(slider, &BarSlider::editingFinished, this, [show, session](double value) {
-        show(value);
-        session->commit();
-    });
+    connect(slider, &BarSlider::editingFinished, this, [session] { session->commit(); });
     connect(slider, &BarSlider::editingCancelled, this, [session] { session->drop(); });
     const bool needsPerLength = row.member == model::SettingMember(&GroupSettings::turnsPerLengthM);
     m_followers.emplace_back([this, slider, &row, needsPerLength](const GroupSettings& settings) {
@@ -223,6 +224,8 @@ void HairPanel::change(const GroupSetting& row, double value)
 
 void HairPanel::rebuildGroups()
 {
+    if (std::exchange(m_shownGroup, m_state.activeGroup()) != m_state.activeGroup())
+        Q_EMIT groupChanged();
     m_filling = true;
     const auto& groups = m_state.document().project().groups;
     const int count = static_cast<int>(groups.size());

@@ -33,6 +33,9 @@ public:
     void addGroup(const model::HairKind& kind);
     void removeGroup();
 
+Q_SIGNALS:
+    void groupChanged(); ///< Its controls stand for another group from here on.
+
 private:
     void buildGroups(QVBoxLayout& layout);
     void buildSettings(QVBoxLayout& layout);
@@ -54,6 +57,7 @@ private:
     std::vector<QWidget*> m_settings; ///< Sections that need a group.
     /// Each shows the group's settings in its control.
     std::vector<std::function<void(const sim::GroupSettings&)>> m_followers;
+    model::Id m_shownGroup = 0;
     bool m_filling = false;
 };
 

@@ -37,10 +37,12 @@ private:
     void rebuild();
     void refresh();
     [[nodiscard]] model::PaintValue edited(model::MapKind map) const;
+    [[nodiscard]] model::PaintValue& edited(model::ToolSettings& settings, model::MapKind map) const;
     void setValue(const model::PaintValue& value);
     void buildScalar(QVBoxLayout& layout);
     void buildIndex(QVBoxLayout& layout);
     void buildColour(QVBoxLayout& layout);
+    void takeHex();
     void buildMelanin(QVBoxLayout& layout);
     [[nodiscard]] Melanin shownMelanin() const;
     void showMelanin(const QColor& colour);
