@@ -4,6 +4,7 @@
 #include "app/languages.h"
 #include "view/dialogs/about_dialog.h"
 #include "view/dialogs/light_dialog.h"
+#include "view/dialogs/scale_hair_dialog.h"
 #include "view/dialogs/wind_dialog.h"
 
 #include <QApplication>
@@ -64,6 +65,14 @@ void WindowDialogs::showWind()
 void WindowDialogs::showLight()
 {
     showOnly<view::LightDialog>(view::HelpDialog::Topic::Light);
+}
+
+void WindowDialogs::showScaleHair()
+{
+    auto* dialog = new view::ScaleHairDialog(m_editor, &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    addHelpKey(*dialog, view::HelpDialog::Topic::ScaleHair);
+    dialog->open();
 }
 
 void WindowDialogs::showPreferences()

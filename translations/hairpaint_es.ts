@@ -1534,6 +1534,21 @@
     </message>
 </context>
 <context>
+    <name>HairScale</name>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densidad</translation>
+    </message>
+    <message>
+        <source>Curl size</source>
+        <translation>Radio del rizo</translation>
+    </message>
+</context>
+<context>
     <name>HeadView</name>
     <message>
         <source>The window has no OpenGL context.</source>
@@ -2654,6 +2669,14 @@
         <source>An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most</source>
         <translation>Un elipsoide donde estuvo el puntero por última vez sobre la cabeza, en el que el pelo no entra; %1 como máximo</translation>
     </message>
+    <message>
+        <source>Scal&amp;e the hair…</source>
+        <translation>Cam&amp;biar la escala del pelo…</translation>
+    </message>
+    <message>
+        <source>Makes all hair of the active group longer, denser or more widely curled by a percentage; a map&apos;s range alone changes no hair</source>
+        <translation>Hace todo el pelo del grupo activo más largo, más denso o de rizo más ancho en un porcentaje; el rango de un mapa por sí solo no cambia el pelo</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HeadExchange</name>
@@ -3635,6 +3658,14 @@ Se ha perdido esto:</translation>
         <source>What grows?</source>
         <translation>¿Qué crece?</translation>
     </message>
+    <message>
+        <source>What was painted on %1 beyond %2 is %2 now; undo brings it back.</source>
+        <translation>Lo pintado en %1 por encima de %2 es ahora %2; deshacer lo devuelve.</translation>
+    </message>
+    <message>
+        <source>What was painted on %1 below %2 is %2 now; undo brings it back.</source>
+        <translation>Lo pintado en %1 por debajo de %2 es ahora %2; deshacer lo devuelve.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::HeadImportDialog</name>
@@ -3933,6 +3964,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>Hair of other programs, as .hair or USD, becomes a hair group: density, length, direction, curl, braids and colours are told from its curves and painted into the maps. Unit and axes need to be set only where the hair comes in too large, too small or lying on its side.</source>
         <translation>El pelo de otros programas, en .hair o USD, pasa a ser un grupo de pelo: la densidad, la longitud, la dirección, el rizo, las trenzas y los colores se deducen de sus curvas y se pintan en los mapas. La unidad y los ejes solo hace falta indicarlos si el pelo entra demasiado grande, demasiado pequeño o tumbado.</translation>
+    </message>
+    <message>
+        <source>Scale the hair</source>
+        <translation>Escalar el pelo</translation>
+    </message>
+    <message>
+        <source>Makes all hair of the active group longer, denser or more widely curled by a percentage, and shows it at once. The ranges of the maps (Greatest length, Greatest density, Curl radius) are another thing: they say how far a map reaches, and what is painted stays as long, dense and wide as it is. Hair beyond a narrower range is cut to it.</source>
+        <translation>Hace todo el pelo del grupo activo más largo, más denso o de rizo más ancho en un porcentaje, y lo muestra al momento. Los rangos de los mapas (Longitud máxima, Densidad máxima, Radio del rizo) son otra cosa: dicen hasta dónde llega un mapa, y lo pintado sigue igual de largo, denso y ancho. El pelo que pasa de un rango más corto se corta a él.</translation>
     </message>
 </context>
 <context>
@@ -4463,6 +4502,29 @@ Se ha perdido esto:</translation>
     <message>
         <source>Saving a project leaves the last three beside it, as Name~1, Name~2 and Name~3; 1 is the newest.</source>
         <translation>Al guardar un proyecto quedan a su lado los tres últimos, como Nombre~1, Nombre~2 y Nombre~3; el 1 es el más reciente.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::ScaleHairDialog</name>
+    <message>
+        <source>Scale the hair</source>
+        <translation>Escalar el pelo</translation>
+    </message>
+    <message>
+        <source>Scale the hair of &quot;%1&quot;</source>
+        <translation>Escalar el pelo de «%1»</translation>
+    </message>
+    <message>
+        <source>All hair of “%1” changes by the same share. The maps stay as they are painted; their ranges change.</source>
+        <translation>Todo el pelo de «%1» cambia en la misma proporción. Los mapas quedan como están pintados; cambian sus rangos.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escalar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,8 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+#include <cmath>
+
 using namespace hairpaint;
 using namespace hairpaint::view;
 using model::MapKind;
@@ -72,6 +74,57 @@ private Q_SLOTS:
         f.document.undo();
         QCOMPARE(f.scalp().settings.greatestLengthM, before);
         QCOMPARE(slider->value(), 30.0);
+    }
+
+    void another_greatest_length_keeps_the_haircut()
+    {
+        model::Project project = smallProject();
+        sim::TiledRaster& painted = project.groups.front().map(MapKind::Length).layers.front().raster;
+        for (int index = 0; index < painted.tileCount(); ++index)
+            painted.setUniform(index, {32768, 65535, 0, 0}); // 15 of 30 cm.
+        model::Document document(project);
+        EditorState state(document);
+        HairPanel panel(state);
+        panel.resize(280, 900);
+        panel.show();
+        QStringList told;
+        connect(&state, &EditorState::told, this, [&told](const QString& text) { told.append(text); });
+        const auto lengthCm = [&] {
+            const model::HairGroup& group = document.project().groups.front();
+            const auto texel = document.resolved(group.id, MapKind::Length)->texel(9, 9);
+            return 100.0 * model::mapSpec(MapKind::Length).scale->amount(group.settings, texel[0] / 65535.0);
+        };
+        const auto type = [&](const QString& text) {
+            BarSlider* slider = sliderNamed(panel, QStringLiteral("Greatest length"));
+            slider->setFocus();
+            QTest::keyClick(slider, Qt::Key_Return);
+            auto* editor = slider->findChild<QLineEdit*>();
+            editor->setText(text);
+            QTest::keyClick(editor, Qt::Key_Return);
+        };
+        const auto near = [](double a, double b) { return std::abs(a - b) < 0.01; };
+        type(QStringLiteral("60 cm"));
+        QVERIFY2(near(lengthCm(), 15.0), qPrintable(QString::number(lengthCm())));
+        QCOMPARE(document.undoStack().count(), 1);
+        QCOMPARE(document.undoStack().undoText(), QStringLiteral("Greatest length of \"Scalp\""));
+        QVERIFY(told.isEmpty());
+        type(QStringLiteral("100 mm"));
+        QVERIFY(near(lengthCm(), 10.0));
+        QCOMPARE(document.undoStack().count(), 2);
+        QVERIFY2(told.size() == 1 && told[0] == QStringLiteral("What was painted on Length beyond 10.0\u2009cm is "
+                                                               "10.0\u2009cm now; undo brings it back."),
+                 qPrintable(told.join(QLatin1Char('\n'))));
+        document.undo();
+        document.undo();
+        QVERIFY(document.project().groups == project.groups);
+        // While it moves it is the same.
+        BarSlider* slider = sliderNamed(panel, QStringLiteral("Greatest length"));
+        holdAt(*slider, 0.9);
+        QVERIFY(document.previewing());
+        QVERIFY(near(lengthCm(), 15.0));
+        QTest::mouseClick(slider, Qt::RightButton);
+        QVERIFY(document.project().groups == project.groups);
+        QCOMPARE(document.undoStack().index(), 0);
     }
 
     void a_click_that_waits_for_its_double_is_of_the_group_it_was_made_on()

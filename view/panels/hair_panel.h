@@ -1,11 +1,13 @@
 // The hair groups and the active group's settings.
 #pragma once
 
+#include "model/range_change.h"
 #include "view/editor_state.h"
 
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 
 class QToolButton;
 class QVBoxLayout;
@@ -17,6 +19,7 @@ struct HairKind;
 
 namespace hairpaint::view {
 
+class BarSlider;
 class LayerList;
 class Section;
 
@@ -42,6 +45,10 @@ private:
     [[nodiscard]] QWidget* makeChoice(const model::GroupSetting& row, QWidget* parent);
     [[nodiscard]] QWidget* makeSwitch(const model::GroupSetting& row, QWidget* parent);
     [[nodiscard]] QWidget* makeSlider(const model::GroupSetting& row, QWidget* parent);
+    /// A slider of a map's range keeps what is painted on it (model/range_change.h). `edited`: the group that it is of.
+    void bindRange(BarSlider& slider, const model::GroupSetting& row,
+                   const std::shared_ptr<model::EditSession>& session, const std::shared_ptr<model::Id>& edited);
+    void tellClamped(const model::RangeChange& change, const model::RangeChange::Clamped& clamped);
     /// One command; `value` in SI units.
     void change(const model::GroupSetting& row, double value);
     void rebuildGroups();

@@ -370,7 +370,8 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
         markRefused(*m_hex, false);
         FieldHint::hideAt(*m_hex);
     });
-    connect(m_hex, &QLineEdit::editingFinished, this, &ValuePalette::takeHex);
+    connect(m_hex, &QLineEdit::returnPressed, this, [this] { takeHex(true); });
+    m_hex->installEventFilter(this); // editingFinished is not told again after Enter.
     auto* custom = new QPushButton(tr("Custom…"), m_body);
     connect(custom, &QPushButton::clicked, this, &ValuePalette::chooseColour);
     row->addWidget(label);
@@ -380,8 +381,17 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
     layout.addLayout(row);
 }
 
-/// What is no colour stays there to be mended; where the user leaves it, the colour painted is shown again.
-void ValuePalette::takeHex()
+bool ValuePalette::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_hex && event->type() == QEvent::FocusOut) {
+        const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
+        if (reason != Qt::PopupFocusReason && reason != Qt::ActiveWindowFocusReason)
+            takeHex(false);
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ValuePalette::takeHex(bool stays)
 {
     if (!m_hex->isModified())
         return;
@@ -397,9 +407,8 @@ void ValuePalette::takeHex()
     }
     const QString sentence = tr("“%1” is no colour; type six digits of 0–9 and A–F, such as %2.")
                                  .arg(text, edited(m_state.activeMap()).colour.name());
-    const bool stays = window()->focusWidget() == m_hex;
     markRefused(*m_hex, stays);
-    if (!stays)
+    if (!stays) // The colour painted is shown again.
         m_hex->setText(edited(m_state.activeMap()).colour.name());
     if (m_hex->isVisible())
         FieldHint::showAt(*m_hex, sentence, FieldHint::Tone::Problem);

@@ -32,6 +32,7 @@ Q_SIGNALS:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void rebuild();
@@ -42,7 +43,8 @@ private:
     void buildScalar(QVBoxLayout& layout);
     void buildIndex(QVBoxLayout& layout);
     void buildColour(QVBoxLayout& layout);
-    void takeHex();
+    /// Paints with the colour that is typed; where it is none, says so and leaves it there to be mended where `stays`.
+    void takeHex(bool stays);
     void buildMelanin(QVBoxLayout& layout);
     [[nodiscard]] Melanin shownMelanin() const;
     void showMelanin(const QColor& colour);
