@@ -32,8 +32,9 @@ struct RangeChange
 };
 
 /// The group's maps rescaled so that they show the same amounts by `settings`, all layers, hidden ones too, whichever
-/// way they are blended; maps whose range stays are shared. Where nothing is painted a map's 0 stays 0. A map whose
-/// range is or becomes a single amount keeps its texels.
+/// way they are blended; maps whose range stays are shared. What a map shows where nothing is painted is laid under the
+/// layers, so that it stays too, where hair grows at all. A map whose range is or becomes a single amount keeps its
+/// texels.
 [[nodiscard]] RangeChange withRange(const HairGroup& group, const sim::GroupSettings& settings);
 /// What that takes: texels of the maps whose range differs, in tiles that are not one value.
 [[nodiscard]] std::size_t texelsToRescale(const HairGroup& group, const sim::GroupSettings& settings);

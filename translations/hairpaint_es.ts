@@ -1983,6 +1983,10 @@
         <source>French crop</source>
         <translation>Corte francés</translation>
     </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
 </context>
 <context>
     <name>NumberText</name>

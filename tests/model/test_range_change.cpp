@@ -4,12 +4,14 @@
 #include "model/compositor.h"
 #include "model/group_schema.h"
 #include "tests/model/fixtures.h"
+#include "tests/sim/groom_reading.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 using namespace hairpaint;
 using namespace hairpaint::model;
@@ -74,7 +76,7 @@ private Q_SLOTS:
     {
         QFETCH(int, mode);
         std::mt19937 random(7);
-        Project project = patchProject();
+        Project project = filledPatch(MapKind::Density, 40000);
         HairGroup& group = project.groups.front();
         MapStack& stack = group.map(MapKind::Length);
         stack.layers.front().raster = motley(random, 1.0);
@@ -98,6 +100,74 @@ private Q_SLOTS:
                     worst, std::abs(amountAt(wider, MapKind::Length, x, y) - amountAt(group, MapKind::Length, x, y)));
         // A few of the 65,535 steps of 60 cm.
         QVERIFY2(worst < 0.6 * 4.0 / 65535.0, qPrintable(QString::number(worst)));
+    }
+
+    void the_hair_stays_as_it_is()
+    {
+        std::mt19937 random(5);
+        Project project = filledPatch(MapKind::Density, 30000);
+        HairGroup& group = project.groups.front();
+        group.settings.greatestDensityPerM2 = 1e5F;
+        group.settings.basisHairs = 256;
+        group.map(MapKind::Length).layers.front().raster = motley(random, 1.0);
+        group.map(MapKind::Curl).layers.front().raster = sim::TiledRaster(256, 2, {40000, 65535});
+        sim::GroupSettings settings = group.settings;
+        settings.greatestDensityPerM2 *= 2.0F;
+        settings.greatestLengthM *= 1.7F;
+        settings.greatestCurlRadiusM *= 3.0F;
+        Project wider = project;
+        withRange(group, settings).applyTo(wider);
+        const auto before = sim::GroomBuilder().update(Document(project).groomInput()).grooms.front();
+        const auto after = sim::GroomBuilder().update(Document(wider).groomInput()).grooms.front();
+        int hairs = 0;
+        int other = 0;
+        for (std::uint32_t rank = 0; rank < before->roots->count(); ++rank) {
+            const std::uint32_t from = before->roots->slotOfRank[rank];
+            const std::uint32_t to = after->roots->slotOfRank[rank];
+            const sim::StrandStyle* was = styleAt(*before, from);
+            const sim::StrandStyle* is = styleAt(*after, to);
+            hairs += was != nullptr ? 1 : 0;
+            const bool same =
+                (was == nullptr) == (is == nullptr) &&
+                (was == nullptr || (std::abs(was->lengthM - is->lengthM) < 2e-5F &&
+                                    std::abs(was->curlRadiusM - is->curlRadiusM) < 2e-6F &&
+                                    glm::distance(restNode(*before, from, 7), restNode(*after, to, 7)) < 2e-4F));
+            other += same ? 0 : 1;
+        }
+        QVERIFY(hairs > 1000);
+        QCOMPARE(other, 0);
+    }
+
+    void what_unpainted_skin_has_stays_where_hair_grows_data()
+    {
+        QTest::addColumn<bool>("grows");
+        QTest::addColumn<bool>("painted");
+        QTest::addColumn<int>("layers");
+        QTest::newRow("nothing grows") << false << false << 1;
+        QTest::newRow("nothing painted") << true << false << 1;
+        QTest::newRow("painted") << true << true << 2;
+    }
+    void what_unpainted_skin_has_stays_where_hair_grows()
+    {
+        QFETCH(bool, grows);
+        QFETCH(bool, painted);
+        QFETCH(int, layers);
+        Project project = grows ? filledPatch(MapKind::Density, 40000) : patchProject();
+        HairGroup& group = project.groups.front();
+        if (painted)
+            group.map(MapKind::CurlSize).layers.front().raster.setTexel(1, 1, {10000, 65535, 0, 0});
+        sim::GroupSettings settings = group.settings;
+        settings.greatestCurlRadiusM *= 3.0F;
+        const Id next = project.nextId;
+        Project after = project;
+        withRange(group, settings).applyTo(after);
+        const MapStack& stack = std::as_const(after.groups.front()).map(MapKind::CurlSize);
+        QCOMPARE(stack.layers.size(), static_cast<std::size_t>(layers));
+        QCOMPARE(stack.layers.front().id, layers > 1 ? next : group.map(MapKind::CurlSize).layers.front().id);
+        QCOMPARE(after.nextId, layers > 1 ? next + 1 : next);
+        const double before = amountAt(group, MapKind::CurlSize, 100, 100);
+        QVERIFY(std::abs(amountAt(after.groups.front(), MapKind::CurlSize, 100, 100) -
+                         (grows ? before : 3.0 * before)) < before * 1e-3);
     }
 
     void other_maps_and_unpainted_tiles_are_shared()
