@@ -306,6 +306,16 @@ RangeChange withRange(const HairGroup& group, const GroupSettings& settings)
     return change;
 }
 
+void rescaleTexels(const MapSpec& spec, const GroupSettings& before, const GroupSettings& after,
+                   std::span<sim::Texel> texels)
+{
+    if (!rescales(spec, before, after))
+        return;
+    const Table table(spec, before, after);
+    for (sim::Texel& texel : texels)
+        texel[0] = table.values[texel[0]];
+}
+
 std::size_t texelsToRescale(const HairGroup& group, const GroupSettings& settings)
 {
     std::size_t texels = 0;

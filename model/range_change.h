@@ -4,6 +4,7 @@
 #include "model/project.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace hairpaint::model {
@@ -36,7 +37,11 @@ struct RangeChange
 /// layers, so that it stays too, where hair grows at all. A map whose range is or becomes a single amount keeps its
 /// texels.
 [[nodiscard]] RangeChange withRange(const HairGroup& group, const sim::GroupSettings& settings);
-/// What that takes: texels of the maps whose range differs, in tiles that are not one value.
+/// Values of one scalar map, the first channel, as the same amounts of another range, at its nearest end where it does
+/// not reach.
+void rescaleTexels(const MapSpec& spec, const sim::GroupSettings& before, const sim::GroupSettings& after,
+                   std::span<sim::Texel> texels);
+/// What withRange() takes: texels of the maps whose range differs, in tiles that are not one value.
 [[nodiscard]] std::size_t texelsToRescale(const HairGroup& group, const sim::GroupSettings& settings);
 
 } // namespace hairpaint::model

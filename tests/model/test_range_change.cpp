@@ -3,6 +3,7 @@
 
 #include "model/compositor.h"
 #include "model/group_schema.h"
+#include "model/tools/clipboard.h"
 #include "tests/model/fixtures.h"
 #include "tests/sim/groom_reading.h"
 #include "tests/support/test_program.h"
@@ -248,6 +249,24 @@ private Q_SLOTS:
         none.applyTo(after);
         const RangeChange back = withRange(after.groups.front(), group.settings);
         QVERIFY(back.maps[index].sharesWith(group.maps[index]));
+    }
+
+    void what_was_copied_before_is_pasted_as_the_same_amount()
+    {
+        Document document(filledPatch(MapKind::Length, 32768)); // 15 cm.
+        const LayerAddress at = firstLayer(document, MapKind::Length);
+        Selection selection;
+        selection.setRectangle(QRectF(0.25, 0.25, 0.5, 0.5));
+        const Clip clip = copyClip(document, at, selection);
+        document.push(clearCommand(document, at, selection, QStringLiteral("Clear")));
+        sim::GroupSettings settings = document.committed().groups.front().settings;
+        settings.greatestLengthM = 0.6F;
+        document.push(setRangeCommand(document, withRange(document.committed().groups.front(), settings),
+                                      QStringLiteral("Greatest length")));
+        document.push(pasteCommand(document, at, clip, selection));
+        const HairGroup& group = document.committed().groups.front();
+        QCOMPARE(int(group.map(MapKind::Length).layers.front().raster.texel(128, 128)[1]), 65535);
+        QVERIFY(std::abs(amountAt(group, MapKind::Length, 128, 128) - 0.15) < 1e-4);
     }
 
     void it_is_one_step_and_undone_to_the_byte()
