@@ -127,6 +127,36 @@ private Q_SLOTS:
         QCOMPARE(document.undoStack().index(), 0);
     }
 
+    void the_range_of_a_large_map_is_changed_when_it_is_let_go()
+    {
+        model::Project project;
+        project.groups.push_back(model::makeGroup(project, QStringLiteral("Scalp"), 2048));
+        sim::TiledRaster& painted = project.groups.front().map(MapKind::Length).layers.front().raster;
+        for (int index = 0; index < painted.tileCount(); ++index) {
+            const std::span<std::uint16_t> pixels = painted.writableTile(index);
+            for (std::size_t i = 0; i < pixels.size(); i += 2) {
+                pixels[i] = i == 0 ? 0 : 32768;
+                pixels[i + 1] = 65535;
+            }
+        }
+        model::Document document(project);
+        EditorState state(document);
+        HairPanel panel(state);
+        panel.resize(280, 900);
+        panel.show();
+        BarSlider* slider = sliderNamed(panel, QStringLiteral("Greatest length"));
+        holdAt(*slider, 0.9);
+        QVERIFY(!document.previewing());
+        letGo(*slider, QPoint(qRound(slider->width() * 0.9), 12));
+        QCOMPARE(document.undoStack().count(), 1);
+        const model::HairGroup& group = document.project().groups.front();
+        QVERIFY(group.settings.greatestLengthM > 1.0F);
+        const auto texel = group.map(MapKind::Length).layers.front().raster.texel(9, 9);
+        const double lengthM = model::mapSpec(MapKind::Length).scale->amount(group.settings, texel[0] / 65535.0);
+        QVERIFY(std::abs(lengthM - 0.15) < 1e-4);
+        QVERIFY(std::abs(slider->value() - 100.0 * static_cast<double>(group.settings.greatestLengthM)) < 0.06);
+    }
+
     void a_click_that_waits_for_its_double_is_of_the_group_it_was_made_on()
     {
         PanelFixture f;

@@ -1,15 +1,13 @@
 // A reader by descent: sum, term, number, unit.
 #include "view/widgets/number_text.h"
 
+#include "view/widgets/number_units.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
-#include <QStringList>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
-#include <utility>
 
 namespace hairpaint::view {
 
@@ -19,121 +17,6 @@ struct NumberTexts
 {
     Q_DECLARE_TR_FUNCTIONS(NumberText)
 };
-
-enum class Dimension
-{
-    Length,
-    Angle,
-    Speed,
-    PerArea
-};
-
-/// Names are parted by bars; the first one is what a field is told to take. Those of the source are known in every
-/// language, beside the translated ones.
-struct UnitRow
-{
-    Dimension dimension;
-    const char* names;
-    double factor; ///< SI.
-};
-
-constexpr UnitRow kUnits[] = {
-    {Dimension::Length, "um", 1e-6},
-    {Dimension::Length, QT_TRANSLATE_NOOP("NumberText", "mm|millimetre|millimetres|millimeter|millimeters"), 1e-3},
-    {Dimension::Length, QT_TRANSLATE_NOOP("NumberText", "cm|centimetre|centimetres|centimeter|centimeters"), 1e-2},
-    {Dimension::Length, QT_TRANSLATE_NOOP("NumberText", "m|metre|metres|meter|meters"), 1.0},
-    {Dimension::Length, QT_TRANSLATE_NOOP("NumberText", "in|inch|inches|\"|''"), 0.0254},
-    {Dimension::Length, QT_TRANSLATE_NOOP("NumberText", "ft|foot|feet|'"), 0.3048},
-    {Dimension::Angle, QT_TRANSLATE_NOOP("NumberText", "°|deg|degree|degrees"), std::numbers::pi / 180.0},
-    {Dimension::Angle, QT_TRANSLATE_NOOP("NumberText", "rad|radian|radians"), 1.0},
-    {Dimension::Speed, "m/s", 1.0},
-    {Dimension::Speed, "km/h|kph", 1.0 / 3.6},
-    {Dimension::Speed, "mph", 0.44704},
-    {Dimension::PerArea, QT_TRANSLATE_NOOP("NumberText", "hairs/cm²|/cm²"), 1e4},
-    {Dimension::PerArea, QT_TRANSLATE_NOOP("NumberText", "hairs/mm²|/mm²"), 1e6},
-    {Dimension::PerArea, QT_TRANSLATE_NOOP("NumberText", "hairs/in²|/in²"), 1.0 / (0.0254 * 0.0254)},
-};
-
-/// The same characters for what reads the same: digits of any script, minus signs, primes, spaces, squares.
-QString plain(QString text)
-{
-    constexpr std::pair<char16_t, const char*> kFractions[] = {{u'½', " 1/2"}, {u'¼', " 1/4"}, {u'¾', " 3/4"}};
-    for (const auto& [sign, spelt] : kFractions)
-        text.replace(QChar(sign), QLatin1StringView(spelt));
-    text = text.normalized(QString::NormalizationForm_KC).toLower();
-    QString result;
-    for (const QChar one : std::as_const(text)) {
-        switch (one.unicode()) {
-        case u'\u2212': // Minus, and the dashes that stand for it.
-        case u'\u2013':
-        case u'\u2014':
-            result += QLatin1Char('-');
-            break;
-        case u'×':
-        case u'·':
-            result += QLatin1Char('*');
-            break;
-        case u'÷':
-        case u'\u2044': // Fraction slash.
-            result += QLatin1Char('/');
-            break;
-        case u'μ':
-            result += QLatin1Char('u');
-            break;
-        case u'\u2018':
-        case u'\u2019':
-        case u'\u2032': // Prime.
-            result += QLatin1Char('\'');
-            break;
-        case u'\u201c':
-        case u'\u201d':
-            result += QLatin1Char('"');
-            break;
-        case u'\u066b': // Arabic decimal sign; its sign of thousands is left out.
-            result += QLatin1Char(',');
-            break;
-        case u'\u066c':
-            break;
-        default:
-            if (one.isSpace())
-                result += QLatin1Char(' ');
-            else if (one.digitValue() >= 0)
-                result += QLatin1Char(static_cast<char>('0' + one.digitValue()));
-            else
-                result += one;
-        }
-    }
-    return result.simplified();
-}
-
-QStringList namesOf(const UnitRow& row)
-{
-    QStringList names = QString::fromUtf8(row.names).split(QLatin1Char('|'));
-    const QString translated = QCoreApplication::translate("NumberText", row.names);
-    if (translated != QString::fromUtf8(row.names))
-        names = translated.split(QLatin1Char('|')) + names;
-    return names;
-}
-
-/// Null for a unit of its own.
-const UnitRow* findUnit(const QString& plainName)
-{
-    const auto* const found = std::ranges::find_if(kUnits, [&](const UnitRow& row) {
-        return std::ranges::any_of(namesOf(row), [&](const QString& name) { return plain(name) == plainName; });
-    });
-    return found == std::end(kUnits) ? nullptr : found;
-}
-
-/// "cm, mm, m, in, ft", the field's own first.
-QString usableUnits(const NumberField& field, const UnitRow* own)
-{
-    QStringList usable{field.unit};
-    if (own != nullptr)
-        for (const UnitRow& row : kUnits)
-            if (row.dimension == own->dimension && &row != own && row.factor > 1e-5) // Nobody types micrometres.
-                usable.append(namesOf(row).first());
-    return usable.join(QStringLiteral(", "));
-}
 
 /// Digits with their separators as a number; none where these can mean neither decimals nor thousands.
 std::optional<double> numberOf(QString digits, bool whole)
@@ -164,8 +47,8 @@ class NumberReader
 {
 public:
     NumberReader(const QString& text, const NumberField& field)
-        : m_field(field), m_asTyped(text.trimmed()), m_text(plain(text)), m_ownName(plain(field.unit)),
-          m_own(findUnit(m_ownName))
+        : m_field(field), m_asTyped(text.trimmed()), m_text(plainNumberText(text)),
+          m_ownName(plainNumberText(field.unit)), m_own(findNumberUnit(m_ownName))
     {}
 
     tl::expected<double, QString> read()
@@ -174,9 +57,9 @@ public:
             return tl::unexpected(NumberTexts::tr("There is no number."));
         double sum = 0.0;
         double sign = readSigns();
-        const UnitRow* before = nullptr;
+        const NumberUnit* before = nullptr;
         while (true) {
-            const UnitRow* unit = nullptr;
+            const NumberUnit* unit = nullptr;
             const std::optional<double> term = readTerm(unit);
             if (!term)
                 return tl::unexpected(problem());
@@ -270,7 +153,7 @@ private:
     }
 
     /// In the field's unit. `unit`: the one that stands there, where it is of the table.
-    std::optional<double> readTerm(const UnitRow*& unit)
+    std::optional<double> readTerm(const NumberUnit*& unit)
     {
         std::optional<double> value = readValue();
         if (!value || !readFactors(*value) || !readUnit(*value, unit) || !readFactors(*value))
@@ -278,7 +161,7 @@ private:
         return value;
     }
 
-    bool readUnit(double& value, const UnitRow*& unit)
+    bool readUnit(double& value, const NumberUnit*& unit)
     {
         static const QRegularExpression name(QStringLiteral(R"(''|["'°%]|\p{L}*/ ?\p{L}+2?|\p{L}+)"));
         skipSpaces();
@@ -289,14 +172,15 @@ private:
         const QString found = take(name).remove(QLatin1Char(' '));
         if (found.isEmpty())
             return true; // The field's.
-        unit = findUnit(found);
+        unit = findNumberUnit(found);
         if (unit != nullptr && m_own != nullptr && unit->dimension == m_own->dimension) {
             value *= unit->factor / m_own->factor;
             return true;
         }
-        m_problem = m_ownName.isEmpty()
-                        ? NumberTexts::tr("“%1” means nothing here; type the number alone.").arg(found)
-                        : NumberTexts::tr("“%1” is no unit for this; use %2.").arg(found, usableUnits(m_field, m_own));
+        m_problem =
+            m_ownName.isEmpty()
+                ? NumberTexts::tr("“%1” means nothing here; type the number alone.").arg(found)
+                : NumberTexts::tr("“%1” is no unit for this; use %2.").arg(found, usableUnits(m_field.unit, m_own));
         return false;
     }
 
@@ -327,7 +211,7 @@ private:
     QString m_asTyped;
     QString m_text;
     QString m_ownName;
-    const UnitRow* m_own;
+    const NumberUnit* m_own;
     QString m_problem; ///< More exact than that it is no number.
     qsizetype m_at = 0;
 };
