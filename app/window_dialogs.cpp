@@ -4,7 +4,9 @@
 #include "app/languages.h"
 #include "view/dialogs/about_dialog.h"
 #include "view/dialogs/light_dialog.h"
+#include "view/dialogs/scale_hair_dialog.h"
 #include "view/dialogs/wind_dialog.h"
+#include "view/theme.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -64,6 +66,19 @@ void WindowDialogs::showWind()
 void WindowDialogs::showLight()
 {
     showOnly<view::LightDialog>(view::HelpDialog::Topic::Light);
+}
+
+void WindowDialogs::showScaleHair()
+{
+    auto* dialog = new view::ScaleHairDialog(m_editor, &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    addHelpKey(*dialog, view::HelpDialog::Topic::ScaleHair);
+    // In the corner of the areas, so that the hair is seen while it changes.
+    constexpr int kMenuBar = 24;
+    constexpr int kAway = 16;
+    dialog->move(m_window.mapToGlobal(QPoint(view::metrics::kToolBar, kMenuBar + view::metrics::kOptionBar) +
+                                      QPoint(kAway, kAway)));
+    dialog->open();
 }
 
 void WindowDialogs::showPreferences()

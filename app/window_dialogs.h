@@ -15,6 +15,7 @@ public:
 
     void showWind();
     void showLight();
+    void showScaleHair(); ///< Modal.
     void showPreferences();
     void showHelp(view::HelpDialog::Topic topic);
     void showAbout(const QString& renderer); ///< `renderer`: what draws the 3D area.

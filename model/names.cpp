@@ -17,6 +17,7 @@ constexpr std::array kNames = {
     QT_TRANSLATE_NOOP("Names", "Brows"),
     QT_TRANSLATE_NOOP("Names", "Lashes"),
     QT_TRANSLATE_NOOP("Names", "Beard"),
+    QT_TRANSLATE_NOOP("Names", "Base"), // A layer of what unpainted skin has (model/range_change.h).
     // Styles
     QT_TRANSLATE_NOOP("Names", "Bald"),
     QT_TRANSLATE_NOOP("Names", "Long straight"),

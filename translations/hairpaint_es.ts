@@ -1534,6 +1534,21 @@
     </message>
 </context>
 <context>
+    <name>HairScale</name>
+    <message>
+        <source>Length</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Densidad</translation>
+    </message>
+    <message>
+        <source>Curl size</source>
+        <translation>Radio del rizo</translation>
+    </message>
+</context>
+<context>
     <name>HeadView</name>
     <message>
         <source>The window has no OpenGL context.</source>
@@ -1967,6 +1982,77 @@
     <message>
         <source>French crop</source>
         <translation>Corte francés</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+</context>
+<context>
+    <name>NumberText</name>
+    <message>
+        <source>There is no number.</source>
+        <translation>No hay ningún número.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large a number.</source>
+        <translation>«%1» es un número demasiado grande.</translation>
+    </message>
+    <message>
+        <source>Nothing can be divided by 0.</source>
+        <translation>Nada se puede dividir entre 0.</translation>
+    </message>
+    <message>
+        <source>“%1” means nothing here; type the number alone.</source>
+        <translation>«%1» no significa nada aquí; escribe solo el número.</translation>
+    </message>
+    <message>
+        <source>“%1” is no unit for this; use %2.</source>
+        <translation>«%1» no es una unidad válida aquí; usa %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>«%1» no es un número.</translation>
+    </message>
+    <message>
+        <source>mm|millimetre|millimetres|millimeter|millimeters</source>
+        <translation>mm|milímetro|milímetros</translation>
+    </message>
+    <message>
+        <source>cm|centimetre|centimetres|centimeter|centimeters</source>
+        <translation>cm|centímetro|centímetros</translation>
+    </message>
+    <message>
+        <source>m|metre|metres|meter|meters</source>
+        <translation>m|metro|metros</translation>
+    </message>
+    <message>
+        <source>in|inch|inches|&quot;|&apos;&apos;</source>
+        <translation>pulg|pulgada|pulgadas</translation>
+    </message>
+    <message>
+        <source>ft|foot|feet|&apos;</source>
+        <translation>pie|pies</translation>
+    </message>
+    <message>
+        <source>°|deg|degree|degrees</source>
+        <translation>°|grado|grados</translation>
+    </message>
+    <message>
+        <source>rad|radian|radians</source>
+        <translation>rad|radián|radianes</translation>
+    </message>
+    <message>
+        <source>hairs/cm²|/cm²</source>
+        <translation>pelos/cm²</translation>
+    </message>
+    <message>
+        <source>hairs/mm²|/mm²</source>
+        <translation>pelos/mm²</translation>
+    </message>
+    <message>
+        <source>hairs/in²|/in²</source>
+        <translation>pelos/in²|pelos/pulg²</translation>
     </message>
 </context>
 <context>
@@ -2627,6 +2713,14 @@
         <source>Wind and lig&amp;ht by keys</source>
         <translation>Viento y luz con &amp;teclas</translation>
     </message>
+    <message>
+        <source>Scal&amp;e the hair…</source>
+        <translation>Cam&amp;biar la escala del pelo…</translation>
+    </message>
+    <message>
+        <source>Makes all hair of the active group longer, denser or more widely curled by a percentage; a map&apos;s range alone changes no hair</source>
+        <translation>Hace todo el pelo del grupo activo más largo, más denso o de rizo más ancho en un porcentaje; el rango de un mapa por sí solo no cambia el pelo</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HeadExchange</name>
@@ -3285,6 +3379,18 @@ Se ha perdido esto:</translation>
         <source>Ctrl-drag for fine, double-click to type</source>
         <translation>Control+arrastrar: ajuste fino; doble clic: escribir</translation>
     </message>
+    <message>
+        <source>%1 is the most that can be set here.</source>
+        <translation>%1 es lo máximo que se puede poner aquí.</translation>
+    </message>
+    <message>
+        <source>%1 is the least that can be set here.</source>
+        <translation>%1 es lo mínimo que se puede poner aquí.</translation>
+    </message>
+    <message>
+        <source>%1 It stays %2.</source>
+        <translation>%1 Se queda en %2.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::DirectionBall</name>
@@ -3604,6 +3710,14 @@ Se ha perdido esto:</translation>
         <source>What grows?</source>
         <translation>¿Qué crece?</translation>
     </message>
+    <message>
+        <source>What was painted on %1 beyond %2 is %2 now; undo brings it back.</source>
+        <translation>Lo pintado en %1 por encima de %2 es ahora %2; deshacer lo devuelve.</translation>
+    </message>
+    <message>
+        <source>What was painted on %1 below %2 is %2 now; undo brings it back.</source>
+        <translation>Lo pintado en %1 por debajo de %2 es ahora %2; deshacer lo devuelve.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::HeadImportDialog</name>
@@ -3906,6 +4020,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>From a panel back to the map</source>
         <translation>De un panel de vuelta al mapa</translation>
+    </message>
+    <message>
+        <source>Scale the hair</source>
+        <translation>Escalar el pelo</translation>
+    </message>
+    <message>
+        <source>Makes all hair of the active group longer, denser or more widely curled by a percentage, and shows it at once. The ranges of the maps (Greatest length, Greatest density, Curl radius) are another thing: they say how far a map reaches, and what is painted stays as long, dense and wide as it is. Hair beyond a narrower range is cut to it.</source>
+        <translation>Hace todo el pelo del grupo activo más largo, más denso o de rizo más ancho en un porcentaje, y lo muestra al momento. Los rangos de los mapas (Longitud máxima, Densidad máxima, Radio del rizo) son otra cosa: dicen hasta dónde llega un mapa, y lo pintado sigue igual de largo, denso y ancho. El pelo que pasa de un rango más corto se corta a él.</translation>
     </message>
 </context>
 <context>
@@ -4439,6 +4561,29 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::ScaleHairDialog</name>
+    <message>
+        <source>Scale the hair</source>
+        <translation>Escalar el pelo</translation>
+    </message>
+    <message>
+        <source>Scale the hair of &quot;%1&quot;</source>
+        <translation>Escalar el pelo de «%1»</translation>
+    </message>
+    <message>
+        <source>All hair of “%1” changes by the same share. The maps stay as they are painted; their ranges change.</source>
+        <translation>Todo el pelo de «%1» cambia en la misma proporción. Los mapas quedan como están pintados; cambian sus rangos.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escalar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::Section</name>
     <message>
         <source>Open</source>
@@ -4668,6 +4813,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>How much of the pigment is the red one</source>
         <translation>Qué parte del pigmento es la rojiza</translation>
+    </message>
+    <message>
+        <source>“%1” is no colour; type six digits of 0–9 and A–F, such as %2.</source>
+        <translation>«%1» no es un color; escribe seis cifras de 0–9 y A–F, como %2.</translation>
     </message>
 </context>
 <context>

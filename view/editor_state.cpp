@@ -180,6 +180,13 @@ const sim::GroupSettings& EditorState::activeSettings() const
     return known != nullptr ? *known : none;
 }
 
+void EditorState::putBack(const HeldSettings& held)
+{
+    setToolSettings(held.settings);
+    m_amounts = held.amounts;
+    followAmounts(false); // The range may be another one by now.
+}
+
 void EditorState::followAmounts(bool tell)
 {
     const sim::GroupSettings* settings = knownSettings();

@@ -56,6 +56,14 @@ public:
     /// another fraction of it; beyond that range they are at its end until it widens.
     [[nodiscard]] const model::ToolSettings& toolSettings() const { return m_toolSettings; }
     bool setToolSettings(const model::ToolSettings& settings);
+    /// Settings and the amounts behind their values, to be put back as they are: also those beyond the group's range.
+    struct HeldSettings
+    {
+        model::ToolSettings settings;
+        model::ValueAmounts amounts;
+    };
+    [[nodiscard]] HeldSettings heldSettings() const { return {m_toolSettings, m_amounts}; }
+    void putBack(const HeldSettings& held);
     [[nodiscard]] model::Selection& selection() { return m_selection; }
 
     [[nodiscard]] bool mirror() const { return m_mirror; }

@@ -23,6 +23,10 @@ HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, v
     actions.find(QLatin1StringView("hair.hold"))
         ->setToolTip(tr("Paints directions and gel so that the active group's hair, inside the selection if there is "
                         "one, stays as it lies now"));
+    actions.add(*this, {{"hair.scale", tr("Scal&e the hair…"), {}, [&dialogs] { dialogs.showScaleHair(); }}});
+    actions.find(QLatin1StringView("hair.scale"))
+        ->setToolTip(tr("Makes all hair of the active group longer, denser or more widely curled by a percentage; a "
+                        "map's range alone changes no hair"));
     addSeparator();
     actions.add(*this,
                 {{"hair.addGroup", tr("&Add hair group…"), {}, [&sidebar] { sidebar.askWhatGrows(); }, "group-add"},

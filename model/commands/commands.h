@@ -67,7 +67,10 @@ struct LayerProperties
 /// Null where it stays in its place; `newPosition` is counted from the first.
 [[nodiscard]] CommandPtr moveGroupCommand(Document& document, Id group, int newPosition);
 [[nodiscard]] CommandPtr showGroupCommand(Document& document, Id group, bool visible);
-/// Null where nothing differs; likewise the next ones.
+/// The group with another range (model/range_change.h), made of its committed content.
+[[nodiscard]] CommandPtr setRangeCommand(Document& document, struct RangeChange change, const QString& text);
+/// Ranges change as numbers do: the texels stay, so that all hair is scaled. Null where nothing differs; likewise the
+/// next ones.
 [[nodiscard]] CommandPtr setSettingsCommand(Document& document, Id group, const sim::GroupSettings& settings,
                                             const QString& text);
 [[nodiscard]] CommandPtr setWindCommand(Document& document, const sim::Wind& wind);

@@ -5,6 +5,7 @@
 #include "model/group_adoption.h"
 #include "model/names.h"
 #include "model/preset.h"
+#include "model/range_change.h"
 
 #include <algorithm>
 
@@ -132,6 +133,16 @@ CommandPtr setSettingsCommand(Document& document, Id group, const sim::GroupSett
                            if (HairGroup* one = project.group(group))
                                one->settings = settings;
                        });
+}
+
+CommandPtr setRangeCommand(Document& document, RangeChange change, const QString& text)
+{
+    document.endEdit();
+    const HairGroup* found = document.committed().group(change.group);
+    if (found == nullptr || found->settings == change.settings)
+        return nullptr;
+    return groupsCommand(document, change.group, text,
+                         [change = std::move(change)](Project& project) { change.applyTo(project); });
 }
 
 QString applyPresetText(const Preset& preset)

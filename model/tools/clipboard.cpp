@@ -1,6 +1,7 @@
 // Copying texels out of a layer and pasting them into one.
 #include "model/tools/clipboard.h"
 
+#include "model/range_change.h"
 #include "model/texel_math.h"
 #include "model/texel_ops.h"
 #include "model/tools/live_edit.h"
@@ -75,6 +76,7 @@ Clip copyClip(const Document& document, const LayerAddress& address, const Selec
         rect = {std::min(rect.x0, other.x0), std::min(rect.y0, other.y0), std::max(rect.x1, other.x1),
                 std::max(rect.y1, other.y1)};
     const MapSpec& spec = mapSpec(address.map);
+    clip.settings = document.committed().group(address.group)->settings;
     clip.width = rect.x1 - rect.x0;
     clip.height = rect.y1 - rect.y0;
     const double scale = 1.0 / size;
@@ -169,7 +171,10 @@ CommandPtr pasteCommand(Document& document, const LayerAddress& address, const C
         return nullptr;
     const MapSpec& source = mapSpec(clip.map);
     const MapSpec& target = mapSpec(address.map);
-    const std::vector<sim::Texel> texels = converted(clip.texels, source, target);
+    std::vector<sim::Texel> texels = converted(clip.texels, source, target);
+    const HairGroup* group = document.committed().group(address.group);
+    if (clip.settings && clip.map == address.map && group != nullptr)
+        rescaleTexels(target, *clip.settings, group->settings, texels);
     sim::TiledRaster raster = layer->raster;
     const int size = raster.size();
     QPointF centre = clip.uvRect.center();

@@ -16,7 +16,8 @@ struct Clip
     MapKind map = MapKind::Density;
     QRectF uvRect;
     int width = 0, height = 0;
-    std::vector<sim::Texel> texels; ///< Row by row from the top; value channels, then coverage.
+    std::vector<sim::Texel> texels = {};             ///< Row by row from the top; value channels, then coverage.
+    std::optional<sim::GroupSettings> settings = {}; ///< Of the group it was copied from.
 };
 
 /// The active layer's texels inside the selection (the whole map where nothing is selected); between several selected
@@ -34,8 +35,9 @@ struct Clip
 /// Clears the selected texels' coverage. "Cut Length", "Clear Length".
 [[nodiscard]] CommandPtr clearCommand(Document& document, const LayerAddress& address, const Selection& selection,
                                       const QString& text);
-/// Pastes at the clip's own place, or centred in the selection and only inside it. Between maps: scalar to scalar keeps
-/// the value; other pairs go through the colours that the images have.
+/// Pastes at the clip's own place, or centred in the selection and only inside it. On a map of its kind
+/// amounts stay (15 cm), whatever range that one has. Between maps: scalar to scalar keeps the value; other pairs go
+/// through the colours that the images have.
 [[nodiscard]] CommandPtr pasteCommand(Document& document, const LayerAddress& address, const Clip& clip,
                                       const Selection& selection);
 

@@ -8,11 +8,16 @@
 #include "view/dialogs/help_dialog.h"
 #include "view/dialogs/wind_dialog.h"
 #include "view/map_legend.h"
+#include "view/panels/option_bar.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
 #include "view/panels/tool_bar.h"
+#include "view/widgets/bar_slider.h"
+#include "view/widgets/field_hint.h"
+#include "view/widgets/value_palette.h"
 
 #include <QDir>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QToolButton>
 
@@ -385,6 +390,50 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(rootColour(), own, kPatienceMs);
         QVERIFY(savedBytes("look-after.hairpaint") == before);
         QCOMPARE(stack().count(), 0);
+    }
+
+    void aValueTypedAfterADoubleClickIsWhatIsPainted()
+    {
+        openWindow(model::newProject());
+        key(Qt::Key_2);
+        key(Qt::Key_B);
+        const auto named = [](const QWidget& parent, const QString& label) {
+            const auto all = parent.findChildren<view::BarSlider*>();
+            return *std::ranges::find(all, label, [](const view::BarSlider* one) { return one->label(); });
+        };
+        view::BarSlider* bar = named(*m_window->findChild<view::OptionBar*>(), QStringLiteral("Length"));
+        // As a mouse does it: press, release, press that makes it a double click, release.
+        const auto openField = [&]() -> QLineEdit* {
+            QTest::mouseDClick(m_window->windowHandle(), Qt::LeftButton, {},
+                               bar->mapTo(m_window.get(), QPoint(bar->width() * 9 / 10, bar->height() / 2)));
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            return bar->findChild<QLineEdit*>();
+        };
+        const model::ToolSettings before = editor().toolSettings();
+        const QString shown = bar->valueText();
+        QLineEdit* field = openField();
+        QVERIFY(field != nullptr);
+        QVERIFY(editor().toolSettings() == before);
+        QTest::keyClicks(field, QStringLiteral("long"));
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(field->isVisible());
+        QVERIFY(!view::FieldHint::textAt(*bar).isEmpty());
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(editor().toolSettings() == before);
+        QCOMPARE(bar->valueText(), shown);
+        field = openField();
+        QVERIFY(field != nullptr);
+        QTest::keyClicks(field, QStringLiteral("1in + 4mm"));
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(bar->value(), 2.9);
+        auto* palette = view::ValuePalette::openUnder(*bar, editor());
+        QCOMPARE(named(*palette, QStringLiteral("Value"))->value(), 2.9);
+        palette->window()->close();
+        drag(paper(), paintPoint(0.4F, 0.5F), paintPoint(0.6F, 0.5F));
+        const double painted = model::mapSpec(model::MapKind::Length)
+                                   .scale->amount(editor().activeSettings(), texelAt(0.5F, 0.5F)[0] / 65535.0);
+        QVERIFY2(std::abs(painted - 0.029) < 1e-4, qPrintable(QString::number(painted)));
+        QCOMPARE(stack().count(), 1);
     }
 
     void aReboundKeyIsToldInTheToolBarAndTheOpenHelp()

@@ -3,8 +3,12 @@
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/theme.h"
+#include "view/widgets/bar_picture.h"
+#include "view/widgets/field_hint.h"
 
 #include <QLineEdit>
+#include <QPainter>
+#include <QPointer>
 #include <QSignalSpy>
 #include <QWheelEvent>
 
@@ -116,8 +120,10 @@ private Q_SLOTS:
         QTest::newRow("number") << QStringLiteral("72") << 72.0;
         QTest::newRow("with unit") << QStringLiteral("12.5 cm") << 12.5;
         QTest::newRow("beyond the range") << QStringLiteral("1000") << 100.0;
-        QTest::newRow("nonsense") << QStringLiteral("long") << 50.0;
-        QTest::newRow("nothing") << QString() << 50.0;
+        QTest::newRow("in another unit") << QStringLiteral("120 mm") << 12.0;
+        QTest::newRow("a decimal comma") << QStringLiteral("0,5") << 0.5;
+        QTest::newRow("a sum") << QStringLiteral("10 cm - 5 mm") << 9.5;
+        QTest::newRow("the same value") << QStringLiteral("500 mm") << 50.0;
     }
     void typing_sets_a_value()
     {
@@ -130,6 +136,99 @@ private Q_SLOTS:
         QTest::keyClick(editor, Qt::Key_Return);
         QCOMPARE(m_slider->value(), value);
         QCOMPARE(m_finished->count(), value == 50.0 ? 0 : 1);
+        QVERIFY(!editor->isVisible());
+        QCOMPARE(FieldHint::textAt(*m_slider), text == QStringLiteral("1000")
+                                                   ? QStringLiteral("100.0\u2009cm is the most that can be set here.")
+                                                   : QString());
+    }
+
+    void a_double_click_changes_nothing_data()
+    {
+        QTest::addColumn<int>("tremble");
+        QTest::newRow("with a calm hand") << 0;
+        QTest::newRow("with a hand that trembles") << 3;
+    }
+    void a_double_click_changes_nothing()
+    {
+        QFETCH(int, tremble);
+        QTest::mousePress(m_slider.get(), Qt::LeftButton, Qt::NoModifier, at(0.9));
+        dragTo(*m_slider, at(0.9) + QPoint(tremble, 0));
+        QTest::mouseRelease(m_slider.get(), Qt::LeftButton, Qt::NoModifier, at(0.9) + QPoint(tremble, 0));
+        QVERIFY(m_slider->value() > 85.0);
+        QTest::mouseDClick(m_slider.get(), Qt::LeftButton, Qt::NoModifier, at(0.9));
+        QTest::mouseRelease(m_slider.get(), Qt::LeftButton, Qt::NoModifier, at(0.9));
+        QCOMPARE(m_slider->value(), 50.0);
+        QCOMPARE(m_finished->count(), 0);
+        QCOMPARE(m_cancelled->count(), 1);
+        auto* editor = m_slider->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr && editor->isVisible());
+        QCOMPARE(editor->text(), QStringLiteral("50.0"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCOMPARE(m_slider->value(), 50.0);
+        QCOMPARE(m_finished->count(), 0);
+    }
+
+    void what_can_not_be_read_is_said_and_stays_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("nonsense") << QStringLiteral("long") << QStringLiteral("“long” is not a number.");
+        QTest::newRow("nothing") << QString() << QStringLiteral("There is no number.");
+        QTest::newRow("an angle") << QStringLiteral("3°") << QStringLiteral("“°” is no unit for this");
+    }
+    void what_can_not_be_read_is_said_and_stays()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, says);
+        m_slider->setFocus();
+        QTest::keyClick(m_slider.get(), Qt::Key_Return);
+        QPointer<QLineEdit> editor = m_slider->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->setText(text);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QVERIFY(editor != nullptr && editor->isVisible());
+        QCOMPARE(editor->text(), text);
+        QVERIFY(editor->property("refused").toBool());
+        QVERIFY2(FieldHint::textAt(*m_slider).startsWith(says), qPrintable(FieldHint::textAt(*m_slider)));
+        QTest::keyClick(editor, Qt::Key_7);
+        QCOMPARE(FieldHint::textAt(*m_slider), QString());
+        QVERIFY(!editor->property("refused").toBool());
+        QTest::keyClick(editor, Qt::Key_Escape);
+        QVERIFY(editor == nullptr || !editor->isVisible());
+        QCOMPARE(m_slider->value(), 50.0);
+        QCOMPARE(m_changed->count(), 0);
+    }
+
+    void leaving_what_can_not_be_read_says_what_stays()
+    {
+        QTest::mouseDClick(m_slider.get(), Qt::LeftButton, Qt::NoModifier, at(0.9));
+        auto* editor = m_slider->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->setText(QStringLiteral("long"));
+        editor->clearFocus();
+        QVERIFY(!editor->isVisible());
+        QCOMPARE(m_slider->value(), 50.0);
+        QCOMPARE(FieldHint::textAt(*m_slider), QStringLiteral("“long” is not a number. It stays 50.0\u2009cm."));
+    }
+
+    void leaving_takes_what_can_be_read()
+    {
+        QTest::mouseDClick(m_slider.get(), Qt::LeftButton, Qt::NoModifier, at(0.9));
+        auto* editor = m_slider->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->setText(QStringLiteral("4 mm"));
+        editor->clearFocus();
+        QCOMPARE(m_slider->value(), 0.4);
+        QCOMPARE(m_finished->count(), 1);
+    }
+
+    void what_it_is_told_meanwhile_is_shown_afterwards()
+    {
+        QTest::mouseClick(m_slider.get(), Qt::LeftButton, Qt::NoModifier, at(0.25));
+        m_slider->setValue(60.0);
+        QCOMPARE(m_slider->value(), 25.0);
+        m_slider->release();
+        QCOMPARE(m_slider->value(), 60.0);
     }
 
     void escape_leaves_the_field_without_a_change()
@@ -173,30 +272,44 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(m_finished->count(), 1, hairpaint::test::kPatienceMs);
     }
 
-    void the_mark_leaves_the_words_alone_data()
+    void nothing_crosses_the_words_data()
     {
-        QTest::addColumn<double>("value");
-        QTest::addColumn<bool>("whole");
-        QTest::newRow("under the label") << 10.0 << false;
-        QTest::newRow("between") << 50.0 << true;
-        QTest::newRow("under the value") << 93.0 << false;
+        QTest::addColumn<int>("theme");
+        QTest::addColumn<bool>("scale");
+        QTest::newRow("dark") << int(ThemeKind::Dark) << false;
+        QTest::newRow("dark, with a scale") << int(ThemeKind::Dark) << true;
+        QTest::newRow("light") << int(ThemeKind::Light) << false;
+        QTest::newRow("light, with a scale") << int(ThemeKind::Light) << true;
     }
-    void the_mark_leaves_the_words_alone()
+    void nothing_crosses_the_words()
     {
-        QFETCH(double, value);
-        QFETCH(bool, whole);
-        m_slider->setLabel(QStringLiteral("||||||||||||||"));
-        m_slider->setValue(value);
-        const QImage image = m_slider->grab().toImage();
-        const int x = qRound(value / 100.0 * image.width()) - 1;
-        const QColor accent = Theme::current().accent;
-        const auto marked = [&](int y) {
-            const QColor pixel = image.pixelColor(x, y * image.height() / 24);
-            return std::abs(pixel.red() - accent.red()) + std::abs(pixel.blue() - accent.blue()) < 40;
+        QFETCH(int, theme);
+        QFETCH(bool, scale);
+        const QPalette before = QApplication::palette();
+        QApplication::setPalette(Theme::of(static_cast<ThemeKind>(theme)).palette());
+        constexpr int kSide = 24;
+        constexpr int kWordsEnd = 18; // With what hangs below the line.
+        const auto painted = [scale](double fraction, const QString& label) {
+            QImage image(200, kSide, QImage::Format_RGB32);
+            image.fill(Qt::black);
+            QPainter painter(&image);
+            painter.setFont(themeFont(TextRole::Label));
+            paintBar(painter, image.rect(),
+                     {.label = label,
+                      .value = label,
+                      .fraction = fraction,
+                      .gradient = scale ? QList<QColor>{Qt::black, Qt::blue} : QList<QColor>()});
+            return image;
         };
-        QVERIFY(marked(2) && marked(21));
-        for (int y = 7; y < 17; ++y)
-            QCOMPARE(marked(y), whole);
+        const QImage none = painted(0.0, {});
+        const QImage empty = painted(0.0, QStringLiteral("Spacing"));
+        for (const double fraction : {0.07, 0.15, 0.5, 0.9, 1.0}) {
+            const QImage image = painted(fraction, QStringLiteral("Spacing"));
+            QCOMPARE(image.copy(0, 0, 200, kWordsEnd), empty.copy(0, 0, 200, kWordsEnd));
+            QVERIFY(image != empty);
+        }
+        QCOMPARE(empty.copy(0, kWordsEnd, 200, kSide - kWordsEnd), none.copy(0, kWordsEnd, 200, kSide - kWordsEnd));
+        QApplication::setPalette(before);
     }
 
     void it_is_named_for_screen_readers()

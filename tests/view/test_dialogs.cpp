@@ -6,6 +6,7 @@
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/light_dialog.h"
 #include "view/dialogs/preferences_dialog.h"
+#include "view/dialogs/scale_hair_dialog.h"
 #include "view/dialogs/wind_dialog.h"
 #include "view/widgets/direction_ball.h"
 
@@ -14,6 +15,7 @@
 #include <QDialogButtonBox>
 #include <QKeySequenceEdit>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTreeWidget>
@@ -211,10 +213,53 @@ private Q_SLOTS:
         QVERIFY(std::abs(dialog.unitScale() * scale - 1.0F) < 1e-3F);
         BarSlider* height = sliderNamed(dialog, QStringLiteral("Height"));
         dialog.show();
+        const float unit = dialog.unitScale();
+        const QPoint there(height->width() * 9 / 10, 12);
+        QTest::mouseClick(height, Qt::LeftButton, {}, there);
+        QTest::mouseDClick(height, Qt::LeftButton, {}, there);
+        QCOMPARE(dialog.unitScale(), unit); // A double click types; it sets nothing.
+        QTest::keyClick(height->findChild<QLineEdit*>(), Qt::Key_Escape);
         holdAt(*height, 0.5);
         letGo(*height);
         QVERIFY(std::abs(dialog.heightCm() - height->value()) < 0.1);
         QVERIFY(dialog.heightCm() > 50.0);
+    }
+
+    void hair_is_scaled_by_a_percentage_in_one_step()
+    {
+        PanelFixture f;
+        const model::HairGroup before = f.scalp();
+        {
+            ScaleHairDialog dialog(f.state);
+            dialog.show();
+            holdAt(*sliderNamed(dialog, QStringLiteral("Length")), 0.9);
+            QVERIFY(f.scalp().settings.greatestLengthM > 0.3F);
+            dialog.reject();
+        }
+        QVERIFY(f.scalp() == before);
+        QCOMPARE(f.steps(), 0);
+        ScaleHairDialog dialog(f.state);
+        dialog.show();
+        const auto type = [&](const QString& label, const QString& text) {
+            BarSlider* slider = sliderNamed(dialog, label);
+            slider->setFocus();
+            QTest::keyClick(slider, Qt::Key_Return);
+            auto* editor = slider->findChild<QLineEdit*>();
+            editor->setText(text);
+            QTest::keyClick(editor, Qt::Key_Return);
+        };
+        type(QStringLiteral("Length"), QStringLiteral("150 %"));
+        type(QStringLiteral("Curl size"), QStringLiteral("200"));
+        QVERIFY(f.document.previewing());
+        dialog.accept();
+        QCOMPARE(f.steps(), 1);
+        QCOMPARE(f.document.undoStack().undoText(), QStringLiteral("Scale the hair of \"Scalp\""));
+        QCOMPARE(f.scalp().settings.greatestLengthM, 0.45F);
+        QCOMPARE(f.scalp().settings.greatestCurlRadiusM, 0.024F);
+        QCOMPARE(f.scalp().settings.greatestDensityPerM2, before.settings.greatestDensityPerM2);
+        QVERIFY(f.scalp().maps == before.maps);
+        f.document.undo();
+        QVERIFY(f.scalp() == before);
     }
 
     void a_mesh_without_uv_is_refused_with_the_reason()

@@ -3,7 +3,9 @@
 
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
+#include "view/panels/option_bar.h"
 #include "view/widgets/bar_slider.h"
+#include "view/widgets/field_hint.h"
 #include "view/widgets/melanin.h"
 #include "view/widgets/swatch.h"
 #include "view/widgets/value_pair.h"
@@ -107,6 +109,120 @@ private Q_SLOTS:
         QCOMPARE(f.state.toolSettings().value(MapKind::Colour).colour, QColor(1, 2, 3));
     }
 
+    void a_double_click_on_a_value_leaves_what_is_painted_data()
+    {
+        QTest::addColumn<int>("map");
+        QTest::addColumn<QString>("label");
+        QTest::addColumn<bool>("inPalette");
+        QTest::newRow("in the bar") << int(MapKind::Length) << QStringLiteral("Length") << false;
+        QTest::newRow("of the brush") << int(MapKind::Length) << QStringLiteral("Size") << false;
+        QTest::newRow("in the palette") << int(MapKind::Length) << QStringLiteral("Value") << true;
+        QTest::newRow("of a direction") << int(MapKind::Direction) << QStringLiteral("Angle") << true;
+        QTest::newRow("of a colour") << int(MapKind::Colour) << QStringLiteral("Melanin") << true;
+    }
+    void a_double_click_on_a_value_leaves_what_is_painted()
+    {
+        QFETCH(int, map);
+        QFETCH(QString, label);
+        QFETCH(bool, inPalette);
+        PanelFixture f;
+        f.state.setActiveMap(static_cast<MapKind>(map));
+        OptionBar bar(f.state);
+        bar.resize(1200, 40);
+        bar.show();
+        ValuePalette palette(f.state);
+        palette.show();
+        BarSlider* slider = sliderNamed(inPalette ? static_cast<QWidget&>(palette) : bar, label);
+        QVERIFY(slider != nullptr);
+        const model::ToolSettings before = f.state.toolSettings();
+        const double shown = slider->value();
+        const QPoint there(slider->width() * 9 / 10, slider->height() / 2);
+        for (const char* const typed : std::initializer_list<const char*>{"long", "", nullptr}) {
+            QTest::mouseClick(slider, Qt::LeftButton, {}, there);
+            QVERIFY(!(f.state.toolSettings() == before));
+            QTest::mouseDClick(slider, Qt::LeftButton, {}, there);
+            QVERIFY(f.state.toolSettings() == before);
+            auto* editor = slider->findChild<QLineEdit*>();
+            QVERIFY(editor != nullptr);
+            if (typed != nullptr)
+                editor->setText(QLatin1StringView(typed));
+            QTest::keyClick(editor, Qt::Key_Return);
+            QCOMPARE(editor->isVisible(), typed != nullptr);
+            QCOMPARE(FieldHint::textAt(*slider).isEmpty(), typed == nullptr);
+            QTest::keyClick(editor, Qt::Key_Escape);
+            QVERIFY(f.state.toolSettings() == before);
+            QCOMPARE(slider->value(), shown);
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        }
+        QCOMPARE(f.steps(), 0);
+    }
+
+    void bar_and_palette_show_what_was_typed_in_either()
+    {
+        PanelFixture f;
+        f.state.setActiveMap(MapKind::Length);
+        OptionBar bar(f.state);
+        bar.resize(1200, 40);
+        bar.show();
+        ValuePalette palette(f.state);
+        palette.show();
+        const auto type = [&](QWidget& parent, const QString& label, const QString& text) {
+            BarSlider* slider = sliderNamed(parent, label);
+            slider->setFocus();
+            QTest::keyClick(slider, Qt::Key_Return);
+            auto* editor = slider->findChild<QLineEdit*>();
+            editor->setText(text);
+            QTest::keyClick(editor, Qt::Key_Return);
+        };
+        type(bar, QStringLiteral("Length"), QStringLiteral("4mm"));
+        QCOMPARE(sliderNamed(palette, QStringLiteral("Value"))->value(), 0.4);
+        type(palette, QStringLiteral("Value"), QStringLiteral("3in"));
+        QCOMPARE(sliderNamed(bar, QStringLiteral("Length"))->value(), 7.6);
+        model::ToolSettings settings = f.state.toolSettings();
+        QVERIFY(std::abs(shownValue({}, MapKind::Length, double(settings.value(MapKind::Length).scalar)) - 7.6) < 1e-5);
+    }
+
+    void a_click_that_waits_for_its_double_is_of_the_map_it_was_made_on()
+    {
+        PanelFixture f;
+        f.state.setActiveMap(MapKind::Length);
+        OptionBar bar(f.state);
+        bar.resize(1200, 40);
+        bar.show();
+        BarSlider* slider = sliderNamed(bar, QStringLiteral("Length"));
+        QVERIFY(slider != nullptr);
+        QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, slider->height() / 2));
+        f.state.setActiveMap(MapKind::Clump);
+        QVERIFY(!slider->editing());
+        QCOMPARE(slider->label(), QStringLiteral("Clump"));
+        const auto clump =
+            static_cast<double>(model::ToolSettings(f.state.toolSettings()).value(MapKind::Clump).scalar);
+        QCOMPARE(slider->value(), std::round(shownValue({}, MapKind::Clump, clump)));
+    }
+
+    void what_is_no_colour_is_said_and_the_true_one_comes_back()
+    {
+        PanelFixture f;
+        f.state.setActiveMap(MapKind::Colour);
+        ValuePalette palette(f.state);
+        palette.show();
+        palette.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&palette));
+        auto* hex = palette.findChild<QLineEdit*>();
+        QVERIFY(hex != nullptr);
+        const QString painted = hex->text();
+        hex->setFocus();
+        hex->selectAll();
+        QTest::keyClicks(hex, QStringLiteral("12"));
+        QTest::keyClick(hex, Qt::Key_Return);
+        QCOMPARE(hex->text(), QStringLiteral("12"));
+        QVERIFY(FieldHint::textAt(*hex).startsWith(QStringLiteral("“12” is no colour")));
+        QVERIFY(hex->property("refused").toBool());
+        hex->clearFocus();
+        QCOMPARE(hex->text(), painted);
+        QVERIFY(!hex->property("refused").toBool());
+    }
+
     void hex_colours_are_typed()
     {
         PanelFixture f;
@@ -116,7 +232,8 @@ private Q_SLOTS:
         auto* hex = palette.findChild<QLineEdit*>();
         QVERIFY(hex != nullptr);
         hex->setFocus();
-        hex->setText(QStringLiteral("B3182B"));
+        hex->selectAll();
+        QTest::keyClicks(hex, QStringLiteral("B3182B"));
         QTest::keyClick(hex, Qt::Key_Return);
         model::ToolSettings settings = f.state.toolSettings();
         QCOMPARE(settings.value(MapKind::Colour).colour.name(), QStringLiteral("#b3182b"));

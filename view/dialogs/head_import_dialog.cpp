@@ -102,6 +102,12 @@ QFormLayout* HeadImportDialog::buildForm()
     form->addRow(m_carry);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &HeadImportDialog::follow);
     connect(m_axis, &QComboBox::currentIndexChanged, this, &HeadImportDialog::follow);
+    connect(m_height, &BarSlider::editingBegan, this, [this] { m_before = {m_unit->currentIndex(), m_ownScale}; });
+    connect(m_height, &BarSlider::editingCancelled, this, [this] {
+        m_ownScale = m_before.second;
+        m_unit->setCurrentIndex(m_before.first);
+        follow();
+    });
     connect(m_height, &BarSlider::valueChanged, this, [this](double cm) {
         const double source = sourceHeight();
         if (source <= 0.0)

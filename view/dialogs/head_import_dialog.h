@@ -6,6 +6,8 @@
 
 #include <QDialog>
 
+#include <utility>
+
 class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
@@ -51,7 +53,8 @@ private:
     QLabel* m_remarkIcon = nullptr;
     MeshSilhouette* m_silhouette = nullptr;
     QDialogButtonBox* m_buttons = nullptr;
-    double m_ownScale = 0.0; ///< Metres per unit, when the height was set by hand.
+    double m_ownScale = 0.0;         ///< Metres per unit, when the height was set by hand.
+    std::pair<int, double> m_before; ///< Unit and scale before the height is set by hand.
 };
 
 } // namespace hairpaint::view

@@ -126,6 +126,12 @@ QString dialogPages()
                                     "strong it is and its colour; the fill follows the camera, the rim light stands "
                                     "behind the head and shines through the hair's tips, the surroundings brighten "
                                     "the shadows from all sides. The background is the picture's own.")) +
+           heading(Topic::ScaleHair, HelpDialog::tr("Scale the hair")) +
+           paragraph(HelpDialog::tr("Makes all hair of the active group longer, denser or more widely curled by a "
+                                    "percentage, and shows it at once. The ranges of the maps (Greatest length, "
+                                    "Greatest density, Curl radius) are another thing: they say how far a map "
+                                    "reaches, and what is painted stays as long, dense and wide as it is. Hair beyond "
+                                    "a narrower range is cut to it.")) +
            heading(Topic::HeadImport, HelpDialog::tr("Import head")) +
            paragraph(
                HelpDialog::tr("A mesh says neither its unit nor which way is up, so both are guessed: the picture "

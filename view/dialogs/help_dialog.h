@@ -25,6 +25,7 @@ public:
         Keys,
         Wind,
         Light,
+        ScaleHair,
         HeadImport,
         HairImport,
         HairExport,

@@ -59,7 +59,10 @@ protected:
     void bind(BarSlider* slider, const Edit& edit)
     {
         connect(slider, &BarSlider::valueChanged, this, [this, edit] { preview(edit); });
-        connect(slider, &BarSlider::editingFinished, this, [this, edit] { commit(edit); });
+        connect(slider, &BarSlider::editingFinished, this, [this] {
+            m_edit.commit();
+            follow(); // Undo may have taken it back meanwhile.
+        });
         connect(slider, &BarSlider::editingCancelled, this, [this] { revert(); });
     }
     /// The sliders of its angles follow the ball.

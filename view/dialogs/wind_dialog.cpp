@@ -22,8 +22,10 @@ WindDialog::WindDialog(EditorState& state, QWidget* parent)
     const auto turnBall = [this] {
         ball().setDirection(DirectionBall::fromAngles(m_azimuth->value() / kDegrees, m_elevation->value() / kDegrees));
     };
-    connect(m_azimuth, &BarSlider::valueChanged, this, turnBall);
-    connect(m_elevation, &BarSlider::valueChanged, this, turnBall);
+    for (BarSlider* angle : {m_azimuth, m_elevation}) {
+        connect(angle, &BarSlider::valueChanged, this, turnBall);
+        connect(angle, &BarSlider::editingCancelled, this, turnBall); // Still air does not tell it.
+    }
     bind(m_azimuth, turned);
     bind(m_elevation, turned);
     bind(m_strength,

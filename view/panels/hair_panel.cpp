@@ -11,6 +11,7 @@
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/section.h"
+#include "view/widgets/value_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -23,6 +24,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -165,10 +167,11 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
     slider->setHint(schemaText(row.hint));
     // A session a slider: moving one ends, and keeps, what another one left open.
     auto session = std::make_shared<model::EditSession>();
-    const auto show = [this, &row, session](double value) {
+    auto edited = std::make_shared<model::Id>(0); // Also when another group becomes the active one meanwhile.
+    const auto show = [this, &row, session, edited](double value) {
         if (!session->active())
             m_state.document().endEdit(); // What somebody only looks at may have another group.
-        const model::HairGroup* shown = group();
+        const model::HairGroup* shown = m_state.document().project().group(*edited);
         if (shown == nullptr)
             return;
         m_state.document().show(*session, {.text = settingText(row, *shown)},
@@ -178,12 +181,15 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
                                         row.writeShown(one->settings, value, fraction);
                                 });
     };
-    connect(slider, &BarSlider::valueChanged, this, show);
-    connect(slider, &BarSlider::editingFinished, this, [show, session](double value) {
-        show(value);
-        session->commit();
-    });
-    connect(slider, &BarSlider::editingCancelled, this, [session] { session->drop(); });
+    connect(slider, &BarSlider::editingBegan, this, [this, edited] { *edited = m_state.activeGroup(); });
+    connect(this, &HairPanel::groupChanged, slider, &BarSlider::release);
+    if (model::setsRange(row)) {
+        bindRange(*slider, row, session, edited);
+    } else {
+        connect(slider, &BarSlider::valueChanged, this, show);
+        connect(slider, &BarSlider::editingFinished, this, [session] { session->commit(); });
+        connect(slider, &BarSlider::editingCancelled, this, [session] { session->drop(); });
+    }
     const bool needsPerLength = row.member == model::SettingMember(&GroupSettings::turnsPerLengthM);
     m_followers.emplace_back([this, slider, &row, needsPerLength](const GroupSettings& settings) {
         slider->setDefaultValue(row.shown(model::newGroupSettings(scalpFraction()), scalpFraction()));
@@ -191,6 +197,65 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
         slider->setVisible(!needsPerLength || settings.turnsMode == TurnsMode::PerLength);
     });
     return slider;
+}
+
+void HairPanel::bindRange(BarSlider& slider, const GroupSetting& row,
+                          const std::shared_ptr<model::EditSession>& session, const std::shared_ptr<model::Id>& edited)
+{
+    constexpr std::size_t kMostShownTexels = 4'000'000; ///< Rescaled while it moves; more of them when it is let go.
+    auto change = std::make_shared<model::RangeChange>();
+    auto waits = std::make_shared<bool>(false);
+    const auto settingsAt = [this, &row](const model::HairGroup& before, double value) {
+        GroupSettings settings = before.settings;
+        row.writeShown(settings, value, scalpFraction());
+        return settings;
+    };
+    const auto show = [this, &row, settingsAt, session, edited, change, waits](double value) {
+        if (!session->active())
+            m_state.document().endEdit(); // What somebody only looks at may have another group.
+        const model::HairGroup* before = m_state.document().committed().group(*edited);
+        if (before == nullptr)
+            return;
+        const GroupSettings settings = settingsAt(*before, value);
+        *waits = texelsToRescale(*before, settings) > kMostShownTexels;
+        if (*waits)
+            return;
+        *change = withRange(*before, settings);
+        m_state.document().show(*session, {.text = settingText(row, *before)},
+                                {.aspect = Change::Aspect::GroupList, .group = before->id},
+                                [change = *change](model::Project& project) { change.applyTo(project); });
+    };
+    connect(&slider, &BarSlider::valueChanged, this, show);
+    connect(&slider, &BarSlider::editingCancelled, this, [session, waits] {
+        *waits = false;
+        session->drop();
+    });
+    connect(&slider, &BarSlider::editingFinished, this,
+            [this, &row, settingsAt, session, edited, change, waits](double value) {
+                const model::HairGroup* before = m_state.document().committed().group(*edited);
+                if (std::exchange(*waits, false) && before != nullptr) {
+                    session->drop();
+                    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+                    *change = withRange(*before, settingsAt(*before, value));
+                    m_state.document().push(setRangeCommand(m_state.document(), *change, settingText(row, *before)));
+                    QGuiApplication::restoreOverrideCursor();
+                } else if (session->active()) {
+                    session->commit();
+                } else {
+                    return; // Undo took it back meanwhile.
+                }
+                for (const model::RangeChange::Clamped& clamped : change->clamped)
+                    tellClamped(*change, clamped);
+            });
+}
+
+void HairPanel::tellClamped(const model::RangeChange& change, const model::RangeChange::Clamped& clamped)
+{
+    const model::MapSpec& spec = model::mapSpec(clamped.map);
+    const QString end = valueText(change.settings, spec, {.scalar = clamped.beyond ? 1.0F : 0.0F});
+    m_state.tell((clamped.beyond ? tr("What was painted on %1 beyond %2 is %2 now; undo brings it back.")
+                                 : tr("What was painted on %1 below %2 is %2 now; undo brings it back."))
+                     .arg(spec.titleText(), end));
 }
 
 const model::HairGroup* HairPanel::group() const
@@ -223,6 +288,8 @@ void HairPanel::change(const GroupSetting& row, double value)
 
 void HairPanel::rebuildGroups()
 {
+    if (std::exchange(m_shownGroup, m_state.activeGroup()) != m_state.activeGroup())
+        Q_EMIT groupChanged();
     m_filling = true;
     const auto& groups = m_state.document().project().groups;
     const int count = static_cast<int>(groups.size());

@@ -1,11 +1,13 @@
 // The hair groups and the active group's settings.
 #pragma once
 
+#include "model/range_change.h"
 #include "view/editor_state.h"
 
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 
 class QToolButton;
 class QVBoxLayout;
@@ -17,6 +19,7 @@ struct HairKind;
 
 namespace hairpaint::view {
 
+class BarSlider;
 class LayerList;
 class Section;
 
@@ -33,12 +36,19 @@ public:
     void addGroup(const model::HairKind& kind);
     void removeGroup();
 
+Q_SIGNALS:
+    void groupChanged(); ///< Its controls stand for another group from here on.
+
 private:
     void buildGroups(QVBoxLayout& layout);
     void buildSettings(QVBoxLayout& layout);
     [[nodiscard]] QWidget* makeChoice(const model::GroupSetting& row, QWidget* parent);
     [[nodiscard]] QWidget* makeSwitch(const model::GroupSetting& row, QWidget* parent);
     [[nodiscard]] QWidget* makeSlider(const model::GroupSetting& row, QWidget* parent);
+    /// A slider of a map's range keeps what is painted on it (model/range_change.h). `edited`: the group that it is of.
+    void bindRange(BarSlider& slider, const model::GroupSetting& row,
+                   const std::shared_ptr<model::EditSession>& session, const std::shared_ptr<model::Id>& edited);
+    void tellClamped(const model::RangeChange& change, const model::RangeChange::Clamped& clamped);
     /// One command; `value` in SI units.
     void change(const model::GroupSetting& row, double value);
     void rebuildGroups();
@@ -54,6 +64,7 @@ private:
     std::vector<QWidget*> m_settings; ///< Sections that need a group.
     /// Each shows the group's settings in its control.
     std::vector<std::function<void(const sim::GroupSettings&)>> m_followers;
+    model::Id m_shownGroup = 0;
     bool m_filling = false;
 };
 

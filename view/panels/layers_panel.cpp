@@ -157,7 +157,7 @@ void LayersPanel::connectProperties()
     const auto show = [this](double percent) {
         if (!m_opacityEdit.active())
             m_state.document().endEdit(); // What somebody only looks at may have another layer.
-        const model::LayerAddress target = m_state.target();
+        const model::LayerAddress target = m_opacityTarget;
         m_state.document().show(m_opacityEdit, {.text = tr("Layer opacity")},
                                 {.aspect = Change::Aspect::LayerList, .group = target.group, .map = target.map},
                                 [target, percent](model::Project& project) {
@@ -165,11 +165,9 @@ void LayersPanel::connectProperties()
                                         layer->opacity = static_cast<float>(percent / 100.0);
                                 });
     };
+    connect(m_opacity, &BarSlider::editingBegan, this, [this] { m_opacityTarget = m_state.target(); });
     connect(m_opacity, &BarSlider::valueChanged, this, show);
-    connect(m_opacity, &BarSlider::editingFinished, this, [this, show](double percent) {
-        show(percent);
-        m_opacityEdit.commit();
-    });
+    connect(m_opacity, &BarSlider::editingFinished, this, [this] { m_opacityEdit.commit(); });
     connect(m_opacity, &BarSlider::editingCancelled, this, [this] { m_opacityEdit.drop(); });
     connect(m_blend, &QComboBox::activated, this, [this](int index) {
         const auto mode = static_cast<model::BlendMode>(m_blend->itemData(index).toInt());
@@ -240,6 +238,9 @@ void LayersPanel::rebuild()
 
 void LayersPanel::followActive()
 {
+    const model::LayerAddress target = m_state.target();
+    if (std::exchange(m_shownTarget, target) != target)
+        m_opacity->release(); // It stands for another layer's from here on.
     const Layer* layer = activeLayer();
     const model::MapStack* layers = stack();
     m_list->setEnabled(layers != nullptr);

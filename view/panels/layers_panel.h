@@ -59,6 +59,8 @@ private:
 
     EditorState& m_state;
     model::EditSession m_opacityEdit;
+    model::LayerAddress m_opacityTarget; ///< The layer that is edited, also when another one becomes active meanwhile.
+    model::LayerAddress m_shownTarget;   ///< The layer that m_opacity stands for.
     LayerList* m_list = nullptr;
     BarSlider* m_opacity = nullptr;
     QComboBox* m_blend = nullptr;

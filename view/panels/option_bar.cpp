@@ -7,6 +7,7 @@
 #include "view/widgets/icons.h"
 #include "view/widgets/map_badge.h"
 #include "view/widgets/revealed_text.h"
+#include "view/widgets/tool_setting_slider.h"
 #include "view/widgets/value_pair.h"
 #include "view/widgets/value_palette.h"
 #include "view/widgets/value_text.h"
@@ -18,6 +19,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::view {
 
@@ -119,11 +121,9 @@ void OptionBar::buildValue()
     m_valueButton->setFixedHeight(metrics::kRow);
     m_valueButton->setFocusPolicy(Qt::TabFocus);
     m_valueButton->setToolTip(tr("Choose the value from the palette"));
-    connect(m_scalar, &BarSlider::valueChanged, this, [this](double shown) {
+    bindToolSettings(*m_scalar, m_state, [this](ToolSettings& settings, double shown) {
         const model::MapKind map = m_state.activeMap();
-        change([&](ToolSettings& settings) {
-            settings.value(map).scalar = static_cast<float>(mapValue(m_state.activeSettings(), map, shown));
-        });
+        settings.value(map).scalar = static_cast<float>(mapValue(m_state.activeSettings(), map, shown));
     });
     connect(m_valueButton, &QToolButton::clicked, this, &OptionBar::showPalette);
     m_valueBox->layout()->addWidget(m_badge);
@@ -150,9 +150,8 @@ void OptionBar::buildBrush()
     m_opacity->setDefaultValue(kPercent);
     m_tolerance = percentSlider(tr("Tolerance"), this);
     m_tolerance->setDefaultValue(static_cast<double>(ToolSettings{}.fillTolerance) * kPercent);
-    connect(m_size, &BarSlider::valueChanged, this, [this](double cm) {
-        change([cm](ToolSettings& settings) { settings.brushSizeM = static_cast<float>(cm / kCm); });
-    });
+    bindToolSettings(*m_size, m_state,
+                     [](ToolSettings& settings, double cm) { settings.brushSizeM = static_cast<float>(cm / kCm); });
     m_flatness = percentSlider(tr("Flatness"), this);
     m_flatness->setDefaultValue(static_cast<double>(ToolSettings{}.flatness) * kPercent);
     m_flatness->setToolTip(tr("How flat combed hair lies; pen pressure makes it less"));
@@ -167,8 +166,8 @@ void OptionBar::buildBrush()
     m_holdGel->setDefaultValue(static_cast<double>(ToolSettings{}.holdGel) * kPercent);
     m_holdGel->setToolTip(tr("The gel that keeps held hair as it lies"));
     const auto bind = [this](BarSlider* slider, float ToolSettings::*field) {
-        connect(slider, &BarSlider::valueChanged, this, [this, field](double percent) {
-            change([&](ToolSettings& settings) { settings.*field = static_cast<float>(percent / kPercent); });
+        bindToolSettings(*slider, m_state, [field](ToolSettings& settings, double percent) {
+            settings.*field = static_cast<float>(percent / kPercent);
         });
     };
     bind(m_hardness, &ToolSettings::hardness);
@@ -205,8 +204,8 @@ void OptionBar::buildParting()
         auto* slider = new BarSlider(label, this);
         slider->setUnit(unit);
         slider->setPreferredWidth(kSliderWidth);
-        connect(slider, &BarSlider::valueChanged, this, [this, field, perMetre](double shown) {
-            change([&](ToolSettings& settings) { settings.*field = static_cast<float>(shown / perMetre); });
+        bindToolSettings(*slider, m_state, [field, perMetre](ToolSettings& settings, double shown) {
+            settings.*field = static_cast<float>(shown / perMetre);
         });
         slider->setDefaultValue(static_cast<double>(ToolSettings{}.*field) * perMetre);
         m_row->addWidget(slider);
@@ -308,6 +307,9 @@ void OptionBar::follow()
     const MapSpec& spec = model::mapSpec(m_state.activeMap());
     const sim::GroupSettings& group = m_state.activeSettings();
     const model::PaintValue& value = settings.value(spec.kind);
+    const std::pair stood(m_state.activeGroup(), spec.kind);
+    if (std::exchange(m_stands, stood) != stood)
+        m_scalar->release(); // It stands for another map's value from here on.
     m_badge->setMap(spec.kind);
     const bool scalar = spec.scale != nullptr;
     m_scalar->setVisible(scalar);

@@ -46,6 +46,7 @@ private:
     QWidget* m_valueBox = nullptr;
     QLabel* m_revealed = nullptr; ///< What the eraser leaves.
     MapBadge* m_badge = nullptr;
+    std::pair<model::Id, model::MapKind> m_stands{}; ///< The group and the map whose value m_scalar shows.
     BarSlider* m_scalar = nullptr;
     QToolButton* m_valueButton = nullptr;
     BarSlider* m_size = nullptr;

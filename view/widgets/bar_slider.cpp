@@ -3,10 +3,11 @@
 
 #include "view/theme.h"
 #include "view/widgets/bar_picture.h"
+#include "view/widgets/field_hint.h"
+#include "view/widgets/number_edit.h"
 
 #include <QGuiApplication>
 #include <QKeyEvent>
-#include <QLineEdit>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
@@ -44,8 +45,13 @@ BarSlider::BarSlider(const QString& label, QWidget* parent) : QWidget(parent), m
 
 void BarSlider::setValue(double value)
 {
+    if (m_editing) {
+        m_told = value;
+        return;
+    }
+    m_told.reset();
     value = rounded(value);
-    if (m_editing || value == m_value)
+    if (value == m_value)
         return;
     m_value = value;
     describe();
@@ -142,6 +148,8 @@ void BarSlider::begin()
         return;
     m_editing = true;
     m_before = m_value;
+    m_told.reset();
+    Q_EMIT editingBegan();
 }
 
 void BarSlider::moveTo(double value)
@@ -150,6 +158,7 @@ void BarSlider::moveTo(double value)
     if (value == m_value)
         return;
     m_value = value;
+    m_told.reset();
     describe();
     update();
     Q_EMIT valueChanged(m_value);
@@ -167,6 +176,16 @@ void BarSlider::finish()
         Q_EMIT editingCancelled();
     else
         Q_EMIT editingFinished(m_value);
+    // What it was told last holds, unless it has been told anew.
+    if (const std::optional<double> told = m_told; told && !m_editing)
+        setValue(*told);
+}
+
+void BarSlider::release()
+{
+    if (m_editor != nullptr)
+        m_editor->leave(false);
+    finish();
 }
 
 void BarSlider::cancel()
@@ -175,6 +194,7 @@ void BarSlider::cancel()
     if (!m_editing)
         return;
     m_value = m_before;
+    m_told.reset();
     m_editing = false;
     m_dragging = false;
     describe();
@@ -203,10 +223,13 @@ void BarSlider::mousePressEvent(QMouseEvent* event)
     }
     if (event->button() != Qt::LeftButton)
         return;
+    if (m_settle.isActive())
+        finish(); // Another change than the click or the notch before it.
     begin();
     m_dragging = true;
     m_moved = false;
     m_lastX = event->position().x();
+    m_pressX = m_lastX;
     m_dragFraction = (event->modifiers() & Qt::ControlModifier) != 0 ? fractionOf(m_value) : m_lastX / width();
     moveTo(valueAt(m_dragFraction));
 }
@@ -218,7 +241,8 @@ void BarSlider::mouseMoveEvent(QMouseEvent* event)
     const double x = event->position().x();
     const double gain = (event->modifiers() & Qt::ControlModifier) != 0 ? kFine : 1.0;
     m_dragFraction += (x - m_lastX) / width() * gain;
-    m_moved = m_moved || x != m_lastX;
+    // A hand that double-clicks trembles.
+    m_moved = m_moved || std::abs(x - m_pressX) > QGuiApplication::styleHints()->mouseDoubleClickDistance();
     m_lastX = x;
     moveTo(valueAt(m_dragFraction));
 }
@@ -324,7 +348,9 @@ void BarSlider::focusOutEvent(QFocusEvent* event)
 
 void BarSlider::hideEvent(QHideEvent* event)
 {
-    closeEditor(false);
+    // A popup that closes is left as any other field is.
+    if (m_editor != nullptr)
+        m_editor->leave(true);
     finish();
     QWidget::hideEvent(event);
 }
@@ -333,63 +359,44 @@ void BarSlider::openEditor()
 {
     if (m_editor != nullptr)
         return;
-    m_editor = new QLineEdit(QLocale().toString(m_value, 'f', m_decimals), this);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    m_editor =
+        new NumberEdit(locale.toString(m_value, 'f', m_decimals), {.unit = m_unit, .whole = m_decimals == 0}, this);
     m_editor->setGeometry(rect());
-    m_editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_editor->setAccessibleName(m_label);
-    m_editor->setFrame(false);
-    m_editor->setProperty("inBar", true);
-    m_editor->installEventFilter(this);
-    m_editor->selectAll();
+    connect(m_editor, &NumberEdit::entered, this, &BarSlider::take);
+    connect(m_editor, &NumberEdit::left, this, &BarSlider::closeEditor);
+    QWidget::setTabOrder(this, m_editor);
     m_editor->show();
     m_editor->setFocus();
 }
 
-void BarSlider::closeEditor(bool keep)
+void BarSlider::take(double typed)
 {
-    if (m_editor == nullptr)
+    begin();
+    moveTo(typed);
+    finish();
+    // Rounding alone is nothing to tell.
+    const double beyond = 0.5 * std::pow(10.0, -m_decimals);
+    if (!isVisible() || (typed <= m_maximum + beyond && typed >= m_minimum - beyond))
         return;
-    QLineEdit* editor = m_editor;
+    const QString sentence = typed > m_maximum ? tr("%1 is the most that can be set here.").arg(numberText(m_maximum))
+                                               : tr("%1 is the least that can be set here.").arg(numberText(m_minimum));
+    FieldHint::showAt(*this, sentence, FieldHint::Tone::Note);
+}
+
+void BarSlider::closeEditor(const QString& problem)
+{
+    NumberEdit* editor = m_editor;
     m_editor = nullptr;
-    editor->removeEventFilter(this);
     const bool hadFocus = editor->hasFocus();
-    QString text = editor->text().trimmed();
     editor->hide();
     editor->deleteLater();
     if (hadFocus)
         setFocus();
-    if (!keep)
-        return;
-    if (!m_unit.isEmpty() && text.endsWith(m_unit))
-        text.chop(m_unit.size());
-    bool fine = false;
-    double value = QLocale().toDouble(text.trimmed(), &fine);
-    if (!fine)
-        value = QLocale::c().toDouble(text.trimmed(), &fine);
-    if (!fine)
-        return;
-    begin();
-    moveTo(value);
-    finish();
-}
-
-bool BarSlider::eventFilter(QObject* watched, QEvent* event)
-{
-    if (watched == m_editor) {
-        if (event->type() == QEvent::FocusOut) {
-            closeEditor(true);
-        } else if (event->type() == QEvent::ShortcutOverride &&
-                   static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-            event->accept();
-        } else if (event->type() == QEvent::KeyPress) {
-            const int key = static_cast<QKeyEvent*>(event)->key();
-            if (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Escape) {
-                closeEditor(key != Qt::Key_Escape);
-                return true;
-            }
-        }
-    }
-    return QWidget::eventFilter(watched, event);
+    if (!problem.isEmpty() && isVisible())
+        FieldHint::showAt(*this, tr("%1 It stays %2.").arg(problem, valueText()), FieldHint::Tone::Problem);
 }
 
 void BarSlider::resizeEvent(QResizeEvent* event)
@@ -401,8 +408,12 @@ void BarSlider::resizeEvent(QResizeEvent* event)
 
 QString BarSlider::valueText() const
 {
-    const QString number = QLocale().toString(m_value, 'f', m_decimals);
-    return number + spacedUnit(m_unit);
+    return numberText(m_value);
+}
+
+QString BarSlider::numberText(double value) const
+{
+    return QLocale().toString(value, 'f', m_decimals) + spacedUnit(m_unit);
 }
 
 QSize BarSlider::sizeHint() const
@@ -413,8 +424,8 @@ QSize BarSlider::sizeHint() const
 QSize BarSlider::minimumSizeHint() const
 {
     const QFontMetrics font = fontMetrics();
-    const QString widest = QLocale().toString(m_maximum, 'f', m_decimals) + spacedUnit(m_unit);
-    return {font.horizontalAdvance(m_label) + font.horizontalAdvance(widest) + 3 * kBarInset, metrics::kSlider};
+    return {font.horizontalAdvance(m_label) + font.horizontalAdvance(numberText(m_maximum)) + 3 * kBarInset,
+            metrics::kSlider};
 }
 
 void BarSlider::paintEvent(QPaintEvent* /*event*/)

@@ -6,15 +6,18 @@
 #include <QTimer>
 #include <QWidget>
 
-class QLineEdit;
+#include <optional>
 
 namespace hairpaint::view {
 
-/// 24 px high. Drag sets, Ctrl makes it ten times finer, double-click or Enter types, right-click resets, arrows and
-/// (only while it has the focus) the wheel step. Esc while dragging or typing takes the change back.
+class NumberEdit;
+
+/// 24 px high. Drag sets, Ctrl makes it ten times finer, double-click or Enter types (see number_text.h), right-click
+/// resets, arrows and (only while it has the focus) the wheel step. Esc while dragging or typing takes the change back.
 ///
-/// One change by the user: any number of valueChanged, then exactly one of editingFinished (the value differs from
-/// before) or editingCancelled (it does not). setValue tells nothing and is ignored while the user is changing it.
+/// One change by the user: editingBegan, any number of valueChanged, then exactly one of editingFinished (the value
+/// differs from before) or editingCancelled (it does not: whoever took values puts back what was there at
+/// editingBegan). setValue tells nothing; while the user is changing the value it is shown when that is over.
 class BarSlider : public QWidget
 {
     Q_OBJECT
@@ -39,12 +42,15 @@ public:
     /// Fills the whole bar with a map's scale, from the smallest to the greatest value; empty for the plain fill.
     void setGradient(const QList<QColor>& colours);
     [[nodiscard]] bool editing() const { return m_editing; }
+    /// Before it stands for something else: a change by the user is done, and what is being typed is dropped.
+    void release();
     [[nodiscard]] QString valueText() const;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
+    void editingBegan();
     void valueChanged(double value); ///< While the user changes it.
     void editingFinished(double value);
     void editingCancelled();
@@ -64,7 +70,6 @@ protected:
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void changeEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
@@ -74,7 +79,9 @@ private:
     void cancel();
     void stepBy(double steps);
     void openEditor();
-    void closeEditor(bool keep);
+    void take(double typed);
+    void closeEditor(const QString& problem);
+    [[nodiscard]] QString numberText(double value) const; ///< With the unit.
     [[nodiscard]] double fractionOf(double value) const;
     [[nodiscard]] double valueAt(double fraction) const;
     [[nodiscard]] double rounded(double value) const;
@@ -96,11 +103,13 @@ private:
     bool m_dragging = false;
     bool m_moved = false;
     double m_before = 0.0;
+    std::optional<double> m_told; ///< By setValue while the user was changing it.
     double m_dragFraction = 0.0;
     double m_lastX = 0.0;
+    double m_pressX = 0.0;
     int m_wheelRest = 0;
     QTimer m_settle; ///< After a click or a notch of the wheel, until the change counts as done.
-    QPointer<QLineEdit> m_editor;
+    QPointer<NumberEdit> m_editor;
 };
 
 } // namespace hairpaint::view

@@ -5,10 +5,12 @@
 #include "view/theme.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
+#include "view/widgets/field_hint.h"
 #include "view/widgets/hair_colours.h"
 #include "view/widgets/map_badge.h"
 #include "view/widgets/melanin.h"
 #include "view/widgets/swatch.h"
+#include "view/widgets/tool_setting_slider.h"
 #include "view/widgets/value_pair.h"
 #include "view/widgets/value_text.h"
 
@@ -20,7 +22,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
-#include <QRegularExpressionValidator>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QVBoxLayout>
 
@@ -191,26 +193,33 @@ void ValuePalette::refresh()
     }
     if (m_melanin != nullptr)
         showMelanin(value.colour);
-    if (m_hex != nullptr && !m_hex->hasFocus())
+    if (m_hex != nullptr && !(window()->focusWidget() == m_hex && m_hex->isModified()))
         m_hex->setText(value.colour.name());
 }
 
 void ValuePalette::setSecond(bool second)
 {
+    for (BarSlider* slider : findChildren<BarSlider*>())
+        slider->release(); // They stand for the other value from here on.
     m_second = second;
     refresh();
 }
 
+PaintValue& ValuePalette::edited(model::ToolSettings& settings, MapKind map) const
+{
+    return m_second ? settings.secondValue(map) : settings.value(map);
+}
+
 PaintValue ValuePalette::edited(MapKind map) const
 {
-    const model::ToolSettings& tools = m_state.toolSettings();
-    return m_second ? tools.secondValue(map) : tools.value(map);
+    model::ToolSettings settings = m_state.toolSettings();
+    return edited(settings, map);
 }
 
 void ValuePalette::setValue(const PaintValue& value)
 {
     model::ToolSettings tools = m_state.toolSettings();
-    (m_second ? tools.secondValue(m_state.activeMap()) : tools.value(m_state.activeMap())) = value;
+    edited(tools, m_state.activeMap()) = value;
     m_state.setToolSettings(tools);
     refresh();
 }
@@ -260,10 +269,8 @@ void ValuePalette::buildScalar(QVBoxLayout& layout)
     m_slider->setExponent(spec.scale->sliderExponent);
     m_slider->setGradient(scaleGradient(spec, m_state.nightPaper()));
     m_slider->setMinimumWidth(260);
-    connect(m_slider, &BarSlider::valueChanged, this, [this, kind = spec.kind](double shown) {
-        PaintValue value = edited(kind);
-        value.scalar = static_cast<float>(mapValue(m_state.activeSettings(), kind, shown));
-        setValue(value);
+    bindToolSettings(*m_slider, m_state, [this, kind = spec.kind](model::ToolSettings& settings, double shown) {
+        edited(settings, kind).scalar = static_cast<float>(mapValue(m_state.activeSettings(), kind, shown));
     });
     layout.addWidget(m_slider);
     auto* row = new QHBoxLayout;
@@ -304,10 +311,9 @@ void ValuePalette::buildVector(QVBoxLayout& layout)
         made->setUnit(unit);
         made->setMinimumWidth(260);
         layout.addWidget(made);
-        connect(made, &BarSlider::valueChanged, this, [this] {
-            PaintValue value = edited(m_state.activeMap());
-            value.direction = directionAt(m_angle->value(), m_flatness->value() / kPercents);
-            setValue(value);
+        bindToolSettings(*made, m_state, [this](model::ToolSettings& settings, double /*shown*/) {
+            edited(settings, model::MapKind::Direction).direction =
+                directionAt(m_angle->value(), m_flatness->value() / kPercents);
         });
         return made;
     };
@@ -359,18 +365,13 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
     m_hex = new QLineEdit(m_body);
     m_hex->setMaxLength(7);
     m_hex->setFixedWidth(88);
-    static const QRegularExpression pattern(QStringLiteral("#?[0-9A-Fa-f]{6}"));
-    m_hex->setValidator(new QRegularExpressionValidator(pattern, m_hex));
     label->setBuddy(m_hex);
-    connect(m_hex, &QLineEdit::editingFinished, this, [this] {
-        QString text = m_hex->text();
-        if (!text.startsWith(QLatin1Char('#')))
-            text.prepend(QLatin1Char('#'));
-        PaintValue value;
-        value.colour = QColor(text);
-        if (value.colour.isValid())
-            setValue(value);
+    connect(m_hex, &QLineEdit::textEdited, this, [this] {
+        markRefused(*m_hex, false);
+        FieldHint::hideAt(*m_hex);
     });
+    connect(m_hex, &QLineEdit::returnPressed, this, [this] { takeHex(true); });
+    m_hex->installEventFilter(this); // editingFinished is not told again after Enter.
     auto* custom = new QPushButton(tr("Custom…"), m_body);
     connect(custom, &QPushButton::clicked, this, &ValuePalette::chooseColour);
     row->addWidget(label);
@@ -378,6 +379,39 @@ void ValuePalette::buildColour(QVBoxLayout& layout)
     row->addStretch(1);
     row->addWidget(custom);
     layout.addLayout(row);
+}
+
+bool ValuePalette::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_hex && event->type() == QEvent::FocusOut) {
+        const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
+        if (reason != Qt::PopupFocusReason && reason != Qt::ActiveWindowFocusReason)
+            takeHex(false);
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ValuePalette::takeHex(bool stays)
+{
+    if (!m_hex->isModified())
+        return;
+    static const QRegularExpression pattern(QStringLiteral("^#?([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})$"));
+    const QString text = m_hex->text().trimmed();
+    if (pattern.match(text).hasMatch()) {
+        PaintValue value = edited(m_state.activeMap());
+        value.colour = QColor(text.startsWith(QLatin1Char('#')) ? text : QLatin1Char('#') + text);
+        m_hex->setModified(false);
+        setValue(value);
+        m_hex->setText(value.colour.name());
+        return;
+    }
+    const QString sentence = tr("“%1” is no colour; type six digits of 0–9 and A–F, such as %2.")
+                                 .arg(text, edited(m_state.activeMap()).colour.name());
+    markRefused(*m_hex, stays);
+    if (!stays) // The colour painted is shown again.
+        m_hex->setText(edited(m_state.activeMap()).colour.name());
+    if (m_hex->isVisible())
+        FieldHint::showAt(*m_hex, sentence, FieldHint::Tone::Problem);
 }
 
 void ValuePalette::buildMelanin(QVBoxLayout& layout)
@@ -388,11 +422,10 @@ void ValuePalette::buildMelanin(QVBoxLayout& layout)
         made->setUnit(QStringLiteral("%"));
         made->setHint(hint);
         layout.addWidget(made);
-        connect(made, &BarSlider::valueChanged, this, [this] {
-            PaintValue value = edited(m_state.activeMap());
-            value.colour = melaninColour(shownMelanin());
-            setValue(value);
-        });
+        bindToolSettings(*made, m_state,
+                         [this, map = m_state.activeMap()](model::ToolSettings& settings, double /*shown*/) {
+                             edited(settings, map).colour = melaninColour(shownMelanin());
+                         });
         return made;
     };
     m_melanin = slider(tr("Melanin"), tr("The pigment of hair that is not dyed: from white to black"));

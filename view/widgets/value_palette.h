@@ -32,15 +32,19 @@ Q_SIGNALS:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void rebuild();
     void refresh();
     [[nodiscard]] model::PaintValue edited(model::MapKind map) const;
+    [[nodiscard]] model::PaintValue& edited(model::ToolSettings& settings, model::MapKind map) const;
     void setValue(const model::PaintValue& value);
     void buildScalar(QVBoxLayout& layout);
     void buildIndex(QVBoxLayout& layout);
     void buildColour(QVBoxLayout& layout);
+    /// Paints with the colour that is typed; where it is none, says so and leaves it there to be mended where `stays`.
+    void takeHex(bool stays);
     void buildMelanin(QVBoxLayout& layout);
     [[nodiscard]] Melanin shownMelanin() const;
     void showMelanin(const QColor& colour);

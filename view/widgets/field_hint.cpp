@@ -1,0 +1,113 @@
+// Where a field's sentence stands, and when it goes.
+#include "view/widgets/field_hint.h"
+
+#include "view/theme.h"
+
+#include <QAccessible>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QScreen>
+#include <QStyle>
+
+#include <algorithm>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr int kNarrowest = 180; ///< Of a sentence under a short field, px.
+constexpr int kWidest = 320;
+
+void repolish(QWidget& widget)
+{
+    widget.style()->unpolish(&widget);
+    widget.style()->polish(&widget);
+}
+
+} // namespace
+
+FieldHint::FieldHint(QWidget& field) : QLabel(&field, Qt::ToolTip)
+{
+    setObjectName(QStringLiteral("fieldHint"));
+    setAttribute(Qt::WA_ShowWithoutActivating);
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFocusPolicy(Qt::NoFocus);
+    setTextFormat(Qt::PlainText);
+    setWordWrap(true);
+    setFont(themeFont(TextRole::Label));
+}
+
+FieldHint* FieldHint::of(const QWidget& field)
+{
+    return field.findChild<FieldHint*>(QString(), Qt::FindDirectChildrenOnly);
+}
+
+void FieldHint::showAt(QWidget& field, const QString& sentence, Tone tone)
+{
+    FieldHint* hint = of(field);
+    if (hint == nullptr)
+        hint = new FieldHint(field);
+    hint->setText(sentence);
+    hint->setProperty("problem", tone == Tone::Problem);
+    repolish(*hint);
+    hint->place();
+    hint->show();
+    // Not before the press or the key that made it appear is over.
+    QMetaObject::invokeMethod(
+        hint, [hint] { QCoreApplication::instance()->installEventFilter(hint); }, Qt::QueuedConnection);
+    QAccessibleEvent spoken(hint, QAccessible::Alert);
+    QAccessible::updateAccessibility(&spoken);
+}
+
+void FieldHint::hideAt(const QWidget& field)
+{
+    if (FieldHint* hint = of(field)) {
+        QCoreApplication::instance()->removeEventFilter(hint);
+        hint->hide();
+    }
+}
+
+QString FieldHint::textAt(const QWidget& field)
+{
+    const FieldHint* hint = of(field);
+    return hint != nullptr && hint->isVisible() ? hint->text() : QString();
+}
+
+void FieldHint::place()
+{
+    const QWidget& field = *parentWidget();
+    setFixedWidth(std::clamp(field.width(), kNarrowest, kWidest));
+    adjustSize();
+    const QRect screen = field.screen()->availableGeometry();
+    QPoint corner = field.mapToGlobal(QPoint(0, field.height() + 2));
+    if (corner.y() + height() > screen.bottom())
+        corner.setY(field.mapToGlobal(QPoint(0, -height() - 2)).y());
+    corner.setX(std::clamp(corner.x(), screen.left(), std::max(screen.left(), screen.right() - width())));
+    move(corner);
+}
+
+bool FieldHint::eventFilter(QObject* /*watched*/, QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::KeyPress:
+    case QEvent::Wheel:
+    case QEvent::WindowDeactivate:
+    case QEvent::ApplicationStateChange:
+        hideAt(*parentWidget());
+        break;
+    default:
+        break;
+    }
+    return false;
+}
+
+void markRefused(QWidget& edit, bool refused)
+{
+    if (edit.property("refused").toBool() == refused)
+        return;
+    edit.setProperty("refused", refused);
+    repolish(edit);
+}
+
+} // namespace hairpaint::view
