@@ -194,6 +194,8 @@ void MainWindow::connectAreas()
     connect(&paint, &view::PaintView::statusText, &status, showMessage);
     connect(&m_clipCommands, &ClipCommands::told, &status, showMessage);
     connect(&m_exchange.work(), &FileWork::done, &status, showMessage);
+    connect(&m_jobs, &Jobs::cancelled, &status,
+            [&status](const QString& sentence) { status.showMessage(sentence, false, kReasonMs); });
     auto* areaMenu = new AreaMenu(m_actions, this);
     const auto showMenu = [areaMenu](const QPoint& globalPosition) { areaMenu->popup(globalPosition); };
     connect(&head, &view::HeadView::contextMenuWanted, areaMenu, showMenu);
@@ -233,7 +235,7 @@ void MainWindow::offerUnsavedWork()
         return;
     m_journal.takeOver(restored->work);
     // Only now is it nowhere else.
-    if (m_jobs.awaitUntil(tr("Restoring unsaved work"), [this] { return m_journal.idle(); }) && !m_journal.isStopped())
+    if (m_jobs.awaitUntil(ProjectFiles::restoring(), [this] { return m_journal.idle(); }) && !m_journal.isStopped())
         restored->folder->remove();
 }
 

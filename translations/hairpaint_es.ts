@@ -741,6 +741,10 @@
         <source>Brows and lashes</source>
         <translation>Cejas y pestañas</translation>
     </message>
+    <message>
+        <source>Brows and lashes were not grown: cancelled</source>
+        <translation>No se crearon cejas ni pestañas: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>Files</name>
@@ -1565,6 +1569,10 @@
         <source>There is no hair to hold in this group.</source>
         <translation>No hay pelo que fijar en este grupo.</translation>
     </message>
+    <message>
+        <source>The hair is not held: cancelled</source>
+        <translation>El pelo no se fijó: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -1998,6 +2006,10 @@
         <source>Drawing the picture</source>
         <translation>Dibujando la imagen</translation>
     </message>
+    <message>
+        <source>Unsaved work was not looked for: cancelled; the next start looks again</source>
+        <translation>No se buscó trabajo sin guardar: cancelado; el próximo inicio vuelve a buscarlo</translation>
+    </message>
 </context>
 <context>
     <name>Rendering</name>
@@ -2409,6 +2421,14 @@
         <source>Reading %1</source>
         <translation>Leyendo %1</translation>
     </message>
+    <message>
+        <source>The file &apos;%1&apos; was not read: cancelled</source>
+        <translation>No se leyó el archivo &apos;%1&apos;: cancelado</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; was not written: cancelled</source>
+        <translation>No se escribió el archivo &apos;%1&apos;: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HairExchange</name>
@@ -2491,6 +2511,26 @@
     <message>
         <source>hairstyle</source>
         <translation>peinado</translation>
+    </message>
+    <message>
+        <source>The hair was not exported: cancelled</source>
+        <translation>No se exportó el pelo: cancelado</translation>
+    </message>
+    <message>
+        <source>No cards were made: cancelled</source>
+        <translation>No se crearon tarjetas: cancelado</translation>
+    </message>
+    <message>
+        <source>The Blender add-on was not installed: cancelled</source>
+        <translation>No se instaló el complemento de Blender: cancelado</translation>
+    </message>
+    <message>
+        <source>Saving the picture %1</source>
+        <translation>Guardando la imagen %1</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; was not saved: cancelled</source>
+        <translation>No se guardó la imagen &apos;%1&apos;: cancelado</translation>
     </message>
 </context>
 <context>
@@ -2610,6 +2650,14 @@
         <source>Carrying the hair over</source>
         <translation>Pasando el pelo</translation>
     </message>
+    <message>
+        <source>The head was not replaced by &apos;%1&apos;: cancelled</source>
+        <translation>No se reemplazó la cabeza por &apos;%1&apos;: cancelado</translation>
+    </message>
+    <message>
+        <source>The head was not replaced: cancelled</source>
+        <translation>No se reemplazó la cabeza: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HelpMenu</name>
@@ -2690,10 +2738,6 @@
         <source>Drawing the picture</source>
         <translation>Dibujando la imagen</translation>
     </message>
-    <message>
-        <source>Restoring unsaved work</source>
-        <translation>Recuperando el trabajo sin guardar</translation>
-    </message>
 </context>
 <context>
     <name>hairpaint::app::MapExchange</name>
@@ -2759,6 +2803,10 @@
         <source>Images (*.png *.tif *.exr *.tga)</source>
         <translation>Imágenes (*.png *.tif *.exr *.tga)</translation>
     </message>
+    <message>
+        <source>The maps were not written: cancelled</source>
+        <translation>No se escribieron los mapas: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::MapMenu</name>
@@ -2790,6 +2838,10 @@
         <source>Hair Paint</source>
         <translation>Hair Paint</translation>
     </message>
+    <message>
+        <source>The map keeps its size: cancelled</source>
+        <translation>El mapa conserva su tamaño: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::OutsideEdit</name>
@@ -2800,10 +2852,6 @@
     <message>
         <source>The layer &apos;%1&apos; is locked; unlock it in the panel Layers first.</source>
         <translation>La capa «%1» está bloqueada; desbloquéala antes en el panel Capas.</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>Escribiendo %1</translation>
     </message>
     <message>
         <source>The system knows no program that opens &apos;%1&apos;; open it yourself: what is saved there comes back.</source>
@@ -2923,6 +2971,22 @@
     <message>
         <source>What is left of it can be opened as a new project; the file stays as it is.</source>
         <translation>Lo que queda de él se puede abrir como un proyecto nuevo; el archivo queda como está.</translation>
+    </message>
+    <message>
+        <source>No new project was started: cancelled</source>
+        <translation>No se empezó un proyecto nuevo: cancelado</translation>
+    </message>
+    <message>
+        <source>The project &apos;%1&apos; was not opened: cancelled</source>
+        <translation>No se abrió el proyecto &apos;%1&apos;: cancelado</translation>
+    </message>
+    <message>
+        <source>The unsaved work was not restored: cancelled; the next start offers it again</source>
+        <translation>No se recuperó el trabajo sin guardar: cancelado; el próximo inicio lo ofrece de nuevo</translation>
+    </message>
+    <message>
+        <source>The project &apos;%1&apos; was not saved: cancelled</source>
+        <translation>No se guardó el proyecto &apos;%1&apos;: cancelado</translation>
     </message>
 </context>
 <context>
@@ -3054,6 +3118,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>&apos;%1&apos; could not be moved to the trash; delete it by hand.</source>
         <translation>«%1» no se pudo mover a la papelera; elimínalo a mano.</translation>
+    </message>
+    <message>
+        <source>The style &apos;%1&apos; was not saved: cancelled</source>
+        <translation>No se guardó el estilo &apos;%1&apos;: cancelado</translation>
+    </message>
+    <message>
+        <source>The style &apos;%1&apos; was not renamed: cancelled</source>
+        <translation>No se cambió el nombre del estilo &apos;%1&apos;: cancelado</translation>
     </message>
 </context>
 <context>

@@ -27,13 +27,14 @@ void HairExchange::setSceneSource(std::function<rendering::Scene()> source)
     m_scene = std::move(source);
 }
 
-std::shared_ptr<const sim::StrandFrame> HairExchange::currentHair()
+std::shared_ptr<const sim::StrandFrame> HairExchange::currentHair(const QString& whenCancelled)
 {
     const std::shared_ptr<const void> whole = m_session.wholeHair();
-    const bool came = m_files.jobs().awaitUntil(tr("Waiting for the newest hair"), [this] {
-        m_session.endPreviews(); // Also those that come late.
-        return m_session.hair() != Session::Hair::Underway;
-    });
+    const bool came =
+        m_files.jobs().awaitUntil({.text = tr("Waiting for the newest hair"), .whenCancelled = whenCancelled}, [this] {
+            m_session.endPreviews(); // Also those that come late.
+            return m_session.hair() != Session::Hair::Underway;
+        });
     if (!came)
         return nullptr;
     if (m_session.hair() == Session::Hair::Current)
@@ -44,7 +45,7 @@ std::shared_ptr<const sim::StrandFrame> HairExchange::currentHair()
 
 void HairExchange::exportHair()
 {
-    const std::shared_ptr<const sim::StrandFrame> frame = currentHair();
+    const std::shared_ptr<const sim::StrandFrame> frame = currentHair(tr("The hair was not exported: cancelled"));
     if (frame == nullptr)
         return;
     const model::Project project = m_session.document().committed();
@@ -77,9 +78,14 @@ void HairExchange::exportHair()
     });
 }
 
+QString HairExchange::noCardsText()
+{
+    return tr("No cards were made: cancelled");
+}
+
 void HairExchange::previewCards()
 {
-    const std::shared_ptr<const sim::StrandFrame> frame = currentHair();
+    const std::shared_ptr<const sim::StrandFrame> frame = currentHair(noCardsText());
     if (frame == nullptr)
         return;
     model::CurveOptions& curves = m_export.request.curves;
@@ -93,10 +99,9 @@ void HairExchange::previewChosen(const std::shared_ptr<const sim::StrandFrame>& 
 {
     using CardsPtr = std::shared_ptr<const rendering::CardSet>;
     const model::Project project = m_session.document().committed();
-    const std::optional<model::Result<CardsPtr>> cards =
-        m_files.jobs().await<CardsPtr>(tr("Making cards"), [&](const model::Progress& progress) {
-            return cardsChosen(project, frame, m_export, progress);
-        });
+    const std::optional<model::Result<CardsPtr>> cards = m_files.jobs().await<CardsPtr>(
+        {.text = tr("Making cards"), .whenCancelled = noCardsText()},
+        [&](const model::Progress& progress) { return cardsChosen(project, frame, m_export, progress); });
     if (!cards)
         return;
     if (!*cards)
@@ -153,14 +158,14 @@ void HairExchange::installBlenderAddon()
             m_files.write(path, [path](const model::Progress& progress) { return saveBlenderAddon(path, progress); });
         return;
     }
-    const bool installed =
-        m_files.change(tr("Installing the add-on"), folders.front(),
-                       [folders](const model::Progress& progress) -> model::Result<void> {
-                           for (const QString& folder : folders)
-                               if (model::Result<void> one = app::installBlenderAddon(folder, progress); !one)
-                                   return one;
-                           return {};
-                       });
+    const bool installed = m_files.change(
+        {.text = tr("Installing the add-on"), .whenCancelled = tr("The Blender add-on was not installed: cancelled")},
+        folders.front(), [folders](const model::Progress& progress) -> model::Result<void> {
+            for (const QString& folder : folders)
+                if (model::Result<void> one = app::installBlenderAddon(folder, progress); !one)
+                    return one;
+            return {};
+        });
     if (!installed)
         return;
     QStringList versions;
@@ -183,11 +188,14 @@ void HairExchange::savePicture()
                                               .filter = filters.join(QLatin1String(";;")),
                                               .suffix = QStringLiteral("png")},
                                              &filter);
-    if (path.isEmpty() || currentHair() == nullptr)
+    const Doing saving{.text = tr("Saving the picture %1").arg(QFileInfo(path).fileName()),
+                       .whenCancelled =
+                           tr("The picture '%1' was not saved: cancelled").arg(QFileInfo(path).fileName())};
+    if (path.isEmpty() || currentHair(saving.whenCancelled) == nullptr)
         return;
     rendering::Scene scene = m_scene();
     scene.transparent = isExr(path) || filter == transparent;
-    m_files.write(path, [scene, path](const model::Progress& progress) {
+    m_files.write(saving, path, [scene, path](const model::Progress& progress) {
         return PictureMaker().save(scene, kPictureSize, {}, path, progress);
     });
 }

@@ -30,12 +30,14 @@ public:
     void installBlenderAddon();
     void savePicture();
     /// The hair of the document as it is, waited for; null where that was cancelled or there is no memory for it.
-    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair();
+    /// `whenCancelled`: as in Doing.
+    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair(const QString& whenCancelled);
 
 Q_SIGNALS:
     void cardsMade(const std::shared_ptr<const hairpaint::rendering::CardSet>& cards);
 
 private:
+    [[nodiscard]] static QString noCardsText();
     void previewChosen(const std::shared_ptr<const sim::StrandFrame>& frame);
 
     Session& m_session;

@@ -11,10 +11,12 @@
 #include "tests/support/foreign_heads.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/head_side.h"
+#include "view/panels/status_readout.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QTimer>
 
 namespace hairpaint::app {
@@ -312,12 +314,18 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(session().hair() == Session::Hair::Current, kPatienceMs);
         m_answers->file = path("unwanted.png");
         m_answers->cancels = true;
+        hurryJobs(); // So that there is something to click.
         trigger("file.picture");
         QCOMPARE(drawn, 1);
         if (m_answers->cancelled == 0)
             return; // A GPU has drawn it before there was anything to click.
         QVERIFY(m_done.isEmpty() && m_answers->said.isEmpty());
         QVERIFY(!QFile::exists(path("unwanted.png")));
+        // The status line says so.
+        const auto labels = m_window->findChild<view::StatusReadout*>()->findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->text() == QStringLiteral("The picture 'unwanted.png' was not saved: cancelled");
+        }));
     }
 
     void cancelledDialogsDoNothing_data()
