@@ -209,7 +209,11 @@ void MainWindow::connectFiles()
         scene.cards.reset();
         return thumbnailOf(scene);
     });
-    m_exchange.hair().setSceneSource([this] { return m_workspace->headView().pictureScene(); });
+    PictureExchange& pictures = m_exchange.pictures();
+    pictures.setSource([this] {
+        const view::HeadView& shown = m_workspace->headView();
+        return ShownScene{.scene = shown.pictureScene(), .px = shown.size() * shown.devicePixelRatioF()};
+    });
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
     connect(&m_files, &ProjectFiles::pathChanged, this, [this] { m_journal.setPath(m_files.path()); });
     view::StatusReadout& status = m_workspace->status();
@@ -218,6 +222,7 @@ void MainWindow::connectFiles()
     connect(&m_journal, &Journal::stopped, &status, &view::StatusReadout::setUnprotected);
     connect(&m_journal, &Journal::resumed, &status, [&status] { status.setUnprotected({}); });
     view::HeadView& head = m_workspace->headView();
+    connect(&head, &view::HeadView::frameDrawn, &pictures, &PictureExchange::followView);
     connect(&m_exchange.hair(), &HairExchange::cardsMade, &head, &view::HeadView::showCards);
     connect(&head, &view::HeadView::cardsShownChanged, this, [this] { m_actions.follow(); });
     const auto addHelp = [this](QDialog& dialog, view::HelpDialog::Topic topic) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/settings_store.h"
+#include "view/dialogs/picture_dialog.h"
 #include "view/dialogs/preferences_dialog.h"
 
 #include <QByteArray>
@@ -34,6 +35,10 @@ public:
     /// Whom avatars name as their author.
     [[nodiscard]] QString avatarAuthor() const;
     void setAvatarAuthor(const QString& author);
+
+    /// How pictures are saved.
+    [[nodiscard]] view::PictureChoice pictureChoice() const;
+    void setPictureChoice(const view::PictureChoice& choice);
 
     /// A rebound key; none where the default holds.
     [[nodiscard]] std::optional<QKeySequence> key(const QString& actionId) const;

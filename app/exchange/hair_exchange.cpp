@@ -1,9 +1,8 @@
-// Curves, cards and pictures: see the header.
+// Curves and cards: see the header.
 #include "app/exchange/hair_exchange.h"
 
 #include "app/exchange/blender_addon.h"
 #include "app/exchange/hair_export.h"
-#include "app/picture.h"
 #include "model/commands/commands.h"
 #include "model/importing/curve_import.h"
 #include "model/importing/curve_reader.h"
@@ -14,17 +13,13 @@
 
 namespace hairpaint::app {
 
-namespace {
-
-constexpr QSize kPictureSize(2048, 2048);
-
-} // namespace
-
-HairExchange::HairExchange(Session& session, FileWork& files) : QObject(&files), m_session(session), m_files(files) {}
-
-void HairExchange::setSceneSource(std::function<rendering::Scene()> source)
+HairExchange::HairExchange(Session& session, FileWork& files) : QObject(&files), m_session(session), m_files(files)
 {
-    m_scene = std::move(source);
+    connect(&session, &Session::frameChanged, this, &HairExchange::followHair);
+    connect(&session.document(), &model::Document::changed, this, [this](const model::Change& change) {
+        if (change.aspect == model::Change::Aspect::Head || change.aspect == model::Change::Aspect::Everything)
+            followHead();
+    });
 }
 
 std::shared_ptr<const sim::StrandFrame> HairExchange::currentHair(const QString& whenCancelled)
@@ -43,24 +38,63 @@ std::shared_ptr<const sim::StrandFrame> HairExchange::currentHair(const QString&
     return nullptr;
 }
 
+QString HairExchange::notExportedText()
+{
+    return tr("The hair was not exported: cancelled");
+}
+
 void HairExchange::exportHair()
 {
-    const std::shared_ptr<const sim::StrandFrame> frame = currentHair(tr("The hair was not exported: cancelled"));
+    if (m_dialog == nullptr) {
+        const std::shared_ptr<const sim::StrandFrame> frame = currentHair(notExportedText());
+        if (frame == nullptr)
+            return;
+        const model::Project project = m_session.document().committed();
+        m_export.author = m_files.settings().avatarAuthor();
+        m_dialog = new view::ExportHairDialog(exportableGroups(project, *frame), m_export, &m_files.window());
+        m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+        m_dialog->setAvatarProblem(avatarProblem(project));
+        m_files.announce(*m_dialog, view::HelpDialog::Topic::HairExport);
+        connect(m_dialog, &QDialog::finished, this, [this] { m_dialog.clear(); }); // It goes by itself.
+        connect(m_dialog, &view::ExportHairDialog::exportWanted, this, &HairExchange::exportChosenHair);
+        connect(m_dialog, &view::ExportHairDialog::previewWanted, this, [this] {
+            rememberChoice();
+            previewChosen();
+        });
+    }
+    m_dialog->show();
+    m_dialog->raise();
+    m_dialog->activateWindow();
+}
+
+void HairExchange::rememberChoice()
+{
+    m_export = m_dialog->choice();
+    m_files.settings().setAvatarAuthor(m_export.author);
+}
+
+void HairExchange::followHair()
+{
+    const std::shared_ptr<const sim::StrandFrame> frame = m_session.frame();
+    if (m_dialog == nullptr || frame == nullptr || frame->preview)
+        return;
+    m_dialog->setGroups(exportableGroups(m_session.document().committed(), *frame));
+}
+
+void HairExchange::followHead()
+{
+    if (m_dialog != nullptr)
+        m_dialog->setAvatarProblem(avatarProblem(m_session.document().committed()));
+}
+
+void HairExchange::exportChosenHair()
+{
+    rememberChoice();
+    const std::shared_ptr<const sim::StrandFrame> frame = currentHair(notExportedText());
     if (frame == nullptr)
         return;
     const model::Project project = m_session.document().committed();
-    m_export.author = m_files.settings().avatarAuthor();
-    view::ExportHairDialog dialog(exportableGroups(project, *frame), m_export, &m_files.window());
-    dialog.setAvatarProblem(avatarProblem(project));
-    m_files.announce(dialog, view::HelpDialog::Topic::HairExport);
-    const int answer = dialog.exec();
-    if (answer == QDialog::Rejected)
-        return;
-    view::HairExportChoice choice = dialog.choice();
-    m_export = choice;
-    m_files.settings().setAvatarAuthor(choice.author);
-    if (answer == view::ExportHairDialog::kPreview)
-        return previewChosen(frame);
+    view::HairExportChoice choice = m_export;
     const QString suffix = QString::fromLatin1(choice.request.format->suffix);
     const QString path =
         m_files.askSavePath({.title = tr("Export hair"),
@@ -73,9 +107,11 @@ void HairExchange::exportHair()
     // The name's ending may tell of another format.
     if (const model::ExportFormat* named = model::findExportFormat(path, choice.request.format))
         choice.request.format = named;
-    m_files.write(path, [project, frame, choice, path](const model::Progress& progress) {
+    const bool isWritten = m_files.write(path, [project, frame, choice, path](const model::Progress& progress) {
         return exportChosen(project, frame, choice, path, progress);
     });
+    if (isWritten && m_dialog != nullptr)
+        m_dialog->accept();
 }
 
 QString HairExchange::noCardsText()
@@ -85,18 +121,20 @@ QString HairExchange::noCardsText()
 
 void HairExchange::previewCards()
 {
+    model::CurveOptions& curves = m_export.request.curves;
+    curves = {};
+    previewChosen();
+}
+
+void HairExchange::previewChosen()
+{
     const std::shared_ptr<const sim::StrandFrame> frame = currentHair(noCardsText());
     if (frame == nullptr)
         return;
     model::CurveOptions& curves = m_export.request.curves;
-    curves = {};
-    for (const view::ExportableGroup& group : exportableGroups(m_session.document().committed(), *frame))
-        curves.groups.push_back({.id = group.id, .name = group.name});
-    previewChosen(frame);
-}
-
-void HairExchange::previewChosen(const std::shared_ptr<const sim::StrandFrame>& frame)
-{
+    if (curves.groups.empty()) // All of them.
+        for (const view::ExportableGroup& group : exportableGroups(m_session.document().committed(), *frame))
+            curves.groups.push_back({.id = group.id, .name = group.name});
     using CardsPtr = std::shared_ptr<const rendering::CardSet>;
     const model::Project project = m_session.document().committed();
     const std::optional<model::Result<CardsPtr>> cards = m_files.jobs().await<CardsPtr>(
@@ -175,29 +213,6 @@ void HairExchange::installBlenderAddon()
                              tr("The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit > "
                                 "Preferences > Add-ons; then File > Import reads hair that is exported as .hair.")
                                  .arg(versions.join(QLatin1String(", "))));
-}
-
-void HairExchange::savePicture()
-{
-    const QString transparent = tr("PNG images without background (*.png)");
-    const QStringList filters{tr("PNG images (*.png)"), transparent,
-                              tr("OpenEXR images in linear light, without background (*.exr)")};
-    QString filter;
-    const QString path = m_files.askSavePath({.title = tr("Save picture"),
-                                              .suggestedPath = tr("hairstyle"),
-                                              .filter = filters.join(QLatin1String(";;")),
-                                              .suffix = QStringLiteral("png")},
-                                             &filter);
-    const Doing saving{.text = tr("Saving the picture %1").arg(QFileInfo(path).fileName()),
-                       .whenCancelled =
-                           tr("The picture '%1' was not saved: cancelled").arg(QFileInfo(path).fileName())};
-    if (path.isEmpty() || currentHair(saving.whenCancelled) == nullptr)
-        return;
-    rendering::Scene scene = m_scene();
-    scene.transparent = isExr(path) || filter == transparent;
-    m_files.write(saving, path, [scene, path](const model::Progress& progress) {
-        return PictureMaker().save(scene, kPictureSize, {}, path, progress);
-    });
 }
 
 } // namespace hairpaint::app

@@ -300,23 +300,15 @@ private Q_SLOTS:
         QVERIFY(difference(small, flat) > 0.1);
     }
 
-    void thePictureIsAskedForBeforeItIsDrawnAndCanBeCancelled()
+    void aPictureThatIsDrawnCanBeCancelled()
     {
         open(starterProject());
-        int drawn = 0;
-        m_window->findChild<HairExchange*>()->setSceneSource([this, &drawn] {
-            ++drawn;
-            return m_window->headView().pictureScene();
-        });
-        trigger("file.picture"); // The dialog is cancelled.
-        QCOMPARE(drawn, 0);
         // The wait for the newest hair can be cancelled too; here it is the picture that is meant.
         QTRY_VERIFY_WITH_TIMEOUT(session().hair() == Session::Hair::Current, kPatienceMs);
         m_answers->file = path("unwanted.png");
         m_answers->cancels = true;
         hurryJobs(); // So that there is something to click.
         trigger("file.picture");
-        QCOMPARE(drawn, 1);
         if (m_answers->cancelled == 0)
             return; // A GPU has drawn it before there was anything to click.
         QVERIFY(m_done.isEmpty() && m_answers->said.isEmpty());

@@ -130,7 +130,7 @@ private Q_SLOTS:
         auto* sidebar = m_window->findChild<view::Sidebar*>();
         sidebar->showHair();
         measure(*m_window);
-        for (const char* id : {"hair.windDialog", "hair.lightDialog", "edit.preferences", "help.help"})
+        for (const char* id : {"hair.windDialog", "hair.lightDialog", "edit.preferences", "help.help", "file.picture"})
             m_window->actions().find(QLatin1StringView(id))->trigger();
         for (QDialog* dialog : m_window->findChildren<QDialog*>()) {
             QVERIFY(QTest::qWaitForWindowExposed(dialog));

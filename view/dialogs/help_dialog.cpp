@@ -165,6 +165,11 @@ QString dialogPages()
                "as "
                "they do here, and File > Load image reads them; as grey their brightness is the value, which File > "
                "Load grey image reads. Colours and directions are the same both ways.")) +
+           heading(Topic::Picture, HelpDialog::tr("Save picture")) +
+           paragraph(HelpDialog::tr(
+               "The small picture shows what will be saved; turn the head in the 3D area while the dialog is open, and "
+               "it follows. The ending of the file's name says its kind: PNG, JPEG, or OpenEXR in linear light for "
+               "compositing. More samples a pixel make finer hair and take longer.")) +
            heading(Topic::Preferences, HelpDialog::tr("Preferences")) +
            paragraph(
                HelpDialog::tr("Theme, paper, language and what draws the 3D area; and all keys, each of which can "

@@ -29,6 +29,7 @@ public:
         HairImport,
         HairExport,
         MapExport,
+        Picture,
         Preferences
     };
 
