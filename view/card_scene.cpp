@@ -7,7 +7,8 @@
 
 namespace hairpaint::view {
 
-std::shared_ptr<const rendering::CardSet> cardSet(model::HairCards& cards, const sim::HeadPose& pose, std::span<const sim::StrandMaterial> materials)
+std::shared_ptr<const rendering::CardSet> cardSet(model::HairCards& cards, const sim::HeadPose& pose,
+                                                  std::span<const sim::StrandMaterial> materials)
 {
     auto set = std::make_shared<rendering::CardSet>();
     const glm::quat back = glm::conjugate(pose.rotation);

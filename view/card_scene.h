@@ -11,8 +11,8 @@
 
 namespace hairpaint::view {
 
-/// The finest level of all groups. `pose`: how the head was held when they were made; `materials`: of their hair, a group
-/// each. Any thread.
+/// The finest level of all groups. `pose`: how the head was held when they were made; `materials`: of their hair, a
+/// group each. Any thread.
 [[nodiscard]] std::shared_ptr<const rendering::CardSet> cardSet(model::HairCards& cards, const sim::HeadPose& pose,
                                                                 std::span<const sim::StrandMaterial> materials);
 

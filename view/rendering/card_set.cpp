@@ -8,7 +8,8 @@ namespace hairpaint::rendering {
 
 namespace {
 
-constexpr int kColourSide = 128; ///< Texels across the level that colours come from: each is the mean of a lock's width.
+constexpr int kColourSide =
+    128; ///< Texels across the level that colours come from: each is the mean of a lock's width.
 
 float linearOfEncoded(float encoded)
 {
@@ -31,21 +32,20 @@ void tellHairOfCorners(CardSet& cards)
 {
     std::vector<glm::vec3> along(cards.corners.size(), glm::vec3(0.0F));
     for (const glm::uvec3& triangle : cards.triangles) {
-        const glm::vec3 one =
-            alongV(cards.corners[triangle.x], cards.corners[triangle.y], cards.corners[triangle.z]);
+        const glm::vec3 one = alongV(cards.corners[triangle.x], cards.corners[triangle.y], cards.corners[triangle.z]);
         if (const float length = glm::length(one); length > 0.0F)
             for (int i = 0; i < 3; ++i)
                 along[triangle[i]] += one / length;
     }
-    const auto level = std::ranges::find_if(cards.levels, [](const CardTexture& one) { return one.side <= kColourSide; });
+    const auto level =
+        std::ranges::find_if(cards.levels, [](const CardTexture& one) { return one.side <= kColourSide; });
     for (std::size_t i = 0; i < cards.corners.size(); ++i) {
         CardCorner& corner = cards.corners[i];
         if (const float length = glm::length(along[i]); length > 1e-6F)
             corner.tangentHd = along[i] / length;
         if (level == cards.levels.end())
             continue;
-        const glm::ivec2 at =
-            glm::clamp(glm::ivec2(corner.uv * static_cast<float>(level->side)), 0, level->side - 1);
+        const glm::ivec2 at = glm::clamp(glm::ivec2(corner.uv * static_cast<float>(level->side)), 0, level->side - 1);
         const glm::u8vec4 texel = level->texels[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(level->side) +
                                                 static_cast<std::size_t>(at.x)];
         for (int channel = 0; channel < 3; ++channel)

@@ -6,7 +6,8 @@
 
 namespace hairpaint::rendering {
 
-CardLight::CardLight(const FrameConstants& constants) : m_constants(constants), m_lighting(hairLighting(constants, {})) {}
+CardLight::CardLight(const FrameConstants& constants) : m_constants(constants), m_lighting(hairLighting(constants, {}))
+{}
 
 glm::vec3 CardLight::on(const CardCorner& corner) const
 {
@@ -21,14 +22,15 @@ glm::vec3 CardLight::on(const CardCorner& corner) const
     const glm::vec3 place =
         glm::vec3(m_constants.woFromHd * glm::vec4(corner.placeHd, 1.0F)) + kRoundM * (turn * corner.normalHd);
     const glm::vec3 colour = glm::clamp(corner.colour, 0.004F, 1.0F);
-    const simd::Triple<float> lit = simd::hairLight(lighting, simd::HairPoint<float>{.place = triple(place),
-                                                                                     .tangent = triple(turn * corner.tangentHd),
-                                                                                     .colour = triple(colour),
-                                                                                     .depth = simd::fibreDepth(triple(colour)),
-                                                                                     .variation = 0.0F,
-                                                                                     .towardKey = kCrossedByCards,
-                                                                                     .towardEye = kCrossedByCards,
-                                                                                     .towardRim = kCrossedByCards});
+    const simd::Triple<float> lit =
+        simd::hairLight(lighting, simd::HairPoint<float>{.place = triple(place),
+                                                         .tangent = triple(turn * corner.tangentHd),
+                                                         .colour = triple(colour),
+                                                         .depth = simd::fibreDepth(triple(colour)),
+                                                         .variation = 0.0F,
+                                                         .towardKey = kCrossedByCards,
+                                                         .towardEye = kCrossedByCards,
+                                                         .towardRim = kCrossedByCards});
     return glm::vec3(lit.x, lit.y, lit.z) / colour;
 }
 
