@@ -120,6 +120,19 @@ void Settings::setPictureChoice(const view::PictureChoice& choice)
                                     {QStringLiteral("samples"), choice.samples}});
 }
 
+std::optional<QPoint> Settings::dialogPlace(const QString& dialog) const
+{
+    const QVariantList place = m_settings.value(QStringLiteral("places/") + dialog).toList();
+    if (place.size() != 2)
+        return std::nullopt;
+    return QPoint(place[0].toInt(), place[1].toInt());
+}
+
+void Settings::setDialogPlace(const QString& dialog, QPoint place)
+{
+    m_settings.setValue(QStringLiteral("places/") + dialog, QVariantList{place.x(), place.y()});
+}
+
 std::optional<QKeySequence> Settings::key(const QString& actionId) const
 {
     const QVariant value = m_settings.value(QStringLiteral("keys/") + actionId);

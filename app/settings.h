@@ -7,6 +7,7 @@
 
 #include <QByteArray>
 #include <QKeySequence>
+#include <QPoint>
 #include <QStringList>
 
 #include <optional>
@@ -39,6 +40,10 @@ public:
     /// How pictures are saved.
     [[nodiscard]] view::PictureChoice pictureChoice() const;
     void setPictureChoice(const view::PictureChoice& choice);
+
+    /// Where the user left a dialog, global px; none where it stays where it opens.
+    [[nodiscard]] std::optional<QPoint> dialogPlace(const QString& dialog) const;
+    void setDialogPlace(const QString& dialog, QPoint place);
 
     /// A rebound key; none where the default holds.
     [[nodiscard]] std::optional<QKeySequence> key(const QString& actionId) const;
