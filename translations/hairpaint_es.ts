@@ -2493,26 +2493,6 @@
         <translation>El complemento está instalado en Blender %1. Activa allí «Hair Paint hair» en Editar &gt; Preferencias &gt; Complementos; después Archivo &gt; Importar lee el pelo exportado como .hair.</translation>
     </message>
     <message>
-        <source>PNG images without background (*.png)</source>
-        <translation>Imágenes PNG sin fondo (*.png)</translation>
-    </message>
-    <message>
-        <source>PNG images (*.png)</source>
-        <translation>Imágenes PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>OpenEXR images in linear light, without background (*.exr)</source>
-        <translation>Imágenes OpenEXR en luz lineal, sin fondo (*.exr)</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>Guardar captura</translation>
-    </message>
-    <message>
-        <source>hairstyle</source>
-        <translation>peinado</translation>
-    </message>
-    <message>
         <source>The hair was not exported: cancelled</source>
         <translation>No se exportó el pelo: cancelado</translation>
     </message>
@@ -2523,14 +2503,6 @@
     <message>
         <source>The Blender add-on was not installed: cancelled</source>
         <translation>No se instaló el complemento de Blender: cancelado</translation>
-    </message>
-    <message>
-        <source>Saving the picture %1</source>
-        <translation>Guardando la imagen %1</translation>
-    </message>
-    <message>
-        <source>The picture &apos;%1&apos; was not saved: cancelled</source>
-        <translation>No se guardó la imagen &apos;%1&apos;: cancelado</translation>
     </message>
 </context>
 <context>
@@ -2880,6 +2852,37 @@
     <message>
         <source>The layer &apos;%1&apos; is locked; unlock it in the panel Layers and save &apos;%2&apos; again.</source>
         <translation>La capa «%1» está bloqueada; desbloquéala en el panel Capas y guarda «%2» de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::PictureExchange</name>
+    <message>
+        <source>PNG images (*.png)</source>
+        <translation type="unfinished">Imágenes PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>OpenEXR images in linear light (*.exr)</source>
+        <translation>Imágenes OpenEXR en luz lineal (*.exr)</translation>
+    </message>
+    <message>
+        <source>JPEG images (*.jpg)</source>
+        <translation>Imágenes JPEG (*.jpg)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation type="unfinished">Guardar captura</translation>
+    </message>
+    <message>
+        <source>hairstyle</source>
+        <translation type="unfinished">peinado</translation>
+    </message>
+    <message>
+        <source>Saving the picture %1</source>
+        <translation type="unfinished">Guardando la imagen %1</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; was not saved: cancelled</source>
+        <translation type="unfinished">No se guardó la imagen &apos;%1&apos;: cancelado</translation>
     </message>
 </context>
 <context>
@@ -3927,6 +3930,14 @@ Se ha perdido esto:</translation>
         <source>Hair of other programs, as .hair or USD, becomes a hair group: density, length, direction, curl, braids and colours are told from its curves and painted into the maps. Unit and axes need to be set only where the hair comes in too large, too small or lying on its side.</source>
         <translation>El pelo de otros programas, en .hair o USD, pasa a ser un grupo de pelo: la densidad, la longitud, la dirección, el rizo, las trenzas y los colores se deducen de sus curvas y se pintan en los mapas. La unidad y los ejes solo hace falta indicarlos si el pelo entra demasiado grande, demasiado pequeño o tumbado.</translation>
     </message>
+    <message>
+        <source>Save picture</source>
+        <translation type="unfinished">Guardar captura</translation>
+    </message>
+    <message>
+        <source>The small picture shows what will be saved; turn the head in the 3D area while the dialog is open, and it follows. The ending of the file&apos;s name says its kind: PNG, JPEG, or OpenEXR in linear light for compositing. More samples a pixel make finer hair and take longer.</source>
+        <translation>La imagen pequeña muestra lo que se guardará; gira la cabeza en el área 3D mientras el diálogo está abierto y ella la sigue. La terminación del nombre del archivo dice su tipo: PNG, JPEG u OpenEXR en luz lineal para composición. Más muestras por píxel dan un pelo más fino y tardan más.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::KeysPage</name>
@@ -4132,18 +4143,6 @@ Se ha perdido esto:</translation>
         <translation>Ambiente</translation>
     </message>
     <message>
-        <source>Red</source>
-        <translation>Rojo</translation>
-    </message>
-    <message>
-        <source>Green</source>
-        <translation>Verde</translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation>Azul</translation>
-    </message>
-    <message>
         <source>Light colour</source>
         <translation>Color de la luz</translation>
     </message>
@@ -4170,6 +4169,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>Hair scatters light by</source>
         <translation>El pelo dispersa la luz según</translation>
+    </message>
+    <message>
+        <source>What colours the light of that temperature, as a gel before the lamp does. Click to choose it, right-click for white; R, G and B of the weather keys (F7) raise its parts, with Shift they lower them.</source>
+        <translation>Lo que colorea la luz de esa temperatura, como un gel ante la lámpara. Haz clic para elegirlo, clic derecho para blanco; R, G y B de las teclas del clima (F7) suben sus partes, con Mayús las bajan.</translation>
+    </message>
+    <message>
+        <source>R %1  G %2  B %3 %</source>
+        <translation>R %1  G %2  B %3 %</translation>
     </message>
 </context>
 <context>
@@ -4377,6 +4384,153 @@ Se ha perdido esto:</translation>
     <message>
         <source>The gel that keeps hair where it was pulled; long hair falls back without</source>
         <translation>El gel que mantiene el pelo donde se llevó; sin él, el pelo largo vuelve a caer</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::PictureDialog</name>
+    <message>
+        <source>Square</source>
+        <translation>Cuadrada</translation>
+    </message>
+    <message>
+        <source>Large square</source>
+        <translation>Cuadrada grande</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Retrato</translation>
+    </message>
+    <message>
+        <source>1080p</source>
+        <translation>1080p</translation>
+    </message>
+    <message>
+        <source>1080p upright</source>
+        <translation>1080p vertical</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation type="unfinished">Guardar captura</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Guardar…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Cancelar</translation>
+    </message>
+    <message>
+        <source>&amp;Framing</source>
+        <translation>&amp;Encuadre</translation>
+    </message>
+    <message>
+        <source>As in the 3D area</source>
+        <translation>Como en el área 3D</translation>
+    </message>
+    <message>
+        <source>Head and all hair</source>
+        <translation>Cabeza y todo el pelo</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Cabeza</translation>
+    </message>
+    <message>
+        <source>Whole bust</source>
+        <translation>Busto entero</translation>
+    </message>
+    <message>
+        <source>All are seen from where the 3D area looks; turn the view there, also while this is open.</source>
+        <translation>Todos se ven desde donde mira el área 3D; gira allí la vista, también mientras esto está abierto.</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Calidad</translation>
+    </message>
+    <message>
+        <source>Quick, 1 sample a pixel</source>
+        <translation>Rápida, 1 muestra por píxel</translation>
+    </message>
+    <message>
+        <source>Fine, 4 samples a pixel</source>
+        <translation>Fina, 4 muestras por píxel</translation>
+    </message>
+    <message>
+        <source>Finest, 16 samples a pixel</source>
+        <translation>La más fina, 16 muestras por píxel</translation>
+    </message>
+    <message>
+        <source>As the 3D area</source>
+        <translation>Como el área 3D</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3</source>
+        <translation>%1, %2 × %3</translation>
+    </message>
+    <message>
+        <source>Own size</source>
+        <translation>Tamaño propio</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Tamaño</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Ancho</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>A&amp;lto</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the proportion</source>
+        <translation>&amp;Mantener la proporción</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Transparente</translation>
+    </message>
+    <message>
+        <source>A colour</source>
+        <translation>Un color</translation>
+    </message>
+    <message>
+        <source>PNG and OpenEXR keep what is transparent; a JPEG shows the 3D area&apos;s background there.</source>
+        <translation>PNG y OpenEXR conservan lo transparente; un JPEG muestra allí el fondo del área 3D.</translation>
+    </message>
+    <message>
+        <source>Colour of the background</source>
+        <translation>Color del fondo</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>&amp;Fondo</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Pictures of more than %1 pixels a side have one sample a pixel.</source>
+        <translation>Las imágenes de más de %1 píxeles de lado tienen una muestra por píxel.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>No preview</source>
+        <translation>Sin vista previa</translation>
     </message>
 </context>
 <context>
