@@ -50,16 +50,18 @@ QPoint placeBesideHead(QSize size, const DialogRoom& room)
                                       room.screen.right() + 1 - size.width()};
     QPoint best;
     qint64 leastHidden = std::numeric_limits<qint64>::max();
-    for (const int left : lefts) {
-        const QPoint at = insideScreen({head.isEmpty() ? atRight : left, top}, size, room.screen);
-        // What leaves the window is away from the work, which is less bad than to lie over the head.
-        const QRect covered(at, size);
-        const qint64 hidden = 4 * areaOf(covered & head) + areaOf(covered) - areaOf(covered & room.window);
-        if (hidden < leastHidden) {
-            leastHidden = hidden;
-            best = at;
+    // Where there is no room beside it, the strip of styles below it gives some.
+    for (const int y : {top, room.window.bottom() + 1 - kGapPx - size.height()})
+        for (const int left : lefts) {
+            const QPoint at = insideScreen({head.isEmpty() ? atRight : left, y}, size, room.screen);
+            // What leaves the window is away from the work, which is less bad than to lie over the head.
+            const QRect covered(at, size);
+            const qint64 hidden = 4 * areaOf(covered & head) + areaOf(covered) - areaOf(covered & room.window);
+            if (hidden < leastHidden) {
+                leastHidden = hidden;
+                best = at;
+            }
         }
-    }
     return best;
 }
 

@@ -2858,7 +2858,7 @@
     <name>hairpaint::app::PictureExchange</name>
     <message>
         <source>PNG images (*.png)</source>
-        <translation type="unfinished">Imágenes PNG (*.png)</translation>
+        <translation>Imágenes PNG (*.png)</translation>
     </message>
     <message>
         <source>OpenEXR images in linear light (*.exr)</source>
@@ -2870,19 +2870,19 @@
     </message>
     <message>
         <source>Save picture</source>
-        <translation type="unfinished">Guardar captura</translation>
+        <translation>Guardar captura</translation>
     </message>
     <message>
         <source>hairstyle</source>
-        <translation type="unfinished">peinado</translation>
+        <translation>peinado</translation>
     </message>
     <message>
         <source>Saving the picture %1</source>
-        <translation type="unfinished">Guardando la imagen %1</translation>
+        <translation>Guardando la imagen %1</translation>
     </message>
     <message>
         <source>The picture &apos;%1&apos; was not saved: cancelled</source>
-        <translation type="unfinished">No se guardó la imagen &apos;%1&apos;: cancelado</translation>
+        <translation>No se guardó la imagen &apos;%1&apos;: cancelado</translation>
     </message>
 </context>
 <context>
@@ -3932,7 +3932,7 @@ Se ha perdido esto:</translation>
     </message>
     <message>
         <source>Save picture</source>
-        <translation type="unfinished">Guardar captura</translation>
+        <translation>Guardar captura</translation>
     </message>
     <message>
         <source>The small picture shows what will be saved; turn the head in the 3D area while the dialog is open, and it follows. The ending of the file&apos;s name says its kind: PNG, JPEG, or OpenEXR in linear light for compositing. More samples a pixel make finer hair and take longer.</source>
@@ -4414,7 +4414,7 @@ Se ha perdido esto:</translation>
     </message>
     <message>
         <source>Save picture</source>
-        <translation type="unfinished">Guardar captura</translation>
+        <translation>Guardar captura</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
@@ -4422,7 +4422,7 @@ Se ha perdido esto:</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Cancelar</translation>
+        <translation>Cancelar</translation>
     </message>
     <message>
         <source>&amp;Framing</source>

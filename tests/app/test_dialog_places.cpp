@@ -47,6 +47,8 @@ private Q_SLOTS:
         QTest::newRow("no paint area") << large << QRect(0, 0, 1440, 900) << QRect(44, 64, 1110, 680) << light << 0.0;
         QTest::newRow("no paint area, full screen") << large << large << QRect(44, 64, 1590, 860) << light << 0.13;
         QTest::newRow("a small screen") << small << QRect(0, 0, 1100, 680) << QRect(440, 64, 380, 430) << light << 0.1;
+        QTest::newRow("wide, on a small screen")
+            << small << QRect(0, 0, 960, 600) << QRect(350, 64, 330, 380) << QSize(608, 391) << 0.55;
         QTest::newRow("larger than the screen")
             << small << QRect(0, 0, 1100, 680) << QRect(440, 64, 380, 430) << QSize(500, 700) << 0.2;
         QTest::newRow("no 3D area") << large << QRect(0, 0, 1440, 900) << QRect() << light << 0.0;
