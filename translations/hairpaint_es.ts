@@ -4417,8 +4417,8 @@ Se ha perdido esto:</translation>
         <translation>Guardar captura</translation>
     </message>
     <message>
-        <source>&amp;Save…</source>
-        <translation>&amp;Guardar…</translation>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
     </message>
     <message>
         <source>Cancel</source>

@@ -101,6 +101,8 @@ void PictureExchange::followView()
 
 void PictureExchange::drawPreview()
 {
+    if (m_dialog == nullptr)
+        return; // It was closed before its first small picture.
     m_previewed = m_source();
     const QSize px = m_dialog->previewPx();
     const std::shared_ptr<const model::Head> head = m_session.document().project().head;

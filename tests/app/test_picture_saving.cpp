@@ -119,6 +119,10 @@ private Q_SLOTS:
         QTest::keyClick(dialog(), Qt::Key_Return);
         QVERIFY(dialog()->isVisible());
         QVERIFY(m_done.isEmpty());
+        // Closed at once, it asks for nothing more.
+        dialog()->close();
+        test::handleDueEvents();
+        trigger("file.picture", Beside::Leave);
         // There is one dialog, however often it is asked for.
         trigger("file.picture", Beside::Leave);
         QCOMPARE(m_window->findChildren<PictureDialog*>().size(), 1);

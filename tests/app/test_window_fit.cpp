@@ -116,6 +116,7 @@ private Q_SLOTS:
             for (const QString& text : test::paintedTexts(widget))
                 if (text.endsWith(QChar(0x2026)) &&
                     text != QCoreApplication::translate("hairpaint::view::ValuePalette", "Custom…") &&
+                    text != QCoreApplication::translate("hairpaint::view::PictureDialog", "Save…") &&
                     text != QCoreApplication::translate("hairpaint::view::ViewSigns", "Refining…"))
                     cut.append(text);
         };

@@ -87,7 +87,7 @@ PictureDialog::PictureDialog(const PictureChoice& before, QSize viewPx, QWidget*
     row->addLayout(buildSide());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
     QPushButton* save = buttons->button(QDialogButtonBox::Save);
-    save->setText(tr("&Save…"));
+    save->setText(tr("Save…"));
     save->setDefault(true);
     buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
     buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false); // Enter is Save wherever the focus is.
