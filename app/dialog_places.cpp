@@ -20,7 +20,8 @@ constexpr int kGapPx = 12;
 /// Of a frame that is not there yet.
 constexpr QSize kFramePx(8, 36);
 /// A window manager may put a window that far from where it was told to; the user moves it further.
-constexpr int kSlackPx = 40;
+constexpr int kSlackPx = 16;
+constexpr QPoint kInTitle(40, 16); ///< From a dialog's corner; the screen of that is the dialog's.
 
 qint64 areaOf(const QRect& rect)
 {
@@ -95,7 +96,7 @@ void DialogPlaces::place(QDialog& dialog)
 {
     const QSize size = dialog.size() + kFramePx;
     const std::optional<QPoint> left = m_settings.dialogPlace(QString::fromLatin1(dialog.metaObject()->className()));
-    const QScreen* screen = left ? QGuiApplication::screenAt(*left + QPoint(kSlackPx, kSlackPx)) : nullptr;
+    const QScreen* screen = left ? QGuiApplication::screenAt(*left + kInTitle) : nullptr;
     const QRect free = (screen != nullptr ? screen : m_window.screen())->availableGeometry();
     const QPoint at =
         left ? insideScreen(*left, size, free)

@@ -3938,6 +3938,10 @@ Se ha perdido esto:</translation>
         <source>The small picture shows what will be saved; turn the head in the 3D area while the dialog is open, and it follows. The ending of the file&apos;s name says its kind: PNG, JPEG, or OpenEXR in linear light for compositing. More samples a pixel make finer hair and take longer.</source>
         <translation>La imagen pequeña muestra lo que se guardará; gira la cabeza en el área 3D mientras el diálogo está abierto y ella la sigue. La terminación del nombre del archivo dice su tipo: PNG, JPEG u OpenEXR en luz lineal para composición. Más muestras por píxel dan un pelo más fino y tardan más.</translation>
     </message>
+    <message>
+        <source>The dialog stays open meanwhile: turn the head to see the cards from all sides, choose otherwise and ask for a preview again.</source>
+        <translation>El diálogo sigue abierto entretanto: gira la cabeza para ver las tarjetas por todos lados, elige otra cosa y pide otra vista previa.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::KeysPage</name>

@@ -151,6 +151,8 @@ QString dialogPages()
                "Cards are strips of hair with textures, for games and avatars. Preview, or View > Hair as cards, shows "
                "them in the 3D area in place of the hair, until that is changed, with the number of their "
                "triangles.")) +
+           paragraph(HelpDialog::tr("The dialog stays open meanwhile: turn the head to see the cards from all sides, "
+                                    "choose otherwise and ask for a preview again.")) +
            paragraph(HelpDialog::tr(
                "A head whose file had a whole body's skeleton goes out with it as a VRM avatar: the hair swings on the "
                "head's bone. Bones are told by their names, as Mixamo, Unreal, Blender, VRoid and others have them; "
