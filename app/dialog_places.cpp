@@ -82,22 +82,27 @@ bool DialogPlaces::isOurs(const QDialog& dialog) const
 
 bool DialogPlaces::eventFilter(QObject* watched, QEvent* event)
 {
-    if ((event->type() == QEvent::Show || event->type() == QEvent::Hide) && !event->spontaneous())
+    const QEvent::Type type = event->type();
+    const bool isShown = type == QEvent::Show || type == QEvent::Hide;
+    if ((isShown && !event->spontaneous()) || type == QEvent::Resize)
         if (auto* dialog = qobject_cast<QDialog*>(watched); dialog != nullptr && isOurs(*dialog)) {
-            if (event->type() == QEvent::Show)
+            if (type == QEvent::Show)
                 place(*dialog);
-            else
+            else if (type == QEvent::Hide)
                 remember(*dialog);
+            else
+                keepInside(*dialog);
         }
     return QObject::eventFilter(watched, event);
 }
 
 void DialogPlaces::place(QDialog& dialog)
 {
-    const QSize size = dialog.size() + kFramePx;
     const std::optional<QPoint> left = m_settings.dialogPlace(QString::fromLatin1(dialog.metaObject()->className()));
     const QScreen* screen = left ? QGuiApplication::screenAt(*left + kInTitle) : nullptr;
     const QRect free = (screen != nullptr ? screen : m_window.screen())->availableGeometry();
+    dialog.resize(dialog.size().boundedTo(free.size() - kFramePx)); // Those that can be smaller are.
+    const QSize size = dialog.size() + kFramePx;
     const QPoint at =
         left ? insideScreen(*left, size, free)
              : placeBesideHead(size, {.window = m_window.frameGeometry(), .head = m_head(), .screen = free});
@@ -105,12 +110,30 @@ void DialogPlaces::place(QDialog& dialog)
     m_placed[&dialog] = at;
 }
 
+void DialogPlaces::keepInside(QDialog& dialog)
+{
+    const auto placed = m_placed.find(&dialog);
+    if (placed == m_placed.end())
+        return;
+    const QPoint at = insideScreen(dialog.pos(), dialog.size() + kFramePx, dialog.screen()->availableGeometry());
+    if (at == dialog.pos())
+        return;
+    if (!isMoved(dialog, placed->second))
+        placed->second = at;
+    dialog.move(at);
+}
+
+bool DialogPlaces::isMoved(const QDialog& dialog, QPoint from)
+{
+    return (dialog.pos() - from).manhattanLength() > kSlackPx;
+}
+
 void DialogPlaces::remember(QDialog& dialog)
 {
     const auto placed = m_placed.find(&dialog);
     if (placed == m_placed.end())
         return;
-    if ((dialog.pos() - placed->second).manhattanLength() > kSlackPx)
+    if (isMoved(dialog, placed->second))
         m_settings.setDialogPlace(QString::fromLatin1(dialog.metaObject()->className()), dialog.pos());
     m_placed.erase(placed);
 }

@@ -44,6 +44,8 @@ protected:
 private:
     [[nodiscard]] bool isOurs(const QDialog& dialog) const;
     void place(QDialog& dialog);
+    void keepInside(QDialog& dialog);                                      ///< It may have grown.
+    [[nodiscard]] static bool isMoved(const QDialog& dialog, QPoint from); ///< By the user.
     void remember(QDialog& dialog);
 
     QWidget& m_window;

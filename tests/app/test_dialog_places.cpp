@@ -86,6 +86,21 @@ private Q_SLOTS:
         QCOMPARE(insideScreen(wanted, {400, 300}, {0, 0, 960, 600}), at);
     }
 
+    void aDialogStaysInsideTheScreenAlsoWhereItGrows()
+    {
+        openWindow(model::newProject());
+        const QRect screen = m_window->screen()->availableGeometry();
+        QDialog dialog(m_window.get());
+        dialog.resize(4000, 3000);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QVERIFY(screen.contains(dialog.geometry()));
+        dialog.resize(200, 200);
+        dialog.move(screen.bottomRight() - QPoint(240, 240));
+        dialog.resize(300, 400); // As one does that shows more rows.
+        QVERIFY(screen.contains(dialog.geometry()));
+    }
+
     void aDialogOpensBesideTheHeadAndWhereItWasLeft()
     {
         openWindow(model::newProject());
