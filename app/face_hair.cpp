@@ -31,12 +31,13 @@ void FaceHair::toggle()
     if (exists())
         return document.push(showFaceHairCommand(document, !shown()));
     const std::shared_ptr<const model::Head> head = document.committed().head;
-    std::optional<model::Result<Groups>> made =
-        m_jobs.await<Groups>(QCoreApplication::translate("FaceHair", "Growing brows and lashes"),
-                             [&head](const model::Progress& progress) -> model::Result<Groups> {
-                                 std::optional<Groups> grown = model::faceHair(head, progress);
-                                 return grown ? model::Result<Groups>(std::move(*grown)) : model::cancelled(head->name);
-                             });
+    std::optional<model::Result<Groups>> made = m_jobs.await<Groups>(
+        {.text = QCoreApplication::translate("FaceHair", "Growing brows and lashes"),
+         .whenCancelled = QCoreApplication::translate("FaceHair", "Brows and lashes were not grown: cancelled")},
+        [&head](const model::Progress& progress) -> model::Result<Groups> {
+            std::optional<Groups> grown = model::faceHair(head, progress);
+            return grown ? model::Result<Groups>(std::move(*grown)) : model::cancelled(head->name);
+        });
     if (!made)
         return;
     const QString problem = !*made ? made->error().message

@@ -11,13 +11,18 @@ namespace hairpaint::app {
 
 using model::MapKind;
 
+QString HoldHair::notHeldText()
+{
+    return tr("The hair is not held: cancelled");
+}
+
 void HoldHair::hold()
 {
     view::EditorState& editor = m_session.editor();
     editor.commitStroke();
     if (!editor.mayPaint({MapKind::Direction, MapKind::Gel}))
         return;
-    const std::shared_ptr<const sim::StrandFrame> hair = m_exchange.currentHair();
+    const std::shared_ptr<const sim::StrandFrame> hair = m_exchange.currentHair(notHeldText());
     if (hair == nullptr)
         return;
     auto result = held(hair);
@@ -48,7 +53,8 @@ HoldHair::held(const std::shared_ptr<const sim::StrandFrame>& hair)
                                      .leastGel = editor.toolSettings().holdGel};
     const std::shared_ptr<const model::Head> head = document.project().head;
     return m_jobs.await<Edits>(
-        tr("Holding the hair"), [&hair, &head, &request](const model::Progress& progress) -> model::Result<Edits> {
+        {.text = tr("Holding the hair"), .whenCancelled = notHeldText()},
+        [&hair, &head, &request](const model::Progress& progress) -> model::Result<Edits> {
             const auto group = std::ranges::find_if(hair->groups, [&request](const sim::GroupFrame& one) {
                 return one.groom != nullptr && one.groom->groupId == request.direction.address.group;
             });

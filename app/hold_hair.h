@@ -23,6 +23,7 @@ public:
     void hold();
 
 private:
+    [[nodiscard]] static QString notHeldText();
     [[nodiscard]] std::optional<model::Result<std::vector<model::LayerEdit>>>
     held(const std::shared_ptr<const sim::StrandFrame>& hair);
 

@@ -64,7 +64,11 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     : QMainWindow(parent), m_session(std::move(project)), m_jobs(*this), m_freedMemory(m_session.document(), m_jobs),
       m_files(m_session, m_settings, m_jobs, *this), m_journal(m_session.document(), JournalFolder::root()),
       m_exchange(m_session, m_settings, m_jobs, *this), m_actions(m_settings, *this), m_preferences(m_settings),
-      m_clipCommands(m_session), m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this)
+      m_clipCommands(m_session), m_dialogs(*this, m_session.editor(), m_actions, m_preferences), m_focusReturn(this),
+      m_dialogPlaces(*this, m_settings, [this] {
+          const view::HeadView& head = m_workspace->headView();
+          return head.isVisible() ? QRect(head.mapToGlobal(QPoint(0, 0)), head.size()) : QRect();
+      })
 {
     view::applyTheme(*qApp, m_preferences.current().theme); // First: what is built asks how large its text is.
     setAcceptDrops(true);
@@ -201,6 +205,8 @@ void MainWindow::connectAreas()
     connect(&paint, &view::PaintView::statusText, &status, showMessage);
     connect(&m_clipCommands, &ClipCommands::told, &status, showMessage);
     connect(&m_exchange.work(), &FileWork::done, &status, showMessage);
+    connect(&m_jobs, &Jobs::cancelled, &status,
+            [&status](const QString& sentence) { status.showMessage(sentence, false, kReasonMs); });
     auto* areaMenu = new AreaMenu(m_actions, this);
     const auto showMenu = [areaMenu](const QPoint& globalPosition) { areaMenu->popup(globalPosition); };
     connect(&head, &view::HeadView::contextMenuWanted, areaMenu, showMenu);
@@ -214,7 +220,11 @@ void MainWindow::connectFiles()
         scene.cards.reset();
         return thumbnailOf(scene);
     });
-    m_exchange.hair().setSceneSource([this] { return m_workspace->headView().pictureScene(); });
+    PictureExchange& pictures = m_exchange.pictures();
+    pictures.setSource([this] {
+        const view::HeadView& shown = m_workspace->headView();
+        return ShownScene{.scene = shown.pictureScene(), .px = shown.size() * shown.devicePixelRatioF()};
+    });
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
     connect(&m_files, &ProjectFiles::pathChanged, this, [this] { m_journal.setPath(m_files.path()); });
     view::StatusReadout& status = m_workspace->status();
@@ -223,6 +233,7 @@ void MainWindow::connectFiles()
     connect(&m_journal, &Journal::stopped, &status, &view::StatusReadout::setUnprotected);
     connect(&m_journal, &Journal::resumed, &status, [&status] { status.setUnprotected({}); });
     view::HeadView& head = m_workspace->headView();
+    connect(&head, &view::HeadView::frameDrawn, &pictures, &PictureExchange::followView);
     connect(&m_exchange.hair(), &HairExchange::cardsMade, &head, &view::HeadView::showCards);
     connect(&head, &view::HeadView::cardsShownChanged, this, [this] { m_actions.follow(); });
     const auto addHelp = [this](QDialog& dialog, view::HelpDialog::Topic topic) {
@@ -240,7 +251,7 @@ void MainWindow::offerUnsavedWork()
         return;
     m_journal.takeOver(restored->work);
     // Only now is it nowhere else.
-    if (m_jobs.awaitUntil(tr("Restoring unsaved work"), [this] { return m_journal.idle(); }) && !m_journal.isStopped())
+    if (m_jobs.awaitUntil(ProjectFiles::restoring(), [this] { return m_journal.idle(); }) && !m_journal.isStopped())
         restored->folder->remove();
 }
 

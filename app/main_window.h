@@ -4,6 +4,7 @@
 #include "app/action_set.h"
 #include "app/background/journal.h"
 #include "app/clip_commands.h"
+#include "app/dialog_places.h"
 #include "app/exchange/exchange.h"
 #include "app/focus_return.h"
 #include "app/freed_memory.h"
@@ -90,6 +91,7 @@ private:
     ClipCommands m_clipCommands;
     WindowDialogs m_dialogs;
     FocusReturn m_focusReturn;
+    DialogPlaces m_dialogPlaces;
 
     Workspace* m_workspace = nullptr;
     FileMenu* m_fileMenu = nullptr;

@@ -92,7 +92,9 @@ model::Result<void> PictureMaker::save(const rendering::Scene& scene, QSize size
     quality.samples = look.samples;
     quality.linear = isExr(path);
     if (!quality.linear) {
-        const model::Result<QImage> picture = draw(scene, quality, size, progress);
+        rendering::Scene drawn = scene;
+        drawn.transparent = drawn.transparent && !isJpeg(path);
+        const model::Result<QImage> picture = draw(drawn, quality, size, progress);
         return picture ? writePicture(*picture, path, progress) : tl::unexpected(picture.error());
     }
     if (qint64{size.width()} * size.height() > kMostLinearPixels)
@@ -111,10 +113,17 @@ model::Result<void> writePicture(const QImage& picture, const QString& path, con
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    if (!picture.save(&buffer, "PNG"))
+    constexpr int kJpegQuality = 95;
+    if (!(isJpeg(path) ? picture.save(&buffer, "JPG", kJpegQuality) : picture.save(&buffer, "PNG")))
         return model::cannotWrite(
             path, {.text = QCoreApplication::translate("Picture", "there is no picture of that size; choose another")});
     return model::writeWanted(path, bytes, progress);
+}
+
+bool isJpeg(const QString& path)
+{
+    return path.endsWith(QLatin1String(".jpg"), Qt::CaseInsensitive) ||
+           path.endsWith(QLatin1String(".jpeg"), Qt::CaseInsensitive);
 }
 
 bool isExr(const QString& path)

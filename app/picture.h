@@ -28,7 +28,8 @@ class PictureMaker
 public:
     PictureMaker();
 
-    /// Draws the scene and writes it, by the name as PNG or as OpenEXR in linear light; whole or not at all.
+    /// Draws the scene and writes it, by the name as PNG, as JPEG or as OpenEXR in linear light; whole or not at all. A
+    /// JPEG can't be transparent: it shows the scene's background.
     [[nodiscard]] model::Result<void> save(const rendering::Scene& scene, QSize size, const PictureLook& look,
                                            const QString& path, const model::Progress& progress = {});
     /// Every hair, four samples a pixel where that fits. Fails where it is stopped.
@@ -56,10 +57,11 @@ private:
 [[nodiscard]] rendering::Scene pictureScene(const model::Project& project,
                                             std::shared_ptr<const sim::StrandFrame> frame,
                                             const rendering::Camera& camera);
-/// Writes a PNG whole or not at all.
+/// Writes a PNG, or a JPEG where the name says so, whole or not at all.
 [[nodiscard]] model::Result<void> writePicture(const QImage& picture, const QString& path,
                                                const model::Progress& progress = {});
 /// Whether a picture of that name is OpenEXR.
 [[nodiscard]] bool isExr(const QString& path);
+[[nodiscard]] bool isJpeg(const QString& path);
 
 } // namespace hairpaint::app

@@ -39,6 +39,11 @@ ProjectFiles::ProjectFiles(Session& session, Settings& settings, Jobs& jobs, QWi
     connect(&m_watch, &FileWatch::looked, this, &ProjectFiles::tellOfOutside);
 }
 
+Doing ProjectFiles::startingOfNew()
+{
+    return {.text = tr("Starting a new project"), .whenCancelled = tr("No new project was started: cancelled")};
+}
+
 QString ProjectFiles::displayName() const
 {
     if (!path().isEmpty())
@@ -68,17 +73,17 @@ void ProjectFiles::newProject()
 {
     if (!mayDiscard())
         return;
-    begin(tr("Starting a new project"), starterProject);
+    begin(startingOfNew(), starterProject);
 }
 
 bool ProjectFiles::newBaldProject()
 {
     if (!mayDiscard())
         return false;
-    return begin(tr("Starting a new project"), model::newProject);
+    return begin(startingOfNew(), model::newProject);
 }
 
-bool ProjectFiles::begin(const QString& doing, const std::function<model::Project()>& make)
+bool ProjectFiles::begin(const Doing& doing, const std::function<model::Project()>& make)
 {
     const Taken taken = take(doing, model::makeEncodedLayers(), {},
                              [make](const model::Progress&) { return model::Result<model::Project>(make()); });
@@ -87,12 +92,14 @@ bool ProjectFiles::begin(const QString& doing, const std::function<model::Projec
     return taken.isOpen;
 }
 
-QString ProjectFiles::openingOf(const QString& path)
+Doing ProjectFiles::openingOf(const QString& path)
 {
-    return tr("Opening %1").arg(QFileInfo(path).fileName());
+    const QString name = QFileInfo(path).fileName();
+    return {.text = tr("Opening %1").arg(name),
+            .whenCancelled = tr("The project '%1' was not opened: cancelled").arg(name)};
 }
 
-ProjectFiles::Taken ProjectFiles::take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded,
+ProjectFiles::Taken ProjectFiles::take(const Doing& doing, std::shared_ptr<model::EncodedLayers> encoded,
                                        const QString& path, Work<model::Project> read)
 {
     struct Ready
@@ -205,11 +212,17 @@ bool ProjectFiles::openPath(const QString& path)
     return false;
 }
 
+Doing ProjectFiles::restoring()
+{
+    return {.text = tr("Restoring unsaved work"),
+            .whenCancelled = tr("The unsaved work was not restored: cancelled; the next start offers it again")};
+}
+
 bool ProjectFiles::restore(const model::RecoveredWork& work)
 {
     const model::JournalState& state = work.steps.at(work.current);
     std::optional<model::Result<model::ResolvedMaps>> maps = m_jobs.await<model::ResolvedMaps>(
-        tr("Restoring unsaved work"), [&state](const model::Progress&) -> model::Result<model::ResolvedMaps> {
+        restoring(), [&state](const model::Progress&) -> model::Result<model::ResolvedMaps> {
             return model::ResolvedMaps(state.project);
         });
     if (!maps)
@@ -231,8 +244,10 @@ bool ProjectFiles::openRepaired(const QString& path)
         model::RepairedProject repaired;
         model::ResolvedMaps maps;
     };
+    const QString name = QFileInfo(path).fileName();
     Awaited<Ready> ready =
-        m_jobs.awaitOrLeave<Ready>(tr("Repairing %1").arg(QFileInfo(path).fileName()),
+        m_jobs.awaitOrLeave<Ready>({.text = tr("Repairing %1").arg(name),
+                                    .whenCancelled = tr("The project '%1' was not opened: cancelled").arg(name)},
                                    [path](const model::Progress& progress) -> model::Result<Ready> {
                                        model::Result<model::RepairedProject> repaired =
                                            model::repairProject(path, progress);
@@ -341,7 +356,9 @@ bool ProjectFiles::saveTo(const QString& path, Changed changed)
         return saveElsewhere(path);
     // The picture is to show what is saved.
     const std::shared_ptr<const void> whole = m_session.wholeHair();
-    const QString saving = tr("Saving %1").arg(QFileInfo(path).fileName());
+    const QString name = QFileInfo(path).fileName();
+    const Doing saving{.text = tr("Saving %1").arg(name),
+                       .whenCancelled = tr("The project '%1' was not saved: cancelled").arg(name)};
     const bool came = m_jobs.awaitUntil(saving, [this] {
         m_session.endPreviews(); // Also those that come late.
         return m_session.hair() != Session::Hair::Underway;
@@ -353,15 +370,17 @@ bool ProjectFiles::saveTo(const QString& path, Changed changed)
     const auto underWay = std::make_shared<const bool>(true);
     Awaited<Saved> saved = [&] {
         const QScopedValueRollback saves(m_saving, true);
-        return m_jobs.awaitOrLeave<Saved>(saving, [work = savingOf(path, changed), underWay](
-                                                      const model::Progress& progress) { return work(progress); });
+        return m_jobs.awaitOrLeave<Saved>(
+            saving,
+            [work = savingOf(path, changed), underWay](const model::Progress& progress) { return work(progress); },
+            Late::Used); // What was written in spite of Cancel is there.
     }();
     if (saved.end == WorkEnd::Left) {
         m_left.emplace_back(path, underWay);
         m_encoded = model::makeEncodedLayers(); // It may still use the other.
         return saveElsewhere(path);
     }
-    if (!*saved.result) // What was written in spite of it is there.
+    if (!*saved.result)
         return saved.end != WorkEnd::Cancelled && offerAnotherPlace(saved.result->error().message) && saveAs();
     if ((*saved.result)->wasChanged)
         return answerOutside();

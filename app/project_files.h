@@ -42,6 +42,7 @@ public:
     bool openPath(const QString& path);
     /// What a journal kept takes the place of the project that is open, which nobody has changed.
     bool restore(const model::RecoveredWork& work);
+    [[nodiscard]] static Doing restoring();
     bool save();
     bool saveAs();
     /// Offers to save; false where the user wants to stay.
@@ -57,15 +58,16 @@ Q_SIGNALS:
 
 private:
     /// Without a file.
-    bool begin(const QString& doing, const std::function<model::Project()>& make);
-    [[nodiscard]] static QString openingOf(const QString& path);
+    bool begin(const Doing& doing, const std::function<model::Project()>& make);
+    [[nodiscard]] static Doing startingOfNew();
+    [[nodiscard]] static Doing openingOf(const QString& path);
     struct Taken
     {
         bool isOpen = false;
         std::optional<model::Error> problem; ///< None where it was cancelled.
     };
     /// Reads a project and resolves its maps in the background; then it takes the place of the one that is open.
-    Taken take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
+    Taken take(const Doing& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
                Work<model::Project> read);
     /// What can be read of a damaged file takes the place of the project that is open, as one that was never saved.
     bool openRepaired(const QString& path);

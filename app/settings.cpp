@@ -98,6 +98,51 @@ void Settings::setAvatarAuthor(const QString& author)
     m_settings.setValue(QStringLiteral("avatarAuthor"), author);
 }
 
+view::PictureChoice Settings::pictureChoice() const
+{
+    view::PictureChoice choice;
+    const QVariantMap map = m_settings.value(QStringLiteral("picture")).toMap();
+    const auto number = [&map](const char* key, int otherwise, int least, int most) {
+        return std::clamp(map.value(QLatin1String(key), otherwise).toInt(), least, most);
+    };
+    choice.isAsView = map.value(QStringLiteral("asView"), choice.isAsView).toBool();
+    choice.size = {number("width", choice.size.width(), choice.kLeastPx, choice.kMostPx),
+                   number("height", choice.size.height(), choice.kLeastPx, choice.kMostPx)};
+    choice.keepsShape = map.value(QStringLiteral("keepsShape"), choice.keepsShape).toBool();
+    choice.framing = static_cast<view::PictureFraming>(number("framing", 0, 0, 3));
+    choice.background = static_cast<view::PictureBackground>(number("background", 0, 0, 2));
+    if (const QColor colour(map.value(QStringLiteral("colour")).toString()); colour.isValid())
+        choice.colour = colour;
+    choice.samples = number("samples", choice.samples, 1, 16);
+    return choice;
+}
+
+void Settings::setPictureChoice(const view::PictureChoice& choice)
+{
+    m_settings.setValue(QStringLiteral("picture"),
+                        QVariantMap{{QStringLiteral("asView"), choice.isAsView},
+                                    {QStringLiteral("width"), choice.size.width()},
+                                    {QStringLiteral("height"), choice.size.height()},
+                                    {QStringLiteral("keepsShape"), choice.keepsShape},
+                                    {QStringLiteral("framing"), static_cast<int>(choice.framing)},
+                                    {QStringLiteral("background"), static_cast<int>(choice.background)},
+                                    {QStringLiteral("colour"), choice.colour.name()},
+                                    {QStringLiteral("samples"), choice.samples}});
+}
+
+std::optional<QPoint> Settings::dialogPlace(const QString& dialog) const
+{
+    const QVariantList place = m_settings.value(QStringLiteral("places/") + dialog).toList();
+    if (place.size() != 2)
+        return std::nullopt;
+    return QPoint(place[0].toInt(), place[1].toInt());
+}
+
+void Settings::setDialogPlace(const QString& dialog, QPoint place)
+{
+    m_settings.setValue(QStringLiteral("places/") + dialog, QVariantList{place.x(), place.y()});
+}
+
 std::optional<QKeySequence> Settings::key(const QString& actionId) const
 {
     const QVariant value = m_settings.value(QStringLiteral("keys/") + actionId);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "app/settings_store.h"
+#include "view/dialogs/picture_dialog.h"
 #include "view/dialogs/preferences_dialog.h"
 
 #include <QByteArray>
 #include <QKeySequence>
+#include <QPoint>
 #include <QStringList>
 
 #include <optional>
@@ -38,6 +40,14 @@ public:
     /// Whom avatars name as their author.
     [[nodiscard]] QString avatarAuthor() const;
     void setAvatarAuthor(const QString& author);
+
+    /// How pictures are saved.
+    [[nodiscard]] view::PictureChoice pictureChoice() const;
+    void setPictureChoice(const view::PictureChoice& choice);
+
+    /// Where the user left a dialog, global px; none where it stays where it opens.
+    [[nodiscard]] std::optional<QPoint> dialogPlace(const QString& dialog) const;
+    void setDialogPlace(const QString& dialog, QPoint place);
 
     /// A rebound key; none where the default holds.
     [[nodiscard]] std::optional<QKeySequence> key(const QString& actionId) const;

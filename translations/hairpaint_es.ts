@@ -741,6 +741,10 @@
         <source>Brows and lashes</source>
         <translation>Cejas y pestañas</translation>
     </message>
+    <message>
+        <source>Brows and lashes were not grown: cancelled</source>
+        <translation>No se crearon cejas ni pestañas: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>Files</name>
@@ -1580,6 +1584,10 @@
         <source>There is no hair to hold in this group.</source>
         <translation>No hay pelo que fijar en este grupo.</translation>
     </message>
+    <message>
+        <source>The hair is not held: cancelled</source>
+        <translation>El pelo no se fijó: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>Landmarks</name>
@@ -2084,6 +2092,10 @@
         <source>Drawing the picture</source>
         <translation>Dibujando la imagen</translation>
     </message>
+    <message>
+        <source>Unsaved work was not looked for: cancelled; the next start looks again</source>
+        <translation>No se buscó trabajo sin guardar: cancelado; el próximo inicio vuelve a buscarlo</translation>
+    </message>
 </context>
 <context>
     <name>Rendering</name>
@@ -2535,6 +2547,14 @@
         <source>Reading %1</source>
         <translation>Leyendo %1</translation>
     </message>
+    <message>
+        <source>The file &apos;%1&apos; was not read: cancelled</source>
+        <translation>No se leyó el archivo &apos;%1&apos;: cancelado</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; was not written: cancelled</source>
+        <translation>No se escribió el archivo &apos;%1&apos;: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HairExchange</name>
@@ -2599,24 +2619,16 @@
         <translation>El complemento está instalado en Blender %1. Activa allí «Hair Paint hair» en Editar &gt; Preferencias &gt; Complementos; después Archivo &gt; Importar lee el pelo exportado como .hair.</translation>
     </message>
     <message>
-        <source>PNG images without background (*.png)</source>
-        <translation>Imágenes PNG sin fondo (*.png)</translation>
+        <source>The hair was not exported: cancelled</source>
+        <translation>No se exportó el pelo: cancelado</translation>
     </message>
     <message>
-        <source>PNG images (*.png)</source>
-        <translation>Imágenes PNG (*.png)</translation>
+        <source>No cards were made: cancelled</source>
+        <translation>No se crearon tarjetas: cancelado</translation>
     </message>
     <message>
-        <source>OpenEXR images in linear light, without background (*.exr)</source>
-        <translation>Imágenes OpenEXR en luz lineal, sin fondo (*.exr)</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>Guardar captura</translation>
-    </message>
-    <message>
-        <source>hairstyle</source>
-        <translation>peinado</translation>
+        <source>The Blender add-on was not installed: cancelled</source>
+        <translation>No se instaló el complemento de Blender: cancelado</translation>
     </message>
 </context>
 <context>
@@ -2744,6 +2756,14 @@
         <source>Carrying the hair over</source>
         <translation>Pasando el pelo</translation>
     </message>
+    <message>
+        <source>The head was not replaced by &apos;%1&apos;: cancelled</source>
+        <translation>No se reemplazó la cabeza por &apos;%1&apos;: cancelado</translation>
+    </message>
+    <message>
+        <source>The head was not replaced: cancelled</source>
+        <translation>No se reemplazó la cabeza: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::HelpMenu</name>
@@ -2824,10 +2844,6 @@
         <source>Drawing the picture</source>
         <translation>Dibujando la imagen</translation>
     </message>
-    <message>
-        <source>Restoring unsaved work</source>
-        <translation>Recuperando el trabajo sin guardar</translation>
-    </message>
 </context>
 <context>
     <name>hairpaint::app::MapExchange</name>
@@ -2893,6 +2909,10 @@
         <source>Images (*.png *.tif *.exr *.tga)</source>
         <translation>Imágenes (*.png *.tif *.exr *.tga)</translation>
     </message>
+    <message>
+        <source>The maps were not written: cancelled</source>
+        <translation>No se escribieron los mapas: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::MapMenu</name>
@@ -2924,6 +2944,10 @@
         <source>Hair Paint</source>
         <translation>Hair Paint</translation>
     </message>
+    <message>
+        <source>The map keeps its size: cancelled</source>
+        <translation>El mapa conserva su tamaño: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::OutsideEdit</name>
@@ -2934,10 +2958,6 @@
     <message>
         <source>The layer &apos;%1&apos; is locked; unlock it in the panel Layers first.</source>
         <translation>La capa «%1» está bloqueada; desbloquéala antes en el panel Capas.</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>Escribiendo %1</translation>
     </message>
     <message>
         <source>The system knows no program that opens &apos;%1&apos;; open it yourself: what is saved there comes back.</source>
@@ -2966,6 +2986,37 @@
     <message>
         <source>The layer &apos;%1&apos; is locked; unlock it in the panel Layers and save &apos;%2&apos; again.</source>
         <translation>La capa «%1» está bloqueada; desbloquéala en el panel Capas y guarda «%2» de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::PictureExchange</name>
+    <message>
+        <source>PNG images (*.png)</source>
+        <translation>Imágenes PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>OpenEXR images in linear light (*.exr)</source>
+        <translation>Imágenes OpenEXR en luz lineal (*.exr)</translation>
+    </message>
+    <message>
+        <source>JPEG images (*.jpg)</source>
+        <translation>Imágenes JPEG (*.jpg)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Guardar captura</translation>
+    </message>
+    <message>
+        <source>hairstyle</source>
+        <translation>peinado</translation>
+    </message>
+    <message>
+        <source>Saving the picture %1</source>
+        <translation>Guardando la imagen %1</translation>
+    </message>
+    <message>
+        <source>The picture &apos;%1&apos; was not saved: cancelled</source>
+        <translation>No se guardó la imagen &apos;%1&apos;: cancelado</translation>
     </message>
 </context>
 <context>
@@ -3057,6 +3108,22 @@
     <message>
         <source>What is left of it can be opened as a new project; the file stays as it is.</source>
         <translation>Lo que queda de él se puede abrir como un proyecto nuevo; el archivo queda como está.</translation>
+    </message>
+    <message>
+        <source>No new project was started: cancelled</source>
+        <translation>No se empezó un proyecto nuevo: cancelado</translation>
+    </message>
+    <message>
+        <source>The project &apos;%1&apos; was not opened: cancelled</source>
+        <translation>No se abrió el proyecto &apos;%1&apos;: cancelado</translation>
+    </message>
+    <message>
+        <source>The unsaved work was not restored: cancelled; the next start offers it again</source>
+        <translation>No se recuperó el trabajo sin guardar: cancelado; el próximo inicio lo ofrece de nuevo</translation>
+    </message>
+    <message>
+        <source>The project &apos;%1&apos; was not saved: cancelled</source>
+        <translation>No se guardó el proyecto &apos;%1&apos;: cancelado</translation>
     </message>
 </context>
 <context>
@@ -3188,6 +3255,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>&apos;%1&apos; could not be moved to the trash; delete it by hand.</source>
         <translation>«%1» no se pudo mover a la papelera; elimínalo a mano.</translation>
+    </message>
+    <message>
+        <source>The style &apos;%1&apos; was not saved: cancelled</source>
+        <translation>No se guardó el estilo &apos;%1&apos;: cancelado</translation>
+    </message>
+    <message>
+        <source>The style &apos;%1&apos; was not renamed: cancelled</source>
+        <translation>No se cambió el nombre del estilo &apos;%1&apos;: cancelado</translation>
     </message>
 </context>
 <context>
@@ -4029,6 +4104,18 @@ Se ha perdido esto:</translation>
         <source>Makes all hair of the active group longer, denser or more widely curled by a percentage, and shows it at once. The ranges of the maps (Greatest length, Greatest density, Curl radius) are another thing: they say how far a map reaches, and what is painted stays as long, dense and wide as it is. Hair beyond a narrower range is cut to it.</source>
         <translation>Hace todo el pelo del grupo activo más largo, más denso o de rizo más ancho en un porcentaje, y lo muestra al momento. Los rangos de los mapas (Longitud máxima, Densidad máxima, Radio del rizo) son otra cosa: dicen hasta dónde llega un mapa, y lo pintado sigue igual de largo, denso y ancho. El pelo que pasa de un rango más corto se corta a él.</translation>
     </message>
+    <message>
+        <source>The dialog stays open meanwhile: turn the head to see the cards from all sides, choose otherwise and ask for a preview again.</source>
+        <translation>El diálogo sigue abierto entretanto: gira la cabeza para ver las tarjetas por todos lados, elige otra cosa y pide otra vista previa.</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Guardar captura</translation>
+    </message>
+    <message>
+        <source>The small picture shows what will be saved; turn the head in the 3D area while the dialog is open, and it follows. The ending of the file&apos;s name says its kind: PNG, JPEG, or OpenEXR in linear light for compositing. More samples a pixel make finer hair and take longer.</source>
+        <translation>La imagen pequeña muestra lo que se guardará; gira la cabeza en el área 3D mientras el diálogo está abierto y ella la sigue. La terminación del nombre del archivo dice su tipo: PNG, JPEG u OpenEXR en luz lineal para composición. Más muestras por píxel dan un pelo más fino y tardan más.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::view::KeysPage</name>
@@ -4234,18 +4321,6 @@ Se ha perdido esto:</translation>
         <translation>Ambiente</translation>
     </message>
     <message>
-        <source>Red</source>
-        <translation>Rojo</translation>
-    </message>
-    <message>
-        <source>Green</source>
-        <translation>Verde</translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation>Azul</translation>
-    </message>
-    <message>
         <source>Light colour</source>
         <translation>Color de la luz</translation>
     </message>
@@ -4272,6 +4347,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>Hair scatters light by</source>
         <translation>El pelo dispersa la luz según</translation>
+    </message>
+    <message>
+        <source>What colours the light of that temperature, as a gel before the lamp does. Click to choose it, right-click for white; R, G and B of the weather keys (F7) raise its parts, with Shift they lower them.</source>
+        <translation>Lo que colorea la luz de esa temperatura, como un gel ante la lámpara. Haz clic para elegirlo, clic derecho para blanco; R, G y B de las teclas del clima (F7) suben sus partes, con Mayús las bajan.</translation>
+    </message>
+    <message>
+        <source>R %1  G %2  B %3 %</source>
+        <translation>R %1  G %2  B %3 %</translation>
     </message>
 </context>
 <context>
@@ -4479,6 +4562,153 @@ Se ha perdido esto:</translation>
     <message>
         <source>The gel that keeps hair where it was pulled; long hair falls back without</source>
         <translation>El gel que mantiene el pelo donde se llevó; sin él, el pelo largo vuelve a caer</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::PictureDialog</name>
+    <message>
+        <source>Square</source>
+        <translation>Cuadrada</translation>
+    </message>
+    <message>
+        <source>Large square</source>
+        <translation>Cuadrada grande</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Retrato</translation>
+    </message>
+    <message>
+        <source>1080p</source>
+        <translation>1080p</translation>
+    </message>
+    <message>
+        <source>1080p upright</source>
+        <translation>1080p vertical</translation>
+    </message>
+    <message>
+        <source>4K</source>
+        <translation>4K</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Guardar captura</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>&amp;Framing</source>
+        <translation>&amp;Encuadre</translation>
+    </message>
+    <message>
+        <source>As in the 3D area</source>
+        <translation>Como en el área 3D</translation>
+    </message>
+    <message>
+        <source>Head and all hair</source>
+        <translation>Cabeza y todo el pelo</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Cabeza</translation>
+    </message>
+    <message>
+        <source>Whole bust</source>
+        <translation>Busto entero</translation>
+    </message>
+    <message>
+        <source>All are seen from where the 3D area looks; turn the view there, also while this is open.</source>
+        <translation>Todos se ven desde donde mira el área 3D; gira allí la vista, también mientras esto está abierto.</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Calidad</translation>
+    </message>
+    <message>
+        <source>Quick, 1 sample a pixel</source>
+        <translation>Rápida, 1 muestra por píxel</translation>
+    </message>
+    <message>
+        <source>Fine, 4 samples a pixel</source>
+        <translation>Fina, 4 muestras por píxel</translation>
+    </message>
+    <message>
+        <source>Finest, 16 samples a pixel</source>
+        <translation>La más fina, 16 muestras por píxel</translation>
+    </message>
+    <message>
+        <source>As the 3D area</source>
+        <translation>Como el área 3D</translation>
+    </message>
+    <message>
+        <source>%1, %2 × %3</source>
+        <translation>%1, %2 × %3</translation>
+    </message>
+    <message>
+        <source>Own size</source>
+        <translation>Tamaño propio</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Tamaño</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Ancho</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>A&amp;lto</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the proportion</source>
+        <translation>&amp;Mantener la proporción</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Transparente</translation>
+    </message>
+    <message>
+        <source>A colour</source>
+        <translation>Un color</translation>
+    </message>
+    <message>
+        <source>PNG and OpenEXR keep what is transparent; a JPEG shows the 3D area&apos;s background there.</source>
+        <translation>PNG y OpenEXR conservan lo transparente; un JPEG muestra allí el fondo del área 3D.</translation>
+    </message>
+    <message>
+        <source>Colour of the background</source>
+        <translation>Color del fondo</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>&amp;Fondo</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Pictures of more than %1 pixels a side have one sample a pixel.</source>
+        <translation>Las imágenes de más de %1 píxeles de lado tienen una muestra por píxel.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>No preview</source>
+        <translation>Sin vista previa</translation>
     </message>
 </context>
 <context>

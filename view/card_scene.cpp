@@ -7,7 +7,8 @@
 
 namespace hairpaint::view {
 
-std::shared_ptr<const rendering::CardSet> cardSet(model::HairCards& cards, const sim::HeadPose& pose)
+std::shared_ptr<const rendering::CardSet> cardSet(model::HairCards& cards, const sim::HeadPose& pose,
+                                                  std::span<const sim::StrandMaterial> materials)
 {
     auto set = std::make_shared<rendering::CardSet>();
     const glm::quat back = glm::conjugate(pose.rotation);
@@ -17,7 +18,9 @@ std::shared_ptr<const rendering::CardSet> cardSet(model::HairCards& cards, const
         for (const model::CardVertex& vertex : mesh.vertices)
             set->corners.push_back({.placeHd = back * (vertex.position - pose.positionWo),
                                     .normalHd = back * vertex.normal,
-                                    .uv = vertex.uv});
+                                    .uv = vertex.uv,
+                                    .shine = materials[group].shine,
+                                    .roughness = materials[group].roughness});
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
             set->triangles.push_back(first + glm::uvec3(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]));
     }
@@ -27,6 +30,7 @@ std::shared_ptr<const rendering::CardSet> cardSet(model::HairCards& cards, const
         atlas.texels.emplace_back(cards.images.texels()[i].colour, cards.images.alpha()[i]);
     set->levels = rendering::withSmallerLevels(std::move(atlas));
     set->cutoff = model::kCardCutoff;
+    rendering::tellHairOfCorners(*set);
     return set;
 }
 

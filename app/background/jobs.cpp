@@ -71,6 +71,11 @@ public:
         m_bar->setRange(0, 0); // Moves to and fro until it is known how far the work is.
         m_bar->setTextVisible(false);
         m_buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+        // It opens under keys that were meant for the dialog before: none of them may be taken for Cancel. So no button
+        // is the default, and what shows how far the work is has the focus, one step before Cancel.
+        m_buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
+        m_bar->setFocusPolicy(Qt::StrongFocus);
+        m_bar->setFocus();
         connect(m_buttons, &QDialogButtonBox::rejected, this, &ProgressWindow::reject);
         layout->addWidget(m_label);
         layout->addWidget(m_bar);
@@ -278,16 +283,19 @@ bool Jobs::anyLeft()
     return leftThreads > 0;
 }
 
-bool Jobs::awaitUntil(const QString& doing, const std::function<bool()>& ready)
+bool Jobs::awaitUntil(const Doing& doing, const std::function<bool()>& ready)
 {
     if (ready())
         return true;
     QEventLoop loop;
-    watch(doing, m_window, m_clock, loop, [&](ProgressWindow& progress) {
+    const bool isCancelled = watch(doing.text, m_window, m_clock, loop, [&](ProgressWindow& progress) {
         if (ready() || progress.cancelled())
             loop.quit();
     });
-    return ready();
+    const bool isReady = ready();
+    if (isCancelled && !isReady)
+        Q_EMIT cancelled(doing.whenCancelled);
+    return isReady;
 }
 
 void Jobs::runUnwatched(Unwatched work)

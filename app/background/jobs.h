@@ -29,10 +29,17 @@ namespace hairpaint::app {
 template<typename T>
 using Work = std::function<model::Result<T>(const model::Progress&)>;
 
+/// What is done, and what became of it.
+struct Doing
+{
+    QString text;          ///< As in "Reading head.glb".
+    QString whenCancelled; ///< A sentence that names what was not done: "'head.glb' was not read: cancelled".
+};
+
 /// How work ended that was waited for.
 enum class WorkEnd
 {
-    Done,
+    Done, ///< Also where Cancel came too late for what was written, or whose result is used all the same.
     Cancelled,
     Left ///< It was cancelled, and still has not stopped.
 };
@@ -45,8 +52,14 @@ struct Awaited
     std::optional<model::Result<T>> result;
 };
 
-/// Lives on the GUI thread. Whatever a job throws becomes its error, which names `doing`: what is done, the file named,
-/// as in "Reading head.glb".
+/// What is made of a result that came in spite of Cancel.
+enum class Late
+{
+    Used,
+    Dropped
+};
+
+/// Lives on the GUI thread. Whatever a job throws becomes its error, which names `doing`: what is done, the file named.
 class Jobs : public QObject
 {
     Q_OBJECT
@@ -59,17 +72,19 @@ public:
     void setClock(Clock clock) { m_clock = std::move(clock); }
 
     /// The result, waited for: the window stays alive but takes no input, and what is clicked or typed meanwhile is
-    /// lost. After half a second a window shows how far the work is; its Cancel is all that can be pressed. None where
-    /// the work was cancelled.
+    /// lost. After half a second a window shows how far the work is. Its Cancel is all that can be pressed, by mouse or
+    /// with Esc: Enter and Space, which may still have been meant for the dialog before, do nothing. None where the
+    /// work was cancelled, which has been told.
     template<typename T>
-    [[nodiscard]] std::optional<model::Result<T>> await(const QString& doing, const Work<T>& work);
+    [[nodiscard]] std::optional<model::Result<T>> await(const Doing& doing, const Work<T>& work);
     /// Waits in the same way until `ready` (asked again and again, on the GUI thread); false where cancelled.
-    [[nodiscard]] bool awaitUntil(const QString& doing, const std::function<bool()>& ready);
+    [[nodiscard]] bool awaitUntil(const Doing& doing, const std::function<bool()>& ready);
 
     /// The same for work on a disk that may not answer: what has not stopped a while after Cancel, and computes nothing
     /// meanwhile, is left to itself, so it owns all that it uses.
     template<typename T>
-    [[nodiscard]] Awaited<T> awaitOrLeave(const QString& doing, Work<T> work);
+    [[nodiscard]] Awaited<T> awaitOrLeave(const Doing& doing, Work<T> work,
+                                          Late late = std::is_void_v<T> ? Late::Used : Late::Dropped);
 
     /// Nobody waits: `done` gets the result, on the GUI thread, unless `receiver` is gone by then.
     template<typename T>
@@ -80,6 +95,10 @@ public:
     void ask(std::function<T()> question, QObject* receiver, std::function<void(T)> done);
     /// Work that was left to itself, or a question, is under way: the program ends without its threads' leave.
     [[nodiscard]] static bool anyLeft();
+
+Q_SIGNALS:
+    /// Something was not done because the user did not want to wait for it: a sentence that names it.
+    void cancelled(const QString& sentence);
 
 protected:
     void customEvent(QEvent* event) override; ///< Something is done that nobody waited for.
@@ -112,29 +131,37 @@ private:
 };
 
 template<typename T>
-std::optional<model::Result<T>> Jobs::await(const QString& doing, const Work<T>& work)
+std::optional<model::Result<T>> Jobs::await(const Doing& doing, const Work<T>& work)
 {
     std::optional<model::Result<T>> result;
     const WorkEnd end = runWatched(
-        doing,
-        [&](const model::Progress& progress) { result.emplace(model::guarded(doing, [&] { return work(progress); })); },
+        doing.text,
+        [&](const model::Progress& progress) {
+            result.emplace(model::guarded(doing.text, [&] { return work(progress); }));
+        },
         false);
     // What was written in spite of it is there; what was only read or made is not used.
-    if (end == WorkEnd::Cancelled && (!std::is_void_v<T> || !*result))
+    if (end == WorkEnd::Cancelled && (!std::is_void_v<T> || !*result)) {
+        Q_EMIT cancelled(doing.whenCancelled);
         return std::nullopt;
+    }
     return result;
 }
 
 template<typename T>
-Awaited<T> Jobs::awaitOrLeave(const QString& doing, Work<T> work)
+Awaited<T> Jobs::awaitOrLeave(const Doing& doing, Work<T> work, Late late)
 {
     const auto result = std::make_shared<std::optional<model::Result<T>>>();
-    const WorkEnd end = runWatched(
-        doing,
-        [doing, work = std::move(work), result](const model::Progress& progress) {
-            result->emplace(model::guarded(doing, [&] { return work(progress); }));
+    WorkEnd end = runWatched(
+        doing.text,
+        [text = doing.text, work = std::move(work), result](const model::Progress& progress) {
+            result->emplace(model::guarded(text, [&] { return work(progress); }));
         },
         true);
+    if (end == WorkEnd::Cancelled && late == Late::Used && **result)
+        end = WorkEnd::Done;
+    if (end == WorkEnd::Cancelled)
+        Q_EMIT cancelled(doing.whenCancelled);
     // What is left may be writing it.
     return {.end = end, .result = end == WorkEnd::Left ? std::nullopt : std::move(*result)};
 }

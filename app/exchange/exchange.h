@@ -4,6 +4,7 @@
 #include "app/exchange/hair_exchange.h"
 #include "app/exchange/head_exchange.h"
 #include "app/exchange/map_exchange.h"
+#include "app/exchange/picture_exchange.h"
 #include "app/exchange/style_files.h"
 
 namespace hairpaint::app {
@@ -14,13 +15,14 @@ class Exchange
 public:
     Exchange(Session& session, Settings& settings, Jobs& jobs, QWidget& window)
         : m_work(settings, jobs, window), m_hair(session, m_work), m_heads(session, m_work), m_maps(session, m_work),
-          m_styles(session, m_work)
+          m_pictures(session, m_work, m_hair), m_styles(session, m_work)
     {}
 
     [[nodiscard]] FileWork& work() { return m_work; }
     [[nodiscard]] HairExchange& hair() { return m_hair; }
     [[nodiscard]] HeadExchange& heads() { return m_heads; }
     [[nodiscard]] MapExchange& maps() { return m_maps; }
+    [[nodiscard]] PictureExchange& pictures() { return m_pictures; }
     [[nodiscard]] StyleFiles& styles() { return m_styles; }
 
 private:
@@ -28,6 +30,7 @@ private:
     HairExchange m_hair;
     HeadExchange m_heads;
     MapExchange m_maps;
+    PictureExchange m_pictures;
     StyleFiles m_styles;
 };
 

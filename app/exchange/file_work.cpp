@@ -30,21 +30,20 @@ QString FileWork::askOpenPath(const QString& title, const QString& filter)
     return path;
 }
 
-bool FileWork::write(const QString& path, Work<void> work)
+bool FileWork::write(const Doing& doing, const QString& path, Work<void> work)
 {
-    const QString name = QFileInfo(path).fileName();
-    if (!change(tr("Writing %1").arg(name), path, std::move(work)))
+    if (!change(doing, path, std::move(work)))
         return false;
-    Q_EMIT done(tr("%1 written").arg(name));
+    Q_EMIT done(tr("%1 written").arg(QFileInfo(path).fileName()));
     return true;
 }
 
-bool FileWork::change(const QString& doing, const QString& path, Work<void> work)
+bool FileWork::change(const Doing& doing, const QString& path, Work<void> work)
 {
     const Awaited<void> awaited = m_jobs.awaitOrLeave<void>(doing, std::move(work));
     const bool failed = awaited.result && !*awaited.result;
     complainOf(awaited.end, failed ? &awaited.result->error() : nullptr, path, model::cannotWrite);
-    return awaited.result && !failed; // What was written in spite of Cancel is there.
+    return awaited.result && !failed;
 }
 
 void FileWork::complain(const QString& message)
@@ -60,9 +59,17 @@ void FileWork::complainOf(WorkEnd end, const model::Error* error, const QString&
         complain(error->message);
 }
 
-QString FileWork::readingOf(const QString& path)
+Doing FileWork::readingOf(const QString& path)
 {
-    return tr("Reading %1").arg(QFileInfo(path).fileName());
+    const QString name = QFileInfo(path).fileName();
+    return {.text = tr("Reading %1").arg(name), .whenCancelled = tr("The file '%1' was not read: cancelled").arg(name)};
+}
+
+Doing FileWork::writingOf(const QString& path)
+{
+    const QString name = QFileInfo(path).fileName();
+    return {.text = tr("Writing %1").arg(name),
+            .whenCancelled = tr("The file '%1' was not written: cancelled").arg(name)};
 }
 
 } // namespace hairpaint::app

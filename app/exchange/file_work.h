@@ -29,10 +29,12 @@ public:
     [[nodiscard]] std::optional<T> read(const QString& path, Work<T> work);
     /// Writes the file or folder `path`, and tells that it did; false where it failed, which has been told, or was
     /// cancelled.
-    bool write(const QString& path, Work<void> work);
+    bool write(const QString& path, Work<void> work) { return write(writingOf(path), path, std::move(work)); }
+    bool write(const Doing& doing, const QString& path, Work<void> work);
     /// The same, where what is done has words of its own, and nothing is told when it is.
-    bool change(const QString& doing, const QString& path, Work<void> work);
+    bool change(const Doing& doing, const QString& path, Work<void> work);
 
+    [[nodiscard]] static Doing writingOf(const QString& path);
     void tell(const QString& message) { Q_EMIT done(message); }
     void complain(const QString& message);
     void announce(QDialog& dialog, view::HelpDialog::Topic topic) { Q_EMIT dialogMade(dialog, topic); }
@@ -46,7 +48,7 @@ Q_SIGNALS:
     void dialogMade(QDialog& dialog, hairpaint::view::HelpDialog::Topic topic);
 
 private:
-    [[nodiscard]] static QString readingOf(const QString& path);
+    [[nodiscard]] static Doing readingOf(const QString& path);
     /// Nothing to be told: it is there, or was cancelled.
     void complainOf(WorkEnd end, const model::Error* error, const QString& path, model::Phrase phrase);
 

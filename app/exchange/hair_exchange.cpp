@@ -1,9 +1,8 @@
-// Curves, cards and pictures: see the header.
+// Curves and cards: see the header.
 #include "app/exchange/hair_exchange.h"
 
 #include "app/exchange/blender_addon.h"
 #include "app/exchange/hair_export.h"
-#include "app/picture.h"
 #include "model/commands/commands.h"
 #include "model/importing/curve_import.h"
 #include "model/importing/curve_reader.h"
@@ -14,26 +13,23 @@
 
 namespace hairpaint::app {
 
-namespace {
-
-constexpr QSize kPictureSize(2048, 2048);
-
-} // namespace
-
-HairExchange::HairExchange(Session& session, FileWork& files) : QObject(&files), m_session(session), m_files(files) {}
-
-void HairExchange::setSceneSource(std::function<rendering::Scene()> source)
+HairExchange::HairExchange(Session& session, FileWork& files) : QObject(&files), m_session(session), m_files(files)
 {
-    m_scene = std::move(source);
+    connect(&session, &Session::frameChanged, this, &HairExchange::followHair);
+    connect(&session.document(), &model::Document::changed, this, [this](const model::Change& change) {
+        if (change.aspect == model::Change::Aspect::Head || change.aspect == model::Change::Aspect::Everything)
+            followHead();
+    });
 }
 
-std::shared_ptr<const sim::StrandFrame> HairExchange::currentHair()
+std::shared_ptr<const sim::StrandFrame> HairExchange::currentHair(const QString& whenCancelled)
 {
     const std::shared_ptr<const void> whole = m_session.wholeHair();
-    const bool came = m_files.jobs().awaitUntil(tr("Waiting for the newest hair"), [this] {
-        m_session.endPreviews(); // Also those that come late.
-        return m_session.hair() != Session::Hair::Underway;
-    });
+    const bool came =
+        m_files.jobs().awaitUntil({.text = tr("Waiting for the newest hair"), .whenCancelled = whenCancelled}, [this] {
+            m_session.endPreviews(); // Also those that come late.
+            return m_session.hair() != Session::Hair::Underway;
+        });
     if (!came)
         return nullptr;
     if (m_session.hair() == Session::Hair::Current)
@@ -42,24 +38,63 @@ std::shared_ptr<const sim::StrandFrame> HairExchange::currentHair()
     return nullptr;
 }
 
+QString HairExchange::notExportedText()
+{
+    return tr("The hair was not exported: cancelled");
+}
+
 void HairExchange::exportHair()
 {
-    const std::shared_ptr<const sim::StrandFrame> frame = currentHair();
+    if (m_dialog == nullptr) {
+        const std::shared_ptr<const sim::StrandFrame> frame = currentHair(notExportedText());
+        if (frame == nullptr)
+            return;
+        const model::Project project = m_session.document().committed();
+        m_export.author = m_files.settings().avatarAuthor();
+        m_dialog = new view::ExportHairDialog(exportableGroups(project, *frame), m_export, &m_files.window());
+        m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+        m_dialog->setAvatarProblem(avatarProblem(project));
+        m_files.announce(*m_dialog, view::HelpDialog::Topic::HairExport);
+        connect(m_dialog, &QDialog::finished, this, [this] { m_dialog.clear(); }); // It goes by itself.
+        connect(m_dialog, &view::ExportHairDialog::exportWanted, this, &HairExchange::exportChosenHair);
+        connect(m_dialog, &view::ExportHairDialog::previewWanted, this, [this] {
+            rememberChoice();
+            previewChosen();
+        });
+    }
+    m_dialog->show();
+    m_dialog->raise();
+    m_dialog->activateWindow();
+}
+
+void HairExchange::rememberChoice()
+{
+    m_export = m_dialog->choice();
+    m_files.settings().setAvatarAuthor(m_export.author);
+}
+
+void HairExchange::followHair()
+{
+    const std::shared_ptr<const sim::StrandFrame> frame = m_session.frame();
+    if (m_dialog == nullptr || frame == nullptr || frame->preview)
+        return;
+    m_dialog->setGroups(exportableGroups(m_session.document().committed(), *frame));
+}
+
+void HairExchange::followHead()
+{
+    if (m_dialog != nullptr)
+        m_dialog->setAvatarProblem(avatarProblem(m_session.document().committed()));
+}
+
+void HairExchange::exportChosenHair()
+{
+    rememberChoice();
+    const std::shared_ptr<const sim::StrandFrame> frame = currentHair(notExportedText());
     if (frame == nullptr)
         return;
     const model::Project project = m_session.document().committed();
-    m_export.author = m_files.settings().avatarAuthor();
-    view::ExportHairDialog dialog(exportableGroups(project, *frame), m_export, &m_files.window());
-    dialog.setAvatarProblem(avatarProblem(project));
-    m_files.announce(dialog, view::HelpDialog::Topic::HairExport);
-    const int answer = dialog.exec();
-    if (answer == QDialog::Rejected)
-        return;
-    view::HairExportChoice choice = dialog.choice();
-    m_export = choice;
-    m_files.settings().setAvatarAuthor(choice.author);
-    if (answer == view::ExportHairDialog::kPreview)
-        return previewChosen(frame);
+    view::HairExportChoice choice = m_export;
     const QString suffix = QString::fromLatin1(choice.request.format->suffix);
     const QString path =
         m_files.askSavePath({.title = tr("Export hair"),
@@ -72,31 +107,39 @@ void HairExchange::exportHair()
     // The name's ending may tell of another format.
     if (const model::ExportFormat* named = model::findExportFormat(path, choice.request.format))
         choice.request.format = named;
-    m_files.write(path, [project, frame, choice, path](const model::Progress& progress) {
+    const bool isWritten = m_files.write(path, [project, frame, choice, path](const model::Progress& progress) {
         return exportChosen(project, frame, choice, path, progress);
     });
+    if (isWritten && m_dialog != nullptr)
+        m_dialog->accept();
+}
+
+QString HairExchange::noCardsText()
+{
+    return tr("No cards were made: cancelled");
 }
 
 void HairExchange::previewCards()
 {
-    const std::shared_ptr<const sim::StrandFrame> frame = currentHair();
+    model::CurveOptions& curves = m_export.request.curves;
+    curves = {};
+    previewChosen();
+}
+
+void HairExchange::previewChosen()
+{
+    const std::shared_ptr<const sim::StrandFrame> frame = currentHair(noCardsText());
     if (frame == nullptr)
         return;
     model::CurveOptions& curves = m_export.request.curves;
-    curves = {};
-    for (const view::ExportableGroup& group : exportableGroups(m_session.document().committed(), *frame))
-        curves.groups.push_back({.id = group.id, .name = group.name});
-    previewChosen(frame);
-}
-
-void HairExchange::previewChosen(const std::shared_ptr<const sim::StrandFrame>& frame)
-{
+    if (curves.groups.empty()) // All of them.
+        for (const view::ExportableGroup& group : exportableGroups(m_session.document().committed(), *frame))
+            curves.groups.push_back({.id = group.id, .name = group.name});
     using CardsPtr = std::shared_ptr<const rendering::CardSet>;
     const model::Project project = m_session.document().committed();
-    const std::optional<model::Result<CardsPtr>> cards =
-        m_files.jobs().await<CardsPtr>(tr("Making cards"), [&](const model::Progress& progress) {
-            return cardsChosen(project, frame, m_export, progress);
-        });
+    const std::optional<model::Result<CardsPtr>> cards = m_files.jobs().await<CardsPtr>(
+        {.text = tr("Making cards"), .whenCancelled = noCardsText()},
+        [&](const model::Progress& progress) { return cardsChosen(project, frame, m_export, progress); });
     if (!cards)
         return;
     if (!*cards)
@@ -153,14 +196,14 @@ void HairExchange::installBlenderAddon()
             m_files.write(path, [path](const model::Progress& progress) { return saveBlenderAddon(path, progress); });
         return;
     }
-    const bool installed =
-        m_files.change(tr("Installing the add-on"), folders.front(),
-                       [folders](const model::Progress& progress) -> model::Result<void> {
-                           for (const QString& folder : folders)
-                               if (model::Result<void> one = app::installBlenderAddon(folder, progress); !one)
-                                   return one;
-                           return {};
-                       });
+    const bool installed = m_files.change(
+        {.text = tr("Installing the add-on"), .whenCancelled = tr("The Blender add-on was not installed: cancelled")},
+        folders.front(), [folders](const model::Progress& progress) -> model::Result<void> {
+            for (const QString& folder : folders)
+                if (model::Result<void> one = app::installBlenderAddon(folder, progress); !one)
+                    return one;
+            return {};
+        });
     if (!installed)
         return;
     QStringList versions;
@@ -170,26 +213,6 @@ void HairExchange::installBlenderAddon()
                              tr("The add-on is installed in Blender %1. Turn on “Hair Paint hair” there under Edit > "
                                 "Preferences > Add-ons; then File > Import reads hair that is exported as .hair.")
                                  .arg(versions.join(QLatin1String(", "))));
-}
-
-void HairExchange::savePicture()
-{
-    const QString transparent = tr("PNG images without background (*.png)");
-    const QStringList filters{tr("PNG images (*.png)"), transparent,
-                              tr("OpenEXR images in linear light, without background (*.exr)")};
-    QString filter;
-    const QString path = m_files.askSavePath({.title = tr("Save picture"),
-                                              .suggestedPath = tr("hairstyle"),
-                                              .filter = filters.join(QLatin1String(";;")),
-                                              .suffix = QStringLiteral("png")},
-                                             &filter);
-    if (path.isEmpty() || currentHair() == nullptr)
-        return;
-    rendering::Scene scene = m_scene();
-    scene.transparent = isExr(path) || filter == transparent;
-    m_files.write(path, [scene, path](const model::Progress& progress) {
-        return PictureMaker().save(scene, kPictureSize, {}, path, progress);
-    });
 }
 
 } // namespace hairpaint::app

@@ -1,12 +1,14 @@
-// Hair goes out to other programs and comes in from them: as curves, as cards, as pictures.
+// Hair goes out to other programs and comes in from them: as curves, as cards.
 #pragma once
 
 #include "app/exchange/file_work.h"
 #include "app/session.h"
 #include "view/dialogs/export_hair_dialog.h"
-#include "view/rendering/scene.h"
+#include "view/rendering/card_set.h"
 
-#include <functional>
+#include <QPointer>
+
+#include <memory>
 
 namespace hairpaint::app {
 
@@ -17,10 +19,9 @@ class HairExchange : public QObject
 public:
     HairExchange(Session& session, FileWork& files);
 
-    /// What the 3D area shows at present, for pictures of it.
-    void setSceneSource(std::function<rendering::Scene()> source);
-
-    void exportHair(); ///< Asks how and for the file.
+    /// Asks how, in a dialog that stays open until a file is written: its preview can be looked at from all sides and
+    /// asked for again meanwhile. Then asks for the file.
+    void exportHair();
     /// Makes cards of the hair as they were last chosen for export, and has them shown; nothing is written.
     void previewCards();
     /// Curves of other programs as new hair groups, one undo step.
@@ -28,20 +29,26 @@ public:
     void importHairFrom(const QString& path);
     /// Into every Blender that is there; asks for a place where there is none.
     void installBlenderAddon();
-    void savePicture();
     /// The hair of the document as it is, waited for; null where that was cancelled or there is no memory for it.
-    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair();
+    /// `whenCancelled`: as in Doing.
+    [[nodiscard]] std::shared_ptr<const sim::StrandFrame> currentHair(const QString& whenCancelled);
 
 Q_SIGNALS:
     void cardsMade(const std::shared_ptr<const hairpaint::rendering::CardSet>& cards);
 
 private:
-    void previewChosen(const std::shared_ptr<const sim::StrandFrame>& frame);
+    [[nodiscard]] static QString noCardsText();
+    [[nodiscard]] static QString notExportedText();
+    void rememberChoice(); ///< Of the open dialog.
+    void exportChosenHair();
+    void previewChosen();
+    void followHair(); ///< The open dialog offers the groups and hairs that there are.
+    void followHead();
 
     Session& m_session;
     FileWork& m_files;
-    std::function<rendering::Scene()> m_scene;
     view::HairExportChoice m_export; ///< That was last made.
+    QPointer<view::ExportHairDialog> m_dialog;
 };
 
 } // namespace hairpaint::app

@@ -92,14 +92,18 @@ cardsChosen(const model::Project& project, const std::shared_ptr<const sim::Stra
     constexpr double kMeasured = 0.2; // Of all work, finding the curves.
     const Shape shape = chosenShape(project, frame, choice.source, progress);
     std::optional<model::HairCards> cards;
+    std::vector<sim::StrandMaterial> materials;
     if (shape.frame != nullptr)
         if (const std::optional<model::CurveSet> curves = model::CurveSet::of(
-                shape.frame, choice.request.curves, [&](double done) { return shape.progress(kMeasured * done); }))
+                shape.frame, choice.request.curves, [&](double done) { return shape.progress(kMeasured * done); })) {
             cards = model::makeCards(*curves, choice.request.format->cardsFor(choice.request.cards),
                                      [&](double done) { return shape.progress(kMeasured + (1.0 - kMeasured) * done); });
+            for (const model::CurveGroup& group : curves->groups())
+                materials.push_back(shape.frame->groups[group.frameGroup].groom->settings.material);
+        }
     if (!cards)
         return model::cancelled(project.head->name);
-    return view::cardSet(*cards, shape.frame->pose);
+    return view::cardSet(*cards, shape.frame->pose, materials);
 }
 
 } // namespace hairpaint::app

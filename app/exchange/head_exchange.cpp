@@ -16,6 +16,12 @@ namespace hairpaint::app {
 
 HeadExchange::HeadExchange(Session& session, FileWork& files) : QObject(&files), m_session(session), m_files(files) {}
 
+Doing HeadExchange::preparing(const QString& name)
+{
+    return {.text = tr("Preparing %1").arg(name),
+            .whenCancelled = tr("The head was not replaced by '%1': cancelled").arg(name)};
+}
+
 void HeadExchange::importHead()
 {
     const QString path =
@@ -38,7 +44,7 @@ void HeadExchange::importHeadFrom(const QString& path)
         return;
     const model::HeadGuess guess{.unitScale = dialog.unitScale(), .upAxis = dialog.upAxis()};
     const std::optional<model::Result<ImportedHead>> made =
-        m_files.jobs().await<ImportedHead>(tr("Preparing %1").arg(name), [&](const model::Progress& progress) {
+        m_files.jobs().await<ImportedHead>(preparing(name), [&](const model::Progress& progress) {
             return remakeHead(QFileInfo(path).completeBaseName(), model::glbFromMesh(*mesh), guess, progress);
         });
     if (!made)
@@ -76,7 +82,7 @@ void HeadExchange::useBuiltInHead(const model::NamedHead& named)
     m_session.editor().commitStroke();
     using HeadPtr = std::shared_ptr<const model::Head>;
     const std::optional<model::Result<HeadPtr>> head = m_files.jobs().await<HeadPtr>(
-        tr("Preparing %1").arg(named.title), [&named](const model::Progress&) -> model::Result<HeadPtr> {
+        preparing(named.title), [&named](const model::Progress&) -> model::Result<HeadPtr> {
             const model::Checked<HeadPtr> known = model::builtInHead(named.name);
             return known ? model::Result<HeadPtr>(*known) : model::cannotOpen(named.title, known.error());
         });
@@ -100,7 +106,8 @@ void HeadExchange::replaceHead(const std::shared_ptr<const model::Head>& head, s
     for (model::Project before; carriesHair && !(groups && before.groups == document.committed().groups);) {
         before = document.committed();
         std::optional<model::Result<Groups>> carried = m_files.jobs().await<Groups>(
-            tr("Carrying the hair over"), [&before, &head](const model::Progress& progress) -> model::Result<Groups> {
+            {.text = tr("Carrying the hair over"), .whenCancelled = tr("The head was not replaced: cancelled")},
+            [&before, &head](const model::Progress& progress) -> model::Result<Groups> {
                 std::optional<Groups> moved = model::carriedGroups(before.groups, before.head, head, progress);
                 return moved ? model::Result<Groups>(std::move(*moved)) : model::cancelled(head->name);
             });

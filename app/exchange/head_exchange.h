@@ -21,6 +21,7 @@ public:
     void useBuiltInHead(const model::NamedHead& named);
 
 private:
+    [[nodiscard]] static Doing preparing(const QString& name);
     /// The head with its landmarks where the user wants them; null where he wants none of it.
     [[nodiscard]] std::shared_ptr<const model::Head> withLandmarksAsked(const std::shared_ptr<const model::Head>& head);
     /// One undo step. The hairstyle is carried to the new head, or its maps stay as they lie.

@@ -143,10 +143,11 @@ void MapExchange::saveMaps()
                                  .arg(there.front()),
                              QMessageBox::Yes | QMessageBox::No, QMessageBox::No) != QMessageBox::Yes)
         return;
-    const bool written = m_files.change(tr("Writing maps"), folder,
-                                        [maps, folder, options = m_choice.options](const model::Progress& progress) {
-                                            return model::writeMapImages(maps, folder, options, progress);
-                                        });
+    const bool written =
+        m_files.change({.text = tr("Writing maps"), .whenCancelled = tr("The maps were not written: cancelled")},
+                       folder, [maps, folder, options = m_choice.options](const model::Progress& progress) {
+                           return model::writeMapImages(maps, folder, options, progress);
+                       });
     if (written)
         m_files.tell(tr("%Ln maps written", nullptr, count));
 }

@@ -54,11 +54,10 @@ void OutsideEdit::begin()
     const model::MapSpec& spec = model::mapSpec(target.map);
     const QString path =
         m_folder->filePath(QStringLiteral("%1-%2.png").arg(QLatin1StringView(spec.id)).arg(++m_number));
-    const bool written = m_files.change(tr("Writing %1").arg(QFileInfo(path).fileName()), path,
-                                        [raster = layer->raster, &spec, path](const model::Progress& progress) {
-                                            return model::ImporterClient().writeImage(
-                                                model::imageFromLayer(raster, spec), path, 16, progress);
-                                        });
+    const bool written = m_files.change(
+        FileWork::writingOf(path), path, [raster = layer->raster, &spec, path](const model::Progress& progress) {
+            return model::ImporterClient().writeImage(model::imageFromLayer(raster, spec), path, 16, progress);
+        });
     if (!written)
         return;
     auto watch = std::make_unique<FileWatch>(m_files.jobs());

@@ -34,10 +34,11 @@ void StyleFiles::save()
         return;
     // Without a picture: the strip has one drawn, framed as all the others are.
     const model::Project project = m_session.document().committed();
-    const bool saved =
-        m_files.change(tr("Saving style %1").arg(name), path, [project, name, path](const model::Progress& progress) {
-            return model::savePreset(model::presetFrom(project, name), path, progress);
-        });
+    const bool saved = m_files.change({.text = tr("Saving style %1").arg(name),
+                                       .whenCancelled = tr("The style '%1' was not saved: cancelled").arg(name)},
+                                      path, [project, name, path](const model::Progress& progress) {
+                                          return model::savePreset(model::presetFrom(project, name), path, progress);
+                                      });
     if (!saved)
         return;
     Q_EMIT changed();
@@ -58,7 +59,9 @@ void StyleFiles::rename(const QString& path)
         QMessageBox::question(&m_files.window(), tr("Rename style"),
                               tr("There is a style '%1' already. Replace it?").arg(name)) != QMessageBox::Yes)
         return;
-    m_files.change(tr("Renaming %1").arg(before), path,
+    m_files.change({.text = tr("Renaming %1").arg(before),
+                    .whenCancelled = tr("The style '%1' was not renamed: cancelled").arg(before)},
+                   path,
                    [path, name](const model::Progress& progress) { return app::renameStyle(path, name, progress); });
     Q_EMIT changed(); // Also where it was cancelled: it may have come too late.
 }

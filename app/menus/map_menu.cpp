@@ -78,10 +78,11 @@ void MapMenu::resizeMap(int size)
     document.endEdit();
     const model::LayerAddress target = m_session.editor().target();
     const auto run = [this](const QString& doing, const auto& work) {
-        const auto done = m_jobs.await<bool>(doing, [&work](const model::Progress& progress) {
-            work(progress);
-            return model::Result<bool>(true);
-        });
+        const auto done = m_jobs.await<bool>({.text = doing, .whenCancelled = tr("The map keeps its size: cancelled")},
+                                             [&work](const model::Progress& progress) {
+                                                 work(progress);
+                                                 return model::Result<bool>(true);
+                                             });
         if (done && !*done)
             QMessageBox::warning(parentWidget()->window(), tr("Hair Paint"), done->error().message);
         return done && *done;

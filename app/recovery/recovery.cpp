@@ -37,7 +37,9 @@ std::vector<RestoredWork> readJournals(const QString& root, Jobs& jobs)
         using Read = std::optional<model::RecoveredWork>;
         const QString file = folder->file();
         std::optional<model::Result<Read>> read =
-            jobs.await<Read>(Recovery::tr("Looking for unsaved work"),
+            jobs.await<Read>({.text = Recovery::tr("Looking for unsaved work"),
+                              .whenCancelled = Recovery::tr("Unsaved work was not looked for: cancelled; the next "
+                                                            "start looks again")},
                              [&file](const model::Progress& progress) { return model::readJournal(file, progress); });
         if (!read)
             break; // Cancelled: they are there at the next start.

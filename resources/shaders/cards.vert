@@ -1,20 +1,23 @@
-// Hair cards, Hd to the screen, and the light that white ones would throw back: it reaches around them, as it does
-// through hair.
+// Hair cards, Hd to the screen, and the light on the hair that lies along them, over its colour.
 layout(location = 0) in vec3 placeHd;
 layout(location = 1) in vec3 normalHd;
-layout(location = 2) in vec2 cornerUv;
+layout(location = 2) in vec3 tangentHd; // Unit, toward the tips.
+layout(location = 3) in vec3 hairColour; // Around there; linear.
+layout(location = 4) in vec2 cornerUv;
+layout(location = 5) in vec2 material; // Shine, roughness.
+uniform float crossed; // Hair in the way of its lights, area over area.
 out vec2 uv;
 out vec3 light;
 
 void main()
 {
-    const float kWrap = 0.35;
-    vec3 n = mat3(woFromHd) * normalHd;
-    light = 0.6 * irradianceAt(n);
-    vec3 lamps[3] = vec3[](keyWo.xyz, fillWo.xyz, rimWo.xyz);
-    vec3 lampColours[3] = vec3[](keyColour.rgb, fillColour.rgb, rimColour.rgb);
-    for (int i = 0; i < 3; ++i)
-        light += 0.7 * clamp((dot(n, lamps[i]) + kWrap) / (1.0 + kWrap), 0.0, 1.0) * lampColours[i];
+    const float kRound = 0.04; // m: a lock is lit as if it bulged by that, so that its sides differ.
+    mat3 turn = mat3(woFromHd);
+    vec4 placeWo = woFromHd * vec4(placeHd, 1.0);
+    vec3 colour = clamp(hairColour, 0.004, 1.0);
+    HairPoint point = HairPoint(placeWo.xyz + kRound * (turn * normalHd), turn * tangentHd, colour, fibreDepth(colour),
+                                0.0, crossed, crossed, crossed);
+    light = hairLight(point, material.x, material.y) / colour;
     uv = cornerUv;
-    gl_Position = projectionFromWo * (woFromHd * vec4(placeHd, 1.0));
+    gl_Position = projectionFromWo * placeWo;
 }

@@ -10,6 +10,7 @@
 #include "view/dialogs/hair_import_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/landmarks_dialog.h"
+#include "view/dialogs/picture_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QDropEvent>
@@ -18,6 +19,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QPushButton>
 
 #include <functional>
@@ -43,6 +45,17 @@ public:
 
     Answerer() { startTimer(5); }
 
+    /// Answers a dialog that stands beside the window and keeps nothing waiting; it is left where that did not end it.
+    void answer(QDialog& beside)
+    {
+        if (auto* exported = qobject_cast<view::ExportHairDialog*>(&beside); exported != nullptr && choosesExport)
+            choosesExport(*exported);
+        const QPointer<QDialog> dialog(&beside); // It goes when it is done.
+        press(beside, !file.isEmpty());
+        if (dialog && dialog->isVisible())
+            dialog->reject();
+    }
+
 protected:
     void timerEvent(QTimerEvent* /*event*/) override
     {
@@ -63,11 +76,6 @@ protected:
             if (movesLandmarks)
                 movesLandmarks(*landmarks);
             press(*landmarks, takesLandmarks);
-        } else if (auto* exported = qobject_cast<view::ExportHairDialog*>(waiting)) {
-            if (choosesExport)
-                choosesExport(*exported);
-            if (exported->isVisible()) // Else it was done with another of its buttons.
-                press(*exported, !file.isEmpty());
         } else if (auto* maps = qobject_cast<view::ExportMapsDialog*>(waiting)) {
             if (choosesMaps)
                 choosesMaps(*maps);
@@ -123,7 +131,18 @@ protected:
     }
 
     [[nodiscard]] QAction* action(const char* id) { return m_window->actions().find(QLatin1StringView(id)); }
-    void trigger(const char* id) { action(id)->trigger(); }
+    enum class Beside ///< What becomes of a dialog that the action opened beside the window.
+    {
+        Answer,
+        Leave
+    };
+    void trigger(const char* id, Beside beside = Beside::Answer)
+    {
+        action(id)->trigger();
+        for (const QPointer<QDialog>& dialog : openDialogs(*m_window))
+            if (beside == Beside::Answer && dialog)
+                m_answers->answer(*dialog);
+    }
     [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
 
     void drop(const QString& file)

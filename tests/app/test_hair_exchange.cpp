@@ -89,7 +89,15 @@ private Q_SLOTS:
                 if (button->text() == QStringLiteral("Pre&view"))
                     button->click();
         };
-        trigger(fromDialog ? "file.exportHair" : "view.cards");
+        if (fromDialog) {
+            trigger("file.exportHair", Beside::Leave);
+            auto* dialog = m_window->findChild<view::ExportHairDialog*>();
+            QVERIFY(dialog != nullptr && !dialog->isModal());
+            m_answers->choosesExport(*dialog);
+            QVERIFY(dialog->isVisible()); // Other cards can be asked for while these are looked at.
+        } else {
+            trigger("view.cards");
+        }
         QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('\n'))));
         QVERIFY(head.cardsShown() && action("view.cards")->isChecked());
         QVERIFY(m_done.isEmpty() && !QFile::exists(path("unwritten.glb")));
@@ -101,9 +109,21 @@ private Q_SLOTS:
         const QImage cards = head.grabPicture({200, 200});
         QVERIFY(cards != strands);
 
-        trigger("view.cards");
+        if (fromDialog) {
+            // They can be turned, and others asked for, while the dialog is open.
+            auto* dialog = m_window->findChild<view::ExportHairDialog*>();
+            head.setView(rendering::StandardView::Back);
+            dialog->findChildren<view::BarSlider*>()[2]->setValue(1500.0);
+            Q_EMIT dialog->previewWanted();
+            QVERIFY(head.pictureScene().cards->triangles.size() < triangles);
+            QVERIFY(dialog->isVisible());
+            QTest::keyClick(dialog, Qt::Key_Escape);
+            QVERIFY(!dialog->isVisible() && head.cardsShown());
+        }
+
+        trigger("view.cards", Beside::Leave);
         QVERIFY(!head.cardsShown() && !action("view.cards")->isChecked());
-        trigger("view.cards");
+        trigger("view.cards", Beside::Leave);
         QVERIFY(head.cardsShown());
         key(Qt::Key_1);
         drag(m_window->paintView(), paintPoint(0.45F, 0.5F), paintPoint(0.55F, 0.5F));

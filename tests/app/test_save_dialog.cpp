@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 
 namespace hairpaint::app {
@@ -35,8 +36,6 @@ protected:
             for (QAbstractButton* button : files->findChild<QDialogButtonBox*>()->buttons())
                 if (files->findChild<QDialogButtonBox*>()->buttonRole(button) == QDialogButtonBox::AcceptRole)
                     return button->click();
-        } else if (auto* exported = qobject_cast<view::ExportHairDialog*>(waiting)) {
-            exported->accept();
         } else if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
             asked += box->text();
             box->button(replaces ? QMessageBox::Yes : QMessageBox::No)->click();
@@ -58,6 +57,20 @@ private:
         QTest::newRow("hair") << QByteArray("file.exportHair") << QStringLiteral(".hair");
         QTest::newRow("picture") << QByteArray("file.picture") << QStringLiteral(".png");
         QTest::newRow("map") << QByteArray("file.saveImage") << QStringLiteral(".png");
+    }
+
+    /// Dialogs beside the window go on to the file's with Enter.
+    void trigger(const QByteArray& action)
+    {
+        m_window->actions().find(QLatin1StringView(action))->trigger();
+        for (const QPointer<QDialog>& dialog : openDialogs(*m_window)) {
+            if (auto* exported = qobject_cast<view::ExportHairDialog*>(dialog))
+                Q_EMIT exported->exportWanted(); // Also of a head without hair.
+            else
+                QTest::keyClick(dialog, Qt::Key_Return);
+            if (dialog && dialog->isVisible())
+                dialog->reject();
+        }
     }
 
 private Q_SLOTS:
@@ -83,7 +96,7 @@ private Q_SLOTS:
 
         // Without the ending, with it, and then given up.
         saver.names = {bare, bare + suffix};
-        m_window->actions().find(QLatin1StringView(action))->trigger();
+        trigger(action);
         QCOMPARE(saver.asked.size(), 2);
         for (const QString& question : saver.asked)
             QVERIFY2(question.contains(QStringLiteral("taken") + suffix), qPrintable(question));
@@ -91,14 +104,14 @@ private Q_SLOTS:
 
         // Another name needs no question.
         saver.names = {bare, other};
-        m_window->actions().find(QLatin1StringView(action))->trigger();
+        trigger(action);
         QCOMPARE(saver.asked.size(), 3);
         QVERIFY(QFileInfo::exists(other));
         QCOMPARE(test::readBytes(bare + suffix), QByteArray("old"));
 
         saver.replaces = true;
         saver.names = {bare};
-        m_window->actions().find(QLatin1StringView(action))->trigger();
+        trigger(action);
         QCOMPARE(saver.asked.size(), 4);
         QVERIFY(test::readBytes(bare + suffix).size() > 100);
     }
@@ -116,7 +129,7 @@ private Q_SLOTS:
         const QString name = m_folder.filePath(QStringLiteral("take 1.2"));
         Saver saver;
         saver.names = {name};
-        m_window->actions().find(QLatin1StringView(action))->trigger();
+        trigger(action);
         QVERIFY(QFileInfo::exists(name + suffix));
         QVERIFY(!QFileInfo::exists(name));
     }
@@ -130,6 +143,7 @@ private Q_SLOTS:
         QTest::newRow("in capitals") << QByteArray("file.saveImage") << QStringLiteral("MAP.TGA");
         QTest::newRow("a longer ending") << QByteArray("file.saveImage") << QStringLiteral("map.tiff");
         QTest::newRow("linear light") << QByteArray("file.picture") << QStringLiteral("picture.exr");
+        QTest::newRow("JPEG") << QByteArray("file.picture") << QStringLiteral("picture.jpeg");
     }
     void anEndingOfTheSameKindIsKept()
     {
@@ -138,7 +152,7 @@ private Q_SLOTS:
         openWindow(model::newProject());
         Saver saver;
         saver.names = {m_folder.filePath(name)};
-        m_window->actions().find(QLatin1StringView(action))->trigger();
+        trigger(action);
         QVERIFY(QFileInfo::exists(m_folder.filePath(name)));
     }
 };

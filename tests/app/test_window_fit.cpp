@@ -116,6 +116,7 @@ private Q_SLOTS:
             for (const QString& text : test::paintedTexts(widget))
                 if (text.endsWith(QChar(0x2026)) &&
                     text != QCoreApplication::translate("hairpaint::view::ValuePalette", "Custom…") &&
+                    text != QCoreApplication::translate("hairpaint::view::PictureDialog", "Save…") &&
                     text != QCoreApplication::translate("hairpaint::view::ViewSigns", "Refining…"))
                     cut.append(text);
         };
@@ -130,7 +131,7 @@ private Q_SLOTS:
         auto* sidebar = m_window->findChild<view::Sidebar*>();
         sidebar->showHair();
         measure(*m_window);
-        for (const char* id : {"hair.windDialog", "hair.lightDialog", "edit.preferences", "help.help"})
+        for (const char* id : {"hair.windDialog", "hair.lightDialog", "edit.preferences", "help.help", "file.picture"})
             m_window->actions().find(QLatin1StringView(id))->trigger();
         for (QDialog* dialog : m_window->findChildren<QDialog*>()) {
             QVERIFY(QTest::qWaitForWindowExposed(dialog));

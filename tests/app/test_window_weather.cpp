@@ -1,7 +1,12 @@
 // The Weather overlay in the real window: what its keys change is kept after a pause as one step, or undone whole.
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
+#include "view/dialogs/light_dialog.h"
 #include "view/weather_overlay.h"
+
+#include <QLabel>
+
+#include <algorithm>
 
 namespace hairpaint::app {
 
@@ -105,6 +110,28 @@ private Q_SLOTS:
         QVERIFY(!overlay.pausing()); // Nothing else comes.
         QCOMPARE(stack().count(), 1);
         QVERIFY(isAsWanted());
+    }
+
+    void theLightsDialogFollowsTheKeys()
+    {
+        openWindow(breezyProject());
+        m_window->actions().find(QLatin1StringView("hair.lightDialog"))->trigger();
+        auto* dialog = m_window->findChild<view::LightDialog*>();
+        const auto says = [dialog](const QString& text) {
+            const auto labels = dialog->findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [&text](const QLabel* label) { return label->text() == text; });
+        };
+        QVERIFY(says(QStringLiteral("R 50  G 50  B 50 %")));
+        view::WeatherOverlay& overlay = openWeather();
+        for (const Qt::Key pressed : {Qt::Key_R, Qt::Key_R, Qt::Key_G})
+            QTest::keyClick(&overlay, pressed);
+        QTest::keyClick(&overlay, Qt::Key_B, Qt::ShiftModifier);
+        QVERIFY(says(QStringLiteral("R 60  G 55  B 45 %")));
+        QTest::keyClick(&overlay, Qt::Key_Escape);
+        QCOMPARE(stack().count(), 1);
+        QVERIFY(says(QStringLiteral("R 60  G 55  B 45 %")));
+        stack().undo();
+        QVERIFY(says(QStringLiteral("R 50  G 50  B 50 %")));
     }
 
     void windAndLightAreAStepEachAndNeitherIsLost()

@@ -10,8 +10,10 @@
 #include "view/panels/style_strip.h"
 #include "view/resources.h"
 
+#include <QDialog>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QPointer>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QUndoStack>
@@ -37,6 +39,16 @@ inline double difference(const QImage& a, const QImage& b)
                 ++differing;
         }
     return static_cast<double>(differing) / (static_cast<double>(a.width()) * a.height());
+}
+
+/// Those beside the window that keep nothing waiting. They go when they are done.
+inline QList<QPointer<QDialog>> openDialogs(const QWidget& window)
+{
+    QList<QPointer<QDialog>> open;
+    for (QDialog* dialog : window.findChildren<QDialog*>(Qt::FindDirectChildrenOnly))
+        if (dialog->isVisible() && !dialog->isModal())
+            open.append(dialog);
+    return open;
 }
 
 class WindowFixture

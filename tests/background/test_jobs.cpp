@@ -11,6 +11,7 @@
 #include <QDialogButtonBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QVBoxLayout>
 #include <QtTest>
 
@@ -30,6 +31,11 @@ QDialog* shownProgress(const QWidget& window)
 {
     auto* progress = window.findChild<QDialog*>(QStringLiteral("progressWindow"));
     return progress != nullptr && progress->isVisible() ? progress : nullptr;
+}
+
+Doing doing(const char* text)
+{
+    return {.text = QString::fromLatin1(text), .whenCancelled = QStringLiteral("not done: cancelled")};
 }
 
 /// Work that ends when it is told to, and only then.
@@ -122,7 +128,7 @@ private Q_SLOTS:
                     shownProgress(window)->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
                 });
             const Awaited<int> awaited = jobs.awaitOrLeave<int>(
-                QStringLiteral("Waiting"), [&goesOn, &wasTold](const model::Progress& progress) -> model::Result<int> {
+                doing("Waiting"), [&goesOn, &wasTold](const model::Progress& progress) -> model::Result<int> {
                     goesOn.wait(true);
                     wasTold = !progress(1.0);
                     return 1;
@@ -157,22 +163,21 @@ private Q_SLOTS:
                 shownProgress(window)->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
                 isCancelled = true;
             });
-        const Awaited<int> awaited =
-            jobs.awaitOrLeave<int>(QStringLiteral("Counting"), [&](const model::Progress& progress) {
-                const auto compute = [] {
-                    const double began = processorMs();
-                    while (processorMs() < began + 10.0) {
-                    }
-                };
-                constexpr int kSeconds = 20;
-                for (int second = 0; second < kSeconds; second += isCancelled ? 1 : 0) {
-                    while (seenMs != nowMs)
-                        compute();
-                    compute();
-                    nowMs += 1000;
+        const Awaited<int> awaited = jobs.awaitOrLeave<int>(doing("Counting"), [&](const model::Progress& progress) {
+            const auto compute = [] {
+                const double began = processorMs();
+                while (processorMs() < began + 10.0) {
                 }
-                return progress(1.0) ? model::Result<int>(1) : model::failure(QStringLiteral("Stopped."));
-            });
+            };
+            constexpr int kSeconds = 20;
+            for (int second = 0; second < kSeconds; second += isCancelled ? 1 : 0) {
+                while (seenMs != nowMs)
+                    compute();
+                compute();
+                nowMs += 1000;
+            }
+            return progress(1.0) ? model::Result<int>(1) : model::failure(QStringLiteral("Stopped."));
+        });
         QCOMPARE(awaited.end, WorkEnd::Cancelled);
     }
 #endif
@@ -183,8 +188,8 @@ private Q_SLOTS:
         Jobs jobs(window);
         qint64 nowMs = 0;
         jobs.setClock([&nowMs] { return nowMs; });
-        const Awaited<int> done = jobs.awaitOrLeave<int>(QStringLiteral("Counting"),
-                                                         [](const model::Progress&) { return model::Result<int>(42); });
+        const Awaited<int> done =
+            jobs.awaitOrLeave<int>(doing("Counting"), [](const model::Progress&) { return model::Result<int>(42); });
         QCOMPARE(done.end, WorkEnd::Done);
         QCOMPARE(**done.result, 42);
         const When cancels(
@@ -193,7 +198,7 @@ private Q_SLOTS:
                 return shownProgress(window) != nullptr;
             },
             [&] { shownProgress(window)->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click(); });
-        const Awaited<int> stopped = jobs.awaitOrLeave<int>(QStringLiteral("Waiting"), untilStopped);
+        const Awaited<int> stopped = jobs.awaitOrLeave<int>(doing("Waiting"), untilStopped);
         QCOMPARE(stopped.end, WorkEnd::Cancelled);
         QVERIFY(!*stopped.result);
     }
@@ -226,7 +231,7 @@ private Q_SLOTS:
     {
         Window window;
         Jobs jobs(window);
-        const auto result = jobs.await<int>(QStringLiteral("Counting"), [&](const model::Progress& progress) {
+        const auto result = jobs.await<int>(doing("Counting"), [&](const model::Progress& progress) {
             return std::this_thread::get_id() != std::thread::id() && progress(0.5) ? model::Result<int>(42)
                                                                                     : model::Result<int>(0);
         });
@@ -260,7 +265,7 @@ private Q_SLOTS:
         };
         std::optional<model::Result<int>> result;
         if (watched)
-            result = jobs.await<int>(QStringLiteral("Reading head.glb"), work);
+            result = jobs.await<int>(doing("Reading head.glb"), work);
         else
             jobs.start<int>(QStringLiteral("Reading head.glb"), work, &window,
                             [&result](const model::Result<int>& got) { result = got; });
@@ -294,12 +299,75 @@ private Q_SLOTS:
                                 progress->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel),
                                 Qt::LeftButton);
                     });
-        QVERIFY(!jobs.await<int>(QStringLiteral("Waiting"), untilStopped));
+        QSignalSpy told(&jobs, &Jobs::cancelled);
+        QVERIFY(!jobs.await<int>(doing("Waiting"), untilStopped));
         QVERIFY(shownProgress(window) == nullptr);
+        QCOMPARE(told.size(), 1);
+        QCOMPARE(told.front().front().toString(), QStringLiteral("not done: cancelled"));
         // So does waiting for something that never comes.
         cancel.start();
-        QVERIFY(!jobs.awaitUntil(QStringLiteral("Waiting"), [] { return false; }));
-        QVERIFY(jobs.awaitUntil(QStringLiteral("Waiting"), [] { return true; }));
+        QVERIFY(!jobs.awaitUntil(doing("Waiting"), [] { return false; }));
+        QCOMPARE(told.size(), 2);
+        cancel.start();
+        QCOMPARE(jobs.awaitOrLeave<int>(doing("Waiting"), untilStopped).end, WorkEnd::Cancelled);
+        QCOMPARE(told.size(), 3);
+        QVERIFY(jobs.awaitUntil(doing("Waiting"), [] { return true; }));
+        QCOMPARE(told.size(), 3);
+    }
+
+    void keysMeantForTheDialogBeforeDoNotCancel_data()
+    {
+        QTest::addColumn<Qt::Key>("key");
+        QTest::newRow("Return") << Qt::Key_Return;
+        QTest::newRow("Enter") << Qt::Key_Enter;
+        QTest::newRow("Space") << Qt::Key_Space;
+    }
+    void keysMeantForTheDialogBeforeDoNotCancel()
+    {
+        QFETCH(Qt::Key, key);
+        Window window;
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        Jobs jobs(window);
+        jobs.setClock(secondALook());
+        std::atomic<bool> goesOn = true;
+        const When typed([&] { return shownProgress(window) != nullptr && shownProgress(window)->isActiveWindow(); },
+                         [&] {
+                             QDialog* progress = shownProgress(window);
+                             QWidget* focused = progress->focusWidget();
+                             QTest::keyClick(focused != nullptr ? focused : progress, key);
+                             // The keyboard reaches Cancel all the same.
+                             QTest::keyClick(progress, Qt::Key_Tab);
+                             QVERIFY(progress->findChild<QPushButton*>()->hasFocus());
+                             goesOn = false;
+                         });
+        QSignalSpy told(&jobs, &Jobs::cancelled);
+        const auto result = jobs.await<int>(doing("Waiting"), [&goesOn](const model::Progress& progress) {
+            while (goesOn && progress(0.5))
+                std::this_thread::yield();
+            return goesOn ? model::Result<int>(model::failure(QStringLiteral("stopped"))) : model::Result<int>(1);
+        });
+        QVERIFY(result && *result);
+        QVERIFY(told.isEmpty());
+    }
+
+    void whatIsUsedThoughItCameLateIsNotCancelled()
+    {
+        Window window;
+        Jobs jobs(window);
+        jobs.setClock(secondALook());
+        const Work<int> doneInSpiteOfIt = [](const model::Progress& progress) {
+            while (progress(0.5))
+                std::this_thread::yield();
+            return model::Result<int>(7);
+        };
+        QSignalSpy told(&jobs, &Jobs::cancelled);
+        for (const Late late : {Late::Used, Late::Dropped}) {
+            const When cancels([&] { return shownProgress(window) != nullptr; },
+                               [&] { QTest::keyClick(shownProgress(window), Qt::Key_Escape); });
+            const Awaited<int> awaited = jobs.awaitOrLeave<int>(doing("Saving"), doneInSpiteOfIt, late);
+            QCOMPARE(awaited.end, late == Late::Used ? WorkEnd::Done : WorkEnd::Cancelled);
+            QCOMPARE(told.size(), late == Late::Used ? 0 : 1);
+        }
     }
 
     void whatIsClickedAndTypedMeanwhileIsLost()
@@ -321,7 +389,7 @@ private Q_SLOTS:
                       QVERIFY(!window.close());
                       disturbed = true;
                   });
-        const auto result = jobs.await<int>(QStringLiteral("Waiting"), [&](const model::Progress&) {
+        const auto result = jobs.await<int>(doing("Waiting"), [&](const model::Progress&) {
             while (!disturbed)
                 std::this_thread::yield();
             return model::Result<int>(1);
@@ -396,7 +464,7 @@ private Q_SLOTS:
                   });
         bool ended = false;
         if (watched)
-            ended = jobs.await<int>(QStringLiteral("Holding"), work).has_value();
+            ended = jobs.await<int>(doing("Holding"), work).has_value();
         else
             jobs.start<int>(QStringLiteral("Holding"), work, &window, [&](const model::Result<int>&) { ended = true; });
         QTRY_VERIFY_WITH_TIMEOUT(ended, kPatienceMs);

@@ -156,8 +156,8 @@ void duringHeadImports(benchmark::State& state)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     Receiver receiver;
     for ([[maybe_unused]] auto step : state) {
-        const auto head =
-            jobs.await<app::ImportedHead>(QStringLiteral("Preparing"), [&](const model::Progress& progress) {
+        const auto head = jobs.await<app::ImportedHead>(
+            {.text = QStringLiteral("Preparing"), .whenCancelled = {}}, [&](const model::Progress& progress) {
                 return app::remakeHead(QStringLiteral("ball"), model::glbFromMesh(mesh), {}, progress);
             });
         if (!head || !*head)

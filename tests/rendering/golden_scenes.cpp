@@ -121,6 +121,7 @@ Scene cards()
         }
     }
     set->levels = rendering::withSmallerLevels(std::move(atlas));
+    rendering::tellHairOfCorners(*set);
     Scene scene = longDark();
     scene.cards = std::move(set);
     return scene;

@@ -9,8 +9,10 @@
 #include "view/dialogs/scale_hair_dialog.h"
 #include "view/dialogs/wind_dialog.h"
 #include "view/widgets/direction_ball.h"
+#include "view/widgets/swatch.h"
 
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QKeySequenceEdit>
@@ -134,10 +136,49 @@ private Q_SLOTS:
             QCOMPARE(f.steps(), ++steps);
             QVERIFY(f.document.project().light == shown);
         }
-        QCOMPARE(steps, 10);
+        QCOMPARE(steps, 7);
         while (f.document.undoStack().canUndo())
             f.document.undo();
         QVERIFY(f.document.project().light == before);
+    }
+
+    void the_lights_colour_has_one_control()
+    {
+        PanelFixture f;
+        LightDialog dialog(f.state);
+        dialog.show();
+        for (const char* doubled : {"Red", "Green", "Blue"})
+            QVERIFY(sliderNamed(dialog, QString::fromLatin1(doubled)) == nullptr);
+        const auto swatches = dialog.findChildren<Swatch*>();
+        const auto found = std::ranges::find(swatches, QStringLiteral("Light colour"), &Swatch::accessibleName);
+        QVERIFY(found != swatches.end());
+        Swatch& colour = **found;
+        // It shows what others set, in numbers too.
+        model::LightSettings tinted = f.document.project().light;
+        tinted.red = 1.0F;
+        tinted.green = 0.5F;
+        tinted.blue = 0.25F;
+        f.document.push(model::setLightCommand(f.document, tinted));
+        QCOMPARE(colour.colour().red(), 255);
+        QVERIFY(colour.colour().blue() < colour.colour().green());
+        const auto labels = dialog.findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(
+            labels, [](const QLabel* label) { return label->text() == QStringLiteral("R 100  G 50  B 25 %"); }));
+        // A colour that is chosen is seen at once and is one step.
+        const int before = f.steps();
+        colour.click();
+        auto* picker = dialog.findChild<QColorDialog*>();
+        QVERIFY(picker != nullptr);
+        picker->setCurrentColor(QColor(255, 255, 0));
+        QCOMPARE(f.document.project().light.blue, 0.0F);
+        QVERIFY(f.document.previewing());
+        picker->accept();
+        QCOMPARE(f.steps(), before + 1);
+        QCOMPARE(f.document.project().light.blue, 0.0F);
+        // As with bars, the right button takes it back to what is usual.
+        Q_EMIT colour.customContextMenuRequested({});
+        QCOMPARE(f.steps(), before + 2);
+        QCOMPARE(f.document.project().light.blue, 1.0F);
     }
 
     void light_presets_and_choices_are_one_step_each()

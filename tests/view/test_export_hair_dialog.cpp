@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 
 #include <QtTest>
 
@@ -121,8 +122,27 @@ private Q_SLOTS:
         holdAt(*hairs, 0.5);
         letGo(*hairs);
         QVERIFY(dialog.choice().request.curves.hairs && *dialog.choice().request.curves.hairs < 9000);
+        QSignalSpy exports(&dialog, &ExportHairDialog::exportWanted);
         QTest::mouseClick(acceptButton(dialog), Qt::LeftButton);
-        QCOMPARE(dialog.result(), static_cast<int>(QDialog::Accepted));
+        QCOMPARE(exports.size(), 1);
+        QVERIFY(dialog.isVisible()); // It is done when there is a file.
+    }
+
+    void groups_that_come_meanwhile_are_offered_and_those_left_out_stay_so()
+    {
+        ExportHairDialog dialog(twoGroups(), {});
+        groupBoxes(dialog)[0]->click();
+        BarSlider* hairs = sliderNamed(dialog, QStringLiteral("Hairs"));
+        std::vector<ExportableGroup> groups = twoGroups();
+        groups[1].hairs = 1500; // Painted.
+        dialog.setGroups(groups);
+        QCOMPARE(hairs->maximum(), 1500.0);
+        groups.push_back({.id = 8, .name = QStringLiteral("Beard"), .hairs = 300});
+        dialog.setGroups(groups);
+        QCOMPARE(groupBoxes(dialog).size(), qsizetype{3});
+        QVERIFY(!groupBoxes(dialog)[0]->isChecked());
+        QCOMPARE(hairs->maximum(), 1800.0);
+        QCOMPARE(dialog.choice().request.curves.groups.size(), std::size_t{2});
     }
 
     void a_format_with_its_own_space_asks_for_no_program()
@@ -195,7 +215,8 @@ private Q_SLOTS:
     void one_group_needs_no_list()
     {
         const ExportHairDialog dialog({{.id = 1, .name = QStringLiteral("Scalp"), .hairs = 10}}, {});
-        QVERIFY(groupBoxes(dialog).isEmpty());
+        for (const QCheckBox* box : groupBoxes(dialog))
+            QVERIFY(!box->isVisibleTo(&dialog));
         QCOMPARE(dialog.choice().request.curves.groups.size(), std::size_t{1});
     }
 };

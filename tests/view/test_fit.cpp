@@ -10,6 +10,7 @@
 #include "view/dialogs/hair_import_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/light_dialog.h"
+#include "view/dialogs/picture_dialog.h"
 #include "view/dialogs/preferences_dialog.h"
 #include "view/dialogs/wind_dialog.h"
 #include "view/panels/option_bar.h"
@@ -70,6 +71,8 @@ std::map<QString, std::pair<Make, QSize>> everything()
           {}}},
         {QStringLiteral("hair import"),
          {[](EditorState&) { return std::make_unique<HairImportDialog>(QStringLiteral("long.hair")); }, {}}},
+        {QStringLiteral("picture"),
+         {[](EditorState&) { return std::make_unique<PictureDialog>(PictureChoice{}, QSize(600, 800)); }, {}}},
         {QStringLiteral("preferences"),
          {[](EditorState&) {
               return std::make_unique<PreferencesDialog>(Preferences{}, std::vector<std::pair<QString, QString>>{},

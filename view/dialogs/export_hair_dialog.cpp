@@ -24,14 +24,6 @@ namespace {
 constexpr double kMmPerMetre = 1000.0;
 constexpr double kGreatestToleranceMm = 5.0;
 
-QVBoxLayout* plainColumn(QWidget* parent = nullptr)
-{
-    auto* column = new QVBoxLayout(parent);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    return column;
-}
-
 } // namespace
 
 ExportHairDialog::ExportHairDialog(std::vector<ExportableGroup> groups, const HairExportChoice& before, QWidget* parent)
@@ -44,19 +36,23 @@ ExportHairDialog::ExportHairDialog(std::vector<ExportableGroup> groups, const Ha
     layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     layout->setSpacing(metrics::kPadding);
     m_form = buildForm();
+    listGroups();
     layout->addLayout(m_form);
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Export…"));
     m_buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    m_buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
+    m_buttons->button(QDialogButtonBox::Ok)->setDefault(true);
     m_preview = m_buttons->addButton(tr("Pre&view"), QDialogButtonBox::ActionRole);
+    m_preview->setAutoDefault(false); // Enter exports, wherever the focus is.
     m_preview->setToolTip(tr("Shows the cards in the 3D area, and writes nothing."));
     layout->addWidget(m_buttons);
     setMinimumWidth(kWidth);
     fill(before);
     for (QComboBox* box : {m_format, m_target, m_source})
         connect(box, &QComboBox::currentIndexChanged, this, &ExportHairDialog::follow);
-    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(m_preview, &QPushButton::clicked, this, [this] { done(kPreview); });
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &ExportHairDialog::exportWanted);
+    connect(m_preview, &QPushButton::clicked, this, &ExportHairDialog::previewWanted);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     follow();
 }
@@ -87,8 +83,10 @@ QFormLayout* ExportHairDialog::buildForm()
     m_source->addItem(tr("As it is now"));
     m_source->addItem(tr("Settled"));
     m_source->addItem(tr("As combed, before it falls"));
-    if (m_groups.size() > 1)
-        form->addRow(tr("Groups"), buildGroups());
+    m_list = new QScrollArea(this);
+    m_list->setWidgetResizable(true);
+    m_list->setFocusPolicy(Qt::NoFocus);
+    form->addRow(tr("Groups"), m_list);
     m_hairs = new BarSlider(tr("Hairs"), this);
     m_hairs->setExponent(2.0);
     m_hairs->setHint(tr("An even share of the hairs that are there."));
@@ -137,27 +135,48 @@ void ExportHairDialog::addCardRows(QFormLayout& form)
     form.addRow(tr("&Author"), m_author);
 }
 
-QLayout* ExportHairDialog::buildGroups()
+void ExportHairDialog::listGroups()
 {
     constexpr int kMostShown = 6;
+    m_boxes.clear();
     auto* list = new QWidget;
-    auto* rows = plainColumn(list);
+    auto* rows = new QVBoxLayout(list);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
     for (const ExportableGroup& group : m_groups) {
         QString text = model::shownName(group.name);
         auto* box = new QCheckBox(text.replace(QLatin1Char('&'), QLatin1String("&&")), list);
-        box->setChecked(true);
+        box->setChecked(!m_leftOut.contains(group.id));
         rows->addWidget(box);
         m_boxes.push_back(box);
-        connect(box, &QCheckBox::toggled, this, &ExportHairDialog::follow);
+        connect(box, &QCheckBox::toggled, this, [this, id = group.id](bool isTaken) {
+            if (isTaken)
+                m_leftOut.remove(id);
+            else
+                m_leftOut.insert(id);
+            follow();
+        });
     }
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(list);
-    scroll->setWidgetResizable(true);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setFixedHeight(std::min(list->sizeHint().height(), kMostShown * metrics::kRow));
-    auto* column = plainColumn();
-    column->addWidget(scroll);
-    return column;
+    m_list->setWidget(list); // Deletes the one before.
+    m_list->setFixedHeight(std::min(list->sizeHint().height(), kMostShown * metrics::kRow));
+    m_form->setRowVisible(m_list, m_groups.size() > 1);
+}
+
+void ExportHairDialog::setGroups(std::vector<ExportableGroup> groups)
+{
+    if (groups == m_groups)
+        return;
+    const auto namesOf = [](const std::vector<ExportableGroup>& list) {
+        std::vector<std::pair<int, QString>> names;
+        for (const ExportableGroup& group : list)
+            names.emplace_back(group.id, group.name);
+        return names;
+    };
+    const bool areOthers = namesOf(groups) != namesOf(m_groups);
+    m_groups = std::move(groups);
+    if (areOthers)
+        listGroups();
+    follow();
 }
 
 void ExportHairDialog::fill(const HairExportChoice& before)
@@ -175,11 +194,16 @@ void ExportHairDialog::fill(const HairExportChoice& before)
     m_hairs->setRange(0.0, 0.0);
 }
 
+bool ExportHairDialog::isLeftOut(const ExportableGroup& group) const
+{
+    return m_groups.size() > 1 && m_leftOut.contains(group.id);
+}
+
 std::size_t ExportHairDialog::hairsOfChosen() const
 {
     std::size_t hairs = 0;
     for (std::size_t i = 0; i < m_groups.size(); ++i)
-        if (m_boxes.empty() || m_boxes[i]->isChecked())
+        if (!isLeftOut(m_groups[i]))
             hairs += m_groups[i].hairs;
     return hairs;
 }
@@ -227,7 +251,7 @@ HairExportChoice ExportHairDialog::choice() const
     choice.author = m_author->text();
     model::CurveOptions& curves = choice.request.curves;
     for (std::size_t i = 0; i < m_groups.size(); ++i)
-        if (m_boxes.empty() || m_boxes[i]->isChecked())
+        if (!isLeftOut(m_groups[i]))
             curves.groups.push_back({.id = m_groups[i].id, .name = m_groups[i].name});
     if (m_hairs->value() < m_hairs->maximum())
         curves.hairs = static_cast<std::size_t>(m_hairs->value());

@@ -4,6 +4,7 @@
 #include "model/exporting/export_format.h"
 
 #include <QDialog>
+#include <QSet>
 
 #include <cstdint>
 #include <vector>
@@ -13,9 +14,9 @@ class QComboBox;
 class QDialogButtonBox;
 class QFormLayout;
 class QLabel;
-class QLayout;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
 
 namespace hairpaint::view {
 
@@ -35,6 +36,7 @@ struct ExportableGroup
     int id = 0;
     QString name;
     std::size_t hairs = 0;
+    friend bool operator==(const ExportableGroup&, const ExportableGroup&) = default;
 };
 
 struct HairExportChoice
@@ -45,31 +47,39 @@ struct HairExportChoice
     QString author{}; ///< Of avatars.
 };
 
-/// Modal. Nothing is exported by it: when accepted, or done with kPreview, ask for choice().
+/// Not modal: it stays open beside the cards that it has shown. Nothing is exported by it: whoever hears its signals
+/// asks for choice(), and closes it when the file is there.
 class ExportHairDialog : public QDialog
 {
     Q_OBJECT
 public:
-    static constexpr int kPreview = 2; ///< Its result where the cards are to be shown first.
-
     /// Begins with format, target, source, tolerance, cards and author of the choice before, and with all groups and
     /// all hairs.
     ExportHairDialog(std::vector<ExportableGroup> groups, const HairExportChoice& before, QWidget* parent = nullptr);
     [[nodiscard]] HairExportChoice choice() const;
     /// Why there can be no avatar of this head, a sentence; empty where there can.
     void setAvatarProblem(const QString& problem);
+    /// What there is to export now. Groups that were left out stay so.
+    void setGroups(std::vector<ExportableGroup> groups);
+
+Q_SIGNALS:
+    void exportWanted();
+    void previewWanted(); ///< Of the cards, in the 3D area.
 
 private:
     [[nodiscard]] QFormLayout* buildForm();
-    [[nodiscard]] QLayout* buildGroups();
+    void listGroups();
     [[nodiscard]] QComboBox* addChoice(QFormLayout& form, const QString& label);
     void fill(const HairExportChoice& before);
+    [[nodiscard]] bool isLeftOut(const ExportableGroup& group) const;
     [[nodiscard]] std::size_t hairsOfChosen() const;
     void addCardRows(QFormLayout& form);
     void follow();
 
     std::vector<ExportableGroup> m_groups;
-    std::vector<QCheckBox*> m_boxes; ///< As many; none where there is one group.
+    std::vector<QCheckBox*> m_boxes; ///< As many; seen where there are several.
+    QSet<int> m_leftOut;             ///< Ids.
+    QScrollArea* m_list = nullptr;   ///< Of the boxes.
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_target = nullptr;

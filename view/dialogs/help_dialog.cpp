@@ -158,6 +158,8 @@ QString dialogPages()
                "Cards are strips of hair with textures, for games and avatars. Preview, or View > Hair as cards, shows "
                "them in the 3D area in place of the hair, until that is changed, with the number of their "
                "triangles.")) +
+           paragraph(HelpDialog::tr("The dialog stays open meanwhile: turn the head to see the cards from all sides, "
+                                    "choose otherwise and ask for a preview again.")) +
            paragraph(HelpDialog::tr(
                "A head whose file had a whole body's skeleton goes out with it as a VRM avatar: the hair swings on the "
                "head's bone. Bones are told by their names, as Mixamo, Unreal, Blender, VRoid and others have them; "
@@ -172,6 +174,11 @@ QString dialogPages()
                "as "
                "they do here, and File > Load image reads them; as grey their brightness is the value, which File > "
                "Load grey image reads. Colours and directions are the same both ways.")) +
+           heading(Topic::Picture, HelpDialog::tr("Save picture")) +
+           paragraph(HelpDialog::tr(
+               "The small picture shows what will be saved; turn the head in the 3D area while the dialog is open, and "
+               "it follows. The ending of the file's name says its kind: PNG, JPEG, or OpenEXR in linear light for "
+               "compositing. More samples a pixel make finer hair and take longer.")) +
            heading(Topic::Preferences, HelpDialog::tr("Preferences")) +
            paragraph(
                HelpDialog::tr("Theme, paper, language and what draws the 3D area; and all keys, each of which can "

@@ -30,6 +30,7 @@ public:
         HairImport,
         HairExport,
         MapExport,
+        Picture,
         Preferences
     };
 

@@ -47,7 +47,7 @@ LightDialog::LightDialog(EditorState& state, QWidget* parent)
     buildPresets();
     buildSliders();
     buildChoices();
-    buildColours();
+    buildBackground();
     column().addStretch(1);
     follow();
 }
@@ -76,12 +76,10 @@ void LightDialog::buildSliders()
     m_temperature->setDefaultValue(static_cast<double>(standard.temperatureK));
     bind(m_temperature,
          [this](model::LightSettings& light) { light.temperatureK = static_cast<float>(m_temperature->value()); });
+    buildColour();
     addFraction(tr("Fill, beside the camera"), &model::LightSettings::fill, 2.0)->setExponent(2.0);
     addFraction(tr("Rim, behind the head"), &model::LightSettings::rim, 4.0)->setExponent(2.0);
     addFraction(tr("Ambient"), &model::LightSettings::ambient);
-    addFraction(tr("Red"), &model::LightSettings::red);
-    addFraction(tr("Green"), &model::LightSettings::green);
-    addFraction(tr("Blue"), &model::LightSettings::blue);
 }
 
 BarSlider* LightDialog::addFraction(const QString& label, float model::LightSettings::*field, double greatest)
@@ -142,24 +140,42 @@ void LightDialog::buildChoices()
         });
 }
 
-void LightDialog::buildColours()
+Swatch* LightDialog::addSwatch(const QString& name, QLabel* beside)
 {
-    auto* colours = new QHBoxLayout;
-    colours->setSpacing(metrics::kGap);
-    const auto swatch = [&](const QString& name) {
-        auto* made = new Swatch(Qt::white, name, this);
-        made->setCheckable(false);
-        colours->addWidget(made);
-        auto* label = new QLabel(name, this);
-        label->setProperty("role", QStringLiteral("label"));
-        colours->addWidget(label);
-        return made;
-    };
-    m_colour = swatch(tr("Light colour"));
-    colours->addStretch(1);
-    m_background = swatch(tr("Background"));
-    column().addLayout(colours);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::kGap);
+    auto* label = new QLabel(name, this);
+    label->setProperty("role", QStringLiteral("label"));
+    auto* swatch = new Swatch(Qt::white, name, this);
+    swatch->setCheckable(false);
+    label->setBuddy(swatch);
+    row->addWidget(label);
+    row->addStretch(1);
+    if (beside != nullptr)
+        row->addWidget(beside);
+    row->addWidget(swatch);
+    column().addLayout(row);
+    return swatch;
+}
+
+void LightDialog::buildColour()
+{
+    m_shares = new QLabel(this);
+    m_shares->setProperty("role", QStringLiteral("dim"));
+    m_colour = addSwatch(tr("Light colour"), m_shares);
+    m_colour->setToolTip(
+        tr("What colours the light of that temperature, as a gel before the lamp does. Click to choose it, right-click "
+           "for white; R, G and B of the weather keys (F7) raise its parts, with Shift they lower "
+           "them."));
+    m_colour->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_colour, &Swatch::clicked, this, &LightDialog::chooseColour);
+    connect(m_colour, &QWidget::customContextMenuRequested, this,
+            [this] { commit([](model::LightSettings& light) { light.red = light.green = light.blue = 1.0F; }); });
+}
+
+void LightDialog::buildBackground()
+{
+    m_background = addSwatch(tr("Background"));
     connect(m_background, &Swatch::clicked, this, &LightDialog::chooseBackground);
 }
 
@@ -167,6 +183,9 @@ void LightDialog::follow()
 {
     const model::LightSettings& light = shown();
     m_colour->setColour(shownColour(light));
+    const auto percent = [](float share) { return static_cast<int>(std::lround(100.0F * share)); };
+    m_shares->setText(
+        tr("R %1  G %2  B %3 %").arg(percent(light.red)).arg(percent(light.green)).arg(percent(light.blue)));
     m_background->setColour(QColor::fromRgb(document().project().background));
     // Each control ignores what it is told while the user moves it.
     const auto azimuth = static_cast<double>(light.azimuthRad);

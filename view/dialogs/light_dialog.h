@@ -8,6 +8,7 @@
 #include <vector>
 
 class QComboBox;
+class QLabel;
 
 namespace hairpaint::view {
 
@@ -27,7 +28,10 @@ private:
     void buildPresets();
     void buildSliders();
     void buildChoices();
-    void buildColours();
+    /// A colour's name and button in one row; `beside`: left of the button.
+    Swatch* addSwatch(const QString& name, QLabel* beside = nullptr);
+    void buildColour();
+    void buildBackground();
     void follow() override;
     void revert() override;
     void chooseColour();
@@ -41,6 +45,7 @@ private:
     QComboBox* m_surroundings = nullptr;
     QComboBox* m_scattering = nullptr;
     Swatch* m_colour = nullptr;
+    QLabel* m_shares = nullptr; ///< Of red, green and blue in it.
     Swatch* m_background = nullptr;
 };
 

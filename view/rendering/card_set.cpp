@@ -1,9 +1,57 @@
-// Smaller levels of a texture.
+// Smaller levels of a texture, and what corners know of the hair around them.
 #include "view/rendering/card_set.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hairpaint::rendering {
+
+namespace {
+
+constexpr int kColourSide =
+    128; ///< Texels across the level that colours come from: each is the mean of a lock's width.
+
+float linearOfEncoded(float encoded)
+{
+    return encoded * (encoded * (encoded * 0.305306011F + 0.682171111F) + 0.012522878F);
+}
+
+/// The derivative of the place by v, times a number that is positive; 0 where the texture has no area.
+glm::vec3 alongV(const CardCorner& a, const CardCorner& b, const CardCorner& c)
+{
+    const glm::vec2 first = b.uv - a.uv;
+    const glm::vec2 second = c.uv - a.uv;
+    const float area = first.x * second.y - first.y * second.x;
+    const glm::vec3 along = (c.placeHd - a.placeHd) * first.x - (b.placeHd - a.placeHd) * second.x;
+    return area < 0.0F ? -along : area > 0.0F ? along : glm::vec3(0.0F);
+}
+
+} // namespace
+
+void tellHairOfCorners(CardSet& cards)
+{
+    std::vector<glm::vec3> along(cards.corners.size(), glm::vec3(0.0F));
+    for (const glm::uvec3& triangle : cards.triangles) {
+        const glm::vec3 one = alongV(cards.corners[triangle.x], cards.corners[triangle.y], cards.corners[triangle.z]);
+        if (const float length = glm::length(one); length > 0.0F)
+            for (int i = 0; i < 3; ++i)
+                along[triangle[i]] += one / length;
+    }
+    const auto level =
+        std::ranges::find_if(cards.levels, [](const CardTexture& one) { return one.side <= kColourSide; });
+    for (std::size_t i = 0; i < cards.corners.size(); ++i) {
+        CardCorner& corner = cards.corners[i];
+        if (const float length = glm::length(along[i]); length > 1e-6F)
+            corner.tangentHd = along[i] / length;
+        if (level == cards.levels.end())
+            continue;
+        const glm::ivec2 at = glm::clamp(glm::ivec2(corner.uv * static_cast<float>(level->side)), 0, level->side - 1);
+        const glm::u8vec4 texel = level->texels[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(level->side) +
+                                                static_cast<std::size_t>(at.x)];
+        for (int channel = 0; channel < 3; ++channel)
+            corner.colour[channel] = linearOfEncoded(static_cast<float>(texel[channel]) / 255.0F);
+    }
+}
 
 std::vector<CardTexture> withSmallerLevels(CardTexture texture)
 {

@@ -30,8 +30,11 @@ void CardLayer::upload(const std::shared_ptr<const CardSet>& cards)
     glBindVertexBuffer(0, m_corners.id(), 0, sizeof(CardCorner));
     glVertexAttribFormat(0, 3, GL_FLOAT, GL_FALSE, offsetof(CardCorner, placeHd));
     glVertexAttribFormat(1, 3, GL_FLOAT, GL_FALSE, offsetof(CardCorner, normalHd));
-    glVertexAttribFormat(2, 2, GL_FLOAT, GL_FALSE, offsetof(CardCorner, uv));
-    for (unsigned attribute = 0; attribute < 3; ++attribute) {
+    glVertexAttribFormat(2, 3, GL_FLOAT, GL_FALSE, offsetof(CardCorner, tangentHd));
+    glVertexAttribFormat(3, 3, GL_FLOAT, GL_FALSE, offsetof(CardCorner, colour));
+    glVertexAttribFormat(4, 2, GL_FLOAT, GL_FALSE, offsetof(CardCorner, uv));
+    glVertexAttribFormat(5, 2, GL_FLOAT, GL_FALSE, offsetof(CardCorner, shine)); // And roughness.
+    for (unsigned attribute = 0; attribute < 6; ++attribute) {
         glEnableVertexAttribArray(attribute);
         glVertexAttribBinding(attribute, 0);
     }
@@ -61,6 +64,7 @@ void CardLayer::draw(const std::shared_ptr<const CardSet>& cards)
     glEnable(GL_DEPTH_TEST);
     m_program.use();
     m_program.set("cutoff", cards->cutoff);
+    m_program.set("crossed", kCrossedByCards);
     glBindVertexArray(m_vertexArray.id());
     glDrawElements(GL_TRIANGLES, static_cast<int>(3 * cards->triangles.size()), GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);

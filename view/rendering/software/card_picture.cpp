@@ -1,9 +1,9 @@
-// A rasteriser of textured triangles; light at their corners, as cards.vert has it.
+// A rasteriser of textured triangles; light at their corners.
 #include "view/rendering/software/card_picture.h"
 
 #include "sim/base/parallel.h"
-#include "view/rendering/frame_lights.h"
 #include "view/rendering/light/light_range.h"
+#include "view/rendering/software/card_light.h"
 
 #include <algorithm>
 #include <array>
@@ -17,30 +17,6 @@ constexpr float kNearestCardM = 0.01F;
 float linearOf(float encoded)
 {
     return encoded * (encoded * (encoded * 0.305306011F + 0.682171111F) + 0.012522878F);
-}
-
-/// As irradianceAt() of environment_inl.h.
-glm::vec3 irradianceOn(const Irradiance& e, const glm::vec3& n)
-{
-    const std::array<float, 8> basis = {
-        n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0F * n.z * n.z - 1.0F, n.x * n.z, n.x * n.x - n.y * n.y};
-    glm::vec3 sum = e[0];
-    for (std::size_t i = 0; i < basis.size(); ++i)
-        sum += basis.at(i) * e.at(i + 1);
-    return glm::max(sum, glm::vec3(0.0F));
-}
-
-/// What a white card with that normal throws back: light reaches around it, as it does through hair.
-glm::vec3 lightOn(const glm::vec3& normalWo, const Irradiance& around, const std::array<FarLight, 3>& lamps)
-{
-    constexpr float kAround = 0.6F;
-    constexpr float kLamp = 0.7F;
-    constexpr float kWrap = 0.35F;
-    glm::vec3 light = kAround * irradianceOn(around, normalWo);
-    for (const FarLight& lamp : lamps)
-        light +=
-            kLamp * std::clamp((glm::dot(normalWo, lamp.towardWo) + kWrap) / (1.0F + kWrap), 0.0F, 1.0F) * lamp.colour;
-    return light;
 }
 
 /// Bilinear; 0..1.
@@ -75,9 +51,7 @@ void CardPicture::place(const CardSet& cards, const FrameConstants& constants)
 {
     m_cards = &cards;
     m_corners.resize(cards.corners.size());
-    const glm::mat3 turn(constants.woFromHd);
-    const Irradiance around = irradianceIn(constants);
-    const std::array<FarLight, 3> lamps = {keyLight(constants), fillLight(constants), rimLight(constants)};
+    const CardLight light(constants);
     sim::parallelFor(m_corners.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const CardCorner& given = cards.corners[i];
@@ -87,7 +61,7 @@ void CardPicture::place(const CardSet& cards, const FrameConstants& constants)
             corner.x = (clip.x * corner.perDistance * 0.5F + 0.5F) * constants.target.x;
             corner.y = (clip.y * corner.perDistance * 0.5F + 0.5F) * constants.target.y;
             corner.uv = given.uv;
-            corner.light = lightOn(turn * given.normalHd, around, lamps);
+            corner.light = light.on(given);
         }
     });
 }
