@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastShare = 0.1;
 constexpr double kGreatestShare = 10.0;
 
-constexpr HairScale kScales[] = {
+constexpr HairScale kHairScales[] = {
     {QT_TRANSLATE_NOOP("HairScale", "Length"), {"greatest_length_m", "shortest_length_m"}},
     {QT_TRANSLATE_NOOP("HairScale", "Density"), {"greatest_density_per_m2", nullptr}},
     {QT_TRANSLATE_NOOP("HairScale", "Curl size"), {"greatest_curl_radius_m", nullptr}},
@@ -57,7 +57,7 @@ void HairScale::apply(sim::GroupSettings& settings, double share) const
 
 std::span<const HairScale> hairScales()
 {
-    return kScales;
+    return kHairScales;
 }
 
 } // namespace hairpaint::model

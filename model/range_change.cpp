@@ -20,61 +20,61 @@ using sim::GroupSettings;
 using sim::RasterTile;
 using sim::RasterTilePtr;
 
-constexpr int kMost = 65535;
+constexpr int kMostValue = 65535;
+constexpr std::uint8_t kBeyond = 1;
+constexpr std::uint8_t kBelow = 2;
 
-double amountAt(const MapSpec& spec, const GroupSettings& settings, double fraction)
+double rangeAmount(const MapSpec& spec, const GroupSettings& settings, double fraction)
 {
     return spec.scale->amount(settings, fraction);
 }
 
 /// Whether the texels of a map mean other amounts. Not where either range is a single amount.
-bool rescales(const MapSpec& spec, const GroupSettings& before, const GroupSettings& after)
+bool rescalesMap(const MapSpec& spec, const GroupSettings& before, const GroupSettings& after)
 {
     if (spec.scale == nullptr)
         return false;
-    const double range = amountAt(spec, before, 1.0) - amountAt(spec, before, 0.0);
-    if (range <= 0.0 || amountAt(spec, after, 1.0) <= amountAt(spec, after, 0.0))
+    const double range = rangeAmount(spec, before, 1.0) - rangeAmount(spec, before, 0.0);
+    if (range <= 0.0 || rangeAmount(spec, after, 1.0) <= rangeAmount(spec, after, 0.0))
         return false;
     return std::ranges::any_of(std::array{0.0, 0.5, 1.0}, [&](double fraction) {
-        return std::abs(amountAt(spec, after, fraction) - amountAt(spec, before, fraction)) > range * 1e-9;
+        return std::abs(rangeAmount(spec, after, fraction) - rangeAmount(spec, before, fraction)) > range * 1e-9;
     });
 }
 
 /// What each of the 65,536 values becomes.
-struct Table
+struct RangeTable
 {
     std::vector<std::uint16_t> values;
-    std::vector<std::int8_t> outside; ///< 1: beyond the new range; -1: below it.
+    std::vector<std::uint8_t> outside; ///< kBeyond or kBelow the new range, or 0.
 
-    Table(const MapSpec& spec, const GroupSettings& before, const GroupSettings& after)
-        : values(kMost + 1), outside(kMost + 1)
+    RangeTable(const MapSpec& spec, const GroupSettings& before, const GroupSettings& after)
+        : values(kMostValue + 1), outside(kMostValue + 1)
     {
-        const double least = amountAt(spec, after, 0.0);
-        const double greatest = amountAt(spec, after, 1.0);
-        const double step = (greatest - least) / kMost; // What rounding may take.
-        for (int value = 0; value <= kMost; ++value) {
-            const double amount = amountAt(spec, before, static_cast<double>(value) / kMost);
+        const double least = rangeAmount(spec, after, 0.0);
+        const double greatest = rangeAmount(spec, after, 1.0);
+        const double step = (greatest - least) / kMostValue; // What rounding may take.
+        for (int value = 0; value <= kMostValue; ++value) {
+            const double amount = rangeAmount(spec, before, static_cast<double>(value) / kMostValue);
             const auto index = static_cast<std::size_t>(value);
-            values[index] = static_cast<std::uint16_t>(std::lround(spec.scale->fraction(after, amount) * kMost));
-            outside[index] = static_cast<std::int8_t>(amount > greatest + step             ? 1
-                                                      : amount < least - step && value > 0 ? -1
-                                                                                           : 0);
+            values[index] = static_cast<std::uint16_t>(std::lround(spec.scale->fraction(after, amount) * kMostValue));
+            outside[index] = amount > greatest + step ? kBeyond : amount < least - step && value > 0 ? kBelow : 0;
         }
     }
 };
 
-using Formula = decltype(BlendRule::formula);
+using BlendFormula = decltype(BlendRule::formula);
 
 /// Modes in which rescaled layers give the rescaled map by themselves: they take either value as it is.
-bool isPlain(BlendMode mode)
+bool isPlainMode(BlendMode mode)
 {
     return mode == BlendMode::Normal || mode == BlendMode::Darken || mode == BlendMode::Lighten;
 }
 
 /// The layer's value that makes `wanted` out of `below`; `value` itself where none comes nearer.
-std::uint16_t solved(BlendMode mode, std::uint16_t below, std::uint16_t wanted, std::uint16_t value)
+std::uint16_t solvedValue(BlendMode mode, std::uint16_t below, std::uint16_t wanted, std::uint16_t value)
 {
-    const Formula formula = blendRule(mode).formula;
+    const BlendFormula formula = blendRule(mode).formula;
     const auto miss = [&](int candidate) {
         return std::abs(static_cast<int>(formula(below, static_cast<std::uint16_t>(candidate))) - wanted);
     };
@@ -82,14 +82,14 @@ std::uint16_t solved(BlendMode mode, std::uint16_t below, std::uint16_t wanted, 
         return value;
     int found = 0;
     if (mode == BlendMode::Difference) { // The one that turns: both sides of `below`.
-        const int above = std::min(below + wanted, kMost);
+        const int above = std::min(below + wanted, kMostValue);
         const int under = std::max(below - wanted, 0);
         const bool wasAbove = value >= below;
         found = miss(above) < miss(under) || (miss(above) == miss(under) && wasAbove) ? above : under;
     } else {
-        const bool rises = formula(below, kMost) >= formula(below, 0);
+        const bool rises = formula(below, kMostValue) >= formula(below, 0);
         int low = 0;
-        int high = kMost;
+        int high = kMostValue;
         while (low < high) {
             const int middle = (low + high) / 2;
             const std::uint16_t made = formula(below, static_cast<std::uint16_t>(middle));
@@ -107,12 +107,12 @@ std::uint16_t solved(BlendMode mode, std::uint16_t below, std::uint16_t wanted, 
 class TileRescale
 {
 public:
-    TileRescale(const MapStack& stack, const MapSpec& spec, const Table& table, std::uint16_t startAfter)
+    TileRescale(const MapStack& stack, const MapSpec& spec, const RangeTable& table, std::uint16_t startAfter)
         : m_stack(stack), m_table(table), m_start(spec.defaultValue[0]), m_startAfter(startAfter),
-          m_composes(!std::ranges::all_of(stack.layers, isPlain, &Layer::blend))
+          m_composes(!std::ranges::all_of(stack.layers, isPlainMode, &Layer::blend))
     {}
 
-    /// Those that stay keep their pointer. `outside`: bits 1 and 2 for beyond and below.
+    /// Those that stay keep their pointer. `outside`: takes kBeyond and kBelow up.
     std::vector<RasterTilePtr> run(int index, int& outside) const
     {
         std::vector<RasterTilePtr> tiles;
@@ -132,11 +132,7 @@ public:
     }
 
 private:
-    void note(std::uint16_t value, int& outside) const
-    {
-        const int side = m_table.outside[value];
-        outside |= side > 0 ? 1 : side < 0 ? 2 : 0;
-    }
+    void note(std::uint16_t value, int& outside) const { outside |= m_table.outside[value]; }
 
     RasterTile uniformOf(const RasterTile& tile, int& outside) const
     {
@@ -152,7 +148,7 @@ private:
         constexpr int kChannels = 2;
         RasterTile result{.uniform = {}, .pixels = sim::expanded(tile, kChannels)};
         const std::uint16_t opacity = unit16(layer.opacity);
-        const Formula formula = blendRule(layer.blend).formula;
+        const BlendFormula formula = blendRule(layer.blend).formula;
         for (std::size_t texel = 0; texel < sim::kTileTexels; ++texel) {
             std::uint16_t& value = result.pixels[texel * kChannels];
             const std::uint16_t coverage = result.pixels[texel * kChannels + 1];
@@ -165,9 +161,9 @@ private:
                 continue;
             }
             const std::uint16_t shown = formula(below[texel], before);
-            note(isPlain(layer.blend) ? before : shown, outside);
-            value = isPlain(layer.blend) ? m_table.values[before]
-                                         : solved(layer.blend, after[texel], m_table.values[shown], before);
+            note(isPlainMode(layer.blend) ? before : shown, outside);
+            value = isPlainMode(layer.blend) ? m_table.values[before]
+                                             : solvedValue(layer.blend, after[texel], m_table.values[shown], before);
             if (!layer.visible)
                 continue;
             const std::uint16_t fraction = mul16(coverage, opacity);
@@ -178,13 +174,13 @@ private:
     }
 
     const MapStack& m_stack;
-    const Table& m_table;
+    const RangeTable& m_table;
     std::uint16_t m_start, m_startAfter; ///< What the layers lie on, by the old range and by the new one.
     bool m_composes;                     ///< Some layer's mode asks what lies below.
 };
 
 /// `outside` as in TileRescale::run().
-MapStack rescaledStack(const MapStack& stack, const MapSpec& spec, const Table& table, std::uint16_t startAfter,
+MapStack rescaledStack(const MapStack& stack, const MapSpec& spec, const RangeTable& table, std::uint16_t startAfter,
                        int& outside)
 {
     constexpr std::size_t kTilesAtOnce = 8;
@@ -210,7 +206,7 @@ MapStack rescaledStack(const MapStack& stack, const MapSpec& spec, const Table& 
 }
 
 /// Whether every texel of a tile has this coverage.
-bool isCovered(const RasterTile& tile, std::uint16_t coverage)
+bool hasCoverage(const RasterTile& tile, std::uint16_t coverage)
 {
     if (tile.isUniform())
         return tile.uniform[1] == coverage;
@@ -220,33 +216,34 @@ bool isCovered(const RasterTile& tile, std::uint16_t coverage)
     return true;
 }
 
-bool isCovered(const Layer& layer, std::uint16_t coverage)
+bool hasCoverage(const Layer& layer, std::uint16_t coverage)
 {
     for (int index = 0; index < layer.raster.tileCount(); ++index)
-        if (!isCovered(*layer.raster.tile(index), coverage))
+        if (!hasCoverage(*layer.raster.tile(index), coverage))
             return false;
     return true;
 }
 
 bool hidesBelow(const Layer& layer)
 {
-    return layer.visible && layer.blend == BlendMode::Normal && unit16(layer.opacity) == kMost;
+    return layer.visible && layer.blend == BlendMode::Normal && unit16(layer.opacity) == kMostValue;
 }
 
 /// Whether hair grows somewhere in the group that may have the map's amount of unpainted skin.
 bool showsStart(const HairGroup& group, const MapStack& stack)
 {
     const bool grows = !std::ranges::all_of(group.map(MapKind::Density).layers,
-                                            [](const Layer& layer) { return isCovered(layer, 0); });
-    return grows && !std::ranges::any_of(
-                        stack.layers, [](const Layer& layer) { return hidesBelow(layer) && isCovered(layer, kMost); });
+                                            [](const Layer& layer) { return hasCoverage(layer, 0); });
+    return grows && !std::ranges::any_of(stack.layers, [](const Layer& layer) {
+               return hidesBelow(layer) && hasCoverage(layer, kMostValue);
+           });
 }
 
 /// One value all over, under what is painted: in the lowest layer if that is still empty, else in a layer of its own.
 void layUnder(MapStack& stack, const MapSpec& spec, std::uint16_t value)
 {
-    const sim::TiledRaster base(stack.size, spec.layerChannels(), {value, kMost});
-    if (!stack.layers.empty() && hidesBelow(stack.layers.front()) && isCovered(stack.layers.front(), 0))
+    const sim::TiledRaster base(stack.size, spec.layerChannels(), {value, kMostValue});
+    if (!stack.layers.empty() && hidesBelow(stack.layers.front()) && hasCoverage(stack.layers.front(), 0))
         stack.layers.front().raster = base;
     else
         stack.layers.insert(stack.layers.begin(), {.name = QStringLiteral("Base"), .raster = base});
@@ -263,7 +260,7 @@ bool setsRange(const GroupSetting& setting)
     setting.write(least, std::lerp(standard, setting.least, kNear));
     setting.write(greatest, std::lerp(standard, setting.greatest, kNear));
     return std::ranges::any_of(mapSpecs(), [&](const MapSpec& spec) {
-        return rescales(spec, GroupSettings{}, least) || rescales(spec, GroupSettings{}, greatest);
+        return rescalesMap(spec, GroupSettings{}, least) || rescalesMap(spec, GroupSettings{}, greatest);
     });
 }
 
@@ -287,9 +284,9 @@ RangeChange withRange(const HairGroup& group, const GroupSettings& settings)
 {
     RangeChange change{.group = group.id, .settings = settings, .maps = group.maps, .clamped = {}};
     for (const MapSpec& spec : mapSpecs()) {
-        if (!rescales(spec, group.settings, settings))
+        if (!rescalesMap(spec, group.settings, settings))
             continue;
-        const Table table(spec, group.settings, settings);
+        const RangeTable table(spec, group.settings, settings);
         SharedStack& map = change.maps[static_cast<std::size_t>(spec.kind)];
         const std::uint16_t start = spec.defaultValue[0];
         const bool keepsStart = table.values[start] != start && showsStart(group, *map);
@@ -297,11 +294,12 @@ RangeChange withRange(const HairGroup& group, const GroupSettings& settings)
         MapStack stack = rescaledStack(*map, spec, table, keepsStart ? table.values[start] : start, outside);
         if (keepsStart) {
             layUnder(stack, spec, table.values[start]);
-            outside |= table.outside[start] > 0 ? 1 : table.outside[start] < 0 ? 2 : 0;
+            outside |= table.outside[start];
         }
         map = std::move(stack);
         if (outside != 0)
-            change.clamped.push_back({.map = spec.kind, .beyond = (outside & 1) != 0, .below = (outside & 2) != 0});
+            change.clamped.push_back(
+                {.map = spec.kind, .beyond = (outside & kBeyond) != 0, .below = (outside & kBelow) != 0});
     }
     return change;
 }
@@ -309,9 +307,9 @@ RangeChange withRange(const HairGroup& group, const GroupSettings& settings)
 void rescaleTexels(const MapSpec& spec, const GroupSettings& before, const GroupSettings& after,
                    std::span<sim::Texel> texels)
 {
-    if (!rescales(spec, before, after))
+    if (!rescalesMap(spec, before, after))
         return;
-    const Table table(spec, before, after);
+    const RangeTable table(spec, before, after);
     for (sim::Texel& texel : texels)
         texel[0] = table.values[texel[0]];
 }
@@ -320,7 +318,7 @@ std::size_t texelsToRescale(const HairGroup& group, const GroupSettings& setting
 {
     std::size_t texels = 0;
     for (const MapSpec& spec : mapSpecs())
-        if (rescales(spec, group.settings, settings))
+        if (rescalesMap(spec, group.settings, settings))
             texels += tilesToBlend(group.map(spec.kind)) * sim::kTileTexels;
     return texels;
 }

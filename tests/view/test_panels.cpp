@@ -22,8 +22,6 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
-#include <cmath>
-
 using namespace hairpaint;
 using namespace hairpaint::view;
 using model::MapKind;
@@ -76,123 +74,6 @@ private Q_SLOTS:
         f.document.undo();
         QCOMPARE(f.scalp().settings.greatestLengthM, before);
         QCOMPARE(slider->value(), 30.0);
-    }
-
-    void another_greatest_length_keeps_the_haircut()
-    {
-        model::Project project = smallProject();
-        sim::TiledRaster& painted = project.groups.front().map(MapKind::Length).layers.front().raster;
-        for (int index = 0; index < painted.tileCount(); ++index)
-            painted.setUniform(index, {32768, 65535, 0, 0}); // 15 of 30 cm.
-        model::Document document(project);
-        EditorState state(document);
-        HairPanel panel(state);
-        panel.resize(280, 900);
-        panel.show();
-        QStringList told;
-        connect(&state, &EditorState::told, this, [&told](const QString& text) { told.append(text); });
-        const auto lengthCm = [&] {
-            const model::HairGroup& group = document.project().groups.front();
-            const auto texel = document.resolved(group.id, MapKind::Length)->texel(9, 9);
-            return 100.0 * model::mapSpec(MapKind::Length).scale->amount(group.settings, texel[0] / 65535.0);
-        };
-        const auto type = [&](const QString& text) {
-            BarSlider* slider = sliderNamed(panel, QStringLiteral("Greatest length"));
-            slider->setFocus();
-            QTest::keyClick(slider, Qt::Key_Return);
-            auto* editor = slider->findChild<QLineEdit*>();
-            editor->setText(text);
-            QTest::keyClick(editor, Qt::Key_Return);
-            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-        };
-        const auto near = [](double a, double b) { return std::abs(a - b) < 0.01; };
-        type(QStringLiteral("60 cm"));
-        QVERIFY2(near(lengthCm(), 15.0), qPrintable(QString::number(lengthCm())));
-        QCOMPARE(document.undoStack().count(), 1);
-        QCOMPARE(document.undoStack().undoText(), QStringLiteral("Greatest length of \"Scalp\""));
-        QVERIFY(told.isEmpty());
-        type(QStringLiteral("100 mm"));
-        QVERIFY(near(lengthCm(), 10.0));
-        QCOMPARE(document.undoStack().count(), 2);
-        QCOMPARE(told, QStringList(QStringLiteral("What was painted on Length beyond 10\u2009cm is 10\u2009cm now; "
-                                                  "undo brings it back.")));
-        document.undo();
-        document.undo();
-        QVERIFY(document.project().groups == project.groups);
-        // While it moves it is the same.
-        BarSlider* slider = sliderNamed(panel, QStringLiteral("Greatest length"));
-        holdAt(*slider, 0.9);
-        QVERIFY(document.previewing());
-        QVERIFY(near(lengthCm(), 15.0));
-        QTest::mouseClick(slider, Qt::RightButton);
-        QVERIFY(document.project().groups == project.groups);
-        QCOMPARE(document.undoStack().index(), 0);
-    }
-
-    void the_range_of_a_large_map_is_changed_when_it_is_let_go()
-    {
-        model::Project project;
-        project.groups.push_back(model::makeGroup(project, QStringLiteral("Scalp"), 2048));
-        sim::TiledRaster& painted = project.groups.front().map(MapKind::Length).layers.front().raster;
-        for (int index = 0; index < painted.tileCount(); ++index) {
-            const std::span<std::uint16_t> pixels = painted.writableTile(index);
-            for (std::size_t i = 0; i < pixels.size(); i += 2) {
-                pixels[i] = i == 0 ? 0 : 32768;
-                pixels[i + 1] = 65535;
-            }
-        }
-        model::Document document(project);
-        EditorState state(document);
-        HairPanel panel(state);
-        panel.resize(280, 900);
-        panel.show();
-        BarSlider* slider = sliderNamed(panel, QStringLiteral("Greatest length"));
-        holdAt(*slider, 0.9);
-        QVERIFY(!document.previewing());
-        letGo(*slider, QPoint(qRound(slider->width() * 0.9), 12));
-        QCOMPARE(document.undoStack().count(), 1);
-        const model::HairGroup& group = document.project().groups.front();
-        QVERIFY(group.settings.greatestLengthM > 1.0F);
-        const auto texel = group.map(MapKind::Length).layers.front().raster.texel(9, 9);
-        const double lengthM = model::mapSpec(MapKind::Length).scale->amount(group.settings, texel[0] / 65535.0);
-        QVERIFY(std::abs(lengthM - 0.15) < 1e-4);
-        QVERIFY(std::abs(slider->value() - 100.0 * static_cast<double>(group.settings.greatestLengthM)) < 0.06);
-    }
-
-    void a_click_that_waits_for_its_double_is_of_the_group_it_was_made_on()
-    {
-        PanelFixture f;
-        HairPanel panel(f.state);
-        panel.resize(280, 900);
-        panel.show();
-        BarSlider* slider = sliderNamed(panel, QStringLiteral("Stiffness"));
-        QVERIFY(slider != nullptr);
-        const sim::GroupSettings beard = f.document.project().groups[1].settings;
-        const sim::GroupSettings scalp = f.scalp().settings;
-        QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() * 9 / 10, 12));
-        f.state.setActiveGroup(f.document.project().groups[1].id);
-        QVERIFY(!slider->editing());
-        QVERIFY(f.document.project().groups[1].settings == beard);
-        QVERIFY(!(f.scalp().settings == scalp));
-        QCOMPARE(slider->value(), 5.0);
-        QCOMPARE(f.steps(), 1);
-    }
-
-    void what_undo_took_back_while_a_click_waits_for_its_double_stays_so()
-    {
-        PanelFixture f;
-        HairPanel panel(f.state);
-        panel.resize(280, 900);
-        panel.show();
-        BarSlider* slider = sliderNamed(panel, QStringLiteral("Stiffness"));
-        QVERIFY(slider != nullptr);
-        const sim::GroupSettings before = f.scalp().settings;
-        QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() * 9 / 10, 12));
-        f.document.undo();
-        slider->release(); // As when the time for a second click is over.
-        QVERIFY(f.scalp().settings == before);
-        QCOMPARE(slider->value(), 5.0);
-        QCOMPARE(f.steps(), 0);
     }
 
     void a_slider_brought_back_leaves_no_command_and_no_preview()

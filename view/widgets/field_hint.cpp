@@ -15,10 +15,10 @@ namespace hairpaint::view {
 
 namespace {
 
-constexpr int kNarrowest = 180; ///< Of a sentence under a short field, px.
-constexpr int kWidest = 320;
+constexpr int kNarrowestHint = 180; ///< Of a sentence under a short field, px.
+constexpr int kWidestHint = 320;
 
-void repolish(QWidget& widget)
+void repolishHint(QWidget& widget)
 {
     widget.style()->unpolish(&widget);
     widget.style()->polish(&widget);
@@ -49,7 +49,7 @@ void FieldHint::showAt(QWidget& field, const QString& sentence, Tone tone)
         hint = new FieldHint(field);
     hint->setText(sentence);
     hint->setProperty("problem", tone == Tone::Problem);
-    repolish(*hint);
+    repolishHint(*hint);
     hint->place();
     hint->show();
     // Not before the press or the key that made it appear is over.
@@ -76,7 +76,7 @@ QString FieldHint::textAt(const QWidget& field)
 void FieldHint::place()
 {
     const QWidget& field = *parentWidget();
-    setFixedWidth(std::clamp(field.width(), kNarrowest, kWidest));
+    setFixedWidth(std::clamp(field.width(), kNarrowestHint, kWidestHint));
     adjustSize();
     const QRect screen = field.screen()->availableGeometry();
     QPoint corner = field.mapToGlobal(QPoint(0, field.height() + 2));
@@ -107,7 +107,7 @@ void markRefused(QWidget& edit, bool refused)
     if (edit.property("refused").toBool() == refused)
         return;
     edit.setProperty("refused", refused);
-    repolish(edit);
+    repolishHint(edit);
 }
 
 } // namespace hairpaint::view

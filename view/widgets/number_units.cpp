@@ -14,7 +14,7 @@ namespace {
 
 using enum NumberUnit::Dimension;
 
-constexpr NumberUnit kUnits[] = {
+constexpr NumberUnit kNumberUnits[] = {
     {Length, "um", 1e-6},
     {Length, QT_TRANSLATE_NOOP("NumberText", "mm|millimetre|millimetres|millimeter|millimeters"), 1e-3},
     {Length, QT_TRANSLATE_NOOP("NumberText", "cm|centimetre|centimetres|centimeter|centimeters"), 1e-2},
@@ -95,18 +95,18 @@ QString plainNumberText(QString text)
 
 const NumberUnit* findNumberUnit(const QString& plainName)
 {
-    const auto* const found = std::ranges::find_if(kUnits, [&](const NumberUnit& row) {
+    const auto* const found = std::ranges::find_if(kNumberUnits, [&](const NumberUnit& row) {
         return std::ranges::any_of(unitNames(row),
                                    [&](const QString& name) { return plainNumberText(name) == plainName; });
     });
-    return found == std::end(kUnits) ? nullptr : found;
+    return found == std::end(kNumberUnits) ? nullptr : found;
 }
 
 QString usableUnits(const QString& unit, const NumberUnit* own)
 {
     QStringList usable{unit};
     if (own != nullptr)
-        for (const NumberUnit& row : kUnits)
+        for (const NumberUnit& row : kNumberUnits)
             if (row.dimension == own->dimension && &row != own && row.factor > 1e-5) // Nobody types micrometres.
                 usable.append(unitNames(row).first());
     return usable.join(QStringLiteral(", "));
