@@ -80,6 +80,8 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     view::StatusReadout& status = m_workspace->status();
     connect(styles, &StyleStripController::failed, &status,
             [&status](const QString& problem) { status.showMessage(problem, true); });
+    connect(&m_workspace->styleStrip(), &view::StyleStrip::asking, m_workspace,
+            [this] { m_workspace->setPanelsHidden(false); });
     styles->refresh();
     m_files.setPath(path);
     m_session.document().resolveIn(resolvedByJobs(m_jobs, &m_session));

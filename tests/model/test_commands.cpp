@@ -266,6 +266,8 @@ void TestCommands::aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName()
     Project styled = patchProject();
     styled.groups.front().settings.greatestLengthM = 0.6F;
     styled.groups.push_back(makeGroup(styled, QStringLiteral("Beard")));
+    for (HairGroup& group : styled.groups)
+        group.map(MapKind::Density).layers[0].raster.setUniform(3, {60000, 65535, 0, 0});
     const Preset preset = presetFrom(styled, QStringLiteral("Viking"));
 
     Project start = patchProject();
@@ -275,14 +277,15 @@ void TestCommands::aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName()
     document.push(applyPresetCommand(document, preset));
     QCOMPARE(document.undoStack().count(), 1);
     const Project& project = document.project();
-    QCOMPARE(project.groups.size(), 2U);
-    QCOMPARE(project.groups[0].id, scalp);
-    QCOMPARE(project.groups[0].settings.greatestLengthM, 0.6F);
-    QCOMPARE(project.groups[1].name, QStringLiteral("Beard"));
-    QVERIFY(project.groups[1].id != scalp && project.groups[1].id != start.groups[0].id);
+    QCOMPARE(project.groups.size(), 3U);
+    QVERIFY(project.groups[0] == start.groups[0]); // Brows, of which the style has none.
+    QCOMPARE(project.groups[1].id, scalp);
+    QCOMPARE(project.groups[1].settings.greatestLengthM, 0.6F);
+    QCOMPARE(project.groups[2].name, QStringLiteral("Beard"));
+    QVERIFY(project.groups[2].id != scalp && project.groups[2].id != start.groups[0].id);
     QSet<Id> ids;
-    for (const HairGroup& group : project.groups)
-        for (const MapStack& stack : group.maps) {
+    for (const std::size_t group : {1U, 2U})
+        for (const MapStack& stack : project.groups[group].maps) {
             QCOMPARE(stack.layers.size(), 1U);
             QCOMPARE(stack.layers[0].name, QStringLiteral("Viking"));
             QVERIFY(!ids.contains(stack.layers[0].id));
