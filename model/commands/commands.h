@@ -71,6 +71,7 @@ struct LayerProperties
 /// Null where nothing differs; likewise the next ones.
 [[nodiscard]] CommandPtr setSettingsCommand(Document& document, Id group, const sim::GroupSettings& settings,
                                             const QString& text);
+/// Whether it blows stays as it is (Document::setWindOn).
 [[nodiscard]] CommandPtr setWindCommand(Document& document, const sim::Wind& wind);
 [[nodiscard]] CommandPtr setLightCommand(Document& document, const LightSettings& light);
 [[nodiscard]] CommandPtr setBackgroundCommand(Document& document, QRgb background);

@@ -105,6 +105,41 @@ private Q_SLOTS:
         QCOMPARE(foldersLeft(), 0);
     }
 
+    void windOnOrOffIsNoWork_data()
+    {
+        QTest::addColumn<bool>("crashes");
+        QTest::newRow("closed") << false;
+        QTest::newRow("killed") << true;
+    }
+    void windOnOrOffIsNoWork()
+    {
+        QFETCH(bool, crashes);
+        openBald();
+        key(Qt::Key_W);
+        QVERIFY(session().document().committed().wind.enabled);
+        QCOMPARE(stack().count(), 0);
+        QVERIFY(!m_window->isWindowModified());
+        if (crashes)
+            crash();
+        else
+            QVERIFY(m_window->close()); // A question would wait for an answer.
+        QCOMPARE(foldersLeft(), 0);
+        if (!crashes)
+            return;
+        openWindow(model::newProject());
+        offer(); // So would this.
+    }
+
+    void windOnOrOffIsSavedWithTheProject()
+    {
+        openBald();
+        key(Qt::Key_W);
+        const QString path = m_folder.filePath(QStringLiteral("windy.hairpaint"));
+        m_window->files().setPath(path);
+        QVERIFY(m_window->files().save());
+        QVERIFY(model::loadProject(path)->wind.enabled);
+    }
+
     void workOfAWindowThatIsGoneComesBackWithItsSteps()
     {
         openBald();

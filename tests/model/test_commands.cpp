@@ -112,6 +112,7 @@ private Q_SLOTS:
     void aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName();
     void aPresetFlattensWhatIsShown();
     void thePreviewOfAPresetIsItsCommit();
+    void windOnOrOffIsNoStepAndStaysWhateverIsUndone();
     void theDocumentKnowsWhetherItIsSaved();
     void theHistoryForgetsItsOldestStepsWithinItsBudget();
     void aPushCountsItsOwnCommandAlone();
@@ -334,6 +335,38 @@ void TestCommands::thePreviewOfAPresetIsItsCommit()
     edit.drop();
     QVERIFY(sameProjects(document.project(), previewed));
     QVERIFY(*document.resolved(group, MapKind::Density) == *shown);
+}
+
+void TestCommands::windOnOrOffIsNoStepAndStaysWhateverIsUndone()
+{
+    Document document(patchProject());
+    QSignalSpy changed(&document, &Document::changed);
+    document.setWindOn(false);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(!document.modified());
+    QVERIFY(!document.committed().wind.enabled);
+    document.setWindOn(false);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(setWindCommand(document, {.enabled = true}) == nullptr); // Nothing else of it differs.
+    document.push(setWindCommand(document, {.enabled = true, .velocity = {2.0F, 0.0F, 0.0F}}));
+    QVERIFY(!document.committed().wind.enabled);
+    document.push(setBackgroundCommand(document, 0xFF123456));
+    document.setWindOn(true);
+    document.undo();
+    QVERIFY(document.committed().wind.enabled);
+    QCOMPARE(document.committed().wind.velocity.x, 2.0F);
+    document.setWindOn(false);
+    document.redo();
+    QVERIFY(!document.committed().wind.enabled);
+    // What is shown over the content blows as well, and so does what becomes of it.
+    EditSession edit;
+    document.show(edit, {}, {.aspect = Change::Aspect::Environment},
+                  [](Project& project) { project.light.intensity = 2.0F; });
+    document.setWindOn(true);
+    QVERIFY(document.previewing());
+    QVERIFY(document.project().wind.enabled);
+    edit.commit();
+    QVERIFY(document.committed().wind.enabled);
 }
 
 void TestCommands::theDocumentKnowsWhetherItIsSaved()
