@@ -230,7 +230,11 @@ void MainWindow::connectFiles()
 void MainWindow::offerUnsavedWork()
 {
     sweepBeside(m_settings.recentFiles());
-    const std::optional<RestoredWork> restored = askForUnsavedWork(JournalFolder::root(), m_jobs, *this);
+    const UnsavedAnswer answer = askForUnsavedWork(JournalFolder::root(), m_jobs, *this);
+    const std::optional<RestoredWork>& restored = answer.restored;
+    if (answer.isKept)
+        m_workspace->status().showMessage(tr("The unsaved work is kept; the next start offers it again."), false,
+                                          kReasonMs);
     if (!restored || !m_files.restore(restored->work))
         return;
     m_journal.takeOver(restored->work);
