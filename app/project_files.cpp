@@ -1,13 +1,12 @@
 // New, open, save: see the header.
 #include "app/project_files.h"
 
+#include "app/file_dialogs.h"
 #include "app/library.h"
 #include "app/recovery/repair_dialog.h"
-#include "app/save_dialog.h"
 #include "model/files/earlier_versions.h"
 #include "model/repair/project_repair.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -123,8 +122,9 @@ ProjectFiles::Taken ProjectFiles::take(const QString& doing, std::shared_ptr<mod
 
 void ProjectFiles::open()
 {
-    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open project"), m_settings.lastFolder(),
-                                                      tr("Hair Paint projects (*.hairpaint)"));
+    const QString path =
+        FileDialogs(m_window, m_jobs)
+            .askOpenPath(tr("Open project"), m_settings.lastFolder(), tr("Hair Paint projects (*.hairpaint)"));
     if (!path.isEmpty())
         openPath(path);
 }
@@ -275,10 +275,11 @@ bool ProjectFiles::saveAs()
 
 bool ProjectFiles::saveUnder(const QString& suggested)
 {
-    const QString path = askSavePath(m_window, {.title = tr("Save project"),
-                                                .suggestedPath = suggested,
-                                                .filter = tr("Hair Paint projects (*.hairpaint)"),
-                                                .suffix = QStringLiteral("hairpaint")});
+    const QString path = FileDialogs(m_window, m_jobs)
+                             .askSavePath({.title = tr("Save project"),
+                                           .suggestedPath = suggested,
+                                           .filter = tr("Hair Paint projects (*.hairpaint)"),
+                                           .suffix = QStringLiteral("hairpaint")});
     return !path.isEmpty() && saveTo(path, Changed::Replace); // Which the dialog has asked about.
 }
 
