@@ -12,6 +12,7 @@
 #include "app/menus/map_menu.h"
 #include "app/menus/tools_menu.h"
 #include "app/menus/view_menu.h"
+#include "app/opening_sign.h"
 #include "app/picture.h"
 #include "app/recovery/recovery.h"
 #include "app/style_strip_controller.h"
@@ -210,6 +211,7 @@ void MainWindow::connectFiles()
         return thumbnailOf(scene);
     });
     m_exchange.hair().setSceneSource([this] { return m_workspace->headView().pictureScene(); });
+    new OpeningSign(m_files, m_session, m_workspace->headView()); // Belongs to the area.
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
     connect(&m_files, &ProjectFiles::pathChanged, this, [this] { m_journal.setPath(m_files.path()); });
     view::StatusReadout& status = m_workspace->status();

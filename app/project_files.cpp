@@ -94,6 +94,15 @@ QString ProjectFiles::openingOf(const QString& path)
 ProjectFiles::Taken ProjectFiles::take(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded,
                                        const QString& path, Work<model::Project> read)
 {
+    Q_EMIT openingBegan(doing);
+    Taken taken = takeQuietly(doing, std::move(encoded), path, std::move(read));
+    Q_EMIT openingEnded(taken.isOpen);
+    return taken;
+}
+
+ProjectFiles::Taken ProjectFiles::takeQuietly(const QString& doing, std::shared_ptr<model::EncodedLayers> encoded,
+                                              const QString& path, Work<model::Project> read)
+{
     struct Ready
     {
         model::Project project;
@@ -208,19 +217,22 @@ bool ProjectFiles::openPath(const QString& path)
 bool ProjectFiles::restore(const model::RecoveredWork& work)
 {
     const model::JournalState& state = work.steps.at(work.current);
+    const QString doing = tr("Restoring unsaved work");
+    Q_EMIT openingBegan(doing);
     std::optional<model::Result<model::ResolvedMaps>> maps = m_jobs.await<model::ResolvedMaps>(
-        tr("Restoring unsaved work"), [&state](const model::Progress&) -> model::Result<model::ResolvedMaps> {
+        doing, [&state](const model::Progress&) -> model::Result<model::ResolvedMaps> {
             return model::ResolvedMaps(state.project);
         });
-    if (!maps)
-        return false;
-    if (!*maps) {
-        complain(maps->error().message);
+    if (!maps || !*maps) {
+        Q_EMIT openingEnded(false);
+        if (maps)
+            complain(maps->error().message);
         return false;
     }
     m_encoded = model::makeEncodedLayers();
     m_session.document().restore(work, std::move(**maps));
     setPath(state.path);
+    Q_EMIT openingEnded(true);
     return true;
 }
 
@@ -231,16 +243,18 @@ bool ProjectFiles::openRepaired(const QString& path)
         model::RepairedProject repaired;
         model::ResolvedMaps maps;
     };
+    const QString doing = tr("Repairing %1").arg(QFileInfo(path).fileName());
+    Q_EMIT openingBegan(doing);
     Awaited<Ready> ready =
-        m_jobs.awaitOrLeave<Ready>(tr("Repairing %1").arg(QFileInfo(path).fileName()),
-                                   [path](const model::Progress& progress) -> model::Result<Ready> {
-                                       model::Result<model::RepairedProject> repaired =
-                                           model::repairProject(path, progress);
-                                       if (!repaired)
-                                           return tl::unexpected(repaired.error());
-                                       model::ResolvedMaps maps(repaired->project);
-                                       return Ready{.repaired = std::move(*repaired), .maps = std::move(maps)};
-                                   });
+        m_jobs.awaitOrLeave<Ready>(doing, [path](const model::Progress& progress) -> model::Result<Ready> {
+            model::Result<model::RepairedProject> repaired = model::repairProject(path, progress);
+            if (!repaired)
+                return tl::unexpected(repaired.error());
+            model::ResolvedMaps maps(repaired->project);
+            return Ready{.repaired = std::move(*repaired), .maps = std::move(maps)};
+        });
+    if (ready.end != WorkEnd::Done || !*ready.result)
+        Q_EMIT openingEnded(false);
     if (ready.end == WorkEnd::Cancelled)
         return false;
     if (ready.end == WorkEnd::Left || !*ready.result) {
@@ -255,6 +269,7 @@ bool ProjectFiles::openRepaired(const QString& path)
     m_session.document().restore(work, std::move((*ready.result)->maps));
     m_settings.setLastFolder(QFileInfo(path).absolutePath());
     setPath({}, tr("%1 (repaired)").arg(QFileInfo(path).completeBaseName()));
+    Q_EMIT openingEnded(true);
     RepairDialog(path, repaired.losses, &m_window).exec();
     return true;
 }
