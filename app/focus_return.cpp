@@ -1,4 +1,4 @@
-// Keys go back to the window: see the header.
+// Keys go to the dialog and back: see the header.
 #include "app/focus_return.h"
 
 #include <QApplication>
@@ -15,6 +15,10 @@ FocusReturn::FocusReturn(QObject* parent) : QObject(parent)
 
 bool FocusReturn::eventFilter(QObject* watched, QEvent* event)
 {
+    if (event->type() == QEvent::Show)
+        if (auto* opened = qobject_cast<QDialog*>(watched);
+            opened != nullptr && opened->isModal() && QGuiApplication::focusWindow() != nullptr)
+            opened->activateWindow();
     const auto* dialog = event->type() == QEvent::Hide ? qobject_cast<QDialog*>(watched) : nullptr;
     // Qt has made it inactive by now, but has not heard yet where the keys go.
     const bool wasActive =

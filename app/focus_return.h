@@ -1,12 +1,13 @@
-// Keys go to the window again when a dialog over it has closed.
+// Keys go to a dialog that opens over the window, and to the window again when it has closed.
 #pragma once
 
 #include <QObject>
 
 namespace hairpaint::app {
 
-/// Watches every dialog while it lives: one that was active and is hidden makes the window beneath it active. Most
-/// window managers do so by themselves; where there is none (a kiosk, a remote display) shortcuts would be dead.
+/// Watches every dialog while it lives: a modal one that is shown while the program has the keys becomes active, so
+/// that Esc leaves it; one that was active and is hidden makes the window beneath it active. Most window managers do so
+/// by themselves; where there is none (a kiosk, a remote display) keys would be dead.
 class FocusReturn : public QObject
 {
 public:

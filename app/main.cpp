@@ -1,5 +1,6 @@
 // Hair Paint: with a verb it works without a window, else it opens the editor.
 #include "app/cli/command.h"
+#include "app/first_activation.h"
 #include "app/languages.h"
 #include "app/large_memory.h"
 #include "app/library.h"
@@ -163,14 +164,13 @@ int runEditor(int argc, char** argv)
         window.keepWork();
         QCoreApplication::exit();
     });
-    QMetaObject::invokeMethod(
-        &window,
-        [&window, file = arguments.value(1)] {
-            window.offerUnsavedWork();
-            if (!file.isEmpty())
-                window.openFile(file);
-        },
-        Qt::QueuedConnection);
+    // A question that is asked before the window has the keys would not get them on every system.
+    const auto begin = [&window, file = arguments.value(1)] {
+        window.offerUnsavedWork();
+        if (!file.isEmpty())
+            window.openFile(file);
+    };
+    const hairpaint::app::FirstActivation firstActivation(window, begin);
     return QApplication::exec();
 }
 

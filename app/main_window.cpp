@@ -12,6 +12,7 @@
 #include "app/menus/map_menu.h"
 #include "app/menus/tools_menu.h"
 #include "app/menus/view_menu.h"
+#include "app/opening_sign.h"
 #include "app/picture.h"
 #include "app/recovery/recovery.h"
 #include "app/style_strip_controller.h"
@@ -85,6 +86,8 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     view::StatusReadout& status = m_workspace->status();
     connect(styles, &StyleStripController::failed, &status,
             [&status](const QString& problem) { status.showMessage(problem, true); });
+    connect(&m_workspace->styleStrip(), &view::StyleStrip::asking, m_workspace,
+            [this] { m_workspace->setPanelsHidden(false); });
     styles->refresh();
     m_files.setPath(path);
     m_session.document().resolveIn(resolvedByJobs(m_jobs, &m_session));
@@ -225,6 +228,7 @@ void MainWindow::connectFiles()
         const view::HeadView& shown = m_workspace->headView();
         return ShownScene{.scene = shown.pictureScene(), .px = shown.size() * shown.devicePixelRatioF()};
     });
+    new OpeningSign(m_files, m_session, m_workspace->headView()); // Belongs to the area.
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
     connect(&m_files, &ProjectFiles::pathChanged, this, [this] { m_journal.setPath(m_files.path()); });
     view::StatusReadout& status = m_workspace->status();
@@ -246,7 +250,11 @@ void MainWindow::connectFiles()
 void MainWindow::offerUnsavedWork()
 {
     sweepBeside(m_settings.recentFiles());
-    const std::optional<RestoredWork> restored = askForUnsavedWork(JournalFolder::root(), m_jobs, *this);
+    const UnsavedAnswer answer = askForUnsavedWork(JournalFolder::root(), m_jobs, *this);
+    const std::optional<RestoredWork>& restored = answer.restored;
+    if (answer.isKept)
+        m_workspace->status().showMessage(tr("The unsaved work is kept; the next start offers it again."), false,
+                                          kReasonMs);
     if (!restored || !m_files.restore(restored->work))
         return;
     m_journal.takeOver(restored->work);

@@ -1,13 +1,12 @@
 // New, open, save: see the header.
 #include "app/project_files.h"
 
+#include "app/file_dialogs.h"
 #include "app/library.h"
 #include "app/recovery/repair_dialog.h"
-#include "app/save_dialog.h"
 #include "model/files/earlier_versions.h"
 #include "model/repair/project_repair.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -102,6 +101,15 @@ Doing ProjectFiles::openingOf(const QString& path)
 ProjectFiles::Taken ProjectFiles::take(const Doing& doing, std::shared_ptr<model::EncodedLayers> encoded,
                                        const QString& path, Work<model::Project> read)
 {
+    Q_EMIT openingBegan(doing.text);
+    Taken taken = takeQuietly(doing, std::move(encoded), path, std::move(read));
+    Q_EMIT openingEnded(taken.isOpen);
+    return taken;
+}
+
+ProjectFiles::Taken ProjectFiles::takeQuietly(const Doing& doing, std::shared_ptr<model::EncodedLayers> encoded,
+                                              const QString& path, Work<model::Project> read)
+{
     struct Ready
     {
         model::Project project;
@@ -130,8 +138,9 @@ ProjectFiles::Taken ProjectFiles::take(const Doing& doing, std::shared_ptr<model
 
 void ProjectFiles::open()
 {
-    const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open project"), m_settings.lastFolder(),
-                                                      tr("Hair Paint projects (*.hairpaint)"));
+    const QString path =
+        FileDialogs(m_window, m_jobs)
+            .askOpenPath(tr("Open project"), m_settings.lastFolder(), tr("Hair Paint projects (*.hairpaint)"));
     if (!path.isEmpty())
         openPath(path);
 }
@@ -221,19 +230,22 @@ Doing ProjectFiles::restoring()
 bool ProjectFiles::restore(const model::RecoveredWork& work)
 {
     const model::JournalState& state = work.steps.at(work.current);
+    const Doing doing = restoring();
+    Q_EMIT openingBegan(doing.text);
     std::optional<model::Result<model::ResolvedMaps>> maps = m_jobs.await<model::ResolvedMaps>(
-        restoring(), [&state](const model::Progress&) -> model::Result<model::ResolvedMaps> {
+        doing, [&state](const model::Progress&) -> model::Result<model::ResolvedMaps> {
             return model::ResolvedMaps(state.project);
         });
-    if (!maps)
-        return false;
-    if (!*maps) {
-        complain(maps->error().message);
+    if (!maps || !*maps) {
+        Q_EMIT openingEnded(false);
+        if (maps)
+            complain(maps->error().message);
         return false;
     }
     m_encoded = model::makeEncodedLayers();
     m_session.document().restore(work, std::move(**maps));
     setPath(state.path);
+    Q_EMIT openingEnded(true);
     return true;
 }
 
@@ -245,17 +257,19 @@ bool ProjectFiles::openRepaired(const QString& path)
         model::ResolvedMaps maps;
     };
     const QString name = QFileInfo(path).fileName();
+    const Doing doing{.text = tr("Repairing %1").arg(name),
+                      .whenCancelled = tr("The project '%1' was not opened: cancelled").arg(name)};
+    Q_EMIT openingBegan(doing.text);
     Awaited<Ready> ready =
-        m_jobs.awaitOrLeave<Ready>({.text = tr("Repairing %1").arg(name),
-                                    .whenCancelled = tr("The project '%1' was not opened: cancelled").arg(name)},
-                                   [path](const model::Progress& progress) -> model::Result<Ready> {
-                                       model::Result<model::RepairedProject> repaired =
-                                           model::repairProject(path, progress);
-                                       if (!repaired)
-                                           return tl::unexpected(repaired.error());
-                                       model::ResolvedMaps maps(repaired->project);
-                                       return Ready{.repaired = std::move(*repaired), .maps = std::move(maps)};
-                                   });
+        m_jobs.awaitOrLeave<Ready>(doing, [path](const model::Progress& progress) -> model::Result<Ready> {
+            model::Result<model::RepairedProject> repaired = model::repairProject(path, progress);
+            if (!repaired)
+                return tl::unexpected(repaired.error());
+            model::ResolvedMaps maps(repaired->project);
+            return Ready{.repaired = std::move(*repaired), .maps = std::move(maps)};
+        });
+    if (ready.end != WorkEnd::Done || !*ready.result)
+        Q_EMIT openingEnded(false);
     if (ready.end == WorkEnd::Cancelled)
         return false;
     if (ready.end == WorkEnd::Left || !*ready.result) {
@@ -270,6 +284,7 @@ bool ProjectFiles::openRepaired(const QString& path)
     m_session.document().restore(work, std::move((*ready.result)->maps));
     m_settings.setLastFolder(QFileInfo(path).absolutePath());
     setPath({}, tr("%1 (repaired)").arg(QFileInfo(path).completeBaseName()));
+    Q_EMIT openingEnded(true);
     RepairDialog(path, repaired.losses, &m_window).exec();
     return true;
 }
@@ -290,10 +305,11 @@ bool ProjectFiles::saveAs()
 
 bool ProjectFiles::saveUnder(const QString& suggested)
 {
-    const QString path = askSavePath(m_window, {.title = tr("Save project"),
-                                                .suggestedPath = suggested,
-                                                .filter = tr("Hair Paint projects (*.hairpaint)"),
-                                                .suffix = QStringLiteral("hairpaint")});
+    const QString path = FileDialogs(m_window, m_jobs)
+                             .askSavePath({.title = tr("Save project"),
+                                           .suggestedPath = suggested,
+                                           .filter = tr("Hair Paint projects (*.hairpaint)"),
+                                           .suffix = QStringLiteral("hairpaint")});
     return !path.isEmpty() && saveTo(path, Changed::Replace); // Which the dialog has asked about.
 }
 

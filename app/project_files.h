@@ -53,6 +53,10 @@ public:
 
 Q_SIGNALS:
     void pathChanged();
+    /// Another project is being read or made; `doing`: what is done, the file named. openingEnded() follows.
+    void openingBegan(const QString& doing);
+    /// Whether it is the one that is open now.
+    void openingEnded(bool isOpen);
     /// The file was changed or removed by others: a sentence, once until it is opened or saved again.
     void changedOutside(const QString& text);
 
@@ -69,6 +73,8 @@ private:
     /// Reads a project and resolves its maps in the background; then it takes the place of the one that is open.
     Taken take(const Doing& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
                Work<model::Project> read);
+    Taken takeQuietly(const Doing& doing, std::shared_ptr<model::EncodedLayers> encoded, const QString& path,
+                      Work<model::Project> read);
     /// What can be read of a damaged file takes the place of the project that is open, as one that was never saved.
     bool openRepaired(const QString& path);
     enum class Changed ///< By another program.

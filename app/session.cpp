@@ -98,9 +98,10 @@ void Session::changeLight(const model::LightSettings& light, bool done)
 
 void Session::changeWind(const sim::Wind& wind, bool done)
 {
+    m_document.setWindOn(wind.enabled);
     if (!done || m_windEdit.active())
         m_document.show(m_windEdit, {.text = model::windStepText()}, {.aspect = model::Change::Aspect::Environment},
-                        [wind](model::Project& project) { project.wind = wind; });
+                        [wind](model::Project& project) { project.wind = model::blowingAs(project.wind, wind); });
     if (m_windEdit.active() && done)
         m_windEdit.commit();
     else if (done)
@@ -109,9 +110,7 @@ void Session::changeWind(const sim::Wind& wind, bool done)
 
 void Session::toggleWind()
 {
-    sim::Wind wind = m_document.project().wind;
-    wind.enabled = !wind.enabled;
-    changeWind(wind, true);
+    m_document.setWindOn(!m_document.project().wind.enabled);
 }
 
 void Session::onChanged(const model::Change& change)

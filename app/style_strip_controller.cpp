@@ -19,6 +19,7 @@ StyleStripController::StyleStripController(view::StyleStrip& strip, StyleFiles& 
     : QObject(&strip), m_strip(strip), m_jobs(jobs), m_pictures(jobs)
 {
     connect(&styles, &StyleFiles::changed, this, &StyleStripController::refresh);
+    connect(&styles, &StyleFiles::wanted, &strip, &view::StyleStrip::putOn);
     connect(&strip, &view::StyleStrip::saveStyleRequested, &styles, &StyleFiles::save);
     connect(&strip, &view::StyleStrip::renameStyleRequested, &styles, &StyleFiles::rename);
     connect(&strip, &view::StyleStrip::deleteStyleRequested, &styles, &StyleFiles::remove);

@@ -210,6 +210,17 @@ void Document::apply(const Change& change, const std::function<void(Project&)>& 
         Q_EMIT editEnded();
 }
 
+void Document::setWindOn(bool on)
+{
+    State& state = *m_state;
+    if (state.committed.wind.enabled == on && project().wind.enabled == on)
+        return;
+    state.committed.wind.enabled = on;
+    if (state.running)
+        state.running->shown.wind.enabled = on;
+    tell({.aspect = Change::Aspect::Environment}, previewing());
+}
+
 EditSession Document::begin(EditOwner owner)
 {
     endEdit();

@@ -64,6 +64,10 @@ public:
     /// else pushes one.
     void apply(const Change& change, const std::function<void(Project&)>& edit);
 
+    /// Whether the wind blows is saved with the project, but it is a matter of looking at the hair, like a pause: no
+    /// step of the history, and the project does not count as modified by it. Whatever runs goes on.
+    void setWindOn(bool on);
+
     /// Begins an edit, after the one that runs has ended by its policy.
     [[nodiscard]] EditSession begin(EditOwner owner);
     /// Previews in a session; begins it first where it does not run.

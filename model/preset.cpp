@@ -1,9 +1,7 @@
-// Projects flattened to presets, and presets applied to projects.
+// Projects flattened to presets.
 #include "model/preset.h"
 
-#include "model/commands/commands.h"
 #include "model/compositor.h"
-#include "model/style_transfer.h"
 #include "model/tools/tile_paint.h"
 
 #include <algorithm>
@@ -75,22 +73,6 @@ bool isPainted(const MapStack& stack)
     });
 }
 
-MapStack stackOf(Project& project, const HairGroup& group, const MapSpec& spec, const QString& layerName)
-{
-    const auto found = std::ranges::find_if(group.maps, [&](const MapStack& stack) { return stack.kind == spec.kind; });
-    if (found == group.maps.end() || (*found)->layers.empty()) {
-        MapStack stack{.kind = spec.kind, .layers = {}};
-        if (found != group.maps.end())
-            stack.size = (*found)->size;
-        stack.layers.push_back(makeLayer(project, spec, stack.size, layerName));
-        return stack;
-    }
-    Layer layer = (*found)->layers.front();
-    layer.id = project.takeId();
-    layer.name = layerName;
-    return {.kind = spec.kind, .size = (*found)->size, .layers = {std::move(layer)}};
-}
-
 } // namespace
 
 Preset presetFrom(const Project& project, const QString& name)
@@ -121,29 +103,6 @@ Preset presetFrom(const Project& project, const QString& name)
         preset.groups.push_back(std::move(flat));
     }
     return preset;
-}
-
-void applyPreset(Project& project, const Preset& preset)
-{
-    const std::optional<std::vector<HairGroup>> styles = carriedGroups(preset.groups, preset.head, project.head);
-    std::vector<HairGroup> before = std::move(project.groups);
-    project.groups.clear();
-    for (const HairGroup& style : *styles) {
-        HairGroup group;
-        const auto sameName = std::ranges::find(before, style.name, &HairGroup::name);
-        if (sameName != before.end()) {
-            group.id = sameName->id;
-            before.erase(sameName); // A name that occurs twice matches one group each time.
-        } else {
-            group.id = project.takeId();
-        }
-        group.name = style.name;
-        group.visible = style.visible;
-        group.settings = style.settings;
-        for (const MapSpec& spec : mapSpecs())
-            group.maps.emplace_back(stackOf(project, style, spec, preset.name));
-        project.groups.push_back(std::move(group));
-    }
 }
 
 } // namespace hairpaint::model

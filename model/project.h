@@ -123,6 +123,13 @@ struct Project
     [[nodiscard]] Id takeId() { return nextId++; }
 };
 
+/// `wind`, on or off as `shown` is.
+[[nodiscard]] inline sim::Wind blowingAs(const sim::Wind& shown, sim::Wind wind)
+{
+    wind.enabled = shown.enabled;
+    return wind;
+}
+
 /// A group named `name` with every map present and empty (default values, one empty layer a map).
 [[nodiscard]] HairGroup makeGroup(Project& project, const QString& name, int mapSize = 1024);
 /// What a layer holds where nothing is painted.

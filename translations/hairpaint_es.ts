@@ -570,10 +570,6 @@
         <translation>Ocultar grupo «%1»</translation>
     </message>
     <message>
-        <source>Apply style &quot;%1&quot;</source>
-        <translation>Aplicar peinado «%1»</translation>
-    </message>
-    <message>
         <source>Add layer to %1</source>
         <translation>Añadir capa a %1</translation>
     </message>
@@ -2145,6 +2141,10 @@
         <source>There is a file &apos;%1&apos; already. Replace it?</source>
         <translation>Ya hay un archivo «%1». ¿Reemplazarlo?</translation>
     </message>
+    <message>
+        <source>Looking for the folder</source>
+        <translation>Buscando la carpeta</translation>
+    </message>
 </context>
 <context>
     <name>SkinTone</name>
@@ -2175,6 +2175,41 @@
     <message>
         <source>Deep</source>
         <translation>Oscura</translation>
+    </message>
+</context>
+<context>
+    <name>StyleParts</name>
+    <message>
+        <source>All of it</source>
+        <translation>Todo el peinado</translation>
+    </message>
+    <message>
+        <source>Apply style &quot;%1&quot;</source>
+        <translation>Aplicar peinado «%1»</translation>
+    </message>
+    <message>
+        <source>Only its colour</source>
+        <translation>Solo el color</translation>
+    </message>
+    <message>
+        <source>Style &quot;%1&quot; (colour only)</source>
+        <translation>Peinado «%1» (solo el color)</translation>
+    </message>
+    <message>
+        <source>Only its cut</source>
+        <translation>Solo el corte</translation>
+    </message>
+    <message>
+        <source>Style &quot;%1&quot; (cut only)</source>
+        <translation>Peinado «%1» (solo el corte)</translation>
+    </message>
+    <message>
+        <source>Only its curl</source>
+        <translation>Solo el rizo</translation>
+    </message>
+    <message>
+        <source>Style &quot;%1&quot; (curl only)</source>
+        <translation>Peinado «%1» (solo el rizo)</translation>
     </message>
 </context>
 <context>
@@ -2844,6 +2879,10 @@
         <source>Drawing the picture</source>
         <translation>Dibujando la imagen</translation>
     </message>
+    <message>
+        <source>The unsaved work is kept; the next start offers it again.</source>
+        <translation>El trabajo sin guardar se conserva; al volver a abrir el programa se ofrecerá otra vez.</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::MapExchange</name>
@@ -2947,6 +2986,17 @@
     <message>
         <source>The map keeps its size: cancelled</source>
         <translation>El mapa conserva su tamaño: cancelado</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::app::OpeningSign</name>
+    <message>
+        <source>%1…</source>
+        <translation>%1…</translation>
+    </message>
+    <message>
+        <source>Growing the hair of &apos;%1&apos;…</source>
+        <translation>Haciendo crecer el pelo de «%1»…</translation>
     </message>
 </context>
 <context>
@@ -4924,6 +4974,44 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::StyleQuestion</name>
+    <message>
+        <source>&amp;Keep mine</source>
+        <translation>&amp;Conservar el mío</translation>
+    </message>
+    <message>
+        <source>&amp;Replace mine</source>
+        <translation>&amp;Reemplazar el mío</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Esc. The rest of the style is put on</source>
+        <translation>Esc. Se aplica el resto del peinado</translation>
+    </message>
+    <message>
+        <source>The style&apos;s own takes its place; undo brings it back</source>
+        <translation>El del peinado ocupa su lugar; al deshacer vuelve el tuyo</translation>
+    </message>
+    <message>
+        <source>All hair stays as it was</source>
+        <translation>Todo el pelo queda como estaba</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; brings its own %2. Replace yours?</source>
+        <translation>«%1» trae su propio grupo (%2). ¿Reemplazar el tuyo?</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::StyleShelf</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>Leyendo %1</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::StyleStrip</name>
     <message>
         <source>Styles</source>
@@ -4938,10 +5026,6 @@ Se ha perdido esto:</translation>
         <translation>Guarda este pelo como un peinado tuyo</translation>
     </message>
     <message>
-        <source>%1. Point to see it, click to keep it</source>
-        <translation>%1. Señálalo para verlo, haz clic para aplicarlo</translation>
-    </message>
-    <message>
         <source>Delete style</source>
         <translation>Eliminar peinado</translation>
     </message>
@@ -4950,8 +5034,16 @@ Se ha perdido esto:</translation>
         <translation>Cambiar el nombre…</translation>
     </message>
     <message>
-        <source>Reading %1</source>
-        <translation>Leyendo %1</translation>
+        <source>%1. Point to see it, click to keep it; Shift+click takes its colour alone</source>
+        <translation>%1. Señálalo para verlo, haz clic para aplicarlo; con Mayús+clic tomas solo su color</translation>
+    </message>
+    <message>
+        <source>Shift+click</source>
+        <translation>Mayús+clic</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no part for the hair of this head; click it to put all of it on.</source>
+        <translation>«%1» no tiene nada para el pelo de esta cabeza; haz clic en él para aplicarlo entero.</translation>
     </message>
 </context>
 <context>
@@ -4959,6 +5051,14 @@ Se ha perdido esto:</translation>
     <message>
         <source>Loading…</source>
         <translation>Cargando…</translation>
+    </message>
+    <message>
+        <source>Take a part of this style</source>
+        <translation>Tomar una parte de este peinado</translation>
+    </message>
+    <message>
+        <source>Parts of %1</source>
+        <translation>Partes de %1</translation>
     </message>
 </context>
 <context>

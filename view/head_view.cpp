@@ -15,6 +15,7 @@
 #include "view/head/view_signs.h"
 #include "view/rendering/card_set.h"
 #include "view/weather_overlay.h"
+#include "view/widgets/veil.h"
 
 #include <QContextMenuEvent>
 #include <QKeyEvent>
@@ -27,8 +28,8 @@ namespace hairpaint::view {
 
 HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choice, QWidget* parent)
     : PaintedArea(state, parent), m_state(state), m_overlay(new HeadOverlay(theme, this)),
-      m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_turn(new HeadTurn(this)),
-      m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
+      m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_veil(new Veil(this)),
+      m_turn(new HeadTurn(this)), m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
       m_pointer(std::make_unique<HeadPointer>(state, *m_scene, *m_turn, *this)),
       m_pacer(std::make_unique<FramePacer>()), m_directions(std::make_unique<DirectionHairs>()),
       m_flight([this](const rendering::Camera& camera) {
@@ -133,12 +134,13 @@ void HeadView::setTheme(const Theme& theme)
 
 void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
 {
-    if (frame && !m_scene->isOnHead(*frame))
-        return; // Of the head before this one.
+    if (frame && (frame->revision < m_firstRevision || !m_scene->isOnHead(*frame)))
+        return; // Of the project, or the head, before this one.
     const std::shared_ptr<const sim::StrandFrame>& shown = m_scene->scene().hair;
     // Cards stand still, but for the head that wears them.
     const bool unseen = cardsShown() && frame && shown && frame->pose == shown->pose;
-    const bool moved = m_stillness.moved(frame, m_scene->camera(), size()) && !unseen;
+    const bool isFirst = frame && !shown;
+    const bool moved = (m_stillness.moved(frame, m_scene->camera(), size()) || isFirst) && !unseen;
     const bool finer = frame && shown && sim::placedDetail(*frame) > sim::placedDetail(*shown);
     if (m_pacer->still() && !moved && !finer)
         return; // A picture that is being refined is worth more than a difference nobody sees.
@@ -147,6 +149,11 @@ void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
         m_pacer->wake();
     else
         m_pacer->requestDraw();
+}
+
+void HeadView::showVeil(const QString& text)
+{
+    m_veil->showText(text);
 }
 
 void HeadView::showCards(std::shared_ptr<const rendering::CardSet> cards)
@@ -288,6 +295,12 @@ void HeadView::onDocumentChanged(const model::Change& change)
     using Aspect = model::Change::Aspect;
     if (change.aspect != Aspect::Environment)
         showCards(nullptr);
+    if (change.aspect == Aspect::Everything) {
+        m_firstRevision = m_state.document().revision();
+        m_ownHairAwaited = true;
+        m_scene->setHair(nullptr);
+        m_pacer->wake();
+    }
     if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything) {
         refreshHead();
         refreshOverlay(); // Its ellipsoids may be others while its mesh is the same.
@@ -335,6 +348,10 @@ void HeadView::refreshRings()
 /// What lies over the picture moves with it, not with the camera or the hair, which may be pictures ahead.
 void HeadView::follow(const Sight& sight)
 {
+    if (m_ownHairAwaited && sight.hairRevision >= m_firstRevision) {
+        m_ownHairAwaited = false;
+        Q_EMIT ownHairShown();
+    }
     if (std::exchange(m_shown, sight) == sight)
         return;
     refreshOverlay();

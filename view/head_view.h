@@ -32,6 +32,7 @@ class HeadOverlay;
 class HeadPointer;
 class HeadScene;
 class HeadTurn;
+class Veil;
 class ViewSigns;
 class WeatherOverlay;
 
@@ -46,7 +47,10 @@ public:
     ~HeadView() override;
 
     void setTheme(const Theme& theme);
+    /// Hair of a project that is open no more is not shown.
     void setFrame(std::shared_ptr<const sim::StrandFrame> frame);
+    /// Over all of it, while something else is on its way here; empty: none.
+    void showVeil(const QString& text);
 
     /// In place of the hair, until that becomes another; null: the hair again.
     void showCards(std::shared_ptr<const rendering::CardSet> cards);
@@ -96,6 +100,7 @@ Q_SIGNALS:
     /// `done`: false while it is being changed (a preview), true for the last one (one undo step).
     void lightWanted(const hairpaint::model::LightSettings& light, bool done);
     void windWanted(const hairpaint::sim::Wind& wind, bool done);
+    void ownHairShown(); ///< Of a project that was opened: it is on the screen now, in place of what was there before.
     void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
     void glUnavailable(const QString& reason); ///< The graphics card can't draw; our own renderer goes on.
     void statusText(const QString& text);
@@ -138,6 +143,7 @@ private:
     HeadOverlay* m_overlay; ///< Children.
     WeatherOverlay* m_weather;
     ViewSigns* m_signs;
+    Veil* m_veil;
     FramePresenter* m_presenter = nullptr; ///< A child.
     HeadTurn* m_turn;                      ///< A child.
 
@@ -150,6 +156,8 @@ private:
     std::optional<Sight> m_shown; ///< By the picture on the screen; none before the first.
     Stillness m_stillness;
     CameraFlight m_flight;
+    std::uint64_t m_firstRevision = 0; ///< Of the project that is open.
+    bool m_ownHairAwaited = false;     ///< On the screen.
     bool m_paused = false;
     bool m_refining = false;
 };

@@ -1,21 +1,20 @@
 // Asking, waiting and telling: see the header.
 #include "app/exchange/file_work.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 
 namespace hairpaint::app {
 
 FileWork::FileWork(Settings& settings, Jobs& jobs, QWidget& window)
-    : QObject(&window), m_settings(settings), m_jobs(jobs), m_window(window)
+    : QObject(&window), m_settings(settings), m_jobs(jobs), m_window(window), m_dialogs(window, jobs)
 {}
 
 QString FileWork::askSavePath(SaveQuestion question, QString* chosenFilter)
 {
     question.suggestedPath =
         m_settings.lastFolder() + QLatin1Char('/') + question.suggestedPath + QLatin1Char('.') + question.suffix;
-    const QString path = app::askSavePath(m_window, question, chosenFilter);
+    const QString path = m_dialogs.askSavePath(question, chosenFilter);
     if (!path.isEmpty())
         m_settings.setLastFolder(QFileInfo(path).absolutePath());
     return path;
@@ -23,11 +22,18 @@ QString FileWork::askSavePath(SaveQuestion question, QString* chosenFilter)
 
 QString FileWork::askOpenPath(const QString& title, const QString& filter)
 {
-    const QString path =
-        QFileDialog::getOpenFileName(&m_window, title, m_settings.lastFolder(), filter + tr(";;All files (*)"));
+    const QString path = m_dialogs.askOpenPath(title, m_settings.lastFolder(), filter + tr(";;All files (*)"));
     if (!path.isEmpty())
         m_settings.setLastFolder(QFileInfo(path).absolutePath());
     return path;
+}
+
+QString FileWork::askFolder(const QString& title)
+{
+    const QString folder = m_dialogs.askFolder(title, m_settings.lastFolder());
+    if (!folder.isEmpty())
+        m_settings.setLastFolder(folder);
+    return folder;
 }
 
 bool FileWork::write(const Doing& doing, const QString& path, Work<void> work)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/background/jobs.h"
-#include "app/save_dialog.h"
+#include "app/file_dialogs.h"
 #include "app/settings.h"
 #include "model/files/sentences.h"
 #include "view/dialogs/help_dialog.h"
@@ -19,10 +19,11 @@ class FileWork : public QObject
 public:
     FileWork(Settings& settings, Jobs& jobs, QWidget& window);
 
-    /// Both begin in the last folder, and remember the one that is chosen; empty where cancelled.
-    /// `question.suggestedPath`: a name without folder and ending; see app::askSavePath.
+    /// All begin in the last folder, and remember the one that is chosen; empty where cancelled.
+    /// `question.suggestedPath`: a name without folder and ending; see FileDialogs::askSavePath.
     [[nodiscard]] QString askSavePath(SaveQuestion question, QString* chosenFilter = nullptr);
     [[nodiscard]] QString askOpenPath(const QString& title, const QString& filter);
+    [[nodiscard]] QString askFolder(const QString& title);
 
     /// What is read of the file `path`. None where it failed, which has been told, or was cancelled.
     template<typename T>
@@ -55,6 +56,7 @@ private:
     Settings& m_settings;
     Jobs& m_jobs;
     QWidget& m_window;
+    FileDialogs m_dialogs;
 };
 
 template<typename T>

@@ -8,7 +8,6 @@
 #include "model/names.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 
@@ -127,11 +126,9 @@ void MapExchange::saveMaps()
     if (dialog.exec() != QDialog::Accepted)
         return;
     m_choice = dialog.choice();
-    const QString folder =
-        QFileDialog::getExistingDirectory(&m_files.window(), dialog.windowTitle(), m_files.settings().lastFolder());
+    const QString folder = m_files.askFolder(dialog.windowTitle());
     if (folder.isEmpty())
         return;
-    m_files.settings().setLastFolder(folder);
     const std::vector<model::WantedMap> maps = wantedMaps(m_choice.range);
     QStringList there = model::mapImageNames(maps, *m_choice.options.format);
     const int count = static_cast<int>(there.size());

@@ -2,7 +2,6 @@
 #include "app/exchange/style_files.h"
 
 #include "app/library.h"
-#include "model/commands/commands.h"
 #include "model/files/sentences.h"
 #include "model/style_transfer.h"
 
@@ -79,7 +78,7 @@ void StyleFiles::remove(const QString& path)
 void StyleFiles::applyFrom(const QString& path)
 {
     m_session.editor().commitStroke();
-    const std::optional<model::Preset> preset = m_files.read<model::Preset>(
+    std::optional<model::Preset> preset = m_files.read<model::Preset>(
         path, [path, head = m_session.document().committed().head](const model::Progress& progress) {
             model::Result<model::Preset> read = model::loadPreset(path);
             if (!read)
@@ -87,10 +86,8 @@ void StyleFiles::applyFrom(const QString& path)
             std::optional<model::Preset> carried = model::carriedPreset(std::move(*read), head, progress);
             return carried ? model::Result<model::Preset>(std::move(*carried)) : model::cancelled(path);
         });
-    if (!preset)
-        return;
-    model::Document& document = m_session.document();
-    document.push(model::applyPresetCommand(document, *preset));
+    if (preset)
+        Q_EMIT wanted(std::make_shared<const model::Preset>(std::move(*preset)));
 }
 
 } // namespace hairpaint::app

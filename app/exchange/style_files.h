@@ -3,6 +3,9 @@
 
 #include "app/exchange/file_work.h"
 #include "app/session.h"
+#include "model/preset.h"
+
+#include <memory>
 
 namespace hairpaint::app {
 
@@ -13,13 +16,15 @@ class StyleFiles : public QObject
 public:
     StyleFiles(Session& session, FileWork& files);
 
-    void save();                      ///< The open project's hair; asks for the name.
-    void rename(const QString& path); ///< Asks for the name.
-    void remove(const QString& path); ///< To the trash, after a question.
-    void applyFrom(const QString& path);
+    void save();                         ///< The open project's hair; asks for the name.
+    void rename(const QString& path);    ///< Asks for the name.
+    void remove(const QString& path);    ///< To the trash, after a question.
+    void applyFrom(const QString& path); ///< wanted() follows.
 
 Q_SIGNALS:
     void changed(); ///< The library.
+    /// A style from elsewhere, on this head, is to be put on.
+    void wanted(const std::shared_ptr<const hairpaint::model::Preset>& preset);
 
 private:
     Session& m_session;

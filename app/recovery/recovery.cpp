@@ -30,7 +30,8 @@ UnsavedWork offerOf(const model::RecoveredWork& work)
             .steps = static_cast<int>(work.current)};
 }
 
-std::vector<RestoredWork> readJournals(const QString& root, Jobs& jobs)
+/// None where it was cancelled.
+std::optional<std::vector<RestoredWork>> readJournals(const QString& root, Jobs& jobs)
 {
     std::vector<RestoredWork> found;
     for (std::unique_ptr<JournalFolder>& folder : JournalFolder::abandoned(root)) {
@@ -42,7 +43,7 @@ std::vector<RestoredWork> readJournals(const QString& root, Jobs& jobs)
                                                             "start looks again")},
                              [&file](const model::Progress& progress) { return model::readJournal(file, progress); });
         if (!read)
-            break; // Cancelled: they are there at the next start.
+            return std::nullopt; // They are there at the next start.
         if (*read && !**read)
             folder->remove(); // All of it was saved.
         else if (*read)
@@ -53,11 +54,14 @@ std::vector<RestoredWork> readJournals(const QString& root, Jobs& jobs)
 
 } // namespace
 
-std::optional<RestoredWork> askForUnsavedWork(const QString& root, Jobs& jobs, QWidget& window)
+UnsavedAnswer askForUnsavedWork(const QString& root, Jobs& jobs, QWidget& window)
 {
-    std::vector<RestoredWork> found = readJournals(root, jobs);
+    std::optional<std::vector<RestoredWork>> read = readJournals(root, jobs);
+    if (!read)
+        return {.restored = std::nullopt, .isKept = true};
+    std::vector<RestoredWork>& found = *read;
     if (found.empty())
-        return std::nullopt;
+        return {};
     std::vector<UnsavedWork> offers;
     offers.reserve(found.size());
     for (const RestoredWork& one : found)
@@ -77,9 +81,11 @@ std::optional<RestoredWork> askForUnsavedWork(const QString& root, Jobs& jobs, Q
                     dialog.setPicture(i, *picture);
             });
     }
-    if (dialog.exec() != QDialog::Accepted)
-        return std::nullopt;
-    return std::move(found[dialog.chosen()]);
+    const bool isAccepted = dialog.exec() == QDialog::Accepted;
+    const bool isKept = dialog.count() > (isAccepted ? 1 : 0);
+    if (!isAccepted)
+        return {.restored = std::nullopt, .isKept = isKept};
+    return {.restored = std::move(found[dialog.chosen()]), .isKept = isKept};
 }
 
 void sweepBeside(const QStringList& files)

@@ -98,6 +98,11 @@ RecoveryDialog::RecoveryDialog(const std::vector<UnsavedWork>& offers, std::func
     m_list->setFocus();
 }
 
+int RecoveryDialog::count() const
+{
+    return m_list->count();
+}
+
 std::size_t RecoveryDialog::chosen() const
 {
     return static_cast<std::size_t>(m_list->currentItem()->data(Qt::UserRole).toInt());

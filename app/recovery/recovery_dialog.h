@@ -32,6 +32,7 @@ public:
                    QWidget* parent = nullptr);
 
     void setPicture(std::size_t index, const QImage& picture);
+    [[nodiscard]] int count() const;          ///< Offers that were not discarded.
     [[nodiscard]] std::size_t chosen() const; ///< Index of the offer that is to be restored.
 
 private:

@@ -4,6 +4,7 @@
 
 #include "model/document.h"
 #include "model/progress.h"
+#include "model/style_use.h"
 
 #include <QUndoCommand>
 
@@ -73,6 +74,7 @@ struct LayerProperties
 /// next ones.
 [[nodiscard]] CommandPtr setSettingsCommand(Document& document, Id group, const sim::GroupSettings& settings,
                                             const QString& text);
+/// Whether it blows stays as it is (Document::setWindOn).
 [[nodiscard]] CommandPtr setWindCommand(Document& document, const sim::Wind& wind);
 [[nodiscard]] CommandPtr setLightCommand(Document& document, const LightSettings& light);
 [[nodiscard]] CommandPtr setBackgroundCommand(Document& document, QRgb background);
@@ -87,10 +89,11 @@ struct LayerProperties
 [[nodiscard]] CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head,
                                         std::vector<sim::Ellipsoid> ellipsoids,
                                         std::optional<std::vector<HairGroup>> groups = {});
-/// Replaces all groups by a preset's (model/preset.h). Groups with the same name keep their ids.
-[[nodiscard]] CommandPtr applyPresetCommand(Document& document, const struct Preset& preset);
-[[nodiscard]] QString applyPresetText(const struct Preset& preset);
+/// Replaces the groups that a preset is about (model/style_use.h) by its own, or a part of them; a group of that name
+/// keeps its id and its place in the list, all others stay as they are.
+[[nodiscard]] CommandPtr applyPresetCommand(Document& document, const Preset& preset, const StyleUse& use = {});
+[[nodiscard]] QString applyPresetText(const Preset& preset, StylePart part = StylePart::All);
 /// The edit of applyPresetCommand on any project, for previews.
-void applyPreset(Project& project, const struct Preset& preset);
+void applyPreset(Project& project, const Preset& preset, const StyleUse& use = {});
 
 } // namespace hairpaint::model

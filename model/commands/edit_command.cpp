@@ -77,11 +77,13 @@ struct EnvironmentPart
 
     static EnvironmentPart take(const Project& project, const Change& /*change*/)
     {
-        return {project.wind, project.light, project.background, project.skin, project.ellipsoids};
+        EnvironmentPart part{project.wind, project.light, project.background, project.skin, project.ellipsoids};
+        part.wind.enabled = true; // Whether it blows is no part of the history: Document::setWindOn.
+        return part;
     }
     void put(Project& project, const Change& /*change*/) const
     {
-        project.wind = wind;
+        project.wind = blowingAs(project.wind, wind);
         project.light = light;
         project.background = background;
         project.skin = skin;

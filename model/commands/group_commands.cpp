@@ -4,7 +4,6 @@
 #include "model/face_hair.h"
 #include "model/group_adoption.h"
 #include "model/names.h"
-#include "model/preset.h"
 #include "model/range_change.h"
 
 #include <algorithm>
@@ -145,15 +144,10 @@ CommandPtr setRangeCommand(Document& document, RangeChange change, const QString
                          [change = std::move(change)](Project& project) { change.applyTo(project); });
 }
 
-QString applyPresetText(const Preset& preset)
+CommandPtr applyPresetCommand(Document& document, const Preset& preset, const StyleUse& use)
 {
-    return Commands::tr("Apply style \"%1\"").arg(shownName(preset.name));
-}
-
-CommandPtr applyPresetCommand(Document& document, const Preset& preset)
-{
-    return groupsCommand(document, 0, applyPresetText(preset),
-                         [preset](Project& project) { applyPreset(project, preset); });
+    return groupsCommand(document, 0, applyPresetText(preset, use.part),
+                         [preset, use](Project& project) { applyPreset(project, preset, use); });
 }
 
 } // namespace hairpaint::model

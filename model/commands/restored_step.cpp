@@ -32,7 +32,7 @@ void RestoredStep::put(const Project& from, const Project& to)
         project.nextId = to.nextId;
     });
     m_document.apply({.aspect = Change::Aspect::Environment}, [&to](Project& project) {
-        project.wind = to.wind;
+        project.wind = blowingAs(project.wind, to.wind);
         project.light = to.light;
         project.background = to.background;
         project.skin = to.skin;

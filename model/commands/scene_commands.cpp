@@ -41,9 +41,10 @@ QString backgroundStepText()
 
 CommandPtr setWindCommand(Document& document, const sim::Wind& wind)
 {
-    if (!differs(document, &Project::wind, wind))
+    if (!differs(document, &Project::wind, blowingAs(document.committed().wind, wind)))
         return nullptr;
-    return environmentCommand(document, windStepText(), [wind](Project& project) { project.wind = wind; });
+    return environmentCommand(document, windStepText(),
+                              [wind](Project& project) { project.wind = blowingAs(project.wind, wind); });
 }
 
 CommandPtr setLightCommand(Document& document, const LightSettings& light)

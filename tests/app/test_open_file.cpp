@@ -4,6 +4,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_program.h"
+#include "view/widgets/veil.h"
 
 #include <QLabel>
 
@@ -44,6 +45,43 @@ private:
 private Q_SLOTS:
     void initTestCase() { prepareApplication(); }
     void cleanup() { m_window.reset(); }
+
+    void theHairOfTheProjectBeforeIsNotShownAsTheNewOnes()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("curls.hairpaint"));
+        QVERIFY(model::saveProject(test::smallProject(), path, {}));
+        openWindow(starterProject());
+        QTRY_VERIFY_WITH_TIMEOUT(hairs() > 100, kPatienceMs);
+        view::HeadView& area = m_window->headView();
+        const auto* veil = area.findChild<view::Veil*>();
+        QTRY_VERIFY_WITH_TIMEOUT(area.pictureScene().hair != nullptr, kPatienceMs);
+        QVERIFY(!veil->isVisible());
+        QStringList told;
+        QObject onlooker;
+        connect(&m_window->files(), &ProjectFiles::openingBegan, &onlooker, [&] {
+            QVERIFY(veil->isVisible());
+            told += veil->text();
+        });
+        QVERIFY(m_window->files().openPath(path));
+        QVERIFY(veil->isVisible());
+        told += veil->text();
+        QVERIFY(area.pictureScene().hair == nullptr);
+        area.setFrame(session().frame()); // One of the old ones that comes late.
+        QVERIFY(area.pictureScene().hair == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(!veil->isVisible(), kPatienceMs);
+        QVERIFY(area.pictureScene().hair != nullptr);
+        QCOMPARE(hairs(), std::size_t{0});
+        QCOMPARE(told.size(), 2);
+        for (const QString& text : told)
+            QVERIFY2(text.contains(QStringLiteral("curls")), qPrintable(text));
+
+        // What can't be opened leaves all as it was.
+        test::writeBytes(path, "nothing");
+        BoxAnswer answer(QStringLiteral("Cancel"));
+        QVERIFY(!m_window->files().openPath(path));
+        QVERIFY(!veil->isVisible());
+        QVERIFY(area.pictureScene().hair != nullptr);
+    }
 
     void savingAgainAsksNothing()
     {

@@ -36,6 +36,8 @@ protected:
             offered.clear();
             for (int row = 0; row < list->count(); ++row)
                 offered += list->item(row)->text();
+            if (m_button == QLatin1String("Esc")) // As the keyboard has it: to whatever has the focus.
+                return QTest::keyClick(dialog->windowHandle(), Qt::Key_Escape);
             for (QPushButton* button : dialog->findChildren<QPushButton*>())
                 if (button->text().remove(QLatin1Char('&')) ==
                     m_button) // Not from here: what it asks needs this timer.
@@ -103,6 +105,41 @@ private Q_SLOTS:
         QCOMPARE(foldersLeft(), 0);
         QVERIFY(m_window->close());
         QCOMPARE(foldersLeft(), 0);
+    }
+
+    void windOnOrOffIsNoWork_data()
+    {
+        QTest::addColumn<bool>("crashes");
+        QTest::newRow("closed") << false;
+        QTest::newRow("killed") << true;
+    }
+    void windOnOrOffIsNoWork()
+    {
+        QFETCH(bool, crashes);
+        openBald();
+        key(Qt::Key_W);
+        QVERIFY(session().document().committed().wind.enabled);
+        QCOMPARE(stack().count(), 0);
+        QVERIFY(!m_window->isWindowModified());
+        if (crashes)
+            crash();
+        else
+            QVERIFY(m_window->close()); // A question would wait for an answer.
+        QCOMPARE(foldersLeft(), 0);
+        if (!crashes)
+            return;
+        openWindow(model::newProject());
+        offer(); // So would this.
+    }
+
+    void windOnOrOffIsSavedWithTheProject()
+    {
+        openBald();
+        key(Qt::Key_W);
+        const QString path = m_folder.filePath(QStringLiteral("windy.hairpaint"));
+        m_window->files().setPath(path);
+        QVERIFY(m_window->files().save());
+        QVERIFY(model::loadProject(path)->wind.enabled);
     }
 
     void workOfAWindowThatIsGoneComesBackWithItsSteps()
@@ -196,6 +233,34 @@ private Q_SLOTS:
         offer();
         QVERIFY(discard.question.contains(QStringLiteral("Untitled")));
         QCOMPARE(foldersLeft(), 0);
+    }
+
+    void escapeLeavesTheQuestionAndKeepsTheWork()
+    {
+        openBald();
+        stroke(0.5F);
+        crash();
+        openWindow(model::newProject());
+        const auto kept = [this] {
+            const auto labels = m_window->findChild<view::StatusReadout*>()->findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [](const QLabel* label) {
+                return label->isVisible() && label->text().contains(QStringLiteral("unsaved work is kept"));
+            });
+        };
+        QVERIFY(!kept());
+        {
+            Answer escape(QStringLiteral("Esc"));
+            offer();
+            QCOMPARE(escape.offered.size(), 1);
+        }
+        QVERIFY(kept());
+        QCOMPARE(foldersLeft(), 1);
+        QVERIFY(!m_window->isWindowModified());
+        key(Qt::Key_W); // The window takes keys as ever.
+        Answer restore(QStringLiteral("Restore"));
+        offer();
+        QCOMPARE(restore.offered.size(), 1);
+        QCOMPARE(stack().count(), 1);
     }
 
     void aWindowThatIsOpenIsNotRobbed()

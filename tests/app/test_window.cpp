@@ -1,4 +1,5 @@
 // The real window, driven with mouse and keys, 3D pixels included. Runs on platforms offscreen and xcb alike.
+#include "app/first_activation.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 
@@ -99,6 +100,34 @@ private Q_SLOTS:
         QVERIFY(!m_window->files().openPath(broken));
         QVERIFY2(said.contains(QStringLiteral("broken.hairpaint")), qPrintable(said));
         QVERIFY(savedBytes("kept-after.hairpaint") == before);
+    }
+
+    void aDialogThatOpensTakesTheKeys()
+    {
+        openWindow(test::smallProject());
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QDialog dialog(m_window.get());
+        dialog.setModal(true);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
+    }
+
+    void theProgramBeginsOnceTheWindowHasTheKeys()
+    {
+        QWidget window;
+        int begun = 0;
+        const FirstActivation activation(window, [&begun] { ++begun; });
+        test::handleDueEvents();
+        QCOMPARE(begun, 0);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        test::handleDueEvents();
+        QCOMPARE(begun, 1);
+        QEvent again(QEvent::WindowActivate);
+        QApplication::sendEvent(&window, &again);
+        test::handleDueEvents();
+        QCOMPARE(begun, 1);
     }
 
     void aClosedDialogGivesTheKeysBack_data()

@@ -163,7 +163,7 @@ private Q_SLOTS:
         QFETCH(bool, stepBefore);
         openWindow(breezyProject());
         if (stepBefore)
-            session().toggleWind();
+            session().document().push(model::setBackgroundCommand(session().document(), 0xFF123456));
         const int steps = stepBefore ? 1 : 0;
         const QByteArray before = savedBytes("weather-before.hairpaint");
         view::WeatherOverlay& overlay = openWeather();

@@ -112,6 +112,7 @@ private Q_SLOTS:
     void aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName();
     void aPresetFlattensWhatIsShown();
     void thePreviewOfAPresetIsItsCommit();
+    void windOnOrOffIsNoStepAndStaysWhateverIsUndone();
     void theDocumentKnowsWhetherItIsSaved();
     void theHistoryForgetsItsOldestStepsWithinItsBudget();
     void aPushCountsItsOwnCommandAlone();
@@ -266,6 +267,8 @@ void TestCommands::aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName()
     Project styled = patchProject();
     styled.groups.front().settings.greatestLengthM = 0.6F;
     styled.groups.push_back(makeGroup(styled, QStringLiteral("Beard")));
+    for (HairGroup& group : styled.groups)
+        group.map(MapKind::Density).layers[0].raster.setUniform(3, {60000, 65535, 0, 0});
     const Preset preset = presetFrom(styled, QStringLiteral("Viking"));
 
     Project start = patchProject();
@@ -275,14 +278,15 @@ void TestCommands::aPresetIsOneStepAndKeepsIdsOfGroupsOfTheSameName()
     document.push(applyPresetCommand(document, preset));
     QCOMPARE(document.undoStack().count(), 1);
     const Project& project = document.project();
-    QCOMPARE(project.groups.size(), 2U);
-    QCOMPARE(project.groups[0].id, scalp);
-    QCOMPARE(project.groups[0].settings.greatestLengthM, 0.6F);
-    QCOMPARE(project.groups[1].name, QStringLiteral("Beard"));
-    QVERIFY(project.groups[1].id != scalp && project.groups[1].id != start.groups[0].id);
+    QCOMPARE(project.groups.size(), 3U);
+    QVERIFY(project.groups[0] == start.groups[0]); // Brows, of which the style has none.
+    QCOMPARE(project.groups[1].id, scalp);
+    QCOMPARE(project.groups[1].settings.greatestLengthM, 0.6F);
+    QCOMPARE(project.groups[2].name, QStringLiteral("Beard"));
+    QVERIFY(project.groups[2].id != scalp && project.groups[2].id != start.groups[0].id);
     QSet<Id> ids;
-    for (const HairGroup& group : project.groups)
-        for (const MapStack& stack : group.maps) {
+    for (const std::size_t group : {1U, 2U})
+        for (const MapStack& stack : project.groups[group].maps) {
             QCOMPARE(stack.layers.size(), 1U);
             QCOMPARE(stack.layers[0].name, QStringLiteral("Viking"));
             QVERIFY(!ids.contains(stack.layers[0].id));
@@ -331,6 +335,38 @@ void TestCommands::thePreviewOfAPresetIsItsCommit()
     edit.drop();
     QVERIFY(sameProjects(document.project(), previewed));
     QVERIFY(*document.resolved(group, MapKind::Density) == *shown);
+}
+
+void TestCommands::windOnOrOffIsNoStepAndStaysWhateverIsUndone()
+{
+    Document document(patchProject());
+    QSignalSpy changed(&document, &Document::changed);
+    document.setWindOn(false);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(!document.modified());
+    QVERIFY(!document.committed().wind.enabled);
+    document.setWindOn(false);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(setWindCommand(document, {.enabled = true}) == nullptr); // Nothing else of it differs.
+    document.push(setWindCommand(document, {.enabled = true, .velocity = {2.0F, 0.0F, 0.0F}}));
+    QVERIFY(!document.committed().wind.enabled);
+    document.push(setBackgroundCommand(document, 0xFF123456));
+    document.setWindOn(true);
+    document.undo();
+    QVERIFY(document.committed().wind.enabled);
+    QCOMPARE(document.committed().wind.velocity.x, 2.0F);
+    document.setWindOn(false);
+    document.redo();
+    QVERIFY(!document.committed().wind.enabled);
+    // What is shown over the content blows as well, and so does what becomes of it.
+    EditSession edit;
+    document.show(edit, {}, {.aspect = Change::Aspect::Environment},
+                  [](Project& project) { project.light.intensity = 2.0F; });
+    document.setWindOn(true);
+    QVERIFY(document.previewing());
+    QVERIFY(document.project().wind.enabled);
+    edit.commit();
+    QVERIFY(document.committed().wind.enabled);
 }
 
 void TestCommands::theDocumentKnowsWhetherItIsSaved()

@@ -71,6 +71,7 @@ private Q_SLOTS:
     void tilesGiveWhatTexelsGive_data();
     void tilesGiveWhatTexelsGive();
     void uniformLayersGiveUniformTiles();
+    void whatCoversNearlyAllLetsTheRestThrough();
     void onlyTilesThatDifferGetNewPointers();
     void updatingGivesWhatResolvingAnewGives();
     void tilesOfALayerThatWasNotThereKeepTheStart();
@@ -225,6 +226,16 @@ void TestCompositor::uniformLayersGiveUniformTiles()
         QCOMPARE(resolved.tile(index)->isUniform(), index != 1);
     stack.layers[1].raster.setTexel(70, 3, {9, 9, 9, 20000}); // Pixels that are all equal.
     QVERIFY(resolveStack(stack).tile(1)->isUniform());
+}
+
+void TestCompositor::whatCoversNearlyAllLetsTheRestThrough()
+{
+    for (const std::uint16_t coverage : {65535, 65534, 65001, 64000}) {
+        const MapStack stack = stackOf(MapKind::Length, {{65535, 65535}, {0, coverage}});
+        const std::uint16_t seen = lerp16(65535, 0, coverage);
+        QCOMPARE(resolveStack(stack).texel(9, 9)[0], seen);
+        QCOMPARE(seen == 0, coverage == 65535);
+    }
 }
 
 void TestCompositor::onlyTilesThatDifferGetNewPointers()

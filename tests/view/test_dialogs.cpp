@@ -109,15 +109,18 @@ private Q_SLOTS:
         QVERIFY(f.document.project().wind.velocity.z < 0.0F);
     }
 
-    void wind_is_switched_off_and_on()
+    void wind_is_switched_off_and_on_without_a_step()
     {
         PanelFixture f;
         WindDialog dialog(f.state);
         dialog.show();
-        dialog.findChild<QCheckBox*>()->click();
+        auto* blows = dialog.findChild<QCheckBox*>();
+        blows->click();
         QVERIFY(!f.document.project().wind.enabled);
-        f.document.undo();
-        QVERIFY(dialog.findChild<QCheckBox*>()->isChecked());
+        QCOMPARE(f.steps(), 0);
+        QVERIFY(!f.document.modified());
+        f.document.setWindOn(true);
+        QVERIFY(blows->isChecked());
     }
 
     void every_light_control_is_one_step()

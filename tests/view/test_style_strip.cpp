@@ -1,100 +1,14 @@
 // Pointing at a style shows it, leaving gives the very bytes back, clicking commits the bytes that were shown.
-#include "panel_fixture.h"
-
-#include "model/commands/commands.h"
-#include "tests/support/patience.h"
 #include "tests/support/test_program.h"
+#include "tests/view/strip_fixture.h"
 #include "view/panels/hair_panel.h"
 #include "view/panels/layers_panel.h"
-#include "view/panels/style_strip.h"
-#include "view/panels/style_tile.h"
 
-#include <QCursor>
 #include <QSignalSpy>
-
-#include <algorithm>
 
 using namespace hairpaint;
 using namespace hairpaint::view;
 using model::MapKind;
-
-namespace {
-
-/// One group "Scalp" that differs in length and density, and a group of its own.
-model::Preset makePreset(const QString& name, std::uint16_t value)
-{
-    model::Project project;
-    project.groups.push_back(model::makeGroup(project, QStringLiteral("Scalp"), 256));
-    project.groups.push_back(model::makeGroup(project, QStringLiteral("Ponytail"), 256));
-    for (const MapKind kind : {MapKind::Density, MapKind::Length})
-        project.groups.front().map(kind).layers.front().raster.setTexel(100, 100, {value, 65535});
-    project.groups.front().settings.greatestLengthM = 0.6F;
-    return model::presetFrom(project, name);
-}
-
-model::Result<model::Preset> load(const QString& path)
-{
-    if (path == QStringLiteral("broken"))
-        return model::failure(QStringLiteral("\"broken\" can't be read."));
-    return makePreset(path, path == QStringLiteral("bob") ? 40000 : 60000);
-}
-
-/// Later, on this thread: the strip is not told before it has asked.
-void startLater(const QString& /*doing*/, const std::function<model::Result<model::Preset>()>& read, QObject* receiver,
-                const std::function<void(model::Result<model::Preset>)>& done)
-{
-    QMetaObject::invokeMethod(
-        receiver, [read, done] { done(read()); }, Qt::QueuedConnection);
-}
-
-bool sameGroups(const std::vector<model::HairGroup>& a, const std::vector<model::HairGroup>& b)
-{
-    const auto sameLayer = [](const model::Layer& x, const model::Layer& y) {
-        return x.id == y.id && model::propertiesOf(x) == model::propertiesOf(y) && x.raster == y.raster;
-    };
-    const auto sameMap = [&](const model::MapStack& x, const model::MapStack& y) {
-        return x.kind == y.kind && x.size == y.size && std::ranges::equal(x.layers, y.layers, sameLayer);
-    };
-    return std::ranges::equal(a, b, [&](const model::HairGroup& x, const model::HairGroup& y) {
-        return x.id == y.id && x.name == y.name && x.visible == y.visible && x.settings == y.settings &&
-               std::ranges::equal(x.maps, y.maps, sameMap);
-    });
-}
-
-struct StripFixture : PanelFixture
-{
-    StyleStrip strip{state, load, startLater};
-
-    StripFixture()
-    {
-        std::vector<model::PresetEntry> entries;
-        for (const char* name : {"bob", "waves", "broken"})
-            entries.push_back({.path = QLatin1String(name),
-                               .name = QLatin1String(name),
-                               .tags = {},
-                               .folder = QStringLiteral("built-in"),
-                               .picture = {}});
-        strip.setEntries(entries);
-        // Away from the real pointer, which would point at a style too.
-        QCursor::setPos(0, 0);
-        strip.move(200, 200);
-        strip.resize(800, 132);
-        strip.show();
-    }
-    [[nodiscard]] StyleTile& tile(int index) { return *strip.findChildren<StyleTile*>()[index]; }
-    void enter(int index)
-    {
-        QEnterEvent event(QPointF(10, 10), QPointF(10, 10), QPointF(10, 10));
-        QApplication::sendEvent(&tile(index), &event);
-    }
-    void leave(int index)
-    {
-        QEvent event(QEvent::Leave);
-        QApplication::sendEvent(&tile(index), &event);
-    }
-};
-
-} // namespace
 
 class TestStyleStrip : public QObject
 {
@@ -203,14 +117,12 @@ private Q_SLOTS:
     {
         QFETCH(bool, undone);
         StripFixture f;
-        const model::HairGroup& beard = f.document.project().groups[1];
-        f.state.setActiveGroup(beard.id);
         LayersPanel(f.state).addLayer();
-        f.state.setActiveLayer(f.document.project().groups[1].map(MapKind::Length).layers.front().id);
+        f.state.setActiveLayer(f.scalp().map(MapKind::Length).layers.front().id);
         const model::LayerAddress before = f.state.target();
         f.enter(0);
         QTRY_VERIFY_WITH_TIMEOUT(f.document.previewing(), test::kPatienceMs);
-        QVERIFY(f.state.activeGroup() != before.group);
+        QVERIFY(f.state.activeLayer() != before.layer);
         if (undone)
             f.document.undo();
         else
@@ -293,13 +205,60 @@ private Q_SLOTS:
         QVERIFY(strip.findChildren<StyleTile*>().first()->hasPicture());
     }
 
+    void pointing_with_shift_held_shows_the_colour_alone()
+    {
+        StripFixture f;
+        const auto length = f.document.resolved(f.scalp().id, MapKind::Length);
+        f.enter(1);
+        QTest::keyPress(&f.strip, Qt::Key_Shift);
+        QTRY_VERIFY_WITH_TIMEOUT(f.document.previewing(), test::kPatienceMs);
+        QCOMPARE(f.document.resolved(f.scalp().id, MapKind::Length), length);
+        QTest::keyRelease(&f.strip, Qt::Key_Shift);
+        QTRY_VERIFY_WITH_TIMEOUT(f.document.resolved(f.scalp().id, MapKind::Length) != length, test::kPatienceMs);
+        f.leave(1);
+    }
+
+    void the_wheel_shows_none_of_what_passes_under_the_pointer()
+    {
+        StripFixture f;
+        f.strip.resize(320, 132);
+        QVERIFY(QTest::qWaitForWindowExposed(&f.strip));
+        const QPoint middle = f.strip.mapToGlobal(QPoint(160, 60));
+        QCursor::setPos(middle);
+        QCoreApplication::processEvents();
+        QVERIFY(f.pause().isActive()); // The pointer itself came onto it.
+        QSignalSpy changed(&f.document, &model::Document::changed);
+        for (int notch = 0; notch < 3; ++notch) {
+            f.turnWheel(120);
+            for (int index = 0; index < 6; ++index) // As Qt tells of pictures that move under the pointer.
+                if (f.tile(index).rect().contains(f.tile(index).mapFromGlobal(middle)))
+                    f.enter(index);
+            QVERIFY(!f.pause().isActive());
+        }
+        QCursor::setPos(middle + QPoint(1, 0)); // The hand on the wheel trembles.
+        QCoreApplication::processEvents();
+        QVERIFY(!f.pause().isActive());
+        QCOMPARE(changed.count(), 0);
+        f.strip.endScrolling();
+        QVERIFY(f.pause().isActive()); // It rests there now.
+        f.turnWheel(-120);
+        QVERIFY(!f.pause().isActive());
+        QCursor::setPos(middle + QPoint(30, 0));
+        QCoreApplication::processEvents();
+        QVERIFY(f.pause().isActive()); // It moves again.
+        f.turnWheel(0, Qt::ScrollEnd); // A touch pad tells of the end itself.
+        QVERIFY(f.pause().isActive());
+        QCursor::setPos(0, 0);
+        QCoreApplication::processEvents();
+    }
+
     void the_last_tile_saves_a_style()
     {
         StripFixture f;
         QSignalSpy save(&f.strip, &StyleStrip::saveStyleRequested);
         QTest::mouseClick(f.strip.findChildren<StyleTile*>().last(), Qt::LeftButton);
         QCOMPARE(save.count(), 1);
-        QCOMPARE(f.strip.paths().size(), std::size_t(3));
+        QCOMPARE(f.strip.paths().size(), std::size_t(6));
     }
 };
 

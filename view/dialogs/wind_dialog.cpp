@@ -14,8 +14,7 @@ WindDialog::WindDialog(EditorState& state, QWidget* parent)
 {
     m_enabled = new QCheckBox(tr("Wind &blows"), this);
     rows().insertWidget(0, m_enabled, 0, Qt::AlignLeft);
-    connect(m_enabled, &QCheckBox::clicked, this,
-            [this](bool on) { commit([on](sim::Wind& wind) { wind.enabled = on; }); });
+    connect(m_enabled, &QCheckBox::clicked, this, [&document = state.document()](bool on) { document.setWindOn(on); });
     buildSliders();
 
     const Edit turned = [this](sim::Wind& wind) { wind.velocity = ball().direction() * glm::length(wind.velocity); };

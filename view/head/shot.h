@@ -12,7 +12,8 @@ struct Sight
 {
     rendering::Camera camera;
     sim::HeadPose pose;
-    friend bool operator==(const Sight&, const Sight&) = default;
+    std::uint64_t hairRevision = 0; ///< StrandFrame::revision; 0 without hair. What lies over it hangs not on that.
+    friend bool operator==(const Sight& a, const Sight& b) { return a.camera == b.camera && a.pose == b.pose; }
 };
 
 /// What to draw next.
@@ -24,7 +25,9 @@ struct Shot
 
     [[nodiscard]] Sight sight() const
     {
-        return {.camera = scene.camera, .pose = scene.hair ? scene.hair->pose : sim::HeadPose()};
+        return {.camera = scene.camera,
+                .pose = scene.hair ? scene.hair->pose : sim::HeadPose(),
+                .hairRevision = scene.hair ? scene.hair->revision : 0};
     }
 };
 

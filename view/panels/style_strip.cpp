@@ -3,11 +3,12 @@
 
 #include "model/commands/commands.h"
 #include "model/names.h"
-#include "model/style_transfer.h"
+#include "view/panels/style_question.h"
 #include "view/panels/style_tile.h"
 #include "view/theme.h"
 
-#include <QFileInfo>
+#include <QApplication>
+#include <QCursor>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
@@ -21,25 +22,23 @@
 namespace hairpaint::view {
 
 using model::Change;
-using model::Preset;
+using model::StylePart;
 
 namespace {
 
 constexpr int kHoverMs = 120;
-constexpr std::size_t kKept = 10; ///< Styles that stay in memory.
+constexpr int kWheelMs = 350;
+constexpr int kTremblePx = 3; ///< A hand on the wheel moves the mouse a little.
 
-/// Here and not when it is shown: it takes a while.
-model::Result<Preset> onHead(model::Result<Preset> read, const std::shared_ptr<const model::Head>& head)
+StylePart partOf(Qt::KeyboardModifiers modifiers)
 {
-    if (!read)
-        return read;
-    return *model::carriedPreset(std::move(*read), head);
+    return modifiers.testFlag(Qt::ShiftModifier) ? StylePart::Colour : StylePart::All;
 }
 
 } // namespace
 
 StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* parent)
-    : QWidget(parent), m_state(state), m_loader(std::move(loader)), m_start(std::move(start))
+    : QWidget(parent), m_state(state), m_shelf(state.document(), std::move(loader), std::move(start), this)
 {
     setObjectName(QStringLiteral("styleStrip"));
     setAttribute(Qt::WA_StyledBackground);
@@ -61,11 +60,45 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* 
     m_scroll->setWidget(content);
     m_scroll->viewport()->installEventFilter(this);
     m_scroll->horizontalScrollBar()->setAccessibleName(tr("Styles"));
+    connect(m_scroll->horizontalScrollBar(), &QScrollBar::valueChanged, this, &StyleStrip::contentMoved);
     layout->addWidget(m_scroll);
+    m_question = new StyleQuestion(this);
+    connect(m_question, &StyleQuestion::keepChosen, this, [this] {
+        if (const std::optional<Asked> asked = std::exchange(m_asked, std::nullopt))
+            commit(asked->preset, asked->use);
+    });
+    connect(m_question, &StyleQuestion::replaceChosen, this, [this] {
+        if (const std::optional<Asked> asked = std::exchange(m_asked, std::nullopt)) {
+            const model::StyleUse whole{.part = asked->use.part};
+            showStyle(asked->preset, whole);
+            commit(asked->preset, whole);
+        }
+    });
+    connect(m_question, &StyleQuestion::cancelChosen, this, [this] { m_edit.drop(); });
     m_pause.setSingleShot(true);
     m_pause.setInterval(kHoverMs);
-    connect(&m_pause, &QTimer::timeout, this, [this] { wish(m_hovered, false); });
-    connect(&state.document(), &model::Document::editEnded, this, &StyleStrip::restoreTarget);
+    connect(&m_pause, &QTimer::timeout, this, [this] {
+        if (m_pointed)
+            m_shelf.want(QString(m_pointed->path));
+    });
+    m_wheelPause.setSingleShot(true);
+    m_wheelPause.setInterval(kWheelMs);
+    connect(&m_wheelPause, &QTimer::timeout, this, &StyleStrip::endScrolling);
+    connect(&m_shelf, &StyleShelf::came, this, &StyleStrip::arrived);
+    connect(&m_shelf, &StyleShelf::busyChanged, this, [this](const QString& path, bool busy) {
+        if (StyleTile* shown = tile(path))
+            shown->setBusy(busy);
+    });
+    connect(&m_shelf, &StyleShelf::failed, this, [this](const QString& path, const QString& problem) {
+        if (m_toCommit && m_toCommit->path == path)
+            m_toCommit.reset();
+        Q_EMIT failed(problem);
+    });
+    connect(&state.document(), &model::Document::editEnded, this, &StyleStrip::editEnded);
+    connect(&state.document(), &model::Document::changed, this, [this](const Change& change) {
+        if (change.aspect == Change::Aspect::Everything)
+            m_untouched.clear();
+    });
     setEntries({});
 }
 
@@ -77,13 +110,13 @@ void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
         delete item;
     }
     m_tiles.clear();
-    m_recent.clear();
+    m_shelf.forget();
     for (const model::PresetEntry& entry : entries)
         addTile(new StyleTile(entry.path, model::shownName(entry.name), entry.folder == QLatin1String("own"), this),
                 entry.picture);
     auto* save = new StyleTile({}, tr("Save style"), false, this);
     save->setToolTip(tr("Save this hair as a style of your own"));
-    connect(save, &StyleTile::clicked, this, &StyleStrip::saveStyleRequested);
+    connect(save, &StyleTile::chosen, this, &StyleStrip::saveStyleRequested);
     m_row->addWidget(save);
     m_row->addStretch(1);
 }
@@ -91,34 +124,60 @@ void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
 void StyleStrip::addTile(StyleTile* tile, const QImage& picture)
 {
     tile->setPicture(picture);
-    tile->setToolTip(tr("%1. Point to see it, click to keep it").arg(tile->text()));
+    tile->setToolTip(tr("%1. Point to see it, click to keep it; Shift+click takes its colour alone").arg(tile->text()));
     m_row->addWidget(tile);
     m_tiles.push_back(tile);
-    const QString path = tile->path();
-    connect(tile, &StyleTile::entered, this, [this, path] {
-        m_hovered = path;
-        m_pause.start();
-    });
-    connect(tile, &StyleTile::left, this, [this, path] {
-        if (m_hovered == path)
-            endPreview();
-    });
-    connect(tile, &StyleTile::clicked, this, [this, path] { wish(path, true); });
-    tile->installEventFilter(this);
-    if (tile->own()) {
-        tile->setContextMenuPolicy(Qt::CustomContextMenu);
-        connect(tile, &QWidget::customContextMenuRequested, this, [this, tile, path](QPoint position) {
-            auto* menu = new QMenu(this);
-            menu->setAttribute(Qt::WA_DeleteOnClose);
-            menu->addAction(tr("Rename style…"), this, [this, path] { Q_EMIT renameStyleRequested(path); });
-            menu->addAction(tr("Delete style"), this, [this, path] { Q_EMIT deleteStyleRequested(path); });
-            menu->popup(tile->mapToGlobal(position));
-        });
-    }
+    followTile(tile);
     // Queued, so that whoever fills the strip can connect first.
     if (picture.isNull())
         QMetaObject::invokeMethod(
-            this, [this, path] { Q_EMIT pictureWanted(path); }, Qt::QueuedConnection);
+            this, [this, path = tile->path()] { Q_EMIT pictureWanted(path); }, Qt::QueuedConnection);
+}
+
+void StyleStrip::followTile(StyleTile* tile)
+{
+    const QString path = tile->path();
+    const auto rests = [this] {
+        return m_restingAt && (QCursor::pos() - *m_restingAt).manhattanLength() <= kTremblePx;
+    };
+    connect(tile, &StyleTile::entered, this, [this, path, rests] {
+        if (!rests())
+            pointAt(path);
+    });
+    connect(tile, &StyleTile::pointerMoved, this, [this, path, rests] {
+        if (m_restingAt && !rests())
+            pointAt(path);
+    });
+    connect(tile, &StyleTile::left, this, [this, path] {
+        if (m_pointed && m_pointed->path == path)
+            endPreview();
+    });
+    connect(tile, &StyleTile::chosen, this,
+            [this, path](Qt::KeyboardModifiers modifiers) { commitWish({.path = path, .part = partOf(modifiers)}); });
+    connect(tile, &StyleTile::menuWanted, this, [this, tile](const QPoint& position) { showMenu(tile, position); });
+    tile->installEventFilter(this);
+}
+
+void StyleStrip::showMenu(StyleTile* tile, const QPoint& globalPosition)
+{
+    const QString path = tile->path();
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const model::StylePartSpec& part : model::styleParts()) {
+        const Wish wish{.path = path, .part = part.part};
+        QAction* action = menu->addAction(part.titleText());
+        if (part.part == StylePart::Colour)
+            action->setText(action->text() + QLatin1Char('\t') + tr("Shift+click"));
+        connect(action, &QAction::hovered, this, [this, wish] { pointAt(wish); });
+        connect(action, &QAction::triggered, this, [this, wish] { commitWish(wish); });
+    }
+    connect(menu, &QMenu::aboutToHide, this, &StyleStrip::endPreview);
+    if (tile->own()) {
+        menu->addSeparator();
+        menu->addAction(tr("Rename style…"), this, [this, path] { Q_EMIT renameStyleRequested(path); });
+        menu->addAction(tr("Delete style"), this, [this, path] { Q_EMIT deleteStyleRequested(path); });
+    }
+    menu->popup(globalPosition);
 }
 
 std::vector<QString> StyleStrip::paths() const
@@ -141,73 +200,105 @@ void StyleStrip::setPicture(const QString& path, const QImage& picture)
         found->setPicture(picture);
 }
 
-void StyleStrip::wish(const QString& path, bool commit)
+void StyleStrip::pointAt(const QString& path)
 {
-    if (path.isEmpty())
-        return;
-    m_pause.stop();
-    if (commit)
-        m_toCommit = path;
-    const auto known = std::ranges::find(m_recent, path, &std::pair<QString, PresetPtr>::first);
-    const std::shared_ptr<const model::Head> head = m_state.document().committed().head;
-    if (known != m_recent.end() && !model::canCarry(known->second->head, head)) {
-        arrived(path, known->second);
-        return;
-    }
-    if (StyleTile* shown = tile(path))
-        shown->setBusy(true);
-    if (std::ranges::find(m_loading, path) != m_loading.end())
-        return;
-    m_loading.push_back(path);
-    m_start(
-        tr("Reading %1").arg(QFileInfo(path).fileName()),
-        [path, head, load = m_loader] { return onHead(load(path), head); }, this,
-        [this, path](model::Result<Preset> read) { loaded(path, std::move(read)); });
+    m_restingAt.reset();
+    m_wheelPause.stop();
+    pointAt(Wish{.path = path, .part = partOf(QGuiApplication::keyboardModifiers())});
 }
 
-void StyleStrip::loaded(const QString& path, model::Result<Preset> read)
+void StyleStrip::pointAt(const Wish& wish)
 {
-    std::erase(m_loading, path);
-    if (StyleTile* shown = tile(path))
-        shown->setBusy(false);
-    if (!read) {
-        if (m_toCommit == path)
-            m_toCommit.clear();
-        Q_EMIT failed(read.error().message);
-        return;
-    }
-    if (model::canCarry(read->head, m_state.document().committed().head)) {
-        wish(path, m_toCommit == path); // Another head has come meanwhile.
-        return;
-    }
-    const auto preset = std::make_shared<const Preset>(std::move(*read));
-    std::erase_if(m_recent, [&path](const auto& one) { return one.first == path; }); // On another head.
-    m_recent.emplace_back(path, preset);
-    if (m_recent.size() > kKept)
-        m_recent.erase(m_recent.begin());
-    arrived(path, preset);
+    stopPointing();
+    qApp->installEventFilter(this); // Shift goes to whatever has the focus.
+    m_pointed = wish;
+    if (StyleTile* pointed = tile(wish.path))
+        pointed->setShown(true);
+    m_pause.start();
+}
+
+void StyleStrip::contentMoved()
+{
+    m_restingAt = QCursor::pos();
+    m_pause.stop();
+    const StyleTile* pointed = m_pointed ? tile(m_pointed->path) : nullptr;
+    if (pointed != nullptr && !pointed->isUnderPointer())
+        endPreview();
+    for (StyleTile* one : m_tiles)
+        one->refresh();
+}
+
+void StyleStrip::wheel(const QWheelEvent& event)
+{
+    const QPoint angle = event.angleDelta();
+    QScrollBar* bar = m_scroll->horizontalScrollBar();
+    contentMoved(); // First: moving pictures are entered and left at once.
+    bar->setValue(bar->value() - (angle.x() != 0 ? angle.x() : angle.y()));
+    if (event.phase() == Qt::ScrollEnd)
+        endScrolling();
+    else
+        m_wheelPause.start();
+}
+
+void StyleStrip::endScrolling()
+{
+    m_wheelPause.stop();
+    QWidget* under = childAt(mapFromGlobal(QCursor::pos()));
+    while (under != nullptr && qobject_cast<StyleTile*>(under) == nullptr)
+        under = under == this ? nullptr : under->parentWidget();
+    const auto* rested = qobject_cast<StyleTile*>(under);
+    const bool isShown = m_edit.active() && m_pointed && rested != nullptr && m_pointed->path == rested->path();
+    if (rested != nullptr && !rested->path().isEmpty() && !isShown)
+        pointAt(rested->path());
+}
+
+void StyleStrip::commitWish(const Wish& wish)
+{
+    m_pause.stop();
+    m_toCommit = wish;
+    m_shelf.want(wish.path);
 }
 
 void StyleStrip::arrived(const QString& path, const PresetPtr& preset)
 {
-    if (m_toCommit == path)
-        apply(preset);
-    else if (m_hovered == path)
+    if (m_toCommit && m_toCommit->path == path)
+        apply(preset, std::exchange(m_toCommit, std::nullopt)->part);
+    else if (m_pointed && m_pointed->path == path && !m_asked)
         preview(preset);
+}
+
+model::StyleUse StyleStrip::useOf(const model::Preset& preset, StylePart part) const
+{
+    const model::Project& project = m_state.document().committed();
+    model::StyleUse use{.part = part, .kept = groupsContested(project, preset)};
+    std::erase_if(use.kept, [&](model::Id id) {
+        const auto known = m_untouched.find(id);
+        return known != m_untouched.end() && known->second == *project.group(id);
+    });
+    return use;
 }
 
 void StyleStrip::preview(const PresetPtr& preset)
 {
-    if (!m_edit.active()) {
-        m_state.document().endEdit(); // First: the end of another one's edit is not the end of this.
-        m_before = m_state.target();
-    }
-    showStyle(preset);
+    begin();
+    showStyle(preset, useOf(*preset, m_pointed->part));
 }
 
-void StyleStrip::restoreTarget()
+void StyleStrip::begin()
 {
-    if (m_edit.active() || !m_before)
+    if (m_edit.active())
+        return;
+    m_state.document().endEdit(); // First: the end of another one's edit is not the end of this.
+    m_before = m_state.target();
+}
+
+void StyleStrip::editEnded()
+{
+    if (m_edit.active())
+        return;
+    m_asked.reset();
+    m_question->close();
+    if (!m_before)
         return;
     const model::LayerAddress before = *std::exchange(m_before, std::nullopt);
     m_state.setActiveGroup(before.group);
@@ -215,60 +306,111 @@ void StyleStrip::restoreTarget()
         m_state.setActiveLayer(before.layer);
 }
 
-void StyleStrip::showStyle(const PresetPtr& preset)
+void StyleStrip::showStyle(const PresetPtr& preset, const model::StyleUse& use)
 {
     // Only looked at: whoever changes something else goes on from the hair that was there.
     m_state.document().show(m_edit, {.policy = model::EditPolicy::Drop}, {.aspect = Change::Aspect::GroupList},
-                            [preset](model::Project& project) { applyPreset(project, *preset); });
+                            [preset, use](model::Project& project) { applyPreset(project, *preset, use); });
 }
 
-void StyleStrip::apply(const PresetPtr& preset)
+void StyleStrip::putOn(const PresetPtr& preset)
 {
-    m_toCommit.clear();
-    m_hovered.clear();
-    showStyle(preset);
-    m_edit.setText(applyPresetText(*preset));
+    apply(preset, StylePart::All);
+}
+
+void StyleStrip::apply(const PresetPtr& preset, StylePart part)
+{
+    m_toCommit.reset();
+    m_asked.reset();
+    m_question->close();
+    stopPointing();
+    if (part != StylePart::All && groupsReplaced(m_state.document().committed(), *preset).empty()) {
+        m_edit.drop();
+        return Q_EMIT failed(tr("'%1' has no part for the hair of this head; click it to put all of it on.")
+                                 .arg(model::shownName(preset->name)));
+    }
+    begin();
+    const model::StyleUse use = useOf(*preset, part);
+    showStyle(preset, use);
+    if (use.kept.empty())
+        commit(preset, use);
+    else
+        ask(preset, use);
+}
+
+void StyleStrip::ask(const PresetPtr& preset, const model::StyleUse& use)
+{
+    QStringList names;
+    for (const model::Id id : use.kept)
+        names.append(model::shownName(m_state.document().committed().group(id)->name));
+    m_asked = Asked{.preset = preset, .use = use};
+    Q_EMIT asking();
+    m_question->ask(model::shownName(preset->name), names);
+}
+
+void StyleStrip::commit(const PresetPtr& preset, const model::StyleUse& use)
+{
+    m_edit.setText(applyPresetText(*preset, use.part));
     m_before.reset(); // The style's own is kept.
     m_edit.commit();
+    m_question->close();
+    const model::Project& project = m_state.document().committed();
+    for (const model::Id id : groupsReplaced(project, *preset))
+        if (std::ranges::find(use.kept, id) == use.kept.end() && use.part == StylePart::All)
+            m_untouched.insert_or_assign(id, *project.group(id));
     // On a bald head only Density makes hair.
     const auto density = m_state.document().resolvedNow(m_state.activeGroup(), model::MapKind::Density);
     if (density != nullptr && density->uniformValue() == sim::Texel{})
         m_state.setActiveMap(model::MapKind::Density);
 }
 
-void StyleStrip::endPreview()
+void StyleStrip::stopPointing()
 {
     m_pause.stop();
-    m_hovered.clear();
-    m_edit.drop();
+    const std::optional<Wish> pointed = std::exchange(m_pointed, std::nullopt);
+    if (!pointed)
+        return;
+    qApp->removeEventFilter(this);
+    if (StyleTile* left = tile(pointed->path))
+        left->setShown(false);
+}
+
+void StyleStrip::endPreview()
+{
+    stopPointing();
+    if (!m_asked)
+        m_edit.drop();
 }
 
 bool StyleStrip::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == m_scroll->viewport() && event->type() == QEvent::Wheel) {
-        const auto* wheel = static_cast<QWheelEvent*>(event);
-        const QPoint angle = wheel->angleDelta();
-        QScrollBar* bar = m_scroll->horizontalScrollBar();
-        bar->setValue(bar->value() - (angle.x() != 0 ? angle.x() : angle.y()));
+        wheel(*static_cast<QWheelEvent*>(event));
         return true;
     }
     if (event->type() == QEvent::FocusIn) {
         if (auto* focused = qobject_cast<StyleTile*>(watched))
             m_scroll->ensureWidgetVisible(focused);
-    } else if (event->type() == QEvent::KeyPress) {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        const auto* focused = qobject_cast<StyleTile*>(watched);
-        if (focused != nullptr && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
-            wish(focused->path(), true);
-            return true;
-        }
+    } else if (m_pointed && (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease) &&
+               static_cast<QKeyEvent*>(event)->key() == Qt::Key_Shift && QApplication::activePopupWidget() == nullptr) {
+        const StylePart part = event->type() == QEvent::KeyPress ? StylePart::Colour : StylePart::All;
+        if (part != m_pointed->part)
+            pointAt({.path = m_pointed->path, .part = part});
     }
     return QWidget::eventFilter(watched, event);
+}
+
+void StyleStrip::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_question->setGeometry(0, height() - m_question->height(), width(), m_question->height());
 }
 
 void StyleStrip::hideEvent(QHideEvent* event)
 {
     endPreview();
+    if (m_asked)
+        m_edit.drop();
     QWidget::hideEvent(event);
 }
 

@@ -1,15 +1,16 @@
 // Hairstyles side by side: pointing at one shows it on the head, clicking keeps it.
 #pragma once
 
-#include "model/error.h"
 #include "model/files/preset_file.h"
-#include "model/preset.h"
+#include "model/style_use.h"
 #include "view/editor_state.h"
+#include "view/panels/style_shelf.h"
 
+#include <QPoint>
 #include <QTimer>
 #include <QWidget>
 
-#include <functional>
+#include <map>
 #include <optional>
 
 class QHBoxLayout;
@@ -17,20 +18,18 @@ class QScrollArea;
 
 namespace hairpaint::view {
 
+class StyleQuestion;
 class StyleTile;
 
-/// 132 px high. Files are read in the background; the last few stay in memory. Built-in ones come first, then the
-/// user's own, then "Save style".
+/// 132 px high. Files are read in the background. Built-in ones come first, then the user's own, then "Save style".
+/// A click replaces the groups that a style is about; where it is not evidently about one, the strip asks. What is
+/// shown while a style is pointed at is what a click would do.
 class StyleStrip : public QWidget
 {
     Q_OBJECT
 public:
-    using Loader = std::function<model::Result<model::Preset>(const QString& path)>;
-
-    /// Has `load` run, which takes a while, and tells `done` on this thread, unless `receiver` is gone by then. What
-    /// `load` throws becomes an error that names `doing`.
-    using Start = std::function<void(const QString& doing, const std::function<model::Result<model::Preset>()>& load,
-                                     QObject* receiver, const std::function<void(model::Result<model::Preset>)>& done)>;
+    using Loader = StyleShelf::Loader;
+    using Start = StyleShelf::Start;
 
     /// `loader` is called wherever `start` runs it.
     StyleStrip(EditorState& state, Loader loader, Start start, QWidget* parent = nullptr);
@@ -40,44 +39,73 @@ public:
 
 public Q_SLOTS:
     void setPicture(const QString& path, const QImage& picture);
+    /// As if it were one of the strip's and clicked; it is on this head already.
+    void putOn(const hairpaint::view::PresetPtr& preset);
+    /// A style that the wheel brought under the resting pointer is pointed at from now on; a pause of the wheel calls
+    /// it, and touch pads that tell of the end.
+    void endScrolling();
 
 Q_SIGNALS:
     void saveStyleRequested();
     void renameStyleRequested(const QString& path); ///< Of the user's own ones, from the context menu.
     void deleteStyleRequested(const QString& path);
     void pictureWanted(const QString& path); ///< For each entry that has none.
-    void failed(const QString& message);     ///< A style could not be read.
+    void failed(const QString& message);     ///< A style could not be read, or does not fit.
+    void asking();                           ///< The strip must be seen now.
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
 private:
-    using PresetPtr = std::shared_ptr<const model::Preset>;
+    /// A style, or a part of it.
+    struct Wish
+    {
+        QString path;
+        model::StylePart part = model::StylePart::All;
+    };
+    struct Asked
+    {
+        PresetPtr preset;
+        model::StyleUse use;
+    };
     void addTile(StyleTile* tile, const QImage& picture);
+    void followTile(StyleTile* tile);
+    void showMenu(StyleTile* tile, const QPoint& globalPosition);
     [[nodiscard]] StyleTile* tile(const QString& path) const;
-    void wish(const QString& path, bool commit);
-    void loaded(const QString& path, model::Result<model::Preset> read);
+    void pointAt(const QString& path);
+    void pointAt(const Wish& wish);
+    void contentMoved();
+    void wheel(const class QWheelEvent& event);
+    void commitWish(const Wish& wish);
     void arrived(const QString& path, const PresetPtr& preset);
+    [[nodiscard]] model::StyleUse useOf(const model::Preset& preset, model::StylePart part) const;
+    void begin();
     void preview(const PresetPtr& preset);
-    void showStyle(const PresetPtr& preset);
-    void apply(const PresetPtr& preset);
+    void showStyle(const PresetPtr& preset, const model::StyleUse& use);
+    void apply(const PresetPtr& preset, model::StylePart part);
+    void ask(const PresetPtr& preset, const model::StyleUse& use);
+    void commit(const PresetPtr& preset, const model::StyleUse& use);
+    void stopPointing();
     void endPreview();
-    void restoreTarget(); ///< Whoever ended the preview.
+    void editEnded(); ///< Whoever ended it.
 
     EditorState& m_state;
-    Loader m_loader;
-    Start m_start;
+    StyleShelf m_shelf;
     QScrollArea* m_scroll = nullptr;
     QHBoxLayout* m_row = nullptr;
+    StyleQuestion* m_question = nullptr;
     std::vector<StyleTile*> m_tiles;
-    QTimer m_pause{this}; ///< Between pointing at a style and showing it.
-    QString m_hovered;
-    QString m_toCommit;
+    QTimer m_pause{this};              ///< Between pointing at a style and showing it.
+    QTimer m_wheelPause{this};         ///< Between the wheel's last turn and its end.
+    std::optional<QPoint> m_restingAt; ///< The pointer, when pictures last moved below it.
+    std::optional<Wish> m_pointed, m_toCommit;
+    std::optional<Asked> m_asked;
     model::EditSession m_edit;                   ///< Of the style that is shown.
     std::optional<model::LayerAddress> m_before; ///< What was active before, while a style is shown.
-    std::vector<std::pair<QString, PresetPtr>> m_recent;
-    std::vector<QString> m_loading;
+    /// Groups as a style put them on; as long as they are so, another style may replace them without a question.
+    std::map<model::Id, model::HairGroup> m_untouched;
 };
 
 } // namespace hairpaint::view

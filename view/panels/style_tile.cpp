@@ -5,10 +5,22 @@
 #include "view/widgets/colour_math.h"
 #include "view/widgets/icons.h"
 
+#include <QContextMenuEvent>
+#include <QCursor>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolButton>
+
+#include <utility>
 
 namespace hairpaint::view {
+
+namespace {
+
+constexpr int kMenu = 22; ///< Side of the menu's button.
+
+} // namespace
 
 StyleTile::StyleTile(const QString& path, const QString& name, bool own, QWidget* parent)
     : QAbstractButton(parent), m_path(path), m_own(own)
@@ -18,6 +30,21 @@ StyleTile::StyleTile(const QString& path, const QString& name, bool own, QWidget
     setFocusPolicy(Qt::TabFocus);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAttribute(Qt::WA_Hover);
+    setMouseTracking(true);
+    connect(this, &QAbstractButton::clicked, this, [this] { Q_EMIT chosen(std::exchange(m_modifiers, {})); });
+    if (m_path.isEmpty())
+        return;
+    m_menu = new QToolButton(this);
+    m_menu->setObjectName(QStringLiteral("styleMenu"));
+    m_menu->setIcon(view::icon(QStringLiteral("chevron-down")));
+    m_menu->setIconSize(QSize(kMenu - 6, kMenu - 6));
+    m_menu->setFocusPolicy(Qt::NoFocus); // By key there is the context menu's.
+    m_menu->setToolTip(tr("Take a part of this style"));
+    m_menu->setAccessibleName(tr("Parts of %1").arg(name));
+    m_menu->setGeometry(kPicture - kMenu - 2, 6, kMenu, kMenu);
+    m_menu->hide();
+    connect(m_menu, &QToolButton::clicked, this,
+            [this] { Q_EMIT menuWanted(m_menu->mapToGlobal(QPoint(0, m_menu->height()))); });
 }
 
 void StyleTile::setPicture(const QImage& picture)
@@ -34,14 +61,85 @@ void StyleTile::setBusy(bool busy)
     update();
 }
 
+void StyleTile::setShown(bool shown)
+{
+    m_shown = shown;
+    refresh();
+}
+
+bool StyleTile::isUnderPointer() const
+{
+    return rect().contains(mapFromGlobal(QCursor::pos()));
+}
+
+bool StyleTile::isMarked() const
+{
+    return m_shown || hasFocus() || (underMouse() && isUnderPointer());
+}
+
+void StyleTile::refresh()
+{
+    if (m_menu != nullptr)
+        m_menu->setVisible(isMarked());
+    update();
+}
+
+void StyleTile::mouseMoveEvent(QMouseEvent* event)
+{
+    Q_EMIT pointerMoved();
+    QAbstractButton::mouseMoveEvent(event);
+}
+
+void StyleTile::mouseReleaseEvent(QMouseEvent* event)
+{
+    m_modifiers = event->modifiers();
+    QAbstractButton::mouseReleaseEvent(event);
+}
+
+void StyleTile::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+        Q_EMIT chosen(event->modifiers() & ~Qt::KeypadModifier);
+    else
+        QAbstractButton::keyPressEvent(event);
+}
+
+void StyleTile::keyReleaseEvent(QKeyEvent* event)
+{
+    m_modifiers = event->modifiers();
+    QAbstractButton::keyReleaseEvent(event);
+}
+
+void StyleTile::contextMenuEvent(QContextMenuEvent* event)
+{
+    if (m_path.isEmpty())
+        return;
+    const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
+    Q_EMIT menuWanted(byKey ? mapToGlobal(QPoint(kPicture / 2, kPicture / 2)) : event->globalPos());
+}
+
+void StyleTile::focusInEvent(QFocusEvent* event)
+{
+    QAbstractButton::focusInEvent(event);
+    refresh();
+}
+
+void StyleTile::focusOutEvent(QFocusEvent* event)
+{
+    QAbstractButton::focusOutEvent(event);
+    refresh();
+}
+
 void StyleTile::enterEvent(QEnterEvent* event)
 {
+    refresh();
     Q_EMIT entered();
     QAbstractButton::enterEvent(event);
 }
 
 void StyleTile::leaveEvent(QEvent* event)
 {
+    refresh();
     Q_EMIT left();
     QAbstractButton::leaveEvent(event);
 }
@@ -73,7 +171,7 @@ void StyleTile::paintEvent(QPaintEvent* /*event*/)
                           m_picture);
         painter.restore();
     }
-    const bool marked = underMouse() || hasFocus();
+    const bool marked = isMarked();
     painter.setBrush(Qt::NoBrush);
     painter.setPen(m_path.isEmpty() ? QPen(marked ? theme.accent : theme.dimText, marked ? 2.0 : 1.0, Qt::DashLine)
                                     : QPen(marked ? theme.accent : theme.line, marked ? 2.0 : 1.0));

@@ -4,6 +4,8 @@
 #include <QAbstractButton>
 #include <QImage>
 
+class QToolButton;
+
 namespace hairpaint::view {
 
 class StyleTile : public QAbstractButton
@@ -17,23 +19,42 @@ public:
     void setPicture(const QImage& picture);
     [[nodiscard]] bool hasPicture() const { return !m_picture.isNull(); }
     void setBusy(bool busy);
+    void setShown(bool shown); ///< On the head, to be looked at.
+    /// Now; Qt tells only of a pointer that moves, not of a tile that does.
+    [[nodiscard]] bool isUnderPointer() const;
+    void refresh(); ///< Its mark, after it has been moved.
     static constexpr int kPicture = 96;
     [[nodiscard]] QSize sizeHint() const override { return {kPicture + 4, kPicture + 24}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 Q_SIGNALS:
-    void entered();
+    void entered(); ///< By the pointer, or because the strip was scrolled under it.
     void left();
+    void pointerMoved();
+    void chosen(Qt::KeyboardModifiers modifiers); ///< By mouse or key.
+    void menuWanted(const QPoint& globalPosition);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
+    [[nodiscard]] bool isMarked() const;
+
+    QToolButton* m_menu = nullptr; ///< In the picture's corner, while the tile is pointed at or has the focus.
+    Qt::KeyboardModifiers m_modifiers;
     QString m_path;
     bool m_own;
     bool m_busy = false;
+    bool m_shown = false;
     QImage m_picture;
 };
 

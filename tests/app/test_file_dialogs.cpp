@@ -1,8 +1,11 @@
-// No file is replaced without a question, also where the dialog was given its name without the ending.
+// File dialogs begin where there is something, and no file is replaced without a question, also where the dialog was
+// given its name without the ending.
+#include "app/file_dialogs.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/export_hair_dialog.h"
+#include "view/dialogs/export_maps_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -22,6 +25,7 @@ public:
     QStringList names; ///< The dialog is cancelled once there is none left.
     bool replaces = false;
     QStringList asked;
+    QString begun; ///< The folder that the last dialog began in.
 
     Saver() { startTimer(20); }
 
@@ -30,12 +34,15 @@ protected:
     {
         QWidget* waiting = QApplication::activeModalWidget();
         if (auto* files = qobject_cast<QFileDialog*>(waiting)) {
+            begun = files->directory().absolutePath();
             if (names.isEmpty())
                 return files->reject();
             files->findChild<QLineEdit*>()->setText(names.takeFirst());
             for (QAbstractButton* button : files->findChild<QDialogButtonBox*>()->buttons())
                 if (files->findChild<QDialogButtonBox*>()->buttonRole(button) == QDialogButtonBox::AcceptRole)
                     return button->click();
+        } else if (auto* choice = qobject_cast<view::ExportMapsDialog*>(waiting)) {
+            choice->accept();
         } else if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
             asked += box->text();
             box->button(replaces ? QMessageBox::Yes : QMessageBox::No)->click();
@@ -45,7 +52,7 @@ protected:
 
 } // namespace
 
-class TestSaveDialog : public QObject, private WindowFixture
+class TestFileDialogs : public QObject, private WindowFixture
 {
     Q_OBJECT
 private:
@@ -116,6 +123,41 @@ private Q_SLOTS:
         QVERIFY(test::readBytes(bare + suffix).size() > 100);
     }
 
+    void aFolderThatIsGoneIsNotProposed()
+    {
+        openWindow(test::smallProject());
+        const QString there = QFileInfo(m_folder.path()).canonicalFilePath();
+        for (const char* action : {"file.open", "file.saveAs", "file.importHead", "file.importHair", "file.exportHair",
+                                   "file.picture", "file.loadImage", "file.saveImage", "file.saveImages"}) {
+            Settings().setLastFolder(there + QStringLiteral("/gone/deeper"));
+            Saver saver; // Cancels.
+            m_window->actions().find(QLatin1StringView(action))->trigger();
+            QVERIFY2(saver.begun == there, action);
+        }
+    }
+
+    void theNearestFolderIsTheUsers_data()
+    {
+        QTest::addColumn<QString>("wanted");
+        QTest::addColumn<bool>("isFound");
+        const QString folder = m_folder.path();
+        QTest::newRow("there") << folder << true;
+        QTest::newRow("gone") << folder + QStringLiteral("/a") << true;
+        QTest::newRow("gone with those around it") << folder + QStringLiteral("/a/b/c") << true;
+        QTest::newRow("a file by now") << folder + QStringLiteral("/file") << true;
+        QTest::newRow("a disk that is gone") << QStringLiteral("/no-such-disk/work") << false;
+        QTest::newRow("none") << QString() << false;
+    }
+    void theNearestFolderIsTheUsers()
+    {
+        QFETCH(QString, wanted);
+        QFETCH(bool, isFound);
+        test::writeBytes(m_folder.filePath(QStringLiteral("file")), "x");
+        const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        const QString usual = QFileInfo(documents).isDir() ? documents : QDir::homePath();
+        QCOMPARE(nearestFolder(wanted), isFound ? m_folder.path() : usual);
+    }
+
     void aDotInTheNameIsNoEnding_data()
     {
         actions();
@@ -159,5 +201,5 @@ private Q_SLOTS:
 
 } // namespace hairpaint::app
 
-HAIRPAINT_TEST(hairpaint::app::TestSaveDialog, Widgets)
-#include "test_save_dialog.moc"
+HAIRPAINT_TEST(hairpaint::app::TestFileDialogs, Widgets)
+#include "test_file_dialogs.moc"

@@ -1,0 +1,25 @@
+// Lies over an area whose picture is not what it will be in a moment, and says what is on its way.
+#pragma once
+
+#include <QWidget>
+
+namespace hairpaint::view {
+
+/// Fills its parent while it is shown; what is under it stays faintly to be seen. The mouse goes through it.
+class Veil : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit Veil(QWidget* parent);
+    void showText(const QString& text); ///< Empty: it goes.
+    [[nodiscard]] const QString& text() const { return m_text; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    QString m_text;
+};
+
+} // namespace hairpaint::view
