@@ -65,7 +65,8 @@ QString nearestFolder(const QString& wanted)
 QString FileDialogs::begin(const QString& folder)
 {
     const Awaited<QString> found = m_jobs.awaitOrLeave<QString>(
-        SaveDialog::tr("Looking for the folder"),
+        {.text = SaveDialog::tr("Looking for the folder"),
+         .whenCancelled = SaveDialog::tr("The folder used last was not looked for: cancelled")},
         [folder](const model::Progress&) -> model::Result<QString> { return nearestFolder(folder); });
     return found.end == WorkEnd::Done && *found.result ? **found.result : usualFolder();
 }

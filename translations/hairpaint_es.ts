@@ -2145,6 +2145,10 @@
         <source>Looking for the folder</source>
         <translation>Buscando la carpeta</translation>
     </message>
+    <message>
+        <source>The folder used last was not looked for: cancelled</source>
+        <translation>No se buscó la última carpeta usada: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>SkinTone</name>

@@ -230,7 +230,7 @@ void TestCompositor::uniformLayersGiveUniformTiles()
 
 void TestCompositor::whatCoversNearlyAllLetsTheRestThrough()
 {
-    for (const std::uint16_t coverage : {65535, 65534, 65001, 64000}) {
+    for (const std::uint16_t coverage : std::array<std::uint16_t, 4>{65535, 65534, 65001, 64000}) {
         const MapStack stack = stackOf(MapKind::Length, {{65535, 65535}, {0, coverage}});
         const std::uint16_t seen = lerp16(65535, 0, coverage);
         QCOMPARE(resolveStack(stack).texel(9, 9)[0], seen);

@@ -105,7 +105,7 @@ private Q_SLOTS:
         HairPanel panel(f.state);
         panel.resize(280, 900);
         panel.show();
-        BarSlider* slider = sliderNamed(panel, QStringLiteral("Stiffness"));
+        BarSlider* slider = sliderNamed(panel, QStringLiteral("Stands up to"));
         QVERIFY(slider != nullptr);
         const sim::GroupSettings beard = f.document.project().groups[1].settings;
         const sim::GroupSettings scalp = f.scalp().settings;
@@ -124,7 +124,7 @@ private Q_SLOTS:
         HairPanel panel(f.state);
         panel.resize(280, 900);
         panel.show();
-        BarSlider* slider = sliderNamed(panel, QStringLiteral("Stiffness"));
+        BarSlider* slider = sliderNamed(panel, QStringLiteral("Stands up to"));
         QVERIFY(slider != nullptr);
         const sim::GroupSettings before = f.scalp().settings;
         QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() * 9 / 10, 12));
