@@ -50,6 +50,26 @@ private Q_SLOTS:
         QVERIFY(sameGroups(f.document.project().groups, before));
     }
 
+    void the_keys_stay_with_a_style_that_is_read_again()
+    {
+        StripFixture f;
+        f.strip.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&f.strip));
+        const auto entry = [](const char* name) {
+            return model::PresetEntry{.path = QLatin1String(name),
+                                      .name = QLatin1String(name),
+                                      .tags = {},
+                                      .folder = QStringLiteral("built-in"),
+                                      .picture = {}};
+        };
+        f.tile(1).setFocus();
+        f.strip.setEntries({entry("new"), entry("bob"), entry("waves")});
+        const auto* focused = qobject_cast<StyleTile*>(QApplication::focusWidget());
+        QVERIFY(focused != nullptr && focused->path() == QLatin1String("waves"));
+        f.strip.setEntries({entry("bob")}); // It has been deleted.
+        QVERIFY(f.strip.isAncestorOf(QApplication::focusWidget()));
+    }
+
     void passing_by_quickly_shows_nothing()
     {
         StripFixture f;

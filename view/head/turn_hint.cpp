@@ -14,7 +14,6 @@ TurnHint::TurnHint(QWidget& area) : QLabel(tr("Drag beside the head to turn it; 
     setObjectName(QStringLiteral("turnHint"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAlignment(Qt::AlignCenter);
-    setWordWrap(true);
     area.installEventFilter(this);
     place();
 }
@@ -31,9 +30,11 @@ void TurnHint::place()
 {
     ensurePolished();
     const QSize area = parentWidget()->size();
-    constexpr int kSides = 26; // The pill's own, as its style says.
-    const int width = std::min(fontMetrics().horizontalAdvance(text()) + kSides, area.width() - 2 * metrics::kPadding);
-    resize(width, heightForWidth(width));
+    setWordWrap(false);
+    const QSize whole = sizeHint();
+    const int width = std::min(whole.width(), area.width() - 2 * metrics::kPadding);
+    setWordWrap(width < whole.width());
+    resize(width, wordWrap() ? heightForWidth(width) : whole.height());
     move((area.width() - width) / 2, area.height() - height() - metrics::kPadding);
     raise();
 }

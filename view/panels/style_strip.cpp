@@ -105,6 +105,9 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* 
 void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
 {
     endPreview();
+    const auto* focused = qobject_cast<const StyleTile*>(QApplication::focusWidget());
+    const bool hadFocus = focused != nullptr && isAncestorOf(focused);
+    const QString focusedPath = hadFocus ? focused->path() : QString();
     while (QLayoutItem* item = m_row->takeAt(0)) {
         delete item->widget();
         delete item;
@@ -119,6 +122,11 @@ void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
     connect(save, &StyleTile::chosen, this, &StyleStrip::saveStyleRequested);
     m_row->addWidget(save);
     m_row->addStretch(1);
+    // The keys stay where they were: with the tile that has gone they went to whatever comes next in the window.
+    if (hadFocus) {
+        StyleTile* again = tile(focusedPath);
+        (again != nullptr ? again : save)->setFocus(Qt::OtherFocusReason);
+    }
 }
 
 void StyleStrip::addTile(StyleTile* tile, const QImage& picture)
