@@ -4978,6 +4978,13 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::StyleFitting</name>
+    <message>
+        <source>&apos;%1&apos; has no part for the hair of this head; click it to put all of it on.</source>
+        <translation>«%1» no tiene nada para el pelo de esta cabeza; haz clic en él para aplicarlo entero.</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::StyleQuestion</name>
     <message>
         <source>&amp;Keep mine</source>
@@ -5044,10 +5051,6 @@ Se ha perdido esto:</translation>
     <message>
         <source>Shift+click</source>
         <translation>Mayús+clic</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has no part for the hair of this head; click it to put all of it on.</source>
-        <translation>«%1» no tiene nada para el pelo de esta cabeza; haz clic en él para aplicarlo entero.</translation>
     </message>
 </context>
 <context>

@@ -15,7 +15,6 @@
 #include "view/head/view_signs.h"
 #include "view/rendering/card_set.h"
 #include "view/weather_overlay.h"
-#include "view/widgets/veil.h"
 
 #include <QContextMenuEvent>
 #include <QKeyEvent>
@@ -28,8 +27,8 @@ namespace hairpaint::view {
 
 HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choice, QWidget* parent)
     : PaintedArea(state, parent), m_state(state), m_overlay(new HeadOverlay(theme, this)),
-      m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_veil(new Veil(this)),
-      m_turn(new HeadTurn(this)), m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
+      m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_turn(new HeadTurn(this)),
+      m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
       m_pointer(std::make_unique<HeadPointer>(state, *m_scene, *m_turn, *this)),
       m_pacer(std::make_unique<FramePacer>()), m_directions(std::make_unique<DirectionHairs>()),
       m_flight([this](const rendering::Camera& camera) {
@@ -149,11 +148,6 @@ void HeadView::setFrame(std::shared_ptr<const sim::StrandFrame> frame)
         m_pacer->wake();
     else
         m_pacer->requestDraw();
-}
-
-void HeadView::showVeil(const QString& text)
-{
-    m_veil->showText(text);
 }
 
 void HeadView::showCards(std::shared_ptr<const rendering::CardSet> cards)

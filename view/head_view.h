@@ -32,7 +32,6 @@ class HeadOverlay;
 class HeadPointer;
 class HeadScene;
 class HeadTurn;
-class Veil;
 class ViewSigns;
 class WeatherOverlay;
 
@@ -49,8 +48,6 @@ public:
     void setTheme(const Theme& theme);
     /// Hair of a project that is open no more is not shown.
     void setFrame(std::shared_ptr<const sim::StrandFrame> frame);
-    /// Over all of it, while something else is on its way here; empty: none.
-    void showVeil(const QString& text);
 
     /// In place of the hair, until that becomes another; null: the hair again.
     void showCards(std::shared_ptr<const rendering::CardSet> cards);
@@ -143,7 +140,6 @@ private:
     HeadOverlay* m_overlay; ///< Children.
     WeatherOverlay* m_weather;
     ViewSigns* m_signs;
-    Veil* m_veil;
     FramePresenter* m_presenter = nullptr; ///< A child.
     HeadTurn* m_turn;                      ///< A child.
 

@@ -1,8 +1,8 @@
 // Hairstyles side by side.
 #include "view/panels/style_strip.h"
 
-#include "model/commands/commands.h"
 #include "model/names.h"
+#include "view/panels/style_fitting.h"
 #include "view/panels/style_question.h"
 #include "view/panels/style_tile.h"
 #include "view/theme.h"
@@ -21,7 +21,6 @@
 
 namespace hairpaint::view {
 
-using model::Change;
 using model::StylePart;
 
 namespace {
@@ -63,18 +62,9 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* 
     connect(m_scroll->horizontalScrollBar(), &QScrollBar::valueChanged, this, &StyleStrip::contentMoved);
     layout->addWidget(m_scroll);
     m_question = new StyleQuestion(this);
-    connect(m_question, &StyleQuestion::keepChosen, this, [this] {
-        if (const std::optional<Asked> asked = std::exchange(m_asked, std::nullopt))
-            commit(asked->preset, asked->use);
-    });
-    connect(m_question, &StyleQuestion::replaceChosen, this, [this] {
-        if (const std::optional<Asked> asked = std::exchange(m_asked, std::nullopt)) {
-            const model::StyleUse whole{.part = asked->use.part};
-            showStyle(asked->preset, whole);
-            commit(asked->preset, whole);
-        }
-    });
-    connect(m_question, &StyleQuestion::cancelChosen, this, [this] { m_edit.drop(); });
+    m_fitting = new StyleFitting(state, *m_question, this);
+    connect(m_fitting, &StyleFitting::asking, this, &StyleStrip::asking);
+    connect(m_fitting, &StyleFitting::failed, this, &StyleStrip::failed);
     m_pause.setSingleShot(true);
     m_pause.setInterval(kHoverMs);
     connect(&m_pause, &QTimer::timeout, this, [this] {
@@ -93,11 +83,6 @@ StyleStrip::StyleStrip(EditorState& state, Loader loader, Start start, QWidget* 
         if (m_toCommit && m_toCommit->path == path)
             m_toCommit.reset();
         Q_EMIT failed(problem);
-    });
-    connect(&state.document(), &model::Document::editEnded, this, &StyleStrip::editEnded);
-    connect(&state.document(), &model::Document::changed, this, [this](const Change& change) {
-        if (change.aspect == Change::Aspect::Everything)
-            m_untouched.clear();
     });
     setEntries({});
 }
@@ -255,7 +240,7 @@ void StyleStrip::endScrolling()
     while (under != nullptr && qobject_cast<StyleTile*>(under) == nullptr)
         under = under == this ? nullptr : under->parentWidget();
     const auto* rested = qobject_cast<StyleTile*>(under);
-    const bool isShown = m_edit.active() && m_pointed && rested != nullptr && m_pointed->path == rested->path();
+    const bool isShown = m_fitting->shows() && m_pointed && rested != nullptr && m_pointed->path == rested->path();
     if (rested != nullptr && !rested->path().isEmpty() && !isShown)
         pointAt(rested->path());
 }
@@ -271,54 +256,8 @@ void StyleStrip::arrived(const QString& path, const PresetPtr& preset)
 {
     if (m_toCommit && m_toCommit->path == path)
         apply(preset, std::exchange(m_toCommit, std::nullopt)->part);
-    else if (m_pointed && m_pointed->path == path && !m_asked)
-        preview(preset);
-}
-
-model::StyleUse StyleStrip::useOf(const model::Preset& preset, StylePart part) const
-{
-    const model::Project& project = m_state.document().committed();
-    model::StyleUse use{.part = part, .kept = groupsContested(project, preset)};
-    std::erase_if(use.kept, [&](model::Id id) {
-        const auto known = m_untouched.find(id);
-        return known != m_untouched.end() && known->second == *project.group(id);
-    });
-    return use;
-}
-
-void StyleStrip::preview(const PresetPtr& preset)
-{
-    begin();
-    showStyle(preset, useOf(*preset, m_pointed->part));
-}
-
-void StyleStrip::begin()
-{
-    if (m_edit.active())
-        return;
-    m_state.document().endEdit(); // First: the end of another one's edit is not the end of this.
-    m_before = m_state.target();
-}
-
-void StyleStrip::editEnded()
-{
-    if (m_edit.active())
-        return;
-    m_asked.reset();
-    m_question->close();
-    if (!m_before)
-        return;
-    const model::LayerAddress before = *std::exchange(m_before, std::nullopt);
-    m_state.setActiveGroup(before.group);
-    if (m_state.activeGroup() == before.group && m_state.activeMap() == before.map)
-        m_state.setActiveLayer(before.layer);
-}
-
-void StyleStrip::showStyle(const PresetPtr& preset, const model::StyleUse& use)
-{
-    // Only looked at: whoever changes something else goes on from the hair that was there.
-    m_state.document().show(m_edit, {.policy = model::EditPolicy::Drop}, {.aspect = Change::Aspect::GroupList},
-                            [preset, use](model::Project& project) { applyPreset(project, *preset, use); });
+    else if (m_pointed && m_pointed->path == path)
+        m_fitting->show(preset, m_pointed->part);
 }
 
 void StyleStrip::putOn(const PresetPtr& preset)
@@ -329,47 +268,8 @@ void StyleStrip::putOn(const PresetPtr& preset)
 void StyleStrip::apply(const PresetPtr& preset, StylePart part)
 {
     m_toCommit.reset();
-    m_asked.reset();
-    m_question->close();
-    stopPointing();
-    if (part != StylePart::All && groupsReplaced(m_state.document().committed(), *preset).empty()) {
-        m_edit.drop();
-        return Q_EMIT failed(tr("'%1' has no part for the hair of this head; click it to put all of it on.")
-                                 .arg(model::shownName(preset->name)));
-    }
-    begin();
-    const model::StyleUse use = useOf(*preset, part);
-    showStyle(preset, use);
-    if (use.kept.empty())
-        commit(preset, use);
-    else
-        ask(preset, use);
-}
-
-void StyleStrip::ask(const PresetPtr& preset, const model::StyleUse& use)
-{
-    QStringList names;
-    for (const model::Id id : use.kept)
-        names.append(model::shownName(m_state.document().committed().group(id)->name));
-    m_asked = Asked{.preset = preset, .use = use};
-    Q_EMIT asking();
-    m_question->ask(model::shownName(preset->name), names);
-}
-
-void StyleStrip::commit(const PresetPtr& preset, const model::StyleUse& use)
-{
-    m_edit.setText(applyPresetText(*preset, use.part));
-    m_before.reset(); // The style's own is kept.
-    m_edit.commit();
-    m_question->close();
-    const model::Project& project = m_state.document().committed();
-    for (const model::Id id : groupsReplaced(project, *preset))
-        if (std::ranges::find(use.kept, id) == use.kept.end() && use.part == StylePart::All)
-            m_untouched.insert_or_assign(id, *project.group(id));
-    // On a bald head only Density makes hair.
-    const auto density = m_state.document().resolvedNow(m_state.activeGroup(), model::MapKind::Density);
-    if (density != nullptr && density->uniformValue() == sim::Texel{})
-        m_state.setActiveMap(model::MapKind::Density);
+    stopPointing(); // What is shown is kept.
+    m_fitting->putOn(preset, part);
 }
 
 void StyleStrip::stopPointing()
@@ -386,8 +286,7 @@ void StyleStrip::stopPointing()
 void StyleStrip::endPreview()
 {
     stopPointing();
-    if (!m_asked)
-        m_edit.drop();
+    m_fitting->drop();
 }
 
 bool StyleStrip::eventFilter(QObject* watched, QEvent* event)
@@ -416,9 +315,8 @@ void StyleStrip::resizeEvent(QResizeEvent* event)
 
 void StyleStrip::hideEvent(QHideEvent* event)
 {
-    endPreview();
-    if (m_asked)
-        m_edit.drop();
+    stopPointing();
+    m_fitting->dismiss();
     QWidget::hideEvent(event);
 }
 

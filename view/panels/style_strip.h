@@ -10,7 +10,6 @@
 #include <QTimer>
 #include <QWidget>
 
-#include <map>
 #include <optional>
 
 class QHBoxLayout;
@@ -18,6 +17,7 @@ class QScrollArea;
 
 namespace hairpaint::view {
 
+class StyleFitting;
 class StyleQuestion;
 class StyleTile;
 
@@ -65,11 +65,6 @@ private:
         QString path;
         model::StylePart part = model::StylePart::All;
     };
-    struct Asked
-    {
-        PresetPtr preset;
-        model::StyleUse use;
-    };
     void addTile(StyleTile* tile, const QImage& picture);
     void followTile(StyleTile* tile);
     void showMenu(StyleTile* tile, const QPoint& globalPosition);
@@ -80,32 +75,21 @@ private:
     void wheel(const class QWheelEvent& event);
     void commitWish(const Wish& wish);
     void arrived(const QString& path, const PresetPtr& preset);
-    [[nodiscard]] model::StyleUse useOf(const model::Preset& preset, model::StylePart part) const;
-    void begin();
-    void preview(const PresetPtr& preset);
-    void showStyle(const PresetPtr& preset, const model::StyleUse& use);
     void apply(const PresetPtr& preset, model::StylePart part);
-    void ask(const PresetPtr& preset, const model::StyleUse& use);
-    void commit(const PresetPtr& preset, const model::StyleUse& use);
     void stopPointing();
     void endPreview();
-    void editEnded(); ///< Whoever ended it.
 
     EditorState& m_state;
     StyleShelf m_shelf;
     QScrollArea* m_scroll = nullptr;
     QHBoxLayout* m_row = nullptr;
     StyleQuestion* m_question = nullptr;
+    StyleFitting* m_fitting = nullptr;
     std::vector<StyleTile*> m_tiles;
     QTimer m_pause{this};              ///< Between pointing at a style and showing it.
     QTimer m_wheelPause{this};         ///< Between the wheel's last turn and its end.
     std::optional<QPoint> m_restingAt; ///< The pointer, when pictures last moved below it.
     std::optional<Wish> m_pointed, m_toCommit;
-    std::optional<Asked> m_asked;
-    model::EditSession m_edit;                   ///< Of the style that is shown.
-    std::optional<model::LayerAddress> m_before; ///< What was active before, while a style is shown.
-    /// Groups as a style put them on; as long as they are so, another style may replace them without a question.
-    std::map<model::Id, model::HairGroup> m_untouched;
 };
 
 } // namespace hairpaint::view
