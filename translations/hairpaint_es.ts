@@ -2015,10 +2015,6 @@
         <translation>«%1» no es una unidad válida aquí; usa %2.</translation>
     </message>
     <message>
-        <source>“%1” is not a number.</source>
-        <translation>«%1» no es un número.</translation>
-    </message>
-    <message>
         <source>mm|millimetre|millimetres|millimeter|millimeters</source>
         <translation>mm|milímetro|milímetros</translation>
     </message>
@@ -2057,6 +2053,10 @@
     <message>
         <source>hairs/in²|/in²</source>
         <translation>pelos/in²|pelos/pulg²</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number; type one such as 12 or 0.5.</source>
+        <translation>“%1” no es un número; escribe uno como 12 o 0,5.</translation>
     </message>
 </context>
 <context>

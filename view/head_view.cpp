@@ -3,7 +3,6 @@
 
 #include "view/editor_state.h"
 #include "view/head/collider_edit.h"
-#include "view/head/direction_hairs.h"
 #include "view/head/frame_pacer.h"
 #include "view/head/frame_presenter.h"
 #include "view/head/gl_presenter.h"
@@ -12,6 +11,7 @@
 #include "view/head/head_pointer.h"
 #include "view/head/head_scene.h"
 #include "view/head/head_turn.h"
+#include "view/head/shown_directions.h"
 #include "view/head/view_signs.h"
 #include "view/rendering/card_set.h"
 #include "view/weather_overlay.h"
@@ -30,7 +30,8 @@ HeadView::HeadView(EditorState& state, const Theme& theme, PresenterChoice choic
       m_weather(new WeatherOverlay(theme, this)), m_signs(new ViewSigns(this)), m_turn(new HeadTurn(this)),
       m_scene(std::make_unique<HeadScene>(state, *m_turn, *this)),
       m_pointer(std::make_unique<HeadPointer>(state, *m_scene, *m_turn, *this)),
-      m_pacer(std::make_unique<FramePacer>()), m_directions(std::make_unique<DirectionHairs>()),
+      m_pacer(std::make_unique<FramePacer>()),
+      m_directions(std::make_unique<ShownDirections>(state, *m_overlay, [this] { return shown(); })),
       m_flight([this](const rendering::Camera& camera) {
           m_scene->setCamera(camera);
           m_pacer->wake();
@@ -63,10 +64,6 @@ void HeadView::connectParts()
     connect(&m_state.document(), &model::Document::changed, this, &HeadView::onDocumentChanged);
     connect(&m_state, &EditorState::hoverChanged, this, &HeadView::refreshRings);
     connect(&m_state, &EditorState::toolSettingsChanged, this, &HeadView::refreshRings);
-    const auto showDirections = [this] { m_overlay->setDirectionsFaded(false); };
-    for (const auto signal :
-         {&EditorState::targetChanged, &EditorState::activeToolChanged, &EditorState::viewOptionsChanged})
-        connect(&m_state, signal, this, showDirections);
     connect(&m_state, &EditorState::viewOptionsChanged, this, [this] {
         refreshRings();
         refreshOverlay();
@@ -76,9 +73,6 @@ void HeadView::connectParts()
         refreshOverlay();
     });
     connect(&m_state, &EditorState::overlayChanged, this, &HeadView::refreshOverlay);
-    m_directionsTimer.setSingleShot(true);
-    connect(&m_directionsTimer, &QTimer::timeout, this, &HeadView::refreshDirections);
-    connect(&m_state, &EditorState::targetChanged, &m_directionsTimer, qOverload<>(&QTimer::start));
 
     connect(m_turn, &HeadTurn::poseWanted, this, &HeadView::poseWanted);
     connect(m_pointer.get(), &HeadPointer::cameraWanted, this, &HeadView::setCamera);
@@ -304,10 +298,6 @@ void HeadView::onDocumentChanged(const model::Change& change)
         if (m_state.collidersShown())
             refreshOverlay();
     }
-    if (change.aspect == Aspect::Texels && m_state.layingHair())
-        m_overlay->setDirectionsFaded(true);
-    if (change.aspect != Aspect::Environment && change.aspect != Aspect::Settings)
-        m_directionsTimer.start();
 }
 
 void HeadView::refreshHead()
@@ -349,8 +339,7 @@ void HeadView::follow(const Sight& sight)
     if (std::exchange(m_shown, sight) == sight)
         return;
     refreshOverlay();
-    m_directionsTimer.stop();
-    refreshDirections();
+    m_directions->refresh();
 }
 
 Sight HeadView::shown() const
@@ -366,28 +355,12 @@ void HeadView::refreshOverlay()
                                                      : std::vector<sim::Ellipsoid>(),
                             m_state.chosenCollider(), sight.camera, sight.pose);
     m_overlay->setGhost(m_scene->hiddenRing());
-    m_directionsTimer.start();
-}
-
-void HeadView::refreshDirections()
-{
-    DirectionField field;
-    const bool wanted = m_state.directionsShown() && m_state.activeMap() == model::MapKind::Direction;
-    if (wanted || m_lookedAt == model::MapKind::Direction) {
-        const model::Document& document = m_state.document();
-        field = {.direction = document.resolved(m_state.activeGroup(), model::MapKind::Direction),
-                 .density = document.resolved(m_state.activeGroup(), model::MapKind::Density)};
-    }
-    const std::shared_ptr<const model::Head>& head = m_state.document().project().head;
-    const Sight sight = shown();
-    m_overlay->setDirections(
-        m_directions->seen(head ? head->skin : nullptr, field, sight.camera, sight.pose, QSizeF(m_overlay->size())));
+    m_directions->refreshSoon();
 }
 
 void HeadView::setLookedAt(std::optional<model::MapKind> map)
 {
-    m_lookedAt = map;
-    m_directionsTimer.start();
+    m_directions->setLookedAt(map);
 }
 
 void HeadView::refreshSigns()

@@ -14,7 +14,6 @@
 #include "view/theme.h"
 
 #include <QImage>
-#include <QTimer>
 
 #include <memory>
 #include <optional>
@@ -25,13 +24,13 @@ struct Change;
 
 namespace hairpaint::view {
 
-class DirectionHairs;
 class FramePacer;
 class FramePresenter;
 class HeadOverlay;
 class HeadPointer;
 class HeadScene;
 class HeadTurn;
+class ShownDirections;
 class ViewSigns;
 class WeatherOverlay;
 
@@ -126,7 +125,6 @@ private:
     void refreshOverlay();
     void follow(const Sight& sight);
     [[nodiscard]] Sight shown() const;
-    void refreshDirections();
     void refreshSigns();
     void animateTo(const std::optional<rendering::Camera>& camera);
     void draw();
@@ -146,9 +144,7 @@ private:
     std::unique_ptr<HeadScene> m_scene;
     std::unique_ptr<HeadPointer> m_pointer;
     std::unique_ptr<FramePacer> m_pacer;
-    std::unique_ptr<DirectionHairs> m_directions;
-    QTimer m_directionsTimer; ///< Zero: however much changes, they are found once.
-    std::optional<model::MapKind> m_lookedAt;
+    std::unique_ptr<ShownDirections> m_directions;
     std::optional<Sight> m_shown; ///< By the picture on the screen; none before the first.
     Stillness m_stillness;
     CameraFlight m_flight;

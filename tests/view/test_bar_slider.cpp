@@ -172,7 +172,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("says");
-        QTest::newRow("nonsense") << QStringLiteral("long") << QStringLiteral("“long” is not a number.");
+        QTest::newRow("nonsense") << QStringLiteral("long")
+                                  << QStringLiteral("“long” is not a number; type one such as 12 or 0.5.");
         QTest::newRow("nothing") << QString() << QStringLiteral("There is no number.");
         QTest::newRow("an angle") << QStringLiteral("3°") << QStringLiteral("“°” is no unit for this");
     }
@@ -208,7 +209,8 @@ private Q_SLOTS:
         editor->clearFocus();
         QVERIFY(!editor->isVisible());
         QCOMPARE(m_slider->value(), 50.0);
-        QCOMPARE(FieldHint::textAt(*m_slider), QStringLiteral("“long” is not a number. It stays 50.0\u2009cm."));
+        QCOMPARE(FieldHint::textAt(*m_slider),
+                 QStringLiteral("“long” is not a number; type one such as 12 or 0.5. It stays 50.0\u2009cm."));
     }
 
     void leaving_takes_what_can_be_read()

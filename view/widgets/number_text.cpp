@@ -204,7 +204,7 @@ private:
     {
         if (!m_problem.isEmpty())
             return m_problem;
-        return NumberTexts::tr("“%1” is not a number.").arg(m_asTyped);
+        return NumberTexts::tr("“%1” is not a number; type one such as 12 or 0.5.").arg(m_asTyped);
     }
 
     const NumberField& m_field;
