@@ -1999,10 +1999,6 @@
         <translation>No hay ningún número.</translation>
     </message>
     <message>
-        <source>“%1” is too large a number.</source>
-        <translation>«%1» es un número demasiado grande.</translation>
-    </message>
-    <message>
         <source>Nothing can be divided by 0.</source>
         <translation>Nada se puede dividir entre 0.</translation>
     </message>
@@ -2057,6 +2053,10 @@
     <message>
         <source>“%1” is not a number; type one such as 12 or 0.5.</source>
         <translation>“%1” no es un número; escribe uno como 12 o 0,5.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large a number; type a smaller one.</source>
+        <translation>“%1” es un número demasiado grande; escribe uno menor.</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "view/panels/option_bar.h"
 #include "view/panels/sidebar.h"
 #include "view/panels/style_strip.h"
+#include "view/panels/style_tile.h"
 #include "view/panels/tool_bar.h"
 #include "view/resources.h"
 #include "view/theme.h"
@@ -67,7 +68,11 @@ private Q_SLOTS:
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         const auto* strip = m_window->findChild<view::StyleStrip*>();
-        QTRY_VERIFY_WITH_TIMEOUT(strip->paths().size() > 3, test::kPatienceMs);
+        const auto shown = [strip] {
+            const QList<view::StyleTile*> tiles = strip->findChildren<view::StyleTile*>();
+            return tiles.size() > 3 && std::ranges::all_of(tiles, &QWidget::isVisible);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(shown(), test::kPatienceMs);
     }
     void cleanupTestCase() { m_window.reset(); }
 

@@ -109,8 +109,10 @@ void StyleStrip::setEntries(const std::vector<model::PresetEntry>& entries)
     m_row->addStretch(1);
     // The keys stay where they were: with the tile that has gone they went to whatever comes next in the window.
     if (hadFocus) {
-        StyleTile* again = tile(focusedPath);
-        (again != nullptr ? again : save)->setFocus(Qt::OtherFocusReason);
+        StyleTile* known = tile(focusedPath);
+        StyleTile* wanted = known != nullptr ? known : save;
+        wanted->show(); // The layout would do so later.
+        wanted->setFocus(Qt::OtherFocusReason);
     }
 }
 

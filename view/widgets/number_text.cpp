@@ -77,7 +77,7 @@ public:
                 return tl::unexpected(problem());
         }
         if (!std::isfinite(sum))
-            return tl::unexpected(NumberTexts::tr("“%1” is too large a number.").arg(m_asTyped));
+            return tl::unexpected(NumberTexts::tr("“%1” is too large a number; type a smaller one.").arg(m_asTyped));
         return sum;
     }
 
