@@ -54,12 +54,13 @@ void FileMenu::addExchangeActions(ActionSet& actions, Exchange& exchange, const 
     addHeads(*addMenu(tr("Replace &head")), actions, exchange.heads(), editor);
     addSeparator();
     HairExchange& hair = exchange.hair();
-    actions.add(
-        *this,
-        {{"file.exportHair", tr("&Export hair…"), {Qt::CTRL | Qt::Key_E}, [&hair] { hair.exportHair(); }},
-         {"file.importHair", tr("Import hair &curves…"), {}, [&hair] { hair.importHair(); }},
-         {"file.blender", tr("Install B&lender add-on"), {}, [&hair] { hair.installBlenderAddon(); }},
-         {"file.picture", tr("Save &picture…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_P}, [&exchange] { exchange.pictures().savePicture(); }}});
+    actions.add(*this,
+                {{"file.exportHair", tr("&Export hair…"), {Qt::CTRL | Qt::Key_E}, [&hair] { hair.exportHair(); }},
+                 {"file.importHair", tr("Import hair &curves…"), {}, [&hair] { hair.importHair(); }},
+                 {"file.blender", tr("Install B&lender add-on"), {}, [&hair] { hair.installBlenderAddon(); }},
+                 {"file.picture", tr("Save &picture…"), {Qt::CTRL | Qt::SHIFT | Qt::Key_P}, [&exchange] {
+                      exchange.pictures().savePicture();
+                  }}});
 }
 
 void FileMenu::addHeads(QMenu& menu, ActionSet& actions, HeadExchange& heads, const view::EditorState& editor)
