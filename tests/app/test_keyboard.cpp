@@ -12,6 +12,7 @@
 #include "view/panels/tool_bar.h"
 #include "view/resources.h"
 #include "view/theme.h"
+#include "view/widgets/bar_slider.h"
 #include "view/widgets/focus_ring.h"
 
 #include <QStandardPaths>
@@ -187,6 +188,33 @@ private Q_SLOTS:
         press(Qt::Key_Up);
         QCOMPARE(editor.activeMap(), map);
         editor.setActiveTool(before);
+    }
+
+    void aNumberIsTypedWhereTheKeysAre()
+    {
+        view::EditorState& editor = m_window->session().editor();
+        editor.setActiveMap(model::MapKind::Length);
+        m_window->paintView().setFocus();
+        while (!isIn(*m_window->findChild<view::OptionBar*>()))
+            press(Qt::Key_F6);
+        auto* slider = qobject_cast<view::BarSlider*>(QApplication::focusWidget());
+        QVERIFY(slider != nullptr);
+        press(Qt::Key_F2);
+        QVERIFY(m_window->paintView().isVisible()); // It is no key of the window's here.
+        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("7"));
+        press(Qt::Key_Return);
+        QCOMPARE(slider->value(), 7.0);
+        QCOMPARE(QApplication::focusWidget(), slider);
+        press(Qt::Key_6);
+        QCOMPARE(editor.activeMap(), model::MapKind::Length);
+        press(Qt::Key_Return);
+        QCOMPARE(slider->value(), 6.0);
+        // The mouse's user goes on with the map's keys.
+        m_window->paintView().setFocus();
+        slider->setFocus(Qt::MouseFocusReason);
+        press(Qt::Key_6);
+        QCOMPARE(editor.activeMap(), model::MapKind::Colour);
+        editor.setActiveMap(model::MapKind::Length);
     }
 
     void escGoesFromAPanelToTheMap()

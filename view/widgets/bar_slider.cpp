@@ -312,9 +312,21 @@ void BarSlider::keyPressEvent(QKeyEvent* event)
         }
         break;
     default:
+        if (startsTyping(*event)) {
+            openEditor();
+            m_editor->setText(event->text());
+            return;
+        }
         break;
     }
     QWidget::keyPressEvent(event);
+}
+
+bool BarSlider::startsTyping(const QKeyEvent& event) const
+{
+    const QString text = event.text();
+    return m_reachedByKey && text.size() == 1 && (text.front().isDigit() || QStringLiteral("-.,").contains(text)) &&
+           (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
 }
 
 void BarSlider::keyReleaseEvent(QKeyEvent* event)
@@ -329,13 +341,26 @@ void BarSlider::keyReleaseEvent(QKeyEvent* event)
 
 bool BarSlider::event(QEvent* event)
 {
-    // While a value changes Esc takes it back, whatever else the window uses Esc for.
-    if (event->type() == QEvent::ShortcutOverride && m_editing &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        event->accept();
-        return true;
+    // While a value changes Esc takes it back, whatever else the window uses Esc for. Digits are the value's where the
+    // keyboard came to it: after a click they still choose maps.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if ((m_editing && key->key() == Qt::Key_Escape) || key->key() == Qt::Key_F2 || startsTyping(*key)) {
+            event->accept();
+            return true;
+        }
     }
     return QWidget::event(event);
+}
+
+void BarSlider::focusInEvent(QFocusEvent* event)
+{
+    if (event->reason() == Qt::MouseFocusReason)
+        m_reachedByKey = false;
+    else if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
+        m_reachedByKey = true;
+    update();
+    QWidget::focusInEvent(event);
 }
 
 void BarSlider::focusOutEvent(QFocusEvent* event)

@@ -64,6 +64,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -73,6 +74,8 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    /// A key that is the first of a number.
+    [[nodiscard]] bool startsTyping(const QKeyEvent& event) const;
     void begin();
     void moveTo(double value);
     void finish();
@@ -97,6 +100,7 @@ private:
     double m_exponent = 1.0;
     double m_default = 0.0;
     bool m_hasDefault = false;
+    bool m_reachedByKey = false; ///< Whatever has the focus now, the last time it came by mouse or key.
     int m_decimals = 0;
     QList<QColor> m_gradient;
     bool m_editing = false;
