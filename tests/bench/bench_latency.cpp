@@ -1,7 +1,8 @@
 // gui_latency/groom: how long an event of the window waits while 100,000 hairs are groomed again and again;
 // gui_latency/head_import: while heads of 130,000 triangles are prepared and put into the real window in turns, which
 // draws them; gui_latency/opacity: while the opacity of a layer is dragged that is one of eight on a map of 2048 texels
-// a side, in the real window. Counters: the median, the 99th percentile and the longest wait, in ms.
+// a side, in the real window; gui_latency/style: while styles are clicked in turns; gui_latency/open: while two
+// projects are opened in turns. Counters: the median, the 99th percentile and the longest wait, in ms.
 // frames/large_brush: how far apart the pictures of the 3D area come while a brush of 10 cm paints lengths on the head
 // and the hair moves; the same counters.
 #include "app/background/heads.h"
@@ -11,13 +12,18 @@
 #include "app/session.h"
 #include "model/commands/commands.h"
 #include "model/files/glb.h"
+#include "model/files/project_file.h"
 #include "tests/support/test_heads.h"
 #include "view/head_view.h"
+#include "view/panels/style_strip.h"
+#include "view/panels/style_tile.h"
 #include "view/resources.h"
 
 #include <QApplication>
 #include <QEvent>
 #include <QMouseEvent>
+#include <QTemporaryDir>
+#include <QUndoStack>
 #include <QWidget>
 
 #include <benchmark/benchmark.h>
@@ -169,6 +175,63 @@ void duringHeadImports(benchmark::State& state)
     receiver.report(state);
 }
 
+/// A window of the usual size whose hair is there.
+std::unique_ptr<app::MainWindow> openWindow()
+{
+    application();
+    view::initResources();
+    auto window = std::make_unique<app::MainWindow>(app::starterProject(), QString());
+    window->resize(1280, 800);
+    window->show();
+    return window;
+}
+
+void awaitHair(app::MainWindow& window)
+{
+    while (window.session().hair() != app::Session::Hair::Current)
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+}
+
+void duringStyles(benchmark::State& state)
+{
+    const auto window = openWindow();
+    awaitHair(*window);
+    const auto* strip = window->findChild<view::StyleStrip*>();
+    while (strip->paths().size() < 6)
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    Receiver receiver;
+    int number = 0;
+    const QUndoStack& steps = window->session().document().undoStack();
+    for ([[maybe_unused]] auto step : state) {
+        const QList<view::StyleTile*> tiles = strip->findChildren<view::StyleTile*>();
+        const int before = steps.index();
+        tiles.at(1 + ++number % 5)->click();
+        while (steps.index() == before)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        awaitHair(*window);
+    }
+    receiver.report(state);
+}
+
+void duringOpening(benchmark::State& state)
+{
+    const auto window = openWindow();
+    awaitHair(*window);
+    const QTemporaryDir folder;
+    const QString paths[] = {folder.filePath(QStringLiteral("a.hairpaint")),
+                             folder.filePath(QStringLiteral("b.hairpaint"))};
+    for (const QString& path : paths)
+        if (!model::saveProject(app::starterProject(), path, {}))
+            return state.SkipWithError("nothing could be saved");
+    Receiver receiver;
+    int number = 0;
+    for ([[maybe_unused]] auto step : state) {
+        window->openFile(paths[++number % 2]);
+        awaitHair(*window);
+    }
+    receiver.report(state);
+}
+
 void duringOpacityTicks(benchmark::State& state)
 {
     constexpr int kLayers = 8;
@@ -273,6 +336,8 @@ BENCHMARK(duringHeadImports)
     ->Iterations(10)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(duringStyles)->Name("gui_latency/style")->Iterations(15)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(duringOpening)->Name("gui_latency/open")->Iterations(10)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(duringOpacityTicks)
     ->Name("gui_latency/opacity")
     ->Iterations(100)
