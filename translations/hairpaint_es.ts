@@ -4472,6 +4472,13 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
+    <name>hairpaint::view::NumberSpinBox</name>
+    <message>
+        <source>%1 It stays %2.</source>
+        <translation>%1 Se queda en %2.</translation>
+    </message>
+</context>
+<context>
     <name>hairpaint::view::OptionBar</name>
     <message>
         <source>Tool options</source>
@@ -4713,10 +4720,6 @@ Se ha perdido esto:</translation>
         <translation>&amp;Tamaño</translation>
     </message>
     <message>
-        <source> px</source>
-        <translation> px</translation>
-    </message>
-    <message>
         <source>&amp;Width</source>
         <translation>&amp;Ancho</translation>
     </message>
@@ -4763,6 +4766,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>No preview</source>
         <translation>Sin vista previa</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
     </message>
 </context>
 <context>

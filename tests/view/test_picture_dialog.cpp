@@ -2,6 +2,7 @@
 #include "tests/support/await.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/picture_dialog.h"
+#include "view/widgets/field_hint.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -59,6 +60,24 @@ class TestPictureDialog : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void a_side_reads_what_people_type()
+    {
+        PictureDialog dialog({.keepsShape = false}, kView);
+        showActive(dialog);
+        QSpinBox& width = sideAt(dialog, 0);
+        for (const auto& [text, px] : {std::pair("1024*2", 2048), std::pair("1,920", 1920), std::pair("640 px", 640),
+                                       std::pair("1000+24px", 1024)}) {
+            type(width, QString::fromLatin1(text), Qt::Key_Tab);
+            QCOMPARE(width.value(), px);
+        }
+        type(width, QStringLiteral("wide"), Qt::Key_Tab);
+        QCOMPARE(width.value(), 1024);
+        const QString told = FieldHint::textAt(*width.findChild<QLineEdit*>());
+        QVERIFY2(told.contains(QStringLiteral("wide")) && told.contains(QStringLiteral("1024 px")), qPrintable(told));
+        type(width, QStringLiteral("99999"), Qt::Key_Tab);
+        QCOMPARE(width.value(), PictureChoice::kMostPx);
+    }
+
     void what_was_chosen_is_offered_again()
     {
         const PictureChoice chosen{.isAsView = false,

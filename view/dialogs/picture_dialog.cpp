@@ -2,6 +2,7 @@
 #include "view/dialogs/picture_dialog.h"
 
 #include "view/theme.h"
+#include "view/widgets/number_spin_box.h"
 #include "view/widgets/swatch.h"
 
 #include <QCheckBox>
@@ -150,9 +151,8 @@ void PictureDialog::addSizeRows(QFormLayout& form)
     form.addRow(tr("Si&ze"), m_sizes);
     connect(m_sizes, &QComboBox::activated, this, &PictureDialog::chooseSize);
     const auto side = [&](const QString& label, bool isWidth) {
-        auto* box = new QSpinBox(this);
+        auto* box = new NumberSpinBox(tr("px"), this);
         box->setRange(PictureChoice::kLeastPx, PictureChoice::kMostPx);
-        box->setSuffix(tr(" px"));
         box->setAccelerated(true);
         box->setKeyboardTracking(false); // 1 and 19 are no widths on the way to 1920.
         form.addRow(label, box);
