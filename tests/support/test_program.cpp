@@ -51,13 +51,17 @@ int run(int argc, char** argv)
             std::printf("%s\n", qPrintable(name));
         return 2;
     }
+    // Settings, journals and styles of its own: entries run side by side.
+    const QString entry = qEnvironmentVariable("HAIRPAINT_ENTRY", QString::fromLocal8Bit(argv[1]));
     argv[1] = argv[0];
     --argc;
     ++argv;
     found->second.prepare();
     const std::unique_ptr<QCoreApplication> application = makeApplication(found->second.application, argc, argv);
-    if (application)
+    if (application) {
         application->setAttribute(Qt::AA_Use96Dpi, true);
+        QCoreApplication::setApplicationName(QStringLiteral("hairpaint-test-") + entry);
+    }
     const std::unique_ptr<QObject> test = found->second.make();
     return QTest::qExec(test.get(), argc, argv);
 }
