@@ -155,7 +155,7 @@ void StyleStrip::followTile(StyleTile* tile)
 
 void StyleStrip::showMenu(StyleTile* tile, const QPoint& globalPosition)
 {
-    const QString path = tile->path();
+    const QString& path = tile->path();
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     for (const model::StylePartSpec& part : model::styleParts()) {
