@@ -140,7 +140,8 @@ CommandPtr setRangeCommand(Document& document, RangeChange change, const QString
     const HairGroup* found = document.committed().group(change.group);
     if (found == nullptr || found->settings == change.settings)
         return nullptr;
-    return groupsCommand(document, change.group, text,
+    const Id group = change.group; // Arguments are evaluated in any order.
+    return groupsCommand(document, group, text,
                          [change = std::move(change)](Project& project) { change.applyTo(project); });
 }
 
