@@ -21,8 +21,6 @@
 
 namespace hairpaint::app {
 
-using test::contentOf;
-
 class TestExchange : public QObject, private ExchangeFixture
 {
     Q_OBJECT
