@@ -358,7 +358,7 @@ bool EditorState::mayPaint(std::initializer_list<MapKind> maps)
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
     QString reason = group == nullptr ? refusal(false) : QString();
     for (const MapKind map : maps)
-        if (reason.isEmpty())
+        if (group != nullptr && reason.isEmpty())
             if (const QString onMap = refusalOn(*group, map); !onMap.isEmpty())
                 reason = tr("%1: %2").arg(model::mapSpec(map).titleText(), onMap);
     if (!reason.isEmpty())

@@ -7,6 +7,7 @@
 
 #include <QLocale>
 #include <QPainter>
+#include <QSinglePointEvent>
 
 #include <algorithm>
 #include <array>

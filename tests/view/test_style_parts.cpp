@@ -163,6 +163,7 @@ private Q_SLOTS:
         StripFixture f;
         const auto shown = [&f](MapKind kind) { return f.document.resolved(f.scalp().id, kind); };
         std::vector<std::shared_ptr<const sim::TiledRaster>> before;
+        before.reserve(model::kMapKindCount);
         for (int kind = 0; kind < model::kMapKindCount; ++kind)
             before.push_back(shown(static_cast<MapKind>(kind)));
         const sim::GroupSettings settings = f.scalp().settings;

@@ -168,6 +168,7 @@ void ExportHairDialog::setGroups(std::vector<ExportableGroup> groups)
         return;
     const auto namesOf = [](const std::vector<ExportableGroup>& list) {
         std::vector<std::pair<int, QString>> names;
+        names.reserve(list.size());
         for (const ExportableGroup& group : list)
             names.emplace_back(group.id, group.name);
         return names;
@@ -202,9 +203,9 @@ bool ExportHairDialog::isLeftOut(const ExportableGroup& group) const
 std::size_t ExportHairDialog::hairsOfChosen() const
 {
     std::size_t hairs = 0;
-    for (std::size_t i = 0; i < m_groups.size(); ++i)
-        if (!isLeftOut(m_groups[i]))
-            hairs += m_groups[i].hairs;
+    for (const ExportableGroup& group : m_groups)
+        if (!isLeftOut(group))
+            hairs += group.hairs;
     return hairs;
 }
 
@@ -250,9 +251,9 @@ HairExportChoice ExportHairDialog::choice() const
     choice.source = static_cast<HairSource>(m_source->currentIndex());
     choice.author = m_author->text();
     model::CurveOptions& curves = choice.request.curves;
-    for (std::size_t i = 0; i < m_groups.size(); ++i)
-        if (!isLeftOut(m_groups[i]))
-            curves.groups.push_back({.id = m_groups[i].id, .name = m_groups[i].name});
+    for (const ExportableGroup& group : m_groups)
+        if (!isLeftOut(group))
+            curves.groups.push_back({.id = group.id, .name = group.name});
     if (m_hairs->value() < m_hairs->maximum())
         curves.hairs = static_cast<std::size_t>(m_hairs->value());
     const double toleranceMm = choice.request.format->hasCards ? 0.0 : m_tolerance->value();

@@ -211,14 +211,14 @@ void HeadPointer::updateCursor()
 {
     Qt::CursorShape shape = Qt::ArrowCursor;
     const std::optional<Hover>& hover = m_editor.hover();
+    const bool isKeyHeld = m_keys.holds(Qt::Key_Space) || m_keys.holds(Qt::Key_H);
+    const bool isOnCollider = m_overCollider || m_drag == Drag::Collider;
     if (m_drag == Drag::Pan || m_drag == Drag::Orbit || m_drag == Drag::Turn)
         shape = Qt::ClosedHandCursor;
-    else if (m_drag == Drag::Light)
+    else if (m_drag == Drag::Light || (isOnCollider && !isKeyHeld))
         shape = Qt::SizeAllCursor;
-    else if (m_keys.holds(Qt::Key_Space) || m_keys.holds(Qt::Key_H))
+    else if (isKeyHeld)
         shape = Qt::OpenHandCursor;
-    else if (m_overCollider || m_drag == Drag::Collider)
-        shape = Qt::SizeAllCursor;
     else if (hover && hover->area == model::Area::Head)
         shape = Qt::CrossCursor; // Drawing may be slow, so the ring alone would lag behind the hand.
     if (m_area.cursor().shape() != shape)
