@@ -131,8 +131,10 @@ void MapLegend::setFaded(bool faded)
 
 bool MapLegend::eventFilter(QObject* watched, QEvent* event)
 {
-    if (const auto* pointer = dynamic_cast<QSinglePointEvent*>(event))
-        setFaded(geometry().adjusted(-kNear, -kNear, kNear, kNear).contains(pointer->position().toPoint()));
+    if (event->isSinglePointEvent())
+        setFaded(geometry()
+                     .adjusted(-kNear, -kNear, kNear, kNear)
+                     .contains(static_cast<QSinglePointEvent*>(event)->position().toPoint()));
     else if (event->type() == QEvent::Leave)
         setFaded(false);
     else if (event->type() == QEvent::Resize && !isHidden())

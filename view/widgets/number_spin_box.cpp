@@ -4,6 +4,8 @@
 #include "view/widgets/field_hint.h"
 #include "view/widgets/number_text.h"
 
+#include <QLineEdit>
+
 #include <algorithm>
 #include <cmath>
 
