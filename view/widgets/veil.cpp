@@ -11,13 +11,13 @@ namespace hairpaint::view {
 
 namespace {
 
-constexpr float kDensity = 0.8F;
+constexpr int kWords = Qt::AlignCenter | Qt::TextWordWrap | Qt::TextWrapAnywhere; ///< File names have few gaps.
 constexpr double kMostOfWidth = 0.8;
 constexpr QMarginsF kAroundWords(20.0, 12.0, 20.0, 12.0);
 
 } // namespace
 
-Veil::Veil(QWidget* parent) : QWidget(parent)
+Veil::Veil(QWidget* parent, float density) : QWidget(parent), m_density(density)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_NoSystemBackground);
@@ -52,17 +52,17 @@ void Veil::paintEvent(QPaintEvent* /*event*/)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     QColor veil = theme.window;
-    veil.setAlphaF(kDensity);
+    veil.setAlphaF(m_density);
     painter.fillRect(rect(), veil);
     painter.setFont(themeFont(TextRole::Title));
     QRectF most(0.0, 0.0, width() * kMostOfWidth, height());
     most.moveCenter(QRectF(rect()).center());
-    const QRectF words = painter.boundingRect(most, Qt::AlignCenter | Qt::TextWrapAnywhere, m_text);
+    const QRectF words = painter.boundingRect(most, kWords, m_text);
     painter.setPen(QPen(theme.line, 1.0));
     painter.setBrush(theme.panel);
     painter.drawRoundedRect(words.marginsAdded(kAroundWords), metrics::kRadius, metrics::kRadius);
     painter.setPen(theme.text);
-    painter.drawText(words.adjusted(-1.0, 0.0, 1.0, 0.0), Qt::AlignCenter | Qt::TextWrapAnywhere, m_text);
+    painter.drawText(words.adjusted(-1.0, 0.0, 1.0, 0.0), kWords, m_text);
 }
 
 } // namespace hairpaint::view

@@ -10,7 +10,10 @@ class Veil : public QWidget
 {
     Q_OBJECT
 public:
-    explicit Veil(QWidget* parent);
+    static constexpr float kUsualDensity = 0.8F;
+
+    /// `density`: 0 hides nothing of what is below, 1 all of it.
+    explicit Veil(QWidget* parent, float density = kUsualDensity);
     void showText(const QString& text); ///< Empty: it goes.
     [[nodiscard]] const QString& text() const { return m_text; }
 
@@ -19,6 +22,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    float m_density;
     QString m_text;
 };
 
