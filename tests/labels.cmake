@@ -19,7 +19,7 @@ set(hairpaint_label_rows
     "sim\\..*" "logic threads"
     "background\\.(jobs|journal_thread)" "fault threads"
     "background\\.seen_race" "threads"
-    "background\\.render_thread" "gpu"
+    "background\\.render_thread" "gpu threads"
     "background\\..*" "logic threads"
     "heads\\..*" "hair"
     "fuzz\\..*" "fault"

@@ -5,11 +5,11 @@
 #include "tests/support/test_program.h"
 #include "view/head/render_thread.h"
 
-#include <QSignalSpy>
 #include <QThread>
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <thread>
 
 using namespace hairpaint;
@@ -19,7 +19,11 @@ class RenderThreadTest : public QObject
 {
     Q_OBJECT
 private:
+#if defined(__SANITIZE_THREAD__)
+    static constexpr QSize kLarge{240, 240};
+#else
     static constexpr QSize kLarge{800, 800};
+#endif
     static constexpr int kHairs = 12'000;
 
     /// Of hair that takes long to be drawn finely.
@@ -41,7 +45,7 @@ private:
     /// What the thread tells, heard on it while it draws.
     struct Told
     {
-        explicit Told(view::RenderThread& thread)
+        void listenTo(view::RenderThread& thread)
         {
             QObject::connect(&thread, &view::RenderThread::frameReady, [this] { ++frames; });
             QObject::connect(&thread, &view::RenderThread::pieceDrawn, [this] {
@@ -63,13 +67,16 @@ private:
     /// How many steps it takes until the picture is as fine as it gets; 0 where that never comes.
     static int stepsOf(const view::Shot& shot)
     {
-        view::RenderThread thread;
-        QSignalSpy ready(&thread, &view::RenderThread::frameReady);
-        thread.draw(shot, kLarge);
-        for (int steps = 1; ready.wait(kPatienceMs); ++steps)
-            if (const auto frame = thread.takeFrame(); frame && !frame->refines)
-                return steps;
-        return 0;
+        Told told;
+        auto thread = std::make_unique<view::RenderThread>();
+        told.listenTo(*thread);
+        thread->draw(shot, kLarge);
+        const bool isDone = awaitUntil([&] {
+            const std::optional<view::RenderThread::Frame> frame = thread->takeFrame();
+            return frame && !frame->refines;
+        });
+        thread.reset(); // It tells of a frame after that can be taken.
+        return isDone ? told.frames.load() : 0;
     }
 
 private Q_SLOTS:
@@ -79,8 +86,9 @@ private Q_SLOTS:
         QVERIFY(shot.allHairs > 10'000);
         const int all = stepsOf(shot);
         QVERIFY(all > 1);
+        Told told;
         auto thread = std::make_unique<view::RenderThread>();
-        Told told(*thread);
+        told.listenTo(*thread);
         told.holdsAfter = all - 1; // In the last and longest step.
         thread->draw(shot, kLarge);
         QVERIFY(awaitUntil([&] { return told.isHeld.load(); }));
@@ -95,20 +103,19 @@ private Q_SLOTS:
         const view::Shot still = stillShot();
         const int all = stepsOf(still);
         QVERIFY(all > 1);
+        Told told;
         view::RenderThread thread;
-        Told told(thread);
+        told.listenTo(thread);
         told.holdsAfter = all - 1;
         thread.draw(still, kLarge);
         QVERIFY(awaitUntil([&] { return told.isHeld.load(); }));
         const int pieces = told.pieces;
-        QCoreApplication::processEvents(); // Of the frames before.
         (void)thread.takeFrame();
-        QSignalSpy ready(&thread, &view::RenderThread::frameReady);
         view::Shot moving = still;
         moving.still = false;
         thread.draw(moving, kLarge / 8);
         told.isLetGo = true;
-        QVERIFY(ready.wait(kPatienceMs));
+        QVERIFY(awaitUntil([&] { return told.frames == all; }));
         const auto frame = thread.takeFrame();
         QVERIFY(frame);
         QCOMPARE(frame->image.size(), kLarge / 8);

@@ -5,8 +5,12 @@
 #include "view/rendering/detail_governor.h"
 #include "view/rendering/software/software_renderer.h"
 
+#include <QThread>
+
+#include <future>
 #include <new>
 #include <utility>
+#include <vector>
 
 namespace hairpaint::view {
 
@@ -14,65 +18,107 @@ namespace {
 
 constexpr double kWantedMs = 29.0; ///< Of a moving frame: thirty a second, when the hair's motion has its time, too.
 
+struct Job
+{
+    Shot shot;
+    QSize size;
+};
+
+struct Grab
+{
+    const rendering::Scene& scene;
+    QSize size;
+    std::promise<QImage> image;
+};
+
+/// What was asked for since the thread last looked.
+struct Requests
+{
+    std::optional<Job> job;
+    std::vector<Grab*> grabs; ///< Their callers wait.
+    bool stop = false;
+};
+
 } // namespace
 
-/// Lives on the thread.
-class RenderThread::Worker : public QObject
+/// Both threads know of it; what is private belongs to the one that draws. Its thread waits in a mailbox, not in an
+/// event loop of Qt's: the thread sanitizer sees the one, not the other.
+class RenderThread::Worker : public QThread
 {
 public:
-    struct Job
+    explicit Worker(RenderThread& owner) : m_owner(owner)
     {
-        Shot shot;
-        QSize size;
-    };
+        setObjectName(QStringLiteral("render"));
+        start();
+    }
 
-    explicit Worker(RenderThread& owner) : m_owner(owner) {}
-
-    void drawLatest()
+    ~Worker() override
     {
-        if (std::optional<Job> job = m_jobs.take())
-            m_last = std::move(job);
-        else if (!std::exchange(m_refines, false))
-            return; // An earlier call has drawn it already.
-        if (!m_last || isToEnd())
-            return;
+        m_requests.update([](Requests& requests) { requests.stop = true; });
+        requestInterruption(); // For who is told of a piece just now.
+        wait();
+    }
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    sim::Mailbox<Requests> m_requests;
+    sim::Mailbox<Frame> m_frames;
+
+protected:
+    void run() override
+    {
         const sim::ArenaScope arena(sim::Arena::Drawing);
+        for (;;) {
+            Requests requests = m_refines ? m_requests.take().value_or(Requests{}) : m_requests.waitAndTake();
+            if (requests.stop)
+                return;
+            for (Grab* grab : requests.grabs)
+                grab->image.set_value(grabbed(grab->scene, grab->size));
+            if (requests.job)
+                m_last = std::move(requests.job);
+            else if (!m_refines)
+                continue;
+            m_refines = false;
+            drawLast();
+        }
+    }
+
+private:
+    void drawLast()
+    {
         const Shot& shot = m_last->shot;
         // A fine picture may take seconds: whatever comes meanwhile goes first.
         rendering::Backend::Progress goesOn;
         if (shot.still)
             goesOn = [this](double fraction) {
                 Q_EMIT m_owner.pieceDrawn(fraction);
-                return !isToEnd() && !m_jobs.waiting();
+                return !m_requests.waiting();
             };
         try {
             if (!m_renderer.drawPatiently(shot.scene, m_governor.begin(shot.still), m_last->size.width(),
-                                          m_last->size.height(), goesOn))
+                                          m_last->size.height(), goesOn)) {
+                m_refines = m_requests.waiting(); // Begun anew after what came, where that is not another picture.
                 return;
+            }
             m_governor.observe(m_renderer.statistics(), shot.allHairs);
             m_refines = shot.still && m_governor.wantsRefinement();
             m_frames.put({readImage(m_last->size), shot.sight(), m_renderer.statistics(), m_refines});
         } catch (const std::bad_alloc&) {
+            m_refines = false;
             return; // The last picture stays until there is memory for another.
         }
         Q_EMIT m_owner.frameReady();
-        if (m_refines)
-            QMetaObject::invokeMethod(
-                this, [this] { drawLatest(); }, Qt::QueuedConnection);
     }
 
-    [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size)
+    [[nodiscard]] QImage grabbed(const rendering::Scene& scene, QSize size)
     {
-        const sim::ArenaScope arena(sim::Arena::Drawing);
-        m_renderer.draw(scene, rendering::pictureQuality(), size.width(), size.height());
-        return readImage(size);
+        try {
+            m_renderer.draw(scene, rendering::pictureQuality(), size.width(), size.height());
+            return readImage(size);
+        } catch (const std::bad_alloc&) {
+            return {};
+        }
     }
-
-    sim::Mailbox<Job> m_jobs;
-    sim::Mailbox<Frame> m_frames;
-
-private:
-    [[nodiscard]] static bool isToEnd() { return QThread::currentThread()->isInterruptionRequested(); }
 
     [[nodiscard]] QImage readImage(QSize size)
     {
@@ -90,38 +136,25 @@ private:
     /// All hairs at first: those that can't be told apart are not drawn anyhow.
     rendering::DetailGovernor m_governor{kWantedMs, 1.0F};
     std::optional<Job> m_last;
-    bool m_refines = false;
+    bool m_refines = false; ///< The last job's next and finer picture is due.
     std::vector<std::uint8_t> m_pixels;
 };
 
-RenderThread::RenderThread(QObject* parent) : QObject(parent), m_worker(std::make_unique<Worker>(*this))
-{
-    m_thread.setObjectName(QStringLiteral("render"));
-    m_worker->moveToThread(&m_thread);
-    m_thread.start();
-}
+RenderThread::RenderThread(QObject* parent) : QObject(parent), m_worker(std::make_unique<Worker>(*this)) {}
 
-RenderThread::~RenderThread()
-{
-    m_thread.requestInterruption(); // A fine picture under way is given up.
-    m_thread.quit();
-    m_thread.wait();
-}
+RenderThread::~RenderThread() = default;
 
 void RenderThread::draw(const Shot& shot, QSize size)
 {
-    m_worker->m_jobs.put({shot, size});
-    QMetaObject::invokeMethod(
-        m_worker.get(), [worker = m_worker.get()] { worker->drawLatest(); }, Qt::QueuedConnection);
+    m_worker->m_requests.update([&](Requests& requests) { requests.job = Job{shot, size}; });
 }
 
 QImage RenderThread::grab(const rendering::Scene& scene, QSize size)
 {
-    QImage image;
-    QMetaObject::invokeMethod(
-        m_worker.get(), [&, worker = m_worker.get()] { image = worker->grab(scene, size); },
-        Qt::BlockingQueuedConnection);
-    return image;
+    Grab grab{.scene = scene, .size = size, .image = {}};
+    std::future<QImage> image = grab.image.get_future();
+    m_worker->m_requests.update([&](Requests& requests) { requests.grabs.push_back(&grab); });
+    return image.get();
 }
 
 std::optional<RenderThread::Frame> RenderThread::takeFrame()

@@ -6,9 +6,10 @@
 #include "view/rendering/backend.h"
 
 #include <QImage>
-#include <QThread>
+#include <QObject>
 
 #include <memory>
+#include <optional>
 
 namespace hairpaint::view {
 
@@ -23,6 +24,7 @@ public:
     ~RenderThread() override; ///< Waits for the frame being drawn, of a still picture for a piece of its hair.
 
     void draw(const Shot& shot, QSize size);
+    /// Waits for it; null where memory runs out.
     [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size);
 
     struct Frame
@@ -36,13 +38,13 @@ public:
     [[nodiscard]] std::optional<Frame> takeFrame();
 
 Q_SIGNALS:
+    // Emitted on the thread that draws.
     void frameReady();
-    /// A piece of a still picture is drawn: 0 to 1 of its hair are. Emitted on the thread that draws.
+    /// A piece of a still picture is drawn: 0 to 1 of its hair are.
     void pieceDrawn(double fraction);
 
 private:
     class Worker;
-    QThread m_thread;
     std::unique_ptr<Worker> m_worker;
 };
 
