@@ -66,8 +66,10 @@ const Groom& nothing()
 
 void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderSet& colliders, const StepForces& calm)
 {
-    if (groom == m_groom && sameColliders(m_colliders, colliders))
+    if (groom == m_groom && sameColliders(m_colliders, colliders)) {
+        m_isNew = m_groom->basisCount == 0;
         return; // Something else of the input differs: hair at rest stays at rest.
+    }
     const std::shared_ptr<const Groom> kept = std::exchange(m_groom, std::move(groom));
     const Groom& before = kept ? *kept : nothing();
     const bool otherColliders = !sameColliders(m_colliders, colliders);
@@ -96,6 +98,7 @@ void GroupDynamics::setGroom(std::shared_ptr<const Groom> groom, const ColliderS
         });
         wake();
     }
+    m_isNew = arrived.size() == m_groom->basisCount;
     settle(arrived, calm);
     const bool otherCoat = otherColliders || otherGains || before.roots != m_groom->roots;
     m_dependents.prepare(*m_groom, m_colliders, otherCoat);

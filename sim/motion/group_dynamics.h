@@ -25,6 +25,8 @@ public:
     /// Every strand hanging still, as one that is new. `calm`: the forces where nothing moves.
     void hangAnew(const StepForces& calm);
     void wake();
+    /// None of its strands was there before the last groom.
+    [[nodiscard]] bool isNew() const { return m_isNew; }
     /// No strand moves any more, or none is seen.
     [[nodiscard]] bool asleep() const;
 
@@ -51,6 +53,7 @@ private:
     StrandState m_state;
     mutable Dependents m_dependents; ///< Its buffers are reused from frame to frame.
     bool m_awake = false;
+    bool m_isNew = true;
 };
 
 } // namespace hairpaint::sim

@@ -183,6 +183,11 @@ bool Simulation::asleep() const
     return m_state->asleep();
 }
 
+bool Simulation::isNew() const
+{
+    return std::ranges::all_of(m_state->groups, [](const auto& group) { return group->isNew(); });
+}
+
 void Simulation::writeFrame(StrandFrame& frame, float detail) const
 {
     const State& s = *m_state;

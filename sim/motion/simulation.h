@@ -42,6 +42,8 @@ public:
     /// Advances without the limit, for settling before a picture.
     void settle(double seconds);
     [[nodiscard]] bool asleep() const;
+    /// No strand was there before the last input.
+    [[nodiscard]] bool isNew() const;
 
     /// Writes the present moment (interpolated between the last two steps) into `frame`, reusing its memory. `detail`:
     /// see GroupFrame.

@@ -47,6 +47,9 @@ constexpr std::size_t kMostPuffs = 8;
 constexpr float kLeastDetail = 1.0F / 1024.0F;
 /// The simulation drops what lies behind more than a few steps, so it is advanced at least so often.
 constexpr double kLongestTickSeconds = 1.0 / 30.0;
+/// What hair that is all new falls before it is first seen, unless it takes longer than that.
+constexpr double kFirstFallSeconds = 5.0;
+constexpr std::chrono::milliseconds kLongestFall(150);
 
 } // namespace
 
@@ -111,6 +114,8 @@ public:
             m_simulation->puff(puff.centreWo, puff.velocity, puff.radiusM);
         if (requests.reset)
             m_simulation->hangAnew();
+        if (requests.input && !m_wind.enabled && m_simulation->isNew())
+            bringToRest();
         m_stale = m_stale || renewed || finer;
     }
 
@@ -157,6 +162,14 @@ public:
     }
 
 private:
+    void bringToRest()
+    {
+        constexpr double kAtOnceSeconds = 0.2;
+        const Clock::time_point latest = Clock::now() + kLongestFall;
+        for (double fallen = 0.0; fallen < kFirstFallSeconds && Clock::now() < latest; fallen += kAtOnceSeconds)
+            m_simulation->settle(kAtOnceSeconds);
+    }
+
     Mailbox<std::shared_ptr<const StrandFrame>>& m_frames;
     const std::function<void()>& m_onFrame;
     std::unique_ptr<Simulation> m_simulation = std::make_unique<Simulation>(); ///< Null: it failed.

@@ -25,7 +25,8 @@ public:
     SimulationWorker(const SimulationWorker&) = delete;
     SimulationWorker& operator=(const SimulationWorker&) = delete;
 
-    void setInput(GroomInput input);    ///< Latest wins.
+    /// Latest wins. Hair of which nothing was there before is first seen at rest, or nearly, unless it is windy.
+    void setInput(GroomInput input);
     void setWind(const Wind& wind);     ///< Latest wins.
     void setPose(const HeadPose& pose); ///< Latest wins.
     void puff(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);

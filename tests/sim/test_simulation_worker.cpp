@@ -4,10 +4,12 @@
 #include "tests/support/allocation_limit.h"
 #include "tests/support/await.h"
 #include "tests/support/painted_ball.h"
+#include "tests/support/strand_frames.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <thread>
@@ -41,6 +43,7 @@ bool hasHair(const StrandFrame& frame)
     return frame.hairCount > 0;
 }
 
+const Wind kNoWind{.enabled = false};
 const Wind kSideBreeze{true, glm::vec3(3.0F, 0.0F, 0.0F), 0.5F, 0.3F};
 
 } // namespace
@@ -56,6 +59,7 @@ private Q_SLOTS:
     void inputWithoutEndHoldsUpNoFrames();
     void aPausedWorkerStillShowsNewInput();
     void stillHairStopsTheFramesUntilSomethingHappens();
+    void newHairIsFirstSeenAtRest();
     void aFrameKeptStaysAsItWas();
     void itStopsInTheMiddleOfAnything();
     void motionKeepsItsPaceWhereFewFramesAreWanted();
@@ -188,6 +192,33 @@ void TestSimulationWorker::stillHairStopsTheFramesUntilSomethingHappens()
     worker.setWind(kSideBreeze);
     QVERIFY(awaitFrame(worker, [](const StrandFrame& frame) { return !frame.asleep; }));
     QVERIFY(!worker.resting());
+}
+
+void TestSimulationWorker::newHairIsFirstSeenAtRest()
+{
+    SimulationWorker worker(nullptr);
+    worker.setWind(kNoWind);
+    worker.setInput(paintedBall(400, 200));
+    const auto first = awaitFrame(worker, hasHair);
+    QVERIFY(first);
+    Simulation fallen;
+    fallen.setWind(kNoWind);
+    fallen.setInput(paintedBall(400, 200));
+    fallen.settle(20.0);
+    const StrandFrame rest = frameOf(fallen);
+    const Groom& groom = *rest.groups.front().groom;
+    float farthestM = 0.0F;
+    int hairs = 0;
+    for (std::size_t slot = 0; slot < groom.chunks.size() * kChunkSlots; ++slot) {
+        const std::vector<glm::vec3> seen = nodesOf(*first, slot);
+        const std::vector<glm::vec3> lies = nodesOf(rest, slot);
+        QCOMPARE(seen.size(), lies.size());
+        for (std::size_t node = 0; node < seen.size(); ++node)
+            farthestM = std::max(farthestM, glm::distance(seen[node], lies[node]));
+        hairs += seen.empty() ? 0 : 1;
+    }
+    QVERIFY(hairs > 300);
+    QVERIFY2(farthestM < 0.002F, qPrintable(QString::number(farthestM)));
 }
 
 void TestSimulationWorker::aFrameKeptStaysAsItWas()
