@@ -218,7 +218,7 @@ void HeadView::animateTo(const std::optional<rendering::Camera>& camera)
 
 bool HeadView::awake() const
 {
-    return m_pacer->waiting() || m_flight.underWay() || m_turn->moving();
+    return !m_presenter->resting() || m_pacer->waiting() || m_flight.underWay() || m_turn->moving();
 }
 
 bool HeadView::refining() const

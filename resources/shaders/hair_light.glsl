@@ -157,9 +157,17 @@ struct HairPoint
     vec3 tangent;
     vec3 colour;
     vec3 depth;
-    float variation;
+    float turned; // turnedBy() of this hair.
     float towardKey, towardEye, towardRim;
 };
+
+// By how much a fibre's lobes stand elsewhere than those of its neighbours; see hair_light_inl.h.
+float turnedBy(float variation)
+{
+    const float kMost = 0.12;
+    float pair = variation * 2.0;
+    return (pair - floor(pair + 0.5)) * (2.0 * kMost);
+}
 
 const float kCoat = 1.1; // Evens out what the coat keeps in its own shade.
 const int kMarschner = 0;
@@ -181,7 +189,7 @@ vec3 lightOf(int lobeSet, vec3 toward, vec3 lampColour, HairPoint point, vec3 vi
     int scattering = int(keyWo.w);
     vec3 lit;
     if (scattering == kMarschner) {
-        FibreLobes lobes = marschner(fibreShape(roughness), at, point.depth, point.variation * 0.25);
+        FibreLobes lobes = marschner(fibreShape(roughness), at, point.depth, point.turned);
         float front = shine * passed.w * kPi;
         lit = point.colour * passed.rgb * ((0.35 + 0.65 * at.cosI) * facing * kCoat) +
               lobes.r * front * (lobeSet == kForward ? kForwardPart : 1.0);

@@ -91,12 +91,12 @@ void main()
     width = clip.w > kNearestDrawnM && before < undrawnCoverings ? width : 0.0;
 
     // Pigment fades evenly toward the tip.
-    float variation = styles[slot].variation * variationScale;
-    float lightness = exp2(variation * 3.0);
+    float variation = styles[slot].variation;
+    float lightness = exp2(variation * variationScale * 3.0);
     vec3 rootColour = colourFromBytes(styles[slot].rootColour) * lightness;
     vec3 tipColour = colourFromBytes(styles[slot].tipColour) * lightness;
     HairPoint point = HairPoint(position, tangent, mix(lightShownAs(rootColour), lightShownAs(tipColour), s),
-                                mix(fibreDepth(rootColour), fibreDepth(tipColour), s), variation, towardKey, towardEye,
+                                mix(fibreDepth(rootColour), fibreDepth(tipColour), s), turnedBy(variation), towardKey, towardEye,
                                 max(column - towardEye, 0.0));
     vec3 lit = hairLight(point, material.x, material.y);
 

@@ -304,7 +304,7 @@ private Q_SLOTS:
                                                .tangent = {0.0F, 1.0F, 0.0F},
                                                .colour = grey(0.0F),
                                                .depth = grey(0.0F),
-                                               .variation = 0.0F,
+                                               .turned = 0.0F,
                                                .towardKey = 0.0F,
                                                .towardEye = 0.0F,
                                                .towardRim = 0.0F};

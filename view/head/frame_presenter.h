@@ -25,6 +25,8 @@ public:
     [[nodiscard]] virtual QWidget& widget() = 0;
     /// Returns at once; a shot not drawn yet is replaced.
     virtual void present(const Shot& shot) = 0;
+    /// No frame comes before another shot is presented, but those that refining() tells of.
+    [[nodiscard]] virtual bool resting() const = 0;
     /// One picture at full quality, waited for. Null where drawing is impossible.
     [[nodiscard]] virtual QImage grab(const rendering::Scene& scene, QSize size) = 0;
     /// What draws, for people; empty where that is known with the first frame only.

@@ -17,6 +17,7 @@ public:
 
     [[nodiscard]] QWidget& widget() override;
     void present(const Shot& shot) override;
+    [[nodiscard]] bool resting() const override { return true; } // The widget draws with its next repaint.
     [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size) override;
     [[nodiscard]] QString description() const override;
 

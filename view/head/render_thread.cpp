@@ -157,6 +157,11 @@ QImage RenderThread::grab(const rendering::Scene& scene, QSize size)
     return image.get();
 }
 
+bool RenderThread::resting() const
+{
+    return m_worker->m_requests.awaited() && !m_worker->m_frames.waiting();
+}
+
 std::optional<RenderThread::Frame> RenderThread::takeFrame()
 {
     return m_worker->m_frames.take();

@@ -36,6 +36,8 @@ public:
     };
     /// The newest frame since the last call.
     [[nodiscard]] std::optional<Frame> takeFrame();
+    /// All that was asked for is drawn and taken.
+    [[nodiscard]] bool resting() const;
 
 Q_SIGNALS:
     // Emitted on the thread that draws.

@@ -20,6 +20,7 @@ public:
 
     [[nodiscard]] QWidget& widget() override;
     void present(const Shot& shot) override;
+    [[nodiscard]] bool resting() const override { return m_thread->resting(); }
     [[nodiscard]] QImage grab(const rendering::Scene& scene, QSize size) override;
     [[nodiscard]] QString description() const override;
 

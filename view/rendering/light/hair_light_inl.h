@@ -25,11 +25,22 @@ struct HairPoint
     Triple<F> tangent; ///< Unit, toward the tip.
     Triple<F> colour;  ///< Of a coat of such hair; linear, its own lightness in it already.
     Triple<F> depth;   ///< fibreDepth of it.
-    F variation;       ///< -1..1 times the group's.
+    F turned;          ///< turnedBy() of this hair.
     F towardKey;       ///< Area of hair between it and the light, the eye, the rim light, over the area that it covers.
     F towardEye;
     F towardRim;
 };
+
+/// By how much a fibre's lobes stand elsewhere than those of its neighbours, as twice the half angle's sine: fibres of a
+/// lock lie a few degrees askew, so that a coat glints where it would otherwise be one sheet. `variation` -1..1 is the
+/// hair's own; of another lightness they turn otherwise.
+template<class F>
+HWY_INLINE F turnedBy(F variation)
+{
+    constexpr float kMost = 0.12F;
+    const F pair = variation * F(2.0F);
+    return (pair - floored(pair + F(0.5F))) * F(2.0F * kMost);
+}
 
 /// What of a far light the head lets by: an umbra of its size with a soft edge.
 template<class F>
@@ -72,7 +83,7 @@ HWY_INLINE Triple<F> lightOf(const HairLighting& given, const FarLight& lamp, co
     const F facing = F(0.1F) + F(0.9F) * wrap * wrap;
     Triple<F> lit;
     if (given.scattering == Scattering::Marschner) {
-        const FibreLobes<F> lobes = marschner<set>(given.shape, at, point.depth, point.variation * F(0.25F));
+        const FibreLobes<F> lobes = marschner<set>(given.shape, at, point.depth, point.turned);
         const F front = shine * passed.direct * F(kPi);
         const F body = (F(0.35F) + F(0.65F) * at.cosI) * facing * F(kCoat);
         const F white = lobes.r * front * F(set == LobeSet::Forward ? kForward : 1.0F);

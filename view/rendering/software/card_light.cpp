@@ -27,7 +27,7 @@ glm::vec3 CardLight::on(const CardCorner& corner) const
                                                          .tangent = triple(turn * corner.tangentHd),
                                                          .colour = triple(colour),
                                                          .depth = simd::fibreDepth(triple(colour)),
-                                                         .variation = 0.0F,
+                                                         .turned = 0.0F,
                                                          .towardKey = kCrossedByCards,
                                                          .towardEye = kCrossedByCards,
                                                          .towardRim = kCrossedByCards});

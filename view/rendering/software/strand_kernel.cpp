@@ -125,9 +125,10 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
     const IntTag di;
     evaluateCurves(block, spans, lane, out.pointsWo.data());
     const Lanes own = loaded(block.width.data() + lane) * Lanes(view.groupWidthM * view.samplesPerM);
-    const Lanes variation = loaded(block.variation.data() + lane) * Lanes(view.variationScale);
+    const Lanes variation = loaded(block.variation.data() + lane);
+    const Lanes turned = turnedBy(variation);
     const Lanes order = loaded(block.order.data() + lane);
-    const Lanes lightness = exp2Of(variation * Lanes(3.0F));
+    const Lanes lightness = exp2Of(variation * Lanes(3.0F * view.variationScale));
     const auto colourOf = [&](const std::array<LaneRow, 3>& rows) {
         return Triple<Lanes>{linearFromSrgb(loaded(rows[0].data() + lane)),
                              linearFromSrgb(loaded(rows[1].data() + lane)),
@@ -190,7 +191,7 @@ void pointsOfLanes(const StrandView& view, const StrandBlock& block, const SpanS
         const Lanes behind = most(columnAt(view.opacity[1], view.gridSide, toEye) - towardEye, Lanes(0.0F));
         const Triple<Lanes> lit =
             hairLight(view.lighting, HairPoint<Lanes>{here, tangent, rootLight + (tipLight - rootLight) * Lanes(s),
-                                                      rootDepth + (tipDepth - rootDepth) * Lanes(s), variation,
+                                                      rootDepth + (tipDepth - rootDepth) * Lanes(s), turned,
                                                       towardLight, towardEye, behind});
         const Ints packed =
             hn::Or(hn::Or(tenBits(lit.x), hn::ShiftLeft<10>(tenBits(lit.y))), hn::ShiftLeft<20>(tenBits(lit.z)));
