@@ -21,8 +21,10 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QEventLoop>
 #include <QMouseEvent>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QUndoStack>
 #include <QWidget>
 
@@ -294,10 +296,11 @@ void duringStrokes(benchmark::State& state)
     model::ToolSettings settings = editor.toolSettings();
     settings.brushSizeM = 0.10F;
     editor.setToolSettings(settings);
+    // As the program waits for a hand: asleep where nothing comes, so that both cores are left to the hair.
     const auto workFor = [](int milliseconds) {
-        const Clock::time_point end = Clock::now() + std::chrono::milliseconds(milliseconds);
-        while (Clock::now() < end)
-            QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
+        QEventLoop loop;
+        QTimer::singleShot(std::chrono::milliseconds(milliseconds), Qt::PreciseTimer, &loop, &QEventLoop::quit);
+        loop.exec();
     };
     workFor(3000);
     view::HeadView& area = window.headView();
