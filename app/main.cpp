@@ -1,15 +1,15 @@
 // Hair Paint: with a verb it works without a window, else it opens the editor.
 #include "app/cli/command.h"
-#include "app/first_activation.h"
-#include "app/languages.h"
-#include "app/large_memory.h"
-#include "app/library.h"
-#include "app/main_window.h"
 #include "app/recovery/termination.h"
-#include "app/settings.h"
-#include "model/files/sentences.h"
-#include "view/head_view.h"
-#include "view/resources.h"
+#include "app/session/large_memory.h"
+#include "app/settings/languages.h"
+#include "app/settings/settings.h"
+#include "app/styles/library.h"
+#include "app/window/first_activation.h"
+#include "app/window/main_window.h"
+#include "model/values/sentences.h"
+#include "view/head_area/head_view.h"
+#include "view/look/resources.h"
 
 #include <QApplication>
 #include <QDir>

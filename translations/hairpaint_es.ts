@@ -741,6 +741,14 @@
         <source>Brows and lashes were not grown: cancelled</source>
         <translation>No se crearon cejas ni pestañas: cancelado</translation>
     </message>
+    <message>
+        <source>Growing hair</source>
+        <translation>Haciendo crecer el pelo</translation>
+    </message>
+    <message>
+        <source>No group was added: cancelled</source>
+        <translation>No se añadió ningún grupo: cancelado</translation>
+    </message>
 </context>
 <context>
     <name>Files</name>
@@ -2393,6 +2401,129 @@
     <message>
         <source>Paints filled rectangles, ellipses and polygons.</source>
         <translation>Pinta rectángulos, elipses y polígonos rellenos.</translation>
+    </message>
+</context>
+<context>
+    <name>ToolOptions</name>
+    <message>
+        <source>Pen pressure changes the size</source>
+        <translation>La presión del lápiz cambia el tamaño</translation>
+    </message>
+    <message>
+        <source>Pen pressure changes the opacity</source>
+        <translation>La presión del lápiz cambia la opacidad</translation>
+    </message>
+    <message>
+        <source>Comb along the stroke</source>
+        <translation>Peinar a lo largo del trazo</translation>
+    </message>
+    <message>
+        <source>Lift or lay, the way hair lies</source>
+        <translation>Levantar o tender, según cae el pelo</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Alisar</translation>
+    </message>
+    <message>
+        <source>Ruffle</source>
+        <translation>Despeinar</translation>
+    </message>
+    <message>
+        <source>Whorl: a spiral around the pointer</source>
+        <translation>Remolino: una espiral alrededor del puntero</translation>
+    </message>
+    <message>
+        <source>Hold as it lies now, with gel</source>
+        <translation>Fijar como está ahora, con gel</translation>
+    </message>
+    <message>
+        <source>Lift</source>
+        <translation>Elevación</translation>
+    </message>
+    <message>
+        <source>How far hair is raised from where it lies; below zero it is laid flatter</source>
+        <translation>Cuánto se levanta el pelo desde donde está; bajo cero queda más plano</translation>
+    </message>
+    <message>
+        <source>Gel at least</source>
+        <translation>Gel mínimo</translation>
+    </message>
+    <message>
+        <source>The gel that keeps held hair as it lies</source>
+        <translation>El gel que mantiene el pelo fijado como está</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerancia</translation>
+    </message>
+    <message>
+        <source>The gel that keeps hair where it was pulled; long hair falls back without</source>
+        <translation>El gel que mantiene el pelo donde se llevó; sin él, el pelo largo vuelve a caer</translation>
+    </message>
+    <message>
+        <source>Linear gradient</source>
+        <translation>Degradado lineal</translation>
+    </message>
+    <message>
+        <source>Radial gradient</source>
+        <translation>Degradado radial</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source>How far to either side the part lays hair</source>
+        <translation>Hasta dónde peina la raya el pelo a cada lado</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Hueco</translation>
+    </message>
+    <message>
+        <source>How wide a line of skin shows; 0 leaves every hair</source>
+        <translation>Qué ancho de piel se ve; 0 deja todo el pelo</translation>
+    </message>
+    <message>
+        <source>Zigzag</source>
+        <translation>Zigzag</translation>
+    </message>
+    <message>
+        <source>How far the part runs to and fro; 0 leaves it straight</source>
+        <translation>Cuánto va y viene la raya; 0 la deja recta</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rectángulo</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Elipse</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polígono</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Dureza</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>Flatness</source>
+        <translation>Inclinación</translation>
+    </message>
+    <message>
+        <source>How flat combed hair lies; pen pressure makes it less</source>
+        <translation>Lo plano que queda el pelo peinado; la presión del lápiz lo reduce</translation>
     </message>
 </context>
 <context>
@@ -4493,136 +4624,16 @@ Se ha perdido esto:</translation>
         <translation>Elige el valor en la paleta</translation>
     </message>
     <message>
-        <source>Size</source>
-        <translation>Tamaño</translation>
-    </message>
-    <message>
         <source>cm</source>
         <translation>cm</translation>
-    </message>
-    <message>
-        <source>Hardness</source>
-        <translation>Dureza</translation>
-    </message>
-    <message>
-        <source>Opacity</source>
-        <translation>Opacidad</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>Tolerancia</translation>
-    </message>
-    <message>
-        <source>Pen pressure changes the size</source>
-        <translation>La presión del lápiz cambia el tamaño</translation>
-    </message>
-    <message>
-        <source>Pen pressure changes the opacity</source>
-        <translation>La presión del lápiz cambia la opacidad</translation>
-    </message>
-    <message>
-        <source>Rectangle</source>
-        <translation>Rectángulo</translation>
-    </message>
-    <message>
-        <source>Ellipse</source>
-        <translation>Elipse</translation>
-    </message>
-    <message>
-        <source>Polygon</source>
-        <translation>Polígono</translation>
-    </message>
-    <message>
-        <source>Linear gradient</source>
-        <translation>Degradado lineal</translation>
-    </message>
-    <message>
-        <source>Radial gradient</source>
-        <translation>Degradado radial</translation>
     </message>
     <message>
         <source>Palette, %1</source>
         <translation>Paleta, %1</translation>
     </message>
     <message>
-        <source>Flatness</source>
-        <translation>Inclinación</translation>
-    </message>
-    <message>
-        <source>How flat combed hair lies; pen pressure makes it less</source>
-        <translation>Lo plano que queda el pelo peinado; la presión del lápiz lo reduce</translation>
-    </message>
-    <message>
-        <source>Comb along the stroke</source>
-        <translation>Peinar a lo largo del trazo</translation>
-    </message>
-    <message>
-        <source>Lift or lay, the way hair lies</source>
-        <translation>Levantar o tender, según cae el pelo</translation>
-    </message>
-    <message>
-        <source>Smooth</source>
-        <translation>Alisar</translation>
-    </message>
-    <message>
-        <source>Ruffle</source>
-        <translation>Despeinar</translation>
-    </message>
-    <message>
-        <source>Reach</source>
-        <translation>Alcance</translation>
-    </message>
-    <message>
-        <source>How far to either side the part lays hair</source>
-        <translation>Hasta dónde peina la raya el pelo a cada lado</translation>
-    </message>
-    <message>
-        <source>Gap</source>
-        <translation>Hueco</translation>
-    </message>
-    <message>
         <source>mm</source>
         <translation>mm</translation>
-    </message>
-    <message>
-        <source>How wide a line of skin shows; 0 leaves every hair</source>
-        <translation>Qué ancho de piel se ve; 0 deja todo el pelo</translation>
-    </message>
-    <message>
-        <source>Zigzag</source>
-        <translation>Zigzag</translation>
-    </message>
-    <message>
-        <source>How far the part runs to and fro; 0 leaves it straight</source>
-        <translation>Cuánto va y viene la raya; 0 la deja recta</translation>
-    </message>
-    <message>
-        <source>Gel at least</source>
-        <translation>Gel mínimo</translation>
-    </message>
-    <message>
-        <source>The gel that keeps held hair as it lies</source>
-        <translation>El gel que mantiene el pelo fijado como está</translation>
-    </message>
-    <message>
-        <source>Whorl: a spiral around the pointer</source>
-        <translation>Remolino: una espiral alrededor del puntero</translation>
-    </message>
-    <message>
-        <source>Hold as it lies now, with gel</source>
-        <translation>Fijar como está ahora, con gel</translation>
-    </message>
-    <message>
-        <source>Lift</source>
-        <translation>Elevación</translation>
-    </message>
-    <message>
-        <source>How far hair is raised from where it lies; below zero it is laid flatter</source>
-        <translation>Cuánto se levanta el pelo desde donde está; bajo cero queda más plano</translation>
-    </message>
-    <message>
-        <source>The gel that keeps hair where it was pulled; long hair falls back without</source>
-        <translation>El gel que mantiene el pelo donde se llevó; sin él, el pelo largo vuelve a caer</translation>
     </message>
 </context>
 <context>

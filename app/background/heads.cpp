@@ -2,7 +2,7 @@
 #include "app/background/heads.h"
 
 #include "model/files/glb.h"
-#include "model/files/sentences.h"
+#include "model/values/sentences.h"
 
 #include <QFileInfo>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/files/project_file.h"
-#include "model/guarded.h"
+#include "model/values/guarded.h"
 #include "sim/base/parallel.h"
 
 #include <QObject>

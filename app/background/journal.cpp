@@ -1,8 +1,8 @@
 // From the document's steps to the writer's thread.
 #include "app/background/journal.h"
 
-#include "model/guarded.h"
 #include "model/journal/journal_writer.h"
+#include "model/values/guarded.h"
 
 #include <QDateTime>
 #include <QUndoStack>

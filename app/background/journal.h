@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/background/journal_folder.h"
-#include "model/document.h"
-#include "model/journal/journal_state.h"
+#include "model/document/document.h"
+#include "model/document/journal_state.h"
 
 #include <QObject>
 #include <QTimer>

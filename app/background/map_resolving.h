@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/background/jobs.h"
-#include "model/map_resolver.h"
+#include "model/maps/map_resolver.h"
 
 namespace hairpaint::app {
 

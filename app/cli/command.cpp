@@ -1,8 +1,8 @@
 // What the verbs share: the table of them, their errors, their options.
 #include "app/cli/command.h"
 
-#include "model/files/sentences.h"
-#include "model/project.h"
+#include "model/project/project.h"
+#include "model/values/sentences.h"
 
 #include <QFileInfo>
 

@@ -1,7 +1,7 @@
 // The command line's verbs: the same program without a window, so that it can be scripted.
 #pragma once
 
-#include "model/error.h"
+#include "model/values/error.h"
 #include "sim/motion/neck_motion.h"
 
 #include <QCommandLineParser>

@@ -2,15 +2,15 @@
 #include "app/cli/command.h"
 #include "app/cli/film.h"
 #include "app/cli/interruption.h"
-#include "app/cli/settled_hair.h"
-#include "model/document.h"
+#include "app/headless/settled_hair.h"
+#include "model/disk/staged_files.h"
+#include "model/document/document.h"
 #include "model/exporting/export_format.h"
 #include "model/exporting/map_images.h"
 #include "model/exporting/uv_sheet.h"
 #include "model/files/project_file.h"
-#include "model/files/sentences.h"
-#include "model/files/staged_files.h"
-#include "model/skin_tone.h"
+#include "model/project/skin_tone.h"
+#include "model/values/sentences.h"
 
 #include <QFileInfo>
 

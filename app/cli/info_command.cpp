@@ -1,10 +1,10 @@
 // `hairpaint info` and `hairpaint presets`: what is in a project, and in the library.
 #include "app/cli/command.h"
-#include "app/library.h"
-#include "model/document.h"
+#include "app/styles/library.h"
+#include "model/document/document.h"
 #include "model/files/migrations.h"
 #include "model/files/project_file.h"
-#include "model/names.h"
+#include "model/values/names.h"
 #include "sim/groom/groom.h"
 
 #include <QJsonArray>

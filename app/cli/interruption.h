@@ -1,7 +1,7 @@
 // Ctrl+C, kill and a closed terminal while a verb writes: what lies half made beside its place goes first.
 #pragma once
 
-#include "model/progress.h"
+#include "model/values/progress.h"
 
 namespace hairpaint::app {
 

@@ -1,15 +1,15 @@
 // `hairpaint new`: a project from a head, a preset and images.
 #include "app/background/heads.h"
 #include "app/cli/command.h"
-#include "app/library.h"
-#include "model/commands/commands.h"
-#include "model/content_budget.h"
+#include "app/styles/library.h"
+#include "model/document/commands.h"
 #include "model/files/image_map.h"
 #include "model/files/project_file.h"
-#include "model/files/sentences.h"
-#include "model/group_adoption.h"
 #include "model/importing/curve_import.h"
-#include "model/names.h"
+#include "model/project/content_budget.h"
+#include "model/styles/group_adoption.h"
+#include "model/values/names.h"
+#include "model/values/sentences.h"
 
 #include <QFileInfo>
 

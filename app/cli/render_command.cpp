@@ -2,12 +2,12 @@
 #include "app/cli/command.h"
 #include "app/cli/film.h"
 #include "app/cli/interruption.h"
-#include "app/cli/settled_hair.h"
-#include "app/picture.h"
+#include "app/headless/picture.h"
+#include "app/headless/settled_hair.h"
+#include "model/disk/staged_files.h"
 #include "model/files/project_file.h"
-#include "model/files/sentences.h"
-#include "model/files/staged_files.h"
-#include "view/head/stage.h"
+#include "model/values/sentences.h"
+#include "view/head_area/stage.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>

@@ -1,8 +1,8 @@
 // Where Blender keeps what is the user's: docs.blender.org, "Blender's Directory Layout".
 #include "app/exchange/blender_addon.h"
 
-#include "model/files/atomic_file.h"
-#include "model/files/sentences.h"
+#include "model/disk/atomic_file.h"
+#include "model/values/sentences.h"
 
 #include <QDir>
 #include <QFile>

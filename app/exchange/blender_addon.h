@@ -1,8 +1,8 @@
 // Our add-on for Blender, which reads `.hair` files: where it goes, and putting it there.
 #pragma once
 
-#include "model/error.h"
-#include "model/progress.h"
+#include "model/values/error.h"
+#include "model/values/progress.h"
 
 #include <QStringList>
 

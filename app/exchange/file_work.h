@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/background/jobs.h"
-#include "app/file_dialogs.h"
-#include "app/settings.h"
-#include "model/files/sentences.h"
+#include "app/settings/file_dialogs.h"
+#include "app/settings/settings.h"
+#include "model/values/sentences.h"
 #include "view/dialogs/help_dialog.h"
 
 #include <QObject>

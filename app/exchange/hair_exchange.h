@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/exchange/file_work.h"
-#include "app/session.h"
+#include "app/session/session.h"
 #include "view/dialogs/export_hair_dialog.h"
 #include "view/rendering/card_set.h"
 

@@ -1,9 +1,9 @@
 // Which frame is exported, and the export.
 #include "app/exchange/hair_export.h"
 
-#include "app/cli/settled_hair.h"
-#include "model/files/sentences.h"
-#include "model/skin_tone.h"
+#include "app/headless/settled_hair.h"
+#include "model/project/skin_tone.h"
+#include "model/values/sentences.h"
 
 #include <QFileInfo>
 

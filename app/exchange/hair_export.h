@@ -1,9 +1,9 @@
 // Exporting hair from the window: the dialog's choice, carried out.
 #pragma once
 
-#include "model/project.h"
-#include "view/card_scene.h"
+#include "model/project/project.h"
 #include "view/dialogs/export_hair_dialog.h"
+#include "view/head_area/card_scene.h"
 
 namespace hairpaint::app {
 

@@ -2,11 +2,11 @@
 #include "app/exchange/head_exchange.h"
 
 #include "app/background/heads.h"
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "model/files/glb.h"
 #include "model/files/importer_client.h"
-#include "model/files/sentences.h"
-#include "model/style_transfer.h"
+#include "model/styles/style_transfer.h"
+#include "model/values/sentences.h"
 #include "view/dialogs/head_import_dialog.h"
 #include "view/dialogs/landmarks_dialog.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/exchange/file_work.h"
-#include "app/session.h"
+#include "app/session/session.h"
 #include "model/files/head_file.h"
 
 namespace hairpaint::app {

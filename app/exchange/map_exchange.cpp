@@ -1,11 +1,11 @@
 // Dialogs, and the work behind them.
 #include "app/exchange/map_exchange.h"
 
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "model/exporting/uv_sheet.h"
 #include "model/files/image_map.h"
 #include "model/files/importer_client.h"
-#include "model/names.h"
+#include "model/values/names.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -3,7 +3,7 @@
 
 #include "app/exchange/file_work.h"
 #include "app/exchange/outside_edit.h"
-#include "app/session.h"
+#include "app/session/session.h"
 #include "view/dialogs/export_maps_dialog.h"
 
 namespace hairpaint::app {

@@ -1,10 +1,10 @@
 // Writing, watching and reading back.
 #include "app/exchange/outside_edit.h"
 
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "model/files/image_map.h"
-#include "model/files/sentences.h"
-#include "model/names.h"
+#include "model/values/names.h"
+#include "model/values/sentences.h"
 
 #include <QDesktopServices>
 #include <QDir>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/exchange/file_work.h"
-#include "app/file_watch.h"
-#include "app/session.h"
+#include "app/project/file_watch.h"
+#include "app/session/session.h"
 
 #include <QObject>
 #include <QTemporaryDir>

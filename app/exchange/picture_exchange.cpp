@@ -1,9 +1,9 @@
 // The dialog, its small pictures as jobs, and the file.
 #include "app/exchange/picture_exchange.h"
 
-#include "app/picture.h"
-#include "view/head/stage.h"
-#include "view/scene_light.h"
+#include "app/headless/picture.h"
+#include "view/head_area/scene_light.h"
+#include "view/head_area/stage.h"
 
 #include <QFileInfo>
 #include <QImageWriter>

@@ -1,9 +1,9 @@
 // The user's own styles: see the header.
 #include "app/exchange/style_files.h"
 
-#include "app/library.h"
-#include "model/files/sentences.h"
-#include "model/style_transfer.h"
+#include "app/styles/library.h"
+#include "model/styles/style_transfer.h"
+#include "model/values/sentences.h"
 
 #include <QDir>
 #include <QFile>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/exchange/file_work.h"
-#include "app/session.h"
-#include "model/preset.h"
+#include "app/session/session.h"
+#include "model/styles/preset.h"
 
 #include <memory>
 

@@ -2,8 +2,8 @@
 #include "app/recovery/recovery.h"
 
 #include "app/recovery/recovery_dialog.h"
-#include "app/style_pictures.h"
-#include "model/files/staged_sweep.h"
+#include "app/styles/style_pictures.h"
+#include "model/disk/staged_sweep.h"
 #include "model/journal/journal_reader.h"
 
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 
 #include "app/background/jobs.h"
 #include "app/background/journal_folder.h"
-#include "model/journal/journal_state.h"
+#include "model/document/journal_state.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // A list with pictures and three answers.
 #include "app/recovery/recovery_dialog.h"
 
-#include "model/files/sentences.h"
+#include "model/values/sentences.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>

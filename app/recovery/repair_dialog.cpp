@@ -1,7 +1,7 @@
 // A sentence, the list and a button.
 #include "app/recovery/repair_dialog.h"
 
-#include "model/files/sentences.h"
+#include "model/values/sentences.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>

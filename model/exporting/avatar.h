@@ -1,9 +1,9 @@
 // A head that came with a whole body's skeleton, as an avatar to be exported.
 #pragma once
 
-#include "model/files/sentences.h"
 #include "model/heads/humanoid_bones.h"
-#include "model/project.h"
+#include "model/project/project.h"
+#include "model/values/sentences.h"
 
 #include <QString>
 

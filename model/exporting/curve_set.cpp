@@ -2,7 +2,7 @@
 #include "model/exporting/curve_set.h"
 
 #include "model/exporting/curve_simplify.h"
-#include "model/srgb.h"
+#include "model/values/srgb.h"
 #include "sim/base/parallel.h"
 #include "sim/groom/even_subset.h"
 #include "sim/groom/strand_curve.h"

@@ -1,7 +1,7 @@
 // The hair of one frame as curves: the one description that every export format is written from.
 #pragma once
 
-#include "model/progress.h"
+#include "model/values/progress.h"
 #include "sim/motion/strand_frame.h"
 
 #include <glm/glm.hpp>

@@ -6,7 +6,7 @@
 #include "model/exporting/obj_file.h"
 #include "model/exporting/ribbon_file.h"
 #include "model/exporting/usd_file.h"
-#include "model/files/sentences.h"
+#include "model/values/sentences.h"
 
 #include <QCoreApplication>
 

@@ -2,10 +2,10 @@
 // line read it; a format more is a row more.
 #pragma once
 
-#include "model/error.h"
 #include "model/exporting/avatar.h"
 #include "model/exporting/curve_set.h"
 #include "model/exporting/export_space.h"
+#include "model/values/error.h"
 
 #include <QString>
 #include <QStringList>

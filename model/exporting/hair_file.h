@@ -1,9 +1,9 @@
 // Hair in Cem Yuksel's `.hair` format.
 #pragma once
 
-#include "model/error.h"
 #include "model/exporting/curve_set.h"
 #include "model/exporting/export_space.h"
+#include "model/values/error.h"
 
 namespace hairpaint::model {
 

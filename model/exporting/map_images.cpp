@@ -1,9 +1,9 @@
 // Encoded by the helper program into a folder beside, then put in their places.
 #include "model/exporting/map_images.h"
 
+#include "model/disk/staged_files.h"
 #include "model/files/image_map.h"
-#include "model/files/sentences.h"
-#include "model/files/staged_files.h"
+#include "model/values/sentences.h"
 
 #include <QDir>
 #include <QSet>

@@ -1,9 +1,9 @@
 // Maps as image files, one or many.
 #pragma once
 
-#include "model/error.h"
-#include "model/progress.h"
-#include "model/project.h"
+#include "model/project/project.h"
+#include "model/values/error.h"
+#include "model/values/progress.h"
 
 #include <QStringList>
 

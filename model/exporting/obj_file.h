@@ -1,9 +1,9 @@
 // Hair as the lines of a Wavefront OBJ.
 #pragma once
 
-#include "model/error.h"
 #include "model/exporting/curve_set.h"
 #include "model/exporting/export_space.h"
+#include "model/values/error.h"
 
 namespace hairpaint::model {
 

@@ -1,9 +1,9 @@
 // Writing what is made of many curves, a piece at a time.
 #pragma once
 
-#include "model/error.h"
+#include "model/disk/atomic_file.h"
 #include "model/exporting/curve_set.h"
-#include "model/files/atomic_file.h"
+#include "model/values/error.h"
 
 #include <functional>
 #include <span>

@@ -1,7 +1,7 @@
 // A ZIP archive with one file in it, written as it is made.
 #pragma once
 
-#include "model/files/atomic_file.h"
+#include "model/disk/atomic_file.h"
 #include "model/files/zip_records.h"
 
 #include <string_view>

@@ -1,9 +1,9 @@
 // Hair as USD: text, and the ZIP form of it.
 #pragma once
 
-#include "model/error.h"
 #include "model/exporting/curve_set.h"
 #include "model/exporting/export_space.h"
+#include "model/values/error.h"
 
 namespace hairpaint::model {
 

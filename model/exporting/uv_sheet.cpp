@@ -1,8 +1,8 @@
 // Vector graphics written by hand: two kinds of lines need no library (ISO 32000, sections 7 and 8; SVG 1.1).
 #include "model/exporting/uv_sheet.h"
 
-#include "model/files/atomic_file.h"
-#include "model/files/sentences.h"
+#include "model/disk/atomic_file.h"
+#include "model/values/sentences.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // The head's UV layout as a sheet to print and draw on.
 #pragma once
 
-#include "model/error.h"
-#include "model/progress.h"
+#include "model/values/error.h"
+#include "model/values/progress.h"
 #include "sim/skin/head_mesh.h"
 
 #include <QString>

@@ -1,7 +1,7 @@
 // Checked reading and reproducible writing of ZIP archives.
 #include "model/files/archive.h"
 
-#include "model/files/atomic_file.h"
+#include "model/disk/atomic_file.h"
 #include "model/files/zip_records.h"
 
 #include <QFile>

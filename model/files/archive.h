@@ -2,7 +2,7 @@
 // Errors: clauses for a sentence of sentences.h.
 #pragma once
 
-#include "model/files/sentences.h"
+#include "model/values/sentences.h"
 
 #include <QByteArray>
 #include <QStringList>

@@ -1,8 +1,8 @@
 // The formula by which version 0.1 combed, texel by texel.
 #include "model/files/former_combing.h"
 
-#include "model/compositor.h"
-#include "model/content_budget.h"
+#include "model/maps/compositor.h"
+#include "model/project/content_budget.h"
 #include "sim/base/parallel.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/skin/skin_frame.h"

@@ -2,7 +2,7 @@
 // Any thread. Errors: none but std::bad_alloc.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <functional>
 #include <optional>

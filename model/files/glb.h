@@ -3,8 +3,8 @@
 // Any thread. Errors: clauses for a sentence of sentences.h; every index and size is checked.
 #pragma once
 
-#include "model/files/sentences.h"
 #include "model/heads/rigged_mesh.h"
+#include "model/values/sentences.h"
 
 #include <QByteArray>
 #include <QJsonObject>

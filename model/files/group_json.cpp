@@ -2,8 +2,8 @@
 #include "model/files/group_json.h"
 
 #include "model/files/json_fields.h"
-#include "model/group_schema.h"
-#include "model/names.h"
+#include "model/project/group_schema.h"
+#include "model/values/names.h"
 
 #include <QCoreApplication>
 

@@ -1,8 +1,8 @@
 // Hair groups as JSON, shared by projects and presets. Keys, ranges and defaults: hairpaint_format.md.
 #pragma once
 
-#include "model/content_budget.h"
-#include "model/files/sentences.h"
+#include "model/project/content_budget.h"
+#include "model/values/sentences.h"
 
 #include <QJsonArray>
 

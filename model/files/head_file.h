@@ -1,9 +1,9 @@
 // Heads: the built-in one, and our exact subset of binary glTF that project files hold.
 #pragma once
 
-#include "model/files/sentences.h"
 #include "model/heads/rigged_mesh.h"
-#include "model/project.h"
+#include "model/project/project.h"
+#include "model/values/sentences.h"
 
 #include <functional>
 

@@ -1,11 +1,11 @@
 // Images to maps and back. Values are read from and written as encoded channels; nothing is linearised.
 #include "model/files/image_map.h"
 
-#include "model/files/image_resample.h"
-#include "model/files/sentences.h"
-#include "model/map_colours.h"
-#include "model/texel_math.h"
-#include "model/texel_ops.h"
+#include "model/maps/image_resample.h"
+#include "model/maps/map_colours.h"
+#include "model/maps/texel_ops.h"
+#include "model/values/sentences.h"
+#include "model/values/texel_math.h"
 
 #include <QCoreApplication>
 

@@ -1,9 +1,9 @@
 // Images as maps and maps as images, through each map's colour scale.
 #pragma once
 
-#include "model/error.h"
 #include "model/files/importer_client.h"
-#include "model/project.h"
+#include "model/project/project.h"
+#include "model/values/error.h"
 
 #include <QSize>
 

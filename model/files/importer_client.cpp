@@ -1,7 +1,7 @@
 // Requests to hairpaint-import and what its answers mean.
 #include "model/files/importer_client.h"
 
-#include "model/files/atomic_file.h"
+#include "model/disk/atomic_file.h"
 #include "model/files/helper_process.h"
 #include "model/files/wire_format.h"
 

@@ -1,10 +1,10 @@
 // The editor's side of hairpaint-import: foreign images and meshes, decoded in another process.
 #pragma once
 
-#include "model/error.h"
 #include "model/files/project_file.h"
 #include "model/heads/rigged_mesh.h"
-#include "model/project.h"
+#include "model/project/project.h"
+#include "model/values/error.h"
 
 namespace hairpaint::model {
 

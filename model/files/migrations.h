@@ -1,7 +1,7 @@
 // Bringing the JSON of older format versions up to the present one, a step a version.
 #pragma once
 
-#include "model/files/sentences.h"
+#include "model/values/sentences.h"
 
 #include <QJsonObject>
 

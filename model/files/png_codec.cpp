@@ -2,9 +2,9 @@
 #include "model/files/png_codec.h"
 
 #include "model/files/png_reader.h"
-#include "model/new_image.h"
-#include "model/project.h"
-#include "model/texel_ops.h"
+#include "model/maps/new_image.h"
+#include "model/maps/texel_ops.h"
+#include "model/project/project.h"
 #include "sim/base/parallel.h"
 
 #include <QImage>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/files/png_writer.h"
-#include "model/files/sentences.h"
-#include "model/map_spec.h"
+#include "model/project/map_spec.h"
+#include "model/values/sentences.h"
 
 #include <QByteArray>
 #include <QImage>

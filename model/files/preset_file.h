@@ -3,9 +3,9 @@
 // it; so does want of memory.
 #pragma once
 
-#include "model/error.h"
-#include "model/preset.h"
-#include "model/progress.h"
+#include "model/styles/preset.h"
+#include "model/values/error.h"
+#include "model/values/progress.h"
 
 namespace hairpaint::model {
 

@@ -1,9 +1,9 @@
 // Projects on disk: `.hairpaint`. The format is specified in model/files/hairpaint_format.md.
 #pragma once
 
-#include "model/error.h"
-#include "model/progress.h"
-#include "model/project.h"
+#include "model/project/project.h"
+#include "model/values/error.h"
+#include "model/values/progress.h"
 
 #include <QImage>
 

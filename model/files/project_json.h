@@ -3,9 +3,9 @@
 #pragma once
 
 #include "model/files/former_combing.h"
-#include "model/files/sentences.h"
-#include "model/preset.h"
-#include "model/project.h"
+#include "model/project/project.h"
+#include "model/styles/preset.h"
+#include "model/values/sentences.h"
 
 namespace hairpaint::model {
 

@@ -2,8 +2,8 @@
 // VRMC_vrm-1.0, "humanoid").
 #pragma once
 
-#include "model/files/sentences.h"
 #include "model/heads/head_skeleton.h"
+#include "model/values/sentences.h"
 
 #include <array>
 #include <cstdint>

@@ -1,10 +1,10 @@
 // One step after the other.
 #include "model/importing/curve_import.h"
 
-#include "model/files/sentences.h"
 #include "model/importing/braid_estimate.h"
 #include "model/importing/curve_reader.h"
 #include "model/importing/strand_maps.h"
+#include "model/values/sentences.h"
 
 #include <QFileInfo>
 

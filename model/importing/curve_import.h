@@ -1,10 +1,10 @@
 // Hair of other programs as hair groups.
 #pragma once
 
-#include "model/error.h"
 #include "model/importing/curve_placing.h"
-#include "model/progress.h"
-#include "model/project.h"
+#include "model/project/project.h"
+#include "model/values/error.h"
+#include "model/values/progress.h"
 
 #include <memory>
 #include <vector>

@@ -2,9 +2,9 @@
 #include "model/importing/curve_reader.h"
 
 #include "model/files/archive.h"
-#include "model/files/sentences.h"
 #include "model/importing/hair_file_reader.h"
 #include "model/importing/usd_reader.h"
+#include "model/values/sentences.h"
 
 #include <QFile>
 #include <QFileInfo>

@@ -1,9 +1,9 @@
 // The table of formats that hair is read from.
 #pragma once
 
-#include "model/error.h"
 #include "model/importing/foreign_curves.h"
-#include "model/progress.h"
+#include "model/values/error.h"
+#include "model/values/progress.h"
 
 #include <QString>
 #include <QStringList>

@@ -1,7 +1,7 @@
 // Hair as files of other programs hold it: curves, in whatever unit and axes.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <glm/glm.hpp>
 

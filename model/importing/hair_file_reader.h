@@ -1,9 +1,9 @@
 // Hair read from Cem Yuksel's `.hair` format.
 #pragma once
 
-#include "model/files/sentences.h"
 #include "model/importing/foreign_curves.h"
-#include "model/progress.h"
+#include "model/values/progress.h"
+#include "model/values/sentences.h"
 
 class QIODevice;
 

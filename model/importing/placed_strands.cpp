@@ -2,7 +2,7 @@
 #include "model/importing/placed_strands.h"
 
 #include "model/importing/median.h"
-#include "model/polyline.h"
+#include "model/values/polyline.h"
 #include "sim/base/parallel.h"
 
 #include <algorithm>

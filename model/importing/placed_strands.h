@@ -3,7 +3,7 @@
 
 #include "model/importing/foreign_curves.h"
 #include "model/importing/strand_shape.h"
-#include "model/progress.h"
+#include "model/values/progress.h"
 #include "sim/groom/groom.h"
 #include "sim/skin/distance_grid.h"
 #include "sim/skin/skin.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/importing/place_grid.h"
-#include "model/progress.h"
+#include "model/values/progress.h"
 #include "sim/skin/skin_frame.h"
 
 #include <optional>

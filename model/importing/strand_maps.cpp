@@ -5,7 +5,7 @@
 #include "model/importing/median.h"
 #include "model/importing/outward_fill.h"
 #include "model/importing/strand_sums.h"
-#include "model/texel_math.h"
+#include "model/values/texel_math.h"
 #include "sim/groom/braid_layout.h"
 #include "sim/groom/direction_texel.h"
 #include "sim/groom/groom.h"

@@ -3,7 +3,7 @@
 
 #include "model/importing/placed_strands.h"
 #include "model/importing/skin_texels.h"
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <optional>
 

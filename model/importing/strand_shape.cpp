@@ -2,7 +2,7 @@
 // its turns. The one needs the other, so they are found together, in a few rounds.
 #include "model/importing/strand_shape.h"
 
-#include "model/polyline.h"
+#include "model/values/polyline.h"
 
 #include <glm/gtc/constants.hpp>
 

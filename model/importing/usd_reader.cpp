@@ -3,7 +3,7 @@
 
 #include "model/importing/usd_scanner.h"
 #include "model/importing/usd_transform.h"
-#include "model/srgb.h"
+#include "model/values/srgb.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 // Clean: nothing.
 #pragma once
 
-#include "model/change.h"
+#include "model/project/change.h"
 
 #include <QByteArray>
 #include <QString>

@@ -1,9 +1,9 @@
 // Reads what a journal's writer left.
 #pragma once
 
-#include "model/files/sentences.h"
-#include "model/journal/journal_state.h"
-#include "model/progress.h"
+#include "model/document/journal_state.h"
+#include "model/values/progress.h"
+#include "model/values/sentences.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // Records of what is new: see the header. What a state holds: journal_format.h.
 #include "model/journal/journal_writer.h"
 
-#include "model/files/atomic_file.h"
+#include "model/disk/atomic_file.h"
 #include "model/files/project_json.h"
 #include "model/journal/journal_format.h"
 

@@ -1,9 +1,9 @@
 // Writes a journal: after each edit what is new in the content, so that a crash loses nothing.
 #pragma once
 
-#include "model/files/sentences.h"
+#include "model/document/journal_state.h"
 #include "model/journal/journal_records.h"
-#include "model/journal/journal_state.h"
+#include "model/values/sentences.h"
 
 #include <QFile>
 

@@ -1,9 +1,9 @@
 // The sentences.
 #include "model/repair/losses.h"
 
-#include "model/files/sentences.h"
-#include "model/group_schema.h"
-#include "model/names.h"
+#include "model/project/group_schema.h"
+#include "model/values/names.h"
+#include "model/values/sentences.h"
 
 #include <QCoreApplication>
 

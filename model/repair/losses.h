@@ -1,7 +1,7 @@
 // What a repair could not bring back, in sentences for the user.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <QStringList>
 

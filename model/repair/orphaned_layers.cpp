@@ -2,7 +2,7 @@
 #include "model/repair/orphaned_layers.h"
 
 #include "model/files/group_json.h"
-#include "model/names.h"
+#include "model/values/names.h"
 
 #include <QJsonArray>
 #include <QRegularExpression>

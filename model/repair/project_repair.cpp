@@ -1,7 +1,6 @@
 // Archive, JSON, layers, head: each as far as it goes.
 #include "model/repair/project_repair.h"
 
-#include "model/content_budget.h"
 #include "model/files/glb.h"
 #include "model/files/group_json.h"
 #include "model/files/head_file.h"
@@ -10,6 +9,7 @@
 #include "model/files/png_reader.h"
 #include "model/files/project_file.h"
 #include "model/files/project_json.h"
+#include "model/project/content_budget.h"
 #include "model/repair/orphaned_layers.h"
 #include "model/repair/salvaged_archive.h"
 

@@ -2,7 +2,7 @@
 // and by what the directory says, and the two may disagree.
 #pragma once
 
-#include "model/files/sentences.h"
+#include "model/values/sentences.h"
 
 #include <QByteArray>
 #include <QFile>

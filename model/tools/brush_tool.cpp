@@ -1,5 +1,5 @@
 // The brush and the eraser: a disc on the skin, dabbed along the pointer's way.
-#include "model/compositor.h"
+#include "model/maps/compositor.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
@@ -7,10 +7,21 @@
 #include "model/tools/tool_list.h"
 
 #include <algorithm>
+#include <array>
 
 namespace hairpaint::model {
 
 namespace {
+
+constexpr ToolOption kPressureSize{.key = "pressure_size",
+                                   .label = QT_TRANSLATE_NOOP("ToolOptions", "Pen pressure changes the size"),
+                                   .kind = ToolSwitch{.field = &ToolSettings::pressureSize, .icon = "pressure-size"}};
+constexpr ToolOption kPressureOpacity{
+    .key = "pressure_opacity",
+    .label = QT_TRANSLATE_NOOP("ToolOptions", "Pen pressure changes the opacity"),
+    .kind = ToolSwitch{.field = &ToolSettings::pressureOpacity, .icon = "pressure-opacity"}};
+constexpr std::array kBrushOptions{&kValueOption,   &kSizeOption,   &kHardnessOption,
+                                   &kOpacityOption, &kPressureSize, &kPressureOpacity};
 
 constexpr float kSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kLeastPressure = 0.05F; ///< A pen that only just touches still leaves a trace.
@@ -35,14 +46,8 @@ public:
         return m_erases ? tr("Drag to erase; Shift+click for a straight line from the last point")
                         : tr("Drag to paint; Shift+click for a straight line from the last point; Ctrl+click picks");
     }
-    [[nodiscard]] std::vector<ToolOption> options() const override
-    {
-        std::vector<ToolOption> options{ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity,
-                                        ToolOption::Pressure};
-        if (!m_erases)
-            options.insert(options.begin(), ToolOption::Value);
-        return options;
-    }
+    /// An eraser has no value.
+    [[nodiscard]] ToolOptions options() const override { return ToolOptions(kBrushOptions).subspan(m_erases ? 1 : 0); }
     [[nodiscard]] bool hasRing() const override { return true; }
 
     void press(const ToolEvent& event, ToolContext& context) override;

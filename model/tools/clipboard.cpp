@@ -1,10 +1,10 @@
 // Copying texels out of a layer and pasting them into one.
 #include "model/tools/clipboard.h"
 
-#include "model/range_change.h"
-#include "model/texel_math.h"
-#include "model/texel_ops.h"
+#include "model/document/range_change.h"
+#include "model/maps/texel_ops.h"
 #include "model/tools/live_edit.h"
+#include "model/values/texel_math.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 // Cut, copy, fill and paste of the selected texels, inside a map and between maps.
 #pragma once
 
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "model/tools/selection.h"
 
 #include <QImage>

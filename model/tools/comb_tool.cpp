@@ -1,6 +1,6 @@
 // The comb: lays hair along the pointer's way over the skin, lifts it, smooths it, ruffles it, lays a whorl, or holds
 // it.
-#include "model/compositor.h"
+#include "model/maps/compositor.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/comb_field.h"
 #include "model/tools/fallen_hair.h"
@@ -13,12 +13,53 @@
 #include "sim/groom/direction_texel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace hairpaint::model {
 
 namespace {
+
+constexpr std::array kCombKinds{
+    ToolChoice::Entry{"comb", QT_TRANSLATE_NOOP("ToolOptions", "Comb along the stroke")},
+    ToolChoice::Entry{"comb-lift", QT_TRANSLATE_NOOP("ToolOptions", "Lift or lay, the way hair lies")},
+    ToolChoice::Entry{"comb-smooth", QT_TRANSLATE_NOOP("ToolOptions", "Smooth")},
+    ToolChoice::Entry{"comb-noise", QT_TRANSLATE_NOOP("ToolOptions", "Ruffle")},
+    ToolChoice::Entry{"comb-whorl", QT_TRANSLATE_NOOP("ToolOptions", "Whorl: a spiral around the pointer")},
+    ToolChoice::Entry{"comb-hold", QT_TRANSLATE_NOOP("ToolOptions", "Hold as it lies now, with gel")},
+};
+constexpr ToolOption kCombKind{
+    .key = "comb",
+    .kind =
+        ToolChoice{.entries = kCombKinds,
+                   .read = [](const ToolSettings& settings) { return static_cast<int>(settings.comb); },
+                   .write = [](ToolSettings& settings, int index) { settings.comb = static_cast<CombKind>(index); }}};
+constexpr ToolOption kCombFlatness{
+    .key = "flatness",
+    .label = kFlatnessLabel,
+    .hint = kFlatnessHint,
+    .kind = kFlatness,
+    .isShown =
+        [](const ToolSettings& settings) { return settings.comb != CombKind::Hold && settings.comb != CombKind::Lift; },
+    .isUsed =
+        [](const ToolSettings& settings) {
+            return settings.comb != CombKind::Smooth && settings.comb != CombKind::Noise;
+        }};
+constexpr ToolOption kLift{
+    .key = "lift",
+    .label = QT_TRANSLATE_NOOP("ToolOptions", "Lift"),
+    .hint =
+        QT_TRANSLATE_NOOP("ToolOptions", "How far hair is raised from where it lies; below zero it is laid flatter"),
+    .kind = ToolNumber{.field = &ToolSettings::lift, .least = -100.0},
+    .isShown = [](const ToolSettings& settings) { return settings.comb == CombKind::Lift; }};
+constexpr ToolOption kHoldGel{.key = "hold_gel",
+                              .label = QT_TRANSLATE_NOOP("ToolOptions", "Gel at least"),
+                              .hint = QT_TRANSLATE_NOOP("ToolOptions", "The gel that keeps held hair as it lies"),
+                              .kind = ToolNumber{.field = &ToolSettings::holdGel},
+                              .isShown = [](const ToolSettings& settings) { return settings.comb == CombKind::Hold; }};
+constexpr std::array kCombOptions{&kCombKind,     &kSizeOption, &kHardnessOption, &kOpacityOption,
+                                  &kCombFlatness, &kLift,       &kHoldGel};
 
 constexpr float kCombSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kCombLeastStepTx = 0.5F;
@@ -64,11 +105,7 @@ public:
         return tr("Drag to lay hair along the stroke; Shift+click for a straight line from the last point");
     }
     [[nodiscard]] QString hintFor(const ToolSettings& settings) const override;
-    [[nodiscard]] std::vector<ToolOption> options() const override
-    {
-        return {ToolOption::CombKind, ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity,
-                ToolOption::Flatness, ToolOption::Lift, ToolOption::HoldGel};
-    }
+    [[nodiscard]] ToolOptions options() const override { return kCombOptions; }
     [[nodiscard]] bool hasRing() const override { return true; }
     [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
     [[nodiscard]] std::vector<MapKind> alsoPaints(const ToolSettings& settings) const override

@@ -1,5 +1,5 @@
 // Flood fill: the connected texels of the skin whose value is like the one clicked.
-#include "model/compositor.h"
+#include "model/maps/compositor.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
 #include "model/tools/picker.h"
@@ -7,12 +7,18 @@
 #include "model/tools/uv_cover.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
 namespace hairpaint::model {
 
 namespace {
+
+constexpr ToolOption kTolerance{.key = "fill_tolerance",
+                                .label = QT_TRANSLATE_NOOP("ToolOptions", "Tolerance"),
+                                .kind = ToolNumber{.field = &ToolSettings::fillTolerance}};
+constexpr std::array kFillOptions{&kValueOption, &kTolerance, &kOpacityOption};
 
 constexpr int kBleedTx = 4;
 
@@ -96,10 +102,7 @@ public:
     {
         return tr("Click to fill what has a similar value around the pointer");
     }
-    [[nodiscard]] std::vector<ToolOption> options() const override
-    {
-        return {ToolOption::Value, ToolOption::FillTolerance, ToolOption::Opacity};
-    }
+    [[nodiscard]] ToolOptions options() const override { return kFillOptions; }
 
     void press(const ToolEvent& event, ToolContext& context) override
     {

@@ -1,6 +1,5 @@
 // Grab: hair that is taken hold of goes where the pointer goes.
-#include "model/compositor.h"
-#include "model/texel_math.h"
+#include "model/maps/compositor.h"
 #include "model/tools/comb_field.h"
 #include "model/tools/dab_shape.h"
 #include "model/tools/fallen_hair.h"
@@ -8,15 +7,25 @@
 #include "model/tools/picker.h"
 #include "model/tools/skin_frames.h"
 #include "model/tools/tool_list.h"
+#include "model/values/texel_math.h"
 #include "sim/groom/direction_texel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace hairpaint::model {
 
 namespace {
+
+constexpr ToolOption kGrabGel{
+    .key = "grab_gel",
+    .label = QT_TRANSLATE_NOOP("ToolOptions", "Gel at least"),
+    .hint =
+        QT_TRANSLATE_NOOP("ToolOptions", "The gel that keeps hair where it was pulled; long hair falls back without"),
+    .kind = ToolNumber{.field = &ToolSettings::grabGel}};
+constexpr std::array kGrabOptions{&kSizeOption, &kHardnessOption, &kOpacityOption, &kGrabGel};
 
 constexpr float kStillM = 0.001F;                  ///< A pointer that moved less has not moved.
 constexpr float kSameWay = 0.5F;                   ///< Cosine: hair that lies so goes along,
@@ -47,10 +56,7 @@ public:
     {
         return tr("Press on hair and drag it where it should go; with Ctrl it grows or shrinks to the pointer");
     }
-    [[nodiscard]] std::vector<ToolOption> options() const override
-    {
-        return {ToolOption::Size, ToolOption::Hardness, ToolOption::Opacity, ToolOption::GrabGel};
-    }
+    [[nodiscard]] ToolOptions options() const override { return kGrabOptions; }
     [[nodiscard]] bool hasRing() const override { return true; }
     /// On hair it says that the length follows, too.
     [[nodiscard]] bool picksWithCtrl(Area area) const override { return area == Area::Paint; }

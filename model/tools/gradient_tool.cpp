@@ -1,18 +1,31 @@
 // Linear and radial gradients over the map or the selection, live while they are dragged.
-#include "model/compositor.h"
-#include "model/texel_math.h"
+#include "model/maps/compositor.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
 #include "model/tools/picker.h"
 #include "model/tools/tool_list.h"
+#include "model/values/texel_math.h"
 #include "sim/base/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hairpaint::model {
 
 namespace {
+
+constexpr std::array kGradientKinds{
+    ToolChoice::Entry{"gradient-linear", QT_TRANSLATE_NOOP("ToolOptions", "Linear gradient")},
+    ToolChoice::Entry{"gradient-radial", QT_TRANSLATE_NOOP("ToolOptions", "Radial gradient")},
+};
+constexpr ToolOption kGradientKind{
+    .key = "gradient",
+    .kind = ToolChoice{
+        .entries = kGradientKinds,
+        .read = [](const ToolSettings& settings) { return static_cast<int>(settings.gradient); },
+        .write = [](ToolSettings& settings, int index) { settings.gradient = static_cast<GradientKind>(index); }}};
+constexpr std::array kGradientOptions{&kValueOption, &kGradientKind, &kOpacityOption};
 
 /// The way from a place (0) to another (1), in texels.
 struct Ramp
@@ -62,10 +75,7 @@ public:
     {
         return tr("Drag from the first value to the second; Shift keeps to steps of 45 degrees");
     }
-    [[nodiscard]] std::vector<ToolOption> options() const override
-    {
-        return {ToolOption::Value, ToolOption::GradientKind, ToolOption::Opacity};
-    }
+    [[nodiscard]] ToolOptions options() const override { return kGradientOptions; }
 
     void press(const ToolEvent& event, ToolContext& context) override
     {

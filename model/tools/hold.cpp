@@ -1,9 +1,9 @@
 // Tiles of directions and gel.
 #include "model/tools/hold.h"
 
-#include "model/texel_math.h"
+#include "model/maps/tile_paint.h"
 #include "model/tools/live_edit.h"
-#include "model/tools/tile_paint.h"
+#include "model/values/texel_math.h"
 #include "sim/base/parallel.h"
 #include "sim/groom/direction_texel.h"
 

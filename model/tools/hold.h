@@ -1,8 +1,8 @@
 // Hair held as it lies: what that makes of the direction map and the gel map.
 #pragma once
 
-#include "model/commands/commands.h"
-#include "model/lying_hair.h"
+#include "model/document/commands.h"
+#include "model/tools/lying_hair.h"
 #include "model/tools/stroke_buffer.h"
 
 #include <optional>

@@ -1,9 +1,9 @@
 // Dabs on two maps, whose sizes may differ.
 #include "model/tools/hold_stroke.h"
 
-#include "model/compositor.h"
-#include "model/texel_math.h"
+#include "model/maps/compositor.h"
 #include "model/tools/hold.h"
+#include "model/values/texel_math.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // A stroke of the comb that holds hair as it lies: the direction map and the gel map in one step.
 #pragma once
 
-#include "model/lying_hair.h"
 #include "model/tools/brush_path.h"
 #include "model/tools/live_edit.h"
+#include "model/tools/lying_hair.h"
 
 #include <optional>
 

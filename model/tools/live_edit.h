@@ -1,8 +1,8 @@
 // A tool's running edit of one layer, or of several: shown as a preview, ended as one command or without a trace.
 #pragma once
 
+#include "model/maps/tile_paint.h"
 #include "model/tools/stroke_buffer.h"
-#include "model/tools/tile_paint.h"
 #include "model/tools/tool.h"
 
 #include <functional>

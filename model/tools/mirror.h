@@ -1,7 +1,7 @@
 // Where the reflected pointer lies in uv, and what is painted there.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <optional>
 

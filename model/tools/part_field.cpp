@@ -1,7 +1,7 @@
 // Distances and directions about a curve, place by place, and the texels between.
 #include "model/tools/part_field.h"
 
-#include "model/texel_math.h"
+#include "model/values/texel_math.h"
 #include "sim/base/parallel.h"
 #include "sim/groom/direction_texel.h"
 

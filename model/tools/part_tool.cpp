@@ -7,11 +7,39 @@
 #include "sim/base/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace hairpaint::model {
 
 namespace {
+
+constexpr ToolOption kReach{.key = "part_reach",
+                            .label = QT_TRANSLATE_NOOP("ToolOptions", "Reach"),
+                            .hint = QT_TRANSLATE_NOOP("ToolOptions", "How far to either side the part lays hair"),
+                            .kind = ToolNumber{.field = &ToolSettings::partReachM,
+                                               .unit = ToolNumber::Unit::Centimetres,
+                                               .least = 1.0,
+                                               .greatest = 20.0,
+                                               .decimals = 1}};
+constexpr ToolOption kPartFlatness{
+    .key = "flatness", .label = kFlatnessLabel, .hint = kFlatnessHint, .kind = kFlatness};
+constexpr ToolOption kGap{.key = "part_gap",
+                          .label = QT_TRANSLATE_NOOP("ToolOptions", "Gap"),
+                          .hint =
+                              QT_TRANSLATE_NOOP("ToolOptions", "How wide a line of skin shows; 0 leaves every hair"),
+                          .kind = ToolNumber{.field = &ToolSettings::partGapM,
+                                             .unit = ToolNumber::Unit::Millimetres,
+                                             .greatest = 10.0,
+                                             .decimals = 1,
+                                             .exponent = 2.0}};
+constexpr ToolOption kZigzag{
+    .key = "part_zigzag",
+    .label = QT_TRANSLATE_NOOP("ToolOptions", "Zigzag"),
+    .hint = QT_TRANSLATE_NOOP("ToolOptions", "How far the part runs to and fro; 0 leaves it straight"),
+    .kind = ToolNumber{
+        .field = &ToolSettings::partZigzagM, .unit = ToolNumber::Unit::Millimetres, .greatest = 10.0, .decimals = 1}};
+constexpr std::array kPartOptions{&kReach, &kPartFlatness, &kGap, &kZigzag};
 
 constexpr float kGrabPx = 9.0F;              ///< So near to a point, or to the curve, a press takes hold of it.
 constexpr float kDrawnPointsM = 0.02F;       ///< Between points of a curve that is drawn by dragging.
@@ -30,10 +58,7 @@ public:
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_P; }
     [[nodiscard]] QString purpose() const override { return tr("Parts the hair along a line."); }
     [[nodiscard]] QString hint() const override;
-    [[nodiscard]] std::vector<ToolOption> options() const override
-    {
-        return {ToolOption::PartReach, ToolOption::Flatness, ToolOption::PartGap, ToolOption::Zigzag};
-    }
+    [[nodiscard]] ToolOptions options() const override { return kPartOptions; }
     [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
     [[nodiscard]] std::vector<MapKind> alsoPaints(const ToolSettings& settings) const override
     {

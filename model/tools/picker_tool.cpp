@@ -1,11 +1,15 @@
 // The picker.
-#include "model/texel_ops.h"
+#include "model/maps/texel_ops.h"
 #include "model/tools/picker.h"
 #include "model/tools/tool_list.h"
+
+#include <array>
 
 namespace hairpaint::model {
 
 namespace {
+
+constexpr std::array kPickerOptions{&kValueOption};
 
 class PickerTool : public Tool
 {
@@ -16,7 +20,7 @@ public:
     [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_I; }
     [[nodiscard]] QString purpose() const override { return tr("Takes a value from the map, to paint on with it."); }
     [[nodiscard]] QString hint() const override { return tr("Click to take the value under the pointer"); }
-    [[nodiscard]] std::vector<ToolOption> options() const override { return {ToolOption::Value}; }
+    [[nodiscard]] ToolOptions options() const override { return kPickerOptions; }
 
     [[nodiscard]] bool paints() const override { return false; }
 

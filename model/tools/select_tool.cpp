@@ -24,7 +24,7 @@ public:
     {
         return tr("Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing");
     }
-    [[nodiscard]] std::vector<ToolOption> options() const override { return {}; }
+    [[nodiscard]] ToolOptions options() const override { return {}; }
 
     [[nodiscard]] bool paints() const override { return false; }
 

@@ -1,7 +1,7 @@
 // Drawing an outline's inside with Qt's antialiasing painter.
 #include "model/tools/shape_mask.h"
 
-#include "model/new_image.h"
+#include "model/maps/new_image.h"
 
 #include <QPainter>
 

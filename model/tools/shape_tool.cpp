@@ -1,5 +1,5 @@
 // Filled rectangles, ellipses and polygons.
-#include "model/compositor.h"
+#include "model/maps/compositor.h"
 #include "model/tools/live_edit.h"
 #include "model/tools/mirror.h"
 #include "model/tools/picker.h"
@@ -7,11 +7,25 @@
 #include "model/tools/tool_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hairpaint::model {
 
 namespace {
+
+constexpr std::array kShapeKinds{
+    ToolChoice::Entry{"shape-rectangle", QT_TRANSLATE_NOOP("ToolOptions", "Rectangle")},
+    ToolChoice::Entry{"shape-ellipse", QT_TRANSLATE_NOOP("ToolOptions", "Ellipse")},
+    ToolChoice::Entry{"shape-polygon", QT_TRANSLATE_NOOP("ToolOptions", "Polygon")},
+};
+constexpr ToolOption kShapeKind{
+    .key = "shape",
+    .kind =
+        ToolChoice{.entries = kShapeKinds,
+                   .read = [](const ToolSettings& settings) { return static_cast<int>(settings.shape); },
+                   .write = [](ToolSettings& settings, int index) { settings.shape = static_cast<ShapeKind>(index); }}};
+constexpr std::array kShapeOptions{&kValueOption, &kShapeKind, &kOpacityOption};
 
 constexpr int kEllipseCorners = 128;
 constexpr float kFreehandStepUv = 0.004F;
@@ -39,10 +53,7 @@ public:
                    ? tr("Click corner by corner; click the first one to close; Backspace takes one back")
                    : tr("Drag a filled shape; Shift makes it a square or a circle; polygons: click corner by corner");
     }
-    [[nodiscard]] std::vector<ToolOption> options() const override
-    {
-        return {ToolOption::Value, ToolOption::ShapeKind, ToolOption::Opacity};
-    }
+    [[nodiscard]] ToolOptions options() const override { return kShapeOptions; }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override;

@@ -1,6 +1,7 @@
 // What a running stroke has covered: a 16-bit mask over a map, and the dabs that fill it.
 #pragma once
 
+#include "model/maps/tile_paint.h"
 #include "sim/base/tiled_raster.h"
 
 #include <array>
@@ -27,7 +28,7 @@ struct Dab
 class StrokeBuffer
 {
 public:
-    using MaskTile = std::array<std::uint16_t, sim::kTileTexels>;
+    using MaskTile = model::MaskTile;
 
     /// `valueChannels`: of the values that dabs leave; 0 where all lay the same.
     explicit StrokeBuffer(int size, int valueChannels = 0);

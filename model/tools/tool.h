@@ -1,8 +1,8 @@
 // What every tool is: plain events on the skin in, a live edit out. Tools never touch widgets.
 #pragma once
 
-#include "model/document.h"
-#include "model/tools/tool_settings.h"
+#include "model/document/document.h"
+#include "model/tools/tool_options.h"
 #include "sim/motion/strand_frame.h"
 #include "sim/skin/skin.h"
 
@@ -112,8 +112,8 @@ public:
     [[nodiscard]] virtual QString hint() const = 0;
     /// The same of what it does with these settings.
     [[nodiscard]] virtual QString hintFor(const ToolSettings& /*settings*/) const { return hint(); }
-    /// The settings that the option bar shows for it.
-    [[nodiscard]] virtual std::vector<ToolOption> options() const = 0;
+    /// What the option bar shows for it.
+    [[nodiscard]] virtual ToolOptions options() const = 0;
     [[nodiscard]] virtual bool hasRing() const { return false; } ///< The cursor is a brush ring.
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.

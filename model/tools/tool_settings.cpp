@@ -17,7 +17,7 @@ std::array<PaintValue, kMapKindCount> secondPaintValues()
     for (PaintValue& value : values) {
         value.scalar = 0.0F;
         value.index = 0;
-        value.colour = QColor(0x1A, 0x14, 0x12);
+        value.colour = QColor(0xC8, 0x9B, 0x5A); // Blond.
         value.direction = glm::vec2(0.0F);
     }
     return values;

@@ -1,31 +1,12 @@
 // The settings that tools share: what is painted and how large, hard and strong the brush is.
 #pragma once
 
-#include "model/map_spec.h"
+#include "model/project/map_spec.h"
 
 #include <array>
 
 namespace hairpaint::model {
 
-enum class ToolOption : std::uint8_t
-{
-    Size,
-    Hardness,
-    Opacity,
-    Pressure,
-    Value,
-    ShapeKind,
-    GradientKind,
-    FillTolerance,
-    CombKind,
-    Flatness,
-    PartReach,
-    PartGap,
-    Zigzag,
-    HoldGel,
-    Lift,
-    GrabGel
-};
 enum class ShapeKind : std::uint8_t
 {
     Rectangle,

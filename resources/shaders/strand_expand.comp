@@ -8,24 +8,9 @@ layout(std430, binding = 1) readonly buffer Styles { PackedStyle styles[]; };
 layout(std430, binding = 2) readonly buffer Skeletons { float skeletons[]; }; // [slots / 16][nodes][3][16]
 layout(std430, binding = 3) writeonly buffer Points { vec4 pointsWo[]; };
 
-// As in sim/groom/groom.h and sim/groom/strand_curve.h.
+// As in sim/groom/groom.h; the curve's numbers are those of sim/groom/curve_constants.h.
 const uint kTwist = 2u;
 const uint kLoc = 3u;
-const float kCurlEaseFraction = 0.25;
-const float kBraidEaseTurns = 0.5;
-const float kBraidFirstFraction = 0.25;
-const float kWispRadiusFraction = 0.9;
-const float kTwistFraction = 0.6;
-const float kTwistWispFraction = 0.65;
-const float kLocWispFraction = 0.9;
-const float kPlaitRoomTurns = 0.2;
-const float kTwistRoomTurns = 0.3;
-const float kTuftFraction = 0.12;
-const float kTuftWispFraction = 1.5;
-const float kTuftUneven = 0.5;
-const float kTieFraction = 0.05;
-const float kTieBraidFraction = 0.25;
-const float kTieWispFraction = 0.6;
 
 uniform uint firstStrand;
 uniform uint strandCount;

@@ -2,11 +2,11 @@
 // load the head and grow the hair once more.
 #pragma once
 
-#include "app/cli/settled_hair.h"
-#include "app/library.h"
+#include "app/headless/settled_hair.h"
+#include "app/styles/library.h"
 #include "model/exporting/export_format.h"
 #include "model/files/project_file.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
 #include "tests/app/program.h"
 
 namespace hairpaint::test {

@@ -1,5 +1,5 @@
 // Dialogs open beside the head, inside the screen, and where the user left them.
-#include "app/dialog_places.h"
+#include "app/settings/dialog_places.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/light_dialog.h"

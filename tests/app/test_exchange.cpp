@@ -1,10 +1,10 @@
 // What comes in from other programs and goes out to them, by the window's menus and dialogs and dropped on it.
-#include "app/library.h"
-#include "model/commands/commands.h"
+#include "app/styles/library.h"
+#include "model/document/commands.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"

@@ -1,6 +1,6 @@
 // File dialogs begin where there is something, and no file is replaced without a question, also where the dialog was
 // given its name without the ending.
-#include "app/file_dialogs.h"
+#include "app/settings/file_dialogs.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_program.h"

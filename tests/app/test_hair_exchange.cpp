@@ -1,14 +1,14 @@
 // Hair that goes out to other programs by the window's menus and dialogs, and its cards, looked at before.
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/glb_json.h"
 #include "tests/support/mannequin.h"
 #include "tests/support/test_program.h"
-#include "view/head/view_signs.h"
+#include "view/head_area/view_signs.h"
 #include "view/rendering/card_set.h"
 #include "view/widgets/bar_slider.h"
 

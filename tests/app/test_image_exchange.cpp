@@ -1,5 +1,5 @@
 // Images as maps and maps as images, by the window's menus and dropped on it.
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/support/test_program.h"
 

@@ -1,12 +1,12 @@
 // Pictures that are kept: without background, in linear light, the same from the window and from the command line.
-#include "app/cli/settled_hair.h"
-#include "app/exr_file.h"
-#include "app/picture.h"
+#include "app/headless/exr_file.h"
+#include "app/headless/picture.h"
+#include "app/headless/settled_hair.h"
 #include "model/files/importer_client.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/test_program.h"
-#include "view/head/stage.h"
+#include "view/head_area/stage.h"
 
 #include <QImage>
 #include <QTemporaryDir>

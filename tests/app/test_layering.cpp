@@ -18,22 +18,94 @@ struct Layer
 
 constexpr Layer kLayers[] = {
     {"sim", R"(^(model|view|app|tests|resources)/|^Q[A-Z]|^(zip|epoxy|OpenImageIO|assimp))"},
-    // Rooms of sim, each using only those before it.
-    {"sim/base", R"(^sim/(?!base/))"},
-    {"sim/skin", R"(^sim/(?!(base|skin)/))"},
-    {"sim/groom", R"(^sim/(?!(base|skin|groom)/))"},
-    {"sim/solver", R"(^sim/(?!(base|skin|groom|solver)/))"},
-    {"sim/motion", R"(^sim/(?!(base|skin|groom|solver|motion)/))"},
     {"model",
      R"(^(view|app|tests)/|^(QWidget|QApplication|QMessageBox|QDialog|QOpenGL|OpenImageIO|assimp|epoxy|hwy|tbb))"},
     {"view", R"(^(app|tests)/|^(OpenImageIO|assimp|zip|tbb))"},
-    {"view/rendering", R"(^(model|app|tests)/|^view/(?!rendering/)|^Q[A-Z])"},
+    {"view/rendering", R"(^(model|app|tests)/|^Q[A-Z])"},
     // Our own renderer and its formulas; OpenGL.
     {"view/rendering/light", R"(^(epoxy|tbb)|^view/(?!rendering/(light|software/strand_block))|^Q[A-Z])"},
     {"view/rendering/software", R"(^(epoxy|tbb)|^view/rendering/gl/|^Q[A-Z])"},
     {"view/rendering/gl", R"(^(hwy|tbb)|^view/rendering/(software|light)/|^Q[A-Z])"},
     {"app", R"(^tests/)"},
 };
+
+/// A folder of a floor and the rooms of the same floor that its files may include. They stand before it, so that there
+/// are no circles.
+struct Room
+{
+    const char* floor;
+    const char* name;
+    const char* uses;
+};
+
+constexpr Room kRooms[] = {
+    {"sim", "base", ""},
+    {"sim", "skin", "base"},
+    {"sim", "groom", "base skin"},
+    {"sim", "solver", "base skin groom"},
+    {"sim", "motion", "base skin groom solver"},
+
+    {"model", "values", ""},
+    {"model", "project", "values"},
+    {"model", "disk", "values"},
+    {"model", "maps", "values project"},
+    {"model", "heads", "values"},
+    {"model", "styles", "values project maps"},
+    {"model", "document", "values project maps styles"},
+    {"model", "tools", "values project maps document"},
+    {"model", "files", "values project disk maps heads styles"},
+    {"model", "growth", "values project heads styles files"},
+    {"model", "journal", "values project disk document files"},
+    {"model", "repair", "values project files"},
+    {"model", "exporting", "values project disk heads files"},
+    {"model", "importing", "values project files"},
+
+    {"view", "rendering", ""},
+    {"view", "look", ""},
+    {"view", "editing", "look"},
+    {"view", "widgets", "look editing"},
+    {"view", "paint_area", "look editing"},
+    {"view", "head_area", "rendering look editing"},
+    {"view", "panels", "look editing widgets"},
+    {"view", "dialogs", "rendering look editing widgets paint_area head_area"},
+
+    {"app", "importer", ""},
+    {"app", "background", ""},
+    {"app", "settings", "background"},
+    {"app", "session", "background"},
+    {"app", "headless", ""},
+    {"app", "styles", "background session headless"},
+    {"app", "recovery", "background styles"},
+    {"app", "project", "background settings session styles recovery"},
+    {"app", "exchange", "background settings session headless styles project"},
+    {"app", "window", "background settings session headless styles recovery project exchange"},
+    {"app", "cli", "background headless styles"},
+};
+
+/// Every include of a file, as it is written.
+QStringList includesOf(const QString& path)
+{
+    static const QRegularExpression include(QLatin1String(R"(^\s*#\s*include\s*[<\x22]([^>\x22]+)[>\x22])"),
+                                            QRegularExpression::MultilineOption);
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    QStringList names;
+    auto match = include.globalMatch(QString::fromUtf8(file.readAll()));
+    while (match.hasNext())
+        names += match.next().captured(1);
+    return names;
+}
+
+QStringList sourcesIn(const QString& folder)
+{
+    QStringList files;
+    QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + folder,
+                      {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
+    while (walk.hasNext())
+        files += walk.next();
+    return files;
+}
 
 } // namespace
 
@@ -53,24 +125,70 @@ private Q_SLOTS:
     {
         QFETCH(QString, folder);
         QFETCH(QString, forbidden);
-        const QRegularExpression include(QLatin1String(R"(^\s*#\s*include\s*[<\x22]([^>\x22]+)[>\x22])"),
-                                         QRegularExpression::MultilineOption);
         const QRegularExpression bad(forbidden);
-        int files = 0;
-        QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + folder,
-                          {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
-        while (walk.hasNext()) {
-            QFile file(walk.next());
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            ++files;
-            auto match = include.globalMatch(QString::fromUtf8(file.readAll()));
-            while (match.hasNext()) {
-                const QString name = match.next().captured(1);
-                QVERIFY2(!bad.match(name).hasMatch(),
-                         qPrintable(file.fileName() + QStringLiteral(" includes ") + name));
+        const QStringList files = sourcesIn(folder);
+        QVERIFY(files.size() > 3);
+        for (const QString& file : files)
+            for (const QString& name : includesOf(file))
+                QVERIFY2(!bad.match(name).hasMatch(), qPrintable(file + QStringLiteral(" includes ") + name));
+    }
+
+    void roomsUseOnlyThoseBeforeThem_data()
+    {
+        QTest::addColumn<QString>("floor");
+        QTest::addColumn<QString>("room");
+        QTest::addColumn<QString>("uses");
+        for (const Room& room : kRooms)
+            QTest::addRow("%s/%s", room.floor, room.name)
+                << QString::fromLatin1(room.floor) << QString::fromLatin1(room.name) << QString::fromLatin1(room.uses);
+    }
+
+    void roomsUseOnlyThoseBeforeThem()
+    {
+        QFETCH(QString, floor);
+        QFETCH(QString, room);
+        QFETCH(QString, uses);
+        QStringList before;
+        for (const Room& other : kRooms) {
+            if (floor == QLatin1StringView(other.floor)) {
+                if (room == QLatin1StringView(other.name))
+                    break;
+                before += QString::fromLatin1(other.name);
             }
         }
-        QVERIFY(files > 3);
+        const QStringList allowed = uses.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+        QStringList unused = allowed;
+        for (const QString& one : allowed)
+            QVERIFY2(before.contains(one), qPrintable(one + QStringLiteral(" does not stand before ") + room));
+        const QStringList files = sourcesIn(floor + QLatin1Char('/') + room);
+        QVERIFY(!files.isEmpty());
+        for (const QString& file : files) {
+            for (const QString& name : includesOf(file)) {
+                const QStringList parts = name.split(QLatin1Char('/'));
+                if (parts.size() < 3 || parts[0] != floor || parts[1] == room)
+                    continue;
+                QVERIFY2(allowed.contains(parts[1]), qPrintable(file + QStringLiteral(" includes ") + name));
+                unused.removeAll(parts[1]);
+            }
+        }
+        QVERIFY2(unused.isEmpty(), qPrintable(QStringLiteral("no longer used: ") + unused.join(QLatin1Char(' '))));
+    }
+
+    /// No heap in a floor's root, no room that the table does not know.
+    void everyFolderIsARoom()
+    {
+        QHash<QString, QStringList> rooms;
+        for (const Room& room : kRooms)
+            rooms[QString::fromLatin1(room.floor)] += QString::fromLatin1(room.name);
+        for (auto floor = rooms.begin(); floor != rooms.end(); ++floor) {
+            const QDir folder(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + floor.key());
+            QStringList heap = folder.entryList({QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files);
+            heap.removeAll(QStringLiteral("main.cpp"));
+            QCOMPARE(heap, QStringList());
+            QStringList found = folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+            floor->sort();
+            QCOMPARE(found, *floor);
+        }
     }
 
     /// A class that has grown too large is divided into classes, not into files.

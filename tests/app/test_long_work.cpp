@@ -1,8 +1,8 @@
 // Long work of the whole program: a picture stops where it is asked to, and want of memory costs one sentence.
 #include "app/cli/command.h"
-#include "app/library.h"
-#include "app/picture.h"
-#include "app/session.h"
+#include "app/headless/picture.h"
+#include "app/session/session.h"
+#include "app/styles/library.h"
 #include "sim/motion/simulation.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/allocation_limit.h"

@@ -1,9 +1,9 @@
 // Maps for other programs, by the window's menus: images, the sheet, the clipboard, and layers edited elsewhere.
 #include "app/exchange/map_exchange.h"
-#include "app/languages.h"
-#include "model/commands/commands.h"
+#include "app/settings/languages.h"
+#include "model/document/commands.h"
 #include "model/exporting/map_images.h"
-#include "model/names.h"
+#include "model/values/names.h"
 #include "tests/app/exchange_fixture.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"

@@ -1,5 +1,5 @@
 // Memory of the real window: what is gone from the work leaves nothing behind.
-#include "app/large_memory.h"
+#include "app/session/large_memory.h"
 #include "model/tools/clipboard.h"
 #include "tests/app/program.h"
 #include "tests/app/window_fixture.h"

@@ -1,16 +1,16 @@
 // The menus of the real window, where what is on is seen to be on, and its panels.
-#include "app/library.h"
-#include "app/main_window.h"
-#include "model/commands/commands.h"
+#include "app/styles/library.h"
+#include "app/window/main_window.h"
+#include "model/document/commands.h"
 #include "model/files/project_file.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
-#include "view/head_view.h"
-#include "view/paint_view.h"
+#include "view/head_area/head_view.h"
+#include "view/look/resources.h"
+#include "view/paint_area/paint_view.h"
 #include "view/panels/option_bar.h"
 #include "view/panels/status_readout.h"
 #include "view/panels/tool_bar.h"
-#include "view/resources.h"
 #include "view/widgets/drop_hint.h"
 
 #include <QDir>

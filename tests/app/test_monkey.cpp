@@ -1,7 +1,7 @@
 // Somebody who knows nothing clicks, drags and types at random: nothing may break, and undo leads all the way back.
-#include "app/large_memory.h"
+#include "app/session/large_memory.h"
 #include "model/files/preset_file.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
 #include "tests/app/program.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"

@@ -1,5 +1,5 @@
 // A project's file that others work on too: nothing of theirs is replaced without a question.
-#include "model/files/earlier_versions.h"
+#include "model/disk/earlier_versions.h"
 #include "tests/app/box_answer.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"

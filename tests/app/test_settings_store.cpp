@@ -1,5 +1,5 @@
 // Settings survive the program, other windows and a full disk.
-#include "app/settings_store.h"
+#include "app/settings/settings_store.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/patience.h"

@@ -1,9 +1,9 @@
 // The real window in other languages: in one whose every letter is marked no plain word is seen, and nothing is cut
 // off.
-#include "app/library.h"
-#include "app/main_window.h"
-#include "model/hair_kinds.h"
-#include "model/names.h"
+#include "app/styles/library.h"
+#include "app/window/main_window.h"
+#include "model/styles/hair_kinds.h"
+#include "model/values/names.h"
 #include "tests/support/patience.h"
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/seen_text.h"
@@ -11,10 +11,10 @@
 #include "tests/support/test_program.h"
 #include "view/dialogs/hair_import_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
-#include "view/head_view.h"
-#include "view/paint_view.h"
+#include "view/head_area/head_view.h"
+#include "view/look/resources.h"
+#include "view/paint_area/paint_view.h"
 #include "view/panels/sidebar.h"
-#include "view/resources.h"
 
 #include <QDialog>
 #include <QDragEnterEvent>

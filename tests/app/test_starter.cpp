@@ -1,8 +1,8 @@
 // The project that the program starts with.
-#include "app/cli/settled_hair.h"
-#include "app/library.h"
+#include "app/headless/settled_hair.h"
+#include "app/styles/library.h"
 #include "tests/support/test_program.h"
-#include "view/resources.h"
+#include "view/look/resources.h"
 
 #include <QtTest>
 

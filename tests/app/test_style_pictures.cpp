@@ -1,6 +1,6 @@
 // Pictures of styles without one: the styles' own files stay as their owner leaves them.
-#include "app/library.h"
-#include "app/style_pictures.h"
+#include "app/styles/library.h"
+#include "app/styles/style_pictures.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "tests/app/window_fixture.h"

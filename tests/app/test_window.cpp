@@ -1,5 +1,5 @@
 // The real window, driven with mouse and keys, 3D pixels included. Runs on platforms offscreen and xcb alike.
-#include "app/first_activation.h"
+#include "app/window/first_activation.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 

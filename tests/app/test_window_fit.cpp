@@ -1,8 +1,8 @@
 // The real window at its smallest, in every language and in long words: nothing is cut off, and no underlined letters
 // collide.
-#include "app/languages.h"
-#include "app/library.h"
-#include "app/main_window.h"
+#include "app/settings/languages.h"
+#include "app/styles/library.h"
+#include "app/window/main_window.h"
 #include "tests/support/clipping.h"
 #include "tests/support/pseudo_languages.h"
 #include "tests/support/seen_text.h"
@@ -11,10 +11,10 @@
 #include "view/dialogs/about_dialog.h"
 #include "view/dialogs/hair_import_dialog.h"
 #include "view/dialogs/head_import_dialog.h"
-#include "view/head_view.h"
+#include "view/head_area/head_view.h"
+#include "view/look/resources.h"
 #include "view/panels/sidebar.h"
 #include "view/panels/status_readout.h"
-#include "view/resources.h"
 
 #include <QDialog>
 #include <QMenuBar>

@@ -1,12 +1,12 @@
 // Tools of the real window that work with the hair that is drawn: holding it as it lies, grabbing it, and the hairs
 // that tell its directions.
 #include "model/files/preset_file.h"
-#include "model/lying_hair.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
+#include "model/tools/lying_hair.h"
 #include "sim/groom/direction_texel.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
-#include "view/head/head_overlay.h"
+#include "view/head_area/head_overlay.h"
 
 #include <QMenu>
 

@@ -2,8 +2,8 @@
 #include "sim/solver/solver_layout.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
-#include "view/brush_drag.h"
-#include "view/head/view_signs.h"
+#include "view/editing/brush_drag.h"
+#include "view/head_area/view_signs.h"
 #include "view/panels/status_readout.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
@@ -129,7 +129,8 @@ private Q_SLOTS:
     void noMoreFramesAreMadeThanAreDrawn()
     {
         model::Project project = starterProject();
-        project.wind.velocity = {3.0F, 0.0F, 0.0F}; // It never rests.
+        project.wind.enabled = true; // It never rests.
+        project.wind.velocity = {3.0F, 0.0F, 0.0F};
         openWindow(std::move(project));
         rendering::FrameStatistics slow;
         slow.milliseconds = 10'000.0;

@@ -1,14 +1,14 @@
 // The real window in its sizes, themes and languages: nothing is cut off and the hair shows. What it looks like is left
 // as pictures in the folder window_sizes beside the program.
-#include "app/languages.h"
-#include "app/library.h"
-#include "app/main_window.h"
+#include "app/settings/languages.h"
+#include "app/styles/library.h"
+#include "app/window/main_window.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/clipping.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
-#include "view/head_view.h"
-#include "view/resources.h"
+#include "view/head_area/head_view.h"
+#include "view/look/resources.h"
 
 #include <QDir>
 #include <QStandardPaths>

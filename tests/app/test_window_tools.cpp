@@ -1,13 +1,13 @@
 // Tools, keys, selection, styles and help in the real window, driven by mouse and keys in both areas.
 #include "tests/app/window_fixture.h"
 
-#include "app/physical_keys.h"
+#include "app/window/physical_keys.h"
 #include "model/files/preset_file.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/help_dialog.h"
 #include "view/dialogs/wind_dialog.h"
-#include "view/map_legend.h"
+#include "view/paint_area/map_legend.h"
 #include "view/panels/option_bar.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"

@@ -2,7 +2,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/light_dialog.h"
-#include "view/weather_overlay.h"
+#include "view/head_area/weather_overlay.h"
 
 #include <QLabel>
 

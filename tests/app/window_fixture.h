@@ -1,14 +1,14 @@
 // The real window with a project in it, driven by mouse and keys.
 #pragma once
 
-#include "app/library.h"
-#include "app/main_window.h"
+#include "app/styles/library.h"
+#include "app/window/main_window.h"
 #include "tests/app/thin_project.h"
 #include "tests/support/await.h"
-#include "view/head_view.h"
-#include "view/paint_view.h"
+#include "view/head_area/head_view.h"
+#include "view/look/resources.h"
+#include "view/paint_area/paint_view.h"
 #include "view/panels/style_strip.h"
-#include "view/resources.h"
 
 #include <QDialog>
 #include <QElapsedTimer>

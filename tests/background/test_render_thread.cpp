@@ -3,7 +3,7 @@
 #include "tests/support/await.h"
 #include "tests/support/painted_ball.h"
 #include "tests/support/test_program.h"
-#include "view/head/render_thread.h"
+#include "view/head_area/render_thread.h"
 
 #include <QThread>
 

@@ -1,6 +1,6 @@
 // What saving and opening a large project costs: seven maps of three full layers of noise, which nothing can fold.
 #include "model/files/project_file.h"
-#include "model/project.h"
+#include "model/project/project.h"
 #include "sim/base/deterministic.h"
 
 #include <QFileInfo>

@@ -7,17 +7,17 @@
 // and the hair moves; the same counters.
 #include "app/background/heads.h"
 #include "app/background/jobs.h"
-#include "app/library.h"
-#include "app/main_window.h"
-#include "app/session.h"
-#include "model/commands/commands.h"
+#include "app/session/session.h"
+#include "app/styles/library.h"
+#include "app/window/main_window.h"
+#include "model/document/commands.h"
 #include "model/files/glb.h"
 #include "model/files/project_file.h"
 #include "tests/support/test_heads.h"
-#include "view/head_view.h"
+#include "view/head_area/head_view.h"
+#include "view/look/resources.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/style_tile.h"
-#include "view/resources.h"
 
 #include <QApplication>
 #include <QEvent>

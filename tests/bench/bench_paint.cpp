@@ -1,5 +1,5 @@
 // Pixels a second of one dab into a stroke buffer, in the order of places that the rival driver uses.
-#include "model/document.h"
+#include "model/document/document.h"
 #include "model/tools/selection.h"
 #include "model/tools/stroke_buffer.h"
 #include "model/tools/tool.h"

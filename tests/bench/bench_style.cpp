@@ -1,6 +1,6 @@
 // Drawing as the window does it: a built-in style in the wind at the size of the 3D area, every frame newly simulated.
-#include "app/cli/settled_hair.h"
-#include "app/library.h"
+#include "app/headless/settled_hair.h"
+#include "app/styles/library.h"
 #include "view/rendering/gl/gl_renderer.h"
 #include "view/rendering/gl/offscreen_context.h"
 #include "view/rendering/software/software_renderer.h"

@@ -2,7 +2,7 @@
 // a head and images, of which each entry says where it lies.
 #pragma once
 
-#include "model/map_spec.h"
+#include "model/project/map_spec.h"
 #include "tests/fuzz/fuzz_input.h"
 #include "tests/model/archive_maker.h"
 

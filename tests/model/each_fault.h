@@ -1,7 +1,7 @@
 // Does something with a fault at the first call that can fail, the second, and so on until none is left to fail.
 #pragma once
 
-#include "model/error.h"
+#include "model/values/error.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/sample_project.h"
 

@@ -3,7 +3,7 @@
 
 #include "model/files/glb.h"
 #include "model/files/head_file.h"
-#include "model/project.h"
+#include "model/project/project.h"
 #include "tests/support/test_heads.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // A file is written whole or not at all, also where only its last bytes found no place.
+#include "model/disk/atomic_file.h"
+#include "model/disk/staged_files.h"
+#include "model/disk/staged_sweep.h"
 #include "model/files/archive.h"
-#include "model/files/atomic_file.h"
-#include "model/files/staged_files.h"
-#include "model/files/staged_sweep.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/file_faults.h"
 #include "tests/support/full_disk.h"

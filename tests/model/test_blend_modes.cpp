@@ -1,5 +1,5 @@
 // The formulas of the blend modes, by themselves and through layers.
-#include "model/compositor.h"
+#include "model/maps/compositor.h"
 #include "tests/model/uniform_layers.h"
 #include "tests/support/test_program.h"
 

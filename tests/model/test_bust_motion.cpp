@@ -1,5 +1,5 @@
 // Whole styles on the bust through storms: skin contact, neck and gusts included.
-#include "model/document.h"
+#include "model/document/document.h"
 #include "sim/motion/simulation.h"
 #include "tests/model/worn_style.h"
 #include "tests/support/test_program.h"

@@ -1,5 +1,5 @@
 // Copy, cut, clear and paste, inside a map and between maps.
-#include "model/compositor.h"
+#include "model/maps/compositor.h"
 #include "model/tools/clipboard.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"

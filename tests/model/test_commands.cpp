@@ -1,6 +1,6 @@
 // Undo commands: each undone exactly, named as the user knows it, and null where nothing differs.
-#include "model/commands/undo_budget.h"
-#include "model/preset.h"
+#include "model/document/undo_budget.h"
+#include "model/styles/preset.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"
 

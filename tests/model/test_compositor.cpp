@@ -1,5 +1,5 @@
 // Resolving of layers: the arithmetic, and that only what differs is done again.
-#include "model/compositor.h"
+#include "model/maps/compositor.h"
 #include "sim/groom/direction_texel.h"
 #include "tests/model/uniform_layers.h"
 #include "tests/support/test_program.h"

@@ -1,8 +1,8 @@
 // A document takes no more than can be saved, and says so; maps can be made another size.
-#include "model/commands/commands.h"
-#include "model/content_budget.h"
+#include "model/document/commands.h"
 #include "model/files/group_json.h"
 #include "model/files/project_file.h"
+#include "model/project/content_budget.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"
 

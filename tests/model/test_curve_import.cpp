@@ -1,6 +1,6 @@
 // Hair that was exported and comes back: its maps are those that it was grown from.
-#include "model/compositor.h"
 #include "model/importing/curve_import.h"
+#include "model/maps/compositor.h"
 #include "sim/groom/growth_direction.h"
 #include "sim/groom/strand_style.h"
 #include "tests/model/archive_maker.h"

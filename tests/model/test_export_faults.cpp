@@ -1,8 +1,8 @@
 // Whichever call to the disk fails, and whichever large piece of memory is refused, while hair or the UV layout is
 // exported: all files are there and whole, or the folder is as it was.
+#include "model/disk/atomic_file.h"
+#include "model/disk/staged_files.h"
 #include "model/exporting/uv_sheet.h"
-#include "model/files/atomic_file.h"
-#include "model/files/staged_files.h"
 #include "tests/model/each_fault.h"
 #include "tests/model/exported_hair.h"
 #include "tests/model/sample_project.h"

@@ -1,9 +1,9 @@
 // Where eyebrows and eyelashes grow.
-#include "model/commands/commands.h"
-#include "model/document.h"
-#include "model/face_hair.h"
+#include "model/document/commands.h"
+#include "model/document/document.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
+#include "model/growth/face_hair.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // Whichever call to the disk fails, and whichever large piece of memory is refused: what was to be done is done, or all
 // is as it was.
-#include "model/files/atomic_file.h"
-#include "model/files/earlier_versions.h"
+#include "model/disk/atomic_file.h"
+#include "model/disk/earlier_versions.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "model/journal/journal_reader.h"

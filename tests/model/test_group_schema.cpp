@@ -1,7 +1,7 @@
 // The table of a group's settings: what it says is what files, documentation and the groom do.
 #include "model/files/project_file.h"
-#include "model/group_schema.h"
 #include "model/heads/built_in_heads.h"
+#include "model/project/group_schema.h"
 #include "sim/groom/groom.h"
 #include "sim/groom/roots.h"
 #include "tests/support/painted_ball.h"

@@ -1,8 +1,8 @@
 // How far the tips of held hair go.
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
 #include "model/tools/hold.h"
 #include "model/tools/live_edit.h"
 #include "sim/groom/direction_texel.h"

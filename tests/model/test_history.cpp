@@ -1,7 +1,7 @@
 // The history to the byte: strokes of every tool between commands of every kind, saved, undone, saved, redone, saved.
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
 #include "model/tools/clipboard.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/tool_studio.h"

@@ -1,6 +1,6 @@
 // Images become layers through each map's scale, and maps become images that read back the same.
 #include "model/files/image_map.h"
-#include "model/texel_ops.h"
+#include "model/maps/texel_ops.h"
 #include "sim/groom/direction_texel.h"
 #include "tests/support/test_program.h"
 

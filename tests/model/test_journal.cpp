@@ -1,5 +1,5 @@
 // Journals: what comes back after a crash at any byte, what a state costs, and the history's steps.
-#include "model/files/atomic_file.h"
+#include "model/disk/atomic_file.h"
 #include "model/files/head_file.h"
 #include "model/journal/journal_reader.h"
 #include "model/journal/journal_writer.h"

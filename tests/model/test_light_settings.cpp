@@ -1,5 +1,5 @@
 // Light presets, names and the colour of a temperature.
-#include "model/light_settings.h"
+#include "model/project/light_settings.h"
 #include "tests/support/test_program.h"
 
 #include <QSet>

@@ -1,5 +1,5 @@
 // Maps as colours: the scale that is shown lets low values be told apart, and a change costs its tiles.
-#include "model/map_colours.h"
+#include "model/maps/map_colours.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>

@@ -1,5 +1,5 @@
 // Maps as image files, and the sheet of the uv layout.
-#include "model/document.h"
+#include "model/document/document.h"
 #include "model/exporting/map_images.h"
 #include "model/exporting/uv_sheet.h"
 #include "model/files/image_map.h"

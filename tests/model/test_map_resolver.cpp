@@ -1,6 +1,6 @@
 // Maps that are resolved in the background: what is shown meanwhile, and that the end is always the same.
-#include "model/commands/commands.h"
-#include "model/document.h"
+#include "model/document/commands.h"
+#include "model/document/document.h"
 #include "sim/base/deterministic.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/allocation_limit.h"

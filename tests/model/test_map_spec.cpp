@@ -1,5 +1,5 @@
 // The table of maps and the colour scales.
-#include "model/map_spec.h"
+#include "model/project/map_spec.h"
 #include "tests/support/test_program.h"
 
 #include <QSet>

@@ -1,6 +1,6 @@
 // What a map shows where nothing is painted.
-#include "model/compositor.h"
-#include "model/preset.h"
+#include "model/maps/compositor.h"
+#include "model/styles/preset.h"
 #include "sim/groom/direction_texel.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"

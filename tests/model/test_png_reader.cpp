@@ -1,7 +1,7 @@
 // PNG images read as QImage reads them, whatever filters their rows have; broken ones are refused.
 #include "model/files/png_codec.h"
 #include "model/files/png_reader.h"
-#include "model/new_image.h"
+#include "model/maps/new_image.h"
 #include "tests/model/archive_maker.h"
 #include "tests/support/test_program.h"
 

@@ -1,8 +1,8 @@
 // Another range of a map keeps what is painted in its own unit, in every layer and however it is blended.
-#include "model/range_change.h"
+#include "model/document/range_change.h"
 
-#include "model/compositor.h"
-#include "model/group_schema.h"
+#include "model/maps/compositor.h"
+#include "model/project/group_schema.h"
 #include "model/tools/clipboard.h"
 #include "tests/model/fixtures.h"
 #include "tests/sim/groom_reading.h"

@@ -1,7 +1,7 @@
 // What copies of a project share, what a step of the history costs, and maps resolved by several threads.
-#include "model/commands/commands.h"
-#include "model/commands/undo_budget.h"
-#include "model/compositor.h"
+#include "model/document/commands.h"
+#include "model/document/undo_budget.h"
+#include "model/maps/compositor.h"
 #include "sim/base/parallel.h"
 #include "tests/model/fixtures.h"
 #include "tests/support/test_program.h"

@@ -1,5 +1,5 @@
 // The table of skin tones.
-#include "model/skin_tone.h"
+#include "model/project/skin_tone.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

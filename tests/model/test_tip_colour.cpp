@@ -1,7 +1,7 @@
 // The tip colour map shows the colour map where nothing is painted on it.
 #include "model/files/group_json.h"
 #include "model/files/project_json.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
 #include "tests/model/tool_studio.h"
 #include "tests/support/test_program.h"
 

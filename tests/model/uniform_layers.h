@@ -1,7 +1,7 @@
 // Stacks of layers that are one texel each.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 // A new project with one of the built-in styles on the bust.
 #pragma once
 
-#include "model/commands/commands.h"
-#include "model/document.h"
+#include "model/document/commands.h"
+#include "model/document/document.h"
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
 
 #include <utility>
 #include <vector>

@@ -1,10 +1,10 @@
 // A small project with an editor, for tests of the areas.
 #pragma once
 
-#include "model/commands/commands.h"
-#include "model/document.h"
+#include "model/document/commands.h"
+#include "model/document/document.h"
 #include "tests/support/test_heads.h"
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 #include <memory>
 

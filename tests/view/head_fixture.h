@@ -3,7 +3,7 @@
 
 #include "sim/motion/simulation.h"
 #include "tests/support/view_fixture.h"
-#include "view/head_view.h"
+#include "view/head_area/head_view.h"
 
 #include <QApplication>
 #include <QMouseEvent>

@@ -1,7 +1,7 @@
 // A small project without a head, and the mouse as panels see it.
 #pragma once
 
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 #include "view/widgets/bar_slider.h"
 
 #include <QApplication>

@@ -1,7 +1,7 @@
 // A strip of styles that are made where they would be read, over a small project.
 #pragma once
 
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "tests/support/patience.h"
 #include "tests/view/panel_fixture.h"
 #include "view/panels/style_question.h"

@@ -2,7 +2,7 @@
 #include "panel_fixture.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
-#include "view/theme.h"
+#include "view/look/theme.h"
 #include "view/widgets/bar_picture.h"
 #include "view/widgets/field_hint.h"
 

@@ -1,8 +1,8 @@
 // The ellipsoids that hair does not enter, edited in the 3D area.
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "tests/support/test_program.h"
 #include "tests/view/head_fixture.h"
-#include "view/head/head_overlay.h"
+#include "view/head_area/head_overlay.h"
 
 #include <QUndoStack>
 

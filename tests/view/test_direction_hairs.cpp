@@ -3,8 +3,8 @@
 #include "sim/groom/direction_texel.h"
 #include "tests/support/await.h"
 #include "tests/support/test_program.h"
-#include "view/head/direction_hairs.h"
-#include "view/head/head_overlay.h"
+#include "view/head_area/direction_hairs.h"
+#include "view/head_area/head_overlay.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // What the user works with, whichever view changes it.
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "tests/support/test_program.h"
 #include "tests/view/panel_fixture.h"
 

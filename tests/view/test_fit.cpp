@@ -13,14 +13,14 @@
 #include "view/dialogs/picture_dialog.h"
 #include "view/dialogs/preferences_dialog.h"
 #include "view/dialogs/wind_dialog.h"
+#include "view/look/icons.h"
+#include "view/look/theme.h"
 #include "view/panels/option_bar.h"
 #include "view/panels/sidebar.h"
 #include "view/panels/status_readout.h"
 #include "view/panels/style_strip.h"
 #include "view/panels/tool_bar.h"
-#include "view/theme.h"
 #include "view/widgets/colour_math.h"
-#include "view/widgets/icons.h"
 #include "view/widgets/value_palette.h"
 
 #include <QAbstractItemView>

@@ -2,7 +2,7 @@
 #include "head_fixture.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
-#include "view/head/gl_presenter.h"
+#include "view/head_area/gl_presenter.h"
 
 #include <epoxy/gl.h>
 

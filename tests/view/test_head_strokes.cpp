@@ -1,7 +1,7 @@
 // Strokes over the 3D head, where the skin has gaps.
 #include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
-#include "view/head_view.h"
+#include "view/head_area/head_view.h"
 
 #include <QMouseEvent>
 #include <QTest>

@@ -2,8 +2,8 @@
 #include "head_fixture.h"
 #include "tests/support/await.h"
 #include "tests/support/test_program.h"
-#include "view/head/head_turn.h"
-#include "view/head_view.h"
+#include "view/head_area/head_turn.h"
+#include "view/head_area/head_view.h"
 
 #include <QTest>
 

@@ -1,12 +1,12 @@
 // The 3D area driven by mouse, wheel and keys; its pictures come from an off-screen context.
 #include "head_fixture.h"
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
-#include "view/head/head_camera.h"
-#include "view/head/head_overlay.h"
-#include "view/head/puff_gesture.h"
-#include "view/head_view.h"
+#include "view/head_area/head_camera.h"
+#include "view/head_area/head_overlay.h"
+#include "view/head_area/head_view.h"
+#include "view/head_area/puff_gesture.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -2,9 +2,9 @@
 #include "head_fixture.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
-#include "view/head/frame_presenter.h"
-#include "view/head/head_overlay.h"
-#include "view/head/view_signs.h"
+#include "view/head_area/frame_presenter.h"
+#include "view/head_area/head_overlay.h"
+#include "view/head_area/view_signs.h"
 
 #include <QSignalSpy>
 

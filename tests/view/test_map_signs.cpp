@@ -2,9 +2,9 @@
 #include "model/files/head_file.h"
 #include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
-#include "view/map_legend.h"
-#include "view/paint/landmarks.h"
-#include "view/paint_view.h"
+#include "view/paint_area/landmarks.h"
+#include "view/paint_area/map_legend.h"
+#include "view/paint_area/paint_view.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // What people type into fields for numbers is read in any field's unit and with either decimal sign.
 #include "tests/support/test_program.h"
-#include "view/widgets/number_text.h"
+#include "view/look/number_text.h"
 
 #include <QLocale>
 #include <QTest>

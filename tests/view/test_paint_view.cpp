@@ -2,7 +2,7 @@
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
-#include "view/paint_view.h"
+#include "view/paint_area/paint_view.h"
 
 #include <QPointingDevice>
 #include <QSignalSpy>

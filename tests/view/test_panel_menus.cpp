@@ -1,8 +1,8 @@
 // What panels offer beyond their buttons: menus, words on what erasing leaves, sizes of maps.
 #include "panel_fixture.h"
 
-#include "model/commands/commands.h"
-#include "model/hair_kinds.h"
+#include "model/document/commands.h"
+#include "model/styles/hair_kinds.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/panels/hair_panel.h"

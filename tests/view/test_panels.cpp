@@ -1,7 +1,7 @@
 // Panels change the document by one command a change, preview while something moves, and follow undo.
 #include "panel_fixture.h"
 
-#include "model/commands/commands.h"
+#include "model/document/commands.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "view/panels/hair_panel.h"
@@ -378,9 +378,14 @@ private Q_SLOTS:
             const model::Tool& tool = *f.state.tools()[i];
             QCOMPARE(&f.state.activeTool(), &tool);
             const auto wanted = tool.options();
-            const bool hasSize = std::ranges::find(wanted, model::ToolOption::Size) != wanted.end();
+            const auto has = [&wanted](const char* key) {
+                return std::ranges::any_of(wanted, [key](const model::ToolOption* option) {
+                    return QLatin1StringView(option->key) == QLatin1StringView(key);
+                });
+            };
+            const bool hasSize = has("size");
             QCOMPARE(sliderNamed(options, QStringLiteral("Size"))->isVisible(), hasSize);
-            const bool hasTolerance = std::ranges::find(wanted, model::ToolOption::FillTolerance) != wanted.end();
+            const bool hasTolerance = has("fill_tolerance");
             QCOMPARE(sliderNamed(options, QStringLiteral("Tolerance"))->isVisible(), hasTolerance);
             const QString tip = buttons[static_cast<qsizetype>(i)]->toolTip();
             for (const QString& told : {tool.title(), tool.purpose(), tool.hint()})

@@ -1,7 +1,7 @@
 // Pictures frame hair and head, not the pedestal under them.
 #include "model/files/head_file.h"
 #include "tests/support/test_program.h"
-#include "view/head/stage.h"
+#include "view/head_area/stage.h"
 
 #include <QTest>
 

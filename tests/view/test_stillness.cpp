@@ -1,6 +1,6 @@
 // Motion that shows is told from motion that does not.
 #include "tests/support/test_program.h"
-#include "view/head/stillness.h"
+#include "view/head_area/stillness.h"
 
 #include <QTest>
 

@@ -1,12 +1,12 @@
 // The paint area's geometry: navigation, the ring's ellipse, the thinned wireframe, the baked shading.
-#include "model/map_colours.h"
+#include "model/maps/map_colours.h"
 #include "tests/support/test_heads.h"
 #include "tests/support/test_program.h"
-#include "view/paint/map_pyramid.h"
-#include "view/paint/skin_ring.h"
-#include "view/paint/uv_shading.h"
-#include "view/paint/uv_transform.h"
-#include "view/paint/uv_wireframe.h"
+#include "view/paint_area/map_pyramid.h"
+#include "view/paint_area/skin_ring.h"
+#include "view/paint_area/uv_shading.h"
+#include "view/paint_area/uv_transform.h"
+#include "view/paint_area/uv_wireframe.h"
 
 #include <QTest>
 

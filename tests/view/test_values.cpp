@@ -3,6 +3,7 @@
 
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
+#include "view/look/value_text.h"
 #include "view/panels/option_bar.h"
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/field_hint.h"
@@ -10,7 +11,6 @@
 #include "view/widgets/swatch.h"
 #include "view/widgets/value_pair.h"
 #include "view/widgets/value_palette.h"
-#include "view/widgets/value_text.h"
 
 #include <QColorDialog>
 #include <QLineEdit>

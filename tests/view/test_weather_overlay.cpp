@@ -2,8 +2,8 @@
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/support/view_fixture.h"
-#include "view/head_view.h"
-#include "view/weather_overlay.h"
+#include "view/head_area/head_view.h"
+#include "view/head_area/weather_overlay.h"
 
 #include <QSignalSpy>
 #include <QTest>

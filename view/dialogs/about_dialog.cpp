@@ -1,8 +1,8 @@
 // What the program is.
 #include "view/dialogs/about_dialog.h"
 
-#include "view/resources.h"
-#include "view/theme.h"
+#include "view/look/resources.h"
+#include "view/look/theme.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>

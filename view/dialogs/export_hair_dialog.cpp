@@ -1,8 +1,8 @@
 // Format, program, source, groups, number of hairs, tolerance, cards.
 #include "view/dialogs/export_hair_dialog.h"
 
-#include "model/names.h"
-#include "view/theme.h"
+#include "model/values/names.h"
+#include "view/look/theme.h"
 #include "view/widgets/bar_slider.h"
 
 #include <QCheckBox>

@@ -1,7 +1,7 @@
 // Range, values, format, depth.
 #include "view/dialogs/export_maps_dialog.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -2,7 +2,7 @@
 #include "view/dialogs/hair_import_dialog.h"
 
 #include "view/dialogs/length_units.h"
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -4,9 +4,9 @@
 #include "model/files/head_file.h"
 #include "view/dialogs/length_units.h"
 #include "view/dialogs/mesh_silhouette.h"
-#include "view/theme.h"
+#include "view/look/icons.h"
+#include "view/look/theme.h"
 #include "view/widgets/bar_slider.h"
-#include "view/widgets/icons.h"
 
 #include <QCheckBox>
 #include <QComboBox>

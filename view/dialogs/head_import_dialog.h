@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/heads/rigged_mesh.h"
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <QDialog>
 

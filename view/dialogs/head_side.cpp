@@ -1,8 +1,8 @@
 // Picks and drags landmarks on a picture without perspective.
 #include "view/dialogs/head_side.h"
 
-#include "view/paint/landmarks.h"
-#include "view/theme.h"
+#include "view/look/theme.h"
+#include "view/paint_area/landmarks.h"
 
 #include <QMouseEvent>
 #include <QPainter>

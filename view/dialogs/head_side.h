@@ -1,7 +1,7 @@
 // A head seen from one side, with its landmarks, which may be dragged over the skin.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 #include "view/dialogs/mesh_picture.h"
 #include "view/rendering/standard_views.h"
 

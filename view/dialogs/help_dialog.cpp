@@ -1,7 +1,7 @@
 // The help's pages, as one text with anchors.
 #include "view/dialogs/help_dialog.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QDialogButtonBox>
 #include <QPushButton>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "view/dialogs/keys_page.h"
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 #include <QDialog>
 #include <QString>

@@ -1,7 +1,7 @@
 // The tree of actions and their keys.
 #include "view/dialogs/keys_page.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 #include "view/widgets/action_button.h"
 
 #include <QHBoxLayout>

@@ -3,7 +3,7 @@
 
 #include "model/files/head_file.h"
 #include "view/dialogs/head_side.h"
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QButtonGroup>
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // Shows where an imported head's landmarks were found, beside those of the display bust, and lets them be moved.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <QDialog>
 

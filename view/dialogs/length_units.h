@@ -1,7 +1,7 @@
 // Units of length and axes of other programs, for dialogs that ask for them.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <QCoreApplication>
 #include <QString>

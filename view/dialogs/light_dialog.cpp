@@ -1,8 +1,8 @@
 // The lights and the background, shown live.
 #include "view/dialogs/light_dialog.h"
 
-#include "model/commands/commands.h"
-#include "view/theme.h"
+#include "model/document/commands.h"
+#include "view/look/theme.h"
 #include "view/widgets/swatch.h"
 
 #include <QColorDialog>

@@ -1,7 +1,7 @@
 // The layout that the dialogs of wind and light share.
 #include "view/dialogs/live_dialog.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>

@@ -1,7 +1,7 @@
 // Dialogs over one part of the project: every change is previewed while it moves and one undo step when let go.
 #pragma once
 
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/direction_ball.h"
 

@@ -1,7 +1,7 @@
 // Filled triangles with a buffer of depths.
 #include "view/dialogs/mesh_picture.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 #include "view/widgets/colour_math.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "view/dialogs/mesh_silhouette.h"
 
 #include "view/dialogs/mesh_picture.h"
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QPainter>
 

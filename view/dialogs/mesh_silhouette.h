@@ -1,7 +1,7 @@
 // A mesh seen from the front, so that a wrong axis is seen at once.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 #include "sim/skin/head_mesh.h"
 
 #include <QImage>

@@ -1,7 +1,7 @@
 // Size, framing, background, quality, and the small picture.
 #include "view/dialogs/picture_dialog.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 #include "view/widgets/number_spin_box.h"
 #include "view/widgets/swatch.h"
 

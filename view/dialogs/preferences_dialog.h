@@ -2,8 +2,8 @@
 #pragma once
 
 #include "view/dialogs/keys_page.h"
-#include "view/presenter_choice.h"
-#include "view/theme.h"
+#include "view/head_area/presenter_choice.h"
+#include "view/look/theme.h"
 
 #include <QDialog>
 

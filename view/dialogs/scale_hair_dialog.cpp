@@ -1,9 +1,9 @@
 // Percentages of the group's ranges.
 #include "view/dialogs/scale_hair_dialog.h"
 
-#include "model/hair_scale.h"
-#include "model/names.h"
-#include "view/theme.h"
+#include "model/document/hair_scale.h"
+#include "model/values/names.h"
+#include "view/look/theme.h"
 #include "view/widgets/bar_slider.h"
 
 #include <QDialogButtonBox>

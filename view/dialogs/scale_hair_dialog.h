@@ -1,7 +1,7 @@
 // Makes all hair of a group longer, denser or more widely curled by a percentage.
 #pragma once
 
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 #include <QDialog>
 

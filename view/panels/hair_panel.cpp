@@ -1,17 +1,17 @@
 // The hair groups and the active group's settings.
 #include "view/panels/hair_panel.h"
 
-#include "model/commands/commands.h"
-#include "model/face_hair.h"
-#include "model/group_schema.h"
-#include "model/hair_kinds.h"
-#include "model/names.h"
+#include "model/document/commands.h"
+#include "model/growth/face_hair.h"
+#include "model/project/group_schema.h"
+#include "model/styles/hair_kinds.h"
+#include "model/values/names.h"
+#include "view/look/theme.h"
+#include "view/look/value_text.h"
 #include "view/panels/layer_list.h"
-#include "view/theme.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/section.h"
-#include "view/widgets/value_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -35,7 +35,11 @@ using model::SettingSection;
 using sim::GroupSettings;
 using sim::TurnsMode;
 
-HairPanel::HairPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
+HairPanel::HairPanel(EditorState& state, QWidget* parent)
+    : QWidget(parent), m_state(state),
+      m_grow([](const model::HairKind& kind, const std::shared_ptr<const model::Head>& head) {
+          return model::Result<Grown>(model::grownHair(kind, head));
+      })
 {
     setObjectName(QStringLiteral("panel"));
     setAttribute(Qt::WA_StyledBackground);
@@ -355,10 +359,10 @@ void HairPanel::addGroup(const model::HairKind& kind)
     const QString name = numbered(number);
     GroupSettings settings = model::newGroupSettings(scalpFraction());
     kind.apply(settings);
-    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    std::optional<model::HairGroup> grown = model::grownHair(kind, m_state.document().committed().head);
-    QGuiApplication::restoreOverrideCursor();
-    if (grown) {
+    const model::Result<Grown> made = m_grow(kind, m_state.document().committed().head);
+    if (!made)
+        return; // Cancelled.
+    if (Grown grown = *made) {
         grown->name = name;
         grown->settings = settings;
         m_state.document().push(addGroupCommand(m_state.document(), std::move(*grown)));

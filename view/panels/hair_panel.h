@@ -1,13 +1,16 @@
 // The hair groups and the active group's settings.
 #pragma once
 
-#include "model/range_change.h"
-#include "view/editor_state.h"
+#include "model/document/range_change.h"
+#include "model/values/error.h"
+#include "view/editing/editor_state.h"
 
 #include <QWidget>
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 
 class QToolButton;
 class QVBoxLayout;
@@ -31,6 +34,12 @@ public:
 
     /// Shows a list of what can grow; the one chosen is added.
     void askWhatGrows();
+    /// A group as it grows on a head; none where that is not known; an error where it was stopped.
+    using Grown = std::optional<model::HairGroup>;
+    using Grow = std::function<model::Result<Grown>(const model::HairKind& kind,
+                                                    const std::shared_ptr<const model::Head>& head)>;
+    /// How groups are grown, which takes a moment: on this thread unless told otherwise.
+    void setGrow(Grow grow) { m_grow = std::move(grow); }
     /// Adds a group of that kind, ready to be painted: its Density is the map that is painted then. Brows, lashes and
     /// beards are there where they grow, as far as that is known on the head.
     void addGroup(const model::HairKind& kind);
@@ -45,7 +54,8 @@ private:
     [[nodiscard]] QWidget* makeChoice(const model::GroupSetting& row, QWidget* parent);
     [[nodiscard]] QWidget* makeSwitch(const model::GroupSetting& row, QWidget* parent);
     [[nodiscard]] QWidget* makeSlider(const model::GroupSetting& row, QWidget* parent);
-    /// A slider of a map's range keeps what is painted on it (model/range_change.h). `edited`: the group that it is of.
+    /// A slider of a map's range keeps what is painted on it (model/document/range_change.h). `edited`: the group that
+    /// it is of.
     void bindRange(BarSlider& slider, const model::GroupSetting& row,
                    const std::shared_ptr<model::EditSession>& session, const std::shared_ptr<model::Id>& edited);
     void tellClamped(const model::RangeChange& change, const model::RangeChange::Clamped& clamped);
@@ -58,6 +68,7 @@ private:
     [[nodiscard]] static QString settingText(const model::GroupSetting& row, const model::HairGroup& group);
 
     EditorState& m_state;
+    Grow m_grow;
     LayerList* m_groups = nullptr;
     QToolButton* m_add = nullptr;
     QToolButton* m_remove = nullptr;

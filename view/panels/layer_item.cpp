@@ -1,9 +1,9 @@
 // Paints one row of the layer list.
 #include "view/panels/layer_item.h"
 
+#include "view/look/icons.h"
+#include "view/look/theme.h"
 #include "view/panels/layer_list.h"
-#include "view/theme.h"
-#include "view/widgets/icons.h"
 
 #include <QLineEdit>
 #include <QPainter>

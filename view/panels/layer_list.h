@@ -1,7 +1,7 @@
 // The list of layers or groups: rows painted with eye, lock, thumbnail and name; reordered by dragging.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <QListWidget>
 

@@ -1,12 +1,12 @@
 // The layers of the active map.
 #include "view/panels/layers_panel.h"
 
-#include "model/blend_modes.h"
-#include "model/commands/commands.h"
-#include "model/names.h"
+#include "model/document/commands.h"
+#include "model/project/blend_modes.h"
+#include "model/values/names.h"
+#include "view/look/theme.h"
 #include "view/panels/layer_list.h"
 #include "view/panels/map_thumbnail.h"
-#include "view/theme.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
 

@@ -1,8 +1,8 @@
 // The layers of the active map.
 #pragma once
 
-#include "model/commands/commands.h"
-#include "view/editor_state.h"
+#include "model/document/commands.h"
+#include "view/editing/editor_state.h"
 
 #include <QImage>
 #include <QTimer>

@@ -1,7 +1,7 @@
 // One map in the maps panel.
 #include "view/panels/map_row.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 #include "view/widgets/map_badge.h"
 
 #include <QPainter>

@@ -1,7 +1,7 @@
 // One map in the maps panel: letter and icon, name, range, thumbnail.
 #pragma once
 
-#include "model/map_spec.h"
+#include "model/project/map_spec.h"
 
 #include <QAbstractButton>
 #include <QImage>

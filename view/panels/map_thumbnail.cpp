@@ -1,7 +1,7 @@
 // Small pictures: each pixel is the middle of a few texels of its fraction of the raster.
 #include "view/panels/map_thumbnail.h"
 
-#include "model/texel_ops.h"
+#include "model/maps/texel_ops.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Small pictures of maps and layers as the paint area shows them.
 #pragma once
 
-#include "model/project.h"
+#include "model/project/project.h"
 
 #include <QImage>
 

@@ -1,10 +1,10 @@
 // The maps of the active group.
 #include "view/panels/maps_panel.h"
 
+#include "view/look/theme.h"
+#include "view/look/value_text.h"
 #include "view/panels/map_row.h"
 #include "view/panels/map_thumbnail.h"
-#include "view/theme.h"
-#include "view/widgets/value_text.h"
 
 #include <QKeyEvent>
 #include <QVBoxLayout>

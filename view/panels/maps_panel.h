@@ -1,7 +1,7 @@
 // The maps of the active group; a click makes one the map that is painted.
 #pragma once
 
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -1,16 +1,16 @@
 // The settings of the active tool.
 #include "view/panels/option_bar.h"
 
-#include "view/theme.h"
+#include "view/look/icons.h"
+#include "view/look/theme.h"
+#include "view/look/value_text.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
-#include "view/widgets/icons.h"
 #include "view/widgets/map_badge.h"
 #include "view/widgets/revealed_text.h"
 #include "view/widgets/tool_setting_slider.h"
 #include "view/widgets/value_pair.h"
 #include "view/widgets/value_palette.h"
-#include "view/widgets/value_text.h"
 
 #include <QButtonGroup>
 #include <QFrame>
@@ -20,30 +20,30 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 namespace hairpaint::view {
 
-using model::GradientKind;
 using model::MapSpec;
-using model::ShapeKind;
 using model::ToolOption;
 using model::ToolSettings;
 
 namespace {
 
-constexpr double kCm = 100.0;
-constexpr double kMm = 1000.0;
-constexpr double kPercent = 100.0;
 constexpr int kSliderWidth = 160; ///< Where there is room.
 constexpr int kValueWidth = 240;
 
-BarSlider* percentSlider(const QString& label, QWidget* parent)
+QString unitText(model::ToolNumber::Unit unit)
 {
-    auto* slider = new BarSlider(label, parent);
-    slider->setRange(0.0, kPercent);
-    slider->setUnit(QStringLiteral("%"));
-    slider->setPreferredWidth(kSliderWidth);
-    return slider;
+    switch (unit) {
+    case model::ToolNumber::Unit::Percent:
+        break;
+    case model::ToolNumber::Unit::Centimetres:
+        return OptionBar::tr("cm");
+    case model::ToolNumber::Unit::Millimetres:
+        return OptionBar::tr("mm");
+    }
+    return QStringLiteral("%");
 }
 
 QToolButton* toggle(const QString& iconName, const QString& name, QWidget* parent)
@@ -63,6 +63,17 @@ QWidget* box(QWidget* parent)
 }
 
 } // namespace
+
+/// Of one row. A slider, a switch, or a box with a button for each kind.
+struct OptionBar::Option
+{
+    const ToolOption* row = nullptr;
+    QWidget* widget = nullptr;
+    BarSlider* slider = nullptr;
+    std::vector<QToolButton*> buttons = {};
+};
+
+OptionBar::~OptionBar() = default;
 
 OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state(state)
 {
@@ -86,9 +97,7 @@ OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     m_revealed->setObjectName(QStringLiteral("revealed"));
     buildValue();
     m_row->addWidget(m_revealed);
-    buildKinds();
-    buildBrush();
-    buildParting();
+    buildOptions();
     m_selectionBox = box(this);
     m_row->addWidget(m_selectionBox);
     m_row->addStretch(1);
@@ -136,126 +145,63 @@ void OptionBar::buildValue()
     m_row->addWidget(m_valueBox);
 }
 
-void OptionBar::buildBrush()
+void OptionBar::buildOptions()
 {
-    m_size = new BarSlider(tr("Size"), this);
-    m_size->setRange(0.1, 30.0, 1);
-    m_size->setExponent(2.5);
-    m_size->setUnit(tr("cm"));
-    m_size->setDefaultValue(static_cast<double>(ToolSettings{}.brushSizeM) * kCm);
-    m_size->setPreferredWidth(kSliderWidth);
-    m_hardness = percentSlider(tr("Hardness"), this);
-    m_hardness->setDefaultValue(static_cast<double>(ToolSettings{}.hardness) * kPercent);
-    m_opacity = percentSlider(tr("Opacity"), this);
-    m_opacity->setDefaultValue(kPercent);
-    m_tolerance = percentSlider(tr("Tolerance"), this);
-    m_tolerance->setDefaultValue(static_cast<double>(ToolSettings{}.fillTolerance) * kPercent);
-    bindToolSettings(*m_size, m_state,
-                     [](ToolSettings& settings, double cm) { settings.brushSizeM = static_cast<float>(cm / kCm); });
-    m_flatness = percentSlider(tr("Flatness"), this);
-    m_flatness->setDefaultValue(static_cast<double>(ToolSettings{}.flatness) * kPercent);
-    m_flatness->setToolTip(tr("How flat combed hair lies; pen pressure makes it less"));
-    m_lift = percentSlider(tr("Lift"), this);
-    m_lift->setRange(-kPercent, kPercent);
-    m_lift->setDefaultValue(static_cast<double>(ToolSettings{}.lift) * kPercent);
-    m_lift->setToolTip(tr("How far hair is raised from where it lies; below zero it is laid flatter"));
-    m_grabGel = percentSlider(tr("Gel at least"), this);
-    m_grabGel->setDefaultValue(static_cast<double>(ToolSettings{}.grabGel) * kPercent);
-    m_grabGel->setToolTip(tr("The gel that keeps hair where it was pulled; long hair falls back without"));
-    m_holdGel = percentSlider(tr("Gel at least"), this);
-    m_holdGel->setDefaultValue(static_cast<double>(ToolSettings{}.holdGel) * kPercent);
-    m_holdGel->setToolTip(tr("The gel that keeps held hair as it lies"));
-    const auto bind = [this](BarSlider* slider, float ToolSettings::*field) {
-        bindToolSettings(*slider, m_state, [field](ToolSettings& settings, double percent) {
-            settings.*field = static_cast<float>(percent / kPercent);
-        });
-    };
-    bind(m_hardness, &ToolSettings::hardness);
-    bind(m_opacity, &ToolSettings::opacity);
-    bind(m_tolerance, &ToolSettings::fillTolerance);
-    bind(m_flatness, &ToolSettings::flatness);
-    bind(m_lift, &ToolSettings::lift);
-    bind(m_holdGel, &ToolSettings::holdGel);
-    bind(m_grabGel, &ToolSettings::grabGel);
-
-    m_pressureBox = box(this);
-    m_pressureSize = toggle(QStringLiteral("pressure-size"), tr("Pen pressure changes the size"), m_pressureBox);
-    m_pressureOpacity =
-        toggle(QStringLiteral("pressure-opacity"), tr("Pen pressure changes the opacity"), m_pressureBox);
-    for (const auto& [button, name] :
-         {std::pair(m_pressureSize, "pressure-size"), std::pair(m_pressureOpacity, "pressure-opacity")}) {
-        button->setProperty("switch", true);
-        button->setIcon(switchIcon(QLatin1StringView(name)));
-    }
-    connect(m_pressureSize, &QToolButton::clicked, this,
-            [this](bool on) { change([on](ToolSettings& settings) { settings.pressureSize = on; }); });
-    connect(m_pressureOpacity, &QToolButton::clicked, this,
-            [this](bool on) { change([on](ToolSettings& settings) { settings.pressureOpacity = on; }); });
-    m_pressureBox->layout()->addWidget(m_pressureSize);
-    m_pressureBox->layout()->addWidget(m_pressureOpacity);
-    for (BarSlider* slider : {m_size, m_hardness, m_opacity, m_tolerance, m_flatness, m_lift, m_holdGel, m_grabGel})
-        m_row->addWidget(slider);
-    m_row->addWidget(m_pressureBox);
-}
-
-void OptionBar::buildParting()
-{
-    const auto make = [this](const QString& label, const QString& unit, double perMetre, float ToolSettings::*field) {
-        auto* slider = new BarSlider(label, this);
-        slider->setUnit(unit);
-        slider->setPreferredWidth(kSliderWidth);
-        bindToolSettings(*slider, m_state, [field, perMetre](ToolSettings& settings, double shown) {
-            settings.*field = static_cast<float>(shown / perMetre);
-        });
-        slider->setDefaultValue(static_cast<double>(ToolSettings{}.*field) * perMetre);
-        m_row->addWidget(slider);
-        return slider;
-    };
-    m_reach = make(tr("Reach"), tr("cm"), kCm, &ToolSettings::partReachM);
-    m_reach->setRange(1.0, 20.0, 1);
-    m_reach->setHint(tr("How far to either side the part lays hair"));
-    m_gap = make(tr("Gap"), tr("mm"), kMm, &ToolSettings::partGapM);
-    m_gap->setRange(0.0, 10.0, 1);
-    m_gap->setExponent(2.0);
-    m_gap->setHint(tr("How wide a line of skin shows; 0 leaves every hair"));
-    m_zigzag = make(tr("Zigzag"), tr("mm"), kMm, &ToolSettings::partZigzagM);
-    m_zigzag->setRange(0.0, 10.0, 1);
-    m_zigzag->setHint(tr("How far the part runs to and fro; 0 leaves it straight"));
-}
-
-void OptionBar::buildKinds()
-{
-    const auto kinds = [this](QWidget*& parent, std::vector<QToolButton*>& buttons,
-                              const std::vector<std::pair<QString, QString>>& names, auto set) {
-        parent = box(this);
-        auto* group = new QButtonGroup(parent);
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            QToolButton* button = toggle(names[i].first, names[i].second, parent);
-            connect(button, &QToolButton::clicked, this,
-                    [this, i, set] { change([&](ToolSettings& settings) { set(settings, static_cast<int>(i)); }); });
-            group->addButton(button);
-            parent->layout()->addWidget(button);
-            buttons.push_back(button);
+    for (const auto& tool : m_state.tools()) {
+        for (const ToolOption* row : tool->options()) {
+            if (std::holds_alternative<model::ToolValue>(row->kind) ||
+                std::ranges::find(m_options, row, &Option::row) != m_options.end())
+                continue;
+            Option& option = m_options.emplace_back(Option{.row = row});
+            if (const auto* number = std::get_if<model::ToolNumber>(&row->kind))
+                build(option, *number);
+            else if (const auto* one = std::get_if<model::ToolSwitch>(&row->kind))
+                build(option, *one);
+            else if (const auto* choice = std::get_if<model::ToolChoice>(&row->kind))
+                build(option, *choice);
         }
-        m_row->addWidget(parent);
-    };
-    kinds(m_shapeBox, m_shapes,
-          {{QStringLiteral("shape-rectangle"), tr("Rectangle")},
-           {QStringLiteral("shape-ellipse"), tr("Ellipse")},
-           {QStringLiteral("shape-polygon"), tr("Polygon")}},
-          [](ToolSettings& settings, int kind) { settings.shape = static_cast<ShapeKind>(kind); });
-    kinds(m_gradientBox, m_gradients,
-          {{QStringLiteral("gradient-linear"), tr("Linear gradient")},
-           {QStringLiteral("gradient-radial"), tr("Radial gradient")}},
-          [](ToolSettings& settings, int kind) { settings.gradient = static_cast<GradientKind>(kind); });
-    kinds(m_combBox, m_combs,
-          {{QStringLiteral("comb"), tr("Comb along the stroke")},
-           {QStringLiteral("comb-lift"), tr("Lift or lay, the way hair lies")},
-           {QStringLiteral("comb-smooth"), tr("Smooth")},
-           {QStringLiteral("comb-noise"), tr("Ruffle")},
-           {QStringLiteral("comb-whorl"), tr("Whorl: a spiral around the pointer")},
-           {QStringLiteral("comb-hold"), tr("Hold as it lies now, with gel")}},
-          [](ToolSettings& settings, int kind) { settings.comb = static_cast<model::CombKind>(kind); });
+    }
+}
+
+void OptionBar::build(Option& option, const model::ToolNumber& number)
+{
+    auto* slider = new BarSlider(option.row->labelText(), this);
+    slider->setRange(number.least, number.greatest, number.decimals);
+    slider->setExponent(number.exponent);
+    slider->setUnit(unitText(number.unit));
+    slider->setDefaultValue(optionOf(ToolSettings{}, *option.row) * number.shownPerSi());
+    slider->setPreferredWidth(kSliderWidth);
+    if (*option.row->hint != '\0')
+        slider->setHint(option.row->hintText());
+    bindToolSettings(*slider, m_state,
+                     [row = option.row, perSi = number.shownPerSi()](ToolSettings& settings, double shown) {
+                         putOption(settings, *row, shown / perSi);
+                     });
+    option.widget = option.slider = slider;
+}
+
+void OptionBar::build(Option& option, const model::ToolSwitch& one)
+{
+    QToolButton* button = toggle(QLatin1StringView(one.icon), option.row->labelText(), this);
+    button->setProperty("switch", true);
+    button->setIcon(switchIcon(QLatin1StringView(one.icon)));
+    connect(button, &QToolButton::clicked, this, [this, row = option.row](bool on) { change(*row, on ? 1.0 : 0.0); });
+    option.widget = button;
+    option.buttons.push_back(button);
+}
+
+void OptionBar::build(Option& option, const model::ToolChoice& choice)
+{
+    option.widget = box(this);
+    auto* group = new QButtonGroup(option.widget);
+    for (const model::ToolChoice::Entry& entry : choice.entries) {
+        QToolButton* button = toggle(QLatin1StringView(entry.icon), entry.titleText(), option.widget);
+        const auto index = static_cast<double>(option.buttons.size());
+        connect(button, &QToolButton::clicked, this, [this, row = option.row, index] { change(*row, index); });
+        group->addButton(button);
+        option.widget->layout()->addWidget(button);
+        option.buttons.push_back(button);
+    }
 }
 
 void OptionBar::addSelectionAction(QAction* action)
@@ -269,44 +215,68 @@ void OptionBar::addSelectionAction(QAction* action)
     m_selectionBox->layout()->addWidget(button);
 }
 
-void OptionBar::change(const std::function<void(ToolSettings&)>& edit)
+void OptionBar::change(const ToolOption& option, double value)
 {
     ToolSettings settings = m_state.toolSettings();
-    edit(settings);
+    putOption(settings, option, value);
     m_state.setToolSettings(settings);
 }
 
 void OptionBar::showOptions()
 {
     const model::Tool& tool = m_state.activeTool();
-    const std::vector<ToolOption> options = tool.options();
-    const auto has = [&options](ToolOption option) { return std::ranges::find(options, option) != options.end(); };
     m_toolIcon->setPixmap(iconPixmap(QLatin1String(model::toolName(tool.id())), metrics::kIcon, Theme::current().text,
                                      devicePixelRatioF()));
     m_toolName->setText(tool.title());
-    m_valueBox->setVisible(has(ToolOption::Value));
-    m_size->setVisible(has(ToolOption::Size));
-    m_hardness->setVisible(has(ToolOption::Hardness));
-    m_opacity->setVisible(has(ToolOption::Opacity));
-    m_pressureBox->setVisible(has(ToolOption::Pressure));
-    m_shapeBox->setVisible(has(ToolOption::ShapeKind));
-    m_gradientBox->setVisible(has(ToolOption::GradientKind));
-    m_tolerance->setVisible(has(ToolOption::FillTolerance));
-    m_combBox->setVisible(has(ToolOption::CombKind));
-    m_reach->setVisible(has(ToolOption::PartReach));
-    m_gap->setVisible(has(ToolOption::PartGap));
-    m_zigzag->setVisible(has(ToolOption::Zigzag));
     m_revealed->setVisible(erases(m_state));
     m_selectionBox->setVisible(tool.id() == model::ToolId::Select);
+    // In the tool's own order, from behind the value on.
+    for (const Option& option : m_options)
+        m_row->removeWidget(option.widget);
+    int at = m_row->indexOf(m_revealed) + 1;
+    bool hasValue = false;
+    QWidget* last = m_valueButton;
+    const auto follows = [&last](QWidget* next) { setTabOrder(std::exchange(last, next), next); };
+    for (const ToolOption* row : tool.options()) {
+        hasValue = hasValue || std::holds_alternative<model::ToolValue>(row->kind);
+        if (const auto option = std::ranges::find(m_options, row, &Option::row); option != m_options.end()) {
+            m_row->insertWidget(at++, option->widget);
+            if (option->slider != nullptr)
+                follows(option->slider);
+            for (QToolButton* button : option->buttons)
+                follows(button);
+        }
+    }
+    m_valueBox->setVisible(hasValue);
     follow();
 }
 
 void OptionBar::follow()
 {
-    ToolSettings settings = m_state.toolSettings();
+    followValue();
+    const ToolSettings settings = m_state.toolSettings();
+    const model::ToolOptions rows = m_state.activeTool().options();
+    for (const Option& option : m_options) {
+        const ToolOption& row = *option.row;
+        option.widget->setVisible(std::ranges::find(rows, &row) != rows.end() &&
+                                  (row.isShown == nullptr || row.isShown(settings)));
+        option.widget->setEnabled(row.isUsed == nullptr || row.isUsed(settings));
+        const double value = optionOf(settings, row);
+        if (const auto* number = std::get_if<model::ToolNumber>(&row.kind))
+            option.slider->setValue(value * number->shownPerSi());
+        else if (std::holds_alternative<model::ToolSwitch>(row.kind))
+            option.buttons.front()->setChecked(value != 0.0);
+        else
+            for (std::size_t i = 0; i < option.buttons.size(); ++i)
+                option.buttons[i]->setChecked(static_cast<double>(i) == value);
+    }
+}
+
+void OptionBar::followValue()
+{
     const MapSpec& spec = model::mapSpec(m_state.activeMap());
     const sim::GroupSettings& group = m_state.activeSettings();
-    const model::PaintValue& value = settings.value(spec.kind);
+    const model::PaintValue value = m_state.toolSettings().value(spec.kind);
     const std::pair stood(m_state.activeGroup(), spec.kind);
     if (std::exchange(m_stands, stood) != stood)
         m_scalar->release(); // It stands for another map's value from here on.
@@ -326,40 +296,12 @@ void OptionBar::follow()
     m_valueButton->setText(scalar ? QString() : valueText(group, spec, value));
     m_valueButton->setAccessibleName(tr("Palette, %1").arg(valueText(group, spec, value)));
     m_revealed->setText(revealedText(m_state));
-    m_size->setValue(static_cast<double>(settings.brushSizeM) * kCm);
-    m_hardness->setValue(static_cast<double>(settings.hardness) * kPercent);
-    m_opacity->setValue(static_cast<double>(settings.opacity) * kPercent);
-    m_tolerance->setValue(static_cast<double>(settings.fillTolerance) * kPercent);
-    m_flatness->setValue(static_cast<double>(settings.flatness) * kPercent);
-    m_reach->setValue(static_cast<double>(settings.partReachM) * kCm);
-    m_gap->setValue(static_cast<double>(settings.partGapM) * kMm);
-    m_zigzag->setValue(static_cast<double>(settings.partZigzagM) * kMm);
-    m_holdGel->setValue(static_cast<double>(settings.holdGel) * kPercent);
-    m_grabGel->setValue(static_cast<double>(settings.grabGel) * kPercent);
-    m_lift->setValue(static_cast<double>(settings.lift) * kPercent);
-    const std::vector<ToolOption> options = m_state.activeTool().options();
-    const auto has = [&options](ToolOption option) { return std::ranges::find(options, option) != options.end(); };
-    const auto combs = [&](model::CombKind kind) { return has(ToolOption::CombKind) && settings.comb == kind; };
-    m_flatness->setVisible(has(ToolOption::Flatness) && !combs(model::CombKind::Hold) && !combs(model::CombKind::Lift));
-    m_holdGel->setVisible(combs(model::CombKind::Hold));
-    m_lift->setVisible(combs(model::CombKind::Lift));
-    m_grabGel->setVisible(has(ToolOption::GrabGel));
-    m_flatness->setEnabled(!has(ToolOption::CombKind) ||
-                           (settings.comb != model::CombKind::Smooth && settings.comb != model::CombKind::Noise));
-    m_pressureSize->setChecked(settings.pressureSize);
-    m_pressureOpacity->setChecked(settings.pressureOpacity);
-    for (std::size_t i = 0; i < m_shapes.size(); ++i)
-        m_shapes[i]->setChecked(i == static_cast<std::size_t>(settings.shape));
-    for (std::size_t i = 0; i < m_gradients.size(); ++i)
-        m_gradients[i]->setChecked(i == static_cast<std::size_t>(settings.gradient));
-    for (std::size_t i = 0; i < m_combs.size(); ++i)
-        m_combs[i]->setChecked(i == static_cast<std::size_t>(settings.comb));
 }
 
 void OptionBar::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && m_gradientBox != nullptr && m_size != nullptr)
+    if (event->type() == QEvent::PaletteChange && m_selectionBox != nullptr)
         showOptions();
 }
 

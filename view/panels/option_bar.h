@@ -1,11 +1,12 @@
 // The bar over the areas: the settings of the active tool and the value it paints.
 #pragma once
 
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 #include <QWidget>
 
-#include <functional>
+#include <utility>
+#include <vector>
 
 class QHBoxLayout;
 class QLabel;
@@ -16,12 +17,13 @@ namespace hairpaint::view {
 class BarSlider;
 class MapBadge;
 
-/// 40 px high. Shows exactly the active tool's options.
+/// 40 px high. Shows exactly the active tool's options, by the rows that the tool names (model/tools/tool_options.h).
 class OptionBar : public QWidget
 {
     Q_OBJECT
 public:
     explicit OptionBar(EditorState& state, QWidget* parent = nullptr);
+    ~OptionBar() override;
     /// Opens the value palette under its button, as the picker's key may.
     void showPalette();
     /// Adds a button that is there while the Select tool is in use: what a selection is for.
@@ -31,13 +33,17 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    struct Option; ///< A row and its widget.
+
     void buildValue();
-    void buildBrush();
-    void buildParting();
-    void buildKinds();
+    void buildOptions();
+    void build(Option& option, const model::ToolNumber& number);
+    void build(Option& option, const model::ToolSwitch& one);
+    void build(Option& option, const model::ToolChoice& choice);
     void showOptions();
     void follow();
-    void change(const std::function<void(model::ToolSettings&)>& edit);
+    void followValue();
+    void change(const model::ToolOption& option, double value);
 
     EditorState& m_state;
     QHBoxLayout* m_row = nullptr;
@@ -49,27 +55,8 @@ private:
     std::pair<model::Id, model::MapKind> m_stands{}; ///< The group and the map whose value m_scalar shows.
     BarSlider* m_scalar = nullptr;
     QToolButton* m_valueButton = nullptr;
-    BarSlider* m_size = nullptr;
-    BarSlider* m_hardness = nullptr;
-    BarSlider* m_opacity = nullptr;
-    BarSlider* m_tolerance = nullptr;
-    BarSlider* m_flatness = nullptr;
-    BarSlider* m_reach = nullptr;
-    BarSlider* m_gap = nullptr;
-    BarSlider* m_zigzag = nullptr;
-    BarSlider* m_lift = nullptr;
-    BarSlider* m_holdGel = nullptr;
-    BarSlider* m_grabGel = nullptr;
-    QWidget* m_pressureBox = nullptr;
-    QToolButton* m_pressureSize = nullptr;
-    QToolButton* m_pressureOpacity = nullptr;
-    QWidget* m_shapeBox = nullptr;
-    QWidget* m_gradientBox = nullptr;
-    QWidget* m_combBox = nullptr;
+    std::vector<Option> m_options; ///< Of every tool.
     QWidget* m_selectionBox = nullptr;
-    std::vector<QToolButton*> m_shapes;
-    std::vector<QToolButton*> m_gradients;
-    std::vector<QToolButton*> m_combs;
 };
 
 } // namespace hairpaint::view

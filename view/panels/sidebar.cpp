@@ -1,7 +1,7 @@
 // Maps on top, under them layers or hair.
 #include "view/panels/sidebar.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QFrame>
 #include <QTabBar>

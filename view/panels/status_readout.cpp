@@ -1,10 +1,10 @@
 // The line at the window's foot.
 #include "view/panels/status_readout.h"
 
-#include "view/theme.h"
-#include "view/widgets/icons.h"
+#include "view/look/icons.h"
+#include "view/look/theme.h"
+#include "view/look/value_text.h"
 #include "view/widgets/revealed_text.h"
-#include "view/widgets/value_text.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/groom/groom.h"
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 #include <QTimer>
 #include <QWidget>

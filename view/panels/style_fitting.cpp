@@ -1,8 +1,8 @@
 // Through an edit session, with a question where it is needed.
 #include "view/panels/style_fitting.h"
 
-#include "model/commands/commands.h"
-#include "model/names.h"
+#include "model/document/commands.h"
+#include "model/values/names.h"
 #include "view/panels/style_question.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // A row over the foot of the strip.
 #include "view/panels/style_question.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QAccessible>
 #include <QApplication>

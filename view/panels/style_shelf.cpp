@@ -1,7 +1,7 @@
 // Reading in the background, one file once.
 #include "view/panels/style_shelf.h"
 
-#include "model/style_transfer.h"
+#include "model/styles/style_transfer.h"
 
 #include <QFileInfo>
 

@@ -1,9 +1,9 @@
 // Styles read from their files and carried to the head that is open; the last few stay in memory.
 #pragma once
 
-#include "model/document.h"
-#include "model/error.h"
-#include "model/preset.h"
+#include "model/document/document.h"
+#include "model/styles/preset.h"
+#include "model/values/error.h"
 
 #include <QObject>
 

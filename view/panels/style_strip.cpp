@@ -1,11 +1,11 @@
 // Hairstyles side by side.
 #include "view/panels/style_strip.h"
 
-#include "model/names.h"
+#include "model/values/names.h"
+#include "view/look/theme.h"
 #include "view/panels/style_fitting.h"
 #include "view/panels/style_question.h"
 #include "view/panels/style_tile.h"
-#include "view/theme.h"
 
 #include <QApplication>
 #include <QCursor>

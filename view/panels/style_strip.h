@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/files/preset_file.h"
-#include "model/style_use.h"
-#include "view/editor_state.h"
+#include "model/styles/style_use.h"
+#include "view/editing/editor_state.h"
 #include "view/panels/style_shelf.h"
 
 #include <QPoint>

@@ -1,9 +1,9 @@
 // One style of the strip.
 #include "view/panels/style_tile.h"
 
-#include "view/theme.h"
+#include "view/look/icons.h"
+#include "view/look/theme.h"
 #include "view/widgets/colour_math.h"
-#include "view/widgets/icons.h"
 
 #include <QContextMenuEvent>
 #include <QCursor>

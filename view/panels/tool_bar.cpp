@@ -1,9 +1,9 @@
 // The column of tools.
 #include "view/panels/tool_bar.h"
 
+#include "view/look/icons.h"
+#include "view/look/theme.h"
 #include "view/panels/tool_hint.h"
-#include "view/theme.h"
-#include "view/widgets/icons.h"
 #include "view/widgets/value_pair.h"
 #include "view/widgets/value_palette.h"
 

@@ -1,7 +1,7 @@
 // The column of tools at the left edge.
 #pragma once
 
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 #include <QWidget>
 

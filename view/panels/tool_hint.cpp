@@ -1,7 +1,7 @@
 // Opens beside the button after Qt's own waiting time for tooltips.
 #include "view/panels/tool_hint.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QEvent>
 #include <QLabel>

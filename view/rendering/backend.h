@@ -15,9 +15,9 @@ namespace hairpaint::rendering {
 struct Quality
 {
     float detail = 1.0F;     ///< 0..1: fraction of the hairs; those drawn are widened so that coverage stays the same.
-    int samples = 4;         ///< A pixel: 1, 2, 4, in software 8 and 16, too.
+    int samples = 4;         ///< A pixel: 1, 2, 4, 8 or 16, at most Capabilities::mostSamples.
     bool coarseHead = false; ///< Whether a frame whose view differs from the one before may show Scene::headInMotion.
-    bool linear = false;     ///< Whether SoftwareRenderer::readLinear() will be called.
+    bool linear = false;     ///< Whether readLinear() or takeLinear() will be called.
 };
 
 struct FrameStatistics
@@ -29,6 +29,15 @@ struct FrameStatistics
     double milliseconds = 0.0; ///< What a frame takes: see Backend::statistics().
     bool inSteps = false;      ///< Drawn by step(): the milliseconds are no measure of frames while something moves.
     bool complete = true;      ///< False where a part was given up, as when memory is short.
+};
+
+/// What a backend can do beyond what every one does.
+struct Capabilities
+{
+    bool graphicsCard = false; ///< Draws on one; else on the processor, be it by a driver of OpenGL's.
+    int mostSamples = 4;       ///< A pixel.
+    bool linear = false;       ///< Pictures before they are encoded: Quality::linear.
+    bool transparent = false;  ///< Scene::transparent.
 };
 
 /// One thread at a time; what else a backend asks for its maker says.
@@ -53,9 +62,25 @@ public:
                                              const Progress& progress) = 0;
     /// Reads the last finished picture: RGBA8, row 0 on top, sRGB as encoded. Reuses `pixels`. Waits for the picture.
     virtual void read(std::vector<std::uint8_t>& pixels) = 0;
+    /// The same in linear light before it is encoded: RGBA, colours times alpha, row 0 on top. Empty unless the picture
+    /// was drawn with Quality::linear, and where the backend has none.
+    virtual void readLinear(std::vector<float>& pixels) { pixels.clear(); }
+    /// As read() and readLinear() give them, but for good, with all that was needed for drawing where that is much.
+    [[nodiscard]] virtual std::vector<std::uint8_t> takePicture()
+    {
+        std::vector<std::uint8_t> pixels;
+        read(pixels);
+        return pixels;
+    }
+    [[nodiscard]] virtual std::vector<float> takeLinear()
+    {
+        std::vector<float> pixels;
+        readLinear(pixels);
+        return pixels;
+    }
     /// Of the last finished picture.
     [[nodiscard]] virtual const FrameStatistics& statistics() const = 0;
-    [[nodiscard]] virtual bool software() const = 0;                  ///< No GPU draws.
+    [[nodiscard]] virtual Capabilities capabilities() const = 0;
     [[nodiscard]] virtual const std::string& description() const = 0; ///< What draws, for people.
 
 protected:

@@ -73,7 +73,7 @@ struct Scene
     Light light;
     Skin skin;
     glm::vec3 background{0.03F}; ///< Linear.
-    bool transparent = false;    ///< No background: pixels tell how much of them is covered. In software only.
+    bool transparent = false;    ///< No background: pixels tell how much of them is covered; see Capabilities.
     std::optional<Ring> ring;
     std::optional<Ring> mirroredRing;
     friend bool operator==(const Scene&, const Scene&) = default; ///< The same meshes and frame, not ones that look so.

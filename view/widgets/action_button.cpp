@@ -1,7 +1,7 @@
 // Small flat icon buttons.
 #include "view/widgets/action_button.h"
 
-#include "view/widgets/icons.h"
+#include "view/look/icons.h"
 
 namespace hairpaint::view {
 

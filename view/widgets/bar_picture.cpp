@@ -1,7 +1,7 @@
 // Words above, the fill or a map's scale with its mark below them, and the frame of a bar.
 #include "view/widgets/bar_picture.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 #include "view/widgets/colour_math.h"
 
 #include <QPainter>

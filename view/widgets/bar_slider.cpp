@@ -1,7 +1,7 @@
 // Mouse, keys and typing of the filled bar.
 #include "view/widgets/bar_slider.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 #include "view/widgets/bar_picture.h"
 #include "view/widgets/field_hint.h"
 #include "view/widgets/number_edit.h"

@@ -1,9 +1,9 @@
 // A ball whose handle is a direction.
 #include "view/widgets/direction_ball.h"
 
-#include "view/theme.h"
+#include "view/look/icons.h"
+#include "view/look/theme.h"
 #include "view/widgets/colour_math.h"
-#include "view/widgets/icons.h"
 
 #include <QKeyEvent>
 #include <QLocale>

@@ -1,7 +1,7 @@
 // A thin veil with a frame.
 #include "view/widgets/drop_hint.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QPainter>
 

@@ -1,7 +1,7 @@
 // Where a field's sentence stands, and when it goes.
 #include "view/widgets/field_hint.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QAccessible>
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // A frame of the accent's colour.
 #include "view/widgets/focus_ring.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QEvent>
 #include <QFocusEvent>

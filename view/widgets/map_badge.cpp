@@ -1,9 +1,9 @@
 // A map's letter and icon.
 #include "view/widgets/map_badge.h"
 
-#include "view/theme.h"
+#include "view/look/icons.h"
+#include "view/look/theme.h"
 #include "view/widgets/colour_math.h"
-#include "view/widgets/icons.h"
 
 #include <QPainter>
 

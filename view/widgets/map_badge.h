@@ -1,7 +1,7 @@
 // A map's letter on its colour, with its icon: readable without seeing colours.
 #pragma once
 
-#include "model/map_spec.h"
+#include "model/project/map_spec.h"
 
 #include <QPixmap>
 #include <QWidget>

@@ -1,7 +1,7 @@
 // The line in which a number is typed, laid over the field that shows it.
 #pragma once
 
-#include "view/widgets/number_text.h"
+#include "view/look/number_text.h"
 
 #include <QLineEdit>
 

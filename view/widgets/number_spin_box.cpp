@@ -1,8 +1,8 @@
 // Between Qt's spin box and the reading of numbers.
 #include "view/widgets/number_spin_box.h"
 
+#include "view/look/number_text.h"
 #include "view/widgets/field_hint.h"
-#include "view/widgets/number_text.h"
 
 #include <QLineEdit>
 

@@ -1,7 +1,7 @@
 // The eraser's words.
 #include "view/widgets/revealed_text.h"
 
-#include "view/widgets/value_text.h"
+#include "view/look/value_text.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 // What erasing leaves where it erases.
 #pragma once
 
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 namespace hairpaint::view {
 

@@ -1,8 +1,8 @@
 // A titled part of a panel that folds.
 #include "view/widgets/section.h"
 
-#include "view/theme.h"
-#include "view/widgets/icons.h"
+#include "view/look/icons.h"
+#include "view/look/theme.h"
 
 #include <QToolButton>
 #include <QVBoxLayout>

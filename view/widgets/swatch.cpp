@@ -1,9 +1,9 @@
 // A button that shows a colour.
 #include "view/widgets/swatch.h"
 
-#include "view/theme.h"
+#include "view/look/icons.h"
+#include "view/look/theme.h"
 #include "view/widgets/colour_math.h"
-#include "view/widgets/icons.h"
 
 #include <QPainter>
 

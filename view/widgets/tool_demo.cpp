@@ -1,7 +1,7 @@
 // Rows of hairs from the side, and the pointer's ring.
 #include "view/widgets/tool_demo.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QLineF>
 #include <QPainter>

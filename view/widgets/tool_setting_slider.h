@@ -1,7 +1,7 @@
 // A slider over a number of the tool settings.
 #pragma once
 
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 #include <functional>
 

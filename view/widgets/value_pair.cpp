@@ -1,9 +1,9 @@
 // The value that is painted and the second one.
 #include "view/widgets/value_pair.h"
 
-#include "view/theme.h"
-#include "view/widgets/icons.h"
-#include "view/widgets/value_text.h"
+#include "view/look/icons.h"
+#include "view/look/theme.h"
+#include "view/look/value_text.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>

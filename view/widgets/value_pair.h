@@ -1,7 +1,7 @@
 // The value that is painted and the second one behind it, as two overlapping squares and an arrow that swaps them.
 #pragma once
 
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 #include <QWidget>
 

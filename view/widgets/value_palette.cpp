@@ -1,8 +1,9 @@
 // The palettes of scalar, index, colour and vector maps.
 #include "view/widgets/value_palette.h"
 
-#include "model/texel_ops.h"
-#include "view/theme.h"
+#include "model/maps/texel_ops.h"
+#include "view/look/theme.h"
+#include "view/look/value_text.h"
 #include "view/widgets/action_button.h"
 #include "view/widgets/bar_slider.h"
 #include "view/widgets/field_hint.h"
@@ -12,7 +13,6 @@
 #include "view/widgets/swatch.h"
 #include "view/widgets/tool_setting_slider.h"
 #include "view/widgets/value_pair.h"
-#include "view/widgets/value_text.h"
 
 #include <QColorDialog>
 #include <QFrame>

@@ -1,7 +1,7 @@
 // Picks what the active map is painted with: numbers in the map's own unit, named kinds, hair colours, or directions.
 #pragma once
 
-#include "view/editor_state.h"
+#include "view/editing/editor_state.h"
 
 #include <QWidget>
 

@@ -1,7 +1,7 @@
 // The window's colour, and the words in a pill of the panel's.
 #include "view/widgets/veil.h"
 
-#include "view/theme.h"
+#include "view/look/theme.h"
 
 #include <QAccessible>
 #include <QEvent>

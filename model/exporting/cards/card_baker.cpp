@@ -1,7 +1,7 @@
 // A rasteriser of lines with width, with a depth of its own for every texel of the patch.
 #include "model/exporting/cards/card_baker.h"
 
-#include "model/srgb.h"
+#include "model/values/srgb.h"
 #include "sim/base/deterministic.h"
 
 #include <algorithm>

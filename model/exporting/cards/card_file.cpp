@@ -1,9 +1,9 @@
 // Cards are made, and all files written beside their places.
 #include "model/exporting/cards/card_file.h"
 
+#include "model/disk/atomic_file.h"
+#include "model/disk/staged_files.h"
 #include "model/exporting/cards/card_glb.h"
-#include "model/files/atomic_file.h"
-#include "model/files/staged_files.h"
 #include "sim/base/parallel.h"
 
 #include <QDir>

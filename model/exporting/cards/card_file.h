@@ -1,9 +1,9 @@
 // Hair as cards in a binary glTF, with textures.
 #pragma once
 
-#include "model/error.h"
 #include "model/exporting/curve_set.h"
 #include "model/exporting/export_space.h"
+#include "model/values/error.h"
 
 #include <QStringList>
 

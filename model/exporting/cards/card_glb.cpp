@@ -8,7 +8,7 @@
 #include "model/exporting/cards/card_mesh.h"
 #include "model/exporting/glb_buffer.h"
 #include "model/files/glb.h"
-#include "model/srgb.h"
+#include "model/values/srgb.h"
 
 #include <algorithm>
 #include <array>

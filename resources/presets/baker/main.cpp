@@ -1,9 +1,9 @@
 // Bakes the built-in styles: hairpaint_preset_baker FOLDER writes one .hairpreset a style, with its picture, and
 // order.txt; hairpaint_preset_baker FOLDER ID... only those styles.
-#include "app/picture.h"
-#include "app/style_pictures.h"
+#include "app/headless/picture.h"
+#include "app/styles/style_pictures.h"
 #include "model/files/preset_file.h"
-#include "model/preset.h"
+#include "model/styles/preset.h"
 #include "styles.h"
 
 #include <QCoreApplication>

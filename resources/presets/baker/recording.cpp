@@ -1,10 +1,10 @@
 // Plays a user's actions: see the header.
 #include "recording.h"
 
-#include "model/face_hair.h"
 #include "model/files/head_file.h"
 #include "model/files/project_file.h"
-#include "model/hair_kinds.h"
+#include "model/growth/face_hair.h"
+#include "model/styles/hair_kinds.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // A user at work: the tools of the program played over the head of new projects, as the window plays the mouse.
 #pragma once
 
-#include "model/commands/commands.h"
-#include "model/preset.h"
+#include "model/document/commands.h"
+#include "model/styles/preset.h"
 #include "model/tools/selection.h"
 #include "model/tools/tool.h"
 

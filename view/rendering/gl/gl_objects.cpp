@@ -216,8 +216,9 @@ tl::expected<Program, std::string> Program::link(std::initializer_list<Stage> st
     std::array<char, 1024> log{};
     for (const Stage& stage : stages) {
         const unsigned shader = glCreateShader(stage.kind);
-        const std::array<std::string_view, 8> parts{"#version 430 core\n",
+        const std::array<std::string_view, 9> parts{"#version 430 core\n",
                                                     defines,
+                                                    shaderSource("constants.glsl"),
                                                     shaderSource("strand_layout.glsl"),
                                                     shaderSource("common.glsl"),
                                                     shaderSource("environment.glsl"),

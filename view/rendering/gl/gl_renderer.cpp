@@ -346,9 +346,9 @@ bool GlRenderer::contextLost() const
     return m_state->tellsOfResets && glGetGraphicsResetStatusARB() != GL_NO_ERROR;
 }
 
-bool GlRenderer::software() const
+Capabilities GlRenderer::capabilities() const
 {
-    return m_state->software;
+    return {.graphicsCard = !m_state->software, .mostSamples = 4, .linear = false, .transparent = false};
 }
 
 const std::string& GlRenderer::description() const

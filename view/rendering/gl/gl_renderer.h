@@ -42,7 +42,7 @@ public:
     /// Whether the driver has reset itself, and what was drawn into this context is gone. Where the context was not
     /// asked to tell, never.
     [[nodiscard]] bool contextLost() const;
-    [[nodiscard]] bool software() const override;                  ///< llvmpipe, softpipe or the like.
+    [[nodiscard]] Capabilities capabilities() const override; ///< llvmpipe, softpipe or the like: no graphics card.
     [[nodiscard]] const std::string& description() const override; ///< GL_RENDERER.
 
 private:

@@ -29,15 +29,15 @@ public:
                                      const Progress& progress) override;
     /// Of a transparent scene alpha is the part of the pixel that is covered, and the colour what covers it.
     void read(std::vector<std::uint8_t>& pixels) override;
-    /// The same in linear light before it is encoded: RGBA, colours times alpha, row 0 on top. Empty unless the picture
-    /// was drawn with Quality::linear.
-    void readLinear(std::vector<float>& pixels);
-    /// As read() and readLinear() give them, but for good, with all that was needed for drawing: of a large picture
-    /// that is more than a gigabyte.
-    [[nodiscard]] std::vector<std::uint8_t> takePicture();
-    [[nodiscard]] std::vector<float> takeLinear();
+    void readLinear(std::vector<float>& pixels) override;
+    /// What was needed for drawing is more than a gigabyte of a large picture.
+    [[nodiscard]] std::vector<std::uint8_t> takePicture() override;
+    [[nodiscard]] std::vector<float> takeLinear() override;
     [[nodiscard]] const FrameStatistics& statistics() const override;
-    [[nodiscard]] bool software() const override { return true; }
+    [[nodiscard]] Capabilities capabilities() const override
+    {
+        return {.graphicsCard = false, .mostSamples = 16, .linear = true, .transparent = true};
+    }
     [[nodiscard]] const std::string& description() const override;
 
 private:

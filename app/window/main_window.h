@@ -1,0 +1,102 @@
+// The window: connects what it shows with what it works on, takes dropped files and the keys that go by their place.
+#pragma once
+
+#include "app/background/journal.h"
+#include "app/exchange/exchange.h"
+#include "app/project/project_files.h"
+#include "app/session/freed_memory.h"
+#include "app/session/session.h"
+#include "app/settings/dialog_places.h"
+#include "app/settings/settings.h"
+#include "app/window/action_set.h"
+#include "app/window/clip_commands.h"
+#include "app/window/focus_return.h"
+#include "app/window/live_preferences.h"
+#include "app/window/physical_keys.h"
+#include "app/window/window_dialogs.h"
+
+#include <QMainWindow>
+
+namespace hairpaint::view {
+class HeadView;
+class PaintView;
+} // namespace hairpaint::view
+
+namespace hairpaint::app {
+
+class FileMenu;
+class Workspace;
+
+/// Owns the session and everything that works on it. GUI thread.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+public:
+    /// `project`: what it opens with; `path`: where that came from, empty for a new one.
+    MainWindow(model::Project project, const QString& path, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] Session& session() { return m_session; }
+    [[nodiscard]] ProjectFiles& files() { return m_files; }
+    [[nodiscard]] Jobs& jobs() { return m_jobs; }
+    [[nodiscard]] ActionSet& actions() { return m_actions; }
+    [[nodiscard]] view::PaintView& paintView();
+    [[nodiscard]] view::HeadView& headView();
+
+    /// Asks what becomes of work that windows which are gone left unsaved; nothing happens where there is none.
+    void offerUnsavedWork();
+    /// Before the program ends without asking: all that was done is in the journal when it returns.
+    void keepWork();
+    /// All that was done is in the journal.
+    [[nodiscard]] bool isWorkKept() { return m_journal.idle() && !m_journal.isStopped(); }
+
+    /// Opens a project, applies a style, imports a mesh or an image: whatever the file is.
+    void openFile(const QString& path);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    void buildMenus();
+    void offerActions();
+    void followActions();
+    void connectSession();
+    void connectAreas();
+    void connectFiles();
+
+    void applyPreferences();
+    /// Where the window lies, and what the tools are set to.
+    void rememberPlace();
+    void showTitle();
+
+    /// Alt and a digit: strands take that map's colours while both are held.
+    void lookAt(std::optional<model::MapKind> map);
+    /// Brackets and digits go by their place on the keyboard, since many layouts can't type them: the action that has
+    /// that key, null where it has been given another.
+    [[nodiscard]] QAction* actionAt(PhysicalKey key) const;
+
+    Settings m_settings;
+    Session m_session;
+    Jobs m_jobs;
+    FreedMemory m_freedMemory;
+    ProjectFiles m_files;
+    Journal m_journal;
+    Exchange m_exchange;
+    ActionSet m_actions;
+    LivePreferences m_preferences;
+    ClipCommands m_clipCommands;
+    WindowDialogs m_dialogs;
+    FocusReturn m_focusReturn;
+    DialogPlaces m_dialogPlaces;
+
+    Workspace* m_workspace = nullptr;
+    FileMenu* m_fileMenu = nullptr;
+};
+
+} // namespace hairpaint::app

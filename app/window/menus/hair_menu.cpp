@@ -1,0 +1,133 @@
+// The Hair menu: see the header.
+#include "app/window/menus/hair_menu.h"
+
+#include "model/document/commands.h"
+
+namespace hairpaint::app {
+
+HairMenu::HairMenu(const QString& title, ActionSet& actions, Session& session, view::HeadView& head,
+                   view::Sidebar& sidebar, WindowDialogs& dialogs, Exchange& exchange, Jobs& jobs, QWidget* parent)
+    : QMenu(title, parent), m_faceHair(session, jobs, *parent->window()), m_holdHair(session, exchange.hair(), jobs)
+{
+    sidebar.hair().setGrow([&jobs](const model::HairKind& kind, const std::shared_ptr<const model::Head>& head) {
+        return FaceHair::grow(jobs, kind, head);
+    });
+    addWeather(actions, session, head, dialogs);
+    addSkin(actions, session);
+    addSeparator();
+    addSimulation(actions, session);
+    addMotions(actions, session, head);
+    addColliders(actions, session, head);
+    actions.add(*this, {{.id = "hair.hold",
+                         .text = tr("Hol&d as it lies now"),
+                         .keys = {Qt::SHIFT | Qt::Key_H},
+                         .run = [this] { m_holdHair.hold(); },
+                         .icon = "comb-hold"}});
+    actions.find(QLatin1StringView("hair.hold"))
+        ->setToolTip(tr("Paints directions and gel so that the active group's hair, inside the selection if there is "
+                        "one, stays as it lies now"));
+    actions.add(*this, {{"hair.scale", tr("Scal&e the hair…"), {}, [&dialogs] { dialogs.showScaleHair(); }}});
+    actions.find(QLatin1StringView("hair.scale"))
+        ->setToolTip(tr("Makes all hair of the active group longer, denser or more widely curled by a percentage; a "
+                        "map's range alone changes no hair"));
+    addSeparator();
+    actions.add(*this,
+                {{"hair.addGroup", tr("&Add hair group…"), {}, [&sidebar] { sidebar.askWhatGrows(); }, "group-add"},
+                 {.id = "hair.face",
+                  .text = tr("&Brows and lashes"),
+                  .run = [this] { m_faceHair.toggle(); },
+                  .on = [this] { return m_faceHair.shown(); }},
+                 {.id = "hair.removeGroup",
+                  .text = tr("Remo&ve hair group"),
+                  .run = [&sidebar] { sidebar.hair().removeGroup(); },
+                  .enabled = [&session] { return session.document().committed().groups.size() > 1; }}});
+    addSeparator();
+    actions.add(*this, {{"hair.saveStyle", tr("&Save style…"), {}, [&exchange] { exchange.styles().save(); }}});
+}
+
+void HairMenu::addWeather(ActionSet& actions, Session& session, view::HeadView& head, WindowDialogs& dialogs)
+{
+    const model::Document& document = session.document();
+    actions.add(
+        *this,
+        {{.id = "hair.wind",
+          .text = tr("&Wind blows"),
+          .keys = {Qt::Key_W},
+          .run = [&session] { session.toggleWind(); },
+          .icon = "wind",
+          .on = [&document] { return document.project().wind.enabled; }},
+         {"hair.windDialog", tr("W&ind settings…"), {Qt::SHIFT | Qt::Key_W}, [&dialogs] { dialogs.showWind(); }},
+         {"hair.lightDialog", tr("&Light…"), {Qt::SHIFT | Qt::Key_L}, [&dialogs] { dialogs.showLight(); }, "light"},
+         {.id = "hair.weather",
+          .text = tr("Wind and lig&ht by keys"),
+          .keys = {Qt::Key_F7},
+          .run = [&head] { head.setWeatherShown(!head.weatherShown()); },
+          .icon = "weather",
+          .on = [&head] { return head.weatherShown(); }}});
+}
+
+void HairMenu::addSkin(ActionSet& actions, Session& session)
+{
+    QMenu* menu = addMenu(tr("S&kin tone"));
+    model::Document& document = session.document();
+    for (const model::SkinLook& look : model::skinLooks()) {
+        const QByteArray id = QByteArray("hair.skin.") + look.id;
+        actions.add(*menu, {{.id = id,
+                             .text = look.titleText(),
+                             .run = [&document, tone = look.tone] { document.push(setSkinCommand(document, tone)); },
+                             .on = [&document, tone = look.tone] { return document.project().skin == tone; }}});
+    }
+}
+
+void HairMenu::addSimulation(ActionSet& actions, Session& session)
+{
+    actions.add(*this, {{.id = "hair.pause",
+                         .text = tr("&Pause"),
+                         .keys = {Qt::Key_F8},
+                         .run = [&session] { session.setPaused(!session.paused()); },
+                         .icon = "pause",
+                         .on = [&session] { return session.paused(); }},
+                        {"hair.reset",
+                         tr("&Reset the simulation"),
+                         {Qt::SHIFT | Qt::Key_F8},
+                         [&session] { session.resetHair(); },
+                         "reset"}});
+}
+
+void HairMenu::addColliders(ActionSet& actions, Session& session, view::HeadView& head)
+{
+    actions.add(*this, {{.id = "hair.addCollider",
+                         .text = tr("Add &collider here"),
+                         .run = [&head] { head.addCollider(); },
+                         .enabled =
+                             [&session] {
+                                 const model::Project& project = session.document().project();
+                                 return project.head && project.ellipsoids.size() < model::kMostEllipsoids;
+                             }},
+                        {.id = "hair.removeCollider",
+                         .text = tr("Remove c&ollider"),
+                         .run = [&head] { head.removeCollider(); },
+                         .enabled = [&session] { return session.editor().chosenCollider().has_value(); }}});
+    actions.find(QLatin1StringView("hair.addCollider"))
+        ->setToolTip(tr("An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most")
+                         .arg(model::kMostEllipsoids));
+}
+
+void HairMenu::addMotions(ActionSet& actions, Session& session, view::HeadView& head)
+{
+    QMenu* menu = addMenu(tr("&Move the head"));
+    menu->setToolTipsVisible(true);
+    const auto motion = [&](const char* id, const QString& text, const QString& toolTip, sim::NeckMotion motion) {
+        actions.add(*menu, {{.id = id,
+                             .text = text,
+                             .run = [&head, motion] { head.moveHead(motion); },
+                             .enabled = [&session] { return !session.paused(); }}});
+        actions.find(QLatin1StringView(id))->setToolTip(toolTip);
+    };
+    motion("hair.nod", tr("&Nod"), tr("Twice down and up, so that the hair swings"), sim::NeckMotion::Nod);
+    motion("hair.shake", tr("&Shake"), tr("Twice to both sides, so that the hair swings"), sim::NeckMotion::Shake);
+    motion("hair.turn", tr("&Turn"), tr("Slowly to one side and the other, so that the hair swings"),
+           sim::NeckMotion::Turn);
+}
+
+} // namespace hairpaint::app

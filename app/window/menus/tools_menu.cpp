@@ -1,0 +1,48 @@
+// The Tools menu: see the header.
+#include "app/window/menus/tools_menu.h"
+
+#include "app/window/physical_keys.h"
+#include "view/widgets/value_pair.h"
+
+#include <algorithm>
+
+namespace hairpaint::app {
+
+namespace {
+
+void changeBrushSize(view::EditorState& editor, float factor)
+{
+    model::ToolSettings settings = editor.toolSettings();
+    settings.brushSizeM = std::clamp(settings.brushSizeM * factor, 0.001F, 0.3F);
+    editor.setToolSettings(settings);
+}
+
+} // namespace
+
+ToolsMenu::ToolsMenu(const QString& title, ActionSet& actions, view::EditorState& editor, QWidget* parent)
+    : QMenu(title, parent)
+{
+    for (const auto& tool : editor.tools()) {
+        const char* name = model::toolName(tool->id());
+        const auto choose = [&editor, tool = tool->id()] {
+            if (tool == model::ToolId::Eraser)
+                editor.toggleTool(tool);
+            else
+                editor.setActiveTool(tool);
+        };
+        actions.add(*this, {{QByteArray("tool.") + name, tool->title(), {tool->defaultKey()}, choose, name}});
+    }
+    addSeparator();
+    actions.add(*this,
+                {{"tool.swapValues", tr("S&wap values"), {Qt::Key_X}, [&editor] { view::swapValues(editor); }},
+                 {"tool.resetValues", tr("&Reset values"), {Qt::Key_D}, [&editor] { view::resetValues(editor); }},
+                 {"tool.smaller",
+                  tr("S&maller brush"),
+                  {usualKey(PhysicalKey::BracketLeft)},
+                  [&editor] { changeBrushSize(editor, 1.0F / 1.15F); }},
+                 {"tool.larger", tr("&Larger brush"), {usualKey(PhysicalKey::BracketRight)}, [&editor] {
+                      changeBrushSize(editor, 1.15F);
+                  }}});
+}
+
+} // namespace hairpaint::app

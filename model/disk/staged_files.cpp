@@ -1,0 +1,136 @@
+// Renaming from a folder on the same disk.
+#include "model/disk/staged_files.h"
+
+#include "model/disk/staged_names.h"
+#include "model/disk/staged_sweep.h"
+#include "model/values/sentences.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <filesystem>
+#include <system_error>
+
+namespace hairpaint::model {
+
+namespace {
+
+/// Over what lies there. A clause on what went wrong; empty where nothing did.
+QString moveFile(const QString& from, const QString& to)
+{
+    std::error_code problem;
+    std::filesystem::rename(QFileInfo(from).filesystemFilePath(), QFileInfo(to).filesystemFilePath(), problem);
+    return problem ? writeRefusal(QString::fromLocal8Bit(problem.message())) : QString();
+}
+
+/// Gives it a second name, so that its place is never empty; the first goes where a disk knows no such names.
+QString keepFile(const QString& file, const QString& as)
+{
+    std::error_code problem;
+    std::filesystem::create_hard_link(QFileInfo(file).filesystemFilePath(), QFileInfo(as).filesystemFilePath(),
+                                      problem);
+    return problem ? moveFile(file, as) : QString();
+}
+
+} // namespace
+
+StagedFiles::StagedFiles(const QString& folder)
+{
+    (void)sweepStaged(folder);
+    for (int tries = 0; tries < kStagedNameTries && m_folder.isEmpty(); ++tries)
+        if (const QString path = stagedNameIn(folder); makeFolder(path))
+            m_folder = path;
+}
+
+bool StagedFiles::makeFolder(const QString& path)
+{
+    std::error_code problem;
+    std::filesystem::create_directory(QFileInfo(path).filesystemFilePath(), problem);
+    if (problem) {
+        m_problem = writeRefusal(QString::fromLocal8Bit(problem.message()));
+        return false;
+    }
+    m_lock.setFileName(path + QLatin1Char('/') + kLockName);
+    if (m_lock.open(QIODevice::WriteOnly | QIODevice::NewOnly)) {
+        holdStaged(m_lock);
+        if (m_lock.exists())
+            return true;
+        m_lock.close(); // Somebody who sweeps was between the two.
+    } else {
+        m_problem = writeRefusal(m_lock.errorString());
+    }
+    (void)QDir().rmdir(path);
+    return false;
+}
+
+StagedFiles::~StagedFiles()
+{
+    if (m_folder.isEmpty())
+        return;
+    for (const QString& name : m_names)
+        (void)QFile::remove(stagedPath(name));
+    for (qsizetype i = 0; i < m_asideCount; ++i)
+        (void)QFile::remove(asideFor(i));
+    (void)QDir().rmdir(stagedPath(kAsideName));
+    (void)m_lock.remove();
+    (void)QDir().rmdir(m_folder);
+}
+
+Result<void> StagedFiles::check(const QString& place) const
+{
+    if (!m_folder.isEmpty())
+        return {};
+    return cannotWrite(place, {.text = m_problem});
+}
+
+QString StagedFiles::stagedPath(const QString& name) const
+{
+    return m_folder + QLatin1Char('/') + name;
+}
+
+QString StagedFiles::pathFor(const QString& place)
+{
+    const QString name = QFileInfo(place).fileName();
+    if (!m_names.contains(name))
+        m_names += name;
+    return stagedPath(name);
+}
+
+Error StagedFiles::named(Error error, const QString& place) const
+{
+    error.message.replace(shownPath(stagedPath(QFileInfo(place).fileName())), shownPath(place));
+    return error;
+}
+
+Result<void> StagedFiles::publish(const QStringList& places)
+{
+    // What lies there is put aside first, so that it can be put back.
+    if (!QDir().mkpath(stagedPath(kAsideName)))
+        return cannotWrite(places.front(), {.text = writeRefusal(qt_error_string())});
+    qsizetype& aside = m_asideCount;
+    qsizetype placed = 0;
+    QString problem;
+    for (; aside < places.size() && problem.isEmpty(); ++aside)
+        if (QFileInfo::exists(places[aside]))
+            problem = keepFile(places[aside], asideFor(aside));
+    for (; placed < places.size() && problem.isEmpty(); ++placed)
+        problem = moveFile(pathFor(places[placed]), places[placed]);
+    if (problem.isEmpty())
+        return {};
+    const QString& failed = places[placed > 0 ? placed - 1 : aside - 1];
+    for (qsizetype i = 0; i < aside; ++i) {
+        if (QFileInfo::exists(asideFor(i)))
+            (void)moveFile(asideFor(i), places[i]);
+        else if (i < placed)
+            (void)QFile::remove(places[i]);
+    }
+    return cannotWrite(failed, {.text = problem});
+}
+
+QString StagedFiles::asideFor(qsizetype number) const
+{
+    return stagedPath(QStringLiteral("%1/%2").arg(kAsideName).arg(number));
+}
+
+} // namespace hairpaint::model

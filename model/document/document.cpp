@@ -1,0 +1,383 @@
+// Committed content, at most one running edit's preview over it, and the maps resolved from whichever of the two is
+// shown.
+#include "model/document/document.h"
+
+#include "model/document/restored_step.h"
+#include "model/document/running_edit.h"
+#include "model/document/undo_budget.h"
+#include "model/project/content_budget.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace hairpaint::model {
+
+namespace {
+
+bool touchesMaps(Change::Aspect aspect)
+{
+    return aspect != Change::Aspect::Settings && aspect != Change::Aspect::Environment;
+}
+
+bool namesOneMap(Change::Aspect aspect)
+{
+    return aspect == Change::Aspect::Texels || aspect == Change::Aspect::LayerList;
+}
+
+} // namespace
+
+struct Document::State
+{
+    Project committed;
+    std::optional<RunningEdit> running;
+    bool committing = false; ///< The running edit's command is being made and pushed.
+    std::uint64_t sessions = 0;
+    std::uint64_t revision = 1;
+    QUndoStack undoStack;
+    UndoBudget undoBudget;
+    MapResolver resolver; ///< Of what is shown.
+
+    explicit State(Project project) : committed(std::move(project)), resolver(committed) {}
+
+    const Project& shown() const { return running ? running->shown : committed; }
+    /// The user changes something that is not committed yet. What is only looked at is no change.
+    bool changing() const { return running && running->owner.policy == EditPolicy::Commit; }
+
+    void resolveFor(const Change& change)
+    {
+        const HairGroup* group = shown().group(change.group);
+        if (namesOneMap(change.aspect) && group != nullptr)
+            resolver.update(shown(), *group, change.map);
+        else if (touchesMaps(change.aspect))
+            resolver.update(shown());
+    }
+};
+
+Document::Document(Project project, QObject* parent)
+    : QObject(parent), m_state(std::make_unique<State>(std::move(project)))
+{
+    connect(&m_state->undoStack, &QUndoStack::cleanChanged, this,
+            [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
+}
+
+Document::~Document()
+{
+    m_state->undoStack.disconnect(this);
+}
+
+const Project& Document::project() const
+{
+    return m_state->shown();
+}
+
+const Project& Document::committed() const
+{
+    return m_state->committed;
+}
+
+QUndoStack& Document::undoStack()
+{
+    return m_state->undoStack;
+}
+
+bool Document::canUndo() const
+{
+    return m_state->changing() || m_state->undoStack.index() > m_state->undoBudget.floor();
+}
+
+void Document::setUndoBudget(std::size_t bytes)
+{
+    m_state->undoBudget.setLimit(m_state->undoStack, bytes);
+}
+
+bool Document::modified() const
+{
+    return !m_state->undoStack.isClean();
+}
+
+void Document::markSaved()
+{
+    m_state->undoStack.setClean();
+}
+
+void Document::replace(Project project)
+{
+    // First, for want of memory shows here, and then the old content must be whole.
+    ResolvedMaps resolved(project);
+    replace(std::move(project), std::move(resolved));
+}
+
+void Document::replace(Project project, ResolvedMaps resolved)
+{
+    const bool ended = std::exchange(m_state->running, std::nullopt).has_value();
+    m_state->committed = std::move(project);
+    m_state->resolver.replace(std::move(resolved));
+    m_state->undoStack.clear();
+    m_state->undoBudget.reset();
+    tell(Change{}, false);
+    if (ended)
+        Q_EMIT editEnded();
+}
+
+void Document::restore(const RecoveredWork& work, ResolvedMaps resolved)
+{
+    replace(work.steps.at(work.current).project, std::move(resolved));
+    const auto dormant = std::make_shared<bool>(true);
+    for (std::size_t i = 1; i < work.steps.size(); ++i)
+        push(std::make_unique<RestoredStep>(*this, work.steps[i].step, work.steps[i - 1].project, work.steps[i].project,
+                                            dormant));
+    m_state->undoStack.setIndex(static_cast<int>(work.current));
+    m_state->undoStack.resetClean();
+    *dormant = false;
+}
+
+std::shared_ptr<const sim::TiledRaster> Document::resolved(Id group, MapKind map) const
+{
+    return m_state->resolver.maps().map(group, map);
+}
+
+void Document::resolveIn(MapResolver::Background background)
+{
+    m_state->resolver.setBackground(std::move(background),
+                                    [this](const ResolvedMaps::Addresses& maps) { tellResolved(maps); });
+}
+
+bool Document::resolving() const
+{
+    return m_state->resolver.underway();
+}
+
+std::shared_ptr<const sim::TiledRaster> Document::resolvedNow(Id group, MapKind map)
+{
+    tellResolved(m_state->resolver.finish());
+    return resolved(group, map);
+}
+
+std::uint64_t Document::revision() const
+{
+    return m_state->revision;
+}
+
+sim::GroomInput Document::groomInput() const
+{
+    const Project& shown = project();
+    sim::GroomInput input;
+    if (shown.head != nullptr) {
+        input.skin = shown.head->skin;
+        input.distances = shown.head->distances;
+        input.naturalDirection = shown.head->naturalDirection;
+        if (shown.head->landmarks)
+            input.neck = sim::neckOf(shown.head->landmarks, shown.head->skin->mesh());
+    }
+    input.colliders = shown.ellipsoids;
+    input.seed = shown.seed;
+    input.maxHairs = shown.maxHairs;
+    input.revision = m_state->revision;
+    input.preview = previewing();
+    for (const HairGroup& group : shown.groups) {
+        if (resolved(group.id, MapKind::Density) == nullptr)
+            continue; // Its maps are on their way.
+        sim::GroomInput::Group& one = input.groups.emplace_back();
+        one.id = group.id;
+        one.visible = group.visible;
+        one.settings = group.settings;
+        for (const MapSpec& spec : mapSpecs())
+            one.maps[spec.kind] = resolved(group.id, spec.kind);
+    }
+    return input;
+}
+
+void Document::apply(const Change& change, const std::function<void(Project&)>& edit)
+{
+    State& state = *m_state;
+    // A running edit makes room for what is applied: its own command, or an undo that knows nothing of it.
+    std::optional<RunningEdit> over = std::exchange(state.running, std::nullopt);
+    if (over)
+        over->shown = {}; // Shares maps, which would be copied to be written.
+    edit(state.committed);
+    // Resolving compares tile pointers, so what a preview already showed costs nothing here.
+    if (over)
+        state.resolver.update(state.shown());
+    else
+        state.resolveFor(change);
+    if (over)
+        for (const Change& shown : over->changes())
+            if (!covers(change, shown))
+                tell(shown, true);
+    tell(change, false);
+    if (over)
+        Q_EMIT editEnded();
+}
+
+void Document::setWindOn(bool on)
+{
+    State& state = *m_state;
+    if (state.committed.wind.enabled == on && project().wind.enabled == on)
+        return;
+    state.committed.wind.enabled = on;
+    if (state.running)
+        state.running->shown.wind.enabled = on;
+    tell({.aspect = Change::Aspect::Environment}, previewing());
+}
+
+EditSession Document::begin(EditOwner owner)
+{
+    endEdit();
+    State& state = *m_state;
+    state.running = RunningEdit{
+        .session = ++state.sessions, .owner = std::move(owner), .shown = state.committed, .parts = {}, .tiles = {}};
+    return {*this, state.running->session};
+}
+
+void Document::show(EditSession& session, const EditOwner& owner, const Change& change,
+                    const std::function<void(Project&)>& edit)
+{
+    if (!session.active())
+        session = begin(owner);
+    session.preview(change, edit);
+}
+
+void Document::endEdit()
+{
+    if (m_state->committing)
+        return;
+    if (m_state->changing())
+        commitEdit();
+    else
+        dropEdit();
+}
+
+bool Document::mayBecome(const Project& after)
+{
+    const ContentExcess excess = excessOver(m_state->committed.groups, after.groups);
+    if (excess == ContentExcess::None)
+        return true;
+    Q_EMIT refused(excessText(excess));
+    return false;
+}
+
+void Document::settle()
+{
+    if (m_state->changing())
+        endEdit();
+}
+
+bool Document::runs(std::uint64_t session) const
+{
+    return m_state->running && m_state->running->session == session;
+}
+
+void Document::preview(const Change& change, const std::function<void(Project&)>& edit)
+{
+    State& state = *m_state;
+    state.running->showPart(state.committed, {.change = change, .edit = edit});
+    state.resolveFor(change);
+    tell(change, true);
+}
+
+void Document::previewTiles(const LayerAddress& address, const LayerTiles& tiles)
+{
+    State& state = *m_state;
+    if (state.committed.layer(address.group, address.map, address.layer) == nullptr)
+        return;
+    const std::optional<Change> change = state.running->showTiles(address, tiles);
+    if (!change)
+        return;
+    state.resolver.updateTiles(project(), address, change->tiles);
+    tell(*change, true);
+}
+
+void Document::setEditText(const QString& text)
+{
+    m_state->running->owner.text = text;
+}
+
+void Document::commitEdit()
+{
+    State& state = *m_state;
+    if (!state.running || state.committing)
+        return;
+    state.committing = true;
+    CommandPtr command = state.running->command(*this);
+    const bool changes = command != nullptr;
+    push(std::move(command)); // Its redo() takes the place of what is shown.
+    state.committing = false;
+    if (!changes)
+        dropEdit();
+}
+
+void Document::dropEdit()
+{
+    State& state = *m_state;
+    if (!state.running || state.committing)
+        return;
+    const RunningEdit over = std::move(*state.running);
+    state.running.reset();
+    const std::vector<Change> changes = over.changes();
+    for (const Change& change : changes)
+        state.resolveFor(change);
+    for (const Change& change : changes)
+        tell(change, true);
+    Q_EMIT editEnded();
+}
+
+bool Document::previewing() const
+{
+    return m_state->running && m_state->running->showsSomething();
+}
+
+void Document::tell(Change change, bool preview)
+{
+    change.preview = preview;
+    ++m_state->revision;
+    Q_EMIT changed(change);
+}
+
+void Document::tellResolved(const ResolvedMaps::Addresses& maps)
+{
+    for (const auto& [group, map] : maps)
+        tell({.aspect = Change::Aspect::Resolved, .group = group, .map = map}, previewing());
+}
+
+void Document::undo()
+{
+    if (m_state->running) {
+        // By value: it may end the edit that holds it.
+        const std::function<bool()> stepBack = m_state->running->owner.stepBack;
+        if (stepBack != nullptr && stepBack()) {
+            Q_EMIT editSteppedBack();
+            return;
+        }
+        const bool changing = m_state->changing();
+        dropEdit();
+        if (changing)
+            return;
+    }
+    if (!canUndo())
+        return;
+    const QString name = m_state->undoStack.undoText();
+    m_state->undoStack.undo();
+    Q_EMIT undone(name);
+}
+
+void Document::redo()
+{
+    endEdit();
+    if (!m_state->undoStack.canRedo())
+        return;
+    const QString name = m_state->undoStack.redoText();
+    m_state->undoStack.redo();
+    Q_EMIT redone(name);
+}
+
+void Document::push(std::unique_ptr<QUndoCommand> command)
+{
+    if (command == nullptr)
+        return;
+    endEdit();
+    m_state->undoStack.push(command.release());
+    m_state->undoBudget.pushed(m_state->undoStack);
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,30 @@
+// What a journal keeps of a moment.
+#pragma once
+
+#include "model/project/project.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace hairpaint::model {
+
+/// The committed content after one step of the undo history, and where in it that is.
+struct JournalState
+{
+    Project project;
+    QString path;      ///< Of the project's file; empty where it was never saved.
+    QString step;      ///< What undo calls the step that led here.
+    int index = 0;     ///< Steps that undo would take back.
+    int count = 0;     ///< Steps that the history holds, those that were undone included.
+    qint64 timeMs = 0; ///< Since 1970, UTC.
+};
+
+/// What a journal gives back.
+struct RecoveredWork
+{
+    std::vector<JournalState> steps; ///< Neighbours in the history, oldest first; one at least.
+    std::size_t current = 0;         ///< The one that was shown last.
+};
+
+} // namespace hairpaint::model

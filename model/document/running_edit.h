@@ -1,0 +1,31 @@
+// What a running edit session shows, as the document keeps it.
+#pragma once
+
+#include "model/document/edit_command.h"
+
+#include <map>
+#include <optional>
+
+namespace hairpaint::model {
+
+/// Committed content with its parts edited and its tiles in place.
+struct RunningEdit
+{
+    std::uint64_t session = 0;
+    EditOwner owner;
+    Project shown;
+    std::vector<ShownPart> parts;
+    std::map<LayerAddress, std::map<int, sim::RasterTilePtr>> tiles;
+
+    [[nodiscard]] bool showsSomething() const { return !parts.empty() || !tiles.empty(); }
+    /// Puts `part` over the committed content, in place of the one of the same part of the content.
+    void showPart(const Project& committed, ShownPart part);
+    /// The change to tell; none where the layer is not there.
+    std::optional<Change> showTiles(const LayerAddress& address, const LayerTiles& tiles);
+    /// Everything that was told of it.
+    [[nodiscard]] std::vector<Change> changes() const;
+    /// Gives committed content the bytes that are shown. Null where nothing differs.
+    [[nodiscard]] CommandPtr command(Document& document) const;
+};
+
+} // namespace hairpaint::model

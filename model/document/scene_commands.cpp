@@ -1,0 +1,101 @@
+// Wind, light, background, skin and the head.
+#include "model/document/command_texts.h"
+#include "model/document/edit_command.h"
+
+namespace hairpaint::model {
+
+namespace {
+
+CommandPtr environmentCommand(Document& document, const QString& text, std::function<void(Project&)> edit)
+{
+    return editCommand(document, {.aspect = Change::Aspect::Environment}, text, std::move(edit));
+}
+
+/// Whether the committed content differs in that member from `value`. Ends what runs only where it matters: a wish for
+/// what is there already must not end a stroke.
+template<typename Member, typename Value>
+bool differs(Document& document, Member member, const Value& value)
+{
+    if (document.committed().*member == value && document.project().*member == value)
+        return false;
+    document.endEdit();
+    return !(document.committed().*member == value);
+}
+
+} // namespace
+
+QString windStepText()
+{
+    return Commands::tr("Change wind");
+}
+
+QString lightStepText()
+{
+    return Commands::tr("Change light");
+}
+
+QString backgroundStepText()
+{
+    return Commands::tr("Change background");
+}
+
+CommandPtr setWindCommand(Document& document, const sim::Wind& wind)
+{
+    if (!differs(document, &Project::wind, blowingAs(document.committed().wind, wind)))
+        return nullptr;
+    return environmentCommand(document, windStepText(),
+                              [wind](Project& project) { project.wind = blowingAs(project.wind, wind); });
+}
+
+CommandPtr setLightCommand(Document& document, const LightSettings& light)
+{
+    if (!differs(document, &Project::light, light))
+        return nullptr;
+    return environmentCommand(document, lightStepText(), [light](Project& project) { project.light = light; });
+}
+
+CommandPtr setBackgroundCommand(Document& document, QRgb background)
+{
+    if (!differs(document, &Project::background, background))
+        return nullptr;
+    return environmentCommand(document, backgroundStepText(),
+                              [background](Project& project) { project.background = background; });
+}
+
+CommandPtr setSkinCommand(Document& document, SkinTone skin)
+{
+    if (!differs(document, &Project::skin, skin))
+        return nullptr;
+    return environmentCommand(document, Commands::tr("Change skin tone"),
+                              [skin](Project& project) { project.skin = skin; });
+}
+
+CommandPtr setEllipsoidsCommand(Document& document, std::vector<sim::Ellipsoid> ellipsoids, const QString& text)
+{
+    if (ellipsoids.size() > kMostEllipsoids || !differs(document, &Project::ellipsoids, ellipsoids))
+        return nullptr;
+    return environmentCommand(
+        document, text, [ellipsoids = std::move(ellipsoids)](Project& project) { project.ellipsoids = ellipsoids; });
+}
+
+CommandPtr setHeadCommand(Document& document, std::shared_ptr<const Head> head, std::vector<sim::Ellipsoid> ellipsoids,
+                          std::optional<std::vector<HairGroup>> groups)
+{
+    if (document.committed().head == head)
+        return nullptr;
+    const auto setHead = [head = std::move(head), ellipsoids = std::move(ellipsoids)](Project& project) {
+        project.head = head;
+        project.ellipsoids = ellipsoids;
+    };
+    Change change;
+    change.aspect = Change::Aspect::Head;
+    std::vector<ShownPart> parts;
+    parts.push_back({change, setHead});
+    if (groups) {
+        change.aspect = Change::Aspect::GroupList;
+        parts.push_back({change, [groups = std::move(*groups)](Project& project) { project.groups = groups; }});
+    }
+    return shownEditCommand(document, parts, {}, Commands::tr("Change head"));
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,48 @@
+// What an edit of the document touched, as the document tells of it.
+#pragma once
+
+#include "model/project/map_spec.h"
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace hairpaint::model {
+
+using Id = int; ///< From a counter that the file keeps; unique within the project; 0 is none.
+
+struct LayerAddress
+{
+    Id group = 0;
+    MapKind map = MapKind::Density;
+    Id layer = 0;
+    // The compared 0 of a defaulted order is no pointer, whatever clang-tidy 14 takes it for.
+    friend auto operator<=>(const LayerAddress&, const LayerAddress&) = default; // NOLINT(modernize-use-nullptr)
+};
+
+/// What one edit touched. `aspect` says which of the other members mean something.
+struct Change
+{
+    enum class Aspect : std::uint8_t
+    {
+        Texels,      ///< group, map, layer, tiles
+        Resolved,    ///< group, map: what its layers give together has come; an earlier change told why
+        LayerList,   ///< group, map: layers added, removed, moved, renamed, or their properties; the map's size
+        GroupList,   ///< groups added, removed, renamed, reordered, shown
+        Settings,    ///< group: its settings
+        Environment, ///< wind, light, background, skin, ellipsoids
+        Head,
+        Everything ///< another project
+    };
+    Aspect aspect = Aspect::Everything;
+    Id group = 0;
+    MapKind map = MapKind::Density;
+    Id layer = 0;
+    std::vector<int> tiles = {}; ///< Of the map's raster, ascending; empty with Texels means all.
+    bool preview = false;        ///< Not committed yet, or a preview taken back.
+};
+
+/// Whether telling of `told` tells all that `change` says.
+[[nodiscard]] bool covers(const Change& told, const Change& change);
+
+} // namespace hairpaint::model

@@ -1,0 +1,200 @@
+// The table of a hair group's settings.
+#include "model/project/group_schema.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::model {
+
+namespace {
+
+using sim::GroupSettings;
+using sim::PhysicsSettings;
+using sim::StrandMaterial;
+using enum Affects;
+
+constexpr auto kShape = SettingSection::Shape;
+constexpr auto kBraid = SettingSection::Braid;
+constexpr auto kMotion = SettingSection::Physics;
+constexpr auto kLook = SettingSection::Look;
+
+constexpr double kLeastNodes = sim::kLeastNodes;
+constexpr double kMostNodes = sim::kMostNodes;
+constexpr double kBasisHairs = 4096.0;  ///< On the scalp, of a new group.
+constexpr double kMostBasisHairs = 1e6; ///< On the scalp.
+
+constexpr SettingChoice kTurnsModes[] = {{"per_hair", QT_TRANSLATE_NOOP("GroupSchema", "Turns per hair")},
+                                         {"per_length", QT_TRANSLATE_NOOP("GroupSchema", "Turns per length")}};
+
+/// In each section the ones first that most people reach for.
+constexpr GroupSetting kSettings[] = {
+    {"greatest_length_m", &GroupSettings::greatestLengthM, Hairs, kShape,
+     QT_TRANSLATE_NOOP("GroupSchema", "Greatest length"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Length where the length map is brightest"),
+     QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.001, 2.0, 0.1, 200.0, 1, 2.0F},
+    {"greatest_density_per_m2", &GroupSettings::greatestDensityPerM2, Hairs, kShape,
+     QT_TRANSLATE_NOOP("GroupSchema", "Greatest density"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Hairs where the density map is brightest"),
+     QT_TRANSLATE_NOOP("GroupSchema", "hairs/cm²"), 1e-4, 1e4, 4e6, 1.0, 400.0, 0, 2.0F},
+    {"hair_width_m", &StrandMaterial::widthM, Look, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Hair width"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Diameter of one hair"), QT_TRANSLATE_NOOP("GroupSchema", "µm"), 1e6, 1e-5, 1e-3,
+     10.0, 1000.0, 0, 2.0F},
+    {"greatest_curl_radius_m", &GroupSettings::greatestCurlRadiusM, Hairs, kShape,
+     QT_TRANSLATE_NOOP("GroupSchema", "Curl radius"), QT_TRANSLATE_NOOP("GroupSchema", "Greatest radius of a curl"),
+     QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0, 0.2, 0.0, 60.0, 1, 1.5F},
+    {.key = "turns_mode",
+     .member = &GroupSettings::turnsMode,
+     .affects = Hairs,
+     .section = kShape,
+     .label = QT_TRANSLATE_NOOP("GroupSchema", "Turns mode"),
+     .hint = QT_TRANSLATE_NOOP("GroupSchema", "What the turns of a curl are counted by"),
+     .unit = "",
+     .shownPerSi = 1.0,
+     .least = 0.0,
+     .greatest = 1.0,
+     .sliderLeast = 0.0,
+     .sliderGreatest = 1.0,
+     .choices = kTurnsModes},
+    {"turns_per_length_m", &GroupSettings::turnsPerLengthM, Hairs, kShape,
+     QT_TRANSLATE_NOOP("GroupSchema", "Turns are for"),
+     QT_TRANSLATE_NOOP("GroupSchema", "The length that the turns of a curl are for"),
+     QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.001, 10.0, 1.0, 100.0, 1, 2.0F},
+    {"stepped_turns", &GroupSettings::steppedTurns, Hairs, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Curl levels"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Whole curl levels only"), "", 1.0, 0.0, 1.0, 0.0, 1.0},
+    {"shortest_length_m", &GroupSettings::shortestLengthM, Hairs, kShape,
+     QT_TRANSLATE_NOOP("GroupSchema", "Shortest length"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Length where the length map is 0"), QT_TRANSLATE_NOOP("GroupSchema", "cm"),
+     100.0, 0.0, 2.0, 0.0, 50.0, 1, 2.0F},
+    {"nodes_per_hair", &GroupSettings::nodesPerHair, Hairs, kShape, QT_TRANSLATE_NOOP("GroupSchema", "Nodes per hair"),
+     QT_TRANSLATE_NOOP("GroupSchema", "More bend more finely and cost more"), "", 1.0, kLeastNodes, kMostNodes,
+     kLeastNodes, kMostNodes},
+    {.key = "basis_hairs",
+     .member = &GroupSettings::basisHairs,
+     .affects = Hairs,
+     .section = kShape,
+     .label = QT_TRANSLATE_NOOP("GroupSchema", "Simulated hairs"),
+     .hint = QT_TRANSLATE_NOOP("GroupSchema", "Of the whole scalp; the others follow the nearest of them"),
+     .unit = "",
+     .shownPerSi = 1.0,
+     .least = 256.0,
+     .greatest = 1e7,
+     .sliderLeast = 256.0,
+     .sliderGreatest = kMostBasisHairs,
+     .exponent = 4.0F,
+     .countsOnScalp = true},
+    {"braid_spacing_m", &GroupSettings::braidSpacingM, Hairs, kBraid, QT_TRANSLATE_NOOP("GroupSchema", "Spacing"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Distance between braids in one painted patch"),
+     QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.005, 2.0, 0.5, 60.0, 1, 2.0F},
+    {"braid_radius_m", &GroupSettings::braidRadiusM, Hairs, kBraid, QT_TRANSLATE_NOOP("GroupSchema", "Radius"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Thickness of a braid"), QT_TRANSLATE_NOOP("GroupSchema", "mm"), 1000.0, 0.0005,
+     0.2, 1.0, 50.0, 1, 1.5F},
+    {"physics.volume_m", &PhysicsSettings::volumeM, Hairs, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Volume"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Thickness of the whole coat of hair"), QT_TRANSLATE_NOOP("GroupSchema", "mm"),
+     1000.0, 0.0, 0.05, 0.0, 50.0, 1, 1.5F},
+    {"physics.stiffness_m", &PhysicsSettings::stiffnessM, Physics, kMotion,
+     QT_TRANSLATE_NOOP("GroupSchema", "Stands up to"),
+     QT_TRANSLATE_NOOP("GroupSchema", "A hair so long nearly carries itself; shorter hair stands, longer hair hangs"),
+     QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.0, 0.3, 0.0, 20.0, 1, 2.0F},
+    {"physics.gravity_scale", &PhysicsSettings::gravityScale, Physics, kMotion,
+     QT_TRANSLATE_NOOP("GroupSchema", "Gravity"), QT_TRANSLATE_NOOP("GroupSchema", "100 % is as on earth"), "%", 100.0,
+     0.0, 2.0, 0.0, 200.0},
+    {"physics.wind_scale", &PhysicsSettings::windScale, Physics, kMotion,
+     QT_TRANSLATE_NOOP("GroupSchema", "Moved by wind"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How strongly the wind takes this hair"), "%", 100.0, 0.0, 4.0, 0.0, 400.0, 0,
+     2.0F},
+    {"physics.damping_per_s", &PhysicsSettings::damping, Physics, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Damping"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How soon motion dies down"), QT_TRANSLATE_NOOP("GroupSchema", "per s"), 1.0, 0.0,
+     20.0, 0.0, 20.0, 1, 2.0F},
+    {"physics.friction", &PhysicsSettings::friction, Physics, kMotion, QT_TRANSLATE_NOOP("GroupSchema", "Friction"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How much hair sticks to the head"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"material.shine", &StrandMaterial::shine, Look, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Shine"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Strength of the highlights"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"material.roughness", &StrandMaterial::roughness, Look, kLook, QT_TRANSLATE_NOOP("GroupSchema", "Roughness"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Width of the highlights"), "%", 100.0, 0.05, 1.0, 5.0, 100.0},
+    {"material.colour_variation", &StrandMaterial::colourVariation, Look, kLook,
+     QT_TRANSLATE_NOOP("GroupSchema", "Colour variation"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Difference between neighbouring hairs"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"material.tip_alpha", &StrandMaterial::tipAlpha, Look, kLook,
+     QT_TRANSLATE_NOOP("GroupSchema", "Opacity at the tip"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Less makes hair thin out"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"material.root_alpha", &StrandMaterial::rootAlpha, Look, kLook,
+     QT_TRANSLATE_NOOP("GroupSchema", "Opacity at the root"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Less lets the skin show through"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+};
+
+/// The part of the settings that a member belongs to.
+template<typename Settings, typename T>
+auto& memberOf(Settings& settings, T GroupSettings::*member)
+{
+    return settings.*member;
+}
+template<typename Settings>
+auto& memberOf(Settings& settings, float PhysicsSettings::*member)
+{
+    return settings.physics.*member;
+}
+template<typename Settings>
+auto& memberOf(Settings& settings, float StrandMaterial::*member)
+{
+    return settings.material.*member;
+}
+
+} // namespace
+
+double GroupSetting::read(const GroupSettings& settings) const
+{
+    return std::visit([&](auto one) { return static_cast<double>(memberOf(settings, one)); }, member);
+}
+
+void GroupSetting::write(GroupSettings& settings, double value) const
+{
+    std::visit(
+        [&](auto one) {
+            auto& field = memberOf(settings, one);
+            using Field = std::remove_reference_t<decltype(field)>;
+            if constexpr (std::is_same_v<Field, float>)
+                field = static_cast<float>(value);
+            else
+                field = static_cast<Field>(std::lround(value));
+        },
+        member);
+}
+
+double GroupSetting::shown(const GroupSettings& settings, double scalpFraction) const
+{
+    return countsOnScalp ? std::floor(read(settings) * scalpFraction) : read(settings) * shownPerSi;
+}
+
+void GroupSetting::writeShown(GroupSettings& settings, double value, double scalpFraction) const
+{
+    write(settings, std::clamp(countsOnScalp ? std::ceil(value / scalpFraction) : value / shownPerSi, least, greatest));
+}
+
+GroupSettings newGroupSettings(double scalpFraction)
+{
+    GroupSettings settings;
+    groupSetting(QLatin1StringView("basis_hairs")).writeShown(settings, kBasisHairs, scalpFraction);
+    return settings;
+}
+
+std::span<const GroupSetting> groupSchema()
+{
+    return kSettings;
+}
+
+const GroupSetting& groupSetting(QLatin1StringView key)
+{
+    const auto* found =
+        std::ranges::find_if(kSettings, [&](const GroupSetting& row) { return key == QLatin1StringView(row.key); });
+    Q_ASSERT(found != std::end(kSettings));
+    return *found;
+}
+
+QString schemaText(const char* text)
+{
+    return *text == '\0' ? QString() : QCoreApplication::translate("GroupSchema", text);
+}
+
+} // namespace hairpaint::model

@@ -1,0 +1,27 @@
+// A hairstyle: what `.hairpreset` files hold and the style strip shows.
+#pragma once
+
+#include "model/project/project.h"
+
+#include <QImage>
+#include <QStringList>
+
+namespace hairpaint::model {
+
+/// One flattened raster a map (in a stack of one layer) and the settings, for one or more groups.
+struct Preset
+{
+    QString name;
+    QStringList tags;
+    QString folder;                ///< "" for built-in ones; the user's own carry the file's path.
+    std::vector<HairGroup> groups; ///< Ids are local to the preset.
+    /// On whose layout the maps lie; null where it is not known. Applied to a project on another head, the style is
+    /// carried there (style_transfer.h).
+    std::shared_ptr<const Head> head;
+    QImage picture; ///< 96 px and more a side; null where none was saved.
+};
+
+/// Flattens every stack of every group of a project.
+[[nodiscard]] Preset presetFrom(const Project& project, const QString& name);
+
+} // namespace hairpaint::model

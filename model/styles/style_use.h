@@ -1,0 +1,56 @@
+// What of a style is put on a head, and what of the head's hair stays.
+#pragma once
+
+#include "model/styles/preset.h"
+
+#include <QString>
+
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+enum class StylePart : std::uint8_t
+{
+    All,
+    Colour,
+    Cut, ///< Length, and where and how densely hair grows.
+    Curl
+};
+
+/// A row of the table of parts. A map or a setting that no row names comes with the whole style alone.
+struct StylePartSpec
+{
+    StylePart part;
+    const char* title; ///< In menus, to be translated in context "StyleParts", as is the next.
+    const char* step;  ///< What undo says; %1 is the style's name.
+    std::span<const MapKind> maps = {};
+    std::span<const char* const> settings = {}; ///< Keys of groupSchema().
+    [[nodiscard]] QString titleText() const;    ///< Translated.
+};
+[[nodiscard]] std::span<const StylePartSpec> styleParts(); ///< In the order of StylePart.
+[[nodiscard]] const StylePartSpec& stylePart(StylePart part);
+
+struct StyleUse
+{
+    StylePart part = StylePart::All;
+    std::vector<Id> kept = {}; ///< Groups of the project that stay, though the style has one of their name.
+};
+
+/// Whether anything of the group's density is above 0.
+[[nodiscard]] bool growsHair(const HairGroup& group);
+
+/// Groups of the project that the style has one of the same name for. A style is about its groups that grow hair, or,
+/// where none does, about all of them: a bald head saved with a beard is a beard.
+[[nodiscard]] std::vector<Id> groupsReplaced(const Project& project, const Preset& preset);
+/// Those of them that grow hair and that the style is not evidently about: neither the scalp nor the one place on the
+/// face that a style of a single group is for.
+[[nodiscard]] std::vector<Id> groupsContested(const Project& project, const Preset& preset);
+
+/// Replaces the groups that a preset is about by its own, or a part of them; a group of that name keeps its id and its
+/// place in the list, all others stay as they are.
+void applyPreset(Project& project, const Preset& preset, const StyleUse& use = {});
+/// What undo calls it.
+[[nodiscard]] QString applyPresetText(const Preset& preset, StylePart part = StylePart::All);
+
+} // namespace hairpaint::model

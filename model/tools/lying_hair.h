@@ -1,0 +1,56 @@
+// How the hair that is drawn lies at its roots, told as a direction map tells it.
+#pragma once
+
+#include "model/values/progress.h"
+#include "sim/motion/strand_frame.h"
+#include "sim/skin/distance_grid.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hairpaint::model {
+
+/// One hair. `direction`: in the frame of its root, its length the cosine of the angle to the skin.
+struct LyingHair
+{
+    glm::vec2 uv{0.0F};
+    glm::vec2 direction{0.0F};
+};
+
+/// Every drawn hair of a group in that moment: the way from the root to the place 2 cm along it, of hair shorter than
+/// 6 cm a third along. Empty where the group is hidden. About 10 ms for 100,000 hairs; any thread.
+[[nodiscard]] std::vector<LyingHair> lyingHairs(const sim::GroupFrame& group, const sim::HeadPose& pose);
+
+/// The same where hair lies on skin further on, as over the neck: of about `most` hairs of the group, for those nodes
+/// that are close over the skin; about 15 ms for a thousand. `distances`: of that skin, which spares most nodes a
+/// search; null where there are none. Uses parallelFor.
+[[nodiscard]] std::vector<LyingHair> hairsFurtherOn(const sim::GroupFrame& group, const sim::HeadPose& pose,
+                                                    const sim::DistanceGrid* distances, std::size_t most = 4000);
+
+/// What they tell at every place near them: the mean of the nearest, of a few millimetres where they are dense and of
+/// more where they are sparse. Immutable.
+class LyingField
+{
+public:
+    /// `further`: hairsFurtherOn(), or none.
+    explicit LyingField(std::span<const LyingHair> hairs, std::span<const LyingHair> further = {});
+
+    /// None far from every hair, where nearness() is 0, too.
+    [[nodiscard]] std::optional<glm::vec2> at(glm::vec2 uv) const;
+    /// 1 where there is hair, falling to 0 over 1/64 of the layout's side around it.
+    [[nodiscard]] float nearness(glm::vec2 uv) const;
+    /// The same of roots alone.
+    [[nodiscard]] float nearnessOfRoots(glm::vec2 uv) const;
+
+private:
+    static constexpr int kCells = 512; ///< A side.
+    static constexpr int kNearCells = 64;
+    [[nodiscard]] static float softly(const std::vector<float>& cells, glm::vec2 uv);
+
+    /// [kNearCells][kNearCells]: 1 where a hair, or a root, is in the cell or in one beside it.
+    std::vector<float> m_near, m_nearRoots;
+    std::vector<glm::vec3> m_cells; ///< Mean direction and mean length; a length below 0: no hair is near.
+};
+
+} // namespace hairpaint::model

@@ -1,0 +1,103 @@
+// What tools can be set to, as rows. Each tool names its rows; the option bar and the file of settings read them.
+#pragma once
+
+#include "model/tools/tool_settings.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <cstdint>
+#include <span>
+#include <variant>
+
+namespace hairpaint::model {
+
+/// The value that the active map is painted with. The option bar knows how; it is not kept between starts.
+struct ToolValue
+{};
+
+/// A slider over a number of the settings.
+struct ToolNumber
+{
+    enum class Unit : std::uint8_t
+    {
+        Percent,     ///< Of a fraction,
+        Centimetres, ///< of lengths in metres.
+        Millimetres
+    };
+    float ToolSettings::*field = nullptr;
+    Unit unit = Unit::Percent;
+    double least = 0.0; ///< In that unit,
+    double greatest = 100.0;
+    int decimals = 0;
+    double exponent = 1.0; ///< Above 1 a slider gives low values more room.
+    [[nodiscard]] double shownPerSi() const;
+};
+
+struct ToolSwitch
+{
+    bool ToolSettings::*field = nullptr;
+    const char* icon = "";
+};
+
+/// One of a few kinds.
+struct ToolChoice
+{
+    struct Entry
+    {
+        const char* icon;
+        const char* title; ///< To be translated in context "ToolOptions".
+        [[nodiscard]] QString titleText() const { return QCoreApplication::translate("ToolOptions", title); }
+    };
+    std::span<const Entry> entries;
+    int (*read)(const ToolSettings& settings) = nullptr;
+    void (*write)(ToolSettings& settings, int index) = nullptr;
+};
+
+/// A row. One that several tools have is the same object, or has the same key.
+struct ToolOption
+{
+    const char* key; ///< In the file of settings.
+    const char* label =
+        ""; ///< To be translated in context "ToolOptions", as is the next. Switches and choices go by icons.
+    const char* hint = "";
+    std::variant<ToolValue, ToolNumber, ToolSwitch, ToolChoice> kind;
+    bool (*isShown)(const ToolSettings& settings) = nullptr; ///< Null: always.
+    bool (*isUsed)(const ToolSettings& settings) = nullptr;  ///< Null: always. Otherwise shown, but disabled.
+
+    [[nodiscard]] QString labelText() const { return QCoreApplication::translate("ToolOptions", label); }
+    [[nodiscard]] QString hintText() const { return QCoreApplication::translate("ToolOptions", hint); }
+};
+
+/// As the option bar shows them, from the left.
+using ToolOptions = std::span<const ToolOption* const>;
+
+/// A row's number in SI units, 0 or 1 of a switch, the index of a choice; 0 of a ToolValue.
+[[nodiscard]] double optionOf(const ToolSettings& settings, const ToolOption& option);
+/// Puts what optionOf() gave into the settings, at the nearest end of the range where it lies beyond; what is no number
+/// is passed over.
+void putOption(ToolSettings& settings, const ToolOption& option, double value);
+
+// Rows of more than one tool.
+
+inline constexpr ToolOption kValueOption{.key = "value", .kind = ToolValue{}};
+inline constexpr ToolOption kSizeOption{.key = "size",
+                                        .label = QT_TRANSLATE_NOOP("ToolOptions", "Size"),
+                                        .kind = ToolNumber{.field = &ToolSettings::brushSizeM,
+                                                           .unit = ToolNumber::Unit::Centimetres,
+                                                           .least = 0.1,
+                                                           .greatest = 30.0,
+                                                           .decimals = 1,
+                                                           .exponent = 2.5}};
+inline constexpr ToolOption kHardnessOption{.key = "hardness",
+                                            .label = QT_TRANSLATE_NOOP("ToolOptions", "Hardness"),
+                                            .kind = ToolNumber{.field = &ToolSettings::hardness}};
+inline constexpr ToolOption kOpacityOption{.key = "opacity",
+                                           .label = QT_TRANSLATE_NOOP("ToolOptions", "Opacity"),
+                                           .kind = ToolNumber{.field = &ToolSettings::opacity}};
+inline constexpr ToolNumber kFlatness{.field = &ToolSettings::flatness};
+inline constexpr const char* kFlatnessLabel = QT_TRANSLATE_NOOP("ToolOptions", "Flatness");
+inline constexpr const char* kFlatnessHint =
+    QT_TRANSLATE_NOOP("ToolOptions", "How flat combed hair lies; pen pressure makes it less");
+
+} // namespace hairpaint::model

@@ -1,0 +1,155 @@
+// What the floors' READMEs tell of how to add something is where it is done.
+#include "tests/support/test_program.h"
+
+#include <QDirIterator>
+#include <QFile>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QtTest>
+
+namespace {
+
+QString textOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+QString underSource(const QString& path)
+{
+    return QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + path;
+}
+
+/// What stands between backticks.
+QStringList quoted(const QString& text)
+{
+    static const QRegularExpression quote(QStringLiteral("`([^`]+)`"));
+    QStringList found;
+    for (auto match = quote.globalMatch(text); match.hasNext();)
+        found += match.next().captured(1);
+    return found;
+}
+
+/// The files of the four floors that hold one of the names as a word.
+QStringList filesNaming(const QStringList& names)
+{
+    QStringList escaped;
+    for (const QString& name : names)
+        escaped += QRegularExpression::escape(name);
+    const QRegularExpression any(QStringLiteral("\\b(?:%1)\\b").arg(escaped.join(QLatin1Char('|'))));
+    QStringList files;
+    for (const char* floor : {"sim", "model", "view", "app"}) {
+        QDirIterator walk(underSource(QString::fromLatin1(floor)), {QStringLiteral("*.h"), QStringLiteral("*.cpp")},
+                          QDir::Files, QDirIterator::Subdirectories);
+        while (walk.hasNext()) {
+            const QString path = walk.next();
+            if (textOf(path).contains(any))
+                files += path.mid(underSource(QString()).size());
+        }
+    }
+    files.sort();
+    return files;
+}
+
+struct HowTo
+{
+    QString names; ///< The line that begins the list.
+    QStringList paths;
+};
+
+/// Lists that follow a line "Where `Name` and `Other` are named:".
+QList<HowTo> howTosIn(const QString& readme)
+{
+    static const QRegularExpression list(
+        QStringLiteral(R"((Where `[^\n]*(?:is|are) named:)\n\n((?:- [^\n]*\n(?:  [^\n]*\n)*)+))"));
+    static const QRegularExpression item(QStringLiteral("^- `([^`]+)`"), QRegularExpression::MultilineOption);
+    QList<HowTo> all;
+    for (auto match = list.globalMatch(readme); match.hasNext();) {
+        const QRegularExpressionMatch found = match.next();
+        HowTo one{.names = found.captured(1), .paths = {}};
+        for (auto path = item.globalMatch(found.captured(2)); path.hasNext();)
+            one.paths += path.next().captured(1);
+        one.paths.sort();
+        all += one;
+    }
+    return all;
+}
+
+const QStringList kFloors{QStringLiteral("sim"), QStringLiteral("model"), QStringLiteral("view"),
+                          QStringLiteral("app")};
+
+} // namespace
+
+class TestReadmes : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void whatIsToBeTouchedIsListed()
+    {
+        int lists = 0;
+        for (const QString& floor : kFloors) {
+            for (const HowTo& howTo : howTosIn(textOf(underSource(floor + QStringLiteral("/README.md"))))) {
+                ++lists;
+                QVERIFY(!howTo.paths.isEmpty());
+                const QStringList named = filesNaming(quoted(howTo.names));
+                QVERIFY2(named == howTo.paths,
+                         qPrintable(howTo.names + QStringLiteral("\n  in the sources: ") +
+                                    named.join(QLatin1Char(' ')) + QStringLiteral("\n  in the README: ") +
+                                    howTo.paths.join(QLatin1Char(' '))));
+            }
+        }
+        QVERIFY(lists >= 5);
+    }
+
+    /// Paths with a folder of the tree, be they files, files without their ending, or folders.
+    void whatIsNamedIsThere_data()
+    {
+        QTest::addColumn<QString>("readme");
+        QTest::newRow("root") << QStringLiteral("README.md");
+        for (const QString& floor : kFloors + QStringList{QStringLiteral("tests")})
+            QTest::newRow(qPrintable(floor)) << floor + QStringLiteral("/README.md");
+    }
+
+    void whatIsNamedIsThere()
+    {
+        QFETCH(QString, readme);
+        const QString text = textOf(underSource(readme));
+        QVERIFY(!text.isEmpty());
+        const QString folder = QFileInfo(readme).path();
+        static const QRegularExpression path(
+            QStringLiteral("^(?:sim|model|view|app|tests|resources|translations)/[\\w/.-]+$"));
+        static const QRegularExpression link(QStringLiteral("\\]\\(([^)#:]+)\\)"));
+        const auto isThere = [](const QString& wanted) {
+            return QFileInfo::exists(underSource(wanted)) ||
+                   QFileInfo::exists(underSource(wanted + QStringLiteral(".h"))) ||
+                   QFileInfo::exists(underSource(wanted + QStringLiteral(".cpp")));
+        };
+        for (const QString& name : quoted(text))
+            if (path.match(name).hasMatch())
+                QVERIFY2(isThere(name), qPrintable(name));
+        for (auto match = link.globalMatch(text); match.hasNext();) {
+            const QString target = match.next().captured(1);
+            QVERIFY2(isThere(folder + QLatin1Char('/') + target), qPrintable(target));
+        }
+    }
+
+    /// The rooms of a floor's README are its folders.
+    void everyRoomIsTold_data() { whatIsNamedIsThere_data(); }
+
+    void everyRoomIsTold()
+    {
+        QFETCH(QString, readme);
+        const QString folder = QFileInfo(readme).path();
+        if (!kFloors.contains(folder))
+            return;
+        static const QRegularExpression row(QStringLiteral("^\\| `(\\w+)` \\|"), QRegularExpression::MultilineOption);
+        QStringList told;
+        for (auto match = row.globalMatch(textOf(underSource(readme))); match.hasNext();)
+            told += match.next().captured(1);
+        told.sort();
+        QCOMPARE(told, QDir(underSource(folder)).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name));
+    }
+};
+
+HAIRPAINT_TEST(TestReadmes, None)
+#include "test_readmes.moc"

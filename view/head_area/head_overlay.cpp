@@ -1,0 +1,206 @@
+// Outlines over the 3D area.
+#include "view/head_area/head_overlay.h"
+
+#include "view/editing/painted_area.h"
+#include "view/head_area/head_camera.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr double kStepUv = 1.0 / 128.0;
+constexpr int kMostSteps = 64;             ///< Between two corners.
+constexpr double kDirectionsOpacity = 0.6; ///< Hair is seen below.
+constexpr double kFadedOpacity = 0.1;
+constexpr int kFadeMs = 150;
+
+/// Where a place of the map shows; none off the skin or on the far side.
+std::optional<QPointF> shownAt(QPointF uv, const sim::Skin& skin, const rendering::Camera& camera,
+                               const sim::HeadPose& pose, QSizeF size)
+{
+    const std::optional<sim::SurfacePoint> point = skin.atUv({static_cast<float>(uv.x()), static_cast<float>(uv.y())});
+    if (!point)
+        return std::nullopt;
+    const glm::vec3 positionWo = inWorld(point->positionHd, pose);
+    if (glm::dot(pose.rotation * point->normalHd, camera.eyeWo() - positionWo) <= 0.0F)
+        return std::nullopt;
+    return project(camera, positionWo, size);
+}
+
+} // namespace
+
+HeadOverlay::HeadOverlay(const Theme& theme, QWidget* parent) : QWidget(parent), m_theme(theme)
+{
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    hide();
+    m_fading.setDuration(kFadeMs);
+    m_fading.setStartValue(kDirectionsOpacity);
+    m_fading.setEndValue(kFadedOpacity);
+    connect(&m_fading, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
+}
+
+void HeadOverlay::setTheme(const Theme& theme)
+{
+    m_theme = theme;
+    update();
+}
+
+void HeadOverlay::setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
+                            const rendering::Camera& camera, const sim::HeadPose& pose)
+{
+    m_lines.clear();
+    m_handles.clear();
+    for (const model::OverlayShape& shape : shapes) {
+        const qsizetype corners = shape.uvOutline.size();
+        QPolygonF line;
+        const auto add = [&](QPointF uv) {
+            if (const std::optional<QPointF> at = shownAt(uv, *skin, camera, pose, QSizeF(size()))) {
+                line.push_back(*at);
+            } else if (!line.isEmpty()) {
+                m_lines.push_back(std::exchange(line, {}));
+            }
+        };
+        for (qsizetype i = 0; skin != nullptr && i < (shape.closed ? corners : corners - 1); ++i) {
+            const QPointF from = shape.uvOutline[i];
+            const QPointF to = shape.uvOutline[(i + 1) % corners];
+            const QPointF displacement = to - from;
+            const int steps =
+                std::clamp(static_cast<int>(std::hypot(displacement.x(), displacement.y()) / kStepUv), 1, kMostSteps);
+            for (int k = i == 0 ? 0 : 1; k <= steps; ++k)
+                add(from + displacement * k / steps);
+        }
+        if (!line.isEmpty())
+            m_lines.push_back(line);
+        for (qsizetype i = 0; skin != nullptr && i < shape.uvHandles.size(); ++i)
+            if (const auto at = shownAt(shape.uvHandles[i], *skin, camera, pose, QSizeF(size())))
+                m_handles.push_back(*at);
+    }
+    showIfNeeded();
+}
+
+void HeadOverlay::setColliders(const std::vector<sim::Ellipsoid>& colliders, std::optional<std::size_t> chosen,
+                               const rendering::Camera& camera, const sim::HeadPose& pose)
+{
+    if (colliders.empty() && m_colliders.empty())
+        return;
+    const HeadSight sight{.camera = camera, .pose = pose, .size = QSizeF(size())};
+    m_colliders.clear();
+    m_chosen.clear();
+    m_chosenEnds.clear();
+    for (std::size_t i = 0; i < colliders.size(); ++i) {
+        std::vector<QPolygonF> outlines = colliderOutlines(colliders[i], sight);
+        if (chosen == i)
+            m_chosen = outlines;
+        std::ranges::move(outlines, std::back_inserter(m_colliders));
+    }
+    for (int end = 0; chosen && *chosen < colliders.size() && end < kColliderEnds; ++end)
+        if (const auto at = project(camera, inWorld(colliderEnd(colliders[*chosen], end), pose), QSizeF(size())))
+            m_chosenEnds.push_back(*at);
+    showIfNeeded();
+}
+
+void HeadOverlay::setGhost(const QPolygonF& ring)
+{
+    if (ring == m_ghost)
+        return;
+    m_ghost = ring;
+    showIfNeeded();
+}
+
+void HeadOverlay::setDirections(std::vector<HairSpine> hairs)
+{
+    if (hairs.empty() && m_directions.empty())
+        return;
+    m_directions = std::move(hairs);
+    m_directionsPicture = QImage();
+    if (!m_directions.empty()) {
+        const double ratio = devicePixelRatioF();
+        m_directionsPicture = QImage((QSizeF(size()) * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
+        m_directionsPicture.setDevicePixelRatio(ratio);
+        m_directionsPicture.fill(Qt::transparent);
+        QPainter painter(&m_directionsPicture);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        for (const HairSpine& hair : m_directions)
+            drawTaperedHair(painter, hair);
+    }
+    showIfNeeded();
+}
+
+void HeadOverlay::setDirectionsFaded(bool faded)
+{
+    if (std::exchange(m_directionsFaded, faded) == faded)
+        return;
+    m_fading.setDirection(faded ? QAbstractAnimation::Forward : QAbstractAnimation::Backward);
+    m_fading.start();
+}
+
+void HeadOverlay::showIfNeeded()
+{
+    setVisible(!m_directions.empty() || !m_lines.empty() || !m_handles.isEmpty() || !m_ghost.isEmpty() ||
+               !m_colliders.empty());
+    update();
+}
+
+void HeadOverlay::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!m_directions.empty()) {
+        painter.setOpacity(m_fading.currentValue().toDouble());
+        painter.drawImage(QPointF(), m_directionsPicture);
+        painter.setOpacity(1.0);
+    }
+    for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 110), 2.5), std::pair(m_theme.accent, 1.0)}) {
+        painter.setPen(QPen(colour, width));
+        for (const QPolygonF& ellipse : m_colliders)
+            painter.drawPolyline(ellipse);
+    }
+    painter.setPen(QPen(m_theme.accent, 2.5));
+    for (const QPolygonF& ellipse : m_chosen)
+        painter.drawPolyline(ellipse);
+    painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
+    painter.setBrush(QColor(255, 255, 255, 235));
+    for (const QPointF& end : m_chosenEnds)
+        painter.drawRect(handleAt(end));
+    painter.setBrush(Qt::NoBrush);
+    // White on dark, as the rings are: seen on hair and skin of every colour.
+    for (const auto& [colour, width] :
+         {std::pair(QColor(0, 0, 0, 170), 3.0), std::pair(QColor(255, 255, 255, 235), 1.5)}) {
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        for (const QPolygonF& line : m_lines)
+            painter.drawPolyline(line);
+    }
+    painter.setPen(QPen(QColor(0, 0, 0, 190), 1.0));
+    painter.setBrush(QColor(255, 255, 255, 235));
+    for (const QPointF& handle : m_handles)
+        painter.drawRect(handleAt(handle));
+    if (!m_ghost.isEmpty()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(0, 0, 0, 120), 3.0));
+        painter.drawPolygon(m_ghost);
+        QPen dashes(QColor(255, 255, 255, 200), 1.5);
+        dashes.setDashPattern({3.0, 3.0});
+        painter.setPen(dashes);
+        painter.drawPolygon(m_ghost);
+        const QString words = tr("on the far side");
+        painter.setFont(themeFont(TextRole::Status));
+        const QRectF bounds = m_ghost.boundingRect();
+        const double width = painter.fontMetrics().horizontalAdvance(words) + 12.0;
+        const QRectF label(bounds.center().x() - width / 2.0, bounds.bottom() + 6.0, width, 18.0);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(0, 0, 0, 140));
+        painter.drawRoundedRect(label, 4.0, 4.0);
+        painter.setPen(QColor(255, 255, 255, 225));
+        painter.drawText(label, Qt::AlignCenter, words);
+    }
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,67 @@
+// What lies over the drawn head: hairs that show directions, the active tool's outlines and the colliders.
+#pragma once
+
+#include "model/tools/tool.h"
+#include "view/head_area/collider_shape.h"
+#include "view/look/tapered_hair.h"
+#include "view/look/theme.h"
+#include "view/rendering/scene.h"
+
+#include <QImage>
+#include <QVariantAnimation>
+#include <QWidget>
+
+#include <vector>
+
+namespace hairpaint::view {
+
+/// Lets every pointer event through. Hidden while there is nothing to show.
+class HeadOverlay : public QWidget
+{
+    Q_OBJECT
+public:
+    HeadOverlay(const Theme& theme, QWidget* parent);
+
+    void setTheme(const Theme& theme);
+    /// Outlines on the uv as they lie on the skin; parts that face away are left out.
+    void setShapes(const std::vector<model::OverlayShape>& shapes, const sim::Skin* skin,
+                   const rendering::Camera& camera, const sim::HeadPose& pose);
+
+    /// Three ellipses for each, as wire: the far half is seen, too; the chosen one stands out, with its axes' ends.
+    /// None: nothing is shown.
+    void setColliders(const std::vector<sim::Ellipsoid>& colliders, std::optional<std::size_t> chosen,
+                      const rendering::Camera& camera, const sim::HeadPose& pose);
+    /// In this widget's coordinates.
+    [[nodiscard]] const std::vector<QPolygonF>& colliders() const { return m_colliders; }
+
+    /// Hairs that show a direction map, in this widget's coordinates: faint, under everything else.
+    void setDirections(std::vector<HairSpine> hairs);
+    [[nodiscard]] const std::vector<HairSpine>& directions() const { return m_directions; }
+    /// Nearly gone, within 150 ms: while the hair below is what is looked at.
+    void setDirectionsFaded(bool faded);
+    [[nodiscard]] bool directionsFaded() const { return m_directionsFaded; }
+
+    /// The brush's ring where the head hides it, in this widget's coordinates; empty where it is seen.
+    void setGhost(const QPolygonF& ring);
+    [[nodiscard]] const QPolygonF& ghost() const { return m_ghost; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void showIfNeeded();
+
+    Theme m_theme;
+    std::vector<QPolygonF> m_lines; ///< In this widget's coordinates, as the next two.
+    QPolygonF m_handles;
+    std::vector<QPolygonF> m_colliders;
+    std::vector<QPolygonF> m_chosen; ///< The chosen one's ellipses among them,
+    QPolygonF m_chosenEnds;          ///< and the ends of its axes.
+    QPolygonF m_ghost;
+    std::vector<HairSpine> m_directions;
+    bool m_directionsFaded = false;
+    QVariantAnimation m_fading; ///< Its value is the directions' opacity.
+    QImage m_directionsPicture; ///< This widget is painted with every frame below it.
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,179 @@
+// The 3D area's scene, and what lies where in it.
+#include "view/head_area/head_scene.h"
+
+#include "view/editing/editor_state.h"
+#include "view/head_area/hair_pick.h"
+#include "view/head_area/head_camera.h"
+#include "view/head_area/head_turn.h"
+#include "view/head_area/scene_light.h"
+#include "view/head_area/stage.h"
+
+#include <QWidget>
+
+#include <algorithm>
+#include <limits>
+
+namespace hairpaint::view {
+
+namespace {
+
+rendering::Ring ringAt(const sim::SurfacePoint& point, float radiusM)
+{
+    return {.centreHd = point.positionHd, .normalHd = point.normalHd, .radiusM = radiusM};
+}
+
+} // namespace
+
+HeadScene::HeadScene(EditorState& editor, const HeadTurn& turn, const QWidget& area)
+    : m_editor(editor), m_turn(turn), m_area(area)
+{}
+
+rendering::Scene HeadScene::withoutRings() const
+{
+    rendering::Scene scene = m_scene;
+    scene.ring.reset();
+    scene.mirroredRing.reset();
+    return scene;
+}
+
+std::optional<rendering::Camera> HeadScene::cameraFor(rendering::StandardView view) const
+{
+    if (!hasHead())
+        return std::nullopt;
+    return stageCamera(view, *m_editor.document().project().head, *m_scene.head, m_scene.hair.get());
+}
+
+std::optional<rendering::Camera> HeadScene::fittingCamera() const
+{
+    if (!hasHead())
+        return std::nullopt;
+    return stageCamera(m_scene.camera, *m_editor.document().project().head, *m_scene.head, m_scene.hair.get());
+}
+
+std::optional<rendering::Camera> HeadScene::cameraAtBrush() const
+{
+    if (!m_brush)
+        return std::nullopt;
+    const sim::HeadPose pose = shownPose();
+    const glm::vec3 positionWo = inWorld(m_brush->positionHd, pose);
+    return lookingAt(m_scene.camera, positionWo, pose.rotation * m_brush->normalHd);
+}
+
+const sim::Skin* HeadScene::skin() const
+{
+    const std::shared_ptr<const model::Head>& head = m_editor.document().project().head;
+    return head ? head->skin.get() : nullptr;
+}
+
+bool HeadScene::refreshHead()
+{
+    const std::shared_ptr<const model::Head>& head = m_editor.document().project().head;
+    const std::shared_ptr<const sim::HeadMesh> before = m_scene.head;
+    m_scene.headInMotion.reset();
+    if (head)
+        m_scene.headInMotion = std::shared_ptr<const sim::HeadMesh>(head->skin, &head->skin->mesh());
+    m_scene.head = head && head->shownMesh ? head->shownMesh : m_scene.headInMotion;
+    if (m_scene.head == before)
+        return false;
+    m_scene.hair.reset();
+    m_scene.cards.reset();
+    return true;
+}
+
+bool HeadScene::isOnHead(const sim::StrandFrame& hair) const
+{
+    return std::ranges::all_of(hair.groups, [skin = skin()](const sim::GroupFrame& group) {
+        return !group.groom || !group.groom->roots || !group.groom->roots->skin ||
+               group.groom->roots->skin.get() == skin;
+    });
+}
+
+sim::HeadPose HeadScene::shownPose() const
+{
+    return m_scene.hair ? m_scene.hair->pose : m_turn.pose();
+}
+
+void HeadScene::setEnvironment(const model::Project& project, const model::LightSettings& light)
+{
+    m_scene.light = sceneLight(light);
+    m_scene.skin = sceneSkin(project.skin);
+    m_scene.background = linearColour(project.background);
+}
+
+bool HeadScene::refreshRings()
+{
+    const bool hadRing = m_scene.ring.has_value();
+    m_scene.ring.reset();
+    m_scene.mirroredRing.reset();
+    const std::vector<sim::SurfacePoint> points = m_editor.ringPoints();
+    const float radiusM = m_editor.toolSettings().brushSizeM / 2.0F;
+    if (!points.empty())
+        m_scene.ring = ringAt(points[0], radiusM);
+    if (points.size() > 1)
+        m_scene.mirroredRing = ringAt(points[1], radiusM);
+    if (const std::optional<Hover>& hover = m_editor.hover(); hover && hover->point)
+        m_brush = hover->point;
+    return hadRing || m_scene.ring;
+}
+
+QPolygonF HeadScene::hiddenRing() const
+{
+    const std::optional<Hover>& hover = m_editor.hover();
+    if (!hover || hover->area != model::Area::Paint || !hover->point || !m_editor.activeTool().hasRing() ||
+        !hidden(*hover->point, skin(), m_scene.camera, shownPose()))
+        return {};
+    return ringSeen(*hover->point, m_editor.toolSettings().brushSizeM / 2.0F, m_scene.camera, shownPose(),
+                    QSizeF(m_area.size()));
+}
+
+std::optional<sim::SurfacePoint> HeadScene::skinAt(QPointF position) const
+{
+    if (skin() == nullptr)
+        return std::nullopt;
+    return skin()->pick(inHead(rayThrough(m_scene.camera, position, QSizeF(m_area.size())), shownPose()));
+}
+
+std::optional<sim::SurfacePoint> HeadScene::placeForCollider() const
+{
+    return m_brush ? m_brush : skinAt(QRectF(m_area.rect()).center());
+}
+
+float HeadScene::pixelAt(const sim::SurfacePoint& point) const
+{
+    constexpr float kLeastCosine = 0.35F;
+    const rendering::Camera& camera = m_scene.camera;
+    const sim::HeadPose pose = shownPose();
+    const glm::vec3 toEye = camera.eyeWo() - inWorld(point.positionHd, pose);
+    const float distanceM = std::max(glm::length(toEye), 1e-3F);
+    const float cosine = glm::dot(pose.rotation * point.normalHd, toEye) / distanceM;
+    return 2.0F * distanceM * std::tan(0.5F * camera.fieldOfViewRad) /
+           (std::max(static_cast<float>(m_area.height()), 1.0F) * std::max(cosine, kLeastCosine));
+}
+
+std::optional<model::GrabbedHair> HeadScene::hairAt(QPointF position) const
+{
+    if (!m_scene.hair || !isOnHead(*m_scene.hair))
+        return std::nullopt;
+    float furthestM = std::numeric_limits<float>::max();
+    const glm::vec3 eyeWo = m_scene.camera.eyeWo();
+    if (const std::optional<sim::SurfacePoint> skin = skinAt(position))
+        furthestM =
+            glm::dot(inWorld(skin->positionHd, shownPose()) - eyeWo, glm::normalize(m_scene.camera.targetWo - eyeWo));
+    return hairNear(position, *m_scene.hair, m_editor.activeGroup(), m_scene.camera, QSizeF(m_area.size()), furthestM);
+}
+
+glm::vec3 HeadScene::besideHd(glm::vec3 positionHd, QPointF position) const
+{
+    const sim::RayHd ray = inHead(rayThrough(m_scene.camera, position, QSizeF(m_area.size())), shownPose());
+    const glm::vec3 eyeWo = m_scene.camera.eyeWo();
+    const glm::vec3 viewHd = glm::conjugate(shownPose().rotation) * glm::normalize(m_scene.camera.targetWo - eyeWo);
+    const float depthM = glm::dot(positionHd - ray.originHd, viewHd);
+    return ray.originHd + ray.directionHd * (depthM / glm::dot(ray.directionHd, viewHd));
+}
+
+std::optional<QPointF> HeadScene::positionOf(glm::vec3 positionHd) const
+{
+    return project(m_scene.camera, inWorld(positionHd, shownPose()), QSizeF(m_area.size()));
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,37 @@
+// A stroke of the active tool over the head's skin, or with hair in the hand.
+#pragma once
+
+#include "model/tools/tool.h"
+#include "view/editing/pointer.h"
+
+#include <optional>
+
+namespace hairpaint::view {
+
+class EditorState;
+class HeadScene;
+
+/// Where the ray misses the skin between two events, or goes on behind, the stroke breaks: the tool gets the last place
+/// before, then none, then the first place after. GUI thread; all that it is made of must outlive it.
+class HeadStroke
+{
+public:
+    HeadStroke(EditorState& editor, const HeadScene& scene) : m_editor(editor), m_scene(scene) {}
+
+    /// Where there is skin, or with hair in the hand.
+    void press(const PointerSample& sample, const std::optional<model::GrabbedHair>& grabbed);
+    void move(const PointerSample& sample); ///< Nothing where the tool has ended the stroke.
+    void release(const PointerSample& sample);
+
+private:
+    [[nodiscard]] model::ToolEvent toolEvent(const PointerSample& sample,
+                                             const std::optional<sim::SurfacePoint>& point);
+
+    EditorState& m_editor;
+    const HeadScene& m_scene;
+    PointerSample m_at; ///< Where the stroke got to.
+    glm::vec2 m_lastUv{0.0F};
+    std::optional<model::GrabbedHair> m_grabbed; ///< It goes where the pointer goes, over skin and beside it.
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,157 @@
+// The 3D area: hair in motion on the head, orbited, painted and blown upon.
+#pragma once
+
+#include "model/project/project.h"
+#include "sim/motion/neck_motion.h"
+#include "sim/motion/strand_frame.h"
+#include "view/editing/painted_area.h"
+#include "view/head_area/camera_flight.h"
+#include "view/head_area/frame_presenter.h"
+#include "view/head_area/stillness.h"
+#include "view/look/theme.h"
+#include "view/rendering/backend.h"
+#include "view/rendering/scene.h"
+#include "view/rendering/standard_views.h"
+
+#include <QImage>
+
+#include <memory>
+#include <optional>
+
+namespace hairpaint::model {
+struct Change;
+}
+
+namespace hairpaint::view {
+
+class FramePacer;
+class FramePresenter;
+class HeadOverlay;
+class HeadPointer;
+class HeadScene;
+class HeadTurn;
+class ShownDirections;
+class ViewSigns;
+class WeatherOverlay;
+
+/// Needs no OpenGL: without a GPU our own renderer draws. The window's actions call the slots;
+/// Space, H, O, Esc, Enter and the Weather overlay's keys are read here.
+class HeadView : public PaintedArea
+{
+    Q_OBJECT
+public:
+    HeadView(EditorState& state, const Theme& theme, PresenterChoice choice = PresenterChoice::Automatic,
+             QWidget* parent = nullptr);
+    ~HeadView() override;
+
+    void setTheme(const Theme& theme);
+    /// Hair of a project that is open no more is not shown.
+    void setFrame(std::shared_ptr<const sim::StrandFrame> frame);
+
+    /// In place of the hair, until that becomes another; null: the hair again.
+    void showCards(std::shared_ptr<const rendering::CardSet> cards);
+    [[nodiscard]] bool cardsShown() const;
+
+    [[nodiscard]] const rendering::Camera& camera() const;
+    void setCamera(const rendering::Camera& camera);
+    void setView(rendering::StandardView view); ///< Turns there in a moment.
+
+    /// What is shown at present, without rings, for pictures drawn elsewhere.
+    [[nodiscard]] rendering::Scene pictureScene() const;
+    /// Draws the present moment at full quality without rings; waits for it.
+    [[nodiscard]] QImage grabPicture(QSize size);
+    /// The skin that a position in this widget shows, hair ignored; none where the ray misses the head.
+    [[nodiscard]] std::optional<sim::SurfacePoint> skinAt(QPointF position) const;
+    /// Where a point of the head lies in this widget; none behind the eye.
+    [[nodiscard]] std::optional<QPointF> positionOf(glm::vec3 positionHd) const;
+    /// What draws, for the status bar and bug reports: the GPU's name or our own; empty until the first frame.
+    [[nodiscard]] QString rendererDescription() const;
+
+    [[nodiscard]] bool weatherShown() const;
+    /// Whether more is to be drawn without anybody's doing: a picture is asked for, the view is on its way somewhere,
+    /// or what is shown counts as still in a moment and is drawn finer.
+    [[nodiscard]] bool awake() const;
+    /// Whether a still picture is being made finer just now.
+    [[nodiscard]] bool refining() const;
+
+    /// The hair shows that map's colours at present; none: its own. Of the direction map the directions are shown, too.
+    void setLookedAt(std::optional<model::MapKind> map);
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+public Q_SLOTS:
+    void resetCamera(); ///< Also ends a motion of the head.
+    void fit();         ///< The head with all of its hair, from where the camera looks now.
+    /// The head goes through it once, so that the hair swings; not while it is dragged. Outside undo.
+    void moveHead(hairpaint::sim::NeckMotion motion);
+    void turnToBrush();    ///< So that the place shows where the brush was last, in whichever area.
+    void addCollider();    ///< Where the brush was last, half in the head; it is chosen, and all of them are shown.
+    void removeCollider(); ///< The chosen one.
+    void setHairPaused(bool paused);  ///< Says so over the picture.
+    void setWeatherShown(bool shown); ///< F7: the paper's keys for wind and light.
+
+Q_SIGNALS:
+    void puffWanted(glm::vec3 centreWo, glm::vec3 velocity, float radiusM);
+    void poseWanted(const hairpaint::sim::HeadPose& pose);
+    /// `done`: false while it is being changed (a preview), true for the last one (one undo step).
+    void lightWanted(const hairpaint::model::LightSettings& light, bool done);
+    void windWanted(const hairpaint::sim::Wind& wind, bool done);
+    void ownHairShown(); ///< Of a project that was opened: it is on the screen now, in place of what was there before.
+    void frameDrawn(const hairpaint::rendering::FrameStatistics& statistics);
+    void glUnavailable(const QString& reason); ///< The graphics card can't draw; our own renderer goes on.
+    void statusText(const QString& text);
+    void viewTurned(); ///< By a drag.
+    void contextMenuWanted(const QPoint& globalPosition);
+    void weatherShownChanged(bool shown);
+    void cardsShownChanged(bool shown);
+
+protected:
+    bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+
+private:
+    void connectParts();
+    void makePresenter(PresenterChoice choice);
+    void onPresenterFailed(const QString& reason);
+    void onDocumentChanged(const model::Change& change);
+    void refreshHead();
+    void refreshEnvironment();
+    void refreshRings();
+    void refreshOverlay();
+    void follow(const Sight& sight);
+    [[nodiscard]] Sight shown() const;
+    void refreshSigns();
+    void animateTo(const std::optional<rendering::Camera>& camera);
+    void draw();
+    void placeChildren();
+
+    void pointerPressed(const PointerSample& sample) override;
+    void pointerMoved(const PointerSample& sample) override;
+    void pointerReleased(const PointerSample& sample) override;
+
+    EditorState& m_state;
+    HeadOverlay* m_overlay; ///< Children.
+    WeatherOverlay* m_weather;
+    ViewSigns* m_signs;
+    FramePresenter* m_presenter = nullptr; ///< A child.
+    HeadTurn* m_turn;                      ///< A child.
+
+    std::unique_ptr<HeadScene> m_scene;
+    std::unique_ptr<HeadPointer> m_pointer;
+    std::unique_ptr<FramePacer> m_pacer;
+    std::unique_ptr<ShownDirections> m_directions;
+    std::optional<Sight> m_shown; ///< By the picture on the screen; none before the first.
+    Stillness m_stillness;
+    CameraFlight m_flight;
+    std::uint64_t m_firstRevision = 0; ///< Of the project that is open.
+    bool m_ownHairAwaited = false;     ///< On the screen.
+    bool m_paused = false;
+    bool m_refining = false;
+};
+
+} // namespace hairpaint::view

@@ -1,0 +1,49 @@
+// Light, skin and colours for the renderer: see the header.
+#include "view/head_area/scene_light.h"
+
+#include <cmath>
+
+namespace hairpaint::view {
+
+// The renderer knows nothing of the model, but says the same.
+static_assert(model::kSurroundingsCount == rendering::kSurroundingsCount);
+static_assert(static_cast<int>(model::Surroundings::Even) == static_cast<int>(rendering::Surroundings::Even));
+static_assert(static_cast<int>(model::Scattering::IlluminatedLines) ==
+              static_cast<int>(rendering::Scattering::IlluminatedLines));
+
+rendering::Light sceneLight(const model::LightSettings& settings)
+{
+    const std::array<float, 3> warmth = model::temperatureColour(settings.temperatureK);
+    return {.directionWo = {std::sin(settings.azimuthRad) * std::cos(settings.elevationRad),
+                            std::sin(settings.elevationRad),
+                            std::cos(settings.azimuthRad) * std::cos(settings.elevationRad)},
+            .colour = glm::vec3(settings.red, settings.green, settings.blue) *
+                      glm::vec3(warmth[0], warmth[1], warmth[2]) * settings.intensity,
+            .fill = settings.fill,
+            .rim = settings.rim,
+            .ambient = settings.ambient,
+            .surroundings = static_cast<rendering::Surroundings>(settings.surroundings),
+            .scattering = static_cast<rendering::Scattering>(settings.scattering)};
+}
+
+rendering::Skin sceneSkin(model::SkinTone tone)
+{
+    const model::SkinLook& look = model::skinLook(tone);
+    return {.colour = linearColour(look.skin),
+            .lips = linearColour(look.lips),
+            .lids = linearColour(look.lids),
+            .scatter = look.scatter,
+            .grain = look.grain,
+            .sheen = look.sheen};
+}
+
+glm::vec3 linearColour(QRgb encoded)
+{
+    const auto channel = [](int value) {
+        const float x = static_cast<float>(value) / 255.0F;
+        return x <= 0.04045F ? x / 12.92F : std::pow((x + 0.055F) / 1.055F, 2.4F);
+    };
+    return {channel(qRed(encoded)), channel(qGreen(encoded)), channel(qBlue(encoded))};
+}
+
+} // namespace hairpaint::view

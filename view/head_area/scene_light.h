@@ -1,0 +1,14 @@
+// The document's light, skin and colours as the renderer wants them.
+#pragma once
+
+#include "model/project/project.h"
+#include "view/rendering/scene.h"
+
+namespace hairpaint::view {
+
+[[nodiscard]] rendering::Light sceneLight(const model::LightSettings& settings);
+[[nodiscard]] rendering::Skin sceneSkin(model::SkinTone tone);
+/// An sRGB colour in linear light.
+[[nodiscard]] glm::vec3 linearColour(QRgb encoded);
+
+} // namespace hairpaint::view

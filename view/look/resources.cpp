@@ -1,0 +1,19 @@
+// A static library's resources are only linked in where something names them.
+#include "view/look/resources.h"
+
+#include <QtGlobal>
+
+// The macro declares a function, so it must stand outside every namespace.
+static void initialise()
+{
+    Q_INIT_RESOURCE(hairpaint_view);
+}
+
+namespace hairpaint::view {
+
+void initResources()
+{
+    initialise();
+}
+
+} // namespace hairpaint::view

@@ -1,0 +1,495 @@
+// The paint area: its view of the map, its following of the document, its pointer and keys.
+#include "view/paint_area/paint_view.h"
+
+#include "view/editing/brush_drag.h"
+#include "view/editing/editor_state.h"
+#include "view/editing/held_keys.h"
+#include "view/editing/pointer.h"
+#include "view/paint_area/map_legend.h"
+#include "view/paint_area/paint_canvas.h"
+#include "view/paint_area/paint_overlay.h"
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QPaintEvent>
+#include <QPainter>
+#include <QTimer>
+#include <QWheelEvent>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace hairpaint::view {
+
+namespace {
+
+constexpr double kZoomPerNotch = 1.2;
+constexpr double kWheelNotch = 120.0;
+constexpr double kRefineMs = 4.0; ///< Of a frame's sixteen.
+constexpr int kRestMs = 80;
+
+/// Around all tiles that a change touched, in uv; empty where it names none.
+QPolygonF outlineOf(const model::Change& change, const model::Document& document)
+{
+    QRectF bounds;
+    if (change.aspect == model::Change::Aspect::Texels) {
+        const std::shared_ptr<const sim::TiledRaster> raster = document.resolved(change.group, change.map);
+        for (const int tile : raster != nullptr ? change.tiles : std::vector<int>())
+            bounds |= paperRect(raster->tileRect(tile), raster->size());
+    }
+    if (bounds.isEmpty())
+        return {};
+    QPolygonF outline(bounds);
+    for (QPointF& corner : outline)
+        corner.setY(1.0 - corner.y());
+    return outline;
+}
+
+/// How large a pixel is on the skin there.
+float pixelAt(const sim::SurfacePoint& point, const UvTransform& transform)
+{
+    return 0.5F * (glm::length(point.dPduHd) + glm::length(point.dPdvHd)) / static_cast<float>(transform.pxPerPaper);
+}
+
+model::ToolEvent toolEvent(const PointerSample& sample, const UvTransform& transform, const model::Project& project)
+{
+    const glm::vec2 uv = transform.toUv(sample.position);
+    model::ToolEvent event{.area = model::Area::Paint,
+                           .uv = uv,
+                           .point = std::nullopt,
+                           .pressure = sample.pressure,
+                           .seconds = sample.seconds,
+                           .modifiers = sample.modifiers,
+                           .again = sample.again};
+    if (project.head && project.head->skin)
+        event.point = project.head->skin->atUv(uv);
+    if (event.point)
+        event.pixelM = pixelAt(*event.point, transform);
+    return event;
+}
+
+} // namespace
+
+/// What the area remembers between events.
+struct PaintView::State
+{
+    enum class Drag
+    {
+        None,
+        Stroke,
+        Pan,
+        Rotate,
+        Brush
+    };
+
+    State(EditorState& editorState, const Theme& startTheme, StartBackdrop start, QWidget* area)
+        : editor(editorState), theme(startTheme), keys({Qt::Key_Space, Qt::Key_O}, area),
+          startBackdrop(std::move(start)), overlay(editorState, transform, *area)
+    {}
+
+    EditorState& editor;
+    Theme theme;
+    HeldKeys keys;
+    StartBackdrop startBackdrop;
+    std::shared_ptr<const model::Head> head; ///< Whose backdrop is shown or made.
+    PaintCanvas canvas;
+    MapLegend* legend = nullptr; ///< A child.
+    UvTransform transform;
+    bool fitted = true; ///< Nobody has moved the view: resizing fits it again.
+
+    Drag drag = Drag::None;
+    PointerSample pressed;
+    QPointF last;
+    BrushDrag brushDrag{editor};
+
+    QPolygonF changedOutline; ///< In uv: what the last change of texels touched; empty after other changes.
+    PaintOverlay overlay;
+    QTimer refining; ///< Runs while the map's picture is of samples.
+};
+
+PaintView::PaintView(EditorState& state, const Theme& theme, StartBackdrop start, QWidget* parent)
+    : PaintedArea(state, parent), m_state(std::make_unique<State>(state, theme, std::move(start), this))
+{
+    setObjectName(QStringLiteral("paintArea"));
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMinimumSize(160, 160);
+    m_state->legend = new MapLegend(this);
+    m_state->refining.setSingleShot(true);
+    connect(&m_state->refining, &QTimer::timeout, this, &PaintView::refine);
+    connect(&state.document(), &model::Document::changed, this, &PaintView::onDocumentChanged);
+    connect(&state.document(), &model::Document::undone, this, &PaintView::showChangedOutline);
+    connect(&state.document(), &model::Document::redone, this, &PaintView::showChangedOutline);
+    connect(&state, &EditorState::targetChanged, this, &PaintView::refreshMap);
+    connect(&state, &EditorState::viewOptionsChanged, this, [this] {
+        lookChanged();
+        refreshMap();
+        refreshRings();
+    });
+    connect(&state, &EditorState::activeToolChanged, this, [this] {
+        refreshRings();
+        m_state->overlay.refreshOutlines();
+    });
+    connect(&state, &EditorState::toolSettingsChanged, this, &PaintView::refreshRings);
+    connect(&state, &EditorState::hoverChanged, this, &PaintView::refreshRings);
+    connect(&state, &EditorState::overlayChanged, this, [this] { m_state->overlay.refreshOutlines(); });
+    connect(&m_state->keys, &HeldKeys::changed, this, &PaintView::updateCursor);
+    refreshHead();
+    refreshMap();
+    updateCursor();
+}
+
+PaintView::~PaintView() = default;
+
+QSize PaintView::sizeHint() const
+{
+    return {560, 560};
+}
+
+void PaintView::setTheme(const Theme& theme)
+{
+    m_state->theme = theme;
+    lookChanged();
+}
+
+glm::vec2 PaintView::uvAt(QPointF position) const
+{
+    return m_state->transform.toUv(position);
+}
+
+QPointF PaintView::positionOf(glm::vec2 uv) const
+{
+    return m_state->transform.toWidget(uv);
+}
+
+double PaintView::zoom() const
+{
+    return m_state->transform.pxPerPaper / m_state->transform.fittingPx();
+}
+
+bool PaintView::mirrored() const
+{
+    return m_state->transform.mirrored;
+}
+
+double PaintView::rotationDeg() const
+{
+    return m_state->transform.rotationDeg;
+}
+
+void PaintView::zoomAt(QPointF position, double factor)
+{
+    const std::shared_ptr<const sim::TiledRaster>& raster = m_state->canvas.pyramid().raster();
+    m_state->transform.zoomAt(position, factor, raster ? raster->size() : 1024);
+    m_state->fitted = false;
+    lookChanged();
+}
+
+void PaintView::panBy(QPointF pixels)
+{
+    m_state->transform.panBy(pixels);
+    m_state->fitted = false;
+    lookChanged();
+}
+
+void PaintView::rotateBy(double degrees)
+{
+    m_state->transform.rotateBy(degrees);
+    lookChanged();
+}
+
+void PaintView::fit()
+{
+    QRectF paper(0.0, 0.0, 1.0, 1.0);
+    const std::optional<QRectF> selected = m_state->editor.selection().rectangle();
+    if (selected && !selected->isEmpty())
+        paper = QRectF(selected->x(), 1.0 - selected->bottom(), selected->width(), selected->height());
+    m_state->transform.fit(paper);
+    m_state->fitted = !selected.has_value();
+    lookChanged();
+}
+
+void PaintView::resetView()
+{
+    m_state->transform.reset();
+    m_state->fitted = true;
+    lookChanged();
+}
+
+void PaintView::mirrorView()
+{
+    m_state->transform.mirror();
+    lookChanged();
+}
+
+void PaintView::onDocumentChanged(const model::Change& change)
+{
+    using Aspect = model::Change::Aspect;
+    if (!change.preview)
+        m_state->changedOutline = outlineOf(change, m_state->editor.document());
+    if (change.aspect == Aspect::Head || change.aspect == Aspect::Everything)
+        refreshHead();
+    if (change.aspect != Aspect::Environment)
+        refreshMap();
+}
+
+void PaintView::showChangedOutline()
+{
+    m_state->overlay.flash(m_state->changedOutline);
+}
+
+void PaintView::refreshHead()
+{
+    const std::shared_ptr<const model::Head>& head = m_state->editor.document().project().head;
+    if (head == m_state->head)
+        return lookChanged();
+    m_state->head = head;
+    const bool known = head && head->skin;
+    m_state->canvas.setLandmarks(known ? landmarksOf(*head) : std::vector<Landmark>());
+    m_state->canvas.setBackdrop(nullptr); // Rather none than another head's.
+    lookChanged();
+    if (!known)
+        return;
+    const auto make = [head] { return makeHeadBackdrop(*head); };
+    const auto show = [this, head](const BackdropPtr& backdrop) {
+        if (head != m_state->head)
+            return; // A newer one has come meanwhile.
+        m_state->canvas.setBackdrop(backdrop);
+        lookChanged();
+    };
+    if (m_state->startBackdrop)
+        m_state->startBackdrop(make, this, show);
+    else
+        show(make());
+}
+
+void PaintView::refreshMap()
+{
+    const EditorState& editor = m_state->editor;
+    const model::MapSpec& spec = model::mapSpec(editor.activeMap());
+    const bool exists = editor.document().project().group(editor.activeGroup()) != nullptr;
+    const QList<QRectF> changed =
+        m_state->canvas.setMap(exists ? editor.document().resolved(editor.activeGroup(), editor.activeMap()) : nullptr,
+                               spec, editor.nightPaper());
+    updatePaper(changed);
+    refreshLegend();
+}
+
+void PaintView::updatePaper(const QList<QRectF>& parts)
+{
+    const QTransform toWidget = m_state->transform.paperToWidget();
+    QRegion dirty;
+    const int reach = m_state->canvas.reachPx();
+    for (const QRectF& part : parts)
+        dirty += toWidget.mapRect(part).toAlignedRect().adjusted(-reach, -reach, reach, reach);
+    update(dirty);
+}
+
+void PaintView::refine()
+{
+    updatePaper(m_state->canvas.refine(kRefineMs));
+    if (m_state->canvas.pyramid().isCoarse())
+        m_state->refining.start(0);
+}
+
+void PaintView::refreshLegend()
+{
+    const EditorState& editor = m_state->editor;
+    const model::MapSpec& spec = model::mapSpec(editor.activeMap());
+    const model::HairGroup* group = editor.document().project().group(editor.activeGroup());
+    if (group == nullptr || spec.texel == model::TexelKind::Colour)
+        m_state->legend->hide();
+    else
+        m_state->legend->showMap(spec, group->settings, editor.nightPaper());
+}
+
+void PaintView::refreshRings()
+{
+    m_state->overlay.refreshRings();
+    updateCursor();
+}
+
+void PaintView::lookChanged()
+{
+    m_state->canvas.invalidate();
+    refreshRings();
+    m_state->overlay.refreshOutlines();
+    update();
+}
+
+void PaintView::paintEvent(QPaintEvent* event)
+{
+    QPainter painter(this);
+    const PaintCanvas::Look look{.transform = m_state->transform,
+                                 .devicePixelRatio = devicePixelRatioF(),
+                                 .nightPaper = m_state->editor.nightPaper(),
+                                 .wireframe = m_state->editor.wireframe(),
+                                 .theme = m_state->theme,
+                                 .font = font()};
+    for (const QRect& dirty : event->region()) {
+        painter.setClipRect(dirty);
+        m_state->canvas.paint(painter, dirty, look);
+    }
+    painter.setClipRegion(event->region());
+    m_state->overlay.paint(painter);
+    // Not while it changes from frame to frame; what is refined itself goes on.
+    if (m_state->canvas.pyramid().isCoarse() && (!m_state->refining.isActive() || m_state->refining.interval() > 0))
+        m_state->refining.start(kRestMs);
+}
+
+void PaintView::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    m_state->transform.widget = QSizeF(size());
+    if (m_state->fitted)
+        m_state->transform.fit(QRectF(0.0, 0.0, 1.0, 1.0));
+    lookChanged();
+}
+
+void PaintView::pointerPressed(const PointerSample& sample)
+{
+    State& state = *m_state;
+    if (state.drag != State::Drag::None)
+        return;
+    state.pressed = sample;
+    state.last = sample.position;
+    const bool left = sample.button == Qt::LeftButton;
+    if (sample.button == Qt::MiddleButton || (left && state.keys.holds(Qt::Key_Space))) {
+        state.drag = sample.modifiers.testFlag(Qt::ShiftModifier) ? State::Drag::Rotate : State::Drag::Pan;
+    } else if (state.brushDrag.press(sample, state.keys)) {
+        state.drag = State::Drag::Brush;
+    } else if (left) {
+        hoverAt(sample);
+        state.drag = State::Drag::Stroke;
+        state.editor.press(toolEvent(sample, state.transform, state.editor.document().project()));
+    }
+    updateCursor();
+}
+
+void PaintView::pointerMoved(const PointerSample& sample)
+{
+    State& state = *m_state;
+    switch (state.drag) {
+    case State::Drag::None:
+        hoverAt(sample);
+        break;
+    case State::Drag::Stroke:
+        hoverAt(sample);
+        state.editor.move(toolEvent(sample, state.transform, state.editor.document().project()));
+        break;
+    case State::Drag::Pan:
+        panBy(sample.position - state.last);
+        break;
+    case State::Drag::Rotate: {
+        const QPointF middle = QRectF(rect()).center();
+        const QPointF from = state.last - middle;
+        const QPointF to = sample.position - middle;
+        const double turned = std::atan2(from.x() * to.y() - from.y() * to.x(), QPointF::dotProduct(from, to));
+        rotateBy(turned * 180.0 / std::numbers::pi);
+        break;
+    }
+    case State::Drag::Brush:
+        state.brushDrag.move(sample);
+        Q_EMIT statusText(brushText(state.editor.toolSettings()));
+        break;
+    }
+    state.last = sample.position;
+}
+
+void PaintView::pointerReleased(const PointerSample& sample)
+{
+    State& state = *m_state;
+    if (state.drag == State::Drag::None || sample.button != state.pressed.button)
+        return;
+    const State::Drag drag = std::exchange(state.drag, State::Drag::None);
+    if (drag == State::Drag::Stroke)
+        state.editor.release(toolEvent(sample, state.transform, state.editor.document().project()));
+    hoverAt(sample);
+    updateCursor();
+}
+
+void PaintView::hoverAt(const PointerSample& sample)
+{
+    const glm::vec2 uv = uvAt(sample.position);
+    Hover hover{.area = model::Area::Paint, .uv = uv, .point = std::nullopt};
+    const std::shared_ptr<const model::Head>& head = m_state->editor.document().project().head;
+    if (head && head->skin)
+        hover.point = head->skin->atUv(uv);
+    if (hover.point)
+        hover.pixelM = pixelAt(*hover.point, m_state->transform);
+    m_state->editor.setHover(hover);
+}
+
+void PaintView::updateCursor()
+{
+    const State& state = *m_state;
+    Qt::CursorShape shape = Qt::CrossCursor;
+    if (state.drag == State::Drag::Pan)
+        shape = Qt::ClosedHandCursor;
+    else if (state.drag == State::Drag::Rotate)
+        shape = Qt::SizeAllCursor;
+    else if (state.keys.holds(Qt::Key_Space))
+        shape = Qt::OpenHandCursor;
+    else if (state.overlay.hasRing() && state.editor.hover() && state.editor.hover()->area == model::Area::Paint)
+        shape = Qt::BlankCursor; // The ring is the cursor.
+    if (cursor().shape() != shape)
+        setCursor(shape);
+}
+
+void PaintView::leaveEvent(QEvent* event)
+{
+    QWidget::leaveEvent(event);
+    const std::optional<Hover>& hover = m_state->editor.hover();
+    if (m_state->drag == State::Drag::None && hover && hover->area == model::Area::Paint)
+        m_state->editor.setHover(std::nullopt);
+}
+
+void PaintView::wheelEvent(QWheelEvent* event)
+{
+    double notches = event->angleDelta().y() / kWheelNotch;
+    if (event->modifiers().testFlag(Qt::AltModifier))
+        notches = event->angleDelta().x() / kWheelNotch; // Some platforms turn the wheel's axis with Alt.
+    if (notches != 0.0)
+        zoomAt(event->position(), std::pow(kZoomPerNotch, notches));
+    event->accept();
+}
+
+bool PaintView::event(QEvent* event)
+{
+    if (event->type() == QEvent::NativeGesture) {
+        const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+        if (gesture->gestureType() == Qt::ZoomNativeGesture) {
+            zoomAt(gesture->position(), 1.0 + gesture->value());
+            return true;
+        }
+        if (gesture->gestureType() == Qt::RotateNativeGesture) {
+            rotateBy(gesture->value());
+            return true;
+        }
+    }
+    return PaintedArea::event(event);
+}
+
+void PaintView::keyPressEvent(QKeyEvent* event)
+{
+    EditorState& editor = m_state->editor;
+    if (editor.toolKey(static_cast<Qt::Key>(event->key()), event->modifiers())) {
+        if (m_state->drag == State::Drag::Stroke && !editor.stroking())
+            m_state->drag = State::Drag::None;
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void PaintView::contextMenuEvent(QContextMenuEvent* event)
+{
+    // Ctrl+right-drag sizes the brush.
+    const bool sizing = event->reason() == QContextMenuEvent::Mouse &&
+                        (m_state->drag != State::Drag::None || event->modifiers().testFlag(Qt::ControlModifier));
+    if (!sizing)
+        Q_EMIT contextMenuWanted(event->globalPos());
+    event->accept();
+}
+
+} // namespace hairpaint::view
