@@ -144,7 +144,7 @@ void MainWindow::offerActions()
     const auto action = [this](const char* id) { return m_actions.find(QLatin1StringView(id)); };
     for (const auto& tool : m_session.editor().tools())
         m_workspace->toolBar().setAction(tool->id(),
-                                         *action((QByteArray("tool.") + model::toolName(tool->id())).constData()));
+                                         *action((QByteArray("tool.") + tool->name()).constData()));
     for (const char* id :
          {"edit.all", "edit.none", "edit.invert", "edit.cut", "edit.copy", "edit.paste", "edit.fill", "edit.clear"})
         m_workspace->optionBar().addSelectionAction(action(id));

@@ -27,28 +27,32 @@ constexpr float kSpacing = 1.0F / 8.0F; ///< Of the dab's diameter.
 constexpr float kLeastPressure = 0.05F; ///< A pen that only just touches still leaves a trace.
 constexpr float kLeastStepTx = 0.25F;
 
+constexpr ToolTraits kBrush{
+    .id = ToolId::Brush,
+    .name = "brush",
+    .title = QT_TRANSLATE_NOOP("Tool", "Brush"),
+    .purpose = QT_TRANSLATE_NOOP("Tool", "Paints the chosen value on the active map, on the flat map or on the head."),
+    .hint = QT_TRANSLATE_NOOP("Tool",
+                              "Drag to paint; Shift+click for a straight line from the last point; Ctrl+click picks"),
+    .key = Qt::Key_B,
+    .options = kBrushOptions,
+    .hasRing = true};
+constexpr ToolTraits kEraser{
+    .id = ToolId::Eraser,
+    .name = "eraser",
+    .title = QT_TRANSLATE_NOOP("Tool", "Eraser"),
+    .purpose = QT_TRANSLATE_NOOP("Tool", "Takes paint off the active layer, so that what lies below shows again."),
+    .hint = QT_TRANSLATE_NOOP("Tool", "Drag to erase; Shift+click for a straight line from the last point"),
+    .key = Qt::Key_E,
+    .options = ToolOptions(kBrushOptions).subspan(1),
+    .hasRing = true};
+
 class BrushTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
     explicit BrushTool(bool erases) : m_erases(erases) {}
-
-    [[nodiscard]] ToolId id() const override { return m_erases ? ToolId::Eraser : ToolId::Brush; }
-    [[nodiscard]] QString title() const override { return m_erases ? tr("Eraser") : tr("Brush"); }
-    [[nodiscard]] QKeySequence defaultKey() const override { return m_erases ? Qt::Key_E : Qt::Key_B; }
-    [[nodiscard]] QString purpose() const override
-    {
-        return m_erases ? tr("Takes paint off the active layer, so that what lies below shows again.")
-                        : tr("Paints the chosen value on the active map, on the flat map or on the head.");
-    }
-    [[nodiscard]] QString hint() const override
-    {
-        return m_erases ? tr("Drag to erase; Shift+click for a straight line from the last point")
-                        : tr("Drag to paint; Shift+click for a straight line from the last point; Ctrl+click picks");
-    }
-    /// An eraser has no value.
-    [[nodiscard]] ToolOptions options() const override { return ToolOptions(kBrushOptions).subspan(m_erases ? 1 : 0); }
-    [[nodiscard]] bool hasRing() const override { return true; }
+    [[nodiscard]] const ToolTraits& traits() const override { return m_erases ? kEraser : kBrush; }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override;

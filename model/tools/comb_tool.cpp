@@ -89,29 +89,27 @@ glm::vec2 turnedBy(glm::vec2 v, float angleRad)
     return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
+constexpr ToolTraits kComb{
+    .id = ToolId::Comb,
+    .name = "comb",
+    .title = QT_TRANSLATE_NOOP("Tool", "Comb"),
+    .purpose = QT_TRANSLATE_NOOP("Tool", "Lays, lifts, smooths or swirls hair where it is drawn along."),
+    .hint = QT_TRANSLATE_NOOP("Tool",
+                              "Drag to lay hair along the stroke; Shift+click for a straight line from the last point"),
+    .key = Qt::Key_C,
+    .options = kCombOptions,
+    .hasRing = true,
+    .map = MapKind::Direction,
+    .alsoPaints = [](const ToolSettings& settings) {
+        return settings.comb == CombKind::Hold ? std::optional(MapKind::Gel) : std::nullopt;
+    }};
+
 class CombTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] ToolId id() const override { return ToolId::Comb; }
-    [[nodiscard]] QString title() const override { return tr("Comb"); }
-    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_C; }
-    [[nodiscard]] QString purpose() const override
-    {
-        return tr("Lays, lifts, smooths or swirls hair where it is drawn along.");
-    }
-    [[nodiscard]] QString hint() const override
-    {
-        return tr("Drag to lay hair along the stroke; Shift+click for a straight line from the last point");
-    }
+    [[nodiscard]] const ToolTraits& traits() const override { return kComb; }
     [[nodiscard]] QString hintFor(const ToolSettings& settings) const override;
-    [[nodiscard]] ToolOptions options() const override { return kCombOptions; }
-    [[nodiscard]] bool hasRing() const override { return true; }
-    [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
-    [[nodiscard]] std::vector<MapKind> alsoPaints(const ToolSettings& settings) const override
-    {
-        return settings.comb == CombKind::Hold ? std::vector{MapKind::Gel} : std::vector<MapKind>();
-    }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override

@@ -87,22 +87,20 @@ private:
     std::vector<std::pair<int, int>> m_pending;
 };
 
+constexpr ToolTraits kFill{
+    .id = ToolId::Fill,
+    .name = "fill",
+    .title = QT_TRANSLATE_NOOP("Tool", "Fill"),
+    .purpose = QT_TRANSLATE_NOOP("Tool", "Fills a whole patch, or the whole map, with the chosen value."),
+    .hint = QT_TRANSLATE_NOOP("Tool", "Click to fill what has a similar value around the pointer"),
+    .key = Qt::SHIFT | Qt::Key_G,
+    .options = kFillOptions};
+
 class FillTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] ToolId id() const override { return ToolId::Fill; }
-    [[nodiscard]] QString title() const override { return tr("Fill"); }
-    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::SHIFT | Qt::Key_G; }
-    [[nodiscard]] QString purpose() const override
-    {
-        return tr("Fills a whole patch, or the whole map, with the chosen value.");
-    }
-    [[nodiscard]] QString hint() const override
-    {
-        return tr("Click to fill what has a similar value around the pointer");
-    }
-    [[nodiscard]] ToolOptions options() const override { return kFillOptions; }
+    [[nodiscard]] const ToolTraits& traits() const override { return kFill; }
 
     void press(const ToolEvent& event, ToolContext& context) override
     {

@@ -41,35 +41,28 @@ struct Held
     std::vector<float> agreement = {}; ///< [kSize][kSize] of SkinFrames; below 0: not asked for yet.
 };
 
+constexpr ToolTraits kGrab{
+    .id = ToolId::Grab,
+    .name = "grab",
+    .title = QT_TRANSLATE_NOOP("Tool", "Grab"),
+    .purpose = QT_TRANSLATE_NOOP("Tool", "Takes hold of hair where it is seen and lays it where it is let go."),
+    .hint = QT_TRANSLATE_NOOP(
+        "Tool", "Press on hair and drag it where it should go; with Ctrl it grows or shrinks to the pointer"),
+    .key = Qt::Key_Y,
+    .options = kGrabOptions,
+    .hasRing = true,
+    .grabs = true,
+    .map = MapKind::Direction,
+    .paintsWithCtrl = MapKind::Length,
+    .alsoPaints = [](const ToolSettings& settings) {
+        return settings.grabGel > 0.0F ? std::optional(MapKind::Gel) : std::nullopt;
+    }};
+
 class GrabTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] ToolId id() const override { return ToolId::Grab; }
-    [[nodiscard]] QString title() const override { return tr("Grab"); }
-    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_Y; }
-    [[nodiscard]] QString purpose() const override
-    {
-        return tr("Takes hold of hair where it is seen and lays it where it is let go.");
-    }
-    [[nodiscard]] QString hint() const override
-    {
-        return tr("Press on hair and drag it where it should go; with Ctrl it grows or shrinks to the pointer");
-    }
-    [[nodiscard]] ToolOptions options() const override { return kGrabOptions; }
-    [[nodiscard]] bool hasRing() const override { return true; }
-    /// On hair it says that the length follows, too.
-    [[nodiscard]] bool picksWithCtrl(Area area) const override { return area == Area::Paint; }
-    [[nodiscard]] bool grabs() const override { return true; }
-    [[nodiscard]] std::optional<MapKind> paintsWithCtrl(Area area) const override
-    {
-        return area == Area::Head ? std::optional(MapKind::Length) : std::nullopt;
-    }
-    [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
-    [[nodiscard]] std::vector<MapKind> alsoPaints(const ToolSettings& settings) const override
-    {
-        return settings.grabGel > 0.0F ? std::vector{MapKind::Gel} : std::vector<MapKind>();
-    }
+    [[nodiscard]] const ToolTraits& traits() const override { return kGrab; }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override;

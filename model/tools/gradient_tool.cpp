@@ -60,22 +60,20 @@ struct GradientPaint
     std::uint16_t opacity = 65535;
 };
 
+constexpr ToolTraits kGradient{
+    .id = ToolId::Gradient,
+    .name = "gradient",
+    .title = QT_TRANSLATE_NOOP("Tool", "Gradient"),
+    .purpose = QT_TRANSLATE_NOOP("Tool", "Paints from the first value to the second, along a line or around a point."),
+    .hint = QT_TRANSLATE_NOOP("Tool", "Drag from the first value to the second; Shift keeps to steps of 45 degrees"),
+    .key = Qt::Key_G,
+    .options = kGradientOptions};
+
 class GradientTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] ToolId id() const override { return ToolId::Gradient; }
-    [[nodiscard]] QString title() const override { return tr("Gradient"); }
-    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_G; }
-    [[nodiscard]] QString purpose() const override
-    {
-        return tr("Paints from the first value to the second, along a line or around a point.");
-    }
-    [[nodiscard]] QString hint() const override
-    {
-        return tr("Drag from the first value to the second; Shift keeps to steps of 45 degrees");
-    }
-    [[nodiscard]] ToolOptions options() const override { return kGradientOptions; }
+    [[nodiscard]] const ToolTraits& traits() const override { return kGradient; }
 
     void press(const ToolEvent& event, ToolContext& context) override
     {

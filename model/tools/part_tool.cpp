@@ -47,23 +47,25 @@ constexpr float kLastPointM = 0.006F;        ///< A drag's last piece is no shor
 constexpr double kDoubleClickSeconds = 0.45; ///< Between two presses of a pen.
 constexpr float kJumpUv = 0.05F;             ///< Neighbours of the curve further apart lie on two islands.
 
+constexpr ToolTraits kPart{.id = ToolId::Part,
+                           .name = "part",
+                           .title = QT_TRANSLATE_NOOP("Tool", "Part"),
+                           .purpose = QT_TRANSLATE_NOOP("Tool", "Parts the hair along a line."),
+                           .key = Qt::Key_P,
+                           .options = kPartOptions,
+                           .map = MapKind::Direction,
+                           .alsoPaints = [](const ToolSettings& settings) {
+                               return settings.partGapM > 0.0F ? std::optional(MapKind::Density) : std::nullopt;
+                           }};
+
 /// Points are added at the curve's end, or where the curve is pressed; they can be dragged as long as it is not kept.
 /// Partings ignore mirror painting: one in the middle would be parted twice.
 class PartTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] ToolId id() const override { return ToolId::Part; }
-    [[nodiscard]] QString title() const override { return tr("Part"); }
-    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_P; }
-    [[nodiscard]] QString purpose() const override { return tr("Parts the hair along a line."); }
+    [[nodiscard]] const ToolTraits& traits() const override { return kPart; }
     [[nodiscard]] QString hint() const override;
-    [[nodiscard]] ToolOptions options() const override { return kPartOptions; }
-    [[nodiscard]] std::optional<MapKind> map() const override { return MapKind::Direction; }
-    [[nodiscard]] std::vector<MapKind> alsoPaints(const ToolSettings& settings) const override
-    {
-        return settings.partGapM > 0.0F ? std::vector{MapKind::Density} : std::vector<MapKind>();
-    }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override;

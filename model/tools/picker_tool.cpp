@@ -11,18 +11,20 @@ namespace {
 
 constexpr std::array kPickerOptions{&kValueOption};
 
+constexpr ToolTraits kPicker{.id = ToolId::Picker,
+                             .name = "picker",
+                             .title = QT_TRANSLATE_NOOP("Tool", "Picker"),
+                             .purpose = QT_TRANSLATE_NOOP("Tool", "Takes a value from the map, to paint on with it."),
+                             .hint = QT_TRANSLATE_NOOP("Tool", "Click to take the value under the pointer"),
+                             .key = Qt::Key_I,
+                             .options = kPickerOptions,
+                             .paints = false};
+
 class PickerTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] ToolId id() const override { return ToolId::Picker; }
-    [[nodiscard]] QString title() const override { return tr("Picker"); }
-    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_I; }
-    [[nodiscard]] QString purpose() const override { return tr("Takes a value from the map, to paint on with it."); }
-    [[nodiscard]] QString hint() const override { return tr("Click to take the value under the pointer"); }
-    [[nodiscard]] ToolOptions options() const override { return kPickerOptions; }
-
-    [[nodiscard]] bool paints() const override { return false; }
+    [[nodiscard]] const ToolTraits& traits() const override { return kPicker; }
 
     void press(const ToolEvent& event, ToolContext& context) override
     {

@@ -12,21 +12,21 @@ namespace {
 
 constexpr double kSmallestUv = 0.002; ///< Less is a click, which selects nothing.
 
+constexpr ToolTraits kSelect{
+    .id = ToolId::Select,
+    .name = "select",
+    .title = QT_TRANSLATE_NOOP("Tool", "Select"),
+    .purpose = QT_TRANSLATE_NOOP("Tool", "Limits what is painted to a rectangle."),
+    .hint = QT_TRANSLATE_NOOP(
+        "Tool", "Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing"),
+    .key = Qt::Key_M,
+    .paints = false};
+
 class SelectTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] ToolId id() const override { return ToolId::Select; }
-    [[nodiscard]] QString title() const override { return tr("Select"); }
-    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_M; }
-    [[nodiscard]] QString purpose() const override { return tr("Limits what is painted to a rectangle."); }
-    [[nodiscard]] QString hint() const override
-    {
-        return tr("Drag a rectangle, Shift adds to the selection or makes a square; click to select nothing");
-    }
-    [[nodiscard]] ToolOptions options() const override { return {}; }
-
-    [[nodiscard]] bool paints() const override { return false; }
+    [[nodiscard]] const ToolTraits& traits() const override { return kSelect; }
 
     void press(const ToolEvent& event, ToolContext& context) override
     {

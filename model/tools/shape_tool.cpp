@@ -37,23 +37,29 @@ glm::vec2 squared(glm::vec2 extent)
     return {std::copysign(side, extent.x), std::copysign(side, extent.y)};
 }
 
+constexpr ToolTraits kShape{
+    .id = ToolId::Shape,
+    .name = "shape",
+    .title = QT_TRANSLATE_NOOP("Tool", "Shape"),
+    .purpose = QT_TRANSLATE_NOOP("Tool", "Paints filled rectangles, ellipses and polygons."),
+    .hint = QT_TRANSLATE_NOOP(
+        "Tool", "Drag a filled shape; Shift makes it a square or a circle; polygons: click corner by corner"),
+    .key = Qt::Key_U,
+    .options = kShapeOptions};
+
 /// Rectangles and ellipses are dragged from corner to corner. Polygons are clicked corner by corner, or drawn by
 /// dragging; a click near the first corner, or on the last one again, closes them.
 class ShapeTool : public Tool
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    [[nodiscard]] ToolId id() const override { return ToolId::Shape; }
-    [[nodiscard]] QString title() const override { return tr("Shape"); }
-    [[nodiscard]] QKeySequence defaultKey() const override { return Qt::Key_U; }
-    [[nodiscard]] QString purpose() const override { return tr("Paints filled rectangles, ellipses and polygons."); }
+    [[nodiscard]] const ToolTraits& traits() const override { return kShape; }
     [[nodiscard]] QString hint() const override
     {
         return m_kind == ShapeKind::Polygon && active()
                    ? tr("Click corner by corner; click the first one to close; Backspace takes one back")
-                   : tr("Drag a filled shape; Shift makes it a square or a circle; polygons: click corner by corner");
+                   : Tool::hint();
     }
-    [[nodiscard]] ToolOptions options() const override { return kShapeOptions; }
 
     void press(const ToolEvent& event, ToolContext& context) override;
     void move(const ToolEvent& event, ToolContext& context) override;

@@ -7,7 +7,7 @@
 #include "sim/skin/skin.h"
 
 #include <QCoreApplication>
-#include <QKeySequence>
+#include <QKeyCombination>
 #include <QPolygonF>
 #include <QString>
 
@@ -74,9 +74,6 @@ enum class ToolId : std::uint8_t
     Select,
     Picker
 };
-/// "brush": names the icon, and the key in the settings file.
-[[nodiscard]] const char* toolName(ToolId id);
-
 class Selection;
 
 /// What tools work with; owned by the app, passed in.
@@ -94,6 +91,28 @@ struct ToolContext
     [[nodiscard]] LayerAddress layer(MapKind map) const;
 };
 
+/// What a tool is, whatever it does just now: its row.
+struct ToolTraits
+{
+    ToolId id = ToolId::Brush;
+    const char* name = "";    ///< "brush": of its icon and in the names of its keys.
+    const char* title = "";   ///< To be translated in context "Tool", as are the next two.
+    const char* purpose = ""; ///< What it is for, a sentence.
+    const char* hint = "";    ///< What the status bar says it does next, unless the tool itself knows better.
+    QKeyCombination key = Qt::Key_unknown;
+    ToolOptions options = {}; ///< What the option bar shows for it.
+    bool hasRing = false;     ///< The cursor is a brush ring, and Ctrl+click takes the value there.
+    bool paints = true;       ///< Needs a layer that can be painted on.
+    bool grabs = false;       ///< In the 3D area it takes hold of hair, and of nothing else.
+    /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
+    /// one.
+    std::optional<MapKind> map = {};
+    /// What a drag with Ctrl on the head paints besides, which else it leaves alone.
+    std::optional<MapKind> paintsWithCtrl = {};
+    /// Another map that it changes too, as it is set: a layer of it must be there to be painted on. Null: none ever.
+    std::optional<MapKind> (*alsoPaints)(const ToolSettings& settings) = nullptr;
+};
+
 /// A small state machine. Painting tools work in an edit session (LiveEdit): one press..release, or one pending shape,
 /// is one undo command; cancel() leaves no trace. Somebody else's edit may end the session at any time: active() is
 /// false from then on.
@@ -103,30 +122,27 @@ class Tool
 public:
     virtual ~Tool() = default;
 
-    [[nodiscard]] virtual ToolId id() const = 0;
-    [[nodiscard]] virtual QString title() const = 0;
-    [[nodiscard]] virtual QKeySequence defaultKey() const = 0;
-    /// What it is for, a sentence.
-    [[nodiscard]] virtual QString purpose() const = 0;
-    /// What the status bar says the tool does next.
-    [[nodiscard]] virtual QString hint() const = 0;
-    /// The same of what it does with these settings.
+    [[nodiscard]] virtual const ToolTraits& traits() const = 0;
+    [[nodiscard]] ToolId id() const { return traits().id; }
+    [[nodiscard]] const char* name() const { return traits().name; }
+    [[nodiscard]] QString title() const { return tr(traits().title); }
+    [[nodiscard]] QString purpose() const { return tr(traits().purpose); }
+    [[nodiscard]] ToolOptions options() const { return traits().options; }
+    [[nodiscard]] std::optional<MapKind> map() const { return traits().map; }
+    [[nodiscard]] std::optional<MapKind> paintsWithCtrl(Area area) const
+    {
+        return area == Area::Head ? traits().paintsWithCtrl : std::nullopt;
+    }
+    [[nodiscard]] bool picksWithCtrl(Area area) const { return traits().hasRing && !paintsWithCtrl(area); }
+    [[nodiscard]] std::optional<MapKind> alsoPaints(const ToolSettings& settings) const
+    {
+        return traits().alsoPaints != nullptr ? traits().alsoPaints(settings) : std::nullopt;
+    }
+
+    /// What the status bar says the tool does next,
+    [[nodiscard]] virtual QString hint() const { return tr(traits().hint); }
+    /// and with these settings.
     [[nodiscard]] virtual QString hintFor(const ToolSettings& /*settings*/) const { return hint(); }
-    /// What the option bar shows for it.
-    [[nodiscard]] virtual ToolOptions options() const = 0;
-    [[nodiscard]] virtual bool hasRing() const { return false; } ///< The cursor is a brush ring.
-    /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
-    /// one.
-    [[nodiscard]] virtual std::optional<MapKind> map() const { return std::nullopt; }
-    /// Ctrl+click takes the value there.
-    [[nodiscard]] virtual bool picksWithCtrl(Area /*area*/) const { return hasRing(); }
-    /// In the 3D area it takes hold of hair, and of nothing else.
-    [[nodiscard]] virtual bool grabs() const { return false; }
-    /// Other maps that it changes too, as it is set: a layer of each must be there to be painted on.
-    [[nodiscard]] virtual std::vector<MapKind> alsoPaints(const ToolSettings& /*settings*/) const { return {}; }
-    /// What a drag with Ctrl paints besides, which else it leaves alone.
-    [[nodiscard]] virtual std::optional<MapKind> paintsWithCtrl(Area /*area*/) const { return std::nullopt; }
-    [[nodiscard]] virtual bool paints() const { return true; } ///< Needs a layer that can be painted on.
 
     virtual void press(const ToolEvent& event, ToolContext& context) = 0;
     virtual void move(const ToolEvent& event, ToolContext& context) = 0;

@@ -1,16 +1,7 @@
 // The tools, in tool-bar order.
 #include "model/tools/tool_list.h"
 
-#include <array>
-
 namespace hairpaint::model {
-
-const char* toolName(ToolId id)
-{
-    static constexpr std::array kNames{"brush",    "eraser", "comb",  "part",   "grab",
-                                       "gradient", "fill",   "shape", "select", "picker"};
-    return kNames.at(static_cast<std::size_t>(id));
-}
 
 LayerAddress ToolContext::layer(MapKind map) const
 {

@@ -470,7 +470,7 @@ private Q_SLOTS:
         QVERIFY(help != nullptr && help->isVisible());
         const QString text = help->text();
         for (const auto& tool : editor().tools())
-            QVERIFY2(text.contains(tool->title()) && text.contains(tool->hint()), model::toolName(tool->id()));
+            QVERIFY2(text.contains(tool->title()) && text.contains(tool->hint()), tool->name());
         for (const view::KeyBinding& binding : m_window->actions().bindings())
             if (!binding.action->shortcut().isEmpty())
                 QVERIFY2(text.contains(binding.action->shortcut().toString(QKeySequence::NativeText)),

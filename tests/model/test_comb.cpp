@@ -29,7 +29,7 @@ struct Hairdresser : HeadStudio
     /// Over the head along these places.
     void stroke(const std::vector<glm::vec3>& wayHd, float pressure = 1.0F)
     {
-        Tool& with = Studio::tool(QLatin1String(toolName(tool)));
+        Tool& with = Studio::tool(tool);
         ToolContext now = context();
         with.press(eventAt(wayHd.front(), pressure), now);
         for (const glm::vec3& place : wayHd)
@@ -133,8 +133,10 @@ private Q_SLOTS:
         QTest::addColumn<ToolId>("tool");
         QTest::addColumn<bool>("builtIn");
         for (const bool builtIn : {false, true}) {
-            for (const ToolId tool : {ToolId::Comb, ToolId::Brush, ToolId::Shape, ToolId::Gradient})
-                QTest::addRow("%s, %s", toolName(tool), builtIn ? "built-in" : "imported") << tool << builtIn;
+            for (const auto& [tool, name] :
+                 {std::pair(ToolId::Comb, "comb"), std::pair(ToolId::Brush, "brush"), std::pair(ToolId::Shape, "shape"),
+                  std::pair(ToolId::Gradient, "gradient")})
+                QTest::addRow("%s, %s", name, builtIn ? "built-in" : "imported") << tool << builtIn;
         }
     }
     void theOtherSideIsCombedInTheMirror()

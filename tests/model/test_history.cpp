@@ -47,7 +47,7 @@ private:
     static void stroke(Studio& studio, std::mt19937& random)
     {
         const auto fraction = [&random] { return 0.1F + 0.8F * static_cast<float>(random() % 1000) / 1000.0F; };
-        const QString tool = QLatin1String(toolName(studio.tools[random() % studio.tools.size()]->id()));
+        const QString tool = QLatin1String(studio.tools[random() % studio.tools.size()]->name());
         studio.map = static_cast<MapKind>(random() % kMapKindCount);
         studio.mirror = random() % 2 == 0;
         studio.settings.brushSizeM = 0.01F + 0.03F * fraction();

@@ -59,7 +59,7 @@ void TestToolResults::theEyedropperTakesTheValue()
     QVERIFY(std::abs(studio.settings.value(MapKind::Length).scalar - 0.75F) < 1e-4F);
     for (const auto& tool : studio.tools) { // Ctrl+click with any tool.
         studio.settings.value(MapKind::Length).scalar = 0.1F;
-        const QString id = QString::fromLatin1(toolName(tool->id()));
+        const QString id = QString::fromLatin1(tool->name());
         studio.press(id, 0.25F, 0.25F, 1.0F, Qt::ControlModifier);
         studio.release(id, 0.25F, 0.25F);
         QVERIFY2(std::abs(studio.settings.value(MapKind::Length).scalar - 0.75F) < 1e-4F, qPrintable(id));

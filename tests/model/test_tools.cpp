@@ -250,8 +250,8 @@ void TestTools::toolsHaveTheirOwnIdsKeysAndHints()
 {
     QStringList ids, keys;
     for (const auto& tool : makeTools()) {
-        ids << QString::fromLatin1(toolName(tool->id()));
-        keys << tool->defaultKey().toString();
+        ids << QString::fromLatin1(tool->name());
+        keys << QKeySequence(tool->traits().key).toString();
         QVERIFY(!tool->title().isEmpty());
         QVERIFY(!tool->hint().isEmpty());
     }

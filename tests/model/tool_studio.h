@@ -33,7 +33,11 @@ struct Studio
     }
     Tool& tool(const QString& id)
     {
-        return **std::ranges::find_if(tools, [&](const auto& one) { return id == QLatin1String(toolName(one->id())); });
+        return **std::ranges::find_if(tools, [&](const auto& one) { return id == QLatin1String(one->name()); });
+    }
+    Tool& tool(ToolId id)
+    {
+        return **std::ranges::find(tools, id, [](const auto& one) { return one->id(); });
     }
     void press(const QString& id, float u, float v, float pressure = 1.0F, Qt::KeyboardModifiers modifiers = {})
     {

@@ -171,7 +171,7 @@ private Q_SLOTS:
     void every_tool_and_map_has_an_icon()
     {
         for (const auto& tool : model::makeTools())
-            QVERIFY2(hasIcon(QLatin1String(model::toolName(tool->id()))), model::toolName(tool->id()));
+            QVERIFY2(hasIcon(QLatin1String(tool->name())), tool->name());
         for (const model::MapSpec& spec : model::mapSpecs())
             QVERIFY2(hasIcon(QLatin1String(spec.id)), spec.id);
         QVERIFY(!hasIcon(QStringLiteral("no such icon")));

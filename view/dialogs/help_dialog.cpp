@@ -58,7 +58,7 @@ QString toolPage(const EditorState& state, const std::vector<KeyBinding>& bindin
 {
     Table table;
     for (const auto& tool : state.tools()) {
-        const QString key = keyOf(bindings, QStringLiteral("tool.") + QLatin1String(model::toolName(tool->id())));
+        const QString key = keyOf(bindings, QStringLiteral("tool.") + QLatin1String(tool->name()));
         table.row(tool->hint(), key.isEmpty() ? tool->title() : QStringLiteral("%1 (%2)").arg(tool->title(), key));
     }
     return heading(HelpDialog::Topic::Tools, HelpDialog::tr("Tools")) + table.html() +

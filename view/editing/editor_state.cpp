@@ -260,7 +260,7 @@ void EditorState::withTool(const Call& call)
 
 std::vector<sim::SurfacePoint> EditorState::ringPoints() const
 {
-    if (!m_hover || !m_hover->point || !activeTool().hasRing())
+    if (!m_hover || !m_hover->point || !activeTool().traits().hasRing)
         return {};
     std::vector<sim::SurfacePoint> points{*m_hover->point};
     const std::shared_ptr<const model::Head>& head = m_document.project().head;
@@ -298,7 +298,7 @@ QString EditorState::refusal(bool picks) const
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
     if (group == nullptr)
         return tr("There is no hair group to paint on; add one in the Hair panel.");
-    if (picks || !activeTool().paints())
+    if (picks || !activeTool().traits().paints)
         return {};
     QString reason = refusalOn(*group, m_activeMap);
     return reason.isEmpty() ? refusalOnOthers() : reason;
@@ -307,12 +307,10 @@ QString EditorState::refusal(bool picks) const
 QString EditorState::refusalOnOthers() const
 {
     const model::HairGroup* group = m_document.project().group(m_activeGroup);
-    for (const MapKind map : activeTool().alsoPaints(m_toolSettings)) {
-        if (const QString reason = group != nullptr ? refusalOn(*group, map) : QString(); !reason.isEmpty())
-            //: %1: a map's name; %2: a sentence that says why nothing can be painted on it.
-            return tr("%1: %2").arg(model::mapSpec(map).titleText(), reason);
-    }
-    return {};
+    const std::optional<MapKind> map = activeTool().alsoPaints(m_toolSettings);
+    const QString reason = group != nullptr && map ? refusalOn(*group, *map) : QString();
+    //: %1: a map's name; %2: a sentence that says why nothing can be painted on it.
+    return reason.isEmpty() ? QString() : tr("%1: %2").arg(model::mapSpec(*map).titleText(), reason);
 }
 
 QString EditorState::refusalWithCtrl(const model::ToolEvent& event) const
@@ -359,7 +357,7 @@ void EditorState::press(const model::ToolEvent& event)
     if (activeTool().map())
         takeToolsMap();
     // Somebody else's edit ends before it is asked what there is to paint on.
-    if (!picks && activeTool().paints() && !stroking())
+    if (!picks && activeTool().traits().paints && !stroking())
         m_document.endEdit();
     QString reason = refusal(picks);
     if (reason.isEmpty())

@@ -42,7 +42,7 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
     const bool alt = pressed.modifiers.testFlag(Qt::AltModifier);
     if (!alt && m_colliders.press(pressed))
         return Drag::Collider;
-    if (!alt && m_editor.activeTool().grabs()) {
+    if (!alt && m_editor.activeTool().traits().grabs) {
         m_grabbed = m_scene.hairAt(pressed.position);
         return m_grabbed ? Drag::Stroke : Drag::Orbit;
     }
@@ -75,7 +75,7 @@ void HeadPointer::move(const PointerSample& sample)
     switch (m_drag) {
     case Drag::None:
         hoverAt(sample);
-        if (sample.buttons == Qt::NoButton && !m_editor.activeTool().grabs())
+        if (sample.buttons == Qt::NoButton && !m_editor.activeTool().traits().grabs)
             blowAt(sample);
         break;
     case Drag::Stroke:
@@ -182,7 +182,7 @@ void HeadPointer::hoverAt(const PointerSample& sample)
     std::optional<sim::SurfacePoint> point;
     if (m_drag == Drag::Stroke && m_grabbed)
         point = m_grabbed->root;
-    else if (const auto hair = m_editor.activeTool().grabs() ? m_scene.hairAt(sample.position) : std::nullopt)
+    else if (const auto hair = m_editor.activeTool().traits().grabs ? m_scene.hairAt(sample.position) : std::nullopt)
         point = hair->root;
     else
         point = m_scene.skinAt(sample.position);

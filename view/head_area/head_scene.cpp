@@ -119,7 +119,7 @@ bool HeadScene::refreshRings()
 QPolygonF HeadScene::hiddenRing() const
 {
     const std::optional<Hover>& hover = m_editor.hover();
-    if (!hover || hover->area != model::Area::Paint || !hover->point || !m_editor.activeTool().hasRing() ||
+    if (!hover || hover->area != model::Area::Paint || !hover->point || !m_editor.activeTool().traits().hasRing ||
         !hidden(*hover->point, skin(), m_scene.camera, shownPose()))
         return {};
     return ringSeen(*hover->point, m_editor.toolSettings().brushSizeM / 2.0F, m_scene.camera, shownPose(),

@@ -67,8 +67,8 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
     for (const auto& tool : state.tools()) {
         QToolButton* button = makeTarget(this);
         button->setCheckable(true);
-        button->setIcon(icon(QLatin1String(model::toolName(tool->id()))));
-        describe(*button, tool->title(), tool->defaultKey(), {tool->purpose(), tool->hint()});
+        button->setIcon(icon(QLatin1String(tool->name())));
+        describe(*button, tool->title(), tool->traits().key, {tool->purpose(), tool->hint()});
         connect(button, &QToolButton::clicked, this, [this, id = tool->id()] { m_state.setActiveTool(id); });
         hint->watch(*button, tool->id());
         group->addButton(button);

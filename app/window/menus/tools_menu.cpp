@@ -23,14 +23,14 @@ ToolsMenu::ToolsMenu(const QString& title, ActionSet& actions, view::EditorState
     : QMenu(title, parent)
 {
     for (const auto& tool : editor.tools()) {
-        const char* name = model::toolName(tool->id());
+        const char* name = tool->name();
         const auto choose = [&editor, tool = tool->id()] {
             if (tool == model::ToolId::Eraser)
                 editor.toggleTool(tool);
             else
                 editor.setActiveTool(tool);
         };
-        actions.add(*this, {{QByteArray("tool.") + name, tool->title(), {tool->defaultKey()}, choose, name}});
+        actions.add(*this, {{QByteArray("tool.") + name, tool->title(), {tool->traits().key}, choose, name}});
     }
     addSeparator();
     actions.add(*this,
