@@ -66,6 +66,14 @@ std::optional<Request> receive()
     return request;
 }
 
+wire::Sandbox sandboxFor(const std::string& folder)
+{
+    const importer::Sandbox sandbox = importer::enterSandbox(folder);
+    return {.landlockVersion = static_cast<std::uint32_t>(sandbox.landlockVersion),
+            .filtersCalls = sandbox.filtersCalls ? 1U : 0U,
+            .mostMegabytes = importer::mostMegabytes()};
+}
+
 std::optional<wire::Bytes> answerTo(Request request)
 {
     if (request.kind == wire::Kind::EncodeImage) {
@@ -73,14 +81,16 @@ std::optional<wire::Bytes> answerTo(Request request)
         if (!encode)
             return std::nullopt;
         request.body = {};
-        importer::enterSandbox({});
+        (void)importer::enterSandbox({});
         const auto file = importer::encodeImage(*encode);
         return file ? *file : wire::encodeRefusal(file.error());
     }
     const std::optional<std::string> path = wire::decodePath(request.body);
     if (!path)
         return std::nullopt;
-    importer::enterSandbox(folderOf(*path));
+    if (request.kind == wire::Kind::TellSandbox)
+        return wire::encodeSandbox(sandboxFor(*path));
+    (void)importer::enterSandbox(folderOf(*path));
     if (request.kind == wire::Kind::ReadImage) {
         const auto image = importer::readImage(*path);
         return image ? wire::encodeImage(*image) : wire::encodeRefusal(image.error());

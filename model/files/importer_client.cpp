@@ -144,6 +144,20 @@ Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString
     return withinMemory(path, cannotWrite, [&] { return encodeImage(image, path, bits, progress); });
 }
 
+std::optional<HelperSandbox> ImporterClient::sandbox() const
+{
+    const wire::Bytes request = wire::encodeText(wire::Kind::TellSandbox, ".");
+    const tl::expected<HelperAnswer, HelperFailure> answer = runHelper(m_helperPath, request, m_timeoutMs, {});
+    if (!answer || answer->kind != wire::Kind::Sandbox)
+        return std::nullopt;
+    const std::optional<wire::Sandbox> told = wire::decodeSandbox(answer->body);
+    if (!told)
+        return std::nullopt;
+    return HelperSandbox{.landlockVersion = static_cast<int>(told->landlockVersion),
+                         .filtersCalls = told->filtersCalls != 0,
+                         .mostMegabytes = static_cast<int>(told->mostMegabytes)};
+}
+
 Result<ForeignImage> ImporterClient::decodeImage(const QString& path, const Progress& progress) const
 {
     if (Result<void> readable = checkReadable(path, kMostForeignBytes); !readable)
