@@ -546,6 +546,38 @@
         <source>Hairs: %1 (%2 exported, %3 simulated), seed %4</source>
         <translation>Pelos: %1 (%2 se exportan, %3 simulados), semilla %4</translation>
     </message>
+    <message>
+        <source>What holds the helper that decodes foreign files, hairpaint-import, on this machine:</source>
+        <translation>Lo que contiene al programa auxiliar que descodifica archivos ajenos, hairpaint-import, en este equipo:</translation>
+    </message>
+    <message>
+        <source>  files: Landlock, version %1</source>
+        <translation>  archivos: Landlock, versión %1</translation>
+    </message>
+    <message>
+        <source>  files: nothing, it may open those that you may</source>
+        <translation>  archivos: nada, puede abrir los mismos que tú</translation>
+    </message>
+    <message>
+        <source>  system calls: seccomp, by a list of those that are allowed</source>
+        <translation>  llamadas al sistema: seccomp, con una lista de las permitidas</translation>
+    </message>
+    <message>
+        <source>  system calls: nothing, all can be made</source>
+        <translation>  llamadas al sistema: nada, puede hacer todas</translation>
+    </message>
+    <message>
+        <source>  memory: at most %1</source>
+        <translation>  memoria: como mucho %1</translation>
+    </message>
+    <message>
+        <source>  memory: nothing, it may take what there is</source>
+        <translation>  memoria: nada, puede tomar toda la que haya</translation>
+    </message>
+    <message>
+        <source>The helper that decodes foreign files, hairpaint-import, does not answer; install Hair Paint again.</source>
+        <translation>El programa auxiliar que descodifica archivos ajenos, hairpaint-import, no responde; vuelve a instalar Hair Paint.</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>

@@ -24,8 +24,8 @@ ExitCode runRepair(const QStringList& arguments)
     if (const model::Result<void> saved = model::saveProject(repaired->project, output, {}); !saved)
         return failed(saved.error());
     if (repaired->losses.isEmpty())
-        return printOut(CommandLine::tr("Nothing was lost.") + QLatin1Char('\n'));
-    return printOut(repaired->losses.join(QLatin1Char('\n')) + QLatin1Char('\n'));
+        return printOut(QStringList{CommandLine::tr("Nothing was lost.")});
+    return printOut(repaired->losses);
 }
 
 } // namespace hairpaint::app
