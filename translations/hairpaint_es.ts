@@ -1192,6 +1192,10 @@
         <source>its disk or network folder does not answer; try again when it does, or use another place</source>
         <translation>su disco o carpeta de red no responde; vuelva a intentarlo cuando lo haga o use otro lugar</translation>
     </message>
+    <message>
+        <source>the file &apos;%1&apos;, which it needs, lies outside of its folder, where nothing is read; save both into one folder, and try again</source>
+        <translation>el archivo «%1», que necesita, está fuera de su carpeta, de donde no se lee nada; guarda ambos en una misma carpeta e inténtalo de nuevo</translation>
+    </message>
 </context>
 <context>
     <name>GroupSchema</name>

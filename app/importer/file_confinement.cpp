@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <fcntl.h>
 #include <linux/landlock.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 #endif
@@ -59,21 +60,32 @@ Ruleset rulesetOf(int version)
     return ruleset;
 }
 
-void allowReading(int rules, const char* folder)
+/// A folder and what lies in it, or one file.
+void allowReading(int rules, const char* path)
 {
-    const int file = ::open(folder, O_PATH | O_CLOEXEC);
+    const int file = ::open(path, O_PATH | O_CLOEXEC);
     if (file < 0)
         return;
+    struct stat found = {};
     landlock_path_beneath_attr beneath{};
-    beneath.allowed_access = kRead;
+    const bool isFolder = ::fstat(file, &found) == 0 && S_ISDIR(found.st_mode);
+    beneath.allowed_access = isFolder ? kRead : std::uint64_t{LANDLOCK_ACCESS_FS_READ_FILE};
     beneath.parent_fd = file;
     ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &beneath, 0);
     ::close(file);
 }
 
+std::string folderOf(const std::string& file)
+{
+    const std::size_t slash = file.rfind('/');
+    if (slash == std::string::npos)
+        return ".";
+    return slash == 0 ? "/" : file.substr(0, slash);
+}
+
 } // namespace
 
-int confineFiles(const std::string& folder)
+int confineFiles(const std::string& file)
 {
     const auto version =
         static_cast<int>(::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION));
@@ -88,8 +100,10 @@ int confineFiles(const std::string& folder)
     // Threads ask how many processors there are.
     allowReading(rules, "/sys/devices/system/cpu");
     allowReading(rules, "/sys/fs/cgroup");
-    if (!folder.empty())
-        allowReading(rules, folder.c_str());
+    if (!file.empty()) {
+        allowReading(rules, folderOf(file).c_str());
+        allowReading(rules, file.c_str());
+    }
     const bool isConfined = ::syscall(SYS_landlock_restrict_self, rules, 0) == 0;
     ::close(rules);
     return isConfined ? version : 0;
@@ -97,7 +111,7 @@ int confineFiles(const std::string& folder)
 
 #else
 
-int confineFiles(const std::string& /*folder*/)
+int confineFiles(const std::string& /*file*/)
 {
     return 0;
 }

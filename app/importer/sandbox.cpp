@@ -10,14 +10,14 @@
 
 namespace hairpaint::importer {
 
-Sandbox enterSandbox([[maybe_unused]] const std::string& folder)
+Sandbox enterSandbox([[maybe_unused]] const std::string& file)
 {
     Sandbox sandbox;
 #ifdef __linux__
     // Without it neither layer may be entered by an ordinary user.
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
         return sandbox;
-    sandbox.landlockVersion = confineFiles(folder);
+    sandbox.landlockVersion = confineFiles(file);
     sandbox.filtersCalls = filterCalls();
 #endif
     return sandbox;

@@ -12,13 +12,14 @@ struct Sandbox
     bool filtersCalls = false; ///< By the list in call_filter.cpp.
 };
 
-/// From now on this process, and whatever threads it starts, may read files in `folder` and those the system's
-/// libraries come from, and no others; it may write to what is open already and create nothing; it may start no
-/// program, open no connection and look into no other process. `folder`: empty where no file is read at all.
+/// From now on this process, and whatever threads it starts, may read `file` (also behind a link), those in
+/// its folder and those the system's libraries come from, and no others; it may write to what
+/// is open already and create nothing; it may start no program, open no connection and look into no other process.
+/// `file`: empty where none is read at all.
 ///
 /// Linux: Landlock for files (file_confinement.h), a seccomp filter for everything that a process asks the kernel for
 /// (call_filter.h), each where the kernel has it; without them it goes on as it is. Elsewhere nothing happens here
 /// (Windows: a job object, see resource_limits.h).
-Sandbox enterSandbox(const std::string& folder);
+Sandbox enterSandbox(const std::string& file);
 
 } // namespace hairpaint::importer

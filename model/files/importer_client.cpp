@@ -80,6 +80,11 @@ QString reasonText(const wire::Refusal& refusal)
                                      "the file '%1', which it needs, is missing; put it where it was saved with "
                                      "this one, and try again"))
             .arg(shownPath(QString::fromStdString(refusal.file)));
+    case wire::Reason::OutsideFolder:
+        return say(QT_TRANSLATE_NOOP("Files",
+                                     "the file '%1', which it needs, lies outside of its folder, where nothing "
+                                     "is read; save both into one folder, and try again"))
+            .arg(shownPath(QString::fromStdString(refusal.file)));
     }
     return {};
 }

@@ -325,10 +325,10 @@ std::optional<Refusal> decodeRefusal(std::span<const std::byte> body)
 {
     Reader reader(body);
     std::uint32_t reason = 0;
-    if (!reader.value(reason) || reason < 1 || reason > static_cast<std::uint32_t>(Reason::MissingFile))
+    if (!reader.value(reason) || reason < 1 || reason > static_cast<std::uint32_t>(Reason::OutsideFolder))
         return std::nullopt;
     Refusal refusal(static_cast<Reason>(reason));
-    if (refusal.reason == Reason::MissingFile) {
+    if (refusal.reason == Reason::MissingFile || refusal.reason == Reason::OutsideFolder) {
         std::optional<std::string> name = decodePath(reader.rest());
         if (!name || name->size() > kLongestName)
             return std::nullopt;

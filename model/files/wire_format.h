@@ -41,15 +41,16 @@ enum class Reason : std::uint32_t
     CannotWriteEnding = 7,
     OutOfMemory = 8,
     UnknownCompression = 9,
-    MissingFile = 10 ///< One that the file names.
+    MissingFile = 10,  ///< One that the file names.
+    OutsideFolder = 11 ///< Where such a one lies.
 };
 
 /// Why there is no other answer.
 struct Refusal
 {
     Reason reason;
-    std::string file; ///< UTF-8, without folders; empty unless it is missing.
-    Refusal(Reason why, std::string missing = {}) : reason(why), file(std::move(missing)) {}
+    std::string file; ///< That file, UTF-8, without folders; empty for all other reasons.
+    Refusal(Reason why, std::string named = {}) : reason(why), file(std::move(named)) {}
     friend bool operator==(const Refusal&, const Refusal&) = default;
 };
 

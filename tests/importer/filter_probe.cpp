@@ -4,15 +4,12 @@
 #ifdef HAIRPAINT_HAS_FILTER_PROBE
 #include "app/importer/sandbox.h"
 
-#include <QFile>
-
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
-#include <string>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/ptrace.h>
@@ -40,14 +37,13 @@ bool handMarkedCallsToTracer()
     return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
 }
 
-[[noreturn]] void askAll(const std::vector<Call>& calls, const std::string& folder, const std::function<void()>& become,
-                         Verdict* verdicts)
+[[noreturn]] void askAll(const std::vector<Call>& calls, const std::function<void()>& become, Verdict* verdicts)
 {
     if (become)
         become();
     if (::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0 || ::raise(SIGSTOP) != 0 || !handMarkedCallsToTracer())
         ::_exit(1);
-    (void)importer::enterSandbox(folder);
+    (void)importer::enterSandbox({});
     for (std::size_t i = 0; i < calls.size(); ++i) {
         const auto& arguments = calls[i].arguments;
         const long result =
@@ -89,18 +85,16 @@ bool answerFor(pid_t child)
 
 } // namespace
 
-std::optional<std::vector<Verdict>> probe(const std::vector<Call>& calls, const QString& folder,
-                                          const std::function<void()>& become)
+std::optional<std::vector<Verdict>> probe(const std::vector<Call>& calls, const std::function<void()>& become)
 {
     const std::size_t bytes = calls.size() * sizeof(Verdict);
     void* const shared = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (shared == MAP_FAILED)
         return std::nullopt;
     auto* const verdicts = static_cast<Verdict*>(shared);
-    const std::string encoded = QFile::encodeName(folder).toStdString();
     const pid_t child = ::fork();
     if (child == 0)
-        askAll(calls, encoded, become, verdicts);
+        askAll(calls, become, verdicts);
     const bool isAnswered = child > 0 && answerFor(child);
     std::optional<std::vector<Verdict>> told;
     if (isAnswered)

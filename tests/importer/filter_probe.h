@@ -5,7 +5,6 @@
 #define HAIRPAINT_HAS_FILTER_PROBE
 
 #include <QMetaType>
-#include <QString>
 
 #include <array>
 #include <functional>
@@ -32,7 +31,7 @@ enum class Verdict : unsigned char
 /// mark as its sixth argument. A filter of the test's own, put below the sandbox's, hands marked calls to this process,
 /// but only those that the sandbox lets through, for its refusals weigh more; none is carried out. None where the child
 /// ends early.
-[[nodiscard]] std::optional<std::vector<Verdict>> probe(const std::vector<Call>& calls, const QString& folder,
+[[nodiscard]] std::optional<std::vector<Verdict>> probe(const std::vector<Call>& calls,
                                                         const std::function<void()>& become);
 
 } // namespace hairpaint::test

@@ -75,12 +75,12 @@ private:
     template<typename Act>
     bool inSandbox(const Act& act, bool asNobody = false)
     {
-        const std::string folder = QFile::encodeName(m_folder.path()).toStdString();
+        const std::string file = QFile::encodeName(m_folder.filePath(QStringLiteral("file"))).toStdString();
         const pid_t child = ::fork();
         if (child == 0) {
             if (asNobody)
                 becomeNobody();
-            (void)importer::enterSandbox(folder);
+            (void)importer::enterSandbox(file);
             ::_exit(act() ? 0 : 1);
         }
         int status = -1;
@@ -294,7 +294,7 @@ private Q_SLOTS:
         QFETCH(bool, allowed);
         if (!filtersCalls())
             QSKIP("Built without libseccomp, or the kernel has no filters.");
-        const std::optional<std::vector<test::Verdict>> verdicts = test::probe({call}, m_folder.path(), {});
+        const std::optional<std::vector<test::Verdict>> verdicts = test::probe({call}, {});
         QVERIFY(verdicts);
         QCOMPARE(verdicts->front() == test::Verdict::Allowed, allowed);
     }
@@ -375,8 +375,7 @@ private:
     /// What the kernel says otherwise than the list; empty where they agree.
     QString faultOfList(const std::vector<test::Call>& calls, bool asNobody)
     {
-        const auto verdicts =
-            test::probe(calls, m_folder.path(), asNobody ? std::function<void()>(becomeNobody) : nullptr);
+        const auto verdicts = test::probe(calls, asNobody ? std::function<void()>(becomeNobody) : nullptr);
         if (!verdicts)
             return QStringLiteral("The kernel was not asked to the end.");
         // A process's number is in the list, and those of the child and of this one differ: none of these calls has the
