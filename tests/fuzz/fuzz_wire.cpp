@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (const std::optional<model::RiggedMesh> mesh = wire::decodeMesh(body))
             fuzz::require(sameBody(body, wire::encodeMesh(*mesh)));
         break;
-    case 4:
+    case 5:
         if (const std::optional<wire::Sandbox> sandbox = wire::decodeSandbox(body))
             fuzz::require(sameBody(body, wire::encodeSandbox(*sandbox)));
         break;
