@@ -291,10 +291,6 @@
         <translation>No se pudo imprimir lo pedido; compruebe adónde lleva la salida estándar.</translation>
     </message>
     <message>
-        <source>A project&apos;s name ends in .hairpaint, not in .%1</source>
-        <translation>El nombre de un proyecto termina en .hairpaint, no en .%1</translation>
-    </message>
-    <message>
         <source>the picture to write; as OpenEXR in linear light, alpha in its colours</source>
         <translation>la imagen que se escribe; como OpenEXR en luz lineal, con la alfa en sus colores</translation>
     </message>
@@ -1195,6 +1191,30 @@
     <message>
         <source>the file &apos;%1&apos;, which it needs, lies outside of its folder, where nothing is read; save both into one folder, and try again</source>
         <translation>el archivo «%1», que necesita, está fuera de su carpeta, de donde no se lee nada; guarda ambos en una misma carpeta e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>it is a device, and no file can take its place; choose another name</source>
+        <translation>es un dispositivo, y ningún archivo puede ocupar su lugar; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>it is a pipe, and no file can take its place; choose another name</source>
+        <translation>es una tubería, y ningún archivo puede ocupar su lugar; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>it is a socket, and no file can take its place; choose another name</source>
+        <translation>es un socket, y ningún archivo puede ocupar su lugar; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>it is a link to a name that is not UTF-8; choose another name</source>
+        <translation>es un enlace a un nombre que no es UTF-8; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>it is a link that leads round in a circle; choose another name</source>
+        <translation>es un enlace que da vueltas en círculo; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>it leads to a file without a name, which nothing can take the place of; choose another name</source>
+        <translation>lleva a un archivo sin nombre, cuyo lugar nada puede ocupar; elige otro nombre</translation>
     </message>
 </context>
 <context>

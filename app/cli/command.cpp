@@ -2,6 +2,7 @@
 #include "app/cli/command.h"
 
 #include "app/cli/terminal.h"
+#include "model/files/output_place.h"
 #include "model/files/sentences.h"
 #include "model/project.h"
 
@@ -150,7 +151,7 @@ constexpr std::array<Command, 6> kCommands = {{
 QString projectIn(const QStringList& arguments)
 {
     for (const QString& argument : arguments)
-        if (argument.endsWith(QLatin1String(".hairpaint"), Qt::CaseInsensitive))
+        if (isProjectName(argument))
             return argument;
     const auto file =
         std::ranges::find_if(arguments, [](const QString& argument) { return !argument.startsWith(QLatin1Char('-')); });
@@ -322,6 +323,11 @@ std::optional<std::optional<std::size_t>> hairsOption(const QCommandLineParser& 
     if (!count)
         return std::nullopt;
     return static_cast<std::size_t>(*count);
+}
+
+bool isProjectName(const QString& output)
+{
+    return output.endsWith(QLatin1String(".hairpaint"), Qt::CaseInsensitive);
 }
 
 model::Result<void> checkOutput(const QString& output, const QStringList& inputs)

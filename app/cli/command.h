@@ -84,6 +84,9 @@ ExitCode wrongUsage(const char* command, const QString& problem);
 /// --hairs N, likewise.
 [[nodiscard]] std::optional<std::optional<std::size_t>> hairsOption(const QCommandLineParser& parser,
                                                                     const char* command);
+/// Whether that is the name of a project to be written. All outputs are named with their ending: a script is to know
+/// what it gets.
+[[nodiscard]] bool isProjectName(const QString& output);
 /// Fails, before any work is done, where `output` can't be written or is one of `inputs`.
 [[nodiscard]] model::Result<void> checkOutput(const QString& output, const QStringList& inputs);
 /// On standard output (terminal.h); Failed, with a line on standard error, where it takes no more.

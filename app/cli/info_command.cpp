@@ -155,8 +155,8 @@ ExitCode runPresets(const QStringList& arguments)
         QStringList tags;
         for (const QString& tag : entry.tags)
             tags.append(model::shownName(tag));
-        rows.append(QStringList{model::shownName(entry.name), model::shownName(entry.folder),
-                                tags.join(QStringLiteral(", "))});
+        rows.append(
+            QStringList{model::shownName(entry.name), model::shownName(entry.folder), tags.join(QStringLiteral(", "))});
     }
     return parser.isSet(QStringLiteral("json")) ? printJson(QJsonDocument(list).toJson()) : printOut(rows);
 }

@@ -14,7 +14,7 @@ ExitCode runRepair(const QStringList& arguments)
     if (!files)
         return ExitCode::WrongUsage;
     const QString output = parser.value(QStringLiteral("o"));
-    if (!output.endsWith(QLatin1String(".hairpaint"), Qt::CaseInsensitive))
+    if (!isProjectName(output))
         return wrongUsage(kName, CommandLine::tr("-o takes a name that ends in .hairpaint"));
     if (const model::Result<void> free = checkOutput(output, *files); !free)
         return failed(free.error());

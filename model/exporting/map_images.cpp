@@ -2,6 +2,7 @@
 #include "model/exporting/map_images.h"
 
 #include "model/files/image_map.h"
+#include "model/files/output_place.h"
 #include "model/files/sentences.h"
 #include "model/files/staged_files.h"
 

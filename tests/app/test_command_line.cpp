@@ -130,6 +130,13 @@ private Q_SLOTS:
         row("export p.hairpaint -o p.hair --hairs 2.5");
         row("new -o p.hairpaint --map /density=x.png");
         row("new -o p.png");
+        row("new -o p");
+        row("new -o p.");
+        row("new -o p.hairpaint.zip");
+        row("repair p.hairpaint -o q");
+        row("render p.hairpaint -o p");
+        row("export p.hairpaint -o p");
+        row("export p.hairpaint --uv-sheet p");
         row("new -o p.hairpaint --head ");
         row("new -o p.hairpaint --preset ");
     }
