@@ -62,7 +62,7 @@ Checked<QString> followed(const QString& path)
         Checked<QString> target = targetOf(place);
         if (!target)
             return target;
-        // One of the kernel's, as /dev/stdout may be.
+        // One of those in /proc that show what a process has open.
         if (QFileInfo::exists(place) && !QFileInfo::exists(*target))
             return refuse(
                 say(QT_TRANSLATE_NOOP("Files", "it leads to a file without a name, which nothing can take the "
