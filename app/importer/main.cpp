@@ -116,6 +116,7 @@ int run(std::FILE* channel)
 
 int main()
 {
+    importer::closeInherited();
     importer::limitResources();
     const int code = run(takeWire());
     // Decoders' own clean-up at exit has nothing left to say.

@@ -6,9 +6,19 @@
 
 #ifdef __linux__
 #include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 #endif
 
 namespace hairpaint::importer {
+
+void closeInherited()
+{
+#if defined(__linux__) && defined(SYS_close_range)
+    constexpr unsigned kFirst = 3;
+    (void)::syscall(SYS_close_range, kFirst, ~0U, 0); // Linux 5.9 and later.
+#endif
+}
 
 Sandbox enterSandbox([[maybe_unused]] const std::string& file)
 {

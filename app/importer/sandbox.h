@@ -12,6 +12,10 @@ struct Sandbox
     bool filtersCalls = false; ///< By the list in call_filter.cpp.
 };
 
+/// Closes what the process that started this one had open besides standard input, output and error: writing to what is
+/// open stays allowed. Call first.
+void closeInherited();
+
 /// From now on this process, and whatever threads it starts, may read `file` (also behind a link), those in
 /// its folder and those the system's libraries come from, and no others; it may write to what
 /// is open already and create nothing; it may start no program, open no connection and look into no other process.

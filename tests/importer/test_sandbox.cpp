@@ -7,6 +7,7 @@
 #include "tests/support/test_program.h"
 
 #include <QFile>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -310,6 +311,25 @@ private Q_SLOTS:
             long result = 20; // getpid of 32 bits.
             asm volatile("int $0x80" : "+a"(result) : : "memory");
         }));
+    }
+
+    /// A file that a shell had open when it started the editor, say.
+    void theHelperKeepsNothingOpenThatItInherited()
+    {
+        int pipe[2] = {-1, -1};
+        QVERIFY(::pipe2(pipe, O_CLOEXEC) == 0);
+        constexpr int kInherited = 9;
+        QProcess helper; // Waits for its request.
+        helper.setChildProcessModifier([&pipe] { ::dup2(pipe[1], kInherited); });
+        helper.start(QStringLiteral(HAIRPAINT_IMPORT_PROGRAM), QStringList());
+        QVERIFY(helper.waitForStarted(-1));
+        ::close(pipe[1]);
+        char byte = 0;
+        QCOMPARE(::read(pipe[0], &byte, 1), ssize_t{0}); // Returns once nobody has the other end.
+        ::close(pipe[0]);
+        QCOMPARE(helper.state(), QProcess::Running);
+        helper.closeWriteChannel();
+        QVERIFY(helper.waitForFinished(-1));
     }
 
     void theHelperTellsWhatHoldsIt()
