@@ -129,7 +129,7 @@ std::vector<AllowedCall> allowedCalls()
 
 bool filterCalls()
 {
-    const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(ENOSYS));
+    auto* const filter = seccomp_init(SCMP_ACT_ERRNO(ENOSYS));
     if (filter == nullptr)
         return false;
     (void)seccomp_attr_set(filter, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);

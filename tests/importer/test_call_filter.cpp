@@ -60,8 +60,10 @@ private:
                 calls.emplace_back().arguments.at(argument) = 1UL << bit;
         std::mt19937_64 random(1);
         for (int i = 0; i < 12; ++i)
-            for (unsigned long& argument : calls.emplace_back().arguments)
-                argument = random() & random();
+            for (unsigned long& argument : calls.emplace_back().arguments) {
+                argument = random(); // Half of its bits, then a quarter.
+                argument &= random();
+            }
         return calls;
     }
 
