@@ -1,5 +1,7 @@
 // Hair Paint: with a verb it works without a window, else it opens the editor.
 #include "app/cli/command.h"
+#include "app/cli/terminal.h"
+#include "app/cli/version.h"
 #include "app/recovery/termination.h"
 #include "app/session/large_memory.h"
 #include "app/settings/languages.h"
@@ -17,7 +19,6 @@
 #include <QLoggingCategory>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 
@@ -36,11 +37,11 @@ void describeApplication()
 
 ExitCode printHelp()
 {
-    QString text = CommandLine::tr("hairpaint [PROJECT]\n    opens the editor") + QLatin1Char('\n');
+    QStringList lines = CommandLine::tr("hairpaint [PROJECT]\n    opens the editor").split(QLatin1Char('\n'));
     for (const Command& command : hairpaint::app::commands())
-        text += hairpaint::app::helpOf(command, false);
-    text += CommandLine::tr("hairpaint COMMAND --help\n    tells what each option does") + QLatin1Char('\n');
-    return hairpaint::app::printOut(text);
+        lines += hairpaint::app::helpOf(command, false);
+    lines += CommandLine::tr("hairpaint COMMAND --help\n    tells what each option does").split(QLatin1Char('\n'));
+    return hairpaint::app::printOut(lines);
 }
 
 /// The program as it was called, for sentences that tell what to type.
@@ -69,10 +70,21 @@ bool isUtf8(const char* argument)
 #endif
 }
 
+/// What libraries warn of (a missing folder of the session's, a window too small to paint) tells nobody what to do.
+void keepLibrariesQuiet(QtMsgType type, const QMessageLogContext& context, const QString& text)
+{
+    const QByteArrayView category(context.category);
+    const bool isLibrarys = category == QByteArrayView("default") || category.startsWith("qt.");
+    // Their debugging is told only where somebody asked for it.
+    if (!isLibrarys || type == QtDebugMsg || type == QtFatalMsg || qEnvironmentVariableIsSet("QT_DEBUG_PLUGINS"))
+        hairpaint::app::printError(qFormatLogMessage(type, context, text));
+}
+
 int runCommandLine(int argc, char** argv)
 {
     const bool known = std::all_of(argv + 1, argv + argc, isUtf8);
-    QCoreApplication application(argc, argv);
+    qInstallMessageHandler(keepLibrariesQuiet);
+    const QCoreApplication application(argc, argv);
     hairpaint::app::speak();
     const QStringList arguments = QCoreApplication::arguments();
     if (!known) {
@@ -83,26 +95,13 @@ int runCommandLine(int argc, char** argv)
     const QString& first = arguments.at(1);
     if (const Command* command = hairpaint::app::findCommand(first))
         return static_cast<int>(run(*command, arguments.mid(2)));
-    if (first == QLatin1String("--version")) {
-        return static_cast<int>(
-            hairpaint::app::printOut(QStringLiteral("Hair Paint %1\n").arg(QCoreApplication::applicationVersion())));
-    }
-    if (first == QLatin1String("--help") || first == QLatin1String("-h")) {
+    if (first == QLatin1String("--version"))
+        return static_cast<int>(hairpaint::app::printOut(hairpaint::app::versionLines()));
+    if (first == QLatin1String("--help") || first == QLatin1String("-h"))
         return static_cast<int>(printHelp());
-    }
     (void)hairpaint::app::failed(
         {CommandLine::tr("There is no option %1; %2 --help lists those there are.").arg(first, calledAs())});
     return static_cast<int>(ExitCode::WrongUsage);
-}
-
-/// What libraries warn of (a missing folder of the session's, a window too small to paint) tells nobody what to do.
-void keepLibrariesQuiet(QtMsgType type, const QMessageLogContext& context, const QString& text)
-{
-    const QByteArrayView category(context.category);
-    const bool isLibrarys = category == QByteArrayView("default") || category.startsWith("qt.");
-    // Their debugging is told only where somebody asked for it.
-    if (!isLibrarys || type == QtDebugMsg || type == QtFatalMsg || qEnvironmentVariableIsSet("QT_DEBUG_PLUGINS"))
-        std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, text)));
 }
 
 /// Where no display can be opened Qt ends the program, with words that name plugins and not what the user can do.

@@ -291,10 +291,6 @@
         <translation>No se pudo imprimir lo pedido; compruebe adónde lleva la salida estándar.</translation>
     </message>
     <message>
-        <source>A project&apos;s name ends in .hairpaint, not in .%1</source>
-        <translation>El nombre de un proyecto termina en .hairpaint, no en .%1</translation>
-    </message>
-    <message>
         <source>the picture to write; as OpenEXR in linear light, alpha in its colours</source>
         <translation>la imagen que se escribe; como OpenEXR en luz lineal, con la alfa en sus colores</translation>
     </message>
@@ -545,6 +541,38 @@
     <message>
         <source>Hairs: %1 (%2 exported, %3 simulated), seed %4</source>
         <translation>Pelos: %1 (%2 se exportan, %3 simulados), semilla %4</translation>
+    </message>
+    <message>
+        <source>What holds the helper that decodes foreign files, hairpaint-import, on this machine:</source>
+        <translation>Lo que contiene al programa auxiliar que descodifica archivos ajenos, hairpaint-import, en este equipo:</translation>
+    </message>
+    <message>
+        <source>  files: Landlock, version %1</source>
+        <translation>  archivos: Landlock, versión %1</translation>
+    </message>
+    <message>
+        <source>  files: nothing, it may open those that you may</source>
+        <translation>  archivos: nada, puede abrir los mismos que tú</translation>
+    </message>
+    <message>
+        <source>  system calls: seccomp, by a list of those that are allowed</source>
+        <translation>  llamadas al sistema: seccomp, con una lista de las permitidas</translation>
+    </message>
+    <message>
+        <source>  system calls: nothing, all can be made</source>
+        <translation>  llamadas al sistema: nada, puede hacer todas</translation>
+    </message>
+    <message>
+        <source>  memory: at most %1</source>
+        <translation>  memoria: como mucho %1</translation>
+    </message>
+    <message>
+        <source>  memory: nothing, it may take what there is</source>
+        <translation>  memoria: nada, puede tomar toda la que haya</translation>
+    </message>
+    <message>
+        <source>The helper that decodes foreign files, hairpaint-import, does not answer; install Hair Paint again.</source>
+        <translation>El programa auxiliar que descodifica archivos ajenos, hairpaint-import, no responde; vuelve a instalar Hair Paint.</translation>
     </message>
 </context>
 <context>
@@ -1167,6 +1195,34 @@
     <message>
         <source>its disk or network folder does not answer; try again when it does, or use another place</source>
         <translation>su disco o carpeta de red no responde; vuelva a intentarlo cuando lo haga o use otro lugar</translation>
+    </message>
+    <message>
+        <source>the file &apos;%1&apos;, which it needs, lies outside of its folder, where nothing is read; save both into one folder, and try again</source>
+        <translation>el archivo «%1», que necesita, está fuera de su carpeta, de donde no se lee nada; guarda ambos en una misma carpeta e inténtalo de nuevo</translation>
+    </message>
+    <message>
+        <source>it is a device, and no file can take its place; choose another name</source>
+        <translation>es un dispositivo, y ningún archivo puede ocupar su lugar; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>it is a pipe, and no file can take its place; choose another name</source>
+        <translation>es una tubería, y ningún archivo puede ocupar su lugar; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>it is a socket, and no file can take its place; choose another name</source>
+        <translation>es un socket, y ningún archivo puede ocupar su lugar; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>it is a link to a name that is not UTF-8; choose another name</source>
+        <translation>es un enlace a un nombre que no es UTF-8; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>it is a link that leads round in a circle; choose another name</source>
+        <translation>es un enlace que da vueltas en círculo; elige otro nombre</translation>
+    </message>
+    <message>
+        <source>it leads to a file without a name, which nothing can take the place of; choose another name</source>
+        <translation>lleva a un archivo sin nombre, cuyo lugar nada puede ocupar; elige otro nombre</translation>
     </message>
 </context>
 <context>

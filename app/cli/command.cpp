@@ -1,6 +1,8 @@
 // What the verbs share: the table of them, their errors, their options.
 #include "app/cli/command.h"
 
+#include "app/cli/terminal.h"
+#include "model/disk/output_place.h"
 #include "model/project/project.h"
 #include "model/values/sentences.h"
 
@@ -9,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <exception>
 #include <new>
 
@@ -150,22 +151,18 @@ constexpr std::array<Command, 6> kCommands = {{
 QString projectIn(const QStringList& arguments)
 {
     for (const QString& argument : arguments)
-        if (argument.endsWith(QLatin1String(".hairpaint"), Qt::CaseInsensitive))
+        if (isProjectName(argument))
             return argument;
     const auto file =
         std::ranges::find_if(arguments, [](const QString& argument) { return !argument.startsWith(QLatin1Char('-')); });
     return file == arguments.end() ? QString() : *file;
 }
 
-void printError(const QString& text)
+ExitCode printed(bool isWhole)
 {
-    // One line, whatever names hold, and nothing that a terminal would obey.
-    QString shown = text.trimmed();
-    std::ranges::replace_if(
-        shown, [](QChar c) { return c.category() == QChar::Other_Control || c == QChar::LineSeparator; },
-        QChar(QLatin1Char(' ')));
-    const QByteArray line = shown.toUtf8() + '\n';
-    std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
+    return isWhole ? ExitCode::Done
+                   : failed({CommandLine::tr("What was asked for could not be printed; check where standard output "
+                                             "leads.")});
 }
 
 } // namespace
@@ -182,16 +179,16 @@ const Command* findCommand(const QString& name)
     return found == kCommands.end() ? nullptr : &*found;
 }
 
-QString helpOf(const Command& command, bool options)
+QStringList helpOf(const Command& command, bool options)
 {
-    QString text =
-        QStringLiteral("hairpaint %1 %2\n    %3\n")
-            .arg(QLatin1StringView(command.name), QLatin1StringView(command.usage), CommandLine::tr(command.purpose));
+    QStringList lines{
+        QStringLiteral("hairpaint %1 %2").arg(QLatin1StringView(command.name), QLatin1StringView(command.usage)),
+        QStringLiteral("    ") + CommandLine::tr(command.purpose)};
     if (options)
         for (const OptionHelp& option : command.options)
-            text +=
-                QStringLiteral("  %1\n    %2\n").arg(QLatin1StringView(option.option), CommandLine::tr(option.meaning));
-    return text;
+            lines += QStringList{QStringLiteral("  ") + QLatin1StringView(option.option),
+                                 QStringLiteral("    ") + CommandLine::tr(option.meaning)};
+    return lines;
 }
 
 ExitCode run(const Command& command, const QStringList& arguments)
@@ -328,6 +325,11 @@ std::optional<std::optional<std::size_t>> hairsOption(const QCommandLineParser& 
     return static_cast<std::size_t>(*count);
 }
 
+bool isProjectName(const QString& output)
+{
+    return output.endsWith(QLatin1String(".hairpaint"), Qt::CaseInsensitive);
+}
+
 model::Result<void> checkOutput(const QString& output, const QStringList& inputs)
 {
     if (const model::Checked<void> writable = model::checkWritable(output); !writable)
@@ -342,14 +344,23 @@ model::Result<void> checkOutput(const QString& output, const QStringList& inputs
     return {};
 }
 
-ExitCode printOut(const QString& text)
+ExitCode printOut(const QStringList& lines)
 {
-    const QByteArray bytes = text.toUtf8();
-    const auto size = static_cast<std::size_t>(bytes.size());
-    const bool isWhole = std::fwrite(bytes.constData(), 1, size, stdout) == size;
-    if (std::fflush(stdout) == 0 && isWhole)
-        return ExitCode::Done;
-    return failed({CommandLine::tr("What was asked for could not be printed; check where standard output leads.")});
+    return printed(printLines(lines));
+}
+
+ExitCode printOut(const QList<QStringList>& rows)
+{
+    return printed(printTable(rows));
+}
+
+ExitCode printJson(const QByteArray& document)
+{
+    // Its strings hold no line break as it is, so that these are all its own.
+    QStringList lines = QString::fromUtf8(document).split(QLatin1Char('\n'));
+    if (lines.back().isEmpty())
+        lines.pop_back();
+    return printOut(lines);
 }
 
 } // namespace hairpaint::app

@@ -49,8 +49,8 @@ struct Command
 [[nodiscard]] std::span<const Command> commands();
 /// The verb of that name, or null.
 [[nodiscard]] const Command* findCommand(const QString& name);
-/// Usage and purpose; with `options` a line for each of them, too.
-[[nodiscard]] QString helpOf(const Command& command, bool options);
+/// Usage and purpose as lines; with `options` those of each of them, too.
+[[nodiscard]] QStringList helpOf(const Command& command, bool options);
 /// Runs a verb, or prints its help where the arguments ask for it; where memory runs out, that is one more way to fail,
 /// and the sentence names the project.
 [[nodiscard]] ExitCode run(const Command& command, const QStringList& arguments);
@@ -84,9 +84,16 @@ ExitCode wrongUsage(const char* command, const QString& problem);
 /// --hairs N, likewise.
 [[nodiscard]] std::optional<std::optional<std::size_t>> hairsOption(const QCommandLineParser& parser,
                                                                     const char* command);
+/// Whether that is the name of a project to be written. All outputs are named with their ending: a script is to know
+/// what it gets.
+[[nodiscard]] bool isProjectName(const QString& output);
 /// Fails, before any work is done, where `output` can't be written or is one of `inputs`.
 [[nodiscard]] model::Result<void> checkOutput(const QString& output, const QStringList& inputs);
-/// On standard output; Failed, with a line on standard error, where it takes no more.
-ExitCode printOut(const QString& text);
+/// On standard output (terminal.h); Failed, with a line on standard error, where it takes no more.
+ExitCode printOut(const QStringList& lines);
+/// The same of a table's rows.
+ExitCode printOut(const QList<QStringList>& rows);
+/// The same of a JSON document.
+ExitCode printJson(const QByteArray& document);
 
 } // namespace hairpaint::app

@@ -75,12 +75,12 @@ QJsonObject describe(const model::Project& project, const std::vector<std::share
 }
 
 /// Qt's JSON has signed numbers of 64 bits only, and a seed has no sign.
-QString asJson(const QJsonObject& info, std::uint64_t seed)
+QByteArray asJson(const QJsonObject& info, std::uint64_t seed)
 {
     const QByteArray key = "\"seed\": ";
     QByteArray text = QJsonDocument(info).toJson();
     text.replace(key + QByteArray::number(static_cast<qint64>(seed)), key + QByteArray::number(quint64{seed}));
-    return QString::fromUtf8(text);
+    return text;
 }
 
 /// A number as people read it.
@@ -89,40 +89,35 @@ QString count(const QJsonObject& object, const char* key)
     return QLocale().toString(object[QLatin1StringView(key)].toInteger());
 }
 
-QString asText(const QJsonObject& info, std::uint64_t seed)
+QStringList asText(const QJsonObject& info, std::uint64_t seed)
 {
     // Names may hold "%2" themselves, so each text takes all its parts at once.
     const QJsonObject head = info[QLatin1StringView("head")].toObject();
-    QString text =
+    QStringList lines{
         CommandLine::tr("Head: %1, %2 vertices, %3 triangles")
-            .arg(head[QLatin1StringView("name")].toString(), count(head, "vertices"), count(head, "triangles")) +
-        QLatin1Char('\n');
-    text += CommandLine::tr("Hairs: %1 (%2 exported, %3 simulated), seed %4")
-                .arg(count(info, "hairs"), count(info, "exported"), count(info, "basis_hairs"), QString::number(seed)) +
-            QLatin1Char('\n');
+            .arg(head[QLatin1StringView("name")].toString(), count(head, "vertices"), count(head, "triangles"))};
+    lines += CommandLine::tr("Hairs: %1 (%2 exported, %3 simulated), seed %4")
+                 .arg(count(info, "hairs"), count(info, "exported"), count(info, "basis_hairs"), QString::number(seed));
     for (const auto& value : info[QLatin1StringView("groups")].toArray()) {
         const QJsonObject group = value.toObject();
-        text += CommandLine::tr("Group %1: %2 hairs of %3 nodes")
-                    .arg(model::shownName(group[QLatin1StringView("name")].toString()), count(group, "hairs"),
-                         count(group, "nodes_per_hair")) +
-                QLatin1Char('\n');
+        lines += CommandLine::tr("Group %1: %2 hairs of %3 nodes")
+                     .arg(model::shownName(group[QLatin1StringView("name")].toString()), count(group, "hairs"),
+                          count(group, "nodes_per_hair"));
         const QString limit = group[QLatin1StringView("limited_by")].toString();
         if (limit == QLatin1String("max_candidates"))
-            text +=
+            lines +=
                 CommandLine::tr("  Fewer hairs than painted: the limit of %1 candidates for the whole head is reached")
-                    .arg(count(info, "max_candidates")) +
-                QLatin1Char('\n');
+                    .arg(count(info, "max_candidates"));
         else if (limit == QLatin1String("memory"))
-            text += CommandLine::tr("  Fewer hairs than painted: memory would not hold more") + QLatin1Char('\n');
+            lines += CommandLine::tr("  Fewer hairs than painted: memory would not hold more");
         for (const auto& mapValue : group[QLatin1StringView("maps")].toArray()) {
             const QJsonObject map = mapValue.toObject();
             const model::MapSpec* spec = model::findMapSpec(map[QLatin1StringView("kind")].toString());
-            text += CommandLine::tr("  %1: %2 x %3, layers: %4")
-                        .arg(spec->titleText(), count(map, "width"), count(map, "height"), count(map, "layers")) +
-                    QLatin1Char('\n');
+            lines += CommandLine::tr("  %1: %2 x %3, layers: %4")
+                         .arg(spec->titleText(), count(map, "width"), count(map, "height"), count(map, "layers"));
         }
     }
-    return text;
+    return lines;
 }
 
 } // namespace
@@ -142,7 +137,7 @@ ExitCode runInfo(const QStringList& arguments)
     const sim::GroomBuilder::Report report = builder.update(document.groomInput());
     const QJsonObject info = describe(document.project(), report.grooms);
     const std::uint64_t seed = document.project().seed;
-    return printOut(parser.isSet(QStringLiteral("json")) ? asJson(info, seed) : asText(info, seed));
+    return parser.isSet(QStringLiteral("json")) ? printJson(asJson(info, seed)) : printOut(asText(info, seed));
 }
 
 ExitCode runPresets(const QStringList& arguments)
@@ -152,7 +147,7 @@ ExitCode runPresets(const QStringList& arguments)
     if (!parse(parser, "presets", arguments, 0))
         return ExitCode::WrongUsage;
     QJsonArray list;
-    QString text;
+    QList<QStringList> rows;
     for (const model::PresetEntry& entry : model::listPresets(ownPresetFolder())) {
         list.append(QJsonObject{{QStringLiteral("name"), entry.name},
                                 {QStringLiteral("tags"), QJsonArray::fromStringList(entry.tags)},
@@ -160,10 +155,10 @@ ExitCode runPresets(const QStringList& arguments)
         QStringList tags;
         for (const QString& tag : entry.tags)
             tags.append(model::shownName(tag));
-        text += QStringLiteral("%1\t%2\t%3\n")
-                    .arg(model::shownName(entry.name), model::shownName(entry.folder), tags.join(QStringLiteral(", ")));
+        rows.append(
+            QStringList{model::shownName(entry.name), model::shownName(entry.folder), tags.join(QStringLiteral(", "))});
     }
-    return printOut(parser.isSet(QStringLiteral("json")) ? QString::fromUtf8(QJsonDocument(list).toJson()) : text);
+    return parser.isSet(QStringLiteral("json")) ? printJson(QJsonDocument(list).toJson()) : printOut(rows);
 }
 
 } // namespace hairpaint::app

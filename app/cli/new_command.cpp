@@ -146,9 +146,8 @@ ExitCode runNew(const QStringList& arguments)
     const QString output = parser.value(QStringLiteral("o"));
     if (output.isEmpty())
         return wrongUsage(kName, CommandLine::tr("-o and the project's name are needed"));
-    if (const QString suffix = QFileInfo(output).suffix();
-        !suffix.isEmpty() && suffix.compare(QLatin1String("hairpaint"), Qt::CaseInsensitive) != 0)
-        return wrongUsage(kName, CommandLine::tr("A project's name ends in .hairpaint, not in .%1").arg(suffix));
+    if (!isProjectName(output))
+        return wrongUsage(kName, CommandLine::tr("-o takes a name that ends in .hairpaint"));
 
     std::vector<MapArgument> maps;
     for (const QString& argument : parser.values(QStringLiteral("map"))) {

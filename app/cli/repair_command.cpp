@@ -14,7 +14,7 @@ ExitCode runRepair(const QStringList& arguments)
     if (!files)
         return ExitCode::WrongUsage;
     const QString output = parser.value(QStringLiteral("o"));
-    if (!output.endsWith(QLatin1String(".hairpaint"), Qt::CaseInsensitive))
+    if (!isProjectName(output))
         return wrongUsage(kName, CommandLine::tr("-o takes a name that ends in .hairpaint"));
     if (const model::Result<void> free = checkOutput(output, *files); !free)
         return failed(free.error());
@@ -24,8 +24,8 @@ ExitCode runRepair(const QStringList& arguments)
     if (const model::Result<void> saved = model::saveProject(repaired->project, output, {}); !saved)
         return failed(saved.error());
     if (repaired->losses.isEmpty())
-        return printOut(CommandLine::tr("Nothing was lost.") + QLatin1Char('\n'));
-    return printOut(repaired->losses.join(QLatin1Char('\n')) + QLatin1Char('\n'));
+        return printOut(QStringList{CommandLine::tr("Nothing was lost.")});
+    return printOut(repaired->losses);
 }
 
 } // namespace hairpaint::app

@@ -7,7 +7,6 @@
 
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <new>
 #include <string>
 
@@ -39,13 +38,6 @@ std::FILE* takeWire()
 #endif
 }
 
-/// Of a file's path; "." where it names none.
-std::string folderOf(const std::string& path)
-{
-    const auto folder = std::filesystem::path(reinterpret_cast<const char8_t*>(path.c_str())).parent_path().u8string();
-    return folder.empty() ? std::string(".") : std::string(folder.begin(), folder.end());
-}
-
 struct Request
 {
     wire::Kind kind = wire::Kind::Refusal;
@@ -66,6 +58,14 @@ std::optional<Request> receive()
     return request;
 }
 
+wire::Sandbox sandboxFor(const std::string& file)
+{
+    const importer::Sandbox sandbox = importer::enterSandbox(file);
+    return {.landlockVersion = static_cast<std::uint32_t>(sandbox.landlockVersion),
+            .filtersCalls = sandbox.filtersCalls ? 1U : 0U,
+            .mostMegabytes = importer::mostMegabytes()};
+}
+
 std::optional<wire::Bytes> answerTo(Request request)
 {
     if (request.kind == wire::Kind::EncodeImage) {
@@ -73,14 +73,16 @@ std::optional<wire::Bytes> answerTo(Request request)
         if (!encode)
             return std::nullopt;
         request.body = {};
-        importer::enterSandbox({});
+        (void)importer::enterSandbox({});
         const auto file = importer::encodeImage(*encode);
         return file ? *file : wire::encodeRefusal(file.error());
     }
     const std::optional<std::string> path = wire::decodePath(request.body);
     if (!path)
         return std::nullopt;
-    importer::enterSandbox(folderOf(*path));
+    if (request.kind == wire::Kind::TellSandbox)
+        return wire::encodeSandbox(sandboxFor(*path));
+    (void)importer::enterSandbox(*path);
     if (request.kind == wire::Kind::ReadImage) {
         const auto image = importer::readImage(*path);
         return image ? wire::encodeImage(*image) : wire::encodeRefusal(image.error());
@@ -114,6 +116,7 @@ int run(std::FILE* channel)
 
 int main()
 {
+    importer::closeInherited();
     importer::limitResources();
     const int code = run(takeWire());
     // Decoders' own clean-up at exit has nothing left to say.

@@ -123,7 +123,7 @@ private:
 tl::expected<model::RiggedMesh, wire::Refusal> readMesh(const std::string& path)
 {
     Assimp::Importer importer;
-    auto* const files = new PlainFiles;
+    auto* const files = new PlainFiles(path);
     importer.SetIOHandler(files); // It takes it over.
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 175.0F);
     const std::string ending = endingOf(path);
@@ -134,6 +134,8 @@ tl::expected<model::RiggedMesh, wire::Refusal> readMesh(const std::string& path)
         // It catches what is thrown, and keeps the words.
         if (std::string_view(importer.GetErrorString()).find("bad_alloc") != std::string_view::npos)
             return tl::unexpected(wire::Reason::OutOfMemory);
+        if (!files->outside().empty())
+            return tl::unexpected(wire::Refusal(wire::Reason::OutsideFolder, files->outside()));
         if (!files->missing().empty())
             return tl::unexpected(wire::Refusal(wire::Reason::MissingFile, files->missing()));
         const bool known = isVrm(ending) || (ending.size() > 1 && importer.IsExtensionSupported(ending));

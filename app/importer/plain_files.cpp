@@ -1,7 +1,7 @@
 // Ordinary files and others.
 #include "app/importer/plain_files.h"
 
-#include <filesystem>
+#include <algorithm>
 #include <string_view>
 #include <system_error>
 
@@ -29,21 +29,55 @@ bool isOrdinary(const char* file)
     return std::filesystem::is_regular_file(pathOf(file), problem);
 }
 
+/// Without its folders.
+std::string nameOf(const std::string& file)
+{
+    const std::u8string name = pathOf(file.c_str()).filename().u8string();
+    return {name.begin(), name.end()};
+}
+
 } // namespace
+
+PlainFiles::PlainFiles(const std::string& model) : m_model(model)
+{
+    std::error_code problem;
+    const std::filesystem::path folder = pathOf(model.c_str()).parent_path();
+    m_folder = std::filesystem::canonical(folder.empty() ? "." : folder, problem);
+}
+
+bool PlainFiles::isInside(const std::string& file) const
+{
+    std::error_code problem;
+    const std::filesystem::path real = std::filesystem::weakly_canonical(pathOf(file.c_str()), problem);
+    // What can't be told is left to the sandbox.
+    return problem || m_folder.empty() || std::ranges::mismatch(m_folder, real).in1 == m_folder.end();
+}
+
+bool PlainFiles::mayBeRead(const std::string& file) const
+{
+    if (file == m_model || isInside(file))
+        return true; // The model itself may be a link.
+    m_outside = nameOf(file);
+    return false;
+}
 
 bool PlainFiles::Exists(const char* file) const
 {
     const std::string own = withoutOtherEnding(file);
-    return isOrdinary(own.c_str()) && DefaultIOSystem::Exists(own.c_str());
+    return isOrdinary(own.c_str()) && mayBeRead(own) && DefaultIOSystem::Exists(own.c_str());
 }
 
 Assimp::IOStream* PlainFiles::Open(const char* file, const char* mode)
 {
     const std::string own = withoutOtherEnding(file);
+    if (!mayBeRead(own))
+        return nullptr;
     if (isOrdinary(own.c_str()))
         return DefaultIOSystem::Open(own.c_str(), mode);
-    const std::u8string name = pathOf(own.c_str()).filename().u8string();
-    m_missing.assign(name.begin(), name.end());
+    // Its readers put the model's folder before a whole path, too.
+    const std::size_t whole = own.find("//");
+    const bool isElsewhere = whole != std::string::npos && isOrdinary(own.c_str() + whole + 1);
+    (isElsewhere ? m_outside : m_missing) = nameOf(own);
     return nullptr;
 }
 

@@ -15,6 +15,7 @@ namespace hairpaint::importer {
 namespace {
 
 [[maybe_unused]] constexpr std::uint64_t kMostMemoryBytes = 1'800'000'000;
+[[maybe_unused]] constexpr std::uint64_t kMegabyte = 1'000'000;
 
 } // namespace
 
@@ -34,9 +35,24 @@ void limitResources()
     AssignProcessToJobObject(job, GetCurrentProcess());
 }
 
+std::uint32_t mostMegabytes()
+{
+    JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
+    if (!QueryInformationJobObject(nullptr, JobObjectExtendedLimitInformation, &limits, sizeof(limits), nullptr))
+        return 0;
+    return static_cast<std::uint32_t>(limits.ProcessMemoryLimit / kMegabyte);
+}
+
 #elif (defined(__unix__) || defined(__APPLE__)) && !defined(HAIRPAINT_ASAN)
 
 namespace {
+
+#ifdef __linux__
+// What is written to; libraries alone map most of a gigabyte that is never in memory.
+constexpr auto kMemory = RLIMIT_DATA;
+#else
+constexpr auto kMemory = RLIMIT_AS;
+#endif
 
 template<typename Resource>
 void lower(Resource resource, std::uint64_t most)
@@ -53,18 +69,26 @@ void lower(Resource resource, std::uint64_t most)
 
 void limitResources()
 {
-#ifdef __linux__
-    // What is written to; libraries alone map most of a gigabyte that is never in memory.
-    lower(RLIMIT_DATA, kMostMemoryBytes);
-#else
-    lower(RLIMIT_AS, kMostMemoryBytes);
-#endif
+    lower(kMemory, kMostMemoryBytes);
+}
+
+std::uint32_t mostMegabytes()
+{
+    rlimit limit{};
+    if (getrlimit(kMemory, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+        return 0;
+    return static_cast<std::uint32_t>(limit.rlim_cur / kMegabyte);
 }
 
 #else
 
 // Address sanitizers reserve terabytes, so there is nothing to limit.
 void limitResources() {}
+
+std::uint32_t mostMegabytes()
+{
+    return 0;
+}
 
 #endif
 

@@ -28,6 +28,14 @@ QStringList suffixesOf(const QString& filter)
     return suffixes;
 }
 
+/// Some systems have no names that end in dots, and nobody wants two of them.
+QString withSuffix(QString name, const QString& suffix)
+{
+    while (name.endsWith(QLatin1Char('.')))
+        name.chop(1);
+    return name + QLatin1Char('.') + suffix;
+}
+
 bool mayReplace(QWidget& window, const SaveQuestion& question, const QString& path)
 {
     return !QFileInfo(path).isFile() ||
@@ -99,7 +107,7 @@ QString FileDialogs::askSavePath(const SaveQuestion& question, QString* filter)
         const QStringList offered = suffixesOf(chosenFilter);
         const QString suffix = offered.size() == 1 ? offered.front() : question.suffix;
         const bool isKnown = known.contains(QFileInfo(chosen).suffix(), Qt::CaseInsensitive);
-        const QString path = isKnown ? chosen : chosen + QLatin1Char('.') + suffix;
+        const QString path = isKnown ? chosen : withSuffix(chosen, suffix);
         if (mayReplace(m_window, question, path))
             return path;
         suggested = path;

@@ -78,12 +78,14 @@ QString writeProblem(const QFileDevice& file)
                : writeRefusal(file.errorString());
 }
 
-AtomicFile::AtomicFile(const QString& path) : m_staged(path), m_path(path) {}
+AtomicFile::AtomicFile(const QString& path)
+    : m_place(outputPlace(path)), m_staged(m_place.value_or(path)), m_path(m_place.value_or(path))
+{}
 
 Checked<void> AtomicFile::open()
 {
-    if (Checked<void> writable = checkWritable(m_path); !writable)
-        return writable;
+    if (!m_place)
+        return tl::unexpected(m_place.error());
     if (!m_staged.open())
         return refuse(writeRefusal(m_staged.file().errorString()));
     return {};
@@ -177,6 +179,19 @@ Result<void> commitWanted(AtomicFile& file, const QString& path, const Progress&
     if (const Checked<void> written = file.commit(); !written)
         return cannotWrite(path, written.error());
     return {};
+}
+
+Checked<void> copyFile(QFile& from, const QString& path)
+{
+    constexpr qint64 kCopiedBytes = 1 << 20;
+    AtomicFile copy(path);
+    if (Checked<void> opened = copy.open(); !opened)
+        return opened;
+    for (QByteArray piece = from.read(kCopiedBytes); !piece.isEmpty(); piece = from.read(kCopiedBytes))
+        copy.write(piece);
+    if (from.error() != QFileDevice::NoError)
+        return refuse(readRefusal(from.errorString()));
+    return copy.commit();
 }
 
 Result<void> writeWanted(const QString& path, QByteArrayView bytes, const Progress& progress)

@@ -1,6 +1,7 @@
 // The one way in which files are written: whole, or not at all.
 #pragma once
 
+#include "model/disk/output_place.h"
 #include "model/disk/staged_file.h"
 #include "model/values/progress.h"
 #include "model/values/sentences.h"
@@ -9,8 +10,8 @@
 
 namespace hairpaint::model {
 
-/// A file beside `path` that takes its place once every byte is known to lie on the disk; until then, and where
-/// anything fails, `path` keeps what it held. One thread. Errors: clauses for cannotWrite.
+/// A file beside `path`, or beside what that is a link to, that takes its place once every byte is known to lie on the
+/// disk; until then, and where anything fails, `path` keeps what it held. One thread. Errors: clauses for cannotWrite.
 class AtomicFile
 {
 public:
@@ -29,8 +30,9 @@ public:
 private:
     void writeThrough(QByteArrayView bytes);
 
+    Checked<QString> m_place;
     StagedFile m_staged;
-    QString m_path;
+    QString m_path; ///< No link.
     QByteArray m_buffer;
     QString m_problem;
     bool m_isFlushed = false; ///< Since the last byte.
@@ -44,6 +46,9 @@ private:
 [[nodiscard]] Checked<void> writeFile(const QString& path, QByteArrayView bytes);
 /// The same, unless `progress` says no meanwhile.
 [[nodiscard]] Result<void> writeWanted(const QString& path, QByteArrayView bytes, const Progress& progress);
+
+/// What is left to read of `from`.
+[[nodiscard]] Checked<void> copyFile(QFile& from, const QString& path);
 
 /// Everything written to an open file lies on its disk when this returns well.
 [[nodiscard]] Checked<void> flushToDisk(QFileDevice& file);

@@ -55,18 +55,6 @@ bool haveSameBytes(QFile& one, const QString& path)
     return one.seek(0) && same;
 }
 
-Checked<void> copyFile(QFile& from, const QString& path)
-{
-    AtomicFile copy(path);
-    if (Checked<void> opened = copy.open(); !opened)
-        return opened;
-    for (QByteArray piece = from.read(kCopiedBytes); !piece.isEmpty(); piece = from.read(kCopiedBytes))
-        copy.write(piece);
-    if (from.error() != QFileDevice::NoError)
-        return refuse(readRefusal(from.errorString()));
-    return copy.commit();
-}
-
 } // namespace
 
 QString earlierVersion(const QString& path, int number)

@@ -17,10 +17,6 @@ namespace hairpaint::model {
 
 StagedFile::StagedFile(const QString& path) : m_path(path)
 {
-    // Of no other file: a folder above may have a name that Qt can't spell.
-    const QFileInfo named(path);
-    if (const QString behind = named.isSymbolicLink() ? named.canonicalFilePath() : QString(); !behind.isEmpty())
-        m_path = behind;
     m_file.setFileName(m_path);
 }
 

@@ -11,7 +11,7 @@ namespace hairpaint::model {
 class StagedFile
 {
 public:
-    /// `path`: the file to be. Where that is a link, the file behind it.
+    /// `path`: the file to be, no link (output_place.h).
     explicit StagedFile(const QString& path);
     ~StagedFile();
     StagedFile(const StagedFile&) = delete;

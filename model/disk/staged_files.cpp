@@ -1,6 +1,8 @@
 // Renaming from a folder on the same disk.
 #include "model/disk/staged_files.h"
 
+#include "model/disk/atomic_file.h"
+#include "model/disk/output_place.h"
 #include "model/disk/staged_names.h"
 #include "model/disk/staged_sweep.h"
 #include "model/values/sentences.h"
@@ -16,11 +18,25 @@ namespace hairpaint::model {
 
 namespace {
 
+QString problemOf(const Checked<void>& done)
+{
+    return done ? QString() : done.error().text;
+}
+
+/// To another disk, where no name can be moved to.
+QString copyOver(const QString& from, const QString& to)
+{
+    QFile file(from);
+    return file.open(QIODevice::ReadOnly) ? problemOf(copyFile(file, to)) : readRefusal(file.errorString());
+}
+
 /// Over what lies there. A clause on what went wrong; empty where nothing did.
 QString moveFile(const QString& from, const QString& to)
 {
     std::error_code problem;
     std::filesystem::rename(QFileInfo(from).filesystemFilePath(), QFileInfo(to).filesystemFilePath(), problem);
+    if (problem == std::errc::cross_device_link)
+        return copyOver(from, to);
     return problem ? writeRefusal(QString::fromLocal8Bit(problem.message())) : QString();
 }
 
@@ -103,11 +119,18 @@ Error StagedFiles::named(Error error, const QString& place) const
     return error;
 }
 
-Result<void> StagedFiles::publish(const QStringList& places)
+Result<void> StagedFiles::publish(const QStringList& wanted)
 {
+    QStringList places; // Behind links.
+    for (const QString& place : wanted) {
+        const Checked<QString> behind = outputPlace(place);
+        if (!behind)
+            return cannotWrite(place, behind.error());
+        places += *behind;
+    }
     // What lies there is put aside first, so that it can be put back.
     if (!QDir().mkpath(stagedPath(kAsideName)))
-        return cannotWrite(places.front(), {.text = writeRefusal(qt_error_string())});
+        return cannotWrite(wanted.front(), {.text = writeRefusal(qt_error_string())});
     qsizetype& aside = m_asideCount;
     qsizetype placed = 0;
     QString problem;
@@ -115,10 +138,10 @@ Result<void> StagedFiles::publish(const QStringList& places)
         if (QFileInfo::exists(places[aside]))
             problem = keepFile(places[aside], asideFor(aside));
     for (; placed < places.size() && problem.isEmpty(); ++placed)
-        problem = moveFile(pathFor(places[placed]), places[placed]);
+        problem = moveFile(pathFor(wanted[placed]), places[placed]);
     if (problem.isEmpty())
         return {};
-    const QString& failed = places[placed > 0 ? placed - 1 : aside - 1];
+    const QString& failed = wanted[placed > 0 ? placed - 1 : aside - 1];
     for (qsizetype i = 0; i < aside; ++i) {
         if (QFileInfo::exists(asideFor(i)))
             (void)moveFile(asideFor(i), places[i]);

@@ -28,8 +28,8 @@ public:
     [[nodiscard]] QString pathFor(const QString& place);
     /// The error with the place named, not where the file lay meanwhile.
     [[nodiscard]] Error named(Error error, const QString& place) const;
-    /// Moves all files over what lies in their places, or, where one can't be, none.
-    [[nodiscard]] Result<void> publish(const QStringList& places);
+    /// Moves all files over what lies in their places, or behind the links there, or, where one can't be, none.
+    [[nodiscard]] Result<void> publish(const QStringList& wanted);
 
 private:
     [[nodiscard]] bool makeFolder(const QString& path);

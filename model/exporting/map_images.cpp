@@ -1,6 +1,7 @@
 // Encoded by the helper program into a folder beside, then put in their places.
 #include "model/exporting/map_images.h"
 
+#include "model/disk/output_place.h"
 #include "model/disk/staged_files.h"
 #include "model/files/image_map.h"
 #include "model/values/sentences.h"

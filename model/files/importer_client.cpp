@@ -80,6 +80,11 @@ QString reasonText(const wire::Refusal& refusal)
                                      "the file '%1', which it needs, is missing; put it where it was saved with "
                                      "this one, and try again"))
             .arg(shownPath(QString::fromStdString(refusal.file)));
+    case wire::Reason::OutsideFolder:
+        return say(QT_TRANSLATE_NOOP("Files",
+                                     "the file '%1', which it needs, lies outside of its folder, where nothing "
+                                     "is read; save both into one folder, and try again"))
+            .arg(shownPath(QString::fromStdString(refusal.file)));
     }
     return {};
 }
@@ -142,6 +147,20 @@ Result<void> ImporterClient::writeImage(const ForeignImage& image, const QString
                                         const Progress& progress) const
 {
     return withinMemory(path, cannotWrite, [&] { return encodeImage(image, path, bits, progress); });
+}
+
+std::optional<HelperSandbox> ImporterClient::sandbox() const
+{
+    const wire::Bytes request = wire::encodeText(wire::Kind::TellSandbox, ".");
+    const tl::expected<HelperAnswer, HelperFailure> answer = runHelper(m_helperPath, request, m_timeoutMs, {});
+    if (!answer || answer->kind != wire::Kind::Sandbox)
+        return std::nullopt;
+    const std::optional<wire::Sandbox> told = wire::decodeSandbox(answer->body);
+    if (!told)
+        return std::nullopt;
+    return HelperSandbox{.landlockVersion = static_cast<int>(told->landlockVersion),
+                         .filtersCalls = told->filtersCalls != 0,
+                         .mostMegabytes = static_cast<int>(told->mostMegabytes)};
 }
 
 Result<ForeignImage> ImporterClient::decodeImage(const QString& path, const Progress& progress) const

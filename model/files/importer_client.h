@@ -6,6 +6,8 @@
 #include "model/project/project.h"
 #include "model/values/error.h"
 
+#include <optional>
+
 namespace hairpaint::model {
 
 /// 16-bit pixels, row 0 on top. `channels` 1 to 4 (grey, grey and alpha, RGB, RGBA), unassociated.
@@ -13,6 +15,14 @@ struct ForeignImage
 {
     int width = 0, height = 0, channels = 0;
     std::vector<std::uint16_t> pixels;
+};
+
+/// What holds the helper while it decodes foreign files.
+struct HelperSandbox
+{
+    int landlockVersion = 0; ///< 0: which files it opens is not confined.
+    bool filtersCalls = false;
+    int mostMegabytes = 0; ///< Of memory; 0: without a bound of its own.
 };
 
 /// Runs the helper program beside this one (or `HAIRPAINT_IMPORT`, for tests). Each call waits at most `timeoutMs`,
@@ -30,6 +40,8 @@ public:
     [[nodiscard]] Result<void> writeImage(const ForeignImage& image, const QString& path, int bits = 16,
                                           const Progress& progress = {}) const;
     [[nodiscard]] Result<RiggedMesh> readMesh(const QString& path, const Progress& progress = {}) const;
+    /// As the helper finds it on this machine, tried there; none where it gives no answer.
+    [[nodiscard]] std::optional<HelperSandbox> sandbox() const;
 
 private:
     [[nodiscard]] Result<ForeignImage> decodeImage(const QString& path, const Progress& progress) const;

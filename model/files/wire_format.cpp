@@ -86,6 +86,7 @@ std::uint64_t mostBodyBytes(Kind kind)
     switch (kind) {
     case Kind::ReadImage:
     case Kind::ReadMesh:
+    case Kind::TellSandbox:
         return kLongestPath;
     case Kind::EncodeImage:
     case Kind::Image:
@@ -95,6 +96,8 @@ std::uint64_t mostBodyBytes(Kind kind)
                (kJointBytes + model::HeadSkeleton::kLongestName) * model::HeadSkeleton::kMostJoints;
     case Kind::Encoded:
         return kMostEncodedBytes;
+    case Kind::Sandbox:
+        return sizeof(Sandbox);
     case Kind::Refusal:
         return 4 + kLongestName;
     }
@@ -211,6 +214,15 @@ Bytes encodeFile(std::span<const std::byte> file)
     return writer.take();
 }
 
+Bytes encodeSandbox(const Sandbox& sandbox)
+{
+    Writer writer(Kind::Sandbox, sizeof sandbox);
+    writer.value(sandbox.landlockVersion);
+    writer.value(sandbox.filtersCalls);
+    writer.value(sandbox.mostMegabytes);
+    return writer.take();
+}
+
 Bytes encodeRefusal(const Refusal& refusal)
 {
     const auto name = std::span(refusal.file).first(std::min<std::size_t>(refusal.file.size(), kLongestName));
@@ -299,14 +311,24 @@ std::optional<model::RiggedMesh> decodeMesh(std::span<const std::byte> body)
     return mesh;
 }
 
+std::optional<Sandbox> decodeSandbox(std::span<const std::byte> body)
+{
+    Reader reader(body);
+    Sandbox sandbox;
+    if (!reader.value(sandbox.landlockVersion) || !reader.value(sandbox.filtersCalls) || sandbox.filtersCalls > 1 ||
+        !reader.value(sandbox.mostMegabytes) || !reader.atEnd())
+        return std::nullopt;
+    return sandbox;
+}
+
 std::optional<Refusal> decodeRefusal(std::span<const std::byte> body)
 {
     Reader reader(body);
     std::uint32_t reason = 0;
-    if (!reader.value(reason) || reason < 1 || reason > static_cast<std::uint32_t>(Reason::MissingFile))
+    if (!reader.value(reason) || reason < 1 || reason > static_cast<std::uint32_t>(Reason::OutsideFolder))
         return std::nullopt;
     Refusal refusal(static_cast<Reason>(reason));
-    if (refusal.reason == Reason::MissingFile) {
+    if (refusal.reason == Reason::MissingFile || refusal.reason == Reason::OutsideFolder) {
         std::optional<std::string> name = decodePath(reader.rest());
         if (!name || name->size() > kLongestName)
             return std::nullopt;

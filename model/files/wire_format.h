@@ -22,9 +22,11 @@ enum class Kind : std::uint32_t
     ReadImage = 1,
     ReadMesh = 2,
     EncodeImage = 3,
+    TellSandbox = 4,
     Image = 101,
     Mesh = 102,
     Encoded = 103,
+    Sandbox = 104,
     Refusal = 199
 };
 
@@ -39,15 +41,16 @@ enum class Reason : std::uint32_t
     CannotWriteEnding = 7,
     OutOfMemory = 8,
     UnknownCompression = 9,
-    MissingFile = 10 ///< One that the file names.
+    MissingFile = 10,  ///< One that the file names.
+    OutsideFolder = 11 ///< Where such a one lies.
 };
 
 /// Why there is no other answer.
 struct Refusal
 {
     Reason reason;
-    std::string file; ///< UTF-8, without folders; empty unless it is missing.
-    Refusal(Reason why, std::string missing = {}) : reason(why), file(std::move(missing)) {}
+    std::string file; ///< That file, UTF-8, without folders; empty for all other reasons.
+    Refusal(Reason why, std::string named = {}) : reason(why), file(std::move(named)) {}
     friend bool operator==(const Refusal&, const Refusal&) = default;
 };
 
@@ -64,6 +67,15 @@ struct Image
 {
     std::uint32_t width = 0, height = 0, channels = 0;
     std::vector<std::uint16_t> samples;
+};
+
+/// What holds the helper while it decodes.
+struct Sandbox
+{
+    std::uint32_t landlockVersion = 0; ///< 0: files are not confined.
+    std::uint32_t filtersCalls = 0;    ///< 0 or 1.
+    std::uint32_t mostMegabytes = 0;   ///< Of memory; 0: no bound of its own.
+    friend bool operator==(const Sandbox&, const Sandbox&) = default;
 };
 
 struct Header
@@ -88,6 +100,7 @@ struct EncodeRequest
 [[nodiscard]] Bytes encodeRequest(const EncodeRequest& request);
 [[nodiscard]] Bytes encodeMesh(const model::RiggedMesh& mesh);
 [[nodiscard]] Bytes encodeFile(std::span<const std::byte> file);
+[[nodiscard]] Bytes encodeSandbox(const Sandbox& sandbox);
 [[nodiscard]] Bytes encodeRefusal(const Refusal& refusal);
 
 /// Bodies, without the header.
@@ -95,6 +108,7 @@ struct EncodeRequest
 [[nodiscard]] std::optional<Image> decodeImage(std::span<const std::byte> body);
 [[nodiscard]] std::optional<EncodeRequest> decodeRequest(std::span<const std::byte> body);
 [[nodiscard]] std::optional<model::RiggedMesh> decodeMesh(std::span<const std::byte> body);
+[[nodiscard]] std::optional<Sandbox> decodeSandbox(std::span<const std::byte> body);
 [[nodiscard]] std::optional<Refusal> decodeRefusal(std::span<const std::byte> body);
 
 [[nodiscard]] bool imageFits(std::uint64_t width, std::uint64_t height, std::uint64_t channels);

@@ -104,17 +104,4 @@ Result<void> checkReadable(const QString& path, qint64 mostBytes)
     return {};
 }
 
-Checked<void> checkWritable(const QString& path)
-{
-    const QFileInfo info(path);
-    if (info.isDir())
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "it is a folder; give the name of a file")));
-    if (info.exists() && !info.isFile())
-        return refuse(say(QT_TRANSLATE_NOOP("Files", "it is not an ordinary file; choose another name")));
-    if (!QFileInfo(info.path()).isDir())
-        return refuse(
-            say(QT_TRANSLATE_NOOP("Files", "there is no folder '%1'; make it first")).arg(shownPath(info.path())));
-    return {};
-}
-
 } // namespace hairpaint::model

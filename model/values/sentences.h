@@ -59,8 +59,4 @@ template<typename Work>
 /// Fails where no reading is needed to know: missing, a folder, unreadable, empty, larger than `mostBytes`.
 [[nodiscard]] Result<void> checkReadable(const QString& path, qint64 mostBytes);
 
-/// For cannotWrite: where `path` may not be written. Replacing a file by renaming would do away with a device or a
-/// pipe.
-[[nodiscard]] Checked<void> checkWritable(const QString& path);
-
 } // namespace hairpaint::model

@@ -47,6 +47,13 @@ if(NOT HAIRPAINT_TESTS STREQUAL "tsan")
     find_package(assimp REQUIRED)
     find_package(OpenImageIO REQUIRED)
     find_package(nlohmann_json REQUIRED)
+    # Linux alone has such filters, and without one the helper still keeps what Landlock gives.
+    if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+        pkg_check_modules(SECCOMP QUIET IMPORTED_TARGET libseccomp>=2.5)
+        if(NOT SECCOMP_FOUND)
+            message(WARNING "libseccomp is missing: the import helper's system calls will not be filtered")
+        endif()
+    endif()
     # Debian's target lists an include folder of OpenCV that is not installed.
     set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${OpenImageIO_INCLUDE_DIRS}")
 endif()

@@ -6,7 +6,7 @@ HAIRPAINT_PACKAGES=(
     qt6-base-dev qt6-base-dev-tools qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-svg-dev libqt6opengl6-dev
     libgl-dev libegl-dev libgl1-mesa-dri libegl1 libepoxy-dev libxkbcommon-dev
     libglm-dev libeigen3-dev libhwy-dev libtbb-dev libnanoflann-dev libexpected-dev libzip-dev zlib1g-dev libdeflate-dev
-    libopenexr-dev libopenimageio-dev openimageio-tools libassimp-dev nlohmann-json3-dev
+    libopenexr-dev libopenimageio-dev openimageio-tools libassimp-dev nlohmann-json3-dev libseccomp-dev
     qt6-translations-l10n fonts-inter fonts-noto-core
 )
 HAIRPAINT_TEST_PACKAGES=(xvfb xauth)

@@ -1,5 +1,6 @@
 // The command line: its verbs, its exit codes. Maps from images: test_drawn_images.cpp; files that are none:
 // test_broken_files.cpp.
+#include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "tests/app/program.h"
 #include "tests/support/patience.h"
@@ -15,6 +16,7 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 
 using namespace hairpaint::test;
@@ -128,6 +130,13 @@ private Q_SLOTS:
         row("export p.hairpaint -o p.hair --hairs 2.5");
         row("new -o p.hairpaint --map /density=x.png");
         row("new -o p.png");
+        row("new -o p");
+        row("new -o p.");
+        row("new -o p.hairpaint.zip");
+        row("repair p.hairpaint -o q");
+        row("render p.hairpaint -o p");
+        row("export p.hairpaint -o p");
+        row("export p.hairpaint --uv-sheet p");
         row("new -o p.hairpaint --head ");
         row("new -o p.hairpaint --preset ");
     }
@@ -163,6 +172,90 @@ private Q_SLOTS:
         QVERIFY(!outcome.error.contains(QChar(0x1b)));
         QVERIFY(!outcome.error.contains(QChar(0x07)));
         QCOMPARE(outcome.error.count(QLatin1Char('\n')), 1);
+    }
+
+    /// A file of somebody else's moves no cursor, writes no title and makes no line or column that is not there;
+    /// scripts get its names as they are.
+    void whatFilesHoldReachesATerminalTamed_data()
+    {
+        QTest::addColumn<QString>("hostile");
+        QTest::newRow("a command to the terminal") << QStringLiteral("\x1b]0;title\x07 \x1b[2J");
+        QTest::newRow("a command in one character") << QStringLiteral("\u009b31m");
+        QTest::newRow("a line and a column") << QStringLiteral("one\ttwo\r\nGroup x: 3");
+        QTest::newRow("a deleted character") << QStringLiteral("a\x08\x7f");
+        QTest::newRow("other lines") << QStringLiteral("one\u2028two\u2029\u0085");
+        QTest::newRow("writing turned around") << QStringLiteral("\u202egpj\u2066.exe\u200f");
+    }
+    void whatFilesHoldReachesATerminalTamed()
+    {
+        using namespace hairpaint;
+        QFETCH(QString, hostile);
+        const QString name = QStringLiteral("Häar ") + hostile;
+        const auto isTame = [](const QString& text) {
+            return std::ranges::none_of(text, [](QChar c) {
+                return (c.category() == QChar::Other_Control && c != QLatin1Char('\n') && c != QLatin1Char('\t')) ||
+                       c.category() == QChar::Separator_Line || c.category() == QChar::Separator_Paragraph ||
+                       (c.category() == QChar::Other_Format);
+            });
+        };
+        const QTemporaryDir data;
+        qputenv("XDG_DATA_HOME", QFile::encodeName(data.path()));
+        const auto restored = qScopeGuard([] { qunsetenv("XDG_DATA_HOME"); });
+        model::Project project = model::newProject();
+        project.groups.front().name = name;
+        QVERIFY(model::saveProject(project, path("hostile.hairpaint"), {}));
+        const QString styles = data.path() + QStringLiteral("/Hair Paint/hairpaint/styles");
+        QVERIFY(QDir().mkpath(styles));
+        model::Preset style = model::presetFrom(project, name);
+        style.tags = QStringList{hostile};
+        QVERIFY(model::savePreset(style, styles + QStringLiteral("/hostile.hairpreset")));
+
+        const QString info = path("hostile.hairpaint");
+        const QString plain = runProgram({QStringLiteral("info"), info}).output;
+        QVERIFY2(isTame(plain) && plain.contains(QStringLiteral("Häar ")), qPrintable(plain));
+        QCOMPARE(plain.count(QStringLiteral("\nGroup ")), 1);
+        QVERIFY(!plain.contains(QLatin1Char('\t')));
+        const QString json = runProgram({QStringLiteral("info"), info, QStringLiteral("--json")}).output;
+        QVERIFY2(isTame(json), qPrintable(json));
+        QCOMPARE(QJsonDocument::fromJson(json.toUtf8())[QLatin1String("groups")][0][QLatin1String("name")].toString(),
+                 name);
+
+        const QStringList listed = runProgram({QStringLiteral("presets")})
+                                       .output.trimmed()
+                                       .split(QLatin1Char('\n'))
+                                       .filter(QStringLiteral("Häar "));
+        QCOMPARE(listed.size(), 1);
+        QVERIFY2(isTame(listed.front()), qPrintable(listed.front()));
+        QCOMPARE(listed.front().count(QLatin1Char('\t')), 2);
+        const QString all = runProgram({QStringLiteral("presets"), QStringLiteral("--json")}).output;
+        QVERIFY2(isTame(all), qPrintable(all));
+        const QJsonArray styleList = QJsonDocument::fromJson(all.toUtf8()).array();
+        QVERIFY(std::ranges::any_of(styleList, [&](const QJsonValue& style) {
+            return style[QLatin1String("name")].toString() == name &&
+                   style[QLatin1String("tags")][0].toString() == hostile;
+        }));
+
+        const Outcome failed = runProgram(
+            {QStringLiteral("export"), info, QStringLiteral("-o"), path("x.hair"), QStringLiteral("--group"), hostile});
+        QCOMPARE(failed.code, 1);
+        QVERIFY2(isTame(failed.error), qPrintable(failed.error));
+        QCOMPARE(failed.error.count(QLatin1Char('\n')), 1);
+    }
+
+    void theVersionTellsWhatHoldsTheHelper()
+    {
+        const Outcome outcome = runProgram({QStringLiteral("--version")});
+        QCOMPARE(outcome.code, 0);
+        const QStringList lines = outcome.output.split(QLatin1Char('\n'));
+        QVERIFY2(lines.front().startsWith(QStringLiteral("Hair Paint ")), qPrintable(outcome.output));
+        for (const char* layer : {"  files: ", "  system calls: ", "  memory: "})
+            QCOMPARE(lines.filter(QString::fromLatin1(layer)).size(), 1);
+        qputenv("HAIRPAINT_IMPORT", "/nowhere");
+        const auto restored = qScopeGuard([] { qunsetenv("HAIRPAINT_IMPORT"); });
+        const Outcome without = runProgram({QStringLiteral("--version")});
+        QCOMPARE(without.code, 0);
+        QVERIFY2(without.output.contains(QStringLiteral("hairpaint-import, does not answer")),
+                 qPrintable(without.output));
     }
 
     /// Such names can't be told apart once they are text: nothing is written under another one.

@@ -14,6 +14,10 @@
 #include <QPointer>
 #include <QPushButton>
 
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
+
 namespace hairpaint::app {
 
 namespace {
@@ -45,7 +49,8 @@ protected:
             choice->accept();
         } else if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
             asked += box->text();
-            box->button(replaces ? QMessageBox::Yes : QMessageBox::No)->click();
+            QAbstractButton* answer = box->button(replaces ? QMessageBox::Yes : QMessageBox::No);
+            (answer != nullptr ? answer : box->buttons().front())->click();
         }
     }
 };
@@ -122,6 +127,39 @@ private Q_SLOTS:
         QCOMPARE(saver.asked.size(), 4);
         QVERIFY(test::readBytes(bare + suffix).size() > 100);
     }
+
+    /// The ending comes after one dot, as on systems that have no names with a dot at their end.
+    void aDotAtTheEndIsTheEndingsOwn()
+    {
+        openWindow(test::smallProject());
+        Saver saver;
+        saver.names = {m_folder.filePath(QStringLiteral("dot."))};
+        trigger("file.saveAs");
+        QVERIFY(QFileInfo::exists(m_folder.filePath(QStringLiteral("dot.hairpaint"))));
+    }
+
+#ifdef Q_OS_UNIX
+    void whatIsChosenIsFollowedOrRefusedAsWhatItIs()
+    {
+        openWindow(test::smallProject());
+        const QString link = m_folder.filePath(QStringLiteral("link.hairpaint"));
+        const QString aim = m_folder.filePath(QStringLiteral("aim"));
+        QVERIFY(QFile::link(aim, link));
+        Saver saver;
+        saver.names = {link};
+        trigger("file.saveAs");
+        QCOMPARE(saver.asked, QStringList());
+        QVERIFY(QFileInfo(link).isSymbolicLink() && QFileInfo(aim).size() > 100);
+
+        const QString pipe = m_folder.filePath(QStringLiteral("pipe.hairpaint"));
+        QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+        saver.names = {pipe};
+        trigger("file.saveAs");
+        QCOMPARE(saver.asked.size(), 1);
+        QVERIFY2(saver.asked.front().contains(QStringLiteral("it is a pipe")), qPrintable(saver.asked.front()));
+        QVERIFY(QFile::remove(pipe) && QFile::remove(link));
+    }
+#endif
 
     void aFolderThatIsGoneIsNotProposed()
     {

@@ -220,6 +220,28 @@ private Q_SLOTS:
         QVERIFY(fileOf.size() > 100);
     }
 
+    /// What is printed goes through one function, which knows what a terminal would obey (the helper's standard output
+    /// is no terminal's).
+    void oneFileAloneWritesToStandardOutputAndError()
+    {
+        const QRegularExpression printing(QStringLiteral(
+            R"(\b((stdout|stderr|STD(OUT|ERR)_FILENO|std::(cout|cerr|clog)|QTextStream)\b|(v?f?printf|f?puts|f?putc|putchar|perror)\())"));
+        QStringList found;
+        for (const char* folder : {"app", "model", "view", "sim"}) {
+            QDirIterator walk(QStringLiteral(HAIRPAINT_SOURCE_DIR "/") + QLatin1String(folder),
+                              {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                              QDirIterator::Subdirectories);
+            while (walk.hasNext()) {
+                QFile file(walk.next());
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                if (printing.match(QString::fromUtf8(file.readAll())).hasMatch())
+                    found.append(file.fileName().mid(qstrlen(HAIRPAINT_SOURCE_DIR "/")));
+            }
+        }
+        found.sort();
+        QCOMPARE(found, (QStringList{QStringLiteral("app/cli/terminal.cpp"), QStringLiteral("app/importer/main.cpp")}));
+    }
+
     void noFileIsOverlong()
     {
         for (const char* folder : {"app", "model", "view", "sim", "tests", "resources"}) {

@@ -16,6 +16,8 @@
 #ifdef Q_OS_UNIX
 #include <csignal>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #endif
 
 using namespace hairpaint;
@@ -94,9 +96,14 @@ private Q_SLOTS:
             << QStringList{QStringLiteral("export"), m_good, QStringLiteral("--maps"), QStringLiteral("/proc")}
             << QStringLiteral("/proc/Scalp-density.png");
         // As root a file could be renamed over a device.
-        for (const QString& ending : endings)
+        for (const QString& ending : endings) {
             QFile::link(QStringLiteral("/dev/full"), path(QStringLiteral("device.") + ending));
+            QFile::link(QStringLiteral("round.") + ending, path(QStringLiteral("round.") + ending));
+            ::mkfifo(QFile::encodeName(path(QStringLiteral("pipe.") + ending)).constData(), 0600);
+        }
         rows("a device", path(QStringLiteral("device")));
+        rows("a pipe", path(QStringLiteral("pipe")));
+        rows("a link to itself", path(QStringLiteral("round")));
         rows("a name too long", path(QString(300, QLatin1Char('n'))));
 #endif
         QVERIFY(QDir().mkpath(path(QStringLiteral("film.0002.png"))));
@@ -113,6 +120,69 @@ private Q_SLOTS:
         QFETCH(QStringList, arguments);
         QFETCH(QString, named);
         QCOMPARE(faultOf(m_folder.path(), arguments, named), QString());
+    }
+
+    /// Every verb, through a link to what is not there yet: the link stays, and what it leads to is written.
+    void anOutputThatIsALinkIsFollowed_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<QString>("written"); // Of the link's name.
+        const auto row = [](const char* name, const QStringList& arguments, const char* ending,
+                            const QString& written = {}) {
+            QTest::newRow(name) << arguments << QString::fromLatin1(ending) << written;
+        };
+        row("new", {QStringLiteral("new")}, "hairpaint");
+        row("repair", {QStringLiteral("repair"), m_good}, "hairpaint");
+        for (const model::ExportFormat& format : model::exportFormats())
+            if (!format.isAvatar) // Of other heads.
+                row(format.id,
+                    QStringList{QStringLiteral("export"), m_good} +
+                        (format.hasCards ? QStringList{QStringLiteral("--cards")} : QStringList()),
+                    format.suffix);
+        const QStringList small{QStringLiteral("render"),   m_good,
+                                QStringLiteral("--size"),   QStringLiteral("32x32"),
+                                QStringLiteral("--settle"), QStringLiteral("0")};
+        row("render", small, "png");
+        row("render, linear", small, "exr");
+        row("film", small + QStringList{QStringLiteral("--frames"), QStringLiteral("0-0")}, "png",
+            QStringLiteral(".0000"));
+    }
+    void anOutputThatIsALinkIsFollowed()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, ending);
+        QFETCH(QString, written);
+        const QTemporaryDir folder;
+        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("there")));
+        const QString aim = folder.filePath(QStringLiteral("there/aim"));
+        const QString link = folder.filePath(QStringLiteral("link") + written + QLatin1Char('.') + ending);
+        QVERIFY(QFile::link(aim, link));
+        for (const char* run : {"nothing there yet", "a file there"}) {
+            const Outcome outcome = runProgram(
+                arguments + QStringList{QStringLiteral("-o"), folder.filePath(QStringLiteral("link.") + ending)});
+            QCOMPARE(outcome.error, QString());
+            QVERIFY2(QFileInfo(aim).size() > 0 && !QFileInfo(aim).isSymbolicLink(), run);
+            QVERIFY2(QFileInfo(link).isSymbolicLink(), run);
+            test::writeBytes(aim, {});
+        }
+    }
+
+    /// A link of the kernel's that leads nowhere would be replaced by a file, where root is asked to.
+    void standardOutputIsNoPlaceForAFile()
+    {
+        const QString link = path(QStringLiteral("out.hairpaint"));
+        QVERIFY(QFile::link(QStringLiteral("/proc/self/fd/1"), link));
+        for (const bool isOpen : {true, false}) {
+            const QString fault = faultOf(m_folder.path(), {QStringLiteral("new"), QStringLiteral("-o"), link},
+                                          QStringLiteral("out.hairpaint"), [isOpen] {
+                                              if (!isOpen)
+                                                  ::close(STDOUT_FILENO);
+                                          });
+            QCOMPARE(fault, QString());
+            QVERIFY(QFileInfo(link).isSymbolicLink());
+        }
+        QVERIFY(QFile::remove(link));
     }
 
     void aSourceIsNeverOverwritten()

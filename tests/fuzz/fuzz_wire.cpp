@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size < 1)
         return 0;
     const std::span<const std::byte> body = bytes.subspan(1);
-    switch (data[0] % 5) {
+    switch (data[0] % 6) {
     case 0:
         if (const std::optional<std::string> path = wire::decodePath(body))
             fuzz::require(sameBody(body, wire::encodeText(wire::Kind::ReadImage, *path)));
@@ -39,6 +39,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     case 3:
         if (const std::optional<model::RiggedMesh> mesh = wire::decodeMesh(body))
             fuzz::require(sameBody(body, wire::encodeMesh(*mesh)));
+        break;
+    case 5:
+        if (const std::optional<wire::Sandbox> sandbox = wire::decodeSandbox(body))
+            fuzz::require(sameBody(body, wire::encodeSandbox(*sandbox)));
         break;
     default:
         if (const std::optional<wire::Refusal> refusal = wire::decodeRefusal(body))

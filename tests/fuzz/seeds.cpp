@@ -150,6 +150,8 @@ int main(int argc, char** argv)
     seeds.write("wire", "mesh", bytesOf(wire::encodeMesh(test::makePatchHead(2)), '\x03'));
     seeds.write("wire", "body", bytesOf(wire::encodeMesh(body), '\x03'));
     seeds.write("wire", "refusal", bytesOf(wire::encodeRefusal(wire::Reason::NoUvs), '\x04'));
+    seeds.write("wire", "sandbox",
+                bytesOf(wire::encodeSandbox({.landlockVersion = 7, .filtersCalls = 1, .mostMegabytes = 1800}), '\x05'));
 
     seeds.write("import", "mesh",
                 QByteArray(1, '\0') + QByteArray("\x01\x10\x20\x30\x00\x00\x10\x08\x08", 9).repeated(6));

@@ -225,6 +225,61 @@ private Q_SLOTS:
         QVERIFY2(test::isOneSentenceNaming(mesh.error().message, file), qPrintable(mesh.error().message));
     }
 
+    void aBufferOutsideOfTheFolderIsRefusedAsThat_data()
+    {
+        QTest::addColumn<QString>("uri");
+        QTest::addColumn<bool>("isLinked");
+        QTest::newRow("named by the way there") << QStringLiteral("../outside/buffer.bin") << false;
+        QTest::newRow("named by its whole path") << QStringLiteral("/outside/buffer.bin") << false;
+        QTest::newRow("of a name that nothing has") << QStringLiteral("../outside/none.bin") << false;
+        QTest::newRow("behind a link in the folder") << QStringLiteral("link.bin") << true;
+    }
+    void aBufferOutsideOfTheFolderIsRefusedAsThat()
+    {
+        QFETCH(QString, uri);
+        QFETCH(bool, isLinked);
+        const QTemporaryDir around;
+        QVERIFY(QDir(around.path()).mkpath(QStringLiteral("inside")) &&
+                QDir(around.path()).mkpath(QStringLiteral("outside")));
+        if (uri.startsWith(QLatin1Char('/')))
+            uri.prepend(around.path());
+        const QString buffer = around.filePath(QStringLiteral("outside/buffer.bin"));
+        test::writeBytes(buffer, QByteArray(92, '\0'));
+#ifndef Q_OS_UNIX
+        if (isLinked)
+            QSKIP("Such links are for administrators here.");
+#endif
+        if (isLinked)
+            QVERIFY(QFile::link(buffer, around.filePath(QStringLiteral("inside/") + uri)));
+        QByteArray model = gltfQuad("[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]", true);
+        const auto start = model.indexOf("data:");
+        model.replace(start, model.indexOf('"', start) - start, uri.toUtf8());
+        const QString file = around.filePath(QStringLiteral("inside/model.gltf"));
+        test::writeBytes(file, model);
+        const auto mesh = m_client.readMesh(file);
+        QVERIFY(!mesh);
+        const QString& said = mesh.error().message;
+        QVERIFY2(test::isOneSentenceNaming(said, file), qPrintable(said));
+        QVERIFY2(said.contains(QStringLiteral("lies outside of its folder")) &&
+                     said.contains(uri.section(QLatin1Char('/'), -1)) && !said.contains(QStringLiteral("damaged")),
+                 qPrintable(said));
+    }
+
+    /// The file that the user chose, wherever it lies.
+    void aModelBehindALinkIsRead()
+    {
+#ifdef Q_OS_UNIX
+        const QTemporaryDir store;
+        const QString model = store.filePath(QStringLiteral("model.gltf"));
+        test::writeBytes(model, gltfQuad("[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]", true));
+        const QString link = m_folder.filePath(QStringLiteral("linked.gltf"));
+        QVERIFY(QFile::link(model, link));
+        const auto mesh = m_client.readMesh(link);
+        QVERIFY2(mesh, mesh ? "" : qPrintable(mesh.error().message));
+        QCOMPARE(mesh->triangles.size(), 2U);
+#endif
+    }
+
     void aPipeThatAModelNamesIsNotWaitedFor()
     {
 #ifdef Q_OS_UNIX

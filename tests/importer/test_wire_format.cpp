@@ -108,8 +108,16 @@ private Q_SLOTS:
         QVERIFY(reason == wire::Reason::NoUvs);
         const wire::Refusal missing(wire::Reason::MissingFile, "kopf ä.bin");
         QVERIFY(wire::decodeRefusal(bodyOf(wire::encodeRefusal(missing))) == missing);
+        const wire::Refusal outside(wire::Reason::OutsideFolder, "kopf ä.bin");
+        QVERIFY(wire::decodeRefusal(bodyOf(wire::encodeRefusal(outside))) == outside);
         QVERIFY(!wire::decodeRefusal(bodyOf(wire::encodeRefusal(wire::Reason::MissingFile)))); // No name.
+        QVERIFY(!wire::decodeRefusal(bodyOf(wire::encodeRefusal(wire::Reason::OutsideFolder))));
         QVERIFY(!wire::decodeRefusal(bodyOf(wire::encodeRefusal({wire::Reason::Damaged, "x"}))));
+        const wire::Sandbox sandbox{.landlockVersion = 7, .filtersCalls = 1, .mostMegabytes = 1800};
+        const wire::Bytes told = wire::encodeSandbox(sandbox);
+        QVERIFY(wire::decodeSandbox(bodyOf(told)) == sandbox);
+        QVERIFY(!wire::decodeSandbox(bodyOf(patched(told, wire::kHeaderBytes + 4, std::uint32_t{2}))));
+        QVERIFY(!wire::decodeSandbox(bodyOf(told).first(11)));
     }
 
     void aHeaderThatIsNotOursIsRefused_data()
