@@ -18,45 +18,52 @@ namespace hairpaint::app {
 
 namespace {
 
-constexpr std::array<OptionHelp, 9> kNewOptions = {{
-    {"-o, --output FILE", QT_TRANSLATE_NOOP("CommandLine", "the project to write")},
+using Use = CommandOption::Use;
+
+constexpr std::array<CommandOption, 9> kNewOptions = {{
+    {"-o, --output P.hairpaint", QT_TRANSLATE_NOOP("CommandLine", "the project to write"), Use::Required},
     {"--head MESH", QT_TRANSLATE_NOOP("CommandLine", "a mesh with uv coordinates instead of the built-in head")},
     {"--preset NAME", QT_TRANSLATE_NOOP("CommandLine", "a style of the library")},
     {"--curves FILE.hair|.usda|.usdz",
      QT_TRANSLATE_NOOP("CommandLine",
                        "hair of another program as hair groups: its density, length, direction, curl and "
-                       "colours become maps; may be given again for more")},
+                       "colours become maps; may be given again for more"),
+     Use::Repeated},
     {"--curves-unit UNIT",
      QT_TRANSLATE_NOOP("CommandLine", "of those files: m, dm, cm, mm or in; as they say, or as it fits, unless given")},
-    {"--curves-axis AXIS",
+    {"--curves-axis y|z",
      QT_TRANSLATE_NOOP("CommandLine",
                        "that points up in those files: y or z; as they say, or as it fits, unless given")},
     {"--map [GROUP/]KIND[:grey]=IMAGE",
-     QT_TRANSLATE_NOOP("CommandLine", "an image as a map, by its colours, or by its brightness with :grey")},
+     QT_TRANSLATE_NOOP("CommandLine", "an image as a map, by its colours, or by its brightness with :grey"),
+     Use::Repeated},
     {"--seed N", QT_TRANSLATE_NOOP("CommandLine", "another drawing of the roots; 1 unless given")},
     {"--max-candidates N",
      QT_TRANSLATE_NOOP("CommandLine",
-                       "limit on the places, over the whole head, where hair may stand (was: --max-hairs)")},
+                       "limit on the places, over the whole head, where hair may stand (was: --max-hairs)"),
+     Use::Optional, "max-hairs"},
 }};
-constexpr OptionHelp kJson{"--json", QT_TRANSLATE_NOOP("CommandLine", "as JSON, for scripts")};
-constexpr OptionHelp kSettle{
+constexpr CommandOption kJson{"--json", QT_TRANSLATE_NOOP("CommandLine", "as JSON, for scripts")};
+constexpr CommandOption kSettle{
     "--settle SECONDS", QT_TRANSLATE_NOOP("CommandLine", "how long the hair falls first; 0 is the shape it was given")};
-constexpr OptionHelp kHairs{
+constexpr CommandOption kHairs{
     "--hairs N", QT_TRANSLATE_NOOP("CommandLine", "only so many of the hairs that are there, an even share")};
-constexpr OptionHelp kWind{
+constexpr CommandOption kWind{
     "--wind X,Y,Z",
     QT_TRANSLATE_NOOP("CommandLine", "in m/s, instead of the project's; x to the head's left, y up, z forward")};
-constexpr OptionHelp kRate{"--fps F", QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")};
+constexpr CommandOption kRate{"--fps F",
+                              QT_TRANSLATE_NOOP("CommandLine", "frames a second of a film; 30 unless given")};
 constexpr const char* kMotion = "--motion nod|shake|turn";
-constexpr std::array<OptionHelp, 1> kJsonOptions = {{kJson}};
-constexpr std::array<OptionHelp, 22> kExportOptions = {{
+constexpr std::array<CommandOption, 1> kJsonOptions = {{kJson}};
+constexpr std::array<CommandOption, 22> kExportOptions = {{
     {"-o, --output FILE.hair|.usda|.usdz|.obj|.glb|.vrm",
      QT_TRANSLATE_NOOP("CommandLine", "the file to write: curves, USD, lines, ribbons as a mesh, or an avatar: cards "
                                       "on spring bones with the body of a head that came with a skeleton")},
     {"--target NAME",
      QT_TRANSLATE_NOOP("CommandLine", "whose unit and axes: blender, unreal, godot, unity or maya; any, in metres with "
                                       "y up, unless given")},
-    {"--group NAME", QT_TRANSLATE_NOOP("CommandLine", "only this hair group; may be given again for more")},
+    {"--group NAME", QT_TRANSLATE_NOOP("CommandLine", "only this hair group; may be given again for more"),
+     Use::Repeated},
     {"--tolerance MM",
      QT_TRANSLATE_NOOP("CommandLine", "leaves out points of the hairs that lie so near to the line without them")},
     {"--cards",
@@ -64,7 +71,7 @@ constexpr std::array<OptionHelp, 22> kExportOptions = {{
                                       "instead of a ribbon a hair")},
     {"--triangles N",
      QT_TRANSLATE_NOOP("CommandLine", "at most so many of all cards, 1000 to 60000; 15000 unless given")},
-    {"--atlas SIZE",
+    {"--atlas 1024|2048|4096",
      QT_TRANSLATE_NOOP("CommandLine", "a side of the cards' textures: 1024, 2048 or 4096; 2048 unless given")},
     {"--lods N",
      QT_TRANSLATE_NOOP("CommandLine", "levels of detail, 1 to 3, each of half the triangles of the one before, with "
@@ -82,24 +89,26 @@ constexpr std::array<OptionHelp, 22> kExportOptions = {{
     {"--frames A-B", QT_TRANSLATE_NOOP("CommandLine", "hair in motion, a file a frame: FILE.0001.hair and on")},
     kRate,
     {"--maps FOLDER", QT_TRANSLATE_NOOP("CommandLine", "writes every map as an image into that folder")},
-    {"--image FORMAT", QT_TRANSLATE_NOOP("CommandLine", "of those images: png, tif, exr or tga; png unless given")},
-    {"--depth BITS", QT_TRANSLATE_NOOP("CommandLine", "8 or 16 a channel of png and tif; 16 unless given")},
+    {"--image png|tif|exr|tga",
+     QT_TRANSLATE_NOOP("CommandLine", "of those images: png, tif, exr or tga; png unless given")},
+    {"--depth 8|16", QT_TRANSLATE_NOOP("CommandLine", "8 or 16 a channel of png and tif; 16 unless given")},
     {"--grey", QT_TRANSLATE_NOOP("CommandLine", "values as brightness instead of the scales' colours")},
     {"--uv-sheet FILE.pdf|.svg",
      QT_TRANSLATE_NOOP("CommandLine", "writes the head's UV layout as a sheet to print and draw on")},
 }};
-constexpr std::array<OptionHelp, 15> kRenderOptions = {{
-    {"-o, --output FILE.png|FILE.exr",
-     QT_TRANSLATE_NOOP("CommandLine", "the picture to write; as OpenEXR in linear light, alpha in its colours")},
+constexpr std::array<CommandOption, 15> kRenderOptions = {{
+    {"-o, --output FILE.png|.exr",
+     QT_TRANSLATE_NOOP("CommandLine", "the picture to write; as OpenEXR in linear light, alpha in its colours"),
+     Use::Required},
     {"--size WxH", QT_TRANSLATE_NOOP("CommandLine", "in pixels; 1024x1024 unless given")},
     {"--view NAME", QT_TRANSLATE_NOOP("CommandLine", "front, back, left, right, top, bottom or three-quarter")},
-    {"--fit WHAT",
+    {"--fit hair|head|bust",
      QT_TRANSLATE_NOOP("CommandLine", "what fills the picture: hair (with the head), head or bust; hair unless given")},
     {"--camera AZIMUTH,ELEVATION[,DISTANCE]",
      QT_TRANSLATE_NOOP("CommandLine",
                        "instead of a view: degrees from the face toward the head's left, and upward; the "
                        "distance in cm, else as --fit asks")},
-    {"--samples N",
+    {"--samples 1|4|16",
      QT_TRANSLATE_NOOP("CommandLine",
                        "1, 4 or 16 a pixel; 4 unless given, and 1 in pictures of more than 4096 pixels a side")},
     {"--transparent", QT_TRANSLATE_NOOP("CommandLine", "no background: alpha tells what is covered")},
@@ -115,37 +124,51 @@ constexpr std::array<OptionHelp, 15> kRenderOptions = {{
     {kMotion, QT_TRANSLATE_NOOP("CommandLine", "the head moves from frame 0 on, again and again; for films")},
 }};
 
-constexpr std::array<OptionHelp, 1> kRepairOptions = {{
-    {"-o, --output FILE", QT_TRANSLATE_NOOP("CommandLine", "the project to write")},
+constexpr std::array<CommandOption, 1> kRepairOptions = {{
+    {"-o, --output P.hairpaint", QT_TRANSLATE_NOOP("CommandLine", "the project to write"), Use::Required},
 }};
 
 constexpr std::array<Command, 6> kCommands = {{
-    {"new",
-     "-o P.hairpaint [--head MESH] [--preset NAME] [--curves FILE.hair|.usda|.usdz]... [--curves-unit UNIT] "
-     "[--curves-axis y|z] [--map [GROUP/]KIND[:grey]=IMAGE]... [--seed N] [--max-candidates N]",
-     QT_TRANSLATE_NOOP("CommandLine", "makes a project"), kNewOptions, runNew},
-    {"info", "P.hairpaint [--json]", QT_TRANSLATE_NOOP("CommandLine", "tells what a project holds"), kJsonOptions,
-     runInfo},
-    {"presets", "[--json]", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), kJsonOptions, runPresets},
-    {"export",
-     "P.hairpaint [-o FILE.hair|.usda|.usdz|.obj|.glb|.vrm] [--target NAME] [--group NAME]... [--tolerance MM] "
-     "[--cards] [--triangles N] [--atlas 1024|2048|4096] [--lods N] [--bones] [--with-head] [--author NAME] "
-     "[--settle SECONDS] [--hairs N] [--wind X,Y,Z] "
-     "[--motion "
-     "nod|shake|turn] [--frames A-B] [--fps F] "
-     "[--maps FOLDER] [--image png|tif|exr|tga] [--depth 8|16] [--grey] [--uv-sheet FILE.pdf|.svg]",
+    {"new", "", QT_TRANSLATE_NOOP("CommandLine", "makes a project"), kNewOptions, runNew},
+    {"info", "P.hairpaint", QT_TRANSLATE_NOOP("CommandLine", "tells what a project holds"), kJsonOptions, runInfo},
+    {"presets", "", QT_TRANSLATE_NOOP("CommandLine", "lists the library of styles"), kJsonOptions, runPresets},
+    {"export", "P.hairpaint",
      QT_TRANSLATE_NOOP("CommandLine", "writes hair, maps and the UV layout for other programs"), kExportOptions,
      runExport},
-    {"render",
-     "P.hairpaint -o FILE.png|FILE.exr [--size WxH] [--view front|back|left|right|top|bottom|three-quarter] "
-     "[--camera AZIMUTH,ELEVATION[,DISTANCE]] [--fit hair|head|bust] [--samples N] [--transparent] [--skin NAME] "
-     "[--light NAME] [--settle SECONDS] [--frames A-B] [--fps F] [--hairs N] [--wind X,Y,Z] "
-     "[--motion nod|shake|turn]",
-     QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},
-    {"repair", "DAMAGED.hairpaint -o P.hairpaint",
+    {"render", "P.hairpaint", QT_TRANSLATE_NOOP("CommandLine", "takes pictures"), kRenderOptions, runRender},
+    {"repair", "DAMAGED.hairpaint",
      QT_TRANSLATE_NOOP("CommandLine", "writes what can be read of a damaged project, and tells what was lost"),
      kRepairOptions, runRepair},
 }};
+
+/// A row's spelling taken apart.
+struct Spelling
+{
+    QStringList names; ///< Without their dashes.
+    QString first;     ///< With them.
+    QString value;     ///< What it takes; empty where it takes nothing.
+};
+
+Spelling spellingOf(const CommandOption& option)
+{
+    Spelling spelling;
+    QStringList value;
+    for (QString word : QString::fromLatin1(option.spelling).split(QLatin1Char(' '))) {
+        if (!word.startsWith(QLatin1Char('-'))) {
+            value += word;
+            continue;
+        }
+        if (word.endsWith(QLatin1Char(',')))
+            word.chop(1);
+        if (spelling.first.isEmpty())
+            spelling.first = word;
+        spelling.names += word.mid(word.startsWith(QLatin1String("--")) ? 2 : 1);
+    }
+    if (*option.former != '\0')
+        spelling.names += QString::fromLatin1(option.former);
+    spelling.value = value.join(QLatin1Char(' '));
+    return spelling;
+}
 
 /// The project that a verb is about, else its first file.
 QString projectIn(const QStringList& arguments)
@@ -179,14 +202,29 @@ const Command* findCommand(const QString& name)
     return found == kCommands.end() ? nullptr : &*found;
 }
 
+QString usageOf(const Command& command)
+{
+    QStringList words{QStringLiteral("hairpaint"), QString::fromLatin1(command.name)};
+    if (*command.operands != '\0')
+        words += QString::fromLatin1(command.operands);
+    for (const CommandOption& option : command.options) {
+        const Spelling spelling = spellingOf(option);
+        QString word = spelling.first;
+        if (!spelling.value.isEmpty())
+            word += QLatin1Char(' ') + spelling.value;
+        if (option.use != Use::Required)
+            word = QLatin1Char('[') + word + QLatin1Char(']');
+        words += option.use == Use::Repeated ? word + QStringLiteral("...") : word;
+    }
+    return words.join(QLatin1Char(' '));
+}
+
 QStringList helpOf(const Command& command, bool options)
 {
-    QStringList lines{
-        QStringLiteral("hairpaint %1 %2").arg(QLatin1StringView(command.name), QLatin1StringView(command.usage)),
-        QStringLiteral("    ") + CommandLine::tr(command.purpose)};
+    QStringList lines{usageOf(command), QStringLiteral("    ") + CommandLine::tr(command.purpose)};
     if (options)
-        for (const OptionHelp& option : command.options)
-            lines += QStringList{QStringLiteral("  ") + QLatin1StringView(option.option),
+        for (const CommandOption& option : command.options)
+            lines += QStringList{QStringLiteral("  ") + QLatin1StringView(option.spelling),
                                  QStringLiteral("    ") + CommandLine::tr(option.meaning)};
     return lines;
 }
@@ -219,14 +257,17 @@ ExitCode failed(const model::Error& error)
 ExitCode wrongUsage(const char* command, const QString& problem)
 {
     const Command* entry = findCommand(QLatin1StringView(command));
-    printError(CommandLine::tr("%1. Usage: hairpaint %2 %3")
-                   .arg(problem, QLatin1StringView(entry->name), QLatin1StringView(entry->usage)));
+    printError(CommandLine::tr("%1. Usage: %2").arg(problem, usageOf(*entry)));
     return ExitCode::WrongUsage;
 }
 
 std::optional<QStringList> parse(QCommandLineParser& parser, const char* command, const QStringList& arguments,
                                  qsizetype positionals)
 {
+    for (const CommandOption& option : findCommand(QLatin1StringView(command))->options) {
+        const Spelling spelling = spellingOf(option);
+        parser.addOption(QCommandLineOption(spelling.names, {}, spelling.value));
+    }
     // The parser expects a program name first.
     if (!parser.parse(QStringList{QLatin1StringView(command)} + arguments)) {
         QString problem = parser.errorText();

@@ -29,26 +29,36 @@ enum class ExitCode : int
     WrongUsage = 2
 };
 
-/// A line of a verb's help.
-struct OptionHelp
+/// A verb's option: a row that the parser, the usage line, --help and the README's synopsis read.
+struct CommandOption
 {
-    const char* option;
-    const char* meaning; ///< To be translated in context "CommandLine".
+    enum class Use
+    {
+        Optional,
+        Required,
+        Repeated ///< As often as is wanted.
+    };
+    const char* spelling; ///< "-o, --output FILE": its names, and what it takes, if anything.
+    const char* meaning;  ///< To be translated in context "CommandLine".
+    Use use = Use::Optional;
+    const char* former = ""; ///< An earlier name that still works.
 };
 
 /// One verb: "new", "info", "presets", "export", "render", "repair".
 struct Command
 {
     const char* name;
-    const char* usage;   ///< What follows the name.
-    const char* purpose; ///< To be translated in context "CommandLine".
-    std::span<const OptionHelp> options = {};
+    const char* operands; ///< What follows the name: "P.hairpaint".
+    const char* purpose;  ///< To be translated in context "CommandLine".
+    std::span<const CommandOption> options = {};
     ExitCode (*run)(const QStringList& arguments);
 };
 
 [[nodiscard]] std::span<const Command> commands();
 /// The verb of that name, or null.
 [[nodiscard]] const Command* findCommand(const QString& name);
+/// "hairpaint new -o FILE.hairpaint [--head MESH] ...".
+[[nodiscard]] QString usageOf(const Command& command);
 /// Usage and purpose as lines; with `options` those of each of them, too.
 [[nodiscard]] QStringList helpOf(const Command& command, bool options);
 /// Runs a verb, or prints its help where the arguments ask for it; where memory runs out, that is one more way to fail,
@@ -66,7 +76,8 @@ ExitCode runRepair(const QStringList& arguments);
 ExitCode failed(const model::Error& error);
 /// Prints what is wrong and the verb's usage.
 ExitCode wrongUsage(const char* command, const QString& problem);
-/// Parses the arguments after the verb: the positional ones on success, none (with the usage printed) otherwise.
+/// Parses the arguments after the verb, by its options: the positional ones on success, none (with the usage printed)
+/// otherwise.
 [[nodiscard]] std::optional<QStringList> parse(QCommandLineParser& parser, const char* command,
                                                const QStringList& arguments, qsizetype positionals);
 /// A number option within a range; `fallback` where it is not given; none (with the usage printed) where it is

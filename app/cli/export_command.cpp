@@ -243,28 +243,6 @@ QString uselessOption(const QCommandLineParser& parser)
 ExitCode runExport(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
-                       {QStringLiteral("target"), {}, QStringLiteral("name")},
-                       {QStringLiteral("group"), {}, QStringLiteral("name")},
-                       {QStringLiteral("tolerance"), {}, QStringLiteral("mm")},
-                       {QStringLiteral("cards"), {}},
-                       {QStringLiteral("triangles"), {}, QStringLiteral("number")},
-                       {QStringLiteral("atlas"), {}, QStringLiteral("size")},
-                       {QStringLiteral("lods"), {}, QStringLiteral("number")},
-                       {QStringLiteral("bones"), {}},
-                       {QStringLiteral("with-head"), {}},
-                       {QStringLiteral("author"), {}, QStringLiteral("name")},
-                       {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
-                       {QStringLiteral("hairs"), {}, QStringLiteral("number")},
-                       {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
-                       {QStringLiteral("motion"), {}, QStringLiteral("name")},
-                       {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
-                       {QStringLiteral("fps"), {}, QStringLiteral("number")},
-                       {QStringLiteral("maps"), {}, QStringLiteral("folder")},
-                       {QStringLiteral("image"), {}, QStringLiteral("format")},
-                       {QStringLiteral("depth"), {}, QStringLiteral("bits")},
-                       {QStringLiteral("grey"), {}},
-                       {QStringLiteral("uv-sheet"), {}, QStringLiteral("file")}});
     const std::optional<QStringList> files = parse(parser, kExport, arguments, 1);
     if (!files)
         return ExitCode::WrongUsage;

@@ -125,7 +125,6 @@ QStringList asText(const QJsonObject& info, std::uint64_t seed)
 ExitCode runInfo(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    parser.addOption(QCommandLineOption(QStringLiteral("json")));
     const std::optional<QStringList> files = parse(parser, "info", arguments, 1);
     if (!files)
         return ExitCode::WrongUsage;
@@ -143,7 +142,6 @@ ExitCode runInfo(const QStringList& arguments)
 ExitCode runPresets(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    parser.addOption(QCommandLineOption(QStringLiteral("json")));
     if (!parse(parser, "presets", arguments, 0))
         return ExitCode::WrongUsage;
     QJsonArray list;

@@ -130,17 +130,7 @@ ExitCode runNew(const QStringList& arguments)
 {
     constexpr const char* kName = "new";
     const QString kMaxCandidates = QStringLiteral("max-candidates");
-    const QString kMaxHairs = QStringLiteral("max-hairs"); // Its name in 0.1.
     QCommandLineParser parser;
-    parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
-                       {QStringLiteral("head"), {}, QStringLiteral("mesh")},
-                       {QStringLiteral("preset"), {}, QStringLiteral("name")},
-                       {kCurves, {}, QStringLiteral("file")},
-                       {kCurvesUnit, {}, QStringLiteral("unit")},
-                       {kCurvesAxis, {}, QStringLiteral("axis")},
-                       {QStringLiteral("map"), {}, QStringLiteral("kind=image")},
-                       {QStringLiteral("seed"), {}, QStringLiteral("number")},
-                       {{kMaxCandidates, kMaxHairs}, {}, QStringLiteral("number")}});
     if (!parse(parser, kName, arguments, 0))
         return ExitCode::WrongUsage;
     const QString output = parser.value(QStringLiteral("o"));

@@ -208,21 +208,6 @@ model::Result<void> checkOutputs(const RenderOptions& options, const QString& ou
 ExitCode runRender(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")},
-                       {QStringLiteral("size"), {}, QStringLiteral("WxH")},
-                       {QStringLiteral("view"), {}, QStringLiteral("name")},
-                       {QStringLiteral("camera"), {}, QStringLiteral("A,E,D")},
-                       {QStringLiteral("fit"), {}, QStringLiteral("what")},
-                       {QStringLiteral("samples"), {}, QStringLiteral("number")},
-                       {QStringLiteral("transparent"), {}},
-                       {QStringLiteral("skin"), {}, QStringLiteral("name")},
-                       {QStringLiteral("light"), {}, QStringLiteral("name")},
-                       {QStringLiteral("settle"), {}, QStringLiteral("seconds")},
-                       {QStringLiteral("frames"), {}, QStringLiteral("A-B")},
-                       {QStringLiteral("fps"), {}, QStringLiteral("number")},
-                       {QStringLiteral("hairs"), {}, QStringLiteral("number")},
-                       {QStringLiteral("wind"), {}, QStringLiteral("X,Y,Z")},
-                       {QStringLiteral("motion"), {}, QStringLiteral("name")}});
     const std::optional<QStringList> files = parse(parser, kName, arguments, 1);
     if (!files)
         return ExitCode::WrongUsage;

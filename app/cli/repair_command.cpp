@@ -9,7 +9,6 @@ ExitCode runRepair(const QStringList& arguments)
 {
     constexpr const char* kName = "repair";
     QCommandLineParser parser;
-    parser.addOptions({{{QStringLiteral("o"), QStringLiteral("output")}, {}, QStringLiteral("file")}});
     const std::optional<QStringList> files = parse(parser, kName, arguments, 1);
     if (!files)
         return ExitCode::WrongUsage;

@@ -21,7 +21,7 @@ void TestCommands::resultIsHandedOn()
     const auto counting = [](const QStringList& arguments) {
         return arguments == QStringList{QStringLiteral("a")} ? ExitCode::Done : ExitCode::WrongUsage;
     };
-    const Command command{.name = "count", .usage = "", .purpose = "", .run = counting};
+    const Command command{.name = "count", .operands = "", .purpose = "", .run = counting};
     QCOMPARE(run(command, {QStringLiteral("a")}), ExitCode::Done);
     QCOMPARE(run(command, {}), ExitCode::WrongUsage);
 }
@@ -29,7 +29,7 @@ void TestCommands::resultIsHandedOn()
 void TestCommands::wantOfMemoryIsAFailure()
 {
     const auto greedy = [](const QStringList&) -> ExitCode { throw std::bad_alloc(); };
-    const Command command{.name = "greedy", .usage = "", .purpose = "", .run = greedy};
+    const Command command{.name = "greedy", .operands = "", .purpose = "", .run = greedy};
     QCOMPARE(run(command, {}), ExitCode::Failed);
 }
 

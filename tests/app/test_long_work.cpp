@@ -77,7 +77,7 @@ private Q_SLOTS:
         const int before = dup(STDERR_FILENO);
         dup2(said.handle(), STDERR_FILENO);
         const ExitCode code = run({.name = "render",
-                                   .usage = "",
+                                   .operands = "",
                                    .purpose = "",
                                    .run = [](const QStringList&) -> ExitCode { throw std::bad_alloc(); }},
                                   {QStringLiteral("-o"), QStringLiteral("a.png"), QStringLiteral("curls.hairpaint")});

@@ -1,4 +1,5 @@
 // What the floors' READMEs tell of how to add something is where it is done.
+#include "app/cli/command.h"
 #include "tests/support/test_program.h"
 
 #include <QDirIterator>
@@ -6,6 +7,8 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QtTest>
+
+using namespace hairpaint;
 
 namespace {
 
@@ -131,6 +134,13 @@ private Q_SLOTS:
             const QString target = match.next().captured(1);
             QVERIFY2(isThere(folder + QLatin1Char('/') + target), qPrintable(target));
         }
+    }
+
+    void theSynopsisIsTheProgramsOwn()
+    {
+        const QString readme = textOf(underSource(QStringLiteral("README.md"))).simplified();
+        for (const app::Command& command : app::commands())
+            QVERIFY2(readme.contains(usageOf(command)), qPrintable(usageOf(command)));
     }
 
     /// The rooms of a floor's README are its folders.
