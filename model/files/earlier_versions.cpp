@@ -2,6 +2,7 @@
 #include "model/files/earlier_versions.h"
 
 #include "model/files/atomic_file.h"
+#include "model/files/own_folder.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -46,8 +47,10 @@ private:
 
 bool haveSameBytes(QFile& one, const QString& path)
 {
-    QFile other(path);
-    if (!other.open(QIODevice::ReadOnly) || one.size() != other.size())
+    const QFileInfo named(path);
+    const std::optional<OwnFolder> folder = OwnFolder::open(named.path());
+    QFile other;
+    if (!folder || !folder->openToRead(other, named.fileName()) || one.size() != other.size())
         return false;
     bool same = true;
     while (same && !one.atEnd())
@@ -57,6 +60,13 @@ bool haveSameBytes(QFile& one, const QString& path)
 
 Checked<void> copyFile(QFile& from, const QString& path)
 {
+    // A link of that name would lead the copy over what it points to.
+    const QFileInfo named(path);
+    if (const std::optional<OwnFolder> folder = OwnFolder::open(named.path())) {
+        const std::optional<OwnEntry> before = folder->entry(named.fileName());
+        if (before && before->kind == OwnEntry::Kind::Other)
+            folder->remove(named.fileName());
+    }
     AtomicFile copy(path);
     if (Checked<void> opened = copy.open(); !opened)
         return opened;
