@@ -32,6 +32,7 @@
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QUndoStack>
@@ -236,6 +237,7 @@ void MainWindow::connectFiles()
             [&status](const QString& text) { status.showMessage(text, true, kReasonMs); });
     connect(&m_journal, &Journal::stopped, &status, &view::StatusReadout::setUnprotected);
     connect(&m_journal, &Journal::resumed, &status, [&status] { status.setUnprotected({}); });
+    connect(&m_journal, &Journal::kept, this, &MainWindow::forgetRestored);
     view::HeadView& head = m_workspace->headView();
     connect(&head, &view::HeadView::frameDrawn, &pictures, &PictureExchange::followView);
     connect(&m_exchange.hair(), &HairExchange::cardsMade, &head, &view::HeadView::showCards);
@@ -247,20 +249,50 @@ void MainWindow::connectFiles()
     connect(&m_preferences, &LivePreferences::changed, this, &MainWindow::applyPreferences);
 }
 
-void MainWindow::offerUnsavedWork()
+void MainWindow::begin(const QString& file)
+{
+    // As a journal has it; the program may have been started elsewhere then.
+    const QString path = file.isEmpty() ? QString() : QFileInfo(file).absoluteFilePath();
+    const bool isRestored = offerUnsavedWork(path);
+    if (path.isEmpty())
+        return;
+    if (!isRestored || fileKind(path) != FileKind::Project)
+        return openFile(path);
+    if (m_files.isOpen(path))
+        return;
+    m_settings.addRecentFile(path);
+    showTitle();
+    m_workspace->status().showMessage(
+        tr("'%1' was not opened, since '%2' was restored and is not saved; save it, then open '%1' by File > Open "
+           "recent.")
+            .arg(QFileInfo(path).completeBaseName(), m_files.displayName()),
+        false, kReasonMs);
+}
+
+bool MainWindow::offerUnsavedWork(const QString& file)
 {
     sweepBeside(m_settings.recentFiles());
-    const UnsavedAnswer answer = askForUnsavedWork(JournalFolder::root(), m_jobs, *this);
-    const std::optional<RestoredWork>& restored = answer.restored;
-    if (answer.isKept)
-        m_workspace->status().showMessage(tr("The unsaved work is kept; the next start offers it again."), false,
-                                          kReasonMs);
+    UnsavedAnswer answer = askForUnsavedWork(JournalFolder::root(), m_jobs, *this, file);
+    std::optional<RestoredWork>& restored = answer.restored;
+    view::StatusReadout& status = m_workspace->status();
+    if (!answer.problem.isEmpty())
+        status.showMessage(tr("Unsaved work could not be read: %1").arg(answer.problem), true, kReasonMs);
+    else if (answer.isKept)
+        status.showMessage(tr("The unsaved work is kept; the next start offers it again."), false, kReasonMs);
     if (!restored || !m_files.restore(restored->work))
-        return;
+        return false;
+    m_restored = std::move(restored->folder);
     m_journal.takeOver(restored->work);
-    // Only now is it nowhere else.
-    if (m_jobs.awaitUntil(ProjectFiles::restoring(), [this] { return m_journal.idle(); }) && !m_journal.isStopped())
-        restored->folder->remove();
+    // Only when the journal has it is it nowhere else.
+    (void)m_jobs.awaitUntil(ProjectFiles::restoring(), [this] { return m_journal.idle(); });
+    return true;
+}
+
+void MainWindow::forgetRestored()
+{
+    if (m_restored)
+        m_restored->remove();
+    m_restored.reset();
 }
 
 void MainWindow::keepWork()
@@ -298,6 +330,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     m_journal.discard();
+    forgetRestored();
     m_settings.setWindowGeometry(saveGeometry());
     event->accept();
 }
@@ -349,8 +382,10 @@ bool MainWindow::event(QEvent* event)
     // Another window gets the release of a key that is held now.
     if (event->type() == QEvent::WindowDeactivate && m_workspace != nullptr)
         lookAt(std::nullopt);
-    if (event->type() == QEvent::WindowActivate)
+    if (event->type() == QEvent::WindowActivate) {
         m_files.lookOutside();
+        m_journal.lookAfterFolder();
+    }
     return QMainWindow::event(event);
 }
 

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "app/file_stamp.h"
-
-#include <QLockFile>
+#include "model/files/own_lock.h"
 
 #include <memory>
 
@@ -27,7 +26,8 @@ public:
 private:
     QString m_path;
     FileStamp m_stamp;
-    std::unique_ptr<QLockFile> m_lock;
+    struct Lock;
+    std::shared_ptr<Lock> m_lock;
 };
 
 } // namespace hairpaint::app
