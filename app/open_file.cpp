@@ -42,7 +42,7 @@ bool OpenFile::isOpenElsewhere(const FileStamp& file)
 {
     const std::shared_ptr<Lock> lock = Lock::of(file.wholeName);
     // Where no lock can be written, there may be one of a window that is gone.
-    return lock && lock->lock.take() == model::OwnLock::State::Held;
+    return lock && lock->lock.isHeld();
 }
 
 void OpenFile::set(const QString& path, const FileStamp& stamp)

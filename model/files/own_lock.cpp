@@ -115,6 +115,20 @@ OwnLock::State OwnLock::take()
     return State::Missing;
 }
 
+bool OwnLock::isHeld()
+{
+    const int descriptor = ::openat(m_folder.descriptor(), QFile::encodeName(m_name).constData(),
+                                    O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0)
+        return false;
+    struct stat status = {};
+    const Grip held = grip(descriptor);
+    const bool is = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) &&
+                    (held == Grip::Other || (status.st_size > 0 && isHeldByLines(descriptor, held == Grip::Held)));
+    (void)::close(descriptor);
+    return is;
+}
+
 void OwnLock::release()
 {
     if (m_descriptor < 0)
@@ -136,6 +150,13 @@ OwnLock::State OwnLock::take()
         return State::Taken;
     }
     return m_file->error() == QLockFile::LockFailedError ? State::Held : State::Missing;
+}
+
+bool OwnLock::isHeld()
+{
+    const bool is = take() == State::Held;
+    release();
+    return is;
 }
 
 void OwnLock::release()

@@ -29,6 +29,8 @@ public:
     /// Waits for nobody. Where it is Missing, others on this machine still find it held if there was such a file.
     [[nodiscard]] State take();
     void release();
+    /// What take() would find, to be asked by who does not want it.
+    [[nodiscard]] bool isHeld();
 
 private:
     const OwnFolder& m_folder;

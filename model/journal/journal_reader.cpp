@@ -24,8 +24,6 @@ namespace {
 constexpr qsizetype kMostMeshBytes = qsizetype{192} << 20;
 /// Of what is known of the states while the file is read; beyond it the oldest ones go.
 constexpr std::size_t kMostKnownBytes = std::size_t{256} << 20U;
-/// Of all that comes back: as much as one content may hold, and steps beside it as far as there is room.
-constexpr std::size_t kMostBuiltBytes = kMostHeldBytes + kMostHeldBytes / 4;
 constexpr qsizetype kMostTileBytes = sim::kTileTexels * 4 * sizeof(std::uint16_t);
 
 using Table = std::shared_ptr<const QByteArray>;
@@ -43,7 +41,7 @@ struct FoundState
 class Scan
 {
 public:
-    explicit Scan(QIODevice& file) : m_file(file) {}
+    Scan(QIODevice& file, std::size_t mostBytes) : m_file(file), m_mostBytes(mostBytes) {}
 
     [[nodiscard]] bool walk(const Progress& progress)
     {
@@ -74,7 +72,7 @@ public:
     {
         RecoveredWork work;
         const int current = *m_current;
-        if (std::optional<JournalState> state = stateOf(m_states.at(current), kMostBuiltBytes))
+        if (std::optional<JournalState> state = stateOf(m_states.at(current)))
             work.steps.push_back(std::move(*state));
         else
             return work;
@@ -86,7 +84,7 @@ public:
         for (auto at = m_states.find(current - 1); at != m_states.end(); at = m_states.find(at->first - 1)) {
             if (!told(before.size()))
                 return std::nullopt;
-            std::optional<JournalState> state = stateOf(at->second, kMostBuiltBytes);
+            std::optional<JournalState> state = stateOf(at->second);
             if (!state)
                 break;
             before.push_back(std::move(*state));
@@ -95,7 +93,7 @@ public:
         for (auto at = m_states.find(current + 1); at != m_states.end(); at = m_states.find(at->first + 1)) {
             if (!told(before.size() + work.steps.size()))
                 return std::nullopt;
-            std::optional<JournalState> state = stateOf(at->second, kMostBuiltBytes);
+            std::optional<JournalState> state = stateOf(at->second);
             if (!state)
                 break;
             work.steps.push_back(std::move(*state));
@@ -164,13 +162,13 @@ private:
     }
 
     /// Whether there is room for it.
-    [[nodiscard]] bool hold(std::size_t bytes, std::size_t most)
+    [[nodiscard]] bool hold(std::size_t bytes)
     {
         m_builtBytes += bytes;
-        return m_builtBytes <= most;
+        return m_builtBytes <= m_mostBytes;
     }
 
-    sim::RasterTilePtr tileOf(std::uint32_t number, int channels, std::size_t most)
+    sim::RasterTilePtr tileOf(std::uint32_t number, int channels)
     {
         if (number >= m_tiles.size())
             return nullptr;
@@ -196,14 +194,14 @@ private:
             tile->pixels.resize(values);
             qFromLittleEndian<quint16>(bytes->constData(), static_cast<qsizetype>(values), tile->pixels.data());
         }
-        if (!hold(sizeof(sim::RasterTile) + values * sizeof(std::uint16_t), most))
+        if (!hold(sizeof(sim::RasterTile) + values * sizeof(std::uint16_t)))
             return nullptr;
         found.channels = channels;
         found.tile = std::move(tile);
         return found.tile;
     }
 
-    std::shared_ptr<const Head> headOf(const HeadReference& reference, int number, std::size_t most)
+    std::shared_ptr<const Head> headOf(const HeadReference& reference, int number)
     {
         if (reference.builtIn) {
             const Checked<std::shared_ptr<const Head>> head = builtInHead(reference.name);
@@ -216,7 +214,7 @@ private:
             const std::optional<JournalRecord> record = recordAt(found.at, RecordKind::Head);
             const std::optional<QByteArray> glb =
                 record ? unpacked(record->payload, kMostMeshBytes) : std::optional<QByteArray>();
-            if (!glb || !hold(static_cast<std::size_t>(glb->size()), most))
+            if (!glb || !hold(static_cast<std::size_t>(glb->size())))
                 return nullptr;
             const Checked<std::shared_ptr<const Head>> head =
                 headFromGlb(reference.name, *glb, reference.unitScale, reference.upAxis, {}, reference.landmarks);
@@ -227,17 +225,17 @@ private:
         return found.head;
     }
 
-    bool fill(Layer& layer, int size, int channels, const FoundState& from, std::size_t most)
+    bool fill(Layer& layer, int size, int channels, const FoundState& from)
     {
         const auto table = from.tables.find(layer.id);
         sim::TiledRaster raster(size, channels);
         if (table == from.tables.end() || table->second->size() != raster.tileCount() * kTableEntryBytes ||
-            !hold(static_cast<std::size_t>(raster.tileCount()) * sizeof(sim::RasterTilePtr), most))
+            !hold(static_cast<std::size_t>(raster.tileCount()) * sizeof(sim::RasterTilePtr)))
             return false;
         for (int i = 0; i < raster.tileCount(); ++i) {
             const auto number =
                 qFromLittleEndian<quint32>(table->second->constData() + static_cast<qsizetype>(i) * kTableEntryBytes);
-            sim::RasterTilePtr tile = tileOf(number, channels, most);
+            sim::RasterTilePtr tile = tileOf(number, channels);
             if (!tile)
                 return false;
             raster.setTile(i, std::move(tile));
@@ -246,7 +244,7 @@ private:
         return true;
     }
 
-    std::optional<JournalState> stateOf(const FoundState& from, std::size_t most)
+    std::optional<JournalState> stateOf(const FoundState& from)
     {
         const std::optional<JournalRecord> record = recordAt(from.at, RecordKind::State);
         std::optional<StateFields> fields = record ? stateFields(record->payload) : std::nullopt;
@@ -257,7 +255,7 @@ private:
             return std::nullopt;
         JournalState state;
         state.project = std::move(manifest->project);
-        state.project.head = headOf(manifest->head, fields->head, most);
+        state.project.head = headOf(manifest->head, fields->head);
         if (!state.project.head)
             return std::nullopt;
         for (HairGroup& group : state.project.groups) {
@@ -265,7 +263,7 @@ private:
                 MapStack& stack = shared.write();
                 const int channels = mapSpec(stack.kind).layerChannels();
                 for (Layer& layer : stack.layers)
-                    if (!fill(layer, stack.size, channels, from, most))
+                    if (!fill(layer, stack.size, channels, from))
                         return std::nullopt;
             }
         }
@@ -287,9 +285,11 @@ private:
     std::size_t m_knownBytes = 0;
     std::size_t m_tableBytes = 0; ///< Of m_tables.
     std::size_t m_builtBytes = 0;
+    std::size_t m_mostBytes; ///< That may be built.
 };
 
-Result<std::optional<RecoveredWork>> read(const OwnFolder& folder, const QString& name, const Progress& progress)
+Result<std::optional<RecoveredWork>> read(const OwnFolder& folder, const QString& name, const Progress& progress,
+                                          std::size_t mostBytes)
 {
     const QString path = folder.pathOf(name);
     QFile file;
@@ -297,7 +297,7 @@ Result<std::optional<RecoveredWork>> read(const OwnFolder& folder, const QString
         return cannotOpen(path,
                           {.text = readRefusal(folder.problem().isEmpty() ? file.errorString() : folder.problem()),
                            .cure = Clause::Cure::OtherFile});
-    Scan scan(file);
+    Scan scan(file, mostBytes);
     if (!scan.walk(progress))
         return cancelled(path);
     if (!scan.hasWork())
@@ -312,9 +312,10 @@ Result<std::optional<RecoveredWork>> read(const OwnFolder& folder, const QString
 
 } // namespace
 
-Result<std::optional<RecoveredWork>> readJournal(const OwnFolder& folder, const QString& name, const Progress& progress)
+Result<std::optional<RecoveredWork>> readJournal(const OwnFolder& folder, const QString& name, const Progress& progress,
+                                                 std::size_t mostBytes)
 {
-    return withinMemory(folder.pathOf(name), cannotOpen, [&] { return read(folder, name, progress); });
+    return withinMemory(folder.pathOf(name), cannotOpen, [&] { return read(folder, name, progress, mostBytes); });
 }
 
 Result<std::optional<RecoveredWork>> readJournal(const QString& path, const Progress& progress)

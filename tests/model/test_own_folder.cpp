@@ -126,6 +126,7 @@ private Q_SLOTS:
             QCOMPARE(one.take(), OwnLock::State::Taken);
             OwnLock other(folder, name);
             QCOMPARE(other.take(), OwnLock::State::Held);
+            QVERIFY(other.isHeld());
             QLockFile earlier(folder.pathOf(name)); // Of an earlier version of the program.
             earlier.setStaleLockTime(0);
             QVERIFY(!earlier.tryLock(0));
@@ -181,6 +182,7 @@ private Q_SLOTS:
         OwnLock held(folder, QStringLiteral("living"));
         QCOMPARE(held.take(), OwnLock::State::Held);
         OwnLock left(folder, QStringLiteral("left"));
+        QVERIFY(!left.isHeld() && folder.entry(QStringLiteral("left")));
         QCOMPARE(left.take(), isFull ? OwnLock::State::Taken : OwnLock::State::Missing);
         OwnLock again(folder, QStringLiteral("left")); // By the one who reads what it guards.
         QCOMPARE(again.take(), OwnLock::State::Held);
