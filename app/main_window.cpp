@@ -279,7 +279,12 @@ bool MainWindow::offerUnsavedWork(const QString& file)
         status.showMessage(tr("Unsaved work could not be read: %1").arg(answer.problem), true, kReasonMs);
     else if (answer.isKept)
         status.showMessage(tr("The unsaved work is kept; the next start offers it again."), false, kReasonMs);
-    if (!restored || !m_files.restore(restored->work))
+    if (!restored)
+        return false;
+    m_journal.setPaused(true);
+    const bool isRestored = m_files.restore(restored->work);
+    m_journal.setPaused(false);
+    if (!isRestored)
         return false;
     m_restored = std::move(restored->folder);
     m_journal.takeOver(restored->work);

@@ -58,6 +58,8 @@ model::JournalState Journal::present() const
 void Journal::look()
 {
     m_soon.stop();
+    if (m_isPaused)
+        return;
     if (std::exchange(m_replaced, false)) {
         if (std::exchange(m_written, false))
             post({});
@@ -87,18 +89,27 @@ void Journal::lookAfterFolder()
         post({.kind = Task::Kind::LookAfter});
 }
 
+void Journal::setPaused(bool paused)
+{
+    m_isPaused = paused;
+    if (!paused)
+        m_soon.start();
+}
+
 void Journal::takeOver(const model::RecoveredWork& work)
 {
     m_replaced = false;
     m_written = true;
     m_before.reset();
-    Task task{.kind = Task::Kind::Append};
+    Task task{.kind = Task::Kind::TakeOver};
     for (std::size_t i = 0; i < work.steps.size(); ++i) {
         model::JournalState& state = task.states.emplace_back(work.steps[i]);
         state.index = state.count = static_cast<int>(i);
     }
+    task.states.push_back(present()); // Which of them it is.
+    m_posted = {m_document.revision(), m_document.undoStack().index()};
     post(std::move(task));
-    look(); // Which of them it is.
+    m_nowAndThen.start();
 }
 
 void Journal::post(Task task)
@@ -195,6 +206,12 @@ void Journal::work(const std::stop_token& stop)
         }
         if (task.kind == Task::Kind::LookAfter && (!writer || writer->isClean() || writer->isInPlace()))
             return {};
+        if (task.kind == Task::Kind::TakeOver) {
+            writer.reset();
+            states.assign(task.states.begin(), task.states.end());
+            const model::Checked<void> begun = begin();
+            return begun ? writer->writeAnew() : begun;
+        }
         if (model::Checked<void> begun = begin(); !begun) {
             for (const model::JournalState& state : task.states)
                 model::JournalWriter::keep(states, state);

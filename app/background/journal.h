@@ -31,6 +31,8 @@ public:
 
     /// Of the project's file, from the next step on.
     void setPath(const QString& path) { m_path = path; }
+    /// Writes nothing: what is restored is to be taken over at once, not step by step.
+    void setPaused(bool paused);
     /// The document was restored with this history.
     void takeOver(const model::RecoveredWork& work);
     [[nodiscard]] bool idle();                                   ///< Nothing waits to be written.
@@ -55,6 +57,7 @@ private:
         enum class Kind
         {
             Append,
+            TakeOver,  ///< In place of all that was appended.
             MarkClean, ///< What was appended last is saved.
             LookAfter
         };
@@ -73,6 +76,7 @@ private:
     QTimer m_soon;       ///< Zero: several signals of one step.
     QTimer m_nowAndThen; ///< While something is written.
     bool m_replaced = true;
+    bool m_isPaused = false;
     bool m_isStopped = false;                    ///< As it was told.
     std::pair<std::uint64_t, int> m_posted;      ///< Revision and index of the step that was posted last.
     bool m_written = false;                      ///< A state of this history was posted.

@@ -208,7 +208,7 @@ void JournalWriter::keep(std::deque<JournalState>& states, const JournalState& s
     if (state.count == 0)
         states.clear(); // Another project, or a history that was cleared: there is no way back.
     states.push_back(state);
-    if (states.size() > kKeptStates)
+    while (states.size() > kKeptStates)
         states.pop_front();
 }
 

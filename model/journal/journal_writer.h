@@ -29,7 +29,7 @@ public:
     static constexpr qint64 kLiveFactor = 3;
     static constexpr std::size_t kKeptStates = 24; ///< Steps of the history that a file written anew still has.
 
-    /// `states`: of another writer of this history that failed; they come first. Follows no link.
+    /// `states`: of this history, however many; they come first. Follows no link.
     JournalWriter(std::shared_ptr<const OwnFolder> folder, QString name, std::deque<JournalState> states = {},
                   qint64 leastRewriteBytes = kLeastRewriteBytes);
     explicit JournalWriter(const QString& path, qint64 leastRewriteBytes = kLeastRewriteBytes);
