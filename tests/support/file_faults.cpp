@@ -104,7 +104,9 @@ bool refusesChange(int at, const char* path, bool makes)
 {
     if (!isRefusing(at, path) || (!makes && !refusesRemoval))
         return false;
-    errno = refusesRemoval ? EROFS : ENOSPC;
+    struct stat status = {};
+    const bool exists = syscall(SYS_newfstatat, at, path, &status, AT_SYMLINK_NOFOLLOW) == 0;
+    errno = makes && exists ? EEXIST : refusesRemoval ? EROFS : ENOSPC;
     return true;
 }
 
