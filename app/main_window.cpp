@@ -303,6 +303,7 @@ void MainWindow::forgetRestored()
 void MainWindow::keepWork()
 {
     m_session.document().settle(); // A stroke under way is work too.
+    m_journal.lookAfterFolder();
     m_journal.flush();
     m_settings.setWindowGeometry(saveGeometry());
 }

@@ -25,6 +25,7 @@ namespace {
 constexpr const char* kFolderVariable = "HAIRPAINT_KILLED_FOLDER";
 constexpr const char* kSeedVariable = "HAIRPAINT_KILLED_SEED";
 constexpr int kStartMs = 10 * kPatienceMs;                ///< Of many windows some start late.
+constexpr qsizetype kMostShown = 800;                     ///< Letters of a log.
 constexpr const char* kGoesBack = "goes back or forth\n"; ///< Written down before an undo or a redo.
 
 QByteArray hashOf(const QByteArray& bytes)
@@ -342,7 +343,7 @@ private Q_SLOTS:
                                                .arg(turn)
                                                .arg(work ? QLatin1String("journal") : QLatin1String("file"))
                                                .arg(moments.size() - oldest)
-                                               .arg(written, QString::fromLatin1(came))));
+                                               .arg(written.right(kMostShown), QString::fromLatin1(came))));
             stepsLost += lost > 0 ? 1 : 0;
             if (turn % 50 == 49)
                 qInfo("%d killed, %d from the journal", turn + 1 - first, fromJournal);
