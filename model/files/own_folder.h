@@ -51,12 +51,12 @@ public:
     /// The open file is what has that name now.
     [[nodiscard]] bool isNamed(const QFile& file, const QString& name) const;
 
-    /// An ordinary file, for reading. False: file.error() or problem() may tell why.
+    /// An ordinary file, for reading. False: problem() tells why.
     [[nodiscard]] bool openToRead(QFile& file, const QString& name) const;
     /// A new and empty file for writing, unbuffered, that its owner alone may read; whatever had the name is removed,
     /// but no folder.
     [[nodiscard]] bool openNew(QFile& file, const QString& name) const;
-    /// The system's reason why the last openToRead() or openNew() failed.
+    /// Why the last openToRead() or openNew() failed, as a clause.
     [[nodiscard]] const QString& problem() const { return m_problem; }
 
     /// That its owner alone may look into.

@@ -4,6 +4,7 @@
 #ifndef Q_OS_UNIX
 
 #include "model/files/atomic_file.h"
+#include "model/files/sentences.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -83,9 +84,11 @@ bool OwnFolder::openToRead(QFile& file, const QString& name) const
 {
     file.setFileName(pathOf(name));
     m_problem.clear();
-    if (isOrdinaryFile(QFileInfo(pathOf(name))) && file.open(QIODevice::ReadOnly))
+    const bool isOrdinary = isOrdinaryFile(QFileInfo(pathOf(name)));
+    if (isOrdinary && file.open(QIODevice::ReadOnly))
         return true;
-    m_problem = file.errorString();
+    m_problem = isOrdinary ? readRefusal(file.errorString())
+                           : say(QT_TRANSLATE_NOOP("Files", "it is not an ordinary file; choose another"));
     return false;
 }
 
@@ -96,7 +99,7 @@ bool OwnFolder::openNew(QFile& file, const QString& name) const
     constexpr QIODevice::OpenMode kNew = QIODevice::WriteOnly | QIODevice::NewOnly | QIODevice::Unbuffered;
     if (file.open(kNew) || (remove(name) && file.open(kNew)))
         return true;
-    m_problem = file.errorString();
+    m_problem = writeRefusal(file.errorString());
     return false;
 }
 

@@ -3,6 +3,8 @@
 
 #ifdef Q_OS_UNIX
 
+#include "model/files/sentences.h"
+
 #include <cerrno>
 #include <dirent.h>
 #include <fcntl.h>
@@ -140,12 +142,15 @@ bool OwnFolder::openToRead(QFile& file, const QString& name) const
     file.setFileName(pathOf(name));
     const int descriptor = openOrdinary(m_descriptor, QFile::encodeName(name), O_NOFOLLOW);
     if (descriptor < 0) {
-        m_problem = qt_error_string(errno);
+        m_problem = errno == EINVAL || errno == ELOOP
+                        ? say(QT_TRANSLATE_NOOP("Files", "it is not an ordinary file; choose another"))
+                        : readRefusal(qt_error_string(errno));
         return false;
     }
     if (file.open(descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle))
         return true;
     (void)::close(descriptor);
+    m_problem = readRefusal(file.errorString());
     return false;
 }
 
@@ -162,12 +167,13 @@ bool OwnFolder::openNew(QFile& file, const QString& name) const
     if (descriptor < 0 && errno == EEXIST && remove(name))
         descriptor = make();
     if (descriptor < 0) {
-        m_problem = qt_error_string(errno);
+        m_problem = writeRefusal(qt_error_string(errno));
         return false;
     }
     if (file.open(descriptor, QIODevice::WriteOnly | QIODevice::Unbuffered, QFileDevice::AutoCloseHandle))
         return true;
     (void)::close(descriptor);
+    m_problem = writeRefusal(file.errorString());
     return false;
 }
 

@@ -294,9 +294,7 @@ Result<std::optional<RecoveredWork>> read(const OwnFolder& folder, const QString
     const QString path = folder.pathOf(name);
     QFile file;
     if (!folder.openToRead(file, name))
-        return cannotOpen(path,
-                          {.text = readRefusal(folder.problem().isEmpty() ? file.errorString() : folder.problem()),
-                           .cure = Clause::Cure::OtherFile});
+        return cannotOpen(path, {.text = folder.problem(), .cure = Clause::Cure::OtherFile});
     Scan scan(file, mostBytes);
     if (!scan.walk(progress))
         return cancelled(path);

@@ -9,6 +9,7 @@
 #include <QtEndian>
 
 #include <algorithm>
+#include <cerrno>
 #include <iterator>
 
 namespace hairpaint::model {
@@ -79,8 +80,7 @@ Checked<void> JournalWriter::start(QFile& file)
     forget();
     if (!m_folder || !m_folder->openNew(file, besideName())) {
         m_failed = true;
-        return refuse(
-            writeRefusal(m_folder && !m_folder->problem().isEmpty() ? m_folder->problem() : file.errorString()));
+        return refuse(m_folder ? m_folder->problem() : writeRefusal(qt_error_string(ENOENT)));
     }
     return put(file, recordBytes(RecordKind::Start, journalStart()));
 }

@@ -71,6 +71,24 @@ private:
 #endif
     QByteArray m_journals;
 
+    void beFull()
+    {
+#ifdef Q_OS_LINUX
+        constexpr qint64 kRoom = 60'000; // Enough for what is written down.
+        m_full.emplace(kRoom);
+#endif
+    }
+    bool endFullness()
+    {
+#ifdef Q_OS_LINUX
+        const bool wasFull = m_full.has_value();
+        m_full.reset();
+        return wasFull;
+#else
+        return false;
+#endif
+    }
+
     /// Somebody removes the journals, or their disk is full or can't be written to for a few edits.
     void trouble([[maybe_unused]] const std::function<void(const char*)>& begins)
     {
@@ -80,15 +98,13 @@ private:
         m_readOnly.reset();
         if (wasTroubled)
             return;
-        constexpr qint64 kRoom = 60'000; // Enough for what is written down.
         switch (below(3)) {
         case 0:
             begins(kIsLost);
             QDir(JournalFolder::root()).removeRecursively();
             return;
         case 1:
-            m_full.emplace(kRoom);
-            return;
+            return beFull();
         default:
             m_readOnly.emplace(m_journals.constData(), test::FileRefusal::Why::ReadOnly);
         }
@@ -227,7 +243,13 @@ private Q_SLOTS:
         QVERIFY(log.open(QIODevice::WriteOnly | QIODevice::Unbuffered));
         m_journals = QFile::encodeName(QFileInfo(JournalFolder::root()).absolutePath());
         const Restorer answers;
-        const auto writeDown = [&] { log.write(hashOfProject(session().document().committed()) + '\n'); };
+        const auto writeDown = [&] {
+            // What is full is the journals' disk, not the tester's.
+            const bool wasFull = endFullness();
+            log.write(hashOfProject(session().document().committed()) + '\n');
+            if (wasFull)
+                beFull();
+        };
         for (writeDown();; writeDown()) {
             if (below(3) == 0) {
                 m_window->keepWork();
