@@ -85,6 +85,7 @@ std::vector<std::unique_ptr<JournalFolder>> JournalFolder::abandoned(const QStri
     }
     std::ranges::stable_sort(found, std::ranges::greater(), [](const auto& one) { return one.first; });
     std::vector<std::unique_ptr<JournalFolder>> folders;
+    folders.reserve(found.size());
     for (auto& [modifiedMs, folder] : found)
         folders.push_back(std::move(folder));
     return folders;

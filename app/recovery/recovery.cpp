@@ -80,7 +80,7 @@ UnsavedAnswer askForUnsavedWork(const QString& root, Jobs& jobs, QWidget& window
     const QString& problem = (*read.result)->problem;
     if (found.empty())
         return {.restored = std::nullopt, .isKept = false, .problem = problem};
-    std::ranges::stable_partition(found, [&first](const RestoredWork& one) {
+    std::stable_partition(found.begin(), found.end(), [&first](const RestoredWork& one) {
         return !first.isEmpty() && one.work.steps[one.work.current].path == first;
     });
     std::vector<UnsavedWork> offers;
