@@ -49,10 +49,10 @@ int sweepStaged(const QString& folder)
         if (!QDir::match(stagedNamePattern(), name))
             continue;
         const std::optional<OwnEntry> entry = place->entry(name);
-        if (isFile(entry) && !place->isHeld(name) && place->remove(name))
-            ++swept;
-        else if (entry && entry->kind == OwnEntry::Kind::Folder && sweepFolder(*place, name))
-            ++swept;
+        const bool isSwept = isFile(entry)
+                                 ? !place->isHeld(name) && place->remove(name)
+                                 : entry && entry->kind == OwnEntry::Kind::Folder && sweepFolder(*place, name);
+        swept += isSwept ? 1 : 0;
     }
     return swept;
 }
