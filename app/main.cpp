@@ -164,11 +164,7 @@ int runEditor(int argc, char** argv)
         QCoreApplication::exit();
     });
     // A question that is asked before the window has the keys would not get them on every system.
-    const auto begin = [&window, file = arguments.value(1)] {
-        window.offerUnsavedWork();
-        if (!file.isEmpty())
-            window.openFile(file);
-    };
+    const auto begin = [&window, file = arguments.value(1)] { window.begin(file); };
     const hairpaint::app::FirstActivation firstActivation(window, begin);
     return QApplication::exec();
 }

@@ -3074,6 +3074,14 @@
         <source>The unsaved work is kept; the next start offers it again.</source>
         <translation>El trabajo sin guardar se conserva; al volver a abrir el programa se ofrecerá otra vez.</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; was not opened, since &apos;%2&apos; was restored and is not saved; save it, then open &apos;%1&apos; by File &gt; Open recent.</source>
+        <translation>«%1» no se abrió, porque se recuperó «%2» y está sin guardar; guárdelo y luego abra «%1» desde Archivo &gt; Abrir reciente.</translation>
+    </message>
+    <message>
+        <source>Unsaved work could not be read: %1</source>
+        <translation>No se pudo leer trabajo sin guardar: %1</translation>
+    </message>
 </context>
 <context>
     <name>hairpaint::app::MapExchange</name>
@@ -3415,6 +3423,14 @@
     <message>
         <source>Discard the unsaved work on &apos;%1&apos;? This can&apos;t be undone.</source>
         <translation>¿Descartar el trabajo sin guardar en «%1»? No se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written to &apos;%1&apos; now, so what lies there can be restored but not removed, and is offered again at the next start. Save what you restore.</source>
+        <translation>Ahora no se puede escribir en «%1», así que lo que hay allí se puede recuperar pero no borrar, y se ofrecerá otra vez al volver a abrir el programa. Guarde lo que recupere.</translation>
+    </message>
+    <message>
+        <source>The unsaved work on &apos;%1&apos; can&apos;t be removed: nothing can be written to its folder. It is offered again at the next start.</source>
+        <translation>El trabajo sin guardar en «%1» no se puede borrar: no se puede escribir en su carpeta. Se ofrecerá otra vez al volver a abrir el programa.</translation>
     </message>
 </context>
 <context>

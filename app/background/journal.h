@@ -15,6 +15,7 @@
 #include <optional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace hairpaint::app {
 
@@ -30,12 +31,16 @@ public:
 
     /// Of the project's file, from the next step on.
     void setPath(const QString& path) { m_path = path; }
+    /// Writes nothing: what is restored is to be taken over at once, not step by step.
+    void setPaused(bool paused);
     /// The document was restored with this history.
     void takeOver(const model::RecoveredWork& work);
     [[nodiscard]] bool idle();                                   ///< Nothing waits to be written.
     [[nodiscard]] bool isStopped() const { return m_isStopped; } ///< The newest step is not on the disk.
     /// When it returns, all steps are on the disk, or can't be.
     void flush();
+    /// Looks whether its folder is still there, and makes it again where it is not; also done now and then.
+    void lookAfterFolder();
     /// The work is saved, or not wanted: nothing is left behind.
     void discard();
 
@@ -43,11 +48,21 @@ Q_SIGNALS:
     /// A clause. The work goes on, but a crash would lose it; each further step tries again.
     void stopped(const QString& reason);
     void resumed();
+    /// Nothing waits, and all of it is on the disk.
+    void kept();
 
 private:
     struct Task
     {
-        std::optional<model::JournalState> state; ///< None: what was appended last is saved.
+        enum class Kind
+        {
+            Append,
+            TakeOver,  ///< In place of all that was appended.
+            MarkClean, ///< What was appended last is saved.
+            LookAfter
+        };
+        Kind kind = Kind::MarkClean;
+        std::vector<model::JournalState> states = {}; ///< To be appended.
     };
 
     void look();
@@ -58,8 +73,10 @@ private:
 
     model::Document& m_document;
     QString m_path;
-    QTimer m_soon; ///< Zero: several signals of one step.
+    QTimer m_soon;       ///< Zero: several signals of one step.
+    QTimer m_nowAndThen; ///< While something is written.
     bool m_replaced = true;
+    bool m_isPaused = false;
     bool m_isStopped = false;                    ///< As it was told.
     std::pair<std::uint64_t, int> m_posted;      ///< Revision and index of the step that was posted last.
     bool m_written = false;                      ///< A state of this history was posted.

@@ -2,11 +2,11 @@
 #include "app/background/journal_folder.h"
 
 #include <QDir>
-#include <QFileInfo>
 #include <QStandardPaths>
 #include <QUuid>
 
 #include <algorithm>
+#include <utility>
 
 namespace hairpaint::app {
 
@@ -14,6 +14,13 @@ namespace {
 
 const QString kLock = QStringLiteral("lock");
 const QString kJournal = QStringLiteral("journal");
+constexpr int kFolderTries = 4;
+
+std::shared_ptr<const model::OwnFolder> openRoot(const QString& root)
+{
+    std::optional<model::OwnFolder> folder = model::OwnFolder::open(root);
+    return folder ? std::make_shared<const model::OwnFolder>(std::move(*folder)) : nullptr;
+}
 
 } // namespace
 
@@ -22,56 +29,77 @@ QString JournalFolder::root()
     return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/journals");
 }
 
-JournalFolder::JournalFolder(const QString& path) : m_path(path), m_lock(path + QLatin1Char('/') + kLock)
+QString JournalFolder::fileName()
 {
-    m_lock.setStaleLockTime(0); // A day of thinking does not make a window a dead one.
+    return kJournal;
 }
+
+JournalFolder::JournalFolder(std::shared_ptr<const model::OwnFolder> root, QString name, model::OwnFolder place)
+    : m_root(std::move(root)), m_name(std::move(name)),
+      m_place(std::make_shared<const model::OwnFolder>(std::move(place))), m_lock(*m_place, kLock)
+{}
 
 std::unique_ptr<JournalFolder> JournalFolder::create(const QString& root)
 {
-    const QString path = root + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces);
-    // Only its owner may look into it: it holds what is nobody else's business.
-    if (!QDir().mkpath(path))
+    if (!QDir().mkpath(root))
         return nullptr;
-    QFile::setPermissions(path, QFileDevice::ReadOwner | QFileDevice::WriteOwner | QFileDevice::ExeOwner);
-    std::unique_ptr<JournalFolder> folder(new JournalFolder(path));
-    if (!folder->m_lock.tryLock(0)) {
-        QDir(path).removeRecursively();
-        return nullptr;
+    const std::shared_ptr<const model::OwnFolder> all = openRoot(root);
+    // A window that starts now may take a folder without a lock for one that was left.
+    for (int tries = 0; all && tries < kFolderTries; ++tries) {
+        const QString name = QUuid::createUuid().toString(QUuid::WithoutBraces);
+        if (!all->makeFolder(name))
+            return nullptr;
+        std::optional<model::OwnFolder> place = all->child(name);
+        if (!place)
+            continue;
+        std::unique_ptr<JournalFolder> folder(new JournalFolder(all, name, std::move(*place)));
+        if (folder->m_lock.take() == model::OwnLock::State::Taken && folder->m_place->isInPlace()) {
+            folder->m_isLocked = true;
+            return folder;
+        }
+        folder->remove();
     }
-    return folder;
+    return nullptr;
 }
 
 std::vector<std::unique_ptr<JournalFolder>> JournalFolder::abandoned(const QString& root)
 {
-    std::vector<std::unique_ptr<JournalFolder>> found;
-    for (const QFileInfo& entry : QDir(root).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-        if (QUuid::fromString(entry.fileName()).isNull())
+    std::vector<std::pair<qint64, std::unique_ptr<JournalFolder>>> found;
+    const std::shared_ptr<const model::OwnFolder> all = openRoot(root);
+    for (const QString& name : all ? all->names() : QStringList()) {
+        if (QUuid::fromString(name).isNull())
             continue; // None of ours.
-        std::unique_ptr<JournalFolder> folder(new JournalFolder(entry.absoluteFilePath()));
-        if (!folder->m_lock.tryLock(0))
+        std::optional<model::OwnFolder> place = all->child(name);
+        if (!place)
             continue;
-        if (QFileInfo::exists(folder->file()))
-            found.push_back(std::move(folder));
-        else
+        std::unique_ptr<JournalFolder> folder(new JournalFolder(all, name, std::move(*place)));
+        const model::OwnLock::State lock = folder->m_lock.take();
+        if (lock == model::OwnLock::State::Held)
+            continue;
+        folder->m_isLocked = lock == model::OwnLock::State::Taken;
+        const std::optional<model::OwnEntry> journal = folder->m_place->entry(kJournal);
+        if (!journal)
             folder->remove();
+        else if (journal->kind == model::OwnEntry::Kind::File)
+            found.emplace_back(journal->modifiedMs, std::move(folder));
     }
-    std::ranges::sort(found, std::ranges::greater(), [](const std::unique_ptr<JournalFolder>& folder) {
-        return QFileInfo(folder->file()).lastModified();
-    });
-    return found;
+    std::ranges::stable_sort(found, std::ranges::greater(), [](const auto& one) { return one.first; });
+    std::vector<std::unique_ptr<JournalFolder>> folders;
+    folders.reserve(found.size());
+    for (auto& [modifiedMs, folder] : found)
+        folders.push_back(std::move(folder));
+    return folders;
 }
 
-QString JournalFolder::file() const
+bool JournalFolder::remove()
 {
-    return m_path + QLatin1Char('/') + kJournal;
-}
-
-void JournalFolder::remove()
-{
-    QFile::remove(file());
-    m_lock.unlock();
-    QDir(m_path).removeRecursively();
+    // Last of all the lock: who finds the folder without one finds no journal either.
+    m_place->remove(kJournal);
+    m_place->remove(kJournal + QStringLiteral(".new"));
+    m_lock.release();
+    if (!std::exchange(m_isLocked, false))
+        m_place->remove(kLock); // Of the window that is gone.
+    return m_root->removeFolder(m_name) || !m_root->entry(m_name);
 }
 
 } // namespace hairpaint::app

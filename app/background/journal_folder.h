@@ -1,7 +1,9 @@
 // A folder for each open window's journal, locked while the window lives.
 #pragma once
 
-#include <QLockFile>
+#include "model/disk/own_folder.h"
+#include "model/disk/own_lock.h"
+
 #include <QString>
 
 #include <memory>
@@ -9,8 +11,9 @@
 
 namespace hairpaint::app {
 
-/// The lock names the process, so that it frees itself when that dies, whatever the clock says; nobody else's folder is
-/// ever touched. One thread at a time.
+/// The lock names the process and frees itself when that dies, whatever the clock says; nobody else's folder is ever
+/// touched, no link is followed, and nothing is removed but what a window puts there. One thread at a time; what is
+/// asked of the disk may wait for it.
 class JournalFolder
 {
 public:
@@ -23,15 +26,22 @@ public:
     [[nodiscard]] static std::vector<std::unique_ptr<JournalFolder>> abandoned(const QString& root);
 
     /// Of the journal.
-    [[nodiscard]] QString file() const;
-    /// With everything in it.
-    void remove();
+    [[nodiscard]] QString file() const { return m_place->pathOf(fileName()); }
+    [[nodiscard]] static QString fileName();
+    [[nodiscard]] const std::shared_ptr<const model::OwnFolder>& place() const { return m_place; }
+    /// False: nothing can be written there, so it may be read but not removed.
+    [[nodiscard]] bool isLocked() const { return m_isLocked; }
+    /// With everything of ours in it; false where it is still there.
+    bool remove();
 
 private:
-    explicit JournalFolder(const QString& path);
+    JournalFolder(std::shared_ptr<const model::OwnFolder> root, QString name, model::OwnFolder place);
 
-    QString m_path;
-    QLockFile m_lock;
+    std::shared_ptr<const model::OwnFolder> m_root;
+    QString m_name;
+    std::shared_ptr<const model::OwnFolder> m_place;
+    model::OwnLock m_lock;
+    bool m_isLocked = false;
 };
 
 } // namespace hairpaint::app

@@ -3,36 +3,46 @@
 
 #include <QCryptographicHash>
 #include <QDir>
-#include <QFileInfo>
 #include <QStandardPaths>
+
+#include <utility>
 
 namespace hairpaint::app {
 
 namespace {
 
-QString lockPath(const QString& wholeName)
+QString lockName(const QString& wholeName)
 {
     const QByteArray name = QCryptographicHash::hash(wholeName.toUtf8(), QCryptographicHash::Sha1).toHex();
-    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/open/") +
-           QString::fromLatin1(name) + QStringLiteral(".lock");
-}
-
-std::unique_ptr<QLockFile> lockOf(const QString& wholeName)
-{
-    const QString lock = lockPath(wholeName);
-    QDir().mkpath(QFileInfo(lock).absolutePath());
-    auto file = std::make_unique<QLockFile>(lock);
-    file->setStaleLockTime(0); // As long as its window lives.
-    return file;
+    return QString::fromLatin1(name) + QStringLiteral(".lock");
 }
 
 } // namespace
 
+struct OpenFile::Lock
+{
+    model::OwnFolder folder;
+    model::OwnLock lock;
+
+    Lock(model::OwnFolder place, const QString& wholeName) : folder(std::move(place)), lock(folder, lockName(wholeName))
+    {}
+
+    /// Null where there is no folder of locks, and none can be made.
+    [[nodiscard]] static std::shared_ptr<Lock> of(const QString& wholeName)
+    {
+        const QString path =
+            QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/open");
+        QDir().mkpath(path);
+        std::optional<model::OwnFolder> folder = model::OwnFolder::open(path);
+        return folder ? std::make_shared<Lock>(std::move(*folder), wholeName) : nullptr;
+    }
+};
+
 bool OpenFile::isOpenElsewhere(const FileStamp& file)
 {
-    const std::unique_ptr<QLockFile> lock = lockOf(file.wholeName);
-    // Where no lock can be written, there is none to be found either.
-    return !lock->tryLock(0) && lock->error() == QLockFile::LockFailedError;
+    const std::shared_ptr<Lock> lock = Lock::of(file.wholeName);
+    // Where no lock can be written, there may be one of a window that is gone.
+    return lock && lock->lock.isHeld();
 }
 
 void OpenFile::set(const QString& path, const FileStamp& stamp)
@@ -40,8 +50,9 @@ void OpenFile::set(const QString& path, const FileStamp& stamp)
     if (!m_lock || path != m_path || stamp.wholeName != m_stamp.wholeName) {
         m_lock.reset();
         if (!stamp.wholeName.isEmpty()) {
-            m_lock = lockOf(stamp.wholeName);
-            (void)m_lock->tryLock(0); // One that another window holds was asked about.
+            m_lock = Lock::of(stamp.wholeName);
+            if (m_lock)
+                (void)m_lock->lock.take(); // One that another window holds was asked about.
         }
     }
     m_path = path;

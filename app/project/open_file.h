@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/project/file_stamp.h"
-
+#include "model/disk/own_lock.h"
 #include <QLockFile>
 
 #include <memory>
@@ -27,7 +27,8 @@ public:
 private:
     QString m_path;
     FileStamp m_stamp;
-    std::unique_ptr<QLockFile> m_lock;
+    struct Lock;
+    std::shared_ptr<Lock> m_lock;
 };
 
 } // namespace hairpaint::app

@@ -145,6 +145,17 @@ void ProjectFiles::open()
         openPath(path);
 }
 
+bool ProjectFiles::isOpen(const QString& path)
+{
+    if (path == this->path() || this->path().isEmpty())
+        return path == this->path();
+    const Awaited<bool> same = m_jobs.awaitOrLeave<bool>(
+        openingOf(path), [one = path, other = this->path()](const model::Progress&) -> model::Result<bool> {
+            return stampOf(one).wholeName == stampOf(other).wholeName;
+        });
+    return same.end == WorkEnd::Done && *same.result && **same.result;
+}
+
 bool ProjectFiles::mayOpenTwice(const QString& path)
 {
     const Awaited<FileStamp> stamp = m_jobs.awaitOrLeave<FileStamp>(

@@ -40,6 +40,8 @@ public:
     bool newBaldProject(); ///< With an empty group; false where the user wants to keep what is open.
     void open();           ///< Asks for the file.
     bool openPath(const QString& path);
+    /// Whether that file is what is open, however its path is spelt.
+    [[nodiscard]] bool isOpen(const QString& path);
     /// What a journal kept takes the place of the project that is open, which nobody has changed.
     bool restore(const model::RecoveredWork& work);
     [[nodiscard]] static Doing restoring();

@@ -4,6 +4,7 @@
 #include "model/values/sentences.h"
 
 #include <QDialogButtonBox>
+#include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
 #include <QLocale>
@@ -43,18 +44,27 @@ QString dayOf(const QDateTime& time)
     return locale.toString(time, QLocale::ShortFormat);
 }
 
+/// On one line, and no longer than a line can be: journals can hold anything.
+QString lineOf(const QString& path)
+{
+    constexpr qsizetype kMostLetters = 512;
+    const QString shown = model::shownPath(path);
+    if (shown.size() <= kMostLetters)
+        return shown;
+    return shown.first(kMostLetters / 2) + QChar(0x2026) + shown.last(kMostLetters / 2);
+}
+
 QString textOf(const UnsavedWork& work)
 {
-    const QString where = work.path.isEmpty() ? RecoveryDialog::tr("Never saved") : model::shownPath(work.path);
-    return work.name + QLatin1Char('\n') +
+    const QString where = work.path.isEmpty() ? RecoveryDialog::tr("Never saved") : lineOf(work.path);
+    return lineOf(work.name) + QLatin1Char('\n') +
            RecoveryDialog::tr("Last changed %1, %n step(s) to undo", nullptr, work.steps).arg(dayOf(work.changed)) +
            QLatin1Char('\n') + where;
 }
 
 } // namespace
 
-RecoveryDialog::RecoveryDialog(const std::vector<UnsavedWork>& offers, std::function<void(std::size_t)> discard,
-                               QWidget* parent)
+RecoveryDialog::RecoveryDialog(const std::vector<UnsavedWork>& offers, Discard discard, QWidget* parent)
     : QDialog(parent), m_discard(std::move(discard)), m_list(new QListWidget)
 {
     setWindowTitle(tr("Unsaved work"));
@@ -72,11 +82,21 @@ RecoveryDialog::RecoveryDialog(const std::vector<UnsavedWork>& offers, std::func
     for (std::size_t i = 0; i < offers.size(); ++i) {
         auto* item = new QListWidgetItem(iconOf(blank), textOf(offers[i]), m_list);
         item->setData(Qt::UserRole, static_cast<int>(i));
-        item->setToolTip(model::shownPath(offers[i].path));
+        item->setToolTip(lineOf(offers[i].path));
     }
     m_list->setCurrentRow(0);
     const int rows = std::min(m_list->count(), kMostShown);
     m_list->setFixedHeight(rows * (kPicture.height() + kSpacing) + kSpacing);
+
+    auto* note = new QLabel;
+    note->setWordWrap(true);
+    note->setObjectName(QStringLiteral("unwritable"));
+    const auto stays = std::ranges::find_if(offers, [](const UnsavedWork& one) { return !one.unwritable.isEmpty(); });
+    note->setVisible(stays != offers.end());
+    if (stays != offers.end())
+        note->setText(tr("Nothing can be written to '%1' now, so what lies there can be restored but not removed, and "
+                         "is offered again at the next start. Save what you restore.")
+                          .arg(lineOf(QFileInfo(stays->unwritable).path())));
 
     auto* buttons = new QDialogButtonBox;
     QPushButton* restore = buttons->addButton(tr("&Restore"), QDialogButtonBox::AcceptRole);
@@ -93,6 +113,7 @@ RecoveryDialog::RecoveryDialog(const std::vector<UnsavedWork>& offers, std::func
     layout->setSpacing(kSpacing);
     layout->addWidget(text);
     layout->addWidget(m_list);
+    layout->addWidget(note);
     layout->addWidget(buttons);
     setMinimumWidth(kWidth);
     m_list->setFocus();
@@ -124,7 +145,14 @@ void RecoveryDialog::discardChosen()
                                              QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel);
     if (answer != QMessageBox::Discard)
         return;
-    m_discard(chosen());
+    if (!m_discard(chosen())) {
+        QMessageBox::warning(
+            this, windowTitle(),
+            tr("The unsaved work on '%1' can't be removed: nothing can be written to its folder. It is "
+               "offered again at the next start.")
+                .arg(name));
+        return;
+    }
     delete m_list->takeItem(m_list->currentRow());
     if (m_list->count() == 0)
         reject();

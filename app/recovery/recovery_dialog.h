@@ -19,7 +19,8 @@ struct UnsavedWork
     QString name; ///< Of the project.
     QString path; ///< Of its file; empty where it was never saved.
     QDateTime changed;
-    int steps = 0; ///< That can be undone.
+    int steps = 0;      ///< That can be undone.
+    QString unwritable; ///< Its folder, where it can't be removed from there; else empty.
 };
 
 /// Modal. Accepted: one of them is to be restored. Rejected: not now; they are offered again at the next start.
@@ -27,9 +28,10 @@ class RecoveryDialog : public QDialog
 {
     Q_OBJECT
 public:
+    /// Whether it is gone.
+    using Discard = std::function<bool(std::size_t)>;
     /// `discard` is called for each that the user, asked again, wants to be rid of.
-    RecoveryDialog(const std::vector<UnsavedWork>& offers, std::function<void(std::size_t)> discard,
-                   QWidget* parent = nullptr);
+    RecoveryDialog(const std::vector<UnsavedWork>& offers, Discard discard, QWidget* parent = nullptr);
 
     void setPicture(std::size_t index, const QImage& picture);
     [[nodiscard]] int count() const;          ///< Offers that were not discarded.
@@ -38,7 +40,7 @@ public:
 private:
     void discardChosen();
 
-    std::function<void(std::size_t)> m_discard;
+    Discard m_discard;
     QListWidget* m_list = nullptr;
 };
 

@@ -2,13 +2,20 @@
 #include "app/settings/settings_store.h"
 
 #include "model/disk/atomic_file.h"
+#include "model/disk/own_folder.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QSettings>
 #include <QStandardPaths>
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
 
 namespace hairpaint::app {
 
@@ -39,13 +46,13 @@ SettingsStore::SettingsStore()
                     QStringLiteral("/settings.json"))
 {}
 
-SettingsStore::SettingsStore(QString path) : m_path(std::move(path))
+SettingsStore::SettingsStore(QString path, int patienceMs) : m_path(std::move(path)), m_patienceMs(patienceMs)
 {
     m_soon.setSingleShot(true);
     m_soon.setInterval(0);
     connect(&m_soon, &QTimer::timeout, this, &SettingsStore::flush);
-    if (QFileInfo::exists(m_path)) {
-        m_values = read();
+    if (std::optional<QJsonObject> values = read(); values || m_isSilent) {
+        m_values = std::move(values).value_or(QJsonObject());
         return;
     }
     const QSettings before;
@@ -99,9 +106,11 @@ void SettingsStore::changed(const QString& key)
 void SettingsStore::flush()
 {
     m_soon.stop();
-    if (m_changed.isEmpty())
+    if (m_changed.isEmpty() || m_isSilent)
         return;
-    QJsonObject merged = read();
+    QJsonObject merged = read().value_or(QJsonObject());
+    if (m_isSilent)
+        return;
     for (const QString& key : m_changed) {
         if (m_values.contains(key))
             merged.insert(key, m_values.value(key));
@@ -113,12 +122,31 @@ void SettingsStore::flush()
         m_changed.clear();
 }
 
-QJsonObject SettingsStore::read() const
+std::optional<QJsonObject> SettingsStore::read()
 {
-    QFile file(m_path);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kMostBytes)
-        return {};
-    return QJsonDocument::fromJson(file.readAll()).object();
+    struct Answer
+    {
+        std::mutex mutex;
+        std::condition_variable came;
+        bool isThere = false;
+        std::optional<QJsonObject> values;
+    };
+    const auto answer = std::make_shared<Answer>();
+    // A thread that is left to itself where the disk never answers.
+    std::thread([answer, path = m_path] {
+        std::optional<QJsonObject> values;
+        if (QFileInfo::exists(path))
+            values =
+                QJsonDocument::fromJson(model::contentOfOrdinaryFile(path, kMostBytes).value_or(QByteArray())).object();
+        const std::lock_guard lock(answer->mutex);
+        answer->values = std::move(values);
+        answer->isThere = true;
+        answer->came.notify_one();
+    }).detach();
+    std::unique_lock lock(answer->mutex);
+    m_isSilent =
+        !answer->came.wait_for(lock, std::chrono::milliseconds(m_patienceMs), [&answer] { return answer->isThere; });
+    return m_isSilent ? std::nullopt : std::move(answer->values);
 }
 
 bool SettingsStore::write()

@@ -4,6 +4,7 @@
 #include "app/headless/picture.h"
 #include "app/headless/settled_hair.h"
 #include "app/styles/library.h"
+#include "model/disk/own_folder.h"
 #include "model/document/commands.h"
 #include "model/files/head_file.h"
 #include "model/files/preset_file.h"
@@ -26,6 +27,7 @@ constexpr QRect kHeadPart(105, 18, 276, 276); ///< Of the whole picture: the bus
 constexpr int kSteps = 10;
 constexpr double kStepSeconds = 0.2;
 constexpr qsizetype kMostKept = 500; ///< Pictures in the cache.
+constexpr qint64 kMostCachedBytes = 1 << 22;
 
 QString cacheFolder()
 {
@@ -36,7 +38,15 @@ QString cacheFolder()
 void keep(const QImage& picture, const QString& path)
 {
     QDir folder(cacheFolder());
-    if (!folder.mkpath(QStringLiteral(".")) || !writePicture(picture, path))
+    if (!folder.mkpath(QStringLiteral(".")))
+        return;
+    if (const std::optional<model::OwnFolder> own = model::OwnFolder::open(cacheFolder())) {
+        const QString name = QFileInfo(path).fileName();
+        const std::optional<model::OwnEntry> before = own->entry(name);
+        if (before && before->kind == model::OwnEntry::Kind::Other)
+            own->remove(name); // Not through a link to what it leads to.
+    }
+    if (!writePicture(picture, path))
         return;
     const QStringList newestFirst = folder.entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Time);
     for (const QString& old : newestFirst.mid(kMostKept))
@@ -67,8 +77,10 @@ QImage pictureOfFile(const QString& path, const StylePictures::Draw& draw, const
     const QString name = styleContentName(path);
     const QString cached = cacheFolder() + QLatin1Char('/') + model::builtInHead()->name + QLatin1Char('-') + name +
                            QStringLiteral(".png");
-    if (QImage known; !name.isEmpty() && known.load(cached, "PNG"))
-        return known;
+    if (!name.isEmpty())
+        if (const auto bytes = model::contentOfOrdinaryFile(cached, kMostCachedBytes)) // No pipe keeps it waiting.
+            if (const QImage known = QImage::fromData(*bytes, "PNG"); !known.isNull())
+                return known;
     const model::Result<model::Preset> preset = loadStyle(path);
     if (!preset || !progress(0.0))
         return {};

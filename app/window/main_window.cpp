@@ -33,6 +33,7 @@
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QUndoStack>
@@ -143,8 +144,7 @@ void MainWindow::offerActions()
 {
     const auto action = [this](const char* id) { return m_actions.find(QLatin1StringView(id)); };
     for (const auto& tool : m_session.editor().tools())
-        m_workspace->toolBar().setAction(tool->id(),
-                                         *action((QByteArray("tool.") + tool->name()).constData()));
+        m_workspace->toolBar().setAction(tool->id(), *action((QByteArray("tool.") + tool->name()).constData()));
     for (const char* id :
          {"edit.all", "edit.none", "edit.invert", "edit.cut", "edit.copy", "edit.paste", "edit.fill", "edit.clear"})
         m_workspace->optionBar().addSelectionAction(action(id));
@@ -238,6 +238,7 @@ void MainWindow::connectFiles()
             [&status](const QString& text) { status.showMessage(text, true, kReasonMs); });
     connect(&m_journal, &Journal::stopped, &status, &view::StatusReadout::setUnprotected);
     connect(&m_journal, &Journal::resumed, &status, [&status] { status.setUnprotected({}); });
+    connect(&m_journal, &Journal::kept, this, &MainWindow::forgetRestored);
     view::HeadView& head = m_workspace->headView();
     connect(&head, &view::HeadView::frameDrawn, &pictures, &PictureExchange::followView);
     connect(&m_exchange.hair(), &HairExchange::cardsMade, &head, &view::HeadView::showCards);
@@ -249,25 +250,61 @@ void MainWindow::connectFiles()
     connect(&m_preferences, &LivePreferences::changed, this, &MainWindow::applyPreferences);
 }
 
-void MainWindow::offerUnsavedWork()
+void MainWindow::begin(const QString& file)
+{
+    // As a journal has it; the program may have been started elsewhere then.
+    const QString path = file.isEmpty() ? QString() : QFileInfo(file).absoluteFilePath();
+    const bool isRestored = offerUnsavedWork(path);
+    if (path.isEmpty())
+        return;
+    if (!isRestored || fileKind(path) != FileKind::Project)
+        return openFile(path);
+    if (m_files.isOpen(path))
+        return;
+    m_settings.addRecentFile(path);
+    showTitle();
+    m_workspace->status().showMessage(
+        tr("'%1' was not opened, since '%2' was restored and is not saved; save it, then open '%1' by File > Open "
+           "recent.")
+            .arg(QFileInfo(path).completeBaseName(), m_files.displayName()),
+        false, kReasonMs);
+}
+
+bool MainWindow::offerUnsavedWork(const QString& file)
 {
     sweepBeside(m_settings.recentFiles());
-    const UnsavedAnswer answer = askForUnsavedWork(JournalFolder::root(), m_jobs, *this);
-    const std::optional<RestoredWork>& restored = answer.restored;
-    if (answer.isKept)
-        m_workspace->status().showMessage(tr("The unsaved work is kept; the next start offers it again."), false,
-                                          kReasonMs);
-    if (!restored || !m_files.restore(restored->work))
-        return;
+    UnsavedAnswer answer = askForUnsavedWork(JournalFolder::root(), m_jobs, *this, file);
+    std::optional<RestoredWork>& restored = answer.restored;
+    view::StatusReadout& status = m_workspace->status();
+    if (!answer.problem.isEmpty())
+        status.showMessage(tr("Unsaved work could not be read: %1").arg(answer.problem), true, kReasonMs);
+    else if (answer.isKept)
+        status.showMessage(tr("The unsaved work is kept; the next start offers it again."), false, kReasonMs);
+    if (!restored)
+        return false;
+    m_journal.setPaused(true);
+    const bool isRestored = m_files.restore(restored->work);
+    m_journal.setPaused(false);
+    if (!isRestored)
+        return false;
+    m_restored = std::move(restored->folder);
     m_journal.takeOver(restored->work);
-    // Only now is it nowhere else.
-    if (m_jobs.awaitUntil(ProjectFiles::restoring(), [this] { return m_journal.idle(); }) && !m_journal.isStopped())
-        restored->folder->remove();
+    // Only when the journal has it is it nowhere else.
+    (void)m_jobs.awaitUntil(ProjectFiles::restoring(), [this] { return m_journal.idle(); });
+    return true;
+}
+
+void MainWindow::forgetRestored()
+{
+    if (m_restored)
+        m_restored->remove();
+    m_restored.reset();
 }
 
 void MainWindow::keepWork()
 {
     m_session.document().settle(); // A stroke under way is work too.
+    m_journal.lookAfterFolder();
     m_journal.flush();
     rememberPlace();
 }
@@ -306,6 +343,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     m_journal.discard();
+    forgetRestored();
     rememberPlace();
     event->accept();
 }
@@ -357,8 +395,10 @@ bool MainWindow::event(QEvent* event)
     // Another window gets the release of a key that is held now.
     if (event->type() == QEvent::WindowDeactivate && m_workspace != nullptr)
         lookAt(std::nullopt);
-    if (event->type() == QEvent::WindowActivate)
+    if (event->type() == QEvent::WindowActivate) {
         m_files.lookOutside();
+        m_journal.lookAfterFolder();
+    }
     return QMainWindow::event(event);
 }
 

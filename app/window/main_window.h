@@ -17,6 +17,8 @@
 
 #include <QMainWindow>
 
+#include <memory>
+
 namespace hairpaint::view {
 class HeadView;
 class PaintView;
@@ -43,8 +45,12 @@ public:
     [[nodiscard]] view::PaintView& paintView();
     [[nodiscard]] view::HeadView& headView();
 
-    /// Asks what becomes of work that windows which are gone left unsaved; nothing happens where there is none.
-    void offerUnsavedWork();
+    /// The first that it does: offers unsaved work, then opens `file`, if any. A project whose unsaved work was
+    /// restored is open then; nor does another one take the place of what was restored.
+    void begin(const QString& file);
+    /// Asks what becomes of work that windows which are gone left unsaved; nothing happens where there is none. That on
+    /// `file` is offered first. Whether some was restored.
+    bool offerUnsavedWork(const QString& file = {});
     /// Before the program ends without asking: all that was done is in the journal when it returns.
     void keepWork();
     /// All that was done is in the journal.
@@ -74,6 +80,8 @@ private:
     /// Where the window lies, and what the tools are set to.
     void rememberPlace();
     void showTitle();
+    /// What was restored lies somewhere else by now.
+    void forgetRestored();
 
     /// Alt and a digit: strands take that map's colours while both are held.
     void lookAt(std::optional<model::MapKind> map);
@@ -87,6 +95,7 @@ private:
     FreedMemory m_freedMemory;
     ProjectFiles m_files;
     Journal m_journal;
+    std::unique_ptr<JournalFolder> m_restored; ///< Whence this window's work came, until that is kept elsewhere.
     Exchange m_exchange;
     ActionSet m_actions;
     LivePreferences m_preferences;

@@ -2,6 +2,7 @@
 #include "model/disk/earlier_versions.h"
 
 #include "model/disk/atomic_file.h"
+#include "model/disk/own_folder.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -46,13 +47,26 @@ private:
 
 bool haveSameBytes(QFile& one, const QString& path)
 {
-    QFile other(path);
-    if (!other.open(QIODevice::ReadOnly) || one.size() != other.size())
+    const QFileInfo named(path);
+    const std::optional<OwnFolder> folder = OwnFolder::open(named.path());
+    QFile other;
+    if (!folder || !folder->openToRead(other, named.fileName()) || one.size() != other.size())
         return false;
     bool same = true;
     while (same && !one.atEnd())
         same = one.read(kCopiedBytes) == other.read(kCopiedBytes);
     return one.seek(0) && same;
+}
+
+/// A link of that name would lead the copy over what it points to.
+void removeLink(const QString& path)
+{
+    const QFileInfo named(path);
+    if (const std::optional<OwnFolder> folder = OwnFolder::open(named.path())) {
+        const std::optional<OwnEntry> before = folder->entry(named.fileName());
+        if (before && before->kind == OwnEntry::Kind::Other)
+            folder->remove(named.fileName());
+    }
 }
 
 } // namespace
@@ -77,6 +91,7 @@ Checked<void> keepEarlierVersions(const QString& path)
     // A copy, so that the file is never missing; the renames wait until it is whole.
     const QString newest = earlierVersion(path, 0);
     const QString oldest = earlierVersion(path, kEarlierVersions + 1);
+    removeLink(newest);
     if (Checked<void> copied = copyFile(now, newest); !copied)
         return copied;
     Renames renames;

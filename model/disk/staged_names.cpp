@@ -4,9 +4,7 @@
 #include <QRandomGenerator>
 
 #ifdef Q_OS_UNIX
-#include <fcntl.h>
 #include <sys/file.h>
-#include <unistd.h>
 #endif
 
 namespace hairpaint::model {
@@ -26,20 +24,6 @@ void holdStaged([[maybe_unused]] const QFile& file)
 {
 #ifdef Q_OS_UNIX
     (void)::flock(file.handle(), LOCK_EX | LOCK_NB);
-#endif
-}
-
-bool isHeldStaged([[maybe_unused]] const QString& path)
-{
-#ifdef Q_OS_UNIX
-    const int descriptor = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (descriptor < 0)
-        return true;
-    const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
-    (void)::close(descriptor);
-    return held;
-#else
-    return false;
 #endif
 }
 

@@ -1,5 +1,5 @@
 // What files under way are called, and how it is told that somebody still writes them.
-// Any thread. Errors: none; what can't be told counts as held.
+// Any thread. Errors: none.
 #pragma once
 
 #include <QFile>
@@ -13,9 +13,7 @@ inline constexpr int kStagedNameTries = 16; ///< At a name that is not taken yet
 /// As QDir filters by.
 [[nodiscard]] QString stagedNamePattern();
 
-/// Held until the file is closed, also by a kill.
+/// Held until the file is closed, also by a kill; OwnFolder::isHeld() tells.
 void holdStaged(const QFile& file);
-/// By whichever process. Elsewhere than on Unix never: there the system itself keeps a file that is open.
-[[nodiscard]] bool isHeldStaged(const QString& path);
 
 } // namespace hairpaint::model

@@ -1,41 +1,40 @@
 // Told by name and by the lock that nobody holds any more.
 #include "model/disk/staged_sweep.h"
 
+#include "model/disk/own_folder.h"
 #include "model/disk/staged_files.h"
 #include "model/disk/staged_names.h"
 
 #include <QDir>
-#include <QFileInfo>
-
-#include <filesystem>
-#include <system_error>
 
 namespace hairpaint::model {
 
 namespace {
 
-/// What was put aside has another name as long as it is in its place too.
-bool isElsewhereToo(const QString& path)
+bool isFile(const std::optional<OwnEntry>& entry)
 {
-    std::error_code problem;
-    return std::filesystem::hard_link_count(QFileInfo(path).filesystemFilePath(), problem) > 1 && !problem;
+    return entry && entry->kind == OwnEntry::Kind::File;
 }
 
-bool sweepFolder(const QString& path)
+bool sweepFolder(const OwnFolder& place, const QString& name)
 {
-    const QDir folder(path);
-    const QString lock = folder.filePath(StagedFiles::kLockName);
-    // Without a lock it may be so new that it has none yet; it is empty then.
-    if (QFileInfo::exists(lock) && (isHeldStaged(lock) || !QFile::remove(lock)))
-        return false;
-    for (const QString& name : folder.entryList(QDir::Files | QDir::Hidden | QDir::NoSymLinks))
-        (void)QFile::remove(folder.filePath(name));
-    const QDir aside(folder.filePath(StagedFiles::kAsideName));
-    for (const QString& name : aside.entryList(QDir::Files | QDir::Hidden | QDir::NoSymLinks))
-        if (isElsewhereToo(aside.filePath(name)))
-            (void)QFile::remove(aside.filePath(name));
-    (void)folder.rmdir(StagedFiles::kAsideName);
-    return QDir().rmdir(path);
+    const QString lock = StagedFiles::kLockName;
+    {
+        const std::optional<OwnFolder> folder = place.child(name);
+        // Without a lock it may be so new that it has none yet; it is empty then.
+        if (!folder || (folder->entry(lock) && (folder->isHeld(lock) || !folder->remove(lock))))
+            return false;
+        for (const QString& file : folder->names())
+            if (isFile(folder->entry(file)))
+                folder->remove(file);
+        if (const std::optional<OwnFolder> aside = folder->child(StagedFiles::kAsideName))
+            for (const QString& file : aside->names())
+                // What was put aside has another name as long as it is in its place too.
+                if (const std::optional<OwnEntry> entry = aside->entry(file); isFile(entry) && entry->hasOtherNames)
+                    aside->remove(file);
+        folder->removeFolder(StagedFiles::kAsideName);
+    }
+    return place.removeFolder(name);
 }
 
 } // namespace
@@ -43,16 +42,18 @@ bool sweepFolder(const QString& path)
 int sweepStaged(const QString& folder)
 {
     int swept = 0;
-    const QDir place(folder);
-    const auto left = [&place](QDir::Filters what) {
-        return place.entryList({stagedNamePattern()}, what | QDir::Hidden | QDir::NoSymLinks | QDir::NoDotAndDotDot);
-    };
-    for (const QString& name : left(QDir::Files))
-        if (const QString path = place.filePath(name); !isHeldStaged(path) && QFile::remove(path))
-            ++swept;
-    for (const QString& name : left(QDir::Dirs))
-        if (sweepFolder(place.filePath(name)))
-            ++swept;
+    const std::optional<OwnFolder> place = OwnFolder::open(folder);
+    if (!place)
+        return swept;
+    for (const QString& name : place->names()) {
+        if (!QDir::match(stagedNamePattern(), name))
+            continue;
+        const std::optional<OwnEntry> entry = place->entry(name);
+        const bool isSwept = isFile(entry)
+                                 ? !place->isHeld(name) && place->remove(name)
+                                 : entry && entry->kind == OwnEntry::Kind::Folder && sweepFolder(*place, name);
+        swept += isSwept ? 1 : 0;
+    }
     return swept;
 }
 

@@ -9,6 +9,7 @@
 #include <QJsonObject>
 #include <QtEndian>
 
+#include <algorithm>
 #include <new>
 
 namespace hairpaint::model {
@@ -16,7 +17,10 @@ namespace hairpaint::model {
 namespace {
 
 constexpr int kJournalVersion = 1;
-constexpr qsizetype kMostStateBytes = qsizetype{192} << 20;
+constexpr qsizetype kMostStateBytes = qsizetype{32} << 20; ///< Tables and project.json have at most 4 MB each.
+constexpr qsizetype kMostPathLetters = 32767;              ///< Of any system.
+constexpr qsizetype kMostStepLetters = 1000;
+constexpr qint64 kLastMs = 253'402'300'799'000; ///< Of the year 9999.
 const QString kJournalFormat = QStringLiteral("hairpaint journal");
 
 } // namespace
@@ -60,11 +64,14 @@ std::optional<StateFields> stateFields(const QByteArray& payload)
     fields.head = static_cast<int>(map.value(QStringLiteral("head")).toInteger(kBuiltInHead));
     for (const auto& [layer, table] : map.value(QStringLiteral("tables")).toMap())
         fields.tables[static_cast<Id>(layer.toInteger())] = table.toByteArray();
-    fields.path = map.value(QStringLiteral("path")).toString();
+    // Of no file and of no step of ours: the work counts all the same.
+    if (fields.path = map.value(QStringLiteral("path")).toString(); fields.path.size() > kMostPathLetters)
+        fields.path.clear();
     fields.step = map.value(QStringLiteral("step")).toString();
+    fields.step.truncate(kMostStepLetters);
     fields.index = static_cast<int>(map.value(QStringLiteral("index")).toInteger());
     fields.count = static_cast<int>(map.value(QStringLiteral("count")).toInteger());
-    fields.timeMs = map.value(QStringLiteral("time")).toInteger();
+    fields.timeMs = std::clamp(map.value(QStringLiteral("time")).toInteger(), qint64{0}, kLastMs);
     if (fields.index < 0 || fields.index > fields.count)
         return std::nullopt;
     return fields;

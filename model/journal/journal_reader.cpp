@@ -1,14 +1,18 @@
 // Records to content: see the header.
 #include "model/journal/journal_reader.h"
 
+#include "model/disk/own_folder.h"
 #include "model/files/head_file.h"
 #include "model/files/project_json.h"
 #include "model/journal/journal_format.h"
 #include "model/journal/journal_records.h"
+#include "model/project/content_budget.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QtEndian>
 
+#include <iterator>
 #include <map>
 #include <memory>
 #include <vector>
@@ -18,41 +22,47 @@ namespace hairpaint::model {
 namespace {
 
 constexpr qsizetype kMostMeshBytes = qsizetype{192} << 20;
+/// Of what is known of the states while the file is read; beyond it the oldest ones go.
+constexpr std::size_t kMostKnownBytes = std::size_t{256} << 20U;
 constexpr qsizetype kMostTileBytes = sim::kTileTexels * 4 * sizeof(std::uint16_t);
 
 using Table = std::shared_ptr<const QByteArray>;
 
-/// A state as it stands in the file, with the tables that were in force there.
+/// Where a state stands in the file, with the tables that were in force there.
 struct FoundState
 {
-    StateFields fields; ///< Its tables moved out.
-    std::map<Id, Table> tables;
+    qint64 at = 0;
+    std::map<Id, Table> tables = {};
+    std::size_t bytes = 0; ///< That are its own.
 };
 
-/// Walks the records, and makes content of the states that turn out to count.
+/// Walks the records, and makes content of the states that turn out to count. What a record holds is read where it is
+/// needed: a few bytes can stand for many.
 class Scan
 {
 public:
-    explicit Scan(QIODevice& file) : m_file(file) {}
+    Scan(QIODevice& file, std::size_t mostBytes) : m_file(file), m_mostBytes(mostBytes) {}
 
     [[nodiscard]] bool walk(const Progress& progress)
     {
         const std::optional<JournalRecord> start = nextRecord(m_file);
         if (!start || start->kind != RecordKind::Start || !isJournalStart(start->payload))
             return true; // Nothing of ours.
-        while (std::optional<JournalRecord> record = nextRecord(m_file)) {
+        for (qint64 at = m_file.pos();; at = m_file.pos()) {
+            const std::optional<JournalRecord> record = nextRecord(m_file);
+            if (!record)
+                return true;
             if (progress && !progress(0.5 * static_cast<double>(m_file.pos()) / static_cast<double>(m_file.size())))
                 return false;
             if (record->kind == RecordKind::Tile)
-                m_tiles.push_back({.packed = std::move(record->payload)});
+                m_tiles.push_back({.at = at});
             else if (record->kind == RecordKind::Head)
-                m_heads.push_back({.packed = std::move(record->payload)});
+                m_heads.push_back({.at = at});
             else if (record->kind == RecordKind::Clean)
                 m_clean = true;
-            else if (record->kind == RecordKind::State && !take(record->payload))
+            else if (record->kind == RecordKind::State && !take(record->payload, at))
                 return true; // Damaged: what stands before it counts.
         }
-        return true;
     }
 
     [[nodiscard]] bool hasWork() const { return !m_clean && m_current.has_value(); }
@@ -60,62 +70,102 @@ public:
     /// None where cancelled; without steps where not even the last one can be made.
     [[nodiscard]] std::optional<RecoveredWork> build(const Progress& progress)
     {
-        // Neighbours of the last one, as far as there is no gap.
-        int first = *m_current;
-        while (m_states.contains(first - 1))
-            --first;
-        int last = *m_current;
-        while (m_states.contains(last + 1))
-            ++last;
         RecoveredWork work;
-        for (int index = first; index <= last; ++index) {
-            if (progress && !progress(0.5 + 0.5 * (index - first) / (last - first + 1)))
+        const int current = *m_current;
+        if (std::optional<JournalState> state = stateOf(m_states.at(current)))
+            work.steps.push_back(std::move(*state));
+        else
+            return work;
+        // Neighbours of the last one, as far as there is no gap and there is room: those that undo leads to first.
+        std::vector<JournalState> before;
+        const auto told = [&](std::size_t made) {
+            return !progress || progress(0.5 + 0.5 * static_cast<double>(made) / static_cast<double>(m_states.size()));
+        };
+        for (auto at = m_states.find(current - 1); at != m_states.end(); at = m_states.find(at->first - 1)) {
+            if (!told(before.size()))
                 return std::nullopt;
-            std::optional<JournalState> state = stateOf(m_states.at(index));
-            if (!state) {
-                if (index > *m_current)
-                    break;
-                work.steps.clear();
-                continue;
-            }
-            if (index == *m_current)
-                work.current = work.steps.size();
+            std::optional<JournalState> state = stateOf(at->second);
+            if (!state)
+                break;
+            before.push_back(std::move(*state));
+        }
+        work.current = before.size();
+        for (auto at = m_states.find(current + 1); at != m_states.end(); at = m_states.find(at->first + 1)) {
+            if (!told(before.size() + work.steps.size()))
+                return std::nullopt;
+            std::optional<JournalState> state = stateOf(at->second);
+            if (!state)
+                break;
             work.steps.push_back(std::move(*state));
         }
-        if (work.current >= work.steps.size())
-            work.steps.clear();
+        work.steps.insert(work.steps.begin(), std::make_move_iterator(before.rbegin()),
+                          std::make_move_iterator(before.rend()));
         return work;
     }
 
 private:
     struct Tile
     {
-        QByteArray packed;
+        qint64 at = 0;
         sim::RasterTilePtr tile = {}; ///< Once it was needed.
         int channels = 0;
     };
     struct SourceHead
     {
-        QByteArray packed;
+        qint64 at = 0;
         std::shared_ptr<const Head> head = {};
     };
 
-    bool take(const QByteArray& payload)
+    bool take(const QByteArray& payload, qint64 at)
     {
         std::optional<StateFields> fields = stateFields(payload);
         if (!fields)
             return false;
-        for (auto& [layer, table] : fields->tables)
-            m_tables[layer] = std::make_shared<const QByteArray>(std::move(table));
-        fields->tables.clear();
+        FoundState found{.at = at};
+        for (auto& [layer, table] : fields->tables) {
+            Table& known = m_tables[layer];
+            m_tableBytes +=
+                static_cast<std::size_t>(table.size()) - static_cast<std::size_t>(known ? known->size() : 0);
+            found.bytes += static_cast<std::size_t>(table.size());
+            known = std::make_shared<const QByteArray>(std::move(table));
+        }
+        constexpr std::size_t kEntryBytes = 64;
+        found.bytes += (m_tables.size() + 4) * kEntryBytes;
         if (fields->count == 0)
-            m_states.clear();
-        m_states.erase(m_states.upper_bound(fields->count), m_states.end());
+            forget(m_states.begin(), m_states.end());
+        forget(m_states.lower_bound(fields->index), m_states.upper_bound(fields->index));
+        forget(m_states.upper_bound(fields->count), m_states.end());
         m_current = fields->index;
         m_clean = false;
-        const int index = fields->index;
-        m_states[index] = FoundState{.fields = std::move(*fields), .tables = m_tables};
-        return true;
+        found.tables = m_tables;
+        m_knownBytes += found.bytes;
+        m_states[fields->index] = std::move(found);
+        while (m_knownBytes > kMostKnownBytes && m_states.begin()->first < *m_current)
+            forget(m_states.begin(), std::next(m_states.begin()));
+        return m_knownBytes <= kMostKnownBytes && m_tableBytes <= kMostKnownBytes;
+    }
+
+    void forget(std::map<int, FoundState>::iterator from, std::map<int, FoundState>::iterator to)
+    {
+        for (auto at = from; at != to; ++at)
+            m_knownBytes -= at->second.bytes;
+        m_states.erase(from, to);
+    }
+
+    /// None where the file is another one by now.
+    [[nodiscard]] std::optional<JournalRecord> recordAt(qint64 at, RecordKind kind)
+    {
+        if (!m_file.seek(at))
+            return std::nullopt;
+        std::optional<JournalRecord> record = nextRecord(m_file);
+        return record && record->kind == kind ? std::move(record) : std::nullopt;
+    }
+
+    /// Whether there is room for it.
+    [[nodiscard]] bool hold(std::size_t bytes)
+    {
+        m_builtBytes += bytes;
+        return m_builtBytes <= m_mostBytes;
     }
 
     sim::RasterTilePtr tileOf(std::uint32_t number, int channels)
@@ -125,25 +175,28 @@ private:
         Tile& found = m_tiles[number];
         if (found.tile)
             return found.channels == channels ? found.tile : nullptr;
-        const QByteArray& packed = found.packed;
+        const std::optional<JournalRecord> record = recordAt(found.at, RecordKind::Tile);
+        const QByteArray packed = record ? record->payload : QByteArray();
         if (packed.size() < 2 || packed[0] != channels)
             return nullptr;
         auto tile = std::make_shared<sim::RasterTile>();
         const QByteArrayView body = QByteArrayView(packed).sliced(2);
+        std::size_t values = 0;
         if (packed[1] != 0) {
             if (body.size() != static_cast<qsizetype>(sizeof(sim::Texel)))
                 return nullptr;
             qFromLittleEndian<quint16>(body.data(), static_cast<qsizetype>(tile->uniform.size()), tile->uniform.data());
         } else {
             const std::optional<QByteArray> bytes = unpacked(body, kMostTileBytes);
-            const std::size_t values = sim::kTileTexels * static_cast<std::size_t>(channels);
+            values = sim::kTileTexels * static_cast<std::size_t>(channels);
             if (!bytes || static_cast<std::size_t>(bytes->size()) != values * sizeof(std::uint16_t))
                 return nullptr;
             tile->pixels.resize(values);
             qFromLittleEndian<quint16>(bytes->constData(), static_cast<qsizetype>(values), tile->pixels.data());
         }
+        if (!hold(sizeof(sim::RasterTile) + values * sizeof(std::uint16_t)))
+            return nullptr;
         found.channels = channels;
-        found.packed.clear();
         found.tile = std::move(tile);
         return found.tile;
     }
@@ -158,8 +211,10 @@ private:
             return nullptr;
         SourceHead& found = m_heads[static_cast<std::size_t>(number)];
         if (!found.head) {
-            const std::optional<QByteArray> glb = unpacked(found.packed, kMostMeshBytes);
-            if (!glb)
+            const std::optional<JournalRecord> record = recordAt(found.at, RecordKind::Head);
+            const std::optional<QByteArray> glb =
+                record ? unpacked(record->payload, kMostMeshBytes) : std::optional<QByteArray>();
+            if (!glb || !hold(static_cast<std::size_t>(glb->size())))
                 return nullptr;
             const Checked<std::shared_ptr<const Head>> head =
                 headFromGlb(reference.name, *glb, reference.unitScale, reference.upAxis, {}, reference.landmarks);
@@ -174,7 +229,8 @@ private:
     {
         const auto table = from.tables.find(layer.id);
         sim::TiledRaster raster(size, channels);
-        if (table == from.tables.end() || table->second->size() != raster.tileCount() * kTableEntryBytes)
+        if (table == from.tables.end() || table->second->size() != raster.tileCount() * kTableEntryBytes ||
+            !hold(static_cast<std::size_t>(raster.tileCount()) * sizeof(sim::RasterTilePtr)))
             return false;
         for (int i = 0; i < raster.tileCount(); ++i) {
             const auto number =
@@ -190,12 +246,16 @@ private:
 
     std::optional<JournalState> stateOf(const FoundState& from)
     {
-        Checked<ProjectManifest> manifest = projectFromJson(from.fields.project);
+        const std::optional<JournalRecord> record = recordAt(from.at, RecordKind::State);
+        std::optional<StateFields> fields = record ? stateFields(record->payload) : std::nullopt;
+        if (!fields)
+            return std::nullopt;
+        Checked<ProjectManifest> manifest = projectFromJson(fields->project);
         if (!manifest)
             return std::nullopt;
         JournalState state;
         state.project = std::move(manifest->project);
-        state.project.head = headOf(manifest->head, from.fields.head);
+        state.project.head = headOf(manifest->head, fields->head);
         if (!state.project.head)
             return std::nullopt;
         for (HairGroup& group : state.project.groups) {
@@ -207,11 +267,11 @@ private:
                         return std::nullopt;
             }
         }
-        state.path = from.fields.path;
-        state.step = from.fields.step;
-        state.index = from.fields.index;
-        state.count = from.fields.count;
-        state.timeMs = from.fields.timeMs;
+        state.path = fields->path;
+        state.step = fields->step;
+        state.index = fields->index;
+        state.count = fields->count;
+        state.timeMs = fields->timeMs;
         return state;
     }
 
@@ -222,14 +282,20 @@ private:
     std::map<int, FoundState> m_states; ///< Of the history that is open, by index.
     std::optional<int> m_current;
     bool m_clean = false;
+    std::size_t m_knownBytes = 0;
+    std::size_t m_tableBytes = 0; ///< Of m_tables.
+    std::size_t m_builtBytes = 0;
+    std::size_t m_mostBytes; ///< That may be built.
 };
 
-Result<std::optional<RecoveredWork>> read(const QString& path, const Progress& progress)
+Result<std::optional<RecoveredWork>> read(const OwnFolder& folder, const QString& name, const Progress& progress,
+                                          std::size_t mostBytes)
 {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return cannotOpen(path, {.text = readRefusal(file.errorString()), .cure = Clause::Cure::OtherFile});
-    Scan scan(file);
+    const QString path = folder.pathOf(name);
+    QFile file;
+    if (!folder.openToRead(file, name))
+        return cannotOpen(path, {.text = folder.problem(), .cure = Clause::Cure::OtherFile});
+    Scan scan(file, mostBytes);
     if (!scan.walk(progress))
         return cancelled(path);
     if (!scan.hasWork())
@@ -244,9 +310,21 @@ Result<std::optional<RecoveredWork>> read(const QString& path, const Progress& p
 
 } // namespace
 
+Result<std::optional<RecoveredWork>> readJournal(const OwnFolder& folder, const QString& name, const Progress& progress,
+                                                 std::size_t mostBytes)
+{
+    return withinMemory(folder.pathOf(name), cannotOpen, [&] { return read(folder, name, progress, mostBytes); });
+}
+
 Result<std::optional<RecoveredWork>> readJournal(const QString& path, const Progress& progress)
 {
-    return withinMemory(path, cannotOpen, [&] { return read(path, progress); });
+    const QFileInfo named(path);
+    const std::optional<OwnFolder> folder = OwnFolder::open(named.path());
+    if (!folder)
+        return cannotOpen(path, {.text = say(QT_TRANSLATE_NOOP("Files", "there is no such file; check the name and the "
+                                                                        "folder")),
+                                 .cure = Clause::Cure::OtherFile});
+    return readJournal(*folder, named.fileName(), progress);
 }
 
 } // namespace hairpaint::model

@@ -1,7 +1,9 @@
 // Reads what a journal's writer left.
 #pragma once
 
+#include "model/disk/own_folder.h"
 #include "model/document/journal_state.h"
+#include "model/project/content_budget.h"
 #include "model/values/progress.h"
 #include "model/values/sentences.h"
 
@@ -9,9 +11,17 @@
 
 namespace hairpaint::model {
 
+/// Of all that comes back: as much as one content may hold, and steps beside it as far as there is room.
+inline constexpr std::size_t kMostRecoveredBytes = kMostHeldBytes + kMostHeldBytes / 4;
+
 /// The steps of the history that the journal's last whole state is one of. None where nothing was appended since the
 /// project was saved, and for a file of another version. A file that ends anywhere, or is damaged from some place on,
-/// gives what stands before that place. Any thread; a cancelled or unreadable one gives an error.
+/// gives what stands before that place; where it stands for more than `mostBytes`, steps far from the last one are left
+/// out. Only an ordinary file is read, not one behind a link. Any thread; a cancelled or unreadable one
+/// gives an error.
+[[nodiscard]] Result<std::optional<RecoveredWork>> readJournal(const OwnFolder& folder, const QString& name,
+                                                               const Progress& progress = {},
+                                                               std::size_t mostBytes = kMostRecoveredBytes);
 [[nodiscard]] Result<std::optional<RecoveredWork>> readJournal(const QString& path, const Progress& progress = {});
 
 } // namespace hairpaint::model

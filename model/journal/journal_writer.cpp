@@ -5,9 +5,12 @@
 #include "model/files/project_json.h"
 #include "model/journal/journal_format.h"
 
+#include <QFileInfo>
 #include <QtEndian>
 
 #include <algorithm>
+#include <cerrno>
+#include <iterator>
 
 namespace hairpaint::model {
 
@@ -26,11 +29,28 @@ QByteArray tilePayload(const sim::RasterTile& tile, int channels)
     return payload;
 }
 
+std::shared_ptr<const OwnFolder> folderOf(const QString& path)
+{
+    std::optional<OwnFolder> folder = OwnFolder::open(path);
+    return folder ? std::make_shared<const OwnFolder>(std::move(*folder)) : nullptr;
+}
+
 } // namespace
 
-JournalWriter::JournalWriter(const QString& path, qint64 leastRewriteBytes)
-    : m_path(path), m_leastRewriteBytes(leastRewriteBytes)
+JournalWriter::JournalWriter(std::shared_ptr<const OwnFolder> folder, QString name, std::deque<JournalState> states,
+                             qint64 leastRewriteBytes)
+    : m_folder(std::move(folder)), m_name(std::move(name)), m_leastRewriteBytes(leastRewriteBytes),
+      m_states(std::move(states))
 {}
+
+JournalWriter::JournalWriter(const QString& path, qint64 leastRewriteBytes)
+    : JournalWriter(folderOf(QFileInfo(path).path()), QFileInfo(path).fileName(), {}, leastRewriteBytes)
+{}
+
+bool JournalWriter::isInPlace() const
+{
+    return m_folder && m_folder->isInPlace() && (!m_file || m_folder->isNamed(*m_file, m_name));
+}
 
 void JournalWriter::forget()
 {
@@ -58,11 +78,16 @@ Checked<void> JournalWriter::put(QFile& file, QByteArrayView bytes)
 Checked<void> JournalWriter::start(QFile& file)
 {
     forget();
-    if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered)) {
+    if (!m_folder || !m_folder->openNew(file, besideName())) {
         m_failed = true;
-        return refuse(writeRefusal(file.errorString()));
+        return refuse(m_folder ? m_folder->problem() : writeRefusal(qt_error_string(ENOENT)));
     }
     return put(file, recordBytes(RecordKind::Start, journalStart()));
+}
+
+QString JournalWriter::besideName() const
+{
+    return m_name + QStringLiteral(".new");
 }
 
 std::uint32_t JournalWriter::numberOf(const sim::RasterTilePtr& tile, int channels, QByteArray& records)
@@ -132,46 +157,70 @@ Checked<void> JournalWriter::write(QFile& file, const JournalState& state)
 Checked<void> JournalWriter::rewrite()
 {
     // Beside the old one, which counts until the new one is whole.
-    const QString beside = m_path + QStringLiteral(".new");
-    auto file = std::make_unique<QFile>(beside);
-    if (Checked<void> started = start(*file); !started)
-        return started;
-    for (const JournalState& state : m_states)
-        if (Checked<void> written = write(*file, state); !written)
-            return written;
-    if (Checked<void> lies = flushToDisk(*file); !lies) {
+    auto file = std::make_unique<QFile>();
+    Checked<void> written = start(*file);
+    for (auto state = m_states.begin(); written && state != m_states.end(); ++state)
+        written = write(*file, *state);
+    if (written)
+        written = flushToDisk(*file);
+    if (!written) {
         m_failed = true;
-        return lies;
+        file->close();
+        if (m_folder)
+            m_folder->remove(besideName()); // It takes room.
+        return written;
     }
-    m_file.reset();
+#ifndef Q_OS_UNIX
+    m_file.reset(); // There what is open can't be renamed.
     file->close();
-    if (!replaceFile(beside, m_path)) {
+#endif
+    if (!m_folder->rename(besideName(), m_name)) {
         m_failed = true;
         return refuse(say(QT_TRANSLATE_NOOP(
             "Files", "it can't take the place of the one before; close what has that open and try again")));
     }
-    m_file = std::make_unique<QFile>(m_path);
-    if (!m_file->open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered)) {
+    m_folder->flush();
+#ifndef Q_OS_UNIX
+    file->setFileName(m_folder->pathOf(m_name));
+    if (!file->open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered)) {
         m_failed = true;
-        return refuse(writeRefusal(m_file->errorString()));
+        return refuse(writeRefusal(file->errorString()));
     }
+#endif
+    m_file = std::move(file);
     m_rewrittenBytes = m_bytes;
     return {};
+}
+
+Checked<void> JournalWriter::writeAnew()
+{
+    Checked<void> written = rewrite();
+    if (written || m_states.size() < 2)
+        return written;
+    // Without the steps before it there may be room.
+    m_states.erase(m_states.begin(), std::prev(m_states.end()));
+    m_failed = false;
+    return rewrite();
+}
+
+void JournalWriter::keep(std::deque<JournalState>& states, const JournalState& state)
+{
+    if (state.count == 0)
+        states.clear(); // Another project, or a history that was cleared: there is no way back.
+    states.push_back(state);
+    while (states.size() > kKeptStates)
+        states.pop_front();
 }
 
 Checked<void> JournalWriter::append(const JournalState& state)
 {
     if (m_failed)
         return refuse(say(QT_TRANSLATE_NOOP("Files", "an earlier part of it could not be written")));
-    if (state.count == 0)
-        m_states.clear(); // Another project, or a history that was cleared: there is no way back.
-    m_states.push_back(state);
-    if (m_states.size() > kKeptStates)
-        m_states.pop_front();
+    keep(m_states, state);
     m_clean = false;
     const bool isLarge = m_file && m_bytes > std::max(m_leastRewriteBytes, kLiveFactor * m_rewrittenBytes);
     if (!m_file || isLarge)
-        return rewrite();
+        return writeAnew();
     if (Checked<void> written = write(*m_file, state); !written)
         return written;
     if (Checked<void> lies = flushToDisk(*m_file); !lies) {

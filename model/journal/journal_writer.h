@@ -1,6 +1,7 @@
 // Writes a journal: after each edit what is new in the content, so that a crash loses nothing.
 #pragma once
 
+#include "model/disk/own_folder.h"
 #include "model/document/journal_state.h"
 #include "model/journal/journal_records.h"
 #include "model/values/sentences.h"
@@ -28,13 +29,26 @@ public:
     static constexpr qint64 kLiveFactor = 3;
     static constexpr std::size_t kKeptStates = 24; ///< Steps of the history that a file written anew still has.
 
+    /// `states`: of this history, however many; they come first. Follows no link.
+    JournalWriter(std::shared_ptr<const OwnFolder> folder, QString name, std::deque<JournalState> states = {},
+                  qint64 leastRewriteBytes = kLeastRewriteBytes);
     explicit JournalWriter(const QString& path, qint64 leastRewriteBytes = kLeastRewriteBytes);
+
+    /// Appends it to what a writer would have in the end.
+    static void keep(std::deque<JournalState>& states, const JournalState& state);
 
     /// On the disk when it returns.
     [[nodiscard]] Checked<void> append(const JournalState& state);
     /// What was appended last is in the project's file too. Does nothing before the first state.
     [[nodiscard]] Checked<void> markClean();
 
+    /// All that it still has, in a file of its own once more.
+    [[nodiscard]] Checked<void> writeAnew();
+    [[nodiscard]] std::deque<JournalState> takeStates() { return std::move(m_states); }
+
+    [[nodiscard]] bool isClean() const { return m_clean; }
+    /// Nobody has removed the file that it writes, or put another in its place.
+    [[nodiscard]] bool isInPlace() const;
     [[nodiscard]] qint64 bytesInFile() const { return m_bytes; }
 
 private:
@@ -53,8 +67,10 @@ private:
     [[nodiscard]] QByteArray tableOf(const Layer& layer, QByteArray& records);
     [[nodiscard]] Checked<void> put(QFile& file, QByteArrayView bytes);
     void forget();
+    [[nodiscard]] QString besideName() const; ///< Of a file that is to take the journal's place.
 
-    QString m_path;
+    std::shared_ptr<const OwnFolder> m_folder; ///< Null where there was none.
+    QString m_name;
     qint64 m_leastRewriteBytes;
     std::unique_ptr<QFile> m_file;
     std::unordered_map<const sim::RasterTile*, KnownTile> m_tiles;

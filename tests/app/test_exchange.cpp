@@ -8,6 +8,7 @@
 #include "tests/app/exchange_fixture.h"
 #include "tests/app/program.h"
 #include "tests/app/thin_project.h"
+#include "tests/support/file_faults.h"
 #include "tests/support/foreign_heads.h"
 #include "tests/support/test_program.h"
 #include "view/dialogs/head_side.h"
@@ -282,6 +283,49 @@ private Q_SLOTS:
         QVERIFY2(m_answers->said.value(0).contains(QStringLiteral("Monday")), qPrintable(m_answers->said.value(0)));
         QFile::remove(renamed);
     }
+
+#ifdef Q_OS_LINUX
+    void aStyleThatCantBeSavedIsToldAndTheOldOneStays_data()
+    {
+        QTest::addColumn<bool>("isFull");
+        QTest::newRow("read-only") << false;
+        QTest::newRow("full") << true;
+    }
+    void aStyleThatCantBeSavedIsToldAndTheOldOneStays()
+    {
+        QFETCH(bool, isFull);
+        const QString file = ownPresetFolder() + QStringLiteral("/kept.hairpreset");
+        QVERIFY(QDir().mkpath(ownPresetFolder()));
+        QVERIFY(model::savePreset(model::presetFrom(model::newProject(), QStringLiteral("Kept")), file));
+        const QByteArray before = test::contentOf(file);
+        open(test::thinned(starterProject()));
+        m_answers->name = QStringLiteral("Kept");
+        auto* strip = m_window->findChild<view::StyleStrip*>();
+        const auto save = [strip] {
+            for (view::StyleTile* one : strip->findChildren<view::StyleTile*>())
+                if (one->path().isEmpty())
+                    return QTest::mouseClick(one, Qt::LeftButton);
+        };
+        {
+            const QByteArray place = QFile::encodeName(ownPresetFolder());
+            const test::FileRefusal refusal(place.constData(),
+                                            isFull ? test::FileRefusal::Why::Full : test::FileRefusal::Why::ReadOnly);
+            save();
+            QCOMPARE(m_answers->said.size(), 2); // Whether it may be replaced, and that it was not.
+            QVERIFY2(m_answers->said.back().contains(QStringLiteral("kept.hairpreset")),
+                     qPrintable(m_answers->said.back()));
+            QVERIFY(m_done.isEmpty());
+        }
+        QVERIFY(test::contentOf(file) == before);
+        QCOMPARE(QDir(ownPresetFolder()).entryList({QStringLiteral(".*")}, QDir::Files | QDir::Hidden), QStringList());
+        // Somebody removes the library: it is made again.
+        QVERIFY(QDir(ownPresetFolder()).removeRecursively());
+        save();
+        QCOMPARE(m_done.size(), 1);
+        QVERIFY(model::loadPreset(file));
+        QFile::remove(file);
+    }
+#endif
 
     void thePictureIsSaved()
     {

@@ -1,7 +1,12 @@
 // The window is killed while somebody paints: the file opens, and the next start has all that was in the journal.
 #include "app/background/journal_folder.h"
+#include "app/recovery/recovery_dialog.h"
 #include "model/journal/journal_reader.h"
+#include "model/journal/journal_writer.h"
+#include "tests/app/box_answer.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/file_faults.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
 #include <QCryptographicHash>
@@ -10,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <random>
 
 namespace hairpaint::app {
@@ -19,6 +25,7 @@ namespace {
 constexpr const char* kFolderVariable = "HAIRPAINT_KILLED_FOLDER";
 constexpr const char* kSeedVariable = "HAIRPAINT_KILLED_SEED";
 constexpr int kStartMs = 10 * kPatienceMs;                ///< Of many windows some start late.
+constexpr qsizetype kMostShown = 800;                     ///< Letters of a log.
 constexpr const char* kGoesBack = "goes back or forth\n"; ///< Written down before an undo or a redo.
 
 QByteArray hashOf(const QByteArray& bytes)
@@ -27,6 +34,22 @@ QByteArray hashOf(const QByteArray& bytes)
 }
 
 constexpr const char* kIsKept = "is kept\n"; ///< Written down once the journal has the moment before it.
+constexpr const char* kIsLost = "is lost\n"; ///< Before somebody removes the journals' folder.
+
+/// Restores what is offered, and calls off whatever else asks.
+class Restorer : public BoxAnswer
+{
+public:
+    Restorer() : BoxAnswer(QStringLiteral("Cancel")) {}
+
+protected:
+    bool ends(QWidget& dialog) override
+    {
+        if (auto* offered = qobject_cast<RecoveryDialog*>(&dialog))
+            offered->accept();
+        return false;
+    }
+};
 
 /// One line of what the window wrote down before it was killed: what was open, and whether the journal had it all.
 struct Moment
@@ -42,16 +65,77 @@ class TestKilledWindow : public QObject, private WindowFixture
     Q_OBJECT
 private:
     std::mt19937 m_random;
+#ifdef Q_OS_LINUX
+    std::optional<test::FullDisk> m_full;
+    std::optional<test::FileRefusal> m_readOnly;
+#endif
+    QByteArray m_journals;
 
-    unsigned below(unsigned count) { return static_cast<unsigned>(m_random() % count); }
-    int belowInt(int count) { return static_cast<int>(below(static_cast<unsigned>(count))); }
+    void beFull()
+    {
+#ifdef Q_OS_LINUX
+        constexpr qint64 kRoom = 60'000; // Enough for what is written down.
+        m_full.emplace(kRoom);
+#endif
+    }
+    bool endFullness()
+    {
+#ifdef Q_OS_LINUX
+        const bool wasFull = m_full.has_value();
+        m_full.reset();
+        return wasFull;
+#else
+        return false;
+#endif
+    }
+
+    /// Somebody removes the journals, or their disk is full or can't be written to for a few edits.
+    void trouble([[maybe_unused]] const std::function<void(const char*)>& begins)
+    {
+#ifdef Q_OS_LINUX
+        const bool wasTroubled = m_full || m_readOnly;
+        m_full.reset();
+        m_readOnly.reset();
+        if (wasTroubled)
+            return;
+        switch (below(3)) {
+        case 0:
+            begins(kIsLost);
+            QDir(JournalFolder::root()).removeRecursively();
+            return;
+        case 1:
+            return beFull();
+        default:
+            m_readOnly.emplace(m_journals.constData(), test::FileRefusal::Why::ReadOnly);
+        }
+#endif
+    }
+
+    /// A question that waits, or a dialog beside the window.
+    void ask()
+    {
+        const bool isAsked = session().document().modified() && below(2) == 0;
+        m_window->actions().find(QLatin1StringView(isAsked ? "file.new" : "edit.preferences"))->trigger();
+        for (const QPointer<QDialog>& dialog : openDialogs(*m_window))
+            if (below(2) == 0)
+                dialog->close();
+    }
+
+    unsigned below(unsigned count)
+    {
+        return static_cast<unsigned>(m_random() % count);
+    }
+    int belowInt(int count)
+    {
+        return static_cast<int>(below(static_cast<unsigned>(count)));
+    }
 
     [[nodiscard]] QByteArray hashOfProject(const model::Project& project) const
     {
         const QString path = m_folder.filePath(QStringLiteral("content.hairpaint"));
         QFile file(path);
         if (!model::saveProject(project, path, {}) || !file.open(QIODevice::ReadOnly))
-            return {};
+            return QByteArray("unknown"); // Its disk is full.
         return hashOf(file.readAll());
     }
 
@@ -60,7 +144,8 @@ private:
     {
         constexpr std::array kMaps{Qt::Key_1, Qt::Key_2, Qt::Key_3, Qt::Key_6, Qt::Key_8, Qt::Key_9};
         constexpr std::array kTools{Qt::Key_B, Qt::Key_B, Qt::Key_E, Qt::Key_C};
-        const unsigned what = below(12);
+        const unsigned what = below(14);
+        begins(("edit " + QByteArray::number(what) + '\n').constData());
         begins(what < 3 ? kGoesBack : "goes on\n");
         switch (what) {
         case 0:
@@ -72,6 +157,10 @@ private:
             return key(Qt::Key_Backspace, Qt::AltModifier);
         case 4:
             return m_window->actions().find(QLatin1StringView("file.save"))->trigger();
+        case 5:
+            return ask();
+        case 6:
+            return trouble(begins);
         default:
             break;
         }
@@ -92,7 +181,24 @@ private:
                 moments.push_back({.content = line.toLatin1()});
             else if (line + QLatin1Char('\n') == QLatin1StringView(kIsKept) && !moments.empty())
                 moments.back().isKept = true;
+            else if (line + QLatin1Char('\n') == QLatin1StringView(kIsLost))
+                for (Moment& moment : moments)
+                    moment.isKept = false;
         return moments;
+    }
+
+    /// Of windows that were killed; the newest.
+    static std::optional<model::RecoveredWork> leftWork()
+    {
+        for (const auto& folder : JournalFolder::abandoned(JournalFolder::root()))
+            if (auto read = model::readJournal(folder->file()); read && *read)
+                return std::move(**read);
+        return std::nullopt;
+    }
+    static void removeLeft()
+    {
+        for (const auto& folder : JournalFolder::abandoned(JournalFolder::root()))
+            folder->remove();
     }
 
     static QString contentOf(const QString& path)
@@ -117,7 +223,10 @@ private Q_SLOTS:
         prepareApplication();
         QCoreApplication::setApplicationName(QStringLiteral("hairpaint-killed-test")); // A root of its own.
     }
-    void cleanup() { m_window.reset(); }
+    void cleanup()
+    {
+        m_window.reset();
+    }
 
     /// The process that is killed: does nothing where no other one has started it.
     void editsUntilItIsKilled()
@@ -132,16 +241,42 @@ private Q_SLOTS:
         QVERIFY(m_window->files().openPath(path));
         QFile log(QDir(folder).filePath(QStringLiteral("log")));
         QVERIFY(log.open(QIODevice::WriteOnly | QIODevice::Unbuffered));
-        const auto writeDown = [&] { log.write(hashOfProject(session().document().committed()) + '\n'); };
+        m_journals = QFile::encodeName(QFileInfo(JournalFolder::root()).absolutePath());
+        const Restorer answers;
+        const auto writeDown = [&] {
+            // What is full is the journals' disk, not the tester's.
+            const bool wasFull = endFullness();
+            log.write(hashOfProject(session().document().committed()) + '\n');
+            if (wasFull)
+                beFull();
+        };
         for (writeDown();; writeDown()) {
             if (below(3) == 0) {
-                QTRY_VERIFY_WITH_TIMEOUT(m_window->isWorkKept(), kPatienceMs);
-                log.write(kIsKept);
+                m_window->keepWork();
+                test::handleDueEvents();
+                if (m_window->isWorkKept())
+                    log.write(kIsKept);
             }
             edit([&log](const char* action) { log.write(action); });
             session().document().endEdit();
             QCoreApplication::processEvents();
         }
+    }
+
+    /// The process that is killed while it restores.
+    void restoresUntilItIsKilled()
+    {
+        const QString folder = qEnvironmentVariable(kFolderVariable);
+        if (folder.isEmpty())
+            return;
+        openWindow(model::newProject());
+        QFile log(QDir(folder).filePath(QStringLiteral("log")));
+        QVERIFY(log.open(QIODevice::WriteOnly | QIODevice::Unbuffered));
+        const Restorer answers;
+        log.write("begins\n");
+        m_window->offerUnsavedWork();
+        log.write("ends\n");
+        (void)test::awaitUntil([] { return false; }); // Until it is killed.
     }
 
     void aKilledWindowLosesNothingThatItHadKept()
@@ -153,6 +288,7 @@ private Q_SLOTS:
         const QString saved = m_folder.filePath(QStringLiteral("work.hairpaint"));
         int fromJournal = 0;
         int stepsLost = 0;
+        int restoredTurns = 0;
         m_random.seed(4 + static_cast<unsigned>(first));
         for (int turn = first; turn < first + kills; ++turn) {
             QFile::remove(log);
@@ -162,9 +298,12 @@ private Q_SLOTS:
             environment.insert(QLatin1StringView(kFolderVariable), m_folder.path());
             environment.insert(QLatin1StringView(kSeedVariable), QString::number(turn));
             window.setProcessEnvironment(environment);
-            window.start(QCoreApplication::applicationFilePath(),
-                         {QStringLiteral("killed_window"), QStringLiteral("editsUntilItIsKilled"),
-                          QStringLiteral("-maxwarnings"), QStringLiteral("0")});
+            const auto start = [&window](const char* what) {
+                window.start(QCoreApplication::applicationFilePath(),
+                             {QStringLiteral("killed_window"), QLatin1StringView(what), QStringLiteral("-maxwarnings"),
+                              QStringLiteral("0")});
+            };
+            start("editsUntilItIsKilled");
             const std::size_t momentsLived = 2 + below(16);
             QTRY_VERIFY_WITH_TIMEOUT(momentsIn(log).size() >= momentsLived, kStartMs);
             QCOMPARE(window.state(), QProcess::Running);
@@ -173,15 +312,30 @@ private Q_SLOTS:
 
             const model::Result<model::Project> file = model::loadProject(saved);
             QVERIFY2(file, file ? "" : qPrintable(file.error().message));
-            std::optional<model::RecoveredWork> work;
-            for (const auto& folder : JournalFolder::abandoned(JournalFolder::root())) {
-                auto read = model::readJournal(folder->file());
-                QVERIFY2(read, read ? "" : qPrintable(read.error().message));
-                if (*read)
-                    work = std::move(**read);
-                folder->remove();
-            }
             const std::vector<Moment> moments = momentsIn(log);
+            const QString written = contentOf(log);
+            std::optional<model::RecoveredWork> work = leftWork();
+            // What is killed while it restores has restored, or leaves all as it was.
+            if (work && (kills < 5 || turn % 3 == 0)) {
+                QFile::remove(log);
+                start("restoresUntilItIsKilled");
+                QTRY_VERIFY_WITH_TIMEOUT(contentOf(log).startsWith(QLatin1String("begins")), kStartMs);
+                unsigned looks = below(400);
+                (void)test::awaitUntil(
+                    [&] { return looks-- == 0 || contentOf(log).endsWith(QLatin1String("ends\n")); });
+                window.kill();
+                QVERIFY(window.waitForFinished(kPatienceMs));
+                const std::optional<model::RecoveredWork> again = leftWork();
+                QVERIFY2(again, qPrintable(QStringLiteral("Kill %1: nothing is left of what was restored").arg(turn)));
+                QVERIFY(again->current <= work->current);
+                const std::size_t gone = work->current - again->current; // Of the oldest steps.
+                QVERIFY(gone == 0 || again->steps.size() >= model::JournalWriter::kKeptStates - 1);
+                QCOMPARE(again->steps.size() + gone, work->steps.size());
+                for (std::size_t i = 0; i < again->steps.size(); ++i)
+                    QCOMPARE(hashOfProject(again->steps[i].project), hashOfProject(work->steps[i + gone].project));
+                ++restoredTurns;
+            }
+            removeLeft();
             const std::size_t oldest = firstAllowed(moments);
             const auto among = [&](const QByteArray& content) {
                 for (std::size_t i = moments.size(); i > oldest; --i)
@@ -192,9 +346,11 @@ private Q_SLOTS:
             fromJournal += work ? 1 : 0;
             const QByteArray came = hashOfProject(work ? work->steps[work->current].project : *file);
             int lost = among(came);
+            // A journal that could not be told of a save is offered beside the file that holds more.
+            if (lost < 0 && work)
+                lost = among(hashOfProject(*file));
             // One step further than what was written down? That stands beside it in the history; or an undo led back to
             // what the file holds, and there is nothing unsaved.
-            const QString written = contentOf(log);
             const bool isBetweenSteps = written.endsWith(QString::fromLatin1(moments.back().content) + u'\n') ||
                                         written.endsWith(QLatin1StringView(kIsKept));
             if (lost < 0 && work && !isBetweenSteps)
@@ -204,18 +360,20 @@ private Q_SLOTS:
                         lost = 0;
             if (lost < 0 && !work && written.endsWith(QLatin1StringView(kGoesBack)))
                 lost = std::ranges::any_of(moments, [&](const Moment& m) { return m.content == came; }) ? 0 : -1;
-            QVERIFY2(lost >= 0, qPrintable(QStringLiteral("Kill %1: what came back from the %2 is none of the %3 last "
-                                                          "moments; log:\n%4")
+            QVERIFY2(lost >= 0, qPrintable(QStringLiteral("Kill %1: what came back from the %2 (%5) is none of the %3 "
+                                                          "last moments; log:\n%4")
                                                .arg(turn)
                                                .arg(work ? QLatin1String("journal") : QLatin1String("file"))
                                                .arg(moments.size() - oldest)
-                                               .arg(written)));
+                                               .arg(written.right(kMostShown), QString::fromLatin1(came))));
             stepsLost += lost > 0 ? 1 : 0;
             if (turn % 50 == 49)
                 qInfo("%d killed, %d from the journal", turn + 1 - first, fromJournal);
         }
-        qInfo("%d kills: %d came back from the journal, the others from the file; %d lost something", kills,
-              fromJournal, stepsLost);
+        qInfo(
+            "%d kills: %d came back from the journal, %d of them killed once more while they were restored, the others "
+            "from the file; %d lost something",
+            kills, fromJournal, restoredTurns, stepsLost);
     }
 };
 

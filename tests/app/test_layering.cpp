@@ -202,7 +202,8 @@ private Q_SLOTS:
                               {QStringLiteral("*.cpp")}, QDir::Files, QDirIterator::Subdirectories);
             while (walk.hasNext()) {
                 QFile file(walk.next());
-                if (file.fileName().endsWith(QLatin1String("_wgl.cpp")))
+                if (file.fileName().endsWith(QLatin1String("_wgl.cpp")) ||
+                    file.fileName().endsWith(QLatin1String("_portable.cpp")))
                     continue; // Of two guarded files one is built.
                 QVERIFY(file.open(QIODevice::ReadOnly));
                 const QString room = QFileInfo(file).path() + QLatin1Char('/');

@@ -3,6 +3,7 @@
 #include "tests/app/box_answer.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
+#include "tests/support/file_faults.h"
 #include "tests/support/test_program.h"
 #include "view/widgets/veil.h"
 
@@ -82,6 +83,38 @@ private Q_SLOTS:
         QVERIFY(!veil->isVisible());
         QVERIFY(area.pictureScene().hair != nullptr);
     }
+
+#ifdef Q_OS_LINUX
+    /// A window that was killed leaves its lock, which can't be removed where nothing can be written.
+    void aFileIsNotOpenElsewhereWhereALockCantBeRemoved_data()
+    {
+        QTest::addColumn<bool>("isFull");
+        QTest::newRow("read-only") << false;
+        QTest::newRow("full") << true;
+    }
+    void aFileIsNotOpenElsewhereWhereALockCantBeRemoved()
+    {
+        QFETCH(bool, isFull);
+        openSaved();
+        const QString locks =
+            QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/open/");
+        const QString name = QDir(locks).entryList(QDir::Files).value(0);
+        QVERIFY(!name.isEmpty());
+        m_window.reset();
+        QVERIFY(!QFile::exists(locks + name));
+        test::writeBytes(locks + name, "999999999\nhairpaint\n");
+        openWindow(model::newProject());
+        const QByteArray place = QFile::encodeName(QFileInfo(locks).path());
+        const test::FileRefusal refusal(place.constData(),
+                                        isFull ? test::FileRefusal::Why::Full : test::FileRefusal::Why::ReadOnly);
+        BoxAnswer answer(QStringLiteral("Open anyway"));
+        QVERIFY(m_window->files().openPath(m_path));
+        QCOMPARE(answer.asked, QStringList());
+        const auto other = std::make_unique<MainWindow>(model::newProject(), QString());
+        QVERIFY(other->files().openPath(m_path));
+        QCOMPARE(answer.asked.size(), 1); // This one is.
+    }
+#endif
 
     void savingAgainAsksNothing()
     {

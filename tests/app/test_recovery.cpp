@@ -1,101 +1,17 @@
 // After a crash the next start gives the work back, with its steps, from whatever was done in the real window.
-#include "app/recovery/recovery_dialog.h"
 #include "model/journal/journal_reader.h"
-#include "model/journal/journal_writer.h"
-#include "tests/app/window_fixture.h"
+#include "tests/app/recovery_fixture.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_program.h"
-#include "view/panels/status_readout.h"
-
-#include <QLabel>
-#include <QListWidget>
-#include <QMessageBox>
-#include <QPushButton>
 
 namespace hairpaint::app {
 
-namespace {
-
-/// Presses a button of the dialog that offers unsaved work, and answers what it asks then.
-class Answer : public QObject
-{
-public:
-    explicit Answer(QString button) : m_button(std::move(button)) { startTimer(20); }
-    QStringList offered;
-    QString question;
-
-protected:
-    void timerEvent(QTimerEvent* /*event*/) override
-    {
-        QWidget* waiting = QApplication::activeModalWidget();
-        if (auto* box = qobject_cast<QMessageBox*>(waiting)) {
-            question = box->text();
-            box->button(QMessageBox::Discard)->click();
-        } else if (auto* dialog = qobject_cast<RecoveryDialog*>(waiting)) {
-            const auto* list = dialog->findChild<QListWidget*>();
-            offered.clear();
-            for (int row = 0; row < list->count(); ++row)
-                offered += list->item(row)->text();
-            if (m_button == QLatin1String("Esc")) // As the keyboard has it: to whatever has the focus.
-                return QTest::keyClick(dialog->windowHandle(), Qt::Key_Escape);
-            for (QPushButton* button : dialog->findChildren<QPushButton*>())
-                if (button->text().remove(QLatin1Char('&')) ==
-                    m_button) // Not from here: what it asks needs this timer.
-                    QMetaObject::invokeMethod(button, &QPushButton::click, Qt::QueuedConnection);
-        }
-    }
-
-private:
-    QString m_button;
-};
-
-int foldersLeft()
-{
-    return static_cast<int>(QDir(JournalFolder::root()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size());
-}
-
-} // namespace
-
-class TestRecovery : public QObject, private WindowFixture
+class TestRecovery : public QObject, private RecoveryFixture
 {
     Q_OBJECT
-private:
-    void openBald()
-    {
-        model::Project project = model::newProject();
-        project.wind.enabled = false;
-        openWindow(std::move(project));
-        key(Qt::Key_1);
-        key(Qt::Key_B);
-    }
-
-    void stroke(float v)
-    {
-        QWidget& paper = m_window->paintView();
-        drag(paper, paintPoint(0.3F, v), paintPoint(0.7F, v));
-    }
-
-    void offer()
-    {
-        m_window->offerUnsavedWork();
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    }
-
-    /// The window goes without a word, as when the process is killed once the disk has the last step.
-    void crash()
-    {
-        m_window->keepWork();
-        m_window.reset();
-    }
-
 private Q_SLOTS:
-    void initTestCase()
-    {
-        prepareApplication();
-        QCoreApplication::setApplicationName(QStringLiteral("hairpaint-recovery-test")); // A root of its own.
-    }
-    void init() { QDir(JournalFolder::root()).removeRecursively(); }
+    void initTestCase() { prepareRecovery("hairpaint-recovery-test"); }
+    void init() { clearRecovery(); }
     void cleanup() { m_window.reset(); }
 
     void nothingIsKeptOrOfferedWithoutWork()
@@ -156,7 +72,7 @@ private Q_SLOTS:
         QCOMPARE(foldersLeft(), 1);
 
         openWindow(model::newProject());
-        Answer answer(QStringLiteral("Restore"));
+        RecoveryAnswer answer(QStringLiteral("Restore"));
         offer();
         QCOMPARE(answer.offered.size(), 1);
         QVERIFY2(answer.offered.front().contains(QStringLiteral("Untitled")), qPrintable(answer.offered.front()));
@@ -178,7 +94,7 @@ private Q_SLOTS:
         // And once more.
         crash();
         openWindow(model::newProject());
-        Answer again(QStringLiteral("Restore"));
+        RecoveryAnswer again(QStringLiteral("Restore"));
         offer();
         QCOMPARE(savedBytes("again.hairpaint"), another);
     }
@@ -208,7 +124,7 @@ private Q_SLOTS:
         const QByteArray changed = savedBytes("changed.hairpaint");
         crash();
         openWindow(model::newProject());
-        Answer answer(QStringLiteral("Restore"));
+        RecoveryAnswer answer(QStringLiteral("Restore"));
         offer();
         QVERIFY(answer.offered.front().contains(QStringLiteral("kept")));
         QCOMPARE(savedBytes("restored.hairpaint"), changed);
@@ -223,13 +139,13 @@ private Q_SLOTS:
         crash();
         openWindow(model::newProject());
         {
-            Answer later(QStringLiteral("Not now"));
+            RecoveryAnswer later(QStringLiteral("Not now"));
             offer();
             QCOMPARE(later.offered.size(), 1);
         }
         QCOMPARE(foldersLeft(), 1);
         QVERIFY(!m_window->isWindowModified());
-        Answer discard(QStringLiteral("Discard"));
+        RecoveryAnswer discard(QStringLiteral("Discard"));
         offer();
         QVERIFY(discard.question.contains(QStringLiteral("Untitled")));
         QCOMPARE(foldersLeft(), 0);
@@ -249,7 +165,7 @@ private Q_SLOTS:
         };
         QVERIFY(!kept());
         {
-            Answer escape(QStringLiteral("Esc"));
+            RecoveryAnswer escape(QStringLiteral("Esc"));
             offer();
             QCOMPARE(escape.offered.size(), 1);
         }
@@ -257,7 +173,7 @@ private Q_SLOTS:
         QCOMPARE(foldersLeft(), 1);
         QVERIFY(!m_window->isWindowModified());
         key(Qt::Key_W); // The window takes keys as ever.
-        Answer restore(QStringLiteral("Restore"));
+        RecoveryAnswer restore(QStringLiteral("Restore"));
         offer();
         QCOMPARE(restore.offered.size(), 1);
         QCOMPARE(stack().count(), 1);
@@ -278,9 +194,95 @@ private Q_SLOTS:
         openBald();
         stroke(0.5F);
         QTRY_COMPARE_WITH_TIMEOUT(foldersLeft(), 1, kPatienceMs);
-        Answer discard(QStringLiteral("Discard")); // Of changes, which is asked by a box.
+        RecoveryAnswer discard(QStringLiteral("Discard")); // Of changes, which is asked by a box.
         QVERIFY(m_window->close());
         QCOMPARE(foldersLeft(), 0);
+    }
+
+    void whatIsRestoredForTheFileThatIsToBeOpenedIsOpen_data()
+    {
+        QTest::addColumn<QString>("spelling");
+        QTest::newRow("as it was") << QStringLiteral("P.hairpaint");
+        QTest::newRow("by a link") << QStringLiteral("link.hairpaint");
+        QTest::newRow("by another way") << QStringLiteral("way/../P.hairpaint");
+    }
+    void whatIsRestoredForTheFileThatIsToBeOpenedIsOpen()
+    {
+        QFETCH(QString, spelling);
+        const QString path = m_folder.filePath(QStringLiteral("P.hairpaint"));
+        QVERIFY(QDir().mkpath(m_folder.filePath(QStringLiteral("way"))));
+        QFile::link(path, m_folder.filePath(QStringLiteral("link.hairpaint")));
+        const QByteArray changed = crashAfterSaving(path);
+        QVERIFY(!changed.isEmpty());
+        openWindow(model::newProject());
+        RecoveryAnswer answer(QStringLiteral("Restore"));
+        m_window->begin(m_folder.filePath(spelling));
+        QCOMPARE(answer.offered.size(), 1);
+        QCOMPARE(answer.question, QString()); // Nothing is to be saved or discarded.
+        QCOMPARE(savedBytes("restored.hairpaint"), changed);
+        QCOMPARE(m_window->files().path(), path);
+        QVERIFY(m_window->isWindowModified());
+        QCOMPARE(stack().index(), 2);
+        QCOMPARE(foldersLeft(), 1);
+    }
+
+    void anotherFileDoesNotTakeThePlaceOfWhatIsRestored()
+    {
+        const QString other = m_folder.filePath(QStringLiteral("other.hairpaint"));
+        QVERIFY(model::saveProject(model::newProject(), other, {}));
+        const QByteArray changed = crashAfterSaving(m_folder.filePath(QStringLiteral("P.hairpaint")));
+        openWindow(model::newProject());
+        RecoveryAnswer answer(QStringLiteral("Restore"));
+        m_window->begin(other);
+        QCOMPARE(answer.question, QString());
+        QCOMPARE(savedBytes("restored.hairpaint"), changed);
+        QVERIFY(says(QStringLiteral("'other' was not opened")));
+    }
+
+    void aFileIsOpenedWhereNothingIsRestored()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("P.hairpaint"));
+        QVERIFY(!crashAfterSaving(path).isEmpty());
+        openWindow(model::newProject());
+        RecoveryAnswer later(QStringLiteral("Not now"));
+        m_window->begin(path);
+        QCOMPARE(m_window->files().path(), path);
+        QVERIFY(!m_window->isWindowModified());
+        QCOMPARE(stack().count(), 0);
+        QCOMPARE(foldersLeft(), 1);
+    }
+
+    void theFileThatIsToBeOpenedIsOfferedFirst()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("first.hairpaint"));
+        QVERIFY(!crashAfterSaving(path).isEmpty());
+        openBald();
+        stroke(0.3F);
+        crash(); // Later, so it would come first.
+        openWindow(model::newProject());
+        RecoveryAnswer answer(QStringLiteral("Restore"));
+        m_window->begin(path);
+        QCOMPARE(answer.offered.size(), 2);
+        QVERIFY(answer.offered.front().startsWith(QStringLiteral("first")));
+        QCOMPARE(m_window->files().path(), path);
+    }
+
+    void manyStepsAreKeptOnceMoreWhenTheyAreRestored()
+    {
+        openBald();
+        model::Document& document = session().document();
+        for (int i = 1; i <= 40; ++i) {
+            document.push(model::setBackgroundCommand(document, 0xFF000000U + static_cast<unsigned>(i)));
+            m_window->keepWork(); // So that none is left out.
+        }
+        crash();
+        for (int turn = 0; turn < 2; ++turn) {
+            openWindow(model::newProject());
+            RecoveryAnswer answer(QStringLiteral("Restore"));
+            offer();
+            QCOMPARE(stack().count(), 40);
+            crash();
+        }
     }
 
     void whereNothingCanBeWrittenASignSaysSo()

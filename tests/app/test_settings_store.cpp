@@ -1,6 +1,8 @@
 // Settings survive the program, other windows and a full disk.
 #include "app/settings/settings_store.h"
 #include "tests/model/archive_maker.h"
+#include "tests/support/await.h"
+#include "tests/support/file_faults.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_program.h"
@@ -9,6 +11,10 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
+
+#ifdef Q_OS_UNIX
+#include <sys/stat.h>
+#endif
 
 using namespace hairpaint;
 using hairpaint::app::SettingsStore;
@@ -101,6 +107,63 @@ private Q_SLOTS:
         test::writeBytes(path(), "{ \"text\": ");
         QVERIFY(!SettingsStore(path()).value(QStringLiteral("text")).isValid());
     }
+
+#ifdef Q_OS_UNIX
+    void onlyAnOrdinaryFileHasSettings_data()
+    {
+        QTest::addColumn<QString>("target");
+        QTest::newRow("a device without an end") << QStringLiteral("/dev/zero");
+        QTest::newRow("a pipe") << QString();
+        QTest::newRow("a folder") << m_folder.path();
+    }
+    void onlyAnOrdinaryFileHasSettings()
+    {
+        QFETCH(QString, target);
+        const QString file = m_folder.filePath(QStringLiteral("odd.json"));
+        QFile::remove(file);
+        if (target.isEmpty())
+            QCOMPARE(::mkfifo(QFile::encodeName(file).constData(), 0600), 0);
+        else
+            QVERIFY(QFile::link(target, file));
+        SettingsStore store(file);
+        QVERIFY(!store.value(QStringLiteral("text")).isValid());
+        store.setValue(QStringLiteral("text"), QStringLiteral("held"));
+        store.flush();
+        QCOMPARE(store.value(QStringLiteral("text")).toString(), QStringLiteral("held"));
+        QVERIFY(QFileInfo(file).isSymbolicLink() || !QFileInfo(file).isFile()); // It stays what it was.
+        QFile::remove(file);
+    }
+
+    void settingsMayLieBehindALink()
+    {
+        const QString file = m_folder.filePath(QStringLiteral("link.json"));
+        test::writeBytes(m_folder.filePath(QStringLiteral("kept.json")), "{\"text\": \"kept\"}");
+        QVERIFY(QFile::link(m_folder.filePath(QStringLiteral("kept.json")), file));
+        QCOMPARE(SettingsStore(file).value(QStringLiteral("text")).toString(), QStringLiteral("kept"));
+    }
+#endif
+
+#ifdef Q_OS_LINUX
+    void aDiskThatDoesNotAnswerIsNotWaitedFor()
+    {
+        const QString folder = m_folder.filePath(QStringLiteral("server"));
+        QVERIFY(QDir().mkpath(folder));
+        const QString file = folder + QStringLiteral("/settings.json");
+        test::writeBytes(file, "{\"text\": \"there\"}");
+        const QByteArray place = QFile::encodeName(folder);
+        {
+            constexpr int kMs = 50;
+            const test::FileStall stall(place.constData());
+            SettingsStore store(file, kMs);
+            QVERIFY(!store.value(QStringLiteral("text")).isValid());
+            store.setValue(QStringLiteral("text"), QStringLiteral("mine"));
+            store.flush();
+            QVERIFY2(test::FileStall::askedByMain() == 0, test::FileStall::lastByMain());
+        }
+        QCOMPARE(SettingsStore(file).value(QStringLiteral("text")).toString(), QStringLiteral("there"));
+        QVERIFY(test::awaitUntil([] { return test::FileStall::waiting() == 0; }));
+    }
+#endif
 
 #ifdef Q_OS_UNIX
     /// A limit on a file's size fails writes as a full disk does.

@@ -4,10 +4,17 @@
 #include "model/files/preset_file.h"
 #include "model/files/project_file.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/file_faults.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QSignalSpy>
+
+#include <optional>
+
+#ifdef Q_OS_LINUX
+#include <sys/stat.h>
+#endif
 
 namespace hairpaint::app {
 
@@ -81,6 +88,56 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(made.size(), 3, kPatienceMs);
         QCOMPARE(drawn.load(), 2);
     }
+
+#ifdef Q_OS_LINUX
+    void aCacheThatTakesNothingCostsNoPicture_data()
+    {
+        QTest::addColumn<QString>("trouble");
+        for (const char* trouble : {"read-only", "full", "deleted", "a file", "links", "pipes"})
+            QTest::newRow(trouble) << QString::fromLatin1(trouble);
+    }
+    void aCacheThatTakesNothingCostsNoPicture()
+    {
+        QFETCH(QString, trouble);
+        const QString path = style("trouble.hairpreset", QStringLiteral("Trouble"));
+        const QString cache =
+            QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/style-pictures");
+        Jobs jobs(m_window);
+        StylePictures pictures(jobs, [](const model::Preset&, const model::Progress&) { return plain(Qt::red); });
+        const QSignalSpy made(&pictures, &StylePictures::made);
+        pictures.make(path);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 1, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(pictures.idle(), kPatienceMs);
+        const QString cached = cache + QLatin1Char('/') + QDir(cache).entryList(QDir::Files).value(0);
+        const QString precious = m_folder.filePath(QStringLiteral("precious"));
+        {
+            QFile file(precious);
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write("precious") == 8);
+        }
+        std::optional<test::FileRefusal> refusal;
+        const QByteArray place = QFile::encodeName(cache);
+        QVERIFY(QFile::remove(cached));
+        if (trouble == QLatin1String("read-only"))
+            refusal.emplace(place.constData(), test::FileRefusal::Why::ReadOnly);
+        else if (trouble == QLatin1String("full"))
+            refusal.emplace(place.constData(), test::FileRefusal::Why::Full);
+        else if (trouble == QLatin1String("links"))
+            QVERIFY(QFile::link(precious, cached));
+        else if (trouble == QLatin1String("pipes"))
+            QCOMPARE(::mkfifo(QFile::encodeName(cached).constData(), 0600), 0);
+        else
+            QVERIFY(QDir(cache).removeRecursively());
+        if (trouble == QLatin1String("a file")) {
+            QFile inTheWay(cache);
+            QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        }
+        pictures.make(path);
+        QTRY_COMPARE_WITH_TIMEOUT(made.size(), 2, kPatienceMs);
+        QCOMPARE(made.back().at(1).value<QImage>().pixelColor(9, 9), QColor(Qt::red));
+        QVERIFY(bytesOf(precious) == "precious");
+        QFile::remove(cache);
+    }
+#endif
 
     void theBaldHeadToo()
     {

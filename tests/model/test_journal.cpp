@@ -1,11 +1,13 @@
 // Journals: what comes back after a crash at any byte, what a state costs, and the history's steps.
 #include "model/disk/atomic_file.h"
 #include "model/files/head_file.h"
+#include "model/journal/journal_format.h"
 #include "model/journal/journal_reader.h"
 #include "model/journal/journal_writer.h"
 #include "tests/model/archive_maker.h"
 #include "tests/model/fixtures.h"
 #include "tests/model/sample_project.h"
+#include "tests/support/allocation_limit.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
@@ -71,6 +73,10 @@ private Q_SLOTS:
     void aDabCostsATile();
     void aFileThatGrewIsWrittenAnew();
     void aFullDiskStopsItAndLosesNothing();
+    void whatStandsForTooMuchIsLeftOut();
+    void aStateThatUnpacksToTooMuchIsDamage();
+    void linksInItsFolderAreNotFollowed();
+    void stepsGoFromAWriterThatFailedToTheNext();
     void aWriterThatIsKilledLosesNothingItHasAcknowledged();
 };
 
@@ -252,6 +258,109 @@ void TestJournal::aFullDiskStopsItAndLosesNothing()
     JournalWriter another(file());
     QVERIFY(another.append(stateAt(project, 2, 2)));
     QCOMPARE(difference(recovered()->steps.front().project, project), QString());
+#endif
+}
+
+void TestJournal::whatStandsForTooMuchIsLeftOut()
+{
+    constexpr int kSteps = 10;
+    Project project = makeSampleProject();
+    JournalWriter writer(file());
+    for (int i = 0; i <= kSteps; ++i) {
+        dab(project, MapKind::Length, i);
+        QVERIFY(writer.append(stateAt(project, i, i)));
+    }
+    // A few bytes stand for many, so the file's size says nothing.
+    const std::optional<OwnFolder> folder = OwnFolder::open(m_folder.path());
+    std::size_t most = 0;
+    std::size_t before = 0;
+    constexpr std::size_t kFirst = 100'000;
+    for (std::size_t bytes = kFirst; before <= kSteps; bytes += bytes / 8) {
+        const auto work = readJournal(*folder, QStringLiteral("journal"), {}, bytes);
+        if (!work) { // Not even the last.
+            QVERIFY2(isOneSentenceNaming(work.error().message, file()), qPrintable(work.error().message));
+            QCOMPARE(before, 0U);
+            continue;
+        }
+        const RecoveredWork& found = **work;
+        QVERIFY(found.steps.size() >= before);
+        before = found.steps.size();
+        QCOMPARE(found.steps[found.current].index, kSteps);
+        QCOMPARE(found.steps.front().index, kSteps + 1 - static_cast<int>(before)); // The nearest.
+        QCOMPARE(difference(found.steps.back().project, project), QString());
+        most = std::max(most, before);
+    }
+    QCOMPARE(most, static_cast<std::size_t>(kSteps + 1));
+}
+
+void TestJournal::aStateThatUnpacksToTooMuchIsDamage()
+{
+    Project project = makeSampleProject();
+    {
+        JournalWriter writer(file());
+        QVERIFY(writer.append(stateAt(project, 0, 0)));
+    }
+    {
+        QFile journal(file());
+        QVERIFY(journal.open(QIODevice::Append));
+        journal.write(recordBytes(RecordKind::State, packed(QByteArray(qsizetype{100} << 20, ' '))));
+    }
+    const AllocationLimit memory(std::size_t{64} << 20U);
+    const auto work = recovered();
+    QVERIFY(work); // What stands before it.
+    QCOMPARE(work->steps.size(), 1U);
+}
+
+void TestJournal::linksInItsFolderAreNotFollowed()
+{
+#ifdef Q_OS_UNIX
+    const QString precious = m_folder.filePath(QStringLiteral("precious"));
+    writeBytes(precious, "precious");
+    for (const char* end : {"", ".new"})
+        QVERIFY(QFile::link(precious, file() + QLatin1StringView(end)));
+    QVERIFY(!readJournal(file()));
+    Project project = makeSampleProject();
+    JournalWriter writer(file(), 1);
+    for (int i = 0; i < 3; ++i) {
+        dab(project, MapKind::Length, i);
+        QVERIFY(writer.append(stateAt(project, i, i)));
+        QFile::link(precious, file() + QStringLiteral(".new"));
+    }
+    QCOMPARE(readBytes(precious), QByteArray("precious"));
+    QCOMPARE(recovered()->steps.size(), 3U);
+    QFile::remove(file() + QStringLiteral(".new"));
+#endif
+}
+
+void TestJournal::stepsGoFromAWriterThatFailedToTheNext()
+{
+#ifdef Q_OS_UNIX
+    Project project = makeSampleProject();
+    JournalWriter writer(file());
+    for (int i = 0; i < 3; ++i) {
+        dab(project, MapKind::Length, i);
+        QVERIFY(writer.append(stateAt(project, i, i)));
+    }
+    dab(project, MapKind::Length, 3);
+    {
+        const FullDisk disk(QFileInfo(file()).size() + 100);
+        QVERIFY(!writer.append(stateAt(project, 3, 3)));
+    }
+    std::optional<OwnFolder> folder = OwnFolder::open(m_folder.path());
+    JournalWriter next(std::make_shared<const OwnFolder>(std::move(*folder)), QStringLiteral("journal"),
+                       writer.takeStates());
+    dab(project, MapKind::Length, 4);
+    QVERIFY(next.append(stateAt(project, 4, 4)));
+    const auto work = recovered();
+    QVERIFY(work);
+    QCOMPARE(work->steps.size(), 5U);
+    QCOMPARE(difference(work->steps.back().project, project), QString());
+    QVERIFY(next.isInPlace());
+    QVERIFY(QFile::remove(file()));
+    QVERIFY(!next.isInPlace());
+    QVERIFY(next.writeAnew());
+    QVERIFY(next.isInPlace());
+    QCOMPARE(recovered()->steps.size(), 5U);
 #endif
 }
 

@@ -57,6 +57,59 @@ void stallAt(const char* call, int descriptor)
         stallAt(call, path.data());
 }
 
+std::atomic<const char*> refusingFolder{nullptr};
+std::atomic<bool> refusesRemoval{false};
+
+bool isBelow(const char* path, const char* folder)
+{
+    return folder != nullptr && std::strncmp(path, folder, std::strlen(folder)) == 0;
+}
+
+/// `path` may be relative to an open folder.
+bool isRefusing(int at, const char* path)
+{
+    const char* folder = refusingFolder;
+    if (folder == nullptr || path == nullptr)
+        return false;
+    if (path[0] == '/')
+        return isBelow(path, folder);
+    std::array<char, 64> link{};
+    std::array<char, 4096> whole{};
+    std::snprintf(link.data(), link.size(), "/proc/self/fd/%d", at);
+    return syscall(SYS_readlink, link.data(), whole.data(), whole.size() - 1) > 0 && isBelow(whole.data(), folder);
+}
+
+/// As the kernel has it: what is wrong with the name comes first.
+bool refusesOpening(int at, const char* path, int flags)
+{
+    if ((flags & (O_WRONLY | O_RDWR | O_CREAT)) == 0 || !isRefusing(at, path))
+        return false;
+    struct stat status = {};
+    const bool exists = syscall(SYS_newfstatat, at, path, &status, AT_SYMLINK_NOFOLLOW) == 0;
+    const bool makes = (flags & O_CREAT) != 0 && !exists;
+    if (exists && (flags & O_CREAT) != 0 && (flags & O_EXCL) != 0)
+        errno = EEXIST;
+    else if (!exists && !makes && (flags & O_TMPFILE) != O_TMPFILE)
+        errno = ENOENT;
+    else if (refusesRemoval)
+        errno = EROFS;
+    else if (makes || (flags & O_TMPFILE) == O_TMPFILE)
+        errno = ENOSPC;
+    else
+        return false;
+    return true;
+}
+
+bool refusesChange(int at, const char* path, bool makes)
+{
+    if (!isRefusing(at, path) || (!makes && !refusesRemoval))
+        return false;
+    struct stat status = {};
+    const bool exists = syscall(SYS_newfstatat, at, path, &status, AT_SYMLINK_NOFOLLOW) == 0;
+    errno = makes && exists ? EEXIST : refusesRemoval ? EROFS : ENOSPC;
+    return true;
+}
+
 bool isFileFault(int error)
 {
     if (!isCounting || callsUntilFault.fetch_sub(1) != 1)
@@ -75,6 +128,8 @@ bool isOrdinaryFile(int descriptor)
 int openAt(int folder, const char* path, int flags, mode_t mode)
 {
     stallAt("open", path);
+    if (refusesOpening(folder, path, flags))
+        return -1;
     if ((flags & (O_WRONLY | O_RDWR | O_CREAT)) != 0 && isFileFault(EACCES))
         return -1;
     return static_cast<int>(syscall(SYS_openat, folder, path, flags, mode));
@@ -107,9 +162,65 @@ extern "C" int open64(const char* path, int flags, ...)
     return openAt(AT_FDCWD, path, flags, mode);
 }
 
+extern "C" int openat(int folder, const char* path, int flags, ...)
+{
+    std::va_list arguments;
+    va_start(arguments, flags);
+    // The analyzer does not see where it begins. NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized)
+    const mode_t mode = hasMode(flags) ? va_arg(arguments, mode_t) : 0;
+    va_end(arguments);
+    return openAt(folder, path, flags, mode);
+}
+
+extern "C" int openat64(int folder, const char* path, int flags, ...)
+{
+    std::va_list arguments;
+    va_start(arguments, flags);
+    // The analyzer does not see where it begins. NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized)
+    const mode_t mode = hasMode(flags) ? va_arg(arguments, mode_t) : 0;
+    va_end(arguments);
+    return openAt(folder, path, flags, mode);
+}
+
+extern "C" int mkdir(const char* path, mode_t mode) noexcept
+{
+    return refusesChange(AT_FDCWD, path, true) ? -1 : static_cast<int>(syscall(SYS_mkdir, path, mode));
+}
+
+extern "C" int mkdirat(int folder, const char* path, mode_t mode) noexcept
+{
+    return refusesChange(folder, path, true) ? -1 : static_cast<int>(syscall(SYS_mkdirat, folder, path, mode));
+}
+
+extern "C" int unlink(const char* path) noexcept
+{
+    return refusesChange(AT_FDCWD, path, false) ? -1 : static_cast<int>(syscall(SYS_unlink, path));
+}
+
+extern "C" int unlinkat(int folder, const char* path, int flags) noexcept
+{
+    return refusesChange(folder, path, false) ? -1 : static_cast<int>(syscall(SYS_unlinkat, folder, path, flags));
+}
+
+extern "C" int rmdir(const char* path) noexcept
+{
+    return refusesChange(AT_FDCWD, path, false) ? -1 : static_cast<int>(syscall(SYS_rmdir, path));
+}
+
+extern "C" int renameat(int fromFolder, const char* from, int toFolder, const char* to) noexcept
+{
+    if (refusesChange(toFolder, to, false) || isFileFault(EACCES))
+        return -1;
+    return static_cast<int>(syscall(SYS_renameat, fromFolder, from, toFolder, to));
+}
+
 extern "C" ssize_t write(int descriptor, const void* bytes, size_t count)
 {
     stallAt("write", descriptor);
+    if (isRefusing(descriptor, "")) {
+        errno = refusesRemoval ? EROFS : ENOSPC;
+        return -1;
+    }
     if (isCounting && isOrdinaryFile(descriptor) && isFileFault(ENOSPC))
         return -1;
     return syscall(SYS_write, descriptor, bytes, count);
@@ -129,6 +240,8 @@ extern "C" int fdatasync(int descriptor)
 extern "C" int rename(const char* from, const char* to) noexcept
 {
     stallAt("rename", to);
+    if (refusesChange(AT_FDCWD, to, false))
+        return -1;
     return isFileFault(EACCES) ? -1 : static_cast<int>(syscall(SYS_rename, from, to));
 }
 
@@ -198,6 +311,17 @@ int FileStall::askedByMain()
 const char* FileStall::lastByMain()
 {
     return lastMainCall;
+}
+
+FileRefusal::FileRefusal(const char* folder, Why why)
+{
+    refusesRemoval = why == Why::ReadOnly;
+    refusingFolder = folder;
+}
+
+FileRefusal::~FileRefusal()
+{
+    refusingFolder = nullptr;
 }
 
 FileFault::FileFault(int nth)

@@ -1,5 +1,6 @@
 // A disk that fails on order: while one lives, the n-th time that a file is opened for writing, written, flushed or
-// renamed fails, on every thread. Or one that does not answer: whatever is asked of a folder waits.
+// renamed fails, on every thread. Or one that does not answer: whatever is asked of a folder waits. Or a folder that
+// takes nothing.
 #pragma once
 
 #include <QtGlobal>
@@ -36,6 +37,21 @@ public:
     [[nodiscard]] static int waiting();            ///< Threads.
     [[nodiscard]] static int askedByMain();        ///< Calls.
     [[nodiscard]] static const char* lastByMain(); ///< Name of the last of those calls; of static lifetime.
+};
+
+/// A folder in which nothing can be changed, or made, for root neither. One at a time.
+class FileRefusal
+{
+public:
+    enum class Why
+    {
+        ReadOnly,
+        Full ///< What is there can be removed and renamed.
+    };
+    FileRefusal(const char* folder, Why why);
+    ~FileRefusal();
+    FileRefusal(const FileRefusal&) = delete;
+    FileRefusal& operator=(const FileRefusal&) = delete;
 };
 
 } // namespace hairpaint::test
