@@ -87,10 +87,6 @@
 <context>
     <name>CommandLine</name>
     <message>
-        <source>%1. Usage: hairpaint %2 %3</source>
-        <translation>%1. Uso: hairpaint %2 %3</translation>
-    </message>
-    <message>
         <source>No file name belongs here</source>
         <translation>Aquí no va ningún nombre de archivo</translation>
     </message>
@@ -573,6 +569,10 @@
     <message>
         <source>The helper that decodes foreign files, hairpaint-import, does not answer; install Hair Paint again.</source>
         <translation>El programa auxiliar que descodifica archivos ajenos, hairpaint-import, no responde; vuelve a instalar Hair Paint.</translation>
+    </message>
+    <message>
+        <source>%1. Usage: %2</source>
+        <translation>%1. Uso: %2</translation>
     </message>
 </context>
 <context>
