@@ -9,6 +9,7 @@
 #include "view/head_area/head_overlay.h"
 
 #include <QMenu>
+#include <QPointer>
 
 #include <algorithm>
 
@@ -66,13 +67,14 @@ private Q_SLOTS:
         openWindow(model::newProject());
         awaitNewestHair();
         action("hair.addGroup").trigger();
-        auto* menu = m_window->findChild<QMenu*>(QStringLiteral("whatGrows"));
+        const QPointer<QMenu> menu = m_window->findChild<QMenu*>(QStringLiteral("whatGrows"));
         QVERIFY(menu != nullptr);
         const auto actions = menu->actions();
         const auto beard = std::ranges::find(actions, QStringLiteral("Beard"), &QAction::text);
         QVERIFY(beard != actions.end());
         (*beard)->trigger();
-        menu->close();
+        if (menu) // It may end while the hair is grown.
+            menu->close();
         QCOMPARE(session().document().project().groups.size(), std::size_t{2});
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
         QCOMPARE(stack().count(), 1);
