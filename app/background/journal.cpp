@@ -49,6 +49,7 @@ model::JournalState Journal::present() const
     const QUndoStack& steps = m_document.undoStack();
     return {.project = m_document.committed(),
             .path = m_path,
+            .file = m_file ? m_file() : model::KnownFile(),
             .step = steps.undoText(),
             .index = steps.index(),
             .count = steps.count(),

@@ -10,6 +10,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -29,8 +30,12 @@ public:
     Journal(model::Document& document, QString root, QObject* parent = nullptr);
     ~Journal() override; ///< Flushes; what is on the disk stays, for the next start.
 
-    /// Of the project's file, from the next step on.
-    void setPath(const QString& path) { m_path = path; }
+    /// Of the project's file, from the next step on. `file` is asked at each step, on the GUI thread.
+    void setPath(const QString& path, std::function<model::KnownFile()> file)
+    {
+        m_path = path;
+        m_file = std::move(file);
+    }
     /// Writes nothing: what is restored is to be taken over at once, not step by step.
     void setPaused(bool paused);
     /// The document was restored with this history.
@@ -73,6 +78,7 @@ private:
 
     model::Document& m_document;
     QString m_path;
+    std::function<model::KnownFile()> m_file;
     QTimer m_soon;       ///< Zero: several signals of one step.
     QTimer m_nowAndThen; ///< While something is written.
     bool m_replaced = true;

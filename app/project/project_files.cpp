@@ -58,6 +58,7 @@ void ProjectFiles::setThumbnailMaker(std::function<Picture()> maker)
 void ProjectFiles::setPath(const QString& path, const QString& nameWithoutPath, const FileStamp& stamp)
 {
     m_file.set(path, stamp);
+    m_asRestored = {};
     m_watch.setPath(path);
     m_toldOfOutside.clear();
     m_nameWithoutPath = nameWithoutPath;
@@ -204,8 +205,14 @@ void ProjectFiles::tellOfOutside(const FileStamp& now)
 {
     if (m_saving)
         return;
-    if (m_file.stamp().wholeName.isEmpty())
-        m_file.set(path(), now); // The first that is known of it.
+    if (m_file.stamp().wholeName.isEmpty()) { // The first that is known of it, but for what a journal tells.
+        FileStamp known = stampBefore();
+        if (known.exists && now.exists)
+            known.wholeName = now.wholeName;
+        else
+            known = now;
+        m_file.set(path(), known);
+    }
     QString text;
     if (isGone(m_file.stamp(), now))
         text = tr("'%1' is no longer where it was; saving writes it again.").arg(displayName());
@@ -256,8 +263,26 @@ bool ProjectFiles::restore(const model::RecoveredWork& work)
     m_encoded = model::makeEncodedLayers();
     m_session.document().restore(work, std::move(**maps));
     setPath(state.path);
+    m_asRestored = state.file;
     Q_EMIT openingEnded(true);
     return true;
+}
+
+FileStamp ProjectFiles::stampBefore() const
+{
+    if (!m_file.stamp().wholeName.isEmpty() || m_asRestored.bytes < 0)
+        return m_file.stamp();
+    return {.wholeName = path(),
+            .exists = true,
+            .size = m_asRestored.bytes,
+            .modified = QDateTime::fromMSecsSinceEpoch(m_asRestored.timeMs)};
+}
+
+model::KnownFile ProjectFiles::knownFile() const
+{
+    const FileStamp& stamp = m_file.stamp();
+    return stamp.exists ? model::KnownFile{.bytes = stamp.size, .timeMs = stamp.modified.toMSecsSinceEpoch()}
+                        : m_asRestored;
 }
 
 bool ProjectFiles::openRepaired(const QString& path)
@@ -354,7 +379,7 @@ bool ProjectFiles::isLeft(const QString& path) const
 Work<ProjectFiles::Saved> ProjectFiles::savingOf(const QString& path, Changed changed)
 {
     // A copy shares tiles, so it is cheap, and the document may go on meanwhile.
-    return [path, before = changed == Changed::Ask ? m_file.stamp() : FileStamp(),
+    return [path, before = changed == Changed::Ask ? stampBefore() : FileStamp(),
             picture = m_thumbnail ? m_thumbnail() : Picture(), project = m_session.document().committed(),
             keepsEarlier = m_settings.preferences().earlierVersions,
             encoded = m_encoded](const model::Progress& progress) -> model::Result<Saved> {

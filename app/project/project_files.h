@@ -6,6 +6,7 @@
 #include "app/project/open_file.h"
 #include "app/session/session.h"
 #include "app/settings/settings.h"
+#include "model/document/journal_state.h"
 #include "model/files/project_file.h"
 
 #include <QImage>
@@ -32,6 +33,8 @@ public:
     /// Draws the picture that files are saved with, on a thread of the jobs'; made anew for each file, on this one.
     using Picture = std::function<QImage(const model::Progress&)>;
     void setThumbnailMaker(std::function<Picture()> maker);
+    /// As it was when this window last read or wrote it.
+    [[nodiscard]] model::KnownFile knownFile() const;
     /// The open project came from here; from nowhere, it may have a name all the same. Without a stamp the disk is
     /// asked for it.
     void setPath(const QString& path, const QString& nameWithoutPath = {}, const FileStamp& stamp = {});
@@ -107,6 +110,8 @@ private:
     [[nodiscard]] Outside askAboutOutside();
     bool answerOutside();
     void tellOfOutside(const FileStamp& now);
+    /// What the file was like by all that is known; an empty one where that is nothing.
+    [[nodiscard]] FileStamp stampBefore() const;
     [[nodiscard]] bool offerAnotherPlace(const QString& problem);
     [[nodiscard]] bool offerRepair(const QString& problem);
     void complain(const QString& message);
@@ -117,9 +122,10 @@ private:
     QWidget& m_window;
     OpenFile m_file;
     FileWatch m_watch;
-    QString m_toldOfOutside;   ///< That it is not said again.
-    bool m_saving = false;     ///< Then it is this window that changes the file.
-    QString m_nameWithoutPath; ///< Empty: untitled.
+    QString m_toldOfOutside;       ///< That it is not said again.
+    model::KnownFile m_asRestored; ///< As a journal tells of the file; used until the disk has answered.
+    bool m_saving = false;         ///< Then it is this window that changes the file.
+    QString m_nameWithoutPath;     ///< Empty: untitled.
     std::function<Picture()> m_thumbnail;
     std::shared_ptr<model::EncodedLayers> m_encoded;
     std::vector<std::pair<QString, std::weak_ptr<const void>>> m_left; ///< Saves by their paths, until they end.

@@ -232,7 +232,8 @@ void MainWindow::connectFiles()
     });
     new OpeningSign(m_files, m_session, m_workspace->headView()); // Belongs to the area.
     connect(&m_files, &ProjectFiles::pathChanged, this, &MainWindow::showTitle);
-    connect(&m_files, &ProjectFiles::pathChanged, this, [this] { m_journal.setPath(m_files.path()); });
+    connect(&m_files, &ProjectFiles::pathChanged, this,
+            [this] { m_journal.setPath(m_files.path(), [this] { return m_files.knownFile(); }); });
     view::StatusReadout& status = m_workspace->status();
     connect(&m_files, &ProjectFiles::changedOutside, &status,
             [&status](const QString& text) { status.showMessage(text, true, kReasonMs); });

@@ -9,15 +9,23 @@
 
 namespace hairpaint::model {
 
+/// How a project's file was when it was last read or written here.
+struct KnownFile
+{
+    qint64 bytes = -1; ///< -1: not known.
+    qint64 timeMs = 0; ///< When it was changed last; since 1970, UTC.
+};
+
 /// The committed content after one step of the undo history, and where in it that is.
 struct JournalState
 {
     Project project;
-    QString path;      ///< Of the project's file; empty where it was never saved.
-    QString step;      ///< What undo calls the step that led here.
-    int index = 0;     ///< Steps that undo would take back.
-    int count = 0;     ///< Steps that the history holds, those that were undone included.
-    qint64 timeMs = 0; ///< Since 1970, UTC.
+    QString path;        ///< Of the project's file; empty where it was never saved.
+    KnownFile file = {}; ///< That file.
+    QString step;        ///< What undo calls the step that led here.
+    int index = 0;       ///< Steps that undo would take back.
+    int count = 0;       ///< Steps that the history holds, those that were undone included.
+    qint64 timeMs = 0;   ///< Since 1970, UTC.
 };
 
 /// What a journal gives back.

@@ -44,10 +44,16 @@ QByteArray statePayload(const StateFields& fields)
     QCborMap tables;
     for (const auto& [layer, table] : fields.tables)
         tables.insert(layer, table);
-    const QCborMap map{{QStringLiteral("project"), fields.project}, {QStringLiteral("head"), fields.head},
-                       {QStringLiteral("tables"), tables},          {QStringLiteral("path"), fields.path},
-                       {QStringLiteral("step"), fields.step},       {QStringLiteral("index"), fields.index},
-                       {QStringLiteral("count"), fields.count},     {QStringLiteral("time"), fields.timeMs}};
+    const QCborMap map{{QStringLiteral("project"), fields.project},
+                       {QStringLiteral("head"), fields.head},
+                       {QStringLiteral("tables"), tables},
+                       {QStringLiteral("path"), fields.path},
+                       {QStringLiteral("step"), fields.step},
+                       {QStringLiteral("index"), fields.index},
+                       {QStringLiteral("count"), fields.count},
+                       {QStringLiteral("time"), fields.timeMs},
+                       {QStringLiteral("fileBytes"), fields.fileBytes},
+                       {QStringLiteral("fileTime"), fields.fileTimeMs}};
     return packed(QCborValue(map).toCbor());
 }
 
@@ -72,6 +78,8 @@ std::optional<StateFields> stateFields(const QByteArray& payload)
     fields.index = static_cast<int>(map.value(QStringLiteral("index")).toInteger());
     fields.count = static_cast<int>(map.value(QStringLiteral("count")).toInteger());
     fields.timeMs = std::clamp(map.value(QStringLiteral("time")).toInteger(), qint64{0}, kLastMs);
+    fields.fileBytes = std::max(map.value(QStringLiteral("fileBytes")).toInteger(-1), qint64{-1});
+    fields.fileTimeMs = std::clamp(map.value(QStringLiteral("fileTime")).toInteger(), -kLastMs, kLastMs);
     if (fields.index < 0 || fields.index > fields.count)
         return std::nullopt;
     return fields;

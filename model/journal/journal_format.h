@@ -29,6 +29,7 @@ struct StateFields
     /// By layer: 4 bytes for each of its tiles, the tile's number. A layer that is missing has those it had before.
     std::map<Id, QByteArray> tables;
     QString path, step;
+    qint64 fileBytes = -1, fileTimeMs = 0; ///< Of JournalState::file; missing in journals of 0.1.
     int index = 0, count = 0;
     qint64 timeMs = 0;
 };

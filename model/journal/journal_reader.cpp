@@ -268,6 +268,7 @@ private:
             }
         }
         state.path = fields->path;
+        state.file = {.bytes = fields->fileBytes, .timeMs = fields->fileTimeMs};
         state.step = fields->step;
         state.index = fields->index;
         state.count = fields->count;

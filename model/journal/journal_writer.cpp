@@ -143,6 +143,8 @@ Checked<void> JournalWriter::write(QFile& file, const JournalState& state)
     }
     fields.project = *json;
     fields.path = state.path;
+    fields.fileBytes = state.file.bytes;
+    fields.fileTimeMs = state.file.timeMs;
     fields.step = state.step;
     fields.index = state.index;
     fields.count = state.count;

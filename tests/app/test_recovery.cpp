@@ -1,5 +1,7 @@
 // After a crash the next start gives the work back, with its steps, from whatever was done in the real window.
+#include "app/styles/library.h"
 #include "model/journal/journal_reader.h"
+#include "tests/app/box_answer.h"
 #include "tests/app/recovery_fixture.h"
 #include "tests/model/sample_project.h"
 #include "tests/support/test_program.h"
@@ -130,6 +132,34 @@ private Q_SLOTS:
         QCOMPARE(savedBytes("restored.hairpaint"), changed);
         QCOMPARE(m_window->files().path(), path);
         QVERIFY(m_window->isWindowModified());
+    }
+
+    void whatOthersChangedAfterTheCrashIsNotReplacedWithoutAQuestion()
+    {
+        openBald();
+        stroke(0.5F);
+        const QString path = m_folder.filePath(QStringLiteral("shared.hairpaint"));
+        m_window->files().setPath(path);
+        QVERIFY(m_window->files().save());
+        stroke(0.6F);
+        crash();
+        QVERIFY(model::saveProject(starterProject(), path, {}));
+        const auto read = [&path] {
+            QFile file(path);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        const QByteArray others = read();
+        openWindow(model::newProject());
+        RecoveryAnswer answer(QStringLiteral("Restore"));
+        QSignalSpy told(&m_window->files(), &ProjectFiles::changedOutside);
+        offer();
+        QCOMPARE(m_window->files().path(), path);
+        QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMs);
+        BoxAnswer question(QStringLiteral("Cancel"));
+        QVERIFY(!m_window->files().save());
+        QCOMPARE(question.asked.size(), 1);
+        QVERIFY(question.asked.front().contains(QStringLiteral("was changed by another program")));
+        QCOMPARE(read(), others);
     }
 
     void workCanBeLeftForLaterOrDiscarded()
