@@ -225,8 +225,8 @@ void OptionBar::change(const ToolOption& option, double value)
 void OptionBar::showOptions()
 {
     const model::Tool& tool = m_state.activeTool();
-    m_toolIcon->setPixmap(iconPixmap(QLatin1String(tool.name()), metrics::kIcon, Theme::current().text,
-                                     devicePixelRatioF()));
+    m_toolIcon->setPixmap(
+        iconPixmap(QLatin1String(tool.name()), metrics::kIcon, Theme::current().text, devicePixelRatioF()));
     m_toolName->setText(tool.title());
     m_revealed->setVisible(erases(m_state));
     m_selectionBox->setVisible(tool.id() == model::ToolId::Select);

@@ -216,15 +216,12 @@ tl::expected<Program, std::string> Program::link(std::initializer_list<Stage> st
     std::array<char, 1024> log{};
     for (const Stage& stage : stages) {
         const unsigned shader = glCreateShader(stage.kind);
-        const std::array<std::string_view, 9> parts{"#version 430 core\n",
-                                                    defines,
-                                                    shaderSource("constants.glsl"),
-                                                    shaderSource("strand_layout.glsl"),
-                                                    shaderSource("common.glsl"),
-                                                    shaderSource("environment.glsl"),
-                                                    shaderSource("hair_light.glsl"),
-                                                    shaderSource("projected_point.glsl"),
-                                                    shaderSource(stage.file)};
+        const std::array<std::string_view, 9> parts{
+            "#version 430 core\n",           defines,
+            shaderSource("constants.glsl"),  shaderSource("strand_layout.glsl"),
+            shaderSource("common.glsl"),     shaderSource("environment.glsl"),
+            shaderSource("hair_light.glsl"), shaderSource("projected_point.glsl"),
+            shaderSource(stage.file)};
         std::array<const char*, parts.size()> texts{};
         std::array<int, parts.size()> lengths{};
         for (std::size_t i = 0; i < parts.size(); ++i) {

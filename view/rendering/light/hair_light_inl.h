@@ -31,9 +31,9 @@ struct HairPoint
     F towardRim;
 };
 
-/// By how much a fibre's lobes stand elsewhere than those of its neighbours, as twice the half angle's sine: fibres of a
-/// lock lie a few degrees askew, so that a coat glints where it would otherwise be one sheet. `variation` -1..1 is the
-/// hair's own; of another lightness they turn otherwise.
+/// By how much a fibre's lobes stand elsewhere than those of its neighbours, as twice the half angle's sine: fibres of
+/// a lock lie a few degrees askew, so that a coat glints where it would otherwise be one sheet. `variation` -1..1 is
+/// the hair's own; of another lightness they turn otherwise.
 template<class F>
 HWY_INLINE F turnedBy(F variation)
 {
