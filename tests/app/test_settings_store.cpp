@@ -137,7 +137,7 @@ private Q_SLOTS:
     void settingsMayLieBehindALink()
     {
         const QString file = m_folder.filePath(QStringLiteral("link.json"));
-        test::writeBytes(m_folder.filePath(QStringLiteral("kept.json")), "{\"text\": \"kept\"}");
+        test::writeBytes(m_folder.filePath(QStringLiteral("kept.json")), R"({"text": "kept"})");
         QVERIFY(QFile::link(m_folder.filePath(QStringLiteral("kept.json")), file));
         QCOMPARE(SettingsStore(file).value(QStringLiteral("text")).toString(), QStringLiteral("kept"));
     }
@@ -149,7 +149,7 @@ private Q_SLOTS:
         const QString folder = m_folder.filePath(QStringLiteral("server"));
         QVERIFY(QDir().mkpath(folder));
         const QString file = folder + QStringLiteral("/settings.json");
-        test::writeBytes(file, "{\"text\": \"there\"}");
+        test::writeBytes(file, R"({"text": "there"})");
         const QByteArray place = QFile::encodeName(folder);
         {
             constexpr int kMs = 50;

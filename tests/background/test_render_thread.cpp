@@ -6,6 +6,7 @@
 #include "view/head_area/render_thread.h"
 
 #include <QThread>
+#include <QtTest>
 
 #include <atomic>
 #include <memory>
