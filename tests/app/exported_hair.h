@@ -7,6 +7,7 @@
 #include "model/exporting/export_format.h"
 #include "model/files/project_file.h"
 #include "model/styles/preset.h"
+#include "model/styles/style_use.h"
 #include "tests/app/program.h"
 
 namespace hairpaint::test {
