@@ -31,10 +31,12 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -79,11 +81,14 @@ class Receiver : public QObject
 {
 public:
     Receiver()
-        : m_sender([this] {
-              while (!m_stop) {
+        : m_sender([this](const std::stop_token& stop) {
+              constexpr std::chrono::milliseconds kApart(3);
+              std::mutex mutex;
+              std::unique_lock lock(mutex);
+              std::condition_variable_any ended;
+              do
                   QCoreApplication::postEvent(this, new Sent);
-                  std::this_thread::sleep_for(std::chrono::milliseconds(3));
-              }
+              while (!ended.wait_for(lock, stop, kApart, [&stop] { return stop.stop_requested(); }));
           })
     {}
     ~Receiver() override { stop(); }
@@ -107,14 +112,13 @@ protected:
 private:
     void stop()
     {
-        m_stop = true;
+        m_sender.request_stop();
         if (m_sender.joinable())
             m_sender.join();
     }
 
     std::vector<double> m_waits;
-    std::atomic<bool> m_stop = false;
-    std::thread m_sender;
+    std::jthread m_sender;
 };
 
 void duringGrooms(benchmark::State& state)
