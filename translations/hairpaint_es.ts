@@ -1439,6 +1439,54 @@
         <source>Moved by wind</source>
         <translation>Lo mueve el viento</translation>
     </message>
+    <message>
+        <source>Uneven lengths</source>
+        <translation>Largos desiguales</translation>
+    </message>
+    <message>
+        <source>How much shorter than the map single hairs are</source>
+        <translation>Cuánto más cortos que el mapa son algunos pelos</translation>
+    </message>
+    <message>
+        <source>Crossing hairs</source>
+        <translation>Pelos cruzados</translation>
+    </message>
+    <message>
+        <source>How far hairs lie across their neighbours</source>
+        <translation>Cuánto se cruzan los pelos con sus vecinos</translation>
+    </message>
+    <message>
+        <source>Flyaways</source>
+        <translation>Pelos sueltos</translation>
+    </message>
+    <message>
+        <source>Hairs that keep to no lock and stand off the others</source>
+        <translation>Pelos que no siguen ningún mechón y se separan de los demás</translation>
+    </message>
+    <message>
+        <source>Uneven curls</source>
+        <translation>Rizos desiguales</translation>
+    </message>
+    <message>
+        <source>How much turns and radius of curls differ</source>
+        <translation>Cuánto varían las vueltas y el radio de los rizos</translation>
+    </message>
+    <message>
+        <source>Uneven widths</source>
+        <translation>Grosores desiguales</translation>
+    </message>
+    <message>
+        <source>How much the diameters of hairs differ</source>
+        <translation>Cuánto varían los diámetros de los pelos</translation>
+    </message>
+    <message>
+        <source>Grey hairs</source>
+        <translation>Canas</translation>
+    </message>
+    <message>
+        <source>How many of the hairs are grey</source>
+        <translation>Cuántos de los pelos son canas</translation>
+    </message>
 </context>
 <context>
     <name>Guarded</name>
@@ -1647,6 +1695,13 @@
     <message>
         <source>The hair is not held: cancelled</source>
         <translation>El pelo no se fijó: cancelado</translation>
+    </message>
+</context>
+<context>
+    <name>Journal</name>
+    <message>
+        <source>its folder can&apos;t be written to; check that you may write there</source>
+        <translation>no se puede escribir en su carpeta; comprueba que puedes escribir ahí</translation>
     </message>
 </context>
 <context>
@@ -3024,8 +3079,8 @@
 <context>
     <name>hairpaint::app::Journal</name>
     <message>
-        <source>its folder can&apos;t be written to; check that you may write there</source>
-        <translation>no se puede escribir en su carpeta; comprueba que puedes escribir ahí</translation>
+        <source>its disk does not answer</source>
+        <translation>su disco no responde</translation>
     </message>
 </context>
 <context>
@@ -3744,7 +3799,7 @@ Se ha perdido esto:</translation>
     </message>
 </context>
 <context>
-    <name>hairpaint::view::EditorState</name>
+    <name>hairpaint::view::EditTarget</name>
     <message>
         <source>There is no hair group to paint on; add one in the Hair panel.</source>
         <translation>No hay ningún grupo de pelo en el que pintar; añade uno en el panel Pelo.</translation>
@@ -3764,10 +3819,6 @@ Se ha perdido esto:</translation>
     <message>
         <source>“%1” is locked; unlock the layer to paint on it.</source>
         <translation>«%1» está bloqueada; desbloquea la capa para pintar en ella.</translation>
-    </message>
-    <message>
-        <source>%1 is painted with %2 now: this group&apos;s range ends there.</source>
-        <translation>%1 se pinta ahora con %2: el rango de este grupo termina ahí.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -4049,6 +4100,10 @@ Se ha perdido esto:</translation>
     <message>
         <source>What was painted on %1 below %2 is %2 now; undo brings it back.</source>
         <translation>Lo pintado en %1 por debajo de %2 es ahora %2; deshacer lo devuelve.</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Variación</translation>
     </message>
 </context>
 <context>
@@ -5163,6 +5218,13 @@ Se ha perdido esto:</translation>
     <message>
         <source>Tools</source>
         <translation>Herramientas</translation>
+    </message>
+</context>
+<context>
+    <name>hairpaint::view::ToolBox</name>
+    <message>
+        <source>%1 is painted with %2 now: this group&apos;s range ends there.</source>
+        <translation>%1 se pinta ahora con %2: el rango de este grupo termina ahí.</translation>
     </message>
 </context>
 <context>

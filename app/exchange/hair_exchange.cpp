@@ -179,7 +179,7 @@ void HairExchange::importHairFrom(const QString& path)
     const std::size_t before = document.committed().groups.size();
     document.push(model::importHairCommand(document, std::move(*groups), name));
     if (document.committed().groups.size() > before)
-        m_session.editor().setActiveGroup(document.committed().groups[before].id);
+        m_session.editor().target().setGroup(document.committed().groups[before].id);
     m_files.tell(tr("%1 imported").arg(name));
 }
 

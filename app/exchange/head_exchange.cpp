@@ -32,7 +32,7 @@ void HeadExchange::importHead()
 
 void HeadExchange::importHeadFrom(const QString& path)
 {
-    m_session.editor().commitStroke();
+    m_session.editor().tools().commitStroke();
     const QString name = QFileInfo(path).fileName();
     const std::optional<model::RiggedMesh> mesh = m_files.read<model::RiggedMesh>(
         path, [path](const model::Progress& progress) { return model::ImporterClient().readMesh(path, progress); });
@@ -68,7 +68,7 @@ std::shared_ptr<const model::Head> HeadExchange::withLandmarksAsked(const std::s
 
 void HeadExchange::moveLandmarks()
 {
-    m_session.editor().commitStroke();
+    m_session.editor().tools().commitStroke();
     const model::Project& project = m_session.document().committed();
     if (project.head == nullptr || project.head->builtIn)
         return;
@@ -79,7 +79,7 @@ void HeadExchange::moveLandmarks()
 
 void HeadExchange::useBuiltInHead(const model::NamedHead& named)
 {
-    m_session.editor().commitStroke();
+    m_session.editor().tools().commitStroke();
     using HeadPtr = std::shared_ptr<const model::Head>;
     const std::optional<model::Result<HeadPtr>> head = m_files.jobs().await<HeadPtr>(
         preparing(named.title), [&named](const model::Progress&) -> model::Result<HeadPtr> {

@@ -38,7 +38,7 @@ QString MapExchange::noGroupText()
 void MapExchange::importImage(bool grey)
 {
     const QString path =
-        m_files.askOpenPath(tr("Load image into %1").arg(model::mapSpec(m_session.editor().activeMap()).titleText()),
+        m_files.askOpenPath(tr("Load image into %1").arg(model::mapSpec(m_session.editor().target().map()).titleText()),
                             tr("Images (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.tga *.bmp *.webp *.psd)"));
     if (!path.isEmpty())
         importImageFrom(path, grey);
@@ -48,7 +48,7 @@ void MapExchange::importImageFrom(const QString& path, bool grey)
 {
     model::Document& document = m_session.document();
     m_session.endPreviews(); // What is only shown is no target.
-    const model::LayerAddress target = m_session.editor().target();
+    const model::LayerAddress target = m_session.editor().target().address();
     const model::MapStack* map = mapOf(document, target);
     if (map == nullptr)
         return m_files.complain(noGroupText());
@@ -80,7 +80,7 @@ void MapExchange::importImageFrom(const QString& path, bool grey)
 void MapExchange::exportMap()
 {
     const view::EditorState& editor = m_session.editor();
-    const model::MapSpec& spec = model::mapSpec(editor.activeMap());
+    const model::MapSpec& spec = model::mapSpec(editor.target().map());
     const QString path = m_files.askSavePath({.title = tr("Save %1 as image").arg(spec.titleText()),
                                               .suggestedPath = QLatin1StringView(spec.id),
                                               .filter = tr("Images (*.png *.tif *.exr *.tga)"),
@@ -89,7 +89,7 @@ void MapExchange::exportMap()
     if (path.isEmpty())
         return;
     m_session.endPreviews(); // What is only shown is no part of the map.
-    const auto resolved = m_session.document().resolvedNow(editor.activeGroup(), editor.activeMap());
+    const auto resolved = m_session.document().resolvedNow(editor.target().group(), editor.target().map());
     if (resolved == nullptr)
         return m_files.complain(noGroupText());
     m_files.write(path, [resolved, &spec, path](const model::Progress& progress) {
@@ -105,8 +105,8 @@ std::vector<model::WantedMap> MapExchange::wantedMaps(view::MapRange range)
     maps.reserve(document.committed().groups.size() * model::mapSpecs().size());
     for (const model::HairGroup& group : document.committed().groups)
         for (const model::MapSpec& spec : model::mapSpecs()) {
-            const bool isGroup = range == view::MapRange::All || group.id == editor.activeGroup();
-            if (isGroup && (range != view::MapRange::Active || spec.kind == editor.activeMap()))
+            const bool isGroup = range == view::MapRange::All || group.id == editor.target().group();
+            if (isGroup && (range != view::MapRange::Active || spec.kind == editor.target().map()))
                 maps.push_back(
                     {.group = group.name, .kind = spec.kind, .resolved = document.resolvedNow(group.id, spec.kind)});
         }
@@ -117,10 +117,10 @@ void MapExchange::saveMaps()
 {
     m_session.endPreviews(); // What is only shown is no part of a map.
     const view::EditorState& editor = m_session.editor();
-    const model::HairGroup* group = m_session.document().committed().group(editor.activeGroup());
+    const model::HairGroup* group = m_session.document().committed().group(editor.target().group());
     if (group == nullptr)
         return m_files.complain(tr("There is no hair group whose maps they could be; add one in the panel Hair."));
-    view::ExportMapsDialog dialog(model::mapSpec(editor.activeMap()).titleText(), model::shownName(group->name),
+    view::ExportMapsDialog dialog(model::mapSpec(editor.target().map()).titleText(), model::shownName(group->name),
                                   m_choice, &m_files.window());
     m_files.announce(dialog, view::HelpDialog::Topic::MapExport);
     if (dialog.exec() != QDialog::Accepted)

@@ -37,7 +37,7 @@ OutsideEdit::OutsideEdit(Session& session, FileWork& files) : m_session(session)
 
 void OutsideEdit::begin()
 {
-    const model::LayerAddress target = m_session.editor().target();
+    const model::LayerAddress target = m_session.editor().target().address();
     const model::Layer* layer = m_session.document().committed().layer(target.group, target.map, target.layer);
     if (layer == nullptr)
         return m_files.complain(tr("There is no layer to be edited; add one in the panel Layers."));

@@ -16,7 +16,7 @@ StyleFiles::StyleFiles(Session& session, FileWork& files) : QObject(&files), m_s
 
 void StyleFiles::save()
 {
-    m_session.editor().commitStroke();
+    m_session.editor().tools().commitStroke();
     bool accepted = false;
     const QString name = QInputDialog::getText(&m_files.window(), tr("Save style"), tr("Name of the style"),
                                                QLineEdit::Normal, tr("My style"), &accepted)
@@ -77,7 +77,7 @@ void StyleFiles::remove(const QString& path)
 
 void StyleFiles::applyFrom(const QString& path)
 {
-    m_session.editor().commitStroke();
+    m_session.editor().tools().commitStroke();
     std::optional<model::Preset> preset = m_files.read<model::Preset>(
         path, [path, head = m_session.document().committed().head](const model::Progress& progress) {
             model::Result<model::Preset> read = model::loadPreset(path);

@@ -202,7 +202,7 @@ void Session::takeFrame()
     }
     if (auto frame = m_worker->takeFrame()) {
         m_frame = std::move(frame);
-        m_editor.setHair(m_frame);
+        m_editor.tools().setHair(m_frame);
         Q_EMIT frameChanged(m_frame);
     }
 }

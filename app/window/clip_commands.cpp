@@ -19,7 +19,8 @@ ClipCommands::ClipCommands(Session& session) : m_session(session) {}
 void ClipCommands::copy()
 {
     m_session.document().endEdit(); // What is cut is what is there then.
-    m_clip = model::copyClip(m_session.document(), m_session.editor().target(), m_session.editor().selection());
+    m_clip = model::copyClip(m_session.document(), m_session.editor().target().address(),
+                             m_session.editor().tools().selection());
     offerImage();
     Q_EMIT told(tr("Copied from %1").arg(model::mapSpec(m_clip->map).titleText()));
 }
@@ -41,8 +42,8 @@ void ClipCommands::paste()
         return;
     }
     if (mayChange())
-        m_session.document().push(model::pasteCommand(m_session.document(), m_session.editor().target(), *m_clip,
-                                                      m_session.editor().selection()));
+        m_session.document().push(model::pasteCommand(m_session.document(), m_session.editor().target().address(),
+                                                      *m_clip, m_session.editor().tools().selection()));
 }
 
 void ClipCommands::fill()
@@ -50,11 +51,11 @@ void ClipCommands::fill()
     if (!mayChange())
         return;
     view::EditorState& editor = m_session.editor();
-    const model::LayerAddress target = editor.target();
+    const model::LayerAddress target = editor.target().address();
     const model::MapSpec& spec = model::mapSpec(target.map);
-    sim::Texel texel = editor.toolSettings().value(target.map).texel(spec);
+    sim::Texel texel = editor.tools().settings().value(target.map).texel(spec);
     texel[static_cast<std::size_t>(spec.valueChannels)] = 65535;
-    m_session.document().push(model::fillCommand(m_session.document(), target, editor.selection(), texel,
+    m_session.document().push(model::fillCommand(m_session.document(), target, editor.tools().selection(), texel,
                                                  tr("Fill %1").arg(spec.titleText())));
 }
 
@@ -74,12 +75,12 @@ std::optional<model::Clip> ClipCommands::foreignClip() const
     const bool isOurs = data != nullptr && !m_mark.isEmpty() && data->data(QLatin1String(kMarkFormat)) == m_mark;
     if (data == nullptr || isOurs || !data->hasImage())
         return std::nullopt;
-    const model::LayerAddress target = m_session.editor().target();
+    const model::LayerAddress target = m_session.editor().target().address();
     const model::HairGroup* group = m_session.document().committed().group(target.group);
     const auto image = qvariant_cast<QImage>(data->imageData());
     if (group == nullptr || image.isNull())
         return std::nullopt;
-    const QRectF place = m_session.editor().selection().rectangle().value_or(QRectF(0.0, 0.0, 1.0, 1.0));
+    const QRectF place = m_session.editor().tools().selection().rectangle().value_or(QRectF(0.0, 0.0, 1.0, 1.0));
     return model::clipFromImage(image, target.map, group->map(target.map).size, place);
 }
 
@@ -91,13 +92,13 @@ void ClipCommands::clear()
 
 bool ClipCommands::mayChange()
 {
-    return m_session.editor().mayPaint({m_session.editor().activeMap()});
+    return m_session.editor().tools().mayPaint({m_session.editor().target().map()});
 }
 
 void ClipCommands::clearSelected(const QString& text)
 {
-    const model::LayerAddress target = m_session.editor().target();
-    m_session.document().push(model::clearCommand(m_session.document(), target, m_session.editor().selection(),
+    const model::LayerAddress target = m_session.editor().target().address();
+    m_session.document().push(model::clearCommand(m_session.document(), target, m_session.editor().tools().selection(),
                                                   text.arg(model::mapSpec(target.map).titleText())));
 }
 

@@ -19,8 +19,8 @@ QString HoldHair::notHeldText()
 void HoldHair::hold()
 {
     view::EditorState& editor = m_session.editor();
-    editor.commitStroke();
-    if (!editor.mayPaint({MapKind::Direction, MapKind::Gel}))
+    editor.tools().commitStroke();
+    if (!editor.tools().mayPaint({MapKind::Direction, MapKind::Gel}))
         return;
     const std::shared_ptr<const sim::StrandFrame> hair = m_exchange.currentHair(notHeldText());
     if (hair == nullptr)
@@ -41,16 +41,18 @@ HoldHair::held(const std::shared_ptr<const sim::StrandFrame>& hair)
     view::EditorState& editor = m_session.editor();
     model::Document& document = m_session.document();
     const auto target = [&](MapKind map) {
-        const model::LayerAddress address{.group = editor.activeGroup(), .map = map, .layer = editor.activeLayer(map)};
+        const model::LayerAddress address{
+            .group = editor.target().group(), .map = map, .layer = editor.target().layer(map)};
         const model::Layer* layer = document.committed().layer(address.group, address.map, address.layer);
         return model::HoldRequest::Target{.address = address,
                                           .layer = layer->raster,
-                                          .clips = model::selectedTexels(editor.selection(), layer->raster.size())};
+                                          .clips =
+                                              model::selectedTexels(editor.tools().selection(), layer->raster.size())};
     };
     const model::HoldRequest request{.direction = target(MapKind::Direction),
                                      .gel = target(MapKind::Gel),
-                                     .shownGel = document.resolvedNow(editor.activeGroup(), MapKind::Gel),
-                                     .leastGel = editor.toolSettings().holdGel};
+                                     .shownGel = document.resolvedNow(editor.target().group(), MapKind::Gel),
+                                     .leastGel = editor.tools().settings().holdGel};
     const std::shared_ptr<const model::Head> head = document.project().head;
     return m_jobs.await<Edits>(
         {.text = tr("Holding the hair"), .whenCancelled = notHeldText()},

@@ -94,7 +94,7 @@ MainWindow::MainWindow(model::Project project, const QString& path, QWidget* par
     m_files.setPath(path);
     m_session.document().resolveIn(resolvedByJobs(m_jobs, &m_session));
     recallToolOptions(m_settings, m_session.editor());
-    m_session.editor().setNightPaper(!m_preferences.current().whitePaper);
+    m_session.editor().options().setNightPaper(!m_preferences.current().whitePaper);
     if (!restoreGeometry(m_settings.windowGeometry()))
         resize(kFirstWindow);
     m_workspace->showAreas(Workspace::Areas::Both);
@@ -143,7 +143,7 @@ void MainWindow::buildMenus()
 void MainWindow::offerActions()
 {
     const auto action = [this](const char* id) { return m_actions.find(QLatin1StringView(id)); };
-    for (const auto& tool : m_session.editor().tools())
+    for (const auto& tool : m_session.editor().tools().all())
         m_workspace->toolBar().setAction(tool->id(), *action((QByteArray("tool.") + tool->name()).constData()));
     for (const char* id :
          {"edit.all", "edit.none", "edit.invert", "edit.cut", "edit.copy", "edit.paste", "edit.fill", "edit.clear"})
@@ -157,9 +157,9 @@ void MainWindow::followActions()
     const auto follow = [this] { m_actions.follow(); };
     connect(&m_session.document().undoStack(), &QUndoStack::indexChanged, this, follow);
     connect(&m_session.document(), &model::Document::changed, this, follow);
-    connect(&m_session.editor(), &view::EditorState::targetChanged, this, follow);
-    connect(&m_session.editor(), &view::EditorState::overlayChanged, this, follow);
-    connect(&m_session.editor(), &view::EditorState::viewOptionsChanged, this, follow);
+    connect(&m_session.editor().target(), &view::EditTarget::changed, this, follow);
+    connect(&m_session.editor().tools(), &view::ToolBox::overlayChanged, this, follow);
+    connect(&m_session.editor().options(), &view::ViewOptions::changed, this, follow);
     connect(&m_session, &Session::pausedChanged, this, follow);
     connect(&m_workspace->headView(), &view::HeadView::weatherShownChanged, this, follow);
     connect(m_workspace, &Workspace::arranged, this, follow);
@@ -355,7 +355,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
         return;
     event->acceptProposedAction();
     const QString path = event->mimeData()->urls().constFirst().toLocalFile();
-    m_workspace->dropHint().showText(dropText(fileKind(path), model::mapSpec(m_session.editor().activeMap())));
+    m_workspace->dropHint().showText(dropText(fileKind(path), model::mapSpec(m_session.editor().target().map())));
 }
 
 void MainWindow::dragLeaveEvent(QDragLeaveEvent* /*event*/)
@@ -377,7 +377,7 @@ void MainWindow::lookAt(std::optional<model::MapKind> map)
 {
     m_session.lookAt(map);
     m_workspace->headView().setLookedAt(map);
-    const model::HairGroup* group = m_session.document().project().group(m_session.editor().activeGroup());
+    const model::HairGroup* group = m_session.document().project().group(m_session.editor().target().group());
     if (map && group != nullptr)
         m_workspace->legend().showMap(model::mapSpec(*map), group->settings);
     else
@@ -436,7 +436,7 @@ QAction* MainWindow::actionAt(PhysicalKey key) const
 
 void MainWindow::applyPreferences()
 {
-    m_session.editor().setNightPaper(!m_preferences.current().whitePaper);
+    m_session.editor().options().setNightPaper(!m_preferences.current().whitePaper);
     view::applyTheme(*qApp, m_preferences.current().theme);
     m_workspace->setTheme(view::Theme::of(m_preferences.current().theme));
     m_actions.follow();

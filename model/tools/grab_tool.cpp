@@ -51,21 +51,26 @@ constexpr ToolTraits kGrab{
     .key = Qt::Key_Y,
     .options = kGrabOptions,
     .hasRing = true,
-    .grabs = true,
     .map = MapKind::Direction,
     .paintsWithCtrl = MapKind::Length,
     .alsoPaints = [](const ToolSettings& settings) {
         return settings.grabGel > 0.0F ? std::optional(MapKind::Gel) : std::nullopt;
     }};
 
-class GrabTool : public Tool
+class GrabTool : public Tool, private HairHandler
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
     [[nodiscard]] const ToolTraits& traits() const override { return kGrab; }
 
+    [[nodiscard]] HairHandler* hairHandler() override { return this; }
+
     void press(const ToolEvent& event, ToolContext& context) override;
-    void move(const ToolEvent& event, ToolContext& context) override;
+    void move(const ToolEvent& event, ToolContext& context) override
+    {
+        if (event.point)
+            pull(event.point->positionHd, false, context);
+    }
     void release(const ToolEvent& event, ToolContext& context) override
     {
         if (!active())
@@ -86,6 +91,22 @@ public:
     [[nodiscard]] bool active() const override { return m_edit.active(); }
 
 private:
+    void pressHair(const HairEvent& event, ToolContext& context) override { take(event.hair, context); }
+    void moveHair(const HairEvent& event, ToolContext& context) override
+    {
+        pull(event.targetHd, event.modifiers.testFlag(Qt::ControlModifier), context);
+    }
+    void releaseHair(const HairEvent& event, ToolContext& context) override
+    {
+        if (!active())
+            return;
+        moveHair(event, context);
+        commit(context);
+    }
+
+    /// `hair`: on the skin itself, 0 along, in the paint area.
+    void take(const GrabbedHair& hair, ToolContext& context);
+    void pull(glm::vec3 targetHd, bool lengths, ToolContext& context);
     [[nodiscard]] StrokeBuffer masksFor(std::size_t layer, const ToolSettings& settings);
     [[nodiscard]] glm::vec3 lyingHd(glm::vec2 uv, const sim::SkinFrame& frame);
     [[nodiscard]] float agreement(Held& held, glm::vec2 place);
@@ -113,20 +134,25 @@ void GrabTool::press(const ToolEvent& event, ToolContext& context)
 {
     if (picksWithCtrl(event.area) && picksInstead(event, context))
         return;
+    if (event.area == Area::Paint && event.point)
+        take({.root = *event.point, .positionHd = event.point->positionHd}, context);
+}
+
+void GrabTool::take(const GrabbedHair& hair, ToolContext& context)
+{
     const Head* head = context.document.project().head.get();
-    const bool onHead = event.area == Area::Head;
-    if (active() || context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr ||
-        !(onHead ? event.grabbed.has_value() : event.point.has_value()))
+    if (active() || context.target.map != MapKind::Direction || head == nullptr || head->skin == nullptr)
         return;
+    const bool inTheAir = hair.alongM > 0.0F;
     std::shared_ptr<const sim::TiledRaster> length =
         context.document.resolvedNow(context.target.group, MapKind::Length);
     std::shared_ptr<const sim::TiledRaster> gel = context.document.resolvedNow(context.target.group, MapKind::Gel);
     if (!m_edit.begin(context, title()))
         return;
     m_edit.setText(title());
-    const sim::SurfacePoint root = onHead ? event.grabbed->root : *event.point;
-    m_startHd = onHead ? event.grabbed->positionHd : root.positionHd;
-    m_alongM = onHead ? event.grabbed->alongM : 0.0F;
+    const sim::SurfacePoint& root = hair.root;
+    m_startHd = hair.positionHd;
+    m_alongM = hair.alongM;
     m_moved = false;
     m_held = {{.root = root}};
     if (context.mirror)
@@ -140,14 +166,14 @@ void GrabTool::press(const ToolEvent& event, ToolContext& context)
         held.lyingHd = lyingHd(held.root.uv, sim::SkinFrame::at(held.root));
     m_masks.emplace(masksFor(0, context.settings));
     m_tiles = m_masks->takeDirty();
-    m_length = onHead ? m_edit.also(context, context.layer(MapKind::Length)) : std::nullopt;
+    m_length = inTheAir ? m_edit.also(context, context.layer(MapKind::Length)) : std::nullopt;
     if (m_length) {
         m_lengthBefore = std::move(length);
         m_lengthMasks.emplace(masksFor(*m_length, context.settings));
         m_lengthTiles = m_lengthMasks->takeDirty();
     }
     m_gel =
-        onHead && context.settings.grabGel > 0.0F ? m_edit.also(context, context.layer(MapKind::Gel)) : std::nullopt;
+        inTheAir && context.settings.grabGel > 0.0F ? m_edit.also(context, context.layer(MapKind::Gel)) : std::nullopt;
     if (m_gel) {
         m_gelBefore = std::move(gel);
         m_gelMasks.emplace(masksFor(*m_gel, context.settings));
@@ -155,22 +181,19 @@ void GrabTool::press(const ToolEvent& event, ToolContext& context)
     }
 }
 
-void GrabTool::move(const ToolEvent& event, ToolContext& context)
+void GrabTool::pull(glm::vec3 targetHd, bool lengths, ToolContext& context)
 {
-    const std::optional<glm::vec3> target = event.targetHd ? event.targetHd
-                                            : event.point  ? std::optional(event.point->positionHd)
-                                                           : std::nullopt;
-    if (!active() || !target)
+    if (!active())
         return;
-    m_moved = m_moved || glm::distance(*target, m_startHd) > kStillM;
+    m_moved = m_moved || glm::distance(targetHd, m_startHd) > kStillM;
     const HairGroup* group = context.document.project().group(context.target.group);
     if (!m_moved || group == nullptr)
         return;
     const glm::vec3 rootHd = m_held.front().root.positionHd;
     // Only so much of a hair shows where it goes at its root; the rest hangs, wherever that points.
     const float carried = std::min(1.0F, group->settings.physics.stiffnessM / std::max(m_alongM, kStillM));
-    const glm::vec3 way = *target - m_startHd + (m_startHd - rootHd) * (m_alongM > 0.0F ? carried : 1.0F);
-    const float distanceM = glm::distance(*target, rootHd);
+    const glm::vec3 way = targetHd - m_startHd + (m_startHd - rootHd) * (m_alongM > 0.0F ? carried : 1.0F);
+    const float distanceM = glm::distance(targetHd, rootHd);
     if (glm::length(way) < kStillM || distanceM < kStillM)
         return;
     const ToolSettings& settings = context.settings;
@@ -180,7 +203,7 @@ void GrabTool::move(const ToolEvent& event, ToolContext& context)
         layGel(settings);
     if (!active() || !m_length)
         return;
-    if (event.modifiers.testFlag(Qt::ControlModifier) && inTheAir)
+    if (lengths && inTheAir)
         layLengths(distanceM / m_alongM, group->settings, settings);
     else
         m_edit.replace({}, {}, *m_length);

@@ -25,14 +25,6 @@ enum class Area : std::uint8_t
     Head
 };
 
-/// A place on a drawn hair.
-struct GrabbedHair
-{
-    sim::SurfacePoint root;
-    glm::vec3 positionHd{0.0F};
-    float alongM = 0.0F; ///< From the root, along the hair; above 0.
-};
-
 /// One pointer event, made alike by the paint area and the 3D area.
 struct ToolEvent
 {
@@ -46,10 +38,22 @@ struct ToolEvent
     Qt::KeyboardModifiers modifiers = {};
     bool again = false;     ///< The second press of a double click.
     float pixelM = 0.0005F; ///< How large one of the area's pixels is on the skin there.
-    /// In the 3D area, for tools that grab: the hair that was pressed on,
-    std::optional<GrabbedHair> grabbed = {};
-    /// and where the pointer has taken it since, as far from the camera as it was.
-    std::optional<glm::vec3> targetHd = {};
+};
+
+/// A point of a drawn hair.
+struct GrabbedHair
+{
+    sim::SurfacePoint root;
+    glm::vec3 positionHd{0.0F};
+    float alongM = 0.0F; ///< From the root, along the hair; above 0.
+};
+
+/// One pointer event of the 3D area with hair in the hand.
+struct HairEvent
+{
+    GrabbedHair hair;         ///< What was pressed on, the same until the release.
+    glm::vec3 targetHd{0.0F}; ///< Where the pointer has taken it, as far from the camera as it was.
+    Qt::KeyboardModifiers modifiers = {};
 };
 
 /// What is drawn over the areas while a tool is in use. uv space; closed where marked.
@@ -103,7 +107,6 @@ struct ToolTraits
     ToolOptions options = {}; ///< What the option bar shows for it.
     bool hasRing = false;     ///< The cursor is a brush ring, and Ctrl+click takes the value there.
     bool paints = true;       ///< Needs a layer that can be painted on.
-    bool grabs = false;       ///< In the 3D area it takes hold of hair, and of nothing else.
     /// The map that it works on, whichever is active: choosing the tool, or pressing with it, makes that the active
     /// one.
     std::optional<MapKind> map = {};
@@ -113,15 +116,35 @@ struct ToolTraits
     std::optional<MapKind> (*alsoPaints)(const ToolSettings& settings) = nullptr;
 };
 
+/// Of tools that work on the skin, in both areas.
+class SkinHandler
+{
+public:
+    virtual ~SkinHandler() = default;
+    virtual void press(const ToolEvent& event, ToolContext& context) = 0;
+    virtual void move(const ToolEvent& event, ToolContext& context) = 0;
+    virtual void release(const ToolEvent& event, ToolContext& context) = 0;
+    /// The pointer moves with no button down.
+    virtual void hover(const ToolEvent& /*event*/, ToolContext& /*context*/) {}
+};
+
+/// Of tools that in the 3D area take hold of hair, and of nothing else.
+class HairHandler
+{
+public:
+    virtual ~HairHandler() = default;
+    virtual void pressHair(const HairEvent& event, ToolContext& context) = 0;
+    virtual void moveHair(const HairEvent& event, ToolContext& context) = 0;
+    virtual void releaseHair(const HairEvent& event, ToolContext& context) = 0;
+};
+
 /// A small state machine. Painting tools work in an edit session (LiveEdit): one press..release, or one pending shape,
 /// is one undo command; cancel() leaves no trace. Somebody else's edit may end the session at any time: active() is
 /// false from then on.
-class Tool
+class Tool : public SkinHandler
 {
     Q_DECLARE_TR_FUNCTIONS(Tool)
 public:
-    virtual ~Tool() = default;
-
     [[nodiscard]] virtual const ToolTraits& traits() const = 0;
     [[nodiscard]] ToolId id() const { return traits().id; }
     [[nodiscard]] const char* name() const { return traits().name; }
@@ -144,11 +167,8 @@ public:
     /// and with these settings.
     [[nodiscard]] virtual QString hintFor(const ToolSettings& /*settings*/) const { return hint(); }
 
-    virtual void press(const ToolEvent& event, ToolContext& context) = 0;
-    virtual void move(const ToolEvent& event, ToolContext& context) = 0;
-    virtual void release(const ToolEvent& event, ToolContext& context) = 0;
-    /// The pointer moves with no button down.
-    virtual void hover(const ToolEvent& /*event*/, ToolContext& /*context*/) {}
+    /// What takes hold of hair in the 3D area; null where the tool works on the skin there, too.
+    [[nodiscard]] virtual HairHandler* hairHandler() { return nullptr; }
     /// A key pressed while the tool is in use; false leaves it to others.
     virtual bool key(Qt::Key /*key*/, Qt::KeyboardModifiers /*modifiers*/, ToolContext& /*context*/) { return false; }
     /// What runs is to be as the settings now say.

@@ -169,7 +169,7 @@ protected:
 
     [[nodiscard]] const std::vector<model::Layer>& layers()
     {
-        return session().document().committed().group(editor().activeGroup())->map(editor().activeMap()).layers;
+        return session().document().committed().group(editor().target().group())->map(editor().target().map()).layers;
     }
 
     /// Left half `left`, right half white.

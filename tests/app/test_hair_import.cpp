@@ -128,7 +128,7 @@ private Q_SLOTS:
         QCOMPARE(stack().undoText(), QStringLiteral("Import crop.hair"));
         QCOMPARE(document.committed().groups.size(), std::size_t{2});
         QCOMPARE(document.committed().groups.back().name, QStringLiteral("crop"));
-        QCOMPARE(editor().activeGroup(), document.committed().groups.back().id);
+        QCOMPARE(editor().target().group(), document.committed().groups.back().id);
         document.undo();
         QCOMPARE(document.committed().groups.size(), std::size_t{1});
     }

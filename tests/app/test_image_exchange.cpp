@@ -18,7 +18,7 @@ private Q_SLOTS:
         QFETCH(bool, dropped);
         open(model::newProject());
         const QByteArray before = savedBytes("image-before.hairpaint");
-        editor().setActiveMap(model::MapKind::Length);
+        editor().target().setMap(model::MapKind::Length);
         const std::size_t count = layers().size();
         bring(halfImage("fringe.png", Qt::blue), "file.loadImage", dropped);
         QTRY_COMPARE_WITH_TIMEOUT(layers().size(), count + 1, kPatienceMs);
@@ -37,7 +37,7 @@ private Q_SLOTS:
     void aGreyImageIsTheValueItself()
     {
         open(model::newProject());
-        editor().setActiveMap(model::MapKind::Gel);
+        editor().target().setMap(model::MapKind::Gel);
         const auto left = [this] {
             const sim::TiledRaster& raster = layers().back().raster;
             return int(raster.texel(raster.size() / 4, raster.size() / 2)[0]);
@@ -88,7 +88,7 @@ private Q_SLOTS:
         model::Document& document = session().document();
         const model::Id group = document.committed().groups.front().id;
         const model::Id layer = document.committed().groups.front().map(model::MapKind::Density).layers.front().id;
-        editor().setActiveMap(model::MapKind::Density);
+        editor().target().setMap(model::MapKind::Density);
         model::EditSession shown;
         document.show(shown, {.policy = model::EditPolicy::Drop},
                       {.aspect = model::Change::Aspect::LayerList, .group = group, .map = model::MapKind::Density},
@@ -111,7 +111,7 @@ private Q_SLOTS:
         drag(m_window->paintView(), paintPoint(0.5F, 0.65F), paintPoint(0.5F, 0.35F));
         QCOMPARE(stack().count(), 1);
         const auto shown = [this] {
-            return session().document().resolved(editor().activeGroup(), editor().activeMap());
+            return session().document().resolved(editor().target().group(), editor().target().map());
         };
         const std::shared_ptr<const sim::TiledRaster> before = shown();
         m_answers->file = path("length"); // The ending is added.

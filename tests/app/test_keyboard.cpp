@@ -177,23 +177,23 @@ private Q_SLOTS:
                 press(Qt::Key_F6);
         };
         reach(*m_window->findChild<view::ToolBar*>());
-        const auto before = editor.activeTool().id();
+        const auto before = editor.tools().active().id();
         press(Qt::Key_Down);
         press(Qt::Key_Return);
-        QVERIFY(editor.activeTool().id() != before);
+        QVERIFY(editor.tools().active().id() != before);
         reach(*m_window->findChild<view::MapsPanel*>());
-        const model::MapKind map = editor.activeMap();
+        const model::MapKind map = editor.target().map();
         press(Qt::Key_Down);
-        QVERIFY(editor.activeMap() != map);
+        QVERIFY(editor.target().map() != map);
         press(Qt::Key_Up);
-        QCOMPARE(editor.activeMap(), map);
-        editor.setActiveTool(before);
+        QCOMPARE(editor.target().map(), map);
+        editor.tools().choose(before);
     }
 
     void aNumberIsTypedWhereTheKeysAre()
     {
         view::EditorState& editor = m_window->session().editor();
-        editor.setActiveMap(model::MapKind::Length);
+        editor.target().setMap(model::MapKind::Length);
         m_window->paintView().setFocus();
         while (!isIn(*m_window->findChild<view::OptionBar*>()))
             press(Qt::Key_F6);
@@ -206,15 +206,15 @@ private Q_SLOTS:
         QCOMPARE(slider->value(), 7.0);
         QCOMPARE(QApplication::focusWidget(), slider);
         press(Qt::Key_6);
-        QCOMPARE(editor.activeMap(), model::MapKind::Length);
+        QCOMPARE(editor.target().map(), model::MapKind::Length);
         press(Qt::Key_Return);
         QCOMPARE(slider->value(), 6.0);
         // The mouse's user goes on with the map's keys.
         m_window->paintView().setFocus();
         slider->setFocus(Qt::MouseFocusReason);
         press(Qt::Key_6);
-        QCOMPARE(editor.activeMap(), model::MapKind::Colour);
-        editor.setActiveMap(model::MapKind::Length);
+        QCOMPARE(editor.target().map(), model::MapKind::Colour);
+        editor.target().setMap(model::MapKind::Length);
     }
 
     void escGoesFromAPanelToTheMap()

@@ -107,7 +107,7 @@ private Q_SLOTS:
         beard.name = QStringLiteral("Beard");
         project.groups.push_back(beard);
         openTold(std::move(project));
-        editor().setActiveMap(model::MapKind::Length);
+        editor().target().setMap(model::MapKind::Length);
         m_answers->file = freshFolder("maps");
         m_answers->choosesMaps = [range](view::ExportMapsDialog& dialog) {
             const QList<QComboBox*> boxes = dialog.findChildren<QComboBox*>();
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QCOMPARE(folder.entryList(QDir::Files | QDir::Hidden).size(), qsizetype{count});
         const QImage length(folder.filePath(QStringLiteral("Scalp-length.png")));
         QVERIFY(length.isGrayscale() && length.depth() == 8);
-        const auto resolved = session().document().resolvedNow(editor().activeGroup(), model::MapKind::Length);
+        const auto resolved = session().document().resolvedNow(editor().target().group(), model::MapKind::Length);
         QCOMPARE(length.width(), resolved->size());
         const int middle = length.width() / 2;
         QVERIFY(std::abs(qGray(length.pixel(middle, middle)) - resolved->texel(middle, middle)[0] / 257) <= 1);
@@ -164,8 +164,8 @@ private Q_SLOTS:
     void whatAnotherProgramSavesComesBackAsOneStep()
     {
         openTold(model::newProject());
-        editor().setActiveMap(model::MapKind::Length);
-        const model::LayerAddress target = editor().target();
+        editor().target().setMap(model::MapKind::Length);
+        const model::LayerAddress target = editor().target().address();
         trigger("file.editOutside");
         QVERIFY2(m_answers->said.isEmpty(), qPrintable(m_answers->said.join(QLatin1Char('|'))));
         QVERIFY(m_painter.opened.endsWith(QStringLiteral(".png")));
@@ -204,7 +204,7 @@ private Q_SLOTS:
     void whatBelongsToAnotherProjectStaysOut()
     {
         openTold(model::newProject());
-        editor().setActiveMap(model::MapKind::Length);
+        editor().target().setMap(model::MapKind::Length);
         trigger("file.editOutside");
         session().document().replace(model::newProject());
         const sim::TiledRaster before = layers().front().raster;
@@ -219,9 +219,9 @@ private Q_SLOTS:
     void aLayerThatWasLockedMeanwhileStays()
     {
         openTold(model::newProject());
-        editor().setActiveMap(model::MapKind::Length);
+        editor().target().setMap(model::MapKind::Length);
         trigger("file.editOutside");
-        const model::LayerAddress target = editor().target();
+        const model::LayerAddress target = editor().target().address();
         model::Document& document = session().document();
         model::LayerProperties locked =
             model::propertiesOf(*document.committed().layer(target.group, target.map, target.layer));
@@ -281,7 +281,7 @@ private Q_SLOTS:
     void anImageFromElsewhereIsPasted()
     {
         openTold(model::newProject());
-        editor().setActiveMap(model::MapKind::Length);
+        editor().target().setMap(model::MapKind::Length);
         QImage image(64, 64, QImage::Format_RGB32);
         image.fill(Qt::blue);
         QGuiApplication::clipboard()->setImage(image);

@@ -103,9 +103,9 @@ private Q_SLOTS:
     void theCollidersAreASwitchOutsideUndo()
     {
         const int steps = m_window->session().document().undoStack().count();
-        QVERIFY(!checked("view.colliders") && !m_window->session().editor().collidersShown());
+        QVERIFY(!checked("view.colliders") && !m_window->session().editor().options().collidersShown());
         trigger("view.colliders");
-        QVERIFY(checked("view.colliders") && m_window->session().editor().collidersShown());
+        QVERIFY(checked("view.colliders") && m_window->session().editor().options().collidersShown());
         trigger("view.colliders");
         QVERIFY(!checked("view.colliders"));
         QCOMPARE(m_window->session().document().undoStack().count(), steps);
@@ -119,7 +119,7 @@ private Q_SLOTS:
         const QAction* remove = m_window->actions().find(QLatin1StringView("hair.removeCollider"));
         QVERIFY(before.size() < model::kMostEllipsoids && add->isEnabled() && !remove->isEnabled());
         trigger("view.colliders");
-        m_window->session().editor().setChosenCollider(1);
+        m_window->session().editor().options().setChosenCollider(1);
         QVERIFY(remove->isEnabled());
         trigger("hair.removeCollider");
         QCOMPARE(document.project().ellipsoids.size(), before.size() - 1);
@@ -134,7 +134,7 @@ private Q_SLOTS:
         document.undo();
         document.undo();
         QVERIFY(document.project().ellipsoids == before);
-        m_window->session().editor().setChosenCollider(std::nullopt);
+        m_window->session().editor().options().setChosenCollider(std::nullopt);
         trigger("view.colliders");
     }
 
@@ -170,7 +170,7 @@ private Q_SLOTS:
         model::Document& document = m_window->session().document();
         const view::EditorState& editor = m_window->session().editor();
         const auto size = [&] {
-            return document.committed().group(editor.activeGroup())->map(editor.activeMap()).size;
+            return document.committed().group(editor.target().group())->map(editor.target().map()).size;
         };
         auto* menu = m_window->findChild<QMenu*>(QStringLiteral("mapSizeMenu"));
         QVERIFY(menu != nullptr);
@@ -209,7 +209,7 @@ private Q_SLOTS:
     {
         QAction* smaller = m_window->actions().find(QLatin1StringView("tool.smaller"));
         QCOMPARE(smaller->shortcut(), QKeySequence(Qt::Key_BracketLeft));
-        const auto size = [this] { return m_window->session().editor().toolSettings().brushSizeM; };
+        const auto size = [this] { return m_window->session().editor().tools().settings().brushSizeM; };
         // Where a German keyboard types an umlaut.
 #ifdef Q_OS_WIN
         constexpr quint32 kPlace = 0x1A;
@@ -243,7 +243,7 @@ private Q_SLOTS:
             QTest::keyClick(&m_window->paintView(), static_cast<Qt::Key>(action->shortcut()[0].key()));
             QVERIFY(action->isChecked());
             QCOMPARE(QLatin1StringView(kind).mid(4),
-                     QLatin1StringView(model::mapSpec(m_window->session().editor().activeMap()).id));
+                     QLatin1StringView(model::mapSpec(m_window->session().editor().target().map()).id));
             // A tick that is chosen once more stays.
             m_window->actions().find(QLatin1StringView(kind))->trigger();
             QVERIFY(action->isChecked());
@@ -308,7 +308,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, file);
         QFETCH(QString, text);
-        m_window->session().editor().setActiveMap(model::MapKind::Curl);
+        m_window->session().editor().target().setMap(model::MapKind::Curl);
         auto* hint = m_window->findChild<view::DropHint*>();
         QVERIFY(!hint->isVisible());
         QMimeData dragged;

@@ -219,7 +219,7 @@ private:
         model::Document& document = session().document();
         document.push(model::setWindCommand(document, {.enabled = false}));
         document.push(model::setEllipsoidsCommand(document, m_project.ellipsoids, QString()));
-        editor().setActiveMap(model::MapKind::Density);
+        editor().target().setMap(model::MapKind::Density);
         // A copy of all replaces whatever was copied.
         for (const char* id : {"view.both", "view.home", "view.fit", "look.front", "edit.none", "edit.copy"})
             m_window->actions().find(QLatin1StringView(id))->trigger();

@@ -223,10 +223,10 @@ private Q_SLOTS:
         look(*m_window);
         auto* sidebar = m_window->findChild<view::Sidebar*>();
         for (const model::MapSpec& spec : model::mapSpecs()) {
-            editor().setActiveMap(spec.kind);
+            editor().target().setMap(spec.kind);
             QTest::mouseMove(&m_window->paintView(), paintPoint(0.5F, 0.5F));
-            for (const auto& tool : editor().tools()) {
-                editor().setActiveTool(tool->id());
+            for (const auto& tool : editor().tools().all()) {
+                editor().tools().choose(tool->id());
                 look(*m_window);
             }
         }
@@ -250,7 +250,7 @@ private Q_SLOTS:
         speakLanguage(std::make_unique<test::MarkedLetters>());
         openWindow();
         DialogCloser closer([this](QDialog& dialog) { lookAtDialog(dialog); });
-        editor().setActiveMap(model::MapKind::Length);
+        editor().target().setMap(model::MapKind::Length);
         for (QAction* action : everyAction()) {
             if (action->objectName() == QLatin1String("file.quit"))
                 continue;
@@ -273,9 +273,9 @@ private Q_SLOTS:
     {
         speakLanguage(std::make_unique<test::MarkedLetters>());
         openWindow();
-        editor().setActiveMap(model::MapKind::Density);
+        editor().target().setMap(model::MapKind::Density);
         const auto use = [this](model::ToolId tool) {
-            editor().setActiveTool(tool);
+            editor().tools().choose(tool);
             drag(paintPoint(0.45F, 0.5F), paintPoint(0.55F, 0.52F));
         };
         using enum model::ToolId;
@@ -322,7 +322,7 @@ private Q_SLOTS:
         model::Document& document = m_window->session().document();
         model::HairGroup group = document.project().groups.front();
         document.push(model::showGroupCommand(document, group.id, false));
-        editor().setActiveTool(model::ToolId::Brush);
+        editor().tools().choose(model::ToolId::Brush);
         drag(paintPoint(0.45F, 0.5F), paintPoint(0.55F, 0.52F));
         look(*m_window);
         QVERIFY2(m_foreign.isEmpty(), qPrintable(m_foreign.join(QStringLiteral(" | "))));

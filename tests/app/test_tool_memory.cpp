@@ -17,18 +17,18 @@ private Q_SLOTS:
         openWindow(model::newProject());
         key(Qt::Key_B);
         key(Qt::Key_BracketRight);
-        model::ToolSettings settings = editor().toolSettings();
+        model::ToolSettings settings = editor().tools().settings();
         const float sizeM = settings.brushSizeM;
         QVERIFY(sizeM > model::ToolSettings{}.brushSizeM);
         settings.comb = model::CombKind::Whorl;
         settings.pressureOpacity = true;
         settings.partGapM = 0.004F;
         settings.value(model::MapKind::Gel).scalar = 0.33F; // What is painted with is the project's affair.
-        editor().setToolSettings(settings);
+        editor().tools().setSettings(settings);
         QVERIFY(m_window->close());
         m_window.reset();
         openWindow(model::newProject());
-        const model::ToolSettings again = editor().toolSettings();
+        const model::ToolSettings again = editor().tools().settings();
         QCOMPARE(again.brushSizeM, sizeM);
         QCOMPARE(again.comb, model::CombKind::Whorl);
         QVERIFY(again.pressureOpacity);
@@ -39,8 +39,8 @@ private Q_SLOTS:
         SettingsStore().setValue(QStringLiteral("tools/comb"), QStringLiteral("nonsense"));
         m_window.reset();
         openWindow(model::newProject());
-        QCOMPARE(editor().toolSettings().brushSizeM, 0.3F);
-        QCOMPARE(editor().toolSettings().comb, model::CombKind::Lay);
+        QCOMPARE(editor().tools().settings().brushSizeM, 0.3F);
+        QCOMPARE(editor().tools().settings().comb, model::CombKind::Lay);
         SettingsStore().clear();
     }
 };

@@ -24,7 +24,7 @@ private Q_SLOTS:
         QCOMPARE(hairs(), std::size_t{0});
 
         key(Qt::Key_1);
-        QCOMPARE(editor().activeMap(), model::MapKind::Density);
+        QCOMPARE(editor().target().map(), model::MapKind::Density);
         key(Qt::Key_B);
         drag(m_window->paintView(), paintPoint(0.40F, 0.5F), paintPoint(0.60F, 0.5F));
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 500, kPatienceMs);
@@ -47,9 +47,9 @@ private Q_SLOTS:
         view::PaintView& area = m_window->paintView();
         QTest::mousePress(&area, Qt::LeftButton, {}, paintPoint(0.5F, 0.5F));
         QTest::mouseMove(&area, paintPoint(0.55F, 0.5F));
-        QVERIFY(editor().stroking());
+        QVERIFY(editor().tools().stroking());
         QTest::keyClick(&area, Qt::Key_Escape);
-        QVERIFY(!editor().stroking());
+        QVERIFY(!editor().tools().stroking());
         QTest::mouseRelease(&area, Qt::LeftButton, {}, paintPoint(0.55F, 0.5F));
         QCOMPARE(session().document().undoStack().count(), 0);
         QVERIFY(savedBytes("escape-after.hairpaint") == before);
@@ -68,7 +68,7 @@ private Q_SLOTS:
         const auto paintAndWait = [this](float u) {
             const std::size_t before = hairs();
             key(Qt::Key_1);
-            editor().setActiveTool(model::ToolId::Eraser);
+            editor().tools().choose(model::ToolId::Eraser);
             drag(m_window->paintView(), paintPoint(u, 0.5F), paintPoint(u, 0.6F));
             QTRY_VERIFY_WITH_TIMEOUT(hairs() < before, kPatienceMs);
         };

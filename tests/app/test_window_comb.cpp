@@ -36,10 +36,10 @@ private Q_SLOTS:
         QFETCH(bool, onTheHead);
         openWindow(model::newProject());
         key(Qt::Key_2);
-        QCOMPARE(editor().activeMap(), model::MapKind::Length);
+        QCOMPARE(editor().target().map(), model::MapKind::Length);
         key(Qt::Key_C);
-        QCOMPARE(editor().activeTool().id(), model::ToolId::Comb);
-        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+        QCOMPARE(editor().tools().active().id(), model::ToolId::Comb);
+        QCOMPARE(editor().target().map(), model::MapKind::Direction);
         key(Qt::Key_2); // Another map is looked at; the comb brings its own back.
 
         const view::HeadView& head = m_window->headView();
@@ -64,8 +64,8 @@ private Q_SLOTS:
         QTest::mousePress(area, Qt::LeftButton, {}, start);
         for (int i = 1; i <= 15; ++i)
             QTest::mouseMove(area, start + (end - start) * i / 15);
-        QVERIFY(editor().stroking());
-        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+        QVERIFY(editor().tools().stroking());
+        QCOMPARE(editor().target().map(), model::MapKind::Direction);
         QTest::mouseRelease(area, Qt::LeftButton, {}, end);
         QCOMPARE(stack().count(), 1);
         QCOMPARE(stack().text(0), QStringLiteral("Comb on Direction"));
@@ -82,7 +82,7 @@ private Q_SLOTS:
     {
         openWindow(model::newProject());
         key(Qt::Key_0);
-        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+        QCOMPARE(editor().target().map(), model::MapKind::Direction);
         const QImage before = paper().grab().toImage();
         key(Qt::Key_C);
         drag(paper(), paintPoint(0.4F, 0.5F), paintPoint(0.6F, 0.5F));

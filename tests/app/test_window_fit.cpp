@@ -121,10 +121,10 @@ private Q_SLOTS:
                     cut.append(text);
         };
         view::EditorState& editor = m_window->session().editor();
-        for (const auto& tool : editor.tools()) {
-            editor.setActiveTool(tool->id());
+        for (const auto& tool : editor.tools().all()) {
+            editor.tools().choose(tool->id());
             for (const model::MapSpec& spec : model::mapSpecs()) {
-                editor.setActiveMap(spec.kind);
+                editor.target().setMap(spec.kind);
                 measure(*m_window);
             }
         }

@@ -31,7 +31,7 @@ private:
     }
     [[nodiscard]] std::shared_ptr<const sim::TiledRaster> map(model::MapKind kind)
     {
-        return session().document().resolved(editor().activeGroup(), kind);
+        return session().document().resolved(editor().target().group(), kind);
     }
     [[nodiscard]] glm::vec2 directionAt(glm::vec2 uv)
     {
@@ -115,7 +115,7 @@ private Q_SLOTS:
         key(Qt::Key_H, Qt::ShiftModifier);
         QTRY_COMPARE_WITH_TIMEOUT(stack().count(), steps + 1, kPatienceMs);
         QCOMPARE(stack().undoText(), QStringLiteral("Hold as it lies"));
-        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+        QCOMPARE(editor().target().map(), model::MapKind::Direction);
 
         for (const glm::vec2 uv : {glm::vec2(0.45F, 0.5F), glm::vec2(0.55F, 0.55F), glm::vec2(0.5F, 0.6F)}) {
             const std::optional<glm::vec2> lies = field.at(uv);
@@ -138,9 +138,9 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(told.size(), 1, kPatienceMs);
         QCOMPARE(told.front(), QStringLiteral("There is no hair to hold in this group."));
         model::Document& document = session().document();
-        const model::LayerAddress gel{.group = editor().activeGroup(),
+        const model::LayerAddress gel{.group = editor().target().group(),
                                       .map = model::MapKind::Gel,
-                                      .layer = editor().activeLayer(model::MapKind::Gel)};
+                                      .layer = editor().target().layer(model::MapKind::Gel)};
         model::LayerProperties locked = model::propertiesOf(*document.project().layer(gel.group, gel.map, gel.layer));
         locked.locked = true;
         document.push(model::setLayerPropertiesCommand(document, gel, locked, QStringLiteral("lock")));
@@ -153,17 +153,17 @@ private Q_SLOTS:
     {
         openWithStyle("bob");
         key(Qt::Key_C);
-        model::ToolSettings settings = editor().toolSettings();
+        model::ToolSettings settings = editor().tools().settings();
         settings.comb = model::CombKind::Hold;
         settings.holdGel = 0.8F;
-        editor().setToolSettings(settings);
+        editor().tools().setSettings(settings);
         QCOMPARE(map(model::MapKind::Gel)->sampleScalar({0.5F, 0.5F}), 0.0F);
         drag(m_window->paintView(), paintPoint(0.47F, 0.5F), paintPoint(0.53F, 0.5F));
         QCOMPARE(stack().count(), 1);
         QCOMPARE(stack().undoText(), QStringLiteral("Hold as it lies"));
         QVERIFY(map(model::MapKind::Gel)->sampleScalar({0.5F, 0.5F}) > 0.79F);
         QCOMPARE(map(model::MapKind::Gel)->sampleScalar({0.5F, 0.6F}), 0.0F);
-        QCOMPARE(editor().activeMap(), model::MapKind::Direction); // Not the other one that changed.
+        QCOMPARE(editor().target().map(), model::MapKind::Direction); // Not the other one that changed.
         key(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(map(model::MapKind::Gel)->sampleScalar({0.5F, 0.5F}), 0.0F);
     }
@@ -180,8 +180,8 @@ private Q_SLOTS:
         openWithStyle("quiff");
         session().setPaused(true);
         key(Qt::Key_Y);
-        QCOMPARE(editor().activeTool().id(), model::ToolId::Grab);
-        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+        QCOMPARE(editor().tools().active().id(), model::ToolId::Grab);
+        QCOMPARE(editor().target().map(), model::MapKind::Direction);
         view::HeadView& head = m_window->headView();
         QTRY_VERIFY_WITH_TIMEOUT(head.skinAt(QRectF(head.rect()).center()).has_value(), kPatienceMs);
         const auto directions = map(model::MapKind::Direction);
@@ -197,7 +197,7 @@ private Q_SLOTS:
             QApplication::sendEvent(area, &event);
         };
         send(QEvent::MouseButtonPress, from, false);
-        QVERIFY(editor().stroking());
+        QVERIFY(editor().tools().stroking());
         for (int i = 1; i <= 10; ++i)
             send(QEvent::MouseMove, from + (to - from) * i / 10, ctrl);
         QVERIFY(!(*map(model::MapKind::Direction) == *directions));
@@ -205,7 +205,7 @@ private Q_SLOTS:
         QCOMPARE(stack().count(), 1);
         QCOMPARE(stack().undoText(), QStringLiteral("Grab"));
         QCOMPARE(*map(model::MapKind::Length) == *lengths, !ctrl);
-        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+        QCOMPARE(editor().target().map(), model::MapKind::Direction);
         key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(*map(model::MapKind::Direction) == *directions);
         QVERIFY(*map(model::MapKind::Length) == *lengths);

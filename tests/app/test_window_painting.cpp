@@ -27,9 +27,9 @@ private:
         m_window->headView().setCamera(frontCamera());
         key(Qt::Key_1);
         key(Qt::Key_B);
-        model::ToolSettings settings = editor().toolSettings();
+        model::ToolSettings settings = editor().tools().settings();
         settings.brushSizeM *= 2.0F;
-        editor().setToolSettings(settings);
+        editor().tools().setSettings(settings);
     }
 
     [[nodiscard]] rendering::Camera frontCamera()
@@ -92,17 +92,17 @@ private Q_SLOTS:
             QTest::mouseMove(area, start + along * i / 12);
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 50, kPatienceMs);
         QTRY_VERIFY_WITH_TIMEOUT(difference(bald, picture()) > kSeen, kPatienceMs);
-        QVERIFY(editor().stroking());
+        QVERIFY(editor().tools().stroking());
         QCOMPARE(stack().count(), 0);
         QVERIFY(savedBytes("stroke-running.hairpaint") == before);
         const std::size_t half = hairs();
         for (int i = 7; i <= 12; ++i)
             QTest::mouseMove(area, start + along * i / 12);
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > half, kPatienceMs);
-        QVERIFY(editor().stroking());
+        QVERIFY(editor().tools().stroking());
 
         QTest::mouseRelease(area, Qt::LeftButton, {}, start + along);
-        QVERIFY(!editor().stroking());
+        QVERIFY(!editor().tools().stroking());
         QCOMPARE(stack().count(), 1);
         QVERIFY(texelAt(from.x, from.y)[1] > 0);
         showUndoAndRedo(bald, 0, from);
@@ -244,7 +244,7 @@ private Q_SLOTS:
             QVERIFY(QFile::exists(path));
             const model::Result<model::Project> read = model::loadProject(path);
             QVERIFY(read);
-            const model::LayerAddress at = editor().target();
+            const model::LayerAddress at = editor().target().address();
             QVERIFY(read->layer(at.group, at.map, at.layer)->raster ==
                     session().document().committed().layer(at.group, at.map, at.layer)->raster);
         }

@@ -27,8 +27,8 @@ private:
             density.setUniform(index, {65535, 65535, 0, 0});
         openWindow(std::move(project));
         key(Qt::Key_P);
-        QCOMPARE(editor().activeTool().id(), model::ToolId::Part);
-        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+        QCOMPARE(editor().tools().active().id(), model::ToolId::Part);
+        QCOMPARE(editor().target().map(), model::MapKind::Direction);
         m_points.clear();
         for (const float v : {0.3F, 0.4F, 0.5F}) {
             const auto [area, at] = onTheHead ? onHead(0.5F, v) : std::pair(paper(), paintPoint(0.5F, v));
@@ -50,7 +50,7 @@ private:
     [[nodiscard]] qsizetype handles()
     {
         qsizetype count = 0;
-        for (const model::OverlayShape& shape : editor().overlay())
+        for (const model::OverlayShape& shape : editor().tools().overlay())
             count += shape.uvHandles.size();
         return count;
     }
@@ -86,7 +86,7 @@ private Q_SLOTS:
         const QByteArray before = savedBytes("part-before.hairpaint");
         clickAll();
         QCOMPARE(handles(), qsizetype{3});
-        QVERIFY(editor().stroking());
+        QVERIFY(editor().tools().stroking());
         QVERIFY(savedBytes("part-shown.hairpaint") == before);
         const auto check = [this] {
             QVERIFY(sidewaysAt(0.53F, 0.4F) > 0.6F);
@@ -99,10 +99,10 @@ private Q_SLOTS:
         };
         check();
         QTest::keyClick(m_area, Qt::Key_Return);
-        QVERIFY(!editor().stroking());
+        QVERIFY(!editor().tools().stroking());
         QCOMPARE(stack().count(), 1);
         QCOMPARE(stack().text(0), QStringLiteral("Part"));
-        QCOMPARE(editor().activeMap(), model::MapKind::Direction);
+        QCOMPARE(editor().target().map(), model::MapKind::Direction);
         check();
         key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(savedBytes("part-undone.hairpaint") == before);
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QVERIFY(sidewaysAt(0.53F, 0.4F) < -0.6F);
         QCOMPARE(densityAt(0.5F, 0.4F), 65535);
         key(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(editor().stroking());
+        QVERIFY(editor().tools().stroking());
         QVERIFY(sidewaysAt(0.53F, 0.4F) > 0.6F);
     }
 
@@ -140,7 +140,7 @@ private Q_SLOTS:
         key(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(handles(), qsizetype{2});
         QTest::keyClick(m_area, Qt::Key_Escape);
-        QVERIFY(!editor().stroking());
+        QVERIFY(!editor().tools().stroking());
         QCOMPARE(stack().count(), 0);
         QVERIFY(savedBytes("part-after.hairpaint") == before);
         QCOMPARE(sidewaysAt(0.53F, 0.4F), 0.0F);
@@ -156,11 +156,11 @@ private Q_SLOTS:
             return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == hint; });
         };
         QTest::mouseMove(m_area, m_points[1] + QPoint(0, 40));
-        const QString before = editor().activeTool().hint();
+        const QString before = editor().tools().active().hint();
         QVERIFY(says(before));
         key(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(handles(), qsizetype{1});
-        const QString after = editor().activeTool().hint();
+        const QString after = editor().tools().active().hint();
         QVERIFY(after != before);
         QVERIFY(says(after));
         QTest::keyClick(m_area, Qt::Key_Escape);
@@ -171,13 +171,13 @@ private Q_SLOTS:
         open(true);
         clickAll();
         QTest::mouseDClick(m_area, Qt::LeftButton, {}, m_points.back());
-        QVERIFY(!editor().stroking());
+        QVERIFY(!editor().tools().stroking());
         QCOMPARE(stack().count(), 1);
         clickAll();
         key(Qt::Key_B);
-        QVERIFY(!editor().stroking());
+        QVERIFY(!editor().tools().stroking());
         QCOMPARE(stack().text(1), QStringLiteral("Part"));
-        QVERIFY(editor().activeMap() != model::MapKind::Direction); // The brush goes on where it was.
+        QVERIFY(editor().target().map() != model::MapKind::Direction); // The brush goes on where it was.
     }
 
     void itsOptionsShowAtOnce()
@@ -193,7 +193,7 @@ private Q_SLOTS:
         QVERIFY(gap->isVisible());
         QTest::mouseClick(gap, Qt::LeftButton, {}, QPoint(0, gap->height() / 2));
         QCOMPARE(densityAt(0.5F, 0.4F), 65535);
-        QVERIFY(editor().stroking());
+        QVERIFY(editor().tools().stroking());
         QVERIFY(slider(QStringLiteral("Zigzag"))->isVisible());
         QVERIFY(slider(QStringLiteral("Reach"))->isVisible());
     }

@@ -31,14 +31,14 @@ private Q_SLOTS:
         QTest::mouseClick(bald, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(hairs(), std::size_t{0}, kPatienceMs);
         QCOMPARE(stack().count(), 1);
-        QCOMPARE(editor().activeMap(), model::MapKind::Density);
+        QCOMPARE(editor().target().map(), model::MapKind::Density);
         key(Qt::Key_Z, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(hairs() > 10'000, kPatienceMs);
 
-        editor().setActiveMap(model::MapKind::Length);
+        editor().target().setMap(model::MapKind::Length);
         m_window->actions().find(QLatin1StringView("file.newBald"))->trigger();
         QTRY_COMPARE_WITH_TIMEOUT(hairs(), std::size_t{0}, kPatienceMs);
-        QCOMPARE(editor().activeMap(), model::MapKind::Density);
+        QCOMPARE(editor().target().map(), model::MapKind::Density);
         QVERIFY(!session().document().modified());
     }
 
@@ -61,7 +61,7 @@ private Q_SLOTS:
         QFETCH(bool, opposite);
         QFETCH(rendering::StandardView, side);
         openWindow(model::newProject());
-        const model::MapKind map = editor().activeMap();
+        const model::MapKind map = editor().target().map();
         rendering::Camera elsewhere = m_window->headView().camera();
         elsewhere.azimuthRad = -1.0F;
         elsewhere.elevationRad = 0.5F;
@@ -73,7 +73,7 @@ private Q_SLOTS:
             rendering::standardCamera(side, *session().document().project().head->shownMesh);
         QTRY_COMPARE_WITH_TIMEOUT(m_window->headView().camera().azimuthRad, wanted.azimuthRad, kPatienceMs);
         QCOMPARE(m_window->headView().camera().elevationRad, wanted.elevationRad);
-        QCOMPARE(editor().activeMap(), map); // The other digits are the maps'.
+        QCOMPARE(editor().target().map(), map); // The other digits are the maps'.
     }
 
     void theWindowTellsWhatIsSaved()
@@ -159,7 +159,7 @@ private Q_SLOTS:
         QMouseEvent move(QEvent::MouseMove, paintPoint(0.6F, 0.5F), area.mapToGlobal(paintPoint(0.6F, 0.5F)),
                          Qt::NoButton, Qt::RightButton, Qt::ControlModifier);
         QApplication::sendEvent(&area, &move);
-        const QString wanted = view::brushText(editor().toolSettings());
+        const QString wanted = view::brushText(editor().tools().settings());
         const QList<QLabel*> labels = m_window->findChild<view::StatusReadout*>()->findChildren<QLabel*>();
         QVERIFY(std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == wanted; }));
         QTest::mouseRelease(&area, Qt::RightButton, Qt::ControlModifier, paintPoint(0.6F, 0.5F));

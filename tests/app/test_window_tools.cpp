@@ -77,22 +77,22 @@ private Q_SLOTS:
         openWindow(model::newProject());
         key(Qt::Key_9);
         key(Qt::Key_B);
-        model::ToolSettings settings = editor().toolSettings();
+        model::ToolSettings settings = editor().tools().settings();
         settings.value(model::MapKind::Gel).scalar = 0.75F;
-        editor().setToolSettings(settings);
+        editor().tools().setSettings(settings);
         // Where the 3D area shows skin.
         view::HeadView& view = m_window->headView();
         const glm::vec2 seen = view.skinAt(QRectF(view.rect()).center()).value().uv;
         drag(paper(), paintPoint(seen.x - 0.03F, seen.y), paintPoint(seen.x + 0.03F, seen.y));
         const int steps = stack().count();
         for (const bool head : {false, true}) {
-            settings = editor().toolSettings();
+            settings = editor().tools().settings();
             settings.value(model::MapKind::Gel).scalar = 0.1F;
-            editor().setToolSettings(settings);
+            editor().tools().setSettings(settings);
             const auto [area, position] =
                 head ? onHead(seen.x, seen.y) : std::pair<QWidget*, QPoint>{&paper(), paintPoint(seen.x, seen.y)};
             click(*area, position, Qt::ControlModifier);
-            const float picked = editor().toolSettings().value(model::MapKind::Gel).scalar;
+            const float picked = editor().tools().settings().value(model::MapKind::Gel).scalar;
             QVERIFY2(std::abs(picked - 0.75F) < 0.01F,
                      qPrintable(QStringLiteral("%1, %2").arg(picked).arg(QLatin1String(head ? "head" : "paper"))));
         }
@@ -103,24 +103,24 @@ private Q_SLOTS:
     {
         openWindow(model::newProject());
         key(Qt::Key_9);
-        model::ToolSettings settings = editor().toolSettings();
+        model::ToolSettings settings = editor().tools().settings();
         settings.value(model::MapKind::Gel).scalar = 0.75F;
-        editor().setToolSettings(settings);
-        editor().selection().setRectangle(QRectF(0.25, 0.25, 0.25, 0.25));
+        editor().tools().setSettings(settings);
+        editor().tools().selection().setRectangle(QRectF(0.25, 0.25, 0.25, 0.25));
         key(Qt::Key_Backspace, Qt::AltModifier);
         QCOMPARE(stack().count(), 1);
         QVERIFY(std::abs(texelAt(0.3F, 0.3F)[0] - 0.75F * 65535.0F) < 2.0F);
         QCOMPARE(int(texelAt(0.3F, 0.3F)[1]), 65535);
         QCOMPARE(int(texelAt(0.6F, 0.3F)[1]), 0);
         // On a locked layer nothing is filled, and it is said why.
-        const model::LayerAddress at = editor().target();
+        const model::LayerAddress at = editor().target().address();
         model::Document& document = session().document();
         model::LayerProperties locked = model::propertiesOf(*document.committed().layer(at.group, at.map, at.layer));
         locked.locked = true;
         document.push(model::setLayerPropertiesCommand(document, at, locked, QStringLiteral("lock")));
         const QSignalSpy refused(&editor(), &view::EditorState::refused);
         settings.value(model::MapKind::Gel).scalar = 0.25F;
-        editor().setToolSettings(settings);
+        editor().tools().setSettings(settings);
         key(Qt::Key_Backspace, Qt::AltModifier);
         QCOMPARE(stack().count(), 2);
         QCOMPARE(refused.count(), 1);
@@ -130,28 +130,28 @@ private Q_SLOTS:
     {
         openWindow(model::newProject());
         key(Qt::Key_B);
-        const float size = editor().toolSettings().brushSizeM;
+        const float size = editor().tools().settings().brushSizeM;
         key(Qt::Key_BracketRight);
-        QVERIFY(editor().toolSettings().brushSizeM > size);
+        QVERIFY(editor().tools().settings().brushSizeM > size);
         key(Qt::Key_BracketLeft);
-        QVERIFY(std::abs(editor().toolSettings().brushSizeM - size) < 1e-5F);
+        QVERIFY(std::abs(editor().tools().settings().brushSizeM - size) < 1e-5F);
         const int steps = stack().count();
         for (const bool head : {false, true}) {
             const auto [area, position] =
                 head ? onHead(0.5F, 0.5F) : std::pair<QWidget*, QPoint>{&paper(), paintPoint(0.5F, 0.5F)};
-            const model::ToolSettings before = editor().toolSettings();
+            const model::ToolSettings before = editor().tools().settings();
             QTest::mousePress(area, Qt::RightButton, Qt::ControlModifier, position);
             QTest::mouseMove(area, position + QPoint(40, 0));
             QTest::mouseRelease(area, Qt::RightButton, Qt::ControlModifier, position + QPoint(40, 0));
-            QVERIFY(editor().toolSettings().brushSizeM > before.brushSizeM);
-            QCOMPARE(editor().toolSettings().hardness, before.hardness);
+            QVERIFY(editor().tools().settings().brushSizeM > before.brushSizeM);
+            QCOMPARE(editor().tools().settings().hardness, before.hardness);
             m_window->paintView().setFocus();
             QTest::keyPress(&paper(), Qt::Key_O);
             QTest::mousePress(area, Qt::LeftButton, {}, position);
             QTest::mouseMove(area, position - QPoint(60, 0));
             QTest::mouseRelease(area, Qt::LeftButton, {}, position - QPoint(60, 0));
             QTest::keyRelease(&paper(), Qt::Key_O);
-            QVERIFY(editor().toolSettings().opacity < before.opacity);
+            QVERIFY(editor().tools().settings().opacity < before.opacity);
         }
         QCOMPARE(stack().count(), steps);
     }
@@ -161,18 +161,18 @@ private Q_SLOTS:
         openWindow(model::newProject());
         for (int digit = 1; digit <= std::min(model::kMapKindCount, kDigits); ++digit) {
             key(static_cast<Qt::Key>(Qt::Key_0 + digit % kDigits));
-            QCOMPARE(editor().activeMap(), static_cast<model::MapKind>(digit - 1));
+            QCOMPARE(editor().target().map(), static_cast<model::MapKind>(digit - 1));
         }
-        const model::MapKind map = editor().activeMap();
-        model::ToolSettings settings = editor().toolSettings();
+        const model::MapKind map = editor().target().map();
+        model::ToolSettings settings = editor().tools().settings();
         settings.value(map).scalar = 0.3F;
         settings.secondValue(map).scalar = 0.9F;
-        editor().setToolSettings(settings);
+        editor().tools().setSettings(settings);
         key(Qt::Key_X);
-        QCOMPARE(editor().toolSettings().value(map).scalar, 0.9F);
-        QCOMPARE(editor().toolSettings().secondValue(map).scalar, 0.3F);
+        QCOMPARE(editor().tools().settings().value(map).scalar, 0.9F);
+        QCOMPARE(editor().tools().settings().secondValue(map).scalar, 0.3F);
         key(Qt::Key_D);
-        QVERIFY(editor().toolSettings().value(map).scalar != 0.9F);
+        QVERIFY(editor().tools().settings().value(map).scalar != 0.9F);
     }
 
     void selectionKeysSelectAndEverythingStaysInside()
@@ -181,9 +181,9 @@ private Q_SLOTS:
         key(Qt::Key_9);
         const QRectF whole(0.0, 0.0, 1.0, 1.0);
         key(Qt::Key_A, Qt::ControlModifier);
-        QCOMPARE(editor().selection().rectangle(), std::optional(whole));
+        QCOMPARE(editor().tools().selection().rectangle(), std::optional(whole));
         key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(editor().selection().rectangles().empty());
+        QVERIFY(editor().tools().selection().rectangles().empty());
         key(Qt::Key_M);
         drag(paper(), paintPoint(0.3F, 0.6F), paintPoint(0.4F, 0.4F));
         QTest::mousePress(&paper(), Qt::LeftButton, Qt::ShiftModifier, paintPoint(0.6F, 0.6F));
@@ -194,7 +194,7 @@ private Q_SLOTS:
             QCoreApplication::sendEvent(&paper(), &move);
         }
         QTest::mouseRelease(&paper(), Qt::LeftButton, Qt::ShiftModifier, paintPoint(0.7F, 0.4F));
-        QCOMPARE(editor().selection().rectangles().size(), std::size_t{2});
+        QCOMPARE(editor().tools().selection().rectangles().size(), std::size_t{2});
         key(Qt::Key_B);
         drag(paper(), paintPoint(0.25F, 0.5F), paintPoint(0.75F, 0.5F));
         QVERIFY(texelAt(0.35F, 0.5F)[1] > 0 && texelAt(0.65F, 0.5F)[1] > 0);
@@ -206,7 +206,12 @@ private Q_SLOTS:
         QVERIFY(texelAt(0.5F, 0.5F)[1] == 0 && texelAt(0.35F, 0.5F)[1] > 0);
         QCOMPARE(stack().undoText(), QStringLiteral("Clear Gel"));
         const auto layers = [this] {
-            return session().document().committed().group(editor().activeGroup())->map(editor().activeMap()).layers;
+            return session()
+                .document()
+                .committed()
+                .group(editor().target().group())
+                ->map(editor().target().map())
+                .layers;
         };
         const std::size_t before = layers().size();
         key(Qt::Key_J, Qt::ControlModifier);
@@ -244,11 +249,11 @@ private Q_SLOTS:
         openWindow(model::newProject());
         key(Qt::Key_9);
         key(Qt::Key_B);
-        QVERIFY(!editor().mirror());
+        QVERIFY(!editor().options().mirror());
         key(Qt::Key_L);
-        QVERIFY(editor().mirror());
+        QVERIFY(editor().options().mirror());
         drag(paper(), paintPoint(0.3F, 0.5F), paintPoint(0.4F, 0.55F));
-        const model::LayerAddress at = editor().target();
+        const model::LayerAddress at = editor().target().address();
         const sim::TiledRaster raster = session().document().committed().layer(at.group, at.map, at.layer)->raster;
         int painted = 0;
         for (int y = 0; y < raster.size(); y += 3)
@@ -263,17 +268,17 @@ private Q_SLOTS:
     void cuttingWhileAPolygonIsOpenCutsWhatItPainted()
     {
         openWindow(model::newProject());
-        editor().setActiveMap(model::MapKind::Gel);
-        editor().setActiveTool(model::ToolId::Shape);
-        model::ToolSettings settings = editor().toolSettings();
+        editor().target().setMap(model::MapKind::Gel);
+        editor().tools().choose(model::ToolId::Shape);
+        model::ToolSettings settings = editor().tools().settings();
         settings.shape = model::ShapeKind::Polygon;
-        editor().setToolSettings(settings);
+        editor().tools().setSettings(settings);
         for (const auto& [u, v] : {std::pair(0.3F, 0.3F), std::pair(0.7F, 0.3F), std::pair(0.5F, 0.7F)})
             QTest::mouseClick(&m_window->paintView(), Qt::LeftButton, {}, paintPoint(u, v));
-        QVERIFY(editor().stroking());
-        editor().selection().setRectangle(QRectF(0.4, 0.0, 0.2, 1.0));
+        QVERIFY(editor().tools().stroking());
+        editor().tools().selection().setRectangle(QRectF(0.4, 0.0, 0.2, 1.0));
         key(Qt::Key_X, Qt::ControlModifier);
-        QVERIFY(!editor().stroking());
+        QVERIFY(!editor().tools().stroking());
         QCOMPARE(stack().count(), 2);
         QCOMPARE(int(texelAt(0.5F, 0.4F)[1]), 0); // Cut.
         QCOMPARE(int(texelAt(0.35F, 0.32F)[1]), 65535);
@@ -409,17 +414,17 @@ private Q_SLOTS:
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
             return bar->findChild<QLineEdit*>();
         };
-        const model::ToolSettings before = editor().toolSettings();
+        const model::ToolSettings before = editor().tools().settings();
         const QString shown = bar->valueText();
         QLineEdit* field = openField();
         QVERIFY(field != nullptr);
-        QVERIFY(editor().toolSettings() == before);
+        QVERIFY(editor().tools().settings() == before);
         QTest::keyClicks(field, QStringLiteral("long"));
         QTest::keyClick(field, Qt::Key_Return);
         QVERIFY(field->isVisible());
         QVERIFY(!view::FieldHint::textAt(*bar).isEmpty());
         QTest::keyClick(field, Qt::Key_Escape);
-        QVERIFY(editor().toolSettings() == before);
+        QVERIFY(editor().tools().settings() == before);
         QCOMPARE(bar->valueText(), shown);
         field = openField();
         QVERIFY(field != nullptr);
@@ -431,7 +436,7 @@ private Q_SLOTS:
         palette->window()->close();
         drag(paper(), paintPoint(0.4F, 0.5F), paintPoint(0.6F, 0.5F));
         const double painted = model::mapSpec(model::MapKind::Length)
-                                   .scale->amount(editor().activeSettings(), texelAt(0.5F, 0.5F)[0] / 65535.0);
+                                   .scale->amount(editor().target().settings(), texelAt(0.5F, 0.5F)[0] / 65535.0);
         QVERIFY2(std::abs(painted - 0.029) < 1e-4, qPrintable(QString::number(painted)));
         QCOMPARE(stack().count(), 1);
     }
@@ -469,7 +474,7 @@ private Q_SLOTS:
         auto* help = m_window->findChild<view::HelpDialog*>();
         QVERIFY(help != nullptr && help->isVisible());
         const QString text = help->text();
-        for (const auto& tool : editor().tools())
+        for (const auto& tool : editor().tools().all())
             QVERIFY2(text.contains(tool->title()) && text.contains(tool->hint()), tool->name());
         for (const view::KeyBinding& binding : m_window->actions().bindings())
             if (!binding.action->shortcut().isEmpty())

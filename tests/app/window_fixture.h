@@ -76,7 +76,7 @@ protected:
         QTRY_VERIFY_WITH_TIMEOUT(session().frame() != nullptr, kPatienceMs);
         auto* styles = m_window->findChild<view::StyleStrip*>();
         QTRY_VERIFY_WITH_TIMEOUT(!styles->paths().empty(), kPatienceMs); // They are read in the background.
-        editor().setMirror(false);
+        editor().options().setMirror(false);
     }
 
     /// Waits for the hair of the newest content, at rest: a step of the head that is too small to be seen goes to the
@@ -140,7 +140,7 @@ protected:
     /// The active layer's value and coverage there, as committed.
     [[nodiscard]] sim::Texel texelAt(float u, float v)
     {
-        const model::LayerAddress at = editor().target();
+        const model::LayerAddress at = editor().target().address();
         const sim::TiledRaster& raster = session().document().committed().layer(at.group, at.map, at.layer)->raster;
         const auto size = static_cast<float>(raster.size());
         return raster.texel(static_cast<int>(u * size), static_cast<int>((1.0F - v) * size));

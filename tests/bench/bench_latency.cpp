@@ -263,7 +263,7 @@ void duringOpacityTicks(benchmark::State& state)
     app::MainWindow window(std::move(project), QString());
     window.resize(1280, 800);
     window.show();
-    window.session().editor().setActiveMap(model::MapKind::Colour);
+    window.session().editor().target().setMap(model::MapKind::Colour);
     const auto await = [&window] {
         while (window.session().hair() != app::Session::Hair::Current)
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
@@ -296,10 +296,10 @@ void duringStrokes(benchmark::State& state)
     window.resize(1440, 900);
     window.show();
     view::EditorState& editor = window.session().editor();
-    editor.setActiveMap(model::MapKind::Length);
-    model::ToolSettings settings = editor.toolSettings();
+    editor.target().setMap(model::MapKind::Length);
+    model::ToolSettings settings = editor.tools().settings();
     settings.brushSizeM = 0.10F;
-    editor.setToolSettings(settings);
+    editor.tools().setSettings(settings);
     // As the program waits for a hand: asleep where nothing comes, so that both cores are left to the hair.
     const auto workFor = [](int milliseconds) {
         QEventLoop loop;

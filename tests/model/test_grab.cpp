@@ -23,33 +23,29 @@ struct Hand : HeadStudio
         settings.hardness = 1.0F;
         settings.brushSizeM = 0.04F;
     }
-    [[nodiscard]] ToolEvent event(glm::vec3 rootHd, glm::vec3 targetHd, Qt::KeyboardModifiers modifiers = {})
+    [[nodiscard]] HairEvent event(glm::vec3 rootHd, glm::vec3 targetHd, Qt::KeyboardModifiers modifiers = {})
     {
         const sim::SurfacePoint root = skin().nearest(rootHd);
-        return {
-            .area = Area::Head,
-            .uv = root.uv,
-            .modifiers = modifiers,
-            .grabbed =
-                GrabbedHair{.root = root, .positionHd = root.positionHd + root.normalHd * kAlongM, .alongM = kAlongM},
-            .targetHd = targetHd};
+        return {.hair = {.root = root, .positionHd = root.positionHd + root.normalHd * kAlongM, .alongM = kAlongM},
+                .targetHd = targetHd,
+                .modifiers = modifiers};
     }
+    [[nodiscard]] HairHandler& grab() { return *tool(kGrab).hairHandler(); }
     /// Takes hold of hair that stands 5 cm up, and takes it there.
     void take(glm::vec3 rootHd, glm::vec3 targetHd, Qt::KeyboardModifiers modifiers = {})
     {
         ToolContext now = context();
-        const ToolEvent start = event(rootHd, targetHd);
-        ToolEvent held = start;
-        held.targetHd = start.grabbed->positionHd;
-        tool(kGrab).press(held, now);
-        held.targetHd = (start.grabbed->positionHd + targetHd) * 0.5F;
-        tool(kGrab).move(held, now);
-        tool(kGrab).move(event(rootHd, targetHd, modifiers), now);
+        HairEvent held = event(rootHd, targetHd);
+        held.targetHd = held.hair.positionHd;
+        grab().pressHair(held, now);
+        held.targetHd = (held.hair.positionHd + targetHd) * 0.5F;
+        grab().moveHair(held, now);
+        grab().moveHair(event(rootHd, targetHd, modifiers), now);
     }
     void letGo(glm::vec3 rootHd, glm::vec3 targetHd, Qt::KeyboardModifiers modifiers = {})
     {
         ToolContext now = context();
-        tool(kGrab).release(event(rootHd, targetHd, modifiers), now);
+        grab().releaseHair(event(rootHd, targetHd, modifiers), now);
     }
     [[nodiscard]] glm::vec3 directionAt(glm::vec3 placeHd)
     {
@@ -136,7 +132,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(hand.lengthAt(kRoot) - wanted) < 0.01F);
         // Let go of Ctrl, and it is as long as it was.
         ToolContext now = hand.context();
-        hand.tool(kGrab).move(hand.event(kRoot, target), now);
+        hand.grab().moveHair(hand.event(kRoot, target), now);
         QVERIFY(std::abs(hand.lengthAt(kRoot) - 0.4F) < 0.001F);
         hand.letGo(kRoot, target, Qt::ControlModifier);
         QVERIFY(std::abs(hand.lengthAt(kRoot) - wanted) < 0.01F);
@@ -202,13 +198,13 @@ private Q_SLOTS:
     {
         Hand hand;
         ToolContext now = hand.context();
-        ToolEvent event = hand.event(kRoot, {});
-        event.grabbed->alongM = 0.3F;
-        event.grabbed->positionHd = kRoot + glm::vec3(0.0F, 0.0F, 0.3F);
-        event.targetHd = event.grabbed->positionHd;
-        hand.tool(kGrab).press(event, now);
-        event.targetHd = event.grabbed->positionHd + glm::vec3(0.05F, 0.0F, 0.0F);
-        hand.tool(kGrab).move(event, now);
+        HairEvent event = hand.event(kRoot, {});
+        event.hair.alongM = 0.3F;
+        event.hair.positionHd = kRoot + glm::vec3(0.0F, 0.0F, 0.3F);
+        event.targetHd = event.hair.positionHd;
+        hand.grab().pressHair(event, now);
+        event.targetHd = event.hair.positionHd + glm::vec3(0.05F, 0.0F, 0.0F);
+        hand.grab().moveHair(event, now);
         // As far to the side as the 5 cm go up that such hair carries.
         QVERIFY(glm::distance(hand.directionAt(kRoot), glm::vec3(0.707F, 0.0F, 0.0F)) < 0.02F);
         hand.tool(kGrab).cancel(now);
@@ -259,9 +255,8 @@ private Q_SLOTS:
     {
         Hand hand;
         ToolContext now = hand.context();
-        ToolEvent event = hand.event(kRoot, kRoot);
-        event.grabbed.reset();
-        hand.tool(kGrab).press(event, now);
+        const sim::SurfacePoint point = hand.skin().nearest(kRoot);
+        hand.tool(kGrab).press({.area = Area::Head, .uv = point.uv, .point = point}, now);
         QVERIFY(!hand.tool(kGrab).active());
     }
 };

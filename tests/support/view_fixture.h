@@ -27,19 +27,19 @@ struct Editor
 {
     explicit Editor(model::Project project) : document(std::move(project)), state(document)
     {
-        state.setMirror(false);
-        state.setActiveMap(model::MapKind::Density);
-        model::ToolSettings settings = state.toolSettings();
+        state.options().setMirror(false);
+        state.target().setMap(model::MapKind::Density);
+        model::ToolSettings settings = state.tools().settings();
         settings.hardness = 1.0F;
         settings.brushSizeM = 0.02F;
         settings.value(model::MapKind::Density).scalar = 1.0F;
-        state.setToolSettings(settings);
+        state.tools().setSettings(settings);
     }
 
     [[nodiscard]] float density(glm::vec2 uv) const
     {
         return static_cast<float>(
-                   document.resolved(state.activeGroup(), model::MapKind::Density)->sampleNearest(uv)[0]) /
+                   document.resolved(state.target().group(), model::MapKind::Density)->sampleNearest(uv)[0]) /
                65535.0F;
     }
 

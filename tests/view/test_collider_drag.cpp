@@ -21,7 +21,7 @@ struct ColliderFixture : HeadFixture
                                                    {.centreHd = {0.0F, -0.1F, 0.0F}, .semiAxesM = glm::vec3(0.03F)}},
                                                   QStringLiteral("Add colliders")));
         editor.document.undoStack().clear();
-        editor.state.setCollidersShown(true);
+        editor.state.options().setCollidersShown(true);
     }
     [[nodiscard]] const std::vector<sim::Ellipsoid>& all() { return editor.document.project().ellipsoids; }
     [[nodiscard]] const sim::Ellipsoid& first() { return all().front(); }
@@ -47,7 +47,7 @@ private Q_SLOTS:
         const QPointF centre = f.shown(f.first().centreHd);
         const QPoint from = f.end(kRight);
         f.drag(from, from + QPoint(40, -25));
-        QVERIFY(f.editor.state.chosenCollider() == std::size_t{0});
+        QVERIFY(f.editor.state.options().chosenCollider() == std::size_t{0});
         const QPointF way = f.shown(f.first().centreHd) - centre;
         QVERIFY(std::abs(way.x() - 40.0) < 1.0 && std::abs(way.y() + 25.0) < 1.0);
         QVERIFY(f.first().semiAxesM == before.front().semiAxesM);
@@ -116,8 +116,8 @@ private Q_SLOTS:
         const QPoint outline = f.end(kRight);
         f.drag(kMiddle + QPoint(12, 14), kMiddle + QPoint(16, 20));
         QCOMPARE(f.stack().count(), 1);
-        f.editor.state.setCollidersShown(false);
-        QVERIFY(!f.editor.state.chosenCollider());
+        f.editor.state.options().setCollidersShown(false);
+        QVERIFY(!f.editor.state.options().chosenCollider());
         f.drag(outline, outline + QPoint(10, 10));
         QCOMPARE(f.stack().count(), 2);
         QVERIFY(f.all() == before);
@@ -133,11 +133,11 @@ private Q_SLOTS:
         QTest::mouseMove(&f.area, place);
         f.area.addCollider();
         QCOMPARE(f.all().size(), std::size_t{3});
-        QVERIFY(f.editor.state.chosenCollider() == std::size_t{2});
+        QVERIFY(f.editor.state.options().chosenCollider() == std::size_t{2});
         QCOMPARE(f.stack().text(0), QStringLiteral("Add collider"));
         f.area.removeCollider();
         QCOMPARE(f.all().size(), std::size_t{2});
-        QVERIFY(!f.editor.state.chosenCollider());
+        QVERIFY(!f.editor.state.options().chosenCollider());
         QCOMPARE(f.stack().text(1), QStringLiteral("Remove collider"));
         f.editor.document.undo();
         QCOMPARE(f.all().size(), std::size_t{3});

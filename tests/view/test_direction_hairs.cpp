@@ -56,24 +56,24 @@ private Q_SLOTS:
     {
         HeadFixture f;
         fill(f, model::MapKind::Direction, covered({0.9F, 0.0F}));
-        f.editor.state.setActiveMap(model::MapKind::Density);
+        f.editor.state.target().setMap(model::MapKind::Density);
         handleDueEvents();
         QVERIFY(shown(f).empty());
-        f.editor.state.setActiveMap(model::MapKind::Direction);
+        f.editor.state.target().setMap(model::MapKind::Direction);
         QTRY_VERIFY_WITH_TIMEOUT(amid(shown(f)).size() > 20, kPatienceMs);
         // u grows to the right on the ball's front.
         for (const view::HairSpine& hair : amid(shown(f))) {
             QVERIFY(hair[2].x() > hair[0].x() + 6.0);
             QVERIFY(std::abs(hair[2].y() - hair[0].y()) < 8.0);
         }
-        f.editor.state.setDirectionsShown(false);
+        f.editor.state.options().setDirectionsShown(false);
         QTRY_VERIFY_WITH_TIMEOUT(shown(f).empty(), kPatienceMs);
     }
 
     void anotherMapIsLookedAtWithoutThemAndTheirOwnWithThem()
     {
         HeadFixture f;
-        f.editor.state.setDirectionsShown(false);
+        f.editor.state.options().setDirectionsShown(false);
         f.area.setLookedAt(model::MapKind::Direction);
         QTRY_VERIFY_WITH_TIMEOUT(!shown(f).empty(), kPatienceMs);
         f.area.setLookedAt(model::MapKind::Gel);
@@ -83,16 +83,16 @@ private Q_SLOTS:
     void theyStandApartWhereThereIsHairOnTheSideThatIsSeen()
     {
         HeadFixture f;
-        f.editor.state.setActiveMap(model::MapKind::Direction);
+        f.editor.state.target().setMap(model::MapKind::Direction);
         QTRY_VERIFY_WITH_TIMEOUT(!shown(f).empty(), kPatienceMs);
         const std::vector<view::HairSpine> all = shown(f);
         for (std::size_t i = 0; i < all.size(); ++i)
             for (std::size_t k = 0; k < i; ++k)
                 QVERIFY(QLineF(all[i][0], all[k][0]).length() >= 12.0);
         // A brush of 2 cm paints density in the middle: elsewhere there are no hairs any more.
-        f.editor.state.setActiveMap(model::MapKind::Density);
+        f.editor.state.target().setMap(model::MapKind::Density);
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
-        f.editor.state.setActiveMap(model::MapKind::Direction);
+        f.editor.state.target().setMap(model::MapKind::Direction);
         QTRY_VERIFY_WITH_TIMEOUT(!shown(f).empty() && shown(f).size() < all.size() / 4, kPatienceMs);
         const QPointF rim = f.area.positionOf({0.0112F, 0.0F, kBallM}).value_or(QPointF());
         for (const view::HairSpine& hair : shown(f))
@@ -102,7 +102,7 @@ private Q_SLOTS:
     void theyGoWithTheCombBeforeItIsLetGo()
     {
         HeadFixture f;
-        f.editor.state.setActiveTool(model::ToolId::Comb);
+        f.editor.state.tools().choose(model::ToolId::Comb);
         QTRY_VERIFY_WITH_TIMEOUT(!shown(f).empty(), kPatienceMs);
         const auto right = [&f] {
             const std::vector<view::HairSpine> hairs = amid(shown(f));
@@ -122,7 +122,7 @@ private Q_SLOTS:
     {
         HeadFixture f;
         const auto* overlay = f.area.findChild<view::HeadOverlay*>();
-        f.editor.state.setActiveTool(model::ToolId::Comb);
+        f.editor.state.tools().choose(model::ToolId::Comb);
         QVERIFY(!overlay->directionsFaded());
         QTest::mousePress(&f.area, Qt::LeftButton, {}, kMiddle - QPoint(40, 0));
         for (int x = -35; x <= 40; x += 5)
@@ -130,10 +130,10 @@ private Q_SLOTS:
         QVERIFY(overlay->directionsFaded());
         QTest::mouseRelease(&f.area, Qt::LeftButton, {}, kMiddle + QPoint(40, 0));
         QVERIFY(overlay->directionsFaded());
-        f.editor.state.setActiveTool(model::ToolId::Brush);
+        f.editor.state.tools().choose(model::ToolId::Brush);
         QVERIFY(!overlay->directionsFaded());
         // The map itself is painted: it is what is looked at.
-        f.editor.state.setActiveMap(model::MapKind::Direction);
+        f.editor.state.target().setMap(model::MapKind::Direction);
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
         QVERIFY(!overlay->directionsFaded());
     }
@@ -141,7 +141,7 @@ private Q_SLOTS:
     void theyGoWithTheHead()
     {
         HeadFixture f;
-        f.editor.state.setActiveMap(model::MapKind::Direction);
+        f.editor.state.target().setMap(model::MapKind::Direction);
         QTRY_VERIFY_WITH_TIMEOUT(!shown(f).empty(), kPatienceMs);
         const std::vector<view::HairSpine> before = shown(f);
         auto frame = std::make_shared<sim::StrandFrame>();

@@ -15,7 +15,7 @@ struct Fixture : view::PanelFixture
 {
     Fixture()
     {
-        state.setActiveMap(MapKind::Length);
+        state.target().setMap(MapKind::Length);
         setGreatestLength(0.3F);
         setLength(0.5F);
     }
@@ -27,14 +27,14 @@ struct Fixture : view::PanelFixture
     }
     void setLength(float fraction)
     {
-        model::ToolSettings settings = state.toolSettings();
+        model::ToolSettings settings = state.tools().settings();
         settings.value(MapKind::Length).scalar = fraction;
-        state.setToolSettings(settings);
+        state.tools().setSettings(settings);
     }
     [[nodiscard]] float lengthM() const
     {
-        const model::HairGroup* group = document.project().group(state.activeGroup());
-        return state.toolSettings().value(MapKind::Length).scalar * group->settings.greatestLengthM;
+        const model::HairGroup* group = document.project().group(state.target().group());
+        return state.tools().settings().value(MapKind::Length).scalar * group->settings.greatestLengthM;
     }
 };
 
@@ -83,9 +83,9 @@ private Q_SLOTS:
         Fixture f;
         f.setGreatestLength(0.075F);
         for (int i = 0; i < 2; ++i) {
-            model::ToolSettings settings = f.state.toolSettings();
+            model::ToolSettings settings = f.state.tools().settings();
             std::swap(settings.value(MapKind::Length), settings.secondValue(MapKind::Length));
-            f.state.setToolSettings(settings);
+            f.state.tools().setSettings(settings);
         }
         f.setGreatestLength(0.6F);
         QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
@@ -94,16 +94,16 @@ private Q_SLOTS:
     void anotherGroupsRangeLeavesTheAmount()
     {
         Fixture f;
-        f.state.setActiveGroup(f.document.project().groups[1].id);
+        f.state.target().setGroup(f.document.project().groups[1].id);
         QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
-        f.state.setActiveGroup(f.scalp().id);
+        f.state.target().setGroup(f.scalp().id);
         QVERIFY(std::abs(f.lengthM() - 0.15F) < 1e-5F);
     }
 
     void grabbingWithCtrlNeedsTheLengthLayer()
     {
         Fixture f;
-        f.state.setActiveTool(model::ToolId::Grab);
+        f.state.tools().choose(model::ToolId::Grab);
         const model::MapStack& length = f.scalp().map(MapKind::Length);
         const model::LayerAddress at{.group = f.scalp().id, .map = MapKind::Length, .layer = length.layers[0].id};
         model::LayerProperties properties = propertiesOf(length.layers[0]);
@@ -111,23 +111,23 @@ private Q_SLOTS:
         f.document.push(setLayerPropertiesCommand(f.document, at, properties, QStringLiteral("Lock")));
         QSignalSpy refused(&f.state, &view::EditorState::refused);
         model::ToolEvent event{.area = model::Area::Head, .uv = {0.5F, 0.5F}, .point = {}};
-        f.state.press(event);
+        f.state.tools().press(event);
         QCOMPARE(refused.count(), 0);
-        f.state.release(event);
+        f.state.tools().release(event);
         event.modifiers = Qt::ControlModifier;
-        f.state.press(event);
+        f.state.tools().press(event);
         QCOMPARE(refused.count(), 1);
         QVERIFY(refused.last().front().toString().startsWith(QStringLiteral("Length: ")));
         QVERIFY(refused.last().front().toString().contains(QStringLiteral("locked")));
-        QVERIFY(!f.state.stroking());
+        QVERIFY(!f.state.tools().stroking());
     }
 
     void aPartNeedsItsDensityLayerUnlessItLeavesNoGap()
     {
         Fixture f;
-        const auto press = [&f] { f.state.press({.uv = {0.5F, 0.5F}, .point = {}}); };
+        const auto press = [&f] { f.state.tools().press({.uv = {0.5F, 0.5F}, .point = {}}); };
         QSignalSpy refused(&f.state, &view::EditorState::refused);
-        f.state.setActiveTool(model::ToolId::Part);
+        f.state.tools().choose(model::ToolId::Part);
         press();
         QCOMPARE(refused.count(), 0);
         const model::MapStack& density = f.scalp().map(MapKind::Density);
@@ -139,12 +139,12 @@ private Q_SLOTS:
         QCOMPARE(refused.count(), 1);
         QVERIFY(refused.last().front().toString().startsWith(QStringLiteral("Density: ")));
         QVERIFY(refused.last().front().toString().contains(QStringLiteral("locked")));
-        model::ToolSettings settings = f.state.toolSettings();
+        model::ToolSettings settings = f.state.tools().settings();
         settings.partGapM = 0.0F;
-        f.state.setToolSettings(settings);
+        f.state.tools().setSettings(settings);
         press();
         QCOMPARE(refused.count(), 1);
-        f.state.setActiveTool(model::ToolId::Comb);
+        f.state.tools().choose(model::ToolId::Comb);
         press();
         QCOMPARE(refused.count(), 1);
     }
@@ -152,21 +152,21 @@ private Q_SLOTS:
     void theMapBeforeTheCombIsTheBrushsAgain()
     {
         Fixture f;
-        f.state.setActiveMap(MapKind::Colour);
-        f.state.setActiveTool(model::ToolId::Comb);
-        QCOMPARE(f.state.activeMap(), MapKind::Direction);
-        f.state.setActiveTool(model::ToolId::Part);
-        f.state.setActiveTool(model::ToolId::Brush);
-        QCOMPARE(f.state.activeMap(), MapKind::Colour);
+        f.state.target().setMap(MapKind::Colour);
+        f.state.tools().choose(model::ToolId::Comb);
+        QCOMPARE(f.state.target().map(), MapKind::Direction);
+        f.state.tools().choose(model::ToolId::Part);
+        f.state.tools().choose(model::ToolId::Brush);
+        QCOMPARE(f.state.target().map(), MapKind::Colour);
         // Chosen while the comb is in hand: that is the one.
-        f.state.setActiveTool(model::ToolId::Comb);
-        f.state.setActiveMap(MapKind::Curl);
-        f.state.setActiveTool(model::ToolId::Brush);
-        QCOMPARE(f.state.activeMap(), MapKind::Curl);
-        f.state.setActiveTool(model::ToolId::Comb);
-        f.state.setActiveMap(MapKind::Direction);
-        f.state.setActiveTool(model::ToolId::Brush);
-        QCOMPARE(f.state.activeMap(), MapKind::Direction);
+        f.state.tools().choose(model::ToolId::Comb);
+        f.state.target().setMap(MapKind::Curl);
+        f.state.tools().choose(model::ToolId::Brush);
+        QCOMPARE(f.state.target().map(), MapKind::Curl);
+        f.state.tools().choose(model::ToolId::Comb);
+        f.state.target().setMap(MapKind::Direction);
+        f.state.tools().choose(model::ToolId::Brush);
+        QCOMPARE(f.state.target().map(), MapKind::Direction);
     }
 };
 

@@ -113,7 +113,7 @@ private Q_SLOTS:
         PanelFixture f;
         const auto [make, size] = everything()[name];
         for (const model::MapSpec& spec : model::mapSpecs()) {
-            f.state.setActiveMap(spec.kind);
+            f.state.target().setMap(spec.kind);
             const auto widget = make(f.state);
             if (size.isValid()) {
                 widget->resize(size);
@@ -141,8 +141,8 @@ private Q_SLOTS:
         OptionBar bar(f.state);
         bar.resize(1100, 40);
         bar.show();
-        for (const auto& tool : f.state.tools()) {
-            f.state.setActiveTool(tool->id());
+        for (const auto& tool : f.state.tools().all()) {
+            f.state.tools().choose(tool->id());
             test::handleDueEvents();
             const QStringList cut = test::clipped(bar);
             QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QStringLiteral("; "))));

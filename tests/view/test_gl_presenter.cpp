@@ -81,7 +81,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         test::Editor editor(test::makeProject(test::makeBallHead()));
-        const model::LayerAddress at = editor.state.target();
+        const model::LayerAddress at = editor.state.target().address();
         editor.document.apply({}, [at](model::Project& project) {
             project.layer(at.group, at.map, at.layer)->raster = sim::TiledRaster(256, 2, {32000, 65535});
             // Their number is what matters.

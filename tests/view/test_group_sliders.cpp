@@ -110,7 +110,7 @@ private Q_SLOTS:
         const sim::GroupSettings beard = f.document.project().groups[1].settings;
         const sim::GroupSettings scalp = f.scalp().settings;
         QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() * 9 / 10, 12));
-        f.state.setActiveGroup(f.document.project().groups[1].id);
+        f.state.target().setGroup(f.document.project().groups[1].id);
         QVERIFY(!slider->editing());
         QVERIFY(f.document.project().groups[1].settings == beard);
         QVERIFY(!(f.scalp().settings == scalp));

@@ -45,18 +45,19 @@ struct HairyBall : HeadFixture
                                                                               static_cast<float>(groom.nodes - 1)));
         }
         area.setFrame(standing);
-        editor.state.setHair(standing);
-        editor.state.setActiveTool(model::ToolId::Grab);
+        editor.state.tools().setHair(standing);
+        editor.state.tools().choose(model::ToolId::Grab);
         steps = editor.document.undoStack().count();
     }
 
     [[nodiscard]] std::optional<model::GrabbedHair> near(QPointF at, float furthestM = 10.0F) const
     {
-        return view::hairNear(at, *standing, editor.state.activeGroup(), area.camera(), QSizeF(area.size()), furthestM);
+        return view::hairNear(at, *standing, editor.state.target().group(), area.camera(), QSizeF(area.size()),
+                              furthestM);
     }
     [[nodiscard]] glm::vec3 directionAt(const sim::SurfacePoint& point) const
     {
-        const auto map = editor.document.resolved(editor.state.activeGroup(), model::MapKind::Direction);
+        const auto map = editor.document.resolved(editor.state.target().group(), model::MapKind::Direction);
         return sim::SkinFrame::at(point).toHd(sim::directionOf(map->sampleNearest(point.uv)));
     }
 
@@ -97,7 +98,7 @@ private Q_SLOTS:
         const HairyBall f;
         QVERIFY(!f.near(QPointF(kBackground)));
         QVERIFY(!f.near(QPointF(kMiddle), f.area.camera().distanceM - kBallM - 2.0F * kHairM));
-        QVERIFY(!view::hairNear(QPointF(kMiddle), *f.standing, f.editor.state.activeGroup() + 1, f.area.camera(),
+        QVERIFY(!view::hairNear(QPointF(kMiddle), *f.standing, f.editor.state.target().group() + 1, f.area.camera(),
                                 QSizeF(f.area.size()), 10.0F));
     }
 
@@ -109,7 +110,7 @@ private Q_SLOTS:
         const QPointF to = f.area.positionOf(heldHd + glm::vec3(-0.01F, 0.05F, 0.0F)).value_or(QPointF());
         const sim::SurfacePoint root = f.near(from.toPoint()).value_or(model::GrabbedHair{}).root;
         QTest::mousePress(&f.area, Qt::LeftButton, {}, from.toPoint());
-        QVERIFY(f.editor.state.stroking());
+        QVERIFY(f.editor.state.tools().stroking());
         f.move(from + (to - from) * 0.5, Qt::LeftButton, {});
         f.move(to, Qt::LeftButton, {});
         const glm::vec3 live = f.directionAt(root);
@@ -129,7 +130,7 @@ private Q_SLOTS:
         f.move(kMiddle + QPoint(60, 0), Qt::LeftButton, {});
         QVERIFY(f.editor.document.previewing());
         QTest::keyClick(&f.area, Qt::Key_Escape);
-        QVERIFY(!f.editor.state.stroking());
+        QVERIFY(!f.editor.state.tools().stroking());
         QCOMPARE(f.editor.document.undoStack().count(), f.steps);
     }
 

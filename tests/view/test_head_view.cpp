@@ -154,7 +154,7 @@ private Q_SLOTS:
         auto head = std::make_shared<model::Head>(*f.editor.document.project().head);
         f.editor.document.push(model::setHeadCommand(f.editor.document, std::move(head), {ellipsoid}));
         QVERIFY(overlay->colliders().empty());
-        QVERIFY(f.editor.state.setCollidersShown(true));
+        QVERIFY(f.editor.state.options().setCollidersShown(true));
         QCOMPARE(overlay->colliders().size(), std::size_t{3});
         const auto touches = [&](glm::vec3 positionHd) {
             const QPointF at = f.area.positionOf(positionHd).value_or(QPointF());
@@ -181,7 +181,7 @@ private Q_SLOTS:
         f.editor.document.undo();
         QVERIFY(overlay->colliders().empty());
         f.editor.document.redo();
-        QVERIFY(f.editor.state.setCollidersShown(false));
+        QVERIFY(f.editor.state.options().setCollidersShown(false));
         QVERIFY(overlay->colliders().empty() && overlay->isHidden());
     }
 
@@ -218,11 +218,11 @@ private Q_SLOTS:
     {
         HeadFixture f;
         QTest::mouseMove(&f.area, kMiddle);
-        QVERIFY(f.editor.state.hover().has_value());
-        QCOMPARE(f.editor.state.hover()->area, model::Area::Head);
-        QVERIFY(glm::length(f.editor.state.hover()->uv - f.area.skinAt(kMiddle)->uv) < 1e-6F);
+        QVERIFY(f.editor.state.hover().at().has_value());
+        QCOMPARE(f.editor.state.hover().at()->area, model::Area::Head);
+        QVERIFY(glm::length(f.editor.state.hover().at()->uv - f.area.skinAt(kMiddle)->uv) < 1e-6F);
         QTest::mouseMove(&f.area, kBackground);
-        QVERIFY(!f.editor.state.hover().has_value());
+        QVERIFY(!f.editor.state.hover().at().has_value());
     }
 
     void escCancelsTheStroke()
@@ -276,9 +276,9 @@ private Q_SLOTS:
     void hairAppearsWhereADabWasPainted()
     {
         HeadFixture f;
-        model::ToolSettings settings = f.editor.state.toolSettings();
+        model::ToolSettings settings = f.editor.state.tools().settings();
         settings.brushSizeM = 0.04F;
-        f.editor.state.setToolSettings(settings);
+        f.editor.state.tools().setSettings(settings);
         f.area.setFrame(f.frame());
         const QImage before = f.area.grabPicture({480, 400});
         QCOMPARE(before.size(), QSize(480, 400));

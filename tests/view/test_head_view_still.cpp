@@ -19,7 +19,7 @@ private Q_SLOTS:
     {
         HeadFixture f;
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
-        f.editor.state.setHover(std::nullopt);
+        f.editor.state.hover().set(std::nullopt);
         const auto frame = std::make_shared<sim::StrandFrame>(*f.frame());
         frame->asleep = false;
         std::size_t drawn = 0;
@@ -50,7 +50,7 @@ private Q_SLOTS:
     {
         HeadFixture f;
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, kMiddle);
-        f.editor.state.setHover(std::nullopt);
+        f.editor.state.hover().set(std::nullopt);
         const std::shared_ptr<const sim::StrandFrame> whole = f.frame();
         const auto coarse = std::make_shared<sim::StrandFrame>(*whole);
         for (sim::GroupFrame& group : coarse->groups)
@@ -99,7 +99,7 @@ private Q_SLOTS:
         const sim::Skin& skin = *f.editor.document.project().head->skin;
         const auto brushAt = [&](glm::vec3 placeHd, model::Area area) {
             const sim::SurfacePoint point = skin.nearest(placeHd);
-            f.editor.state.setHover(view::Hover{.area = area, .uv = point.uv, .point = point});
+            f.editor.state.hover().set(view::HoverPoint{.area = area, .uv = point.uv, .point = point});
             return point;
         };
         auto* overlay = f.area.findChild<view::HeadOverlay*>();

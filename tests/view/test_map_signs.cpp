@@ -49,8 +49,8 @@ private Q_SLOTS:
         QFETCH(model::MapKind, map);
         QFETCH(bool, night);
         test::Editor editor(test::makeProject(test::makeBallHead()));
-        editor.state.setNightPaper(night);
-        editor.state.setActiveMap(map);
+        editor.state.options().setNightPaper(night);
+        editor.state.target().setMap(map);
         const model::Project& project = editor.document.project();
         view::PaintView area(editor.state, view::Theme::of(view::ThemeKind::Dark));
         area.resize(600, 600);
@@ -59,7 +59,7 @@ private Q_SLOTS:
             model::EditSession painted;
             editor.document.show(painted, {}, {.aspect = model::Change::Aspect::Everything},
                                  [&](model::Project& shown) {
-                                     const model::LayerAddress at = editor.state.target();
+                                     const model::LayerAddress at = editor.state.target().address();
                                      sim::Texel texel{value, value, value, value};
                                      texel[static_cast<std::size_t>(spec.valueChannels)] = 65535;
                                      if (spec.texel == model::TexelKind::Index)
@@ -90,7 +90,7 @@ private Q_SLOTS:
         view::PaintView area(editor.state, view::Theme::of(view::ThemeKind::Dark));
         area.resize(600, 600);
         area.show();
-        editor.state.setActiveMap(model::MapKind::Length);
+        editor.state.target().setMap(model::MapKind::Length);
         const auto* legend = area.findChild<view::MapLegend*>();
         QVERIFY(legend->isVisible());
         QCOMPARE(legend->title(), QStringLiteral("Length, cm"));
@@ -99,7 +99,7 @@ private Q_SLOTS:
             ticks.append(tick.text);
         QVERIFY2(ticks.startsWith(QStringLiteral("0")) && ticks.endsWith(QStringLiteral("30")) && ticks.size() > 2,
                  qPrintable(ticks.join(QLatin1Char(' '))));
-        editor.state.setActiveMap(model::MapKind::Colour);
+        editor.state.target().setMap(model::MapKind::Colour);
         QVERIFY(!legend->isVisible());
     }
 
@@ -109,7 +109,7 @@ private Q_SLOTS:
         view::PaintView area(editor.state, view::Theme::of(view::ThemeKind::Dark));
         area.resize(900, 900);
         area.show();
-        editor.state.setActiveMap(model::MapKind::Direction);
+        editor.state.target().setMap(model::MapKind::Direction);
         auto* legend = area.findChild<view::MapLegend*>();
         QVERIFY(legend->isVisible() && !legend->folded());
         QTest::mouseMove(&area, QPoint(450, 450));
@@ -130,7 +130,7 @@ private Q_SLOTS:
         view::PaintView area(editor.state, view::Theme::of(view::ThemeKind::Dark));
         area.resize(300, 380);
         area.show();
-        editor.state.setActiveMap(model::MapKind::Direction);
+        editor.state.target().setMap(model::MapKind::Direction);
         const auto* legend = area.findChild<view::MapLegend*>();
         QVERIFY(legend->folded());
         QVERIFY(legend->height() < 60 && legend->geometry().bottom() < 380);

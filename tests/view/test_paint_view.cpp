@@ -61,7 +61,7 @@ struct Fixture
 /// Greatest distance of painted texels' centres from a place, m on the patch; -1 where nothing is painted.
 float paintedReachM(const test::Editor& editor, glm::vec2 uv)
 {
-    const auto raster = editor.document.resolved(editor.state.activeGroup(), model::MapKind::Density);
+    const auto raster = editor.document.resolved(editor.state.target().group(), model::MapKind::Density);
     float reach = -1.0F;
     for (int y = 0; y < raster->size(); ++y) {
         for (int x = 0; x < raster->size(); ++x) {
@@ -171,10 +171,10 @@ private Q_SLOTS:
     {
         QFETCH(double, pressure);
         Fixture f;
-        model::ToolSettings settings = f.editor.state.toolSettings();
+        model::ToolSettings settings = f.editor.state.tools().settings();
         settings.pressureSize = true;
         settings.brushSizeM = 0.04F;
-        f.editor.state.setToolSettings(settings);
+        f.editor.state.tools().setSettings(settings);
         const QPointF at(300.0, 300.0);
         f.pen(QEvent::TabletPress, at, pressure, Qt::LeftButton);
         f.pen(QEvent::TabletRelease, at, 0.0, Qt::NoButton);
@@ -187,19 +187,19 @@ private Q_SLOTS:
     {
         Fixture f;
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, {300, 300});
-        const model::ToolId tool = f.editor.state.activeTool().id();
+        const model::ToolId tool = f.editor.state.tools().active().id();
         f.pen(QEvent::TabletPress, {300, 300}, 1.0, Qt::LeftButton, QPointingDevice::PointerType::Eraser);
         f.pen(QEvent::TabletRelease, {300, 300}, 0.0, Qt::NoButton, QPointingDevice::PointerType::Eraser);
         QVERIFY(f.editor.density(f.area.uvAt({300, 300})) < 0.01F);
-        QCOMPARE(f.editor.state.activeTool().id(), tool);
+        QCOMPARE(f.editor.state.tools().active().id(), tool);
     }
 
     void theRingIsAsLargeAsTheBrush()
     {
         Fixture f;
-        model::ToolSettings settings = f.editor.state.toolSettings();
+        model::ToolSettings settings = f.editor.state.tools().settings();
         settings.brushSizeM = 0.06F;
-        f.editor.state.setToolSettings(settings);
+        f.editor.state.tools().setSettings(settings);
         const QImage without = f.area.grab().toImage();
         QTest::mouseMove(&f.area, {300, 300});
         const QImage with = f.area.grab().toImage();
@@ -222,7 +222,7 @@ private Q_SLOTS:
         const QRect around(twin - QPoint(60, 60), QSize(121, 121));
         QTest::mouseMove(&f.area, pointer);
         const QImage off = f.area.grab().toImage();
-        f.editor.state.setMirror(true);
+        f.editor.state.options().setMirror(true);
         QVERIFY(differs(off, f.area.grab().toImage(), around));
     }
 
@@ -231,7 +231,7 @@ private Q_SLOTS:
         Fixture f;
         const QImage without = f.area.grab().toImage();
         const glm::vec2 uv(0.3F, 0.7F);
-        f.editor.state.setHover(view::Hover{
+        f.editor.state.hover().set(view::HoverPoint{
             .area = model::Area::Head, .uv = uv, .point = f.editor.document.project().head->skin->atUv(uv)});
         const QPoint middle = f.area.positionOf(uv).toPoint();
         QVERIFY(differs(without, f.area.grab().toImage(), QRect(middle - QPoint(2, 2), QSize(5, 5))));
@@ -274,12 +274,12 @@ private Q_SLOTS:
     void ctrlAndRightDragSizeTheBrush()
     {
         Fixture f;
-        const model::ToolSettings before = f.editor.state.toolSettings();
+        const model::ToolSettings before = f.editor.state.tools().settings();
         f.drag({300, 300}, {380, 300}, Qt::ControlModifier, Qt::RightButton);
-        QVERIFY(f.editor.state.toolSettings().brushSizeM > before.brushSizeM * 1.5F);
-        QVERIFY(std::abs(f.editor.state.toolSettings().hardness - before.hardness) < 1e-5F);
+        QVERIFY(f.editor.state.tools().settings().brushSizeM > before.brushSizeM * 1.5F);
+        QVERIFY(std::abs(f.editor.state.tools().settings().hardness - before.hardness) < 1e-5F);
         f.drag({300, 300}, {300, 400}, Qt::ControlModifier, Qt::RightButton);
-        QVERIFY(f.editor.state.toolSettings().hardness < before.hardness - 0.2F);
+        QVERIFY(f.editor.state.tools().settings().hardness < before.hardness - 0.2F);
         QCOMPARE(f.editor.document.undoStack().count(), 0);
     }
 
@@ -289,7 +289,7 @@ private Q_SLOTS:
         QTest::keyPress(&f.area, Qt::Key_O);
         f.drag({300, 300}, {200, 300});
         QTest::keyRelease(&f.area, Qt::Key_O);
-        QVERIFY(f.editor.state.toolSettings().opacity < 0.8F);
+        QVERIFY(f.editor.state.tools().settings().opacity < 0.8F);
         QCOMPARE(f.editor.document.undoStack().count(), 0);
     }
 
@@ -298,7 +298,7 @@ private Q_SLOTS:
         Fixture f;
         const QImage before = f.area.grab().toImage();
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, {200, 400});
-        f.editor.state.setHover(std::nullopt);
+        f.editor.state.hover().set(std::nullopt);
         const QImage after = f.area.grab().toImage();
         QVERIFY(differs(before, after, QRect(195, 395, 10, 10)));
         QVERIFY(!differs(before, after, QRect(350, 100, 100, 100)));
@@ -308,19 +308,19 @@ private Q_SLOTS:
     void whitePaperIsWhite()
     {
         Fixture f;
-        f.editor.state.setWireframe(false);
+        f.editor.state.options().setWireframe(false);
         const QPoint at(300, 300);
         QVERIFY(f.area.grab().toImage().pixelColor(at).lightness() < 90);
-        f.editor.state.setNightPaper(false);
+        f.editor.state.options().setNightPaper(false);
         QVERIFY(f.area.grab().toImage().pixelColor(at).lightness() > 150);
     }
 
     void theSelectionMarches()
     {
         Fixture f;
-        f.editor.state.setWireframe(false);
+        f.editor.state.options().setWireframe(false);
         const QImage without = f.area.grab().toImage();
-        f.editor.state.selection().setRectangle(QRectF(0.25, 0.25, 0.5, 0.5));
+        f.editor.state.tools().selection().setRectangle(QRectF(0.25, 0.25, 0.5, 0.5));
         const QImage first = f.area.grab().toImage();
         const QPoint corner = f.area.positionOf({0.25F, 0.75F}).toPoint();
         QVERIFY(differs(without, first, QRect(corner - QPoint(2, 2), QSize(60, 5))));
@@ -331,7 +331,7 @@ private Q_SLOTS:
     void aLockedLayerIsNotPaintedAndTheReasonIsSaid()
     {
         Fixture f;
-        const model::LayerAddress target = f.editor.state.target();
+        const model::LayerAddress target = f.editor.state.target().address();
         model::LayerProperties properties =
             model::propertiesOf(*f.editor.document.project().layer(target.group, target.map, target.layer));
         properties.locked = true;
@@ -347,9 +347,9 @@ private Q_SLOTS:
     {
         Fixture f;
         QTest::mouseClick(&f.area, Qt::LeftButton, Qt::NoModifier, {300, 300});
-        f.editor.state.setActiveMap(model::MapKind::Curl);
+        f.editor.state.target().setMap(model::MapKind::Curl);
         f.editor.document.undo();
-        QCOMPARE(f.editor.state.activeMap(), model::MapKind::Density);
+        QCOMPARE(f.editor.state.target().map(), model::MapKind::Density);
     }
 
     void aHeadsBackdropComesWhenItIsMadeAndTheNewestHeadWins()

@@ -64,7 +64,7 @@ private Q_SLOTS:
         panel.resize(280, 400);
         panel.show();
         const auto layers = [&]() -> const std::vector<model::Layer>& {
-            return f.document.project().group(f.state.activeGroup())->map(f.state.activeMap()).layers;
+            return f.document.project().group(f.state.target().group())->map(f.state.target().map()).layers;
         };
         choose(panel, QStringLiteral("Duplicate layer"));
         QCOMPARE(layers().size(), std::size_t{2});
@@ -101,8 +101,8 @@ private Q_SLOTS:
         QCOMPARE(f.steps(), 1);
         const model::HairGroup& brows = f.document.project().groups.back();
         QCOMPARE(brows.name, QStringLiteral("Brows"));
-        QCOMPARE(f.state.activeGroup(), brows.id);
-        QCOMPARE(f.state.activeMap(), MapKind::Density);
+        QCOMPARE(f.state.target().group(), brows.id);
+        QCOMPARE(f.state.target().map(), MapKind::Density);
         QVERIFY(brows.settings.greatestLengthM < 0.02F);
         QVERIFY(brows.settings.material.widthM < sim::GroupSettings{}.material.widthM);
     }
@@ -147,16 +147,16 @@ private Q_SLOTS:
         bar.show();
         auto* words = bar.findChild<QLabel*>(QStringLiteral("revealed"));
         QVERIFY(!words->isVisible());
-        f.state.setActiveTool(model::ToolId::Eraser);
+        f.state.tools().choose(model::ToolId::Eraser);
         QVERIFY(words->isVisible());
         QVERIFY2(words->text().startsWith(QStringLiteral("reveals 15")), qPrintable(words->text()));
-        f.state.setActiveMap(MapKind::Braid);
+        f.state.target().setMap(MapKind::Braid);
         QCOMPARE(words->text(), QStringLiteral("reveals None, the default"));
-        f.state.setActiveMap(MapKind::TipColour);
+        f.state.target().setMap(MapKind::TipColour);
         QCOMPARE(words->text(), QStringLiteral("reveals the map Colour"));
-        f.state.setActiveMap(MapKind::Braid);
-        f.document.push(addLayerCommand(f.document, f.state.activeGroup(), MapKind::Braid, QStringLiteral("Above")));
-        f.state.setActiveLayer(f.scalp().map(MapKind::Braid).layers.back().id);
+        f.state.target().setMap(MapKind::Braid);
+        f.document.push(addLayerCommand(f.document, f.state.target().group(), MapKind::Braid, QStringLiteral("Above")));
+        f.state.target().setLayer(f.scalp().map(MapKind::Braid).layers.back().id);
         QCOMPARE(words->text(), QStringLiteral("reveals the layers below"));
     }
 

@@ -179,12 +179,12 @@ private Q_SLOTS:
         buttonNamed(panel, QStringLiteral("Add hair group"))->click();
         panel.findChild<QMenu*>(QStringLiteral("whatGrows"))->actions().constLast()->trigger();
         QCOMPARE(list->count(), 3);
-        QCOMPARE(f.state.activeGroup(), f.document.project().groups.back().id);
+        QCOMPARE(f.state.target().group(), f.document.project().groups.back().id);
         const QRect beard = list->visualItemRect(list->item(1));
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, LayerList::eyeRect(beard).center());
         QVERIFY(!f.document.project().groups[1].visible);
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, beard.center());
-        QCOMPARE(f.state.activeGroup(), f.document.project().groups[1].id);
+        QCOMPARE(f.state.target().group(), f.document.project().groups[1].id);
         QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, beard.center());
         auto* editor = list->findChild<QLineEdit*>();
         QVERIFY(editor != nullptr);
@@ -217,7 +217,7 @@ private Q_SLOTS:
         QCOMPARE(list->count(), 2);
         const QString second = list->item(0)->text();
         QVERIFY(second != first);
-        QCOMPARE(f.state.activeLayer(), list->idAt(0));
+        QCOMPARE(f.state.target().layer(), list->idAt(0));
         buttonNamed(panel, QStringLiteral("Move layer down"))->click();
         QCOMPARE(namesOf(*list), QStringList({first, second}));
         QVERIFY(!buttonNamed(panel, QStringLiteral("Move layer down"))->isEnabled());
@@ -225,7 +225,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(namesOf(*list), QStringList({second, first}), test::kPatienceMs);
         buttonNamed(panel, QStringLiteral("Duplicate layer"))->click();
         QCOMPARE(list->count(), 3);
-        QCOMPARE(f.state.activeLayer(), list->idAt(0));
+        QCOMPARE(f.state.target().layer(), list->idAt(0));
         QTest::keyClick(list, Qt::Key_Delete);
         QCOMPARE(namesOf(*list), QStringList({second, first}));
         QCOMPARE(f.steps(), 5);
@@ -272,7 +272,7 @@ private Q_SLOTS:
         QVERIFY(list->currentItem() != nullptr && list->currentItem()->isSelected());
         QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::ControlModifier, active.center());
         QVERIFY(list->currentItem()->isSelected());
-        QCOMPARE(f.state.activeLayer(), list->idAt(0));
+        QCOMPARE(f.state.target().layer(), list->idAt(0));
     }
 
     void eye_and_lock_are_clicked_in_the_row()
@@ -341,7 +341,7 @@ private Q_SLOTS:
         LayersPanel panel(f.state);
         auto* blend = panel.findChild<QComboBox*>();
         QCOMPARE(blend->count(), static_cast<int>(model::kBlendModeCount));
-        f.state.setActiveMap(MapKind::Braid);
+        f.state.target().setMap(MapKind::Braid);
         QCOMPARE(blend->count(), 1);
         QVERIFY(!blend->isEnabled());
     }
@@ -356,9 +356,9 @@ private Q_SLOTS:
         QCOMPARE(rows.size(), model::kMapKindCount);
         QVERIFY(rows[1]->isChecked());
         QTest::mouseClick(rows[2], Qt::LeftButton);
-        QVERIFY(f.state.activeMap() == MapKind::Curl);
+        QVERIFY(f.state.target().map() == MapKind::Curl);
         QTest::keyClick(&panel, Qt::Key_6);
-        QVERIFY(f.state.activeMap() == MapKind::Colour);
+        QVERIFY(f.state.target().map() == MapKind::Colour);
         QVERIFY(rows[5]->isChecked() && !rows[2]->isChecked());
         QCOMPARE(f.steps(), 0);
     }
@@ -372,11 +372,11 @@ private Q_SLOTS:
         options.resize(1100, 40);
         options.show();
         const auto buttons = tools.findChildren<QToolButton*>();
-        QCOMPARE(buttons.size(), static_cast<qsizetype>(f.state.tools().size()));
-        for (std::size_t i = 0; i < f.state.tools().size(); ++i) {
+        QCOMPARE(buttons.size(), static_cast<qsizetype>(f.state.tools().all().size()));
+        for (std::size_t i = 0; i < f.state.tools().all().size(); ++i) {
             buttons[static_cast<qsizetype>(i)]->click();
-            const model::Tool& tool = *f.state.tools()[i];
-            QCOMPARE(&f.state.activeTool(), &tool);
+            const model::Tool& tool = *f.state.tools().all()[i];
+            QCOMPARE(&f.state.tools().active(), &tool);
             const auto wanted = tool.options();
             const auto has = [&wanted](const char* key) {
                 return std::ranges::any_of(wanted, [key](const model::ToolOption* option) {
@@ -400,8 +400,9 @@ private Q_SLOTS:
         tools.resize(44, 800);
         tools.show();
         const auto ask = [&tools, &f](model::ToolId tool) {
-            const auto index = std::ranges::find(f.state.tools(), tool, [](const auto& one) { return one->id(); }) -
-                               f.state.tools().begin();
+            const auto index =
+                std::ranges::find(f.state.tools().all(), tool, [](const auto& one) { return one->id(); }) -
+                f.state.tools().all().begin();
             QToolButton* button = tools.findChildren<QToolButton*>().at(index);
             const QPoint middle = button->rect().center();
             QHelpEvent event(QEvent::ToolTip, middle, button->mapToGlobal(middle));
@@ -435,13 +436,13 @@ private Q_SLOTS:
         options.show();
         BarSlider* size = sliderNamed(options, QStringLiteral("Size"));
         holdAt(*size, 1.0);
-        QVERIFY(std::abs(f.state.toolSettings().brushSizeM - 0.3F) < 1e-4F);
+        QVERIFY(std::abs(f.state.tools().settings().brushSizeM - 0.3F) < 1e-4F);
         letGo(*size, QPoint(size->width(), 12));
         BarSlider* value = sliderNamed(options, QStringLiteral("Length"));
         QVERIFY(value != nullptr);
         holdAt(*value, 1.0);
         letGo(*value, QPoint(value->width(), 12));
-        model::ToolSettings settings = f.state.toolSettings();
+        model::ToolSettings settings = f.state.tools().settings();
         QCOMPARE(settings.value(MapKind::Length).scalar, 1.0F);
         QCOMPARE(f.steps(), 0);
     }

@@ -31,27 +31,27 @@ private Q_SLOTS:
         };
         sim::SurfacePoint point;
         point.uv = {0.5F, 0.5F};
-        f.state.setHover(Hover{.uv = point.uv, .point = point});
+        f.state.hover().set(HoverPoint{.uv = point.uv, .point = point});
         QVERIFY2(texts().contains(QStringLiteral("Length: 15")), qPrintable(texts()));
-        f.state.setHover(std::nullopt);
+        f.state.hover().set(std::nullopt);
         QVERIFY(!texts().contains(QStringLiteral("Length: 15")));
         status.showMessage(QStringLiteral("It is locked."), true, 50);
         QVERIFY(texts().contains(QStringLiteral("It is locked.")));
-        QTRY_VERIFY_WITH_TIMEOUT(texts().contains(f.state.activeTool().hint()), test::kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(texts().contains(f.state.tools().active().hint()), test::kPatienceMs);
     }
 
     void every_kind_of_comb_says_what_it_does()
     {
         PanelFixture f;
         StatusReadout status(f.state);
-        f.state.setActiveTool(model::ToolId::Comb);
+        f.state.tools().choose(model::ToolId::Comb);
         QSet<QString> said;
         for (const auto kind : {model::CombKind::Lay, model::CombKind::Lift, model::CombKind::Smooth,
                                 model::CombKind::Noise, model::CombKind::Whorl, model::CombKind::Hold}) {
-            model::ToolSettings settings = f.state.toolSettings();
+            model::ToolSettings settings = f.state.tools().settings();
             settings.comb = kind;
-            f.state.setToolSettings(settings);
-            const QString hint = f.state.activeTool().hintFor(settings);
+            f.state.tools().setSettings(settings);
+            const QString hint = f.state.tools().active().hintFor(settings);
             said.insert(hint);
             bool shown = false;
             for (const QLabel* label : status.findChildren<QLabel*>())
@@ -81,7 +81,7 @@ private Q_SLOTS:
         status.setPaused(false);
         status.setSimulationMs(3.0);
         QVERIFY(says(QStringLiteral("3.0")));
-        f.state.setActiveTool(model::ToolId::Eraser);
+        f.state.tools().choose(model::ToolId::Eraser);
         QVERIFY(says(QStringLiteral("reveals 15")));
         Q_EMIT f.document.refused(QStringLiteral("It would be too much."));
         QVERIFY(says(QStringLiteral("too much")));

@@ -18,8 +18,8 @@ private Q_SLOTS:
     void pointing_shows_and_leaving_restores()
     {
         StripFixture f;
-        f.state.setActiveGroup(f.document.project().groups[1].id);
-        const model::Id active = f.state.activeGroup();
+        f.state.target().setGroup(f.document.project().groups[1].id);
+        const model::Id active = f.state.target().group();
         const auto before = f.document.project().groups;
         f.enter(0);
         QVERIFY(!f.document.previewing());
@@ -29,7 +29,7 @@ private Q_SLOTS:
         f.leave(0);
         QVERIFY(!f.document.previewing());
         QVERIFY(sameGroups(f.document.project().groups, before));
-        QCOMPARE(f.state.activeGroup(), active);
+        QCOMPARE(f.state.target().group(), active);
         QCOMPARE(f.steps(), 0);
     }
 
@@ -138,18 +138,18 @@ private Q_SLOTS:
         QFETCH(bool, undone);
         StripFixture f;
         LayersPanel(f.state).addLayer();
-        f.state.setActiveLayer(f.scalp().map(MapKind::Length).layers.front().id);
-        const model::LayerAddress before = f.state.target();
+        f.state.target().setLayer(f.scalp().map(MapKind::Length).layers.front().id);
+        const model::LayerAddress before = f.state.target().address();
         f.enter(0);
         QTRY_VERIFY_WITH_TIMEOUT(f.document.previewing(), test::kPatienceMs);
-        QVERIFY(f.state.activeLayer() != before.layer);
+        QVERIFY(f.state.target().layer() != before.layer);
         if (undone)
             f.document.undo();
         else
             f.document.push(renameGroupCommand(f.document, before.group, QStringLiteral("Brows")));
         QVERIFY(!f.document.previewing());
-        QCOMPARE(f.state.activeGroup(), before.group);
-        QCOMPARE(f.state.activeLayer(), before.layer);
+        QCOMPARE(f.state.target().group(), before.group);
+        QCOMPARE(f.state.target().layer(), before.layer);
     }
 
     void layer_commands_mean_the_layers_that_are_kept_data()
@@ -178,14 +178,14 @@ private Q_SLOTS:
         QVERIFY(!f.document.previewing());
         QCOMPARE(layers().size(), std::size_t(2));
         QVERIFY(layers()[1].raster == layers()[0].raster);
-        QCOMPARE(f.state.activeLayer(), layers()[1].id);
+        QCOMPARE(f.state.target().layer(), layers()[1].id);
         QVERIFY(hover());
         panel.moveLayer(-1);
-        QCOMPARE(layers()[0].id, f.state.activeLayer());
+        QCOMPARE(layers()[0].id, f.state.target().layer());
         QVERIFY(hover());
         panel.addLayer();
         QCOMPARE(layers().size(), std::size_t(3));
-        QCOMPARE(f.state.activeLayer(), layers()[2].id);
+        QCOMPARE(f.state.target().layer(), layers()[2].id);
         QVERIFY(hover());
         panel.removeLayer();
         QCOMPARE(layers().size(), std::size_t(2));

@@ -40,13 +40,13 @@ private Q_SLOTS:
     {
         QFETCH(int, map);
         PanelFixture f;
-        f.state.setActiveMap(static_cast<MapKind>(map));
+        f.state.target().setMap(static_cast<MapKind>(map));
         ValuePalette palette(f.state);
         palette.show();
         const auto swatches = palette.findChildren<Swatch*>();
         QVERIFY(swatches.size() >= 4);
         const auto value = [&] {
-            model::ToolSettings settings = f.state.toolSettings();
+            model::ToolSettings settings = f.state.tools().settings();
             return settings.value(static_cast<MapKind>(map));
         };
         QTest::mouseClick(swatches.last(), Qt::LeftButton);
@@ -67,17 +67,17 @@ private Q_SLOTS:
         pair.resize(pair.sizeHint());
         pair.show();
         QSignalSpy wanted(&pair, &ValuePair::pickWanted);
-        const model::ToolSettings before = f.state.toolSettings();
+        const model::ToolSettings before = f.state.tools().settings();
         QTest::mouseClick(&pair, Qt::LeftButton, {}, QPoint(8, 8));
         QTest::mouseClick(&pair, Qt::LeftButton, {}, QPoint(pair.width() - 5, pair.height() - 5));
         QCOMPARE(wanted.size(), 2);
         QVERIFY(!wanted[0][0].toBool() && wanted[1][0].toBool());
-        QVERIFY(f.state.toolSettings() == before);
+        QVERIFY(f.state.tools().settings() == before);
         QTest::mouseClick(&pair, Qt::LeftButton, {}, pair.arrowRect().center());
         QCOMPARE(wanted.size(), 2);
-        const MapKind map = f.state.activeMap();
-        QVERIFY(f.state.toolSettings().value(map) == before.secondValue(map));
-        QVERIFY(f.state.toolSettings().secondValue(map) == before.value(map));
+        const MapKind map = f.state.target().map();
+        QVERIFY(f.state.tools().settings().value(map) == before.secondValue(map));
+        QVERIFY(f.state.tools().settings().secondValue(map) == before.value(map));
     }
 
     void the_second_value_has_the_same_picker()
@@ -86,17 +86,17 @@ private Q_SLOTS:
         QWidget anchor;
         anchor.show();
         ValuePalette* palette = ValuePalette::openUnder(anchor, f.state, true);
-        const MapKind map = f.state.activeMap();
-        const model::PaintValue first = f.state.toolSettings().value(map);
+        const MapKind map = f.state.target().map();
+        const model::PaintValue first = f.state.tools().settings().value(map);
         QTest::mouseClick(palette->findChildren<Swatch*>().last(), Qt::LeftButton);
-        QVERIFY(f.state.toolSettings().value(map) == first);
-        QCOMPARE(f.state.toolSettings().secondValue(map).scalar, 1.0F);
+        QVERIFY(f.state.tools().settings().value(map) == first);
+        QCOMPARE(f.state.tools().settings().secondValue(map).scalar, 1.0F);
     }
 
     void a_custom_colour_outlives_its_popup()
     {
         PanelFixture f;
-        f.state.setActiveMap(MapKind::Colour);
+        f.state.target().setMap(MapKind::Colour);
         QWidget anchor;
         anchor.show();
         const QPointer<ValuePalette> palette = ValuePalette::openUnder(anchor, f.state);
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QVERIFY(dialog != nullptr);
         dialog->setCurrentColor(QColor(1, 2, 3));
         dialog->accept();
-        QCOMPARE(f.state.toolSettings().value(MapKind::Colour).colour, QColor(1, 2, 3));
+        QCOMPARE(f.state.tools().settings().value(MapKind::Colour).colour, QColor(1, 2, 3));
     }
 
     void a_double_click_on_a_value_leaves_what_is_painted_data()
@@ -126,7 +126,7 @@ private Q_SLOTS:
         QFETCH(QString, label);
         QFETCH(bool, inPalette);
         PanelFixture f;
-        f.state.setActiveMap(static_cast<MapKind>(map));
+        f.state.target().setMap(static_cast<MapKind>(map));
         OptionBar bar(f.state);
         bar.resize(1200, 40);
         bar.show();
@@ -134,14 +134,14 @@ private Q_SLOTS:
         palette.show();
         BarSlider* slider = sliderNamed(inPalette ? static_cast<QWidget&>(palette) : bar, label);
         QVERIFY(slider != nullptr);
-        const model::ToolSettings before = f.state.toolSettings();
+        const model::ToolSettings before = f.state.tools().settings();
         const double shown = slider->value();
         const QPoint there(slider->width() * 9 / 10, slider->height() / 2);
         for (const char* const typed : std::initializer_list<const char*>{"long", "", nullptr}) {
             QTest::mouseClick(slider, Qt::LeftButton, {}, there);
-            QVERIFY(!(f.state.toolSettings() == before));
+            QVERIFY(!(f.state.tools().settings() == before));
             QTest::mouseDClick(slider, Qt::LeftButton, {}, there);
-            QVERIFY(f.state.toolSettings() == before);
+            QVERIFY(f.state.tools().settings() == before);
             auto* editor = slider->findChild<QLineEdit*>();
             QVERIFY(editor != nullptr);
             if (typed != nullptr)
@@ -150,7 +150,7 @@ private Q_SLOTS:
             QCOMPARE(editor->isVisible(), typed != nullptr);
             QCOMPARE(FieldHint::textAt(*slider).isEmpty(), typed == nullptr);
             QTest::keyClick(editor, Qt::Key_Escape);
-            QVERIFY(f.state.toolSettings() == before);
+            QVERIFY(f.state.tools().settings() == before);
             QCOMPARE(slider->value(), shown);
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         }
@@ -160,7 +160,7 @@ private Q_SLOTS:
     void bar_and_palette_show_what_was_typed_in_either()
     {
         PanelFixture f;
-        f.state.setActiveMap(MapKind::Length);
+        f.state.target().setMap(MapKind::Length);
         OptionBar bar(f.state);
         bar.resize(1200, 40);
         bar.show();
@@ -178,32 +178,32 @@ private Q_SLOTS:
         QCOMPARE(sliderNamed(palette, QStringLiteral("Value"))->value(), 0.4);
         type(palette, QStringLiteral("Value"), QStringLiteral("3in"));
         QCOMPARE(sliderNamed(bar, QStringLiteral("Length"))->value(), 7.6);
-        model::ToolSettings settings = f.state.toolSettings();
+        model::ToolSettings settings = f.state.tools().settings();
         QVERIFY(std::abs(shownValue({}, MapKind::Length, double(settings.value(MapKind::Length).scalar)) - 7.6) < 1e-5);
     }
 
     void a_click_that_waits_for_its_double_is_of_the_map_it_was_made_on()
     {
         PanelFixture f;
-        f.state.setActiveMap(MapKind::Length);
+        f.state.target().setMap(MapKind::Length);
         OptionBar bar(f.state);
         bar.resize(1200, 40);
         bar.show();
         BarSlider* slider = sliderNamed(bar, QStringLiteral("Length"));
         QVERIFY(slider != nullptr);
         QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 4, slider->height() / 2));
-        f.state.setActiveMap(MapKind::Clump);
+        f.state.target().setMap(MapKind::Clump);
         QVERIFY(!slider->editing());
         QCOMPARE(slider->label(), QStringLiteral("Clump"));
         const auto clump =
-            static_cast<double>(model::ToolSettings(f.state.toolSettings()).value(MapKind::Clump).scalar);
+            static_cast<double>(model::ToolSettings(f.state.tools().settings()).value(MapKind::Clump).scalar);
         QCOMPARE(slider->value(), std::round(shownValue({}, MapKind::Clump, clump)));
     }
 
     void what_is_no_colour_is_said_and_the_true_one_comes_back()
     {
         PanelFixture f;
-        f.state.setActiveMap(MapKind::Colour);
+        f.state.target().setMap(MapKind::Colour);
         ValuePalette palette(f.state);
         palette.show();
         palette.activateWindow();
@@ -226,7 +226,7 @@ private Q_SLOTS:
     void hex_colours_are_typed()
     {
         PanelFixture f;
-        f.state.setActiveMap(MapKind::Colour);
+        f.state.target().setMap(MapKind::Colour);
         ValuePalette palette(f.state);
         palette.show();
         auto* hex = palette.findChild<QLineEdit*>();
@@ -235,14 +235,14 @@ private Q_SLOTS:
         hex->selectAll();
         QTest::keyClicks(hex, QStringLiteral("B3182B"));
         QTest::keyClick(hex, Qt::Key_Return);
-        model::ToolSettings settings = f.state.toolSettings();
+        model::ToolSettings settings = f.state.tools().settings();
         QCOMPARE(settings.value(MapKind::Colour).colour.name(), QStringLiteral("#b3182b"));
     }
 
     void natural_colours_are_set_by_their_pigment()
     {
         PanelFixture f;
-        f.state.setActiveMap(MapKind::Colour);
+        f.state.target().setMap(MapKind::Colour);
         ValuePalette palette(f.state);
         palette.show();
         const auto slider = [&](const QString& label) {
@@ -255,7 +255,7 @@ private Q_SLOTS:
         if (melanin == nullptr || redness == nullptr)
             QFAIL("There are no such sliders.");
         const auto painted = [&] {
-            model::ToolSettings settings = f.state.toolSettings();
+            model::ToolSettings settings = f.state.tools().settings();
             return settings.value(MapKind::Colour).colour;
         };
         const auto clickAt = [](BarSlider& slider, double fraction) {
@@ -294,11 +294,11 @@ private Q_SLOTS:
     void swapping_twice_gives_the_same_values()
     {
         PanelFixture f;
-        const model::ToolSettings before = f.state.toolSettings();
+        const model::ToolSettings before = f.state.tools().settings();
         swapValues(f.state);
-        QVERIFY(f.state.toolSettings().values != before.values);
+        QVERIFY(f.state.tools().settings().values != before.values);
         swapValues(f.state);
-        QVERIFY(f.state.toolSettings().values == before.values);
+        QVERIFY(f.state.tools().settings().values == before.values);
     }
 
     void shown_numbers_and_map_values_are_each_others_inverse_data()

@@ -57,7 +57,7 @@ QString keyOf(const std::vector<KeyBinding>& bindings, const QString& action)
 QString toolPage(const EditorState& state, const std::vector<KeyBinding>& bindings)
 {
     Table table;
-    for (const auto& tool : state.tools()) {
+    for (const auto& tool : state.tools().all()) {
         const QString key = keyOf(bindings, QStringLiteral("tool.") + QLatin1String(tool->name()));
         table.row(tool->hint(), key.isEmpty() ? tool->title() : QStringLiteral("%1 (%2)").arg(tool->title(), key));
     }

@@ -27,7 +27,7 @@ ScaleHairDialog::ScaleHairDialog(EditorState& state, QWidget* parent) : QDialog(
     constexpr int kWidth = 360;
     setWindowTitle(tr("Scale the hair"));
     m_state.document().endEdit();
-    const model::HairGroup* group = m_state.document().committed().group(m_state.activeGroup());
+    const model::HairGroup* group = m_state.document().committed().group(m_state.target().group());
     if (group != nullptr) {
         m_group = group->id;
         m_before = group->settings;

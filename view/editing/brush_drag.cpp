@@ -15,7 +15,7 @@ bool BrushDrag::press(const PointerSample& sample, const HeldKeys& keys)
     if (!m_opacity && !(sample.button == Qt::RightButton && sample.modifiers.testFlag(Qt::ControlModifier)))
         return false;
     m_pressed = sample.position;
-    m_before = m_state.toolSettings();
+    m_before = m_state.tools().settings();
     return true;
 }
 
@@ -32,7 +32,7 @@ void BrushDrag::move(const PointerSample& sample)
         settings.brushSizeM = std::clamp(m_before.brushSizeM * std::exp(right * kSizePerPx), 0.001F, 0.3F);
         settings.hardness = std::clamp(m_before.hardness - down * kPerPx, 0.0F, 1.0F);
     }
-    m_state.setToolSettings(settings);
+    m_state.tools().setSettings(settings);
 }
 
 QString brushText(const model::ToolSettings& settings)

@@ -37,7 +37,7 @@ void PaintedArea::mouseReleaseEvent(QMouseEvent* event)
 bool PaintedArea::event(QEvent* event)
 {
     // What a tool waits to go on with is edited with this key, not the layer.
-    if (event->type() == QEvent::ShortcutOverride && m_editor.activeTool().pending() &&
+    if (event->type() == QEvent::ShortcutOverride && m_editor.tools().active().pending() &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
         event->accept();
         return true;
@@ -52,14 +52,14 @@ void PaintedArea::tabletEvent(QTabletEvent* event)
     event->accept();
     if (event->type() == QEvent::TabletPress) {
         const bool turned = event->pointerType() == QPointingDevice::PointerType::Eraser;
-        m_eraserTurned = turned && m_editor.setActiveTool(model::ToolId::Eraser);
+        m_eraserTurned = turned && m_editor.tools().choose(model::ToolId::Eraser);
         pointerPressed(sample);
     } else if (event->type() == QEvent::TabletMove) {
         pointerMoved(sample);
     } else if (event->type() == QEvent::TabletRelease) {
         pointerReleased(sample);
         if (std::exchange(m_eraserTurned, false))
-            m_editor.toggleTool(model::ToolId::Eraser);
+            m_editor.tools().toggle(model::ToolId::Eraser);
     }
 }
 

@@ -61,11 +61,11 @@ HeadSight ColliderDrag::sight() const
 /// Ends of the chosen one's axes come first, then its outline, then the nearest of the others.
 std::optional<ColliderDrag::Grip> ColliderDrag::gripAt(QPointF position) const
 {
-    if (!m_editor.collidersShown())
+    if (!m_editor.options().collidersShown())
         return std::nullopt;
     const std::vector<sim::Ellipsoid>& all = m_editor.document().project().ellipsoids;
     const HeadSight now = sight();
-    const std::optional<std::size_t> chosen = m_editor.chosenCollider();
+    const std::optional<std::size_t> chosen = m_editor.options().chosenCollider();
     for (int end = 0; chosen && end < kColliderEnds; ++end) {
         const std::optional<QPointF> at =
             project(now.camera, inWorld(colliderEnd(all[*chosen], end), now.pose), now.size);
@@ -95,7 +95,7 @@ bool ColliderDrag::press(const PointerSample& sample)
     m_grip = *grip;
     m_pressed = sample;
     m_before = m_editor.document().project().ellipsoids[grip->index];
-    m_editor.setChosenCollider(grip->index);
+    m_editor.options().setChosenCollider(grip->index);
     return true;
 }
 

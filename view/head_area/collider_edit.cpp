@@ -19,19 +19,19 @@ void addColliderAt(EditorState& editor, const sim::SurfacePoint& place)
     const std::size_t added = all.size() - 1;
     document.push(
         setEllipsoidsCommand(document, std::move(all), QCoreApplication::translate("ColliderEdit", "Add collider")));
-    editor.setCollidersShown(true);
-    editor.setChosenCollider(added);
+    editor.options().setCollidersShown(true);
+    editor.options().setChosenCollider(added);
 }
 
 void removeChosenCollider(EditorState& editor)
 {
-    const std::optional<std::size_t> chosen = editor.chosenCollider();
+    const std::optional<std::size_t> chosen = editor.options().chosenCollider();
     if (!chosen)
         return;
     model::Document& document = editor.document();
     std::vector<sim::Ellipsoid> all = document.project().ellipsoids;
     all.erase(all.begin() + static_cast<std::ptrdiff_t>(*chosen));
-    editor.setChosenCollider(std::nullopt);
+    editor.options().setChosenCollider(std::nullopt);
     document.push(
         setEllipsoidsCommand(document, std::move(all), QCoreApplication::translate("ColliderEdit", "Remove collider")));
 }

@@ -42,7 +42,7 @@ HeadPointer::Drag HeadPointer::dragOf(const PointerSample& pressed)
     const bool alt = pressed.modifiers.testFlag(Qt::AltModifier);
     if (!alt && m_colliders.press(pressed))
         return Drag::Collider;
-    if (!alt && m_editor.activeTool().traits().grabs) {
+    if (!alt && grabs()) {
         m_grabbed = m_scene.hairAt(pressed.position);
         return m_grabbed ? Drag::Stroke : Drag::Orbit;
     }
@@ -75,7 +75,7 @@ void HeadPointer::move(const PointerSample& sample)
     switch (m_drag) {
     case Drag::None:
         hoverAt(sample);
-        if (sample.buttons == Qt::NoButton && !m_editor.activeTool().traits().grabs)
+        if (sample.buttons == Qt::NoButton && !grabs())
             blowAt(sample);
         break;
     case Drag::Stroke:
@@ -96,7 +96,7 @@ void HeadPointer::move(const PointerSample& sample)
         break;
     case Drag::Brush:
         m_brushDrag.move(sample);
-        Q_EMIT statusText(brushText(m_editor.toolSettings()));
+        Q_EMIT statusText(brushText(m_editor.tools().settings()));
         break;
     case Drag::Collider:
         m_colliders.move(sample);
@@ -132,9 +132,9 @@ void HeadPointer::release(const PointerSample& sample)
 void HeadPointer::leave()
 {
     m_puffs.interrupt();
-    const std::optional<Hover>& hover = m_editor.hover();
+    const std::optional<HoverPoint>& hover = m_editor.hover().at();
     if (!dragging() && hover && hover->area == model::Area::Head)
-        m_editor.setHover(std::nullopt);
+        m_editor.hover().set(std::nullopt);
 }
 
 bool HeadPointer::handleKey(Qt::Key key, Qt::KeyboardModifiers modifiers)
@@ -144,8 +144,8 @@ bool HeadPointer::handleKey(Qt::Key key, Qt::KeyboardModifiers modifiers)
         m_colliders.cancel();
         return true;
     }
-    if (m_editor.toolKey(key, modifiers)) {
-        if (m_drag == Drag::Stroke && !m_editor.stroking())
+    if (m_editor.tools().key(key, modifiers)) {
+        if (m_drag == Drag::Stroke && !m_editor.tools().stroking())
             m_drag = Drag::None;
         return true;
     }
@@ -174,6 +174,11 @@ void HeadPointer::dragLight(QPointF pixels)
     Q_EMIT lightWanted(m_light, false);
 }
 
+bool HeadPointer::grabs() const
+{
+    return m_editor.tools().active().hairHandler() != nullptr;
+}
+
 void HeadPointer::hoverAt(const PointerSample& sample)
 {
     m_overCollider = m_colliders.reaches(sample.position);
@@ -182,21 +187,21 @@ void HeadPointer::hoverAt(const PointerSample& sample)
     std::optional<sim::SurfacePoint> point;
     if (m_drag == Drag::Stroke && m_grabbed)
         point = m_grabbed->root;
-    else if (const auto hair = m_editor.activeTool().traits().grabs ? m_scene.hairAt(sample.position) : std::nullopt)
+    else if (const auto hair = grabs() ? m_scene.hairAt(sample.position) : std::nullopt)
         point = hair->root;
     else
         point = m_scene.skinAt(sample.position);
     if (point)
-        m_editor.setHover(
-            Hover{.area = model::Area::Head, .uv = point->uv, .point = point, .pixelM = m_scene.pixelAt(*point)});
+        m_editor.hover().set(
+            HoverPoint{.area = model::Area::Head, .uv = point->uv, .point = point, .pixelM = m_scene.pixelAt(*point)});
     else
-        m_editor.setHover(std::nullopt);
+        m_editor.hover().set(std::nullopt);
 }
 
 void HeadPointer::blowAt(const PointerSample& sample)
 {
     const RayWo ray = rayThrough(m_scene.camera(), sample.position, QSizeF(m_area.size()));
-    const std::optional<Hover>& hover = m_editor.hover();
+    const std::optional<HoverPoint>& hover = m_editor.hover().at();
     const std::optional<glm::vec3> positionWo =
         placeNearHair(ray, m_scene.shownPose(), hover ? hover->point : std::nullopt);
     if (!positionWo) {
@@ -210,7 +215,7 @@ void HeadPointer::blowAt(const PointerSample& sample)
 void HeadPointer::updateCursor()
 {
     Qt::CursorShape shape = Qt::ArrowCursor;
-    const std::optional<Hover>& hover = m_editor.hover();
+    const std::optional<HoverPoint>& hover = m_editor.hover().at();
     const bool isKeyHeld = m_keys.holds(Qt::Key_Space) || m_keys.holds(Qt::Key_H);
     const bool isOnCollider = m_overCollider || m_drag == Drag::Collider;
     if (m_drag == Drag::Pan || m_drag == Drag::Orbit || m_drag == Drag::Turn)

@@ -69,6 +69,7 @@ private:
 
     [[nodiscard]] Drag dragOf(const PointerSample& pressed);
     void dragLight(QPointF pixels);
+    [[nodiscard]] bool grabs() const; ///< The active tool takes hold of hair.
     void hoverAt(const PointerSample& sample);
     void blowAt(const PointerSample& sample);
 

@@ -105,24 +105,24 @@ bool HeadScene::refreshRings()
     const bool hadRing = m_scene.ring.has_value();
     m_scene.ring.reset();
     m_scene.mirroredRing.reset();
-    const std::vector<sim::SurfacePoint> points = m_editor.ringPoints();
-    const float radiusM = m_editor.toolSettings().brushSizeM / 2.0F;
+    const std::vector<sim::SurfacePoint> points = m_editor.hover().ringPoints();
+    const float radiusM = m_editor.tools().settings().brushSizeM / 2.0F;
     if (!points.empty())
         m_scene.ring = ringAt(points[0], radiusM);
     if (points.size() > 1)
         m_scene.mirroredRing = ringAt(points[1], radiusM);
-    if (const std::optional<Hover>& hover = m_editor.hover(); hover && hover->point)
+    if (const std::optional<HoverPoint>& hover = m_editor.hover().at(); hover && hover->point)
         m_brush = hover->point;
     return hadRing || m_scene.ring;
 }
 
 QPolygonF HeadScene::hiddenRing() const
 {
-    const std::optional<Hover>& hover = m_editor.hover();
-    if (!hover || hover->area != model::Area::Paint || !hover->point || !m_editor.activeTool().traits().hasRing ||
+    const std::optional<HoverPoint>& hover = m_editor.hover().at();
+    if (!hover || hover->area != model::Area::Paint || !hover->point || !m_editor.tools().active().traits().hasRing ||
         !hidden(*hover->point, skin(), m_scene.camera, shownPose()))
         return {};
-    return ringSeen(*hover->point, m_editor.toolSettings().brushSizeM / 2.0F, m_scene.camera, shownPose(),
+    return ringSeen(*hover->point, m_editor.tools().settings().brushSizeM / 2.0F, m_scene.camera, shownPose(),
                     QSizeF(m_area.size()));
 }
 
@@ -159,7 +159,8 @@ std::optional<model::GrabbedHair> HeadScene::hairAt(QPointF position) const
     if (const std::optional<sim::SurfacePoint> skin = skinAt(position))
         furthestM =
             glm::dot(inWorld(skin->positionHd, shownPose()) - eyeWo, glm::normalize(m_scene.camera.targetWo - eyeWo));
-    return hairNear(position, *m_scene.hair, m_editor.activeGroup(), m_scene.camera, QSizeF(m_area.size()), furthestM);
+    return hairNear(position, *m_scene.hair, m_editor.target().group(), m_scene.camera, QSizeF(m_area.size()),
+                    furthestM);
 }
 
 glm::vec3 HeadScene::besideHd(glm::vec3 positionHd, QPointF position) const

@@ -37,16 +37,19 @@ void HeadStroke::press(const PointerSample& sample, const std::optional<model::G
 {
     m_at = sample;
     m_grabbed = grabbed;
-    m_editor.press(toolEvent(sample, m_scene.skinAt(sample.position)));
+    if (m_grabbed)
+        m_editor.tools().press(hairEvent(sample));
+    else
+        m_editor.tools().press(toolEvent(sample, m_scene.skinAt(sample.position)));
 }
 
 void HeadStroke::move(const PointerSample& sample)
 {
-    if (!m_editor.stroking())
+    if (!m_editor.tools().stroking())
         return;
     const PointerSample from = std::exchange(m_at, sample);
     if (m_grabbed)
-        return m_editor.move(toolEvent(sample, m_scene.skinAt(sample.position)));
+        return m_editor.tools().move(hairEvent(sample));
     const QPointF moved = sample.position - from.position;
     const int steps = std::clamp(static_cast<int>(std::hypot(moved.x(), moved.y()) / kProbePx), 1, kMostProbes);
     PointerSample last = from;
@@ -56,15 +59,15 @@ void HeadStroke::move(const PointerSample& sample)
         const std::optional<sim::SurfacePoint> point = m_scene.skinAt(probe.position);
         if (breaksBetween(lastPoint, point)) {
             if (lastPoint)
-                m_editor.move(toolEvent(last, lastPoint));
-            m_editor.move(toolEvent(probe, std::nullopt));
+                m_editor.tools().move(toolEvent(last, lastPoint));
+            m_editor.tools().move(toolEvent(probe, std::nullopt));
             if (point)
-                m_editor.move(toolEvent(probe, point));
+                m_editor.tools().move(toolEvent(probe, point));
         }
         last = probe;
         lastPoint = point;
     }
-    m_editor.move(toolEvent(sample, lastPoint));
+    m_editor.tools().move(toolEvent(sample, lastPoint));
 }
 
 void HeadStroke::release(const PointerSample& sample)
@@ -72,7 +75,10 @@ void HeadStroke::release(const PointerSample& sample)
     PointerSample last = sample;
     last.pressure = m_at.pressure; // A pen that is lifted has none left.
     move(last);
-    m_editor.release(toolEvent(sample, m_scene.skinAt(sample.position)));
+    if (m_grabbed)
+        m_editor.tools().release(hairEvent(sample));
+    else
+        m_editor.tools().release(toolEvent(sample, m_scene.skinAt(sample.position)));
 }
 
 /// Off the skin the uv is the last one.
@@ -86,13 +92,17 @@ model::ToolEvent HeadStroke::toolEvent(const PointerSample& sample, const std::o
                            .pressure = sample.pressure,
                            .seconds = sample.seconds,
                            .modifiers = sample.modifiers,
-                           .again = sample.again,
-                           .grabbed = m_grabbed};
+                           .again = sample.again};
     if (point)
         event.pixelM = m_scene.pixelAt(*point);
-    if (m_grabbed)
-        event.targetHd = m_scene.besideHd(m_grabbed->positionHd, sample.position);
     return event;
+}
+
+model::HairEvent HeadStroke::hairEvent(const PointerSample& sample) const
+{
+    return {.hair = *m_grabbed,
+            .targetHd = m_scene.besideHd(m_grabbed->positionHd, sample.position),
+            .modifiers = sample.modifiers};
 }
 
 } // namespace hairpaint::view

@@ -26,6 +26,7 @@ public:
 private:
     [[nodiscard]] model::ToolEvent toolEvent(const PointerSample& sample,
                                              const std::optional<sim::SurfacePoint>& point);
+    [[nodiscard]] model::HairEvent hairEvent(const PointerSample& sample) const; ///< With hair in the hand.
 
     EditorState& m_editor;
     const HeadScene& m_scene;

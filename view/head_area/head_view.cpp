@@ -62,17 +62,17 @@ void HeadView::connectParts()
     connect(m_weather, &WeatherOverlay::leaveWanted, this, [this] { setWeatherShown(false); });
 
     connect(&m_state.document(), &model::Document::changed, this, &HeadView::onDocumentChanged);
-    connect(&m_state, &EditorState::hoverChanged, this, &HeadView::refreshRings);
-    connect(&m_state, &EditorState::toolSettingsChanged, this, &HeadView::refreshRings);
-    connect(&m_state, &EditorState::viewOptionsChanged, this, [this] {
+    connect(&m_state.hover(), &Hover::changed, this, &HeadView::refreshRings);
+    connect(&m_state.tools(), &ToolBox::settingsChanged, this, &HeadView::refreshRings);
+    connect(&m_state.options(), &ViewOptions::changed, this, [this] {
         refreshRings();
         refreshOverlay();
     });
-    connect(&m_state, &EditorState::activeToolChanged, this, [this] {
+    connect(&m_state.tools(), &ToolBox::activeChanged, this, [this] {
         refreshRings();
         refreshOverlay();
     });
-    connect(&m_state, &EditorState::overlayChanged, this, &HeadView::refreshOverlay);
+    connect(&m_state.tools(), &ToolBox::overlayChanged, this, &HeadView::refreshOverlay);
 
     connect(m_turn, &HeadTurn::poseWanted, this, &HeadView::poseWanted);
     connect(m_pointer.get(), &HeadPointer::cameraWanted, this, &HeadView::setCamera);
@@ -295,7 +295,7 @@ void HeadView::onDocumentChanged(const model::Change& change)
     }
     if (change.aspect == Aspect::Environment || change.aspect == Aspect::Everything) {
         refreshEnvironment();
-        if (m_state.collidersShown())
+        if (m_state.options().collidersShown())
             refreshOverlay();
     }
 }
@@ -350,10 +350,10 @@ Sight HeadView::shown() const
 void HeadView::refreshOverlay()
 {
     const Sight sight = shown();
-    m_overlay->setShapes(m_state.overlay(), m_scene->skin(), sight.camera, sight.pose);
-    m_overlay->setColliders(m_state.collidersShown() ? m_state.document().project().ellipsoids
-                                                     : std::vector<sim::Ellipsoid>(),
-                            m_state.chosenCollider(), sight.camera, sight.pose);
+    m_overlay->setShapes(m_state.tools().overlay(), m_scene->skin(), sight.camera, sight.pose);
+    m_overlay->setColliders(m_state.options().collidersShown() ? m_state.document().project().ellipsoids
+                                                               : std::vector<sim::Ellipsoid>(),
+                            m_state.options().chosenCollider(), sight.camera, sight.pose);
     m_overlay->setGhost(m_scene->hiddenRing());
     m_directions->refreshSoon();
 }

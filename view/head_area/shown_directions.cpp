@@ -13,18 +13,18 @@ ShownDirections::ShownDirections(EditorState& state, HeadOverlay& overlay, std::
     m_soon.setSingleShot(true);
     m_soon.setInterval(0);
     connect(&m_soon, &QTimer::timeout, this, &ShownDirections::refresh);
-    connect(&state, &EditorState::targetChanged, this, &ShownDirections::refreshSoon);
+    connect(&state.target(), &EditTarget::changed, this, &ShownDirections::refreshSoon);
     connect(&state.document(), &model::Document::changed, this, &ShownDirections::onDocumentChanged);
     const auto unfade = [this] { m_overlay.setDirectionsFaded(false); };
-    for (const auto signal :
-         {&EditorState::targetChanged, &EditorState::activeToolChanged, &EditorState::viewOptionsChanged})
-        connect(&state, signal, this, unfade);
+    connect(&state.target(), &EditTarget::changed, this, unfade);
+    connect(&state.tools(), &ToolBox::activeChanged, this, unfade);
+    connect(&state.options(), &ViewOptions::changed, this, unfade);
 }
 
 void ShownDirections::onDocumentChanged(const model::Change& change)
 {
     using Aspect = model::Change::Aspect;
-    if (change.aspect == Aspect::Texels && m_state.layingHair())
+    if (change.aspect == Aspect::Texels && m_state.tools().layingHair())
         m_overlay.setDirectionsFaded(true);
     if (change.aspect != Aspect::Environment && change.aspect != Aspect::Settings)
         refreshSoon();
@@ -46,10 +46,10 @@ void ShownDirections::refresh()
     m_soon.stop();
     const model::Document& document = m_state.document();
     DirectionField field;
-    const bool wanted = m_state.directionsShown() && m_state.activeMap() == model::MapKind::Direction;
+    const bool wanted = m_state.options().directionsShown() && m_state.target().map() == model::MapKind::Direction;
     if (wanted || m_lookedAt == model::MapKind::Direction)
-        field = {.direction = document.resolved(m_state.activeGroup(), model::MapKind::Direction),
-                 .density = document.resolved(m_state.activeGroup(), model::MapKind::Density)};
+        field = {.direction = document.resolved(m_state.target().group(), model::MapKind::Direction),
+                 .density = document.resolved(m_state.target().group(), model::MapKind::Density)};
     const std::shared_ptr<const model::Head>& head = document.project().head;
     const Sight sight = m_sight();
     m_overlay.setDirections(

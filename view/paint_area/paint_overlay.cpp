@@ -48,11 +48,11 @@ PaintOverlay::PaintOverlay(EditorState& editor, const UvTransform& transform, QW
 
 void PaintOverlay::refreshRings()
 {
-    const float radiusM = m_editor.toolSettings().brushSizeM / 2.0F;
+    const float radiusM = m_editor.tools().settings().brushSizeM / 2.0F;
     const QTransform toWidget = m_transform.paperToWidget();
     m_area.update(m_ringsBounds);
     m_rings.clear();
-    for (const sim::SurfacePoint& point : m_editor.ringPoints())
+    for (const sim::SurfacePoint& point : m_editor.hover().ringPoints())
         m_rings.push_back(onWidget(ringOnUv(point, radiusM), toWidget));
     m_ringsBounds = boundsOf(m_rings);
     m_area.update(m_ringsBounds);
@@ -60,7 +60,7 @@ void PaintOverlay::refreshRings()
 
 void PaintOverlay::refreshOutlines()
 {
-    m_outlines = m_editor.overlay();
+    m_outlines = m_editor.tools().overlay();
     if (!m_flashed.isEmpty())
         m_outlines.push_back({.uvOutline = m_flashed, .closed = true});
     std::vector<QPolygonF> outlines;

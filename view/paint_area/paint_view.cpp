@@ -121,19 +121,19 @@ PaintView::PaintView(EditorState& state, const Theme& theme, StartBackdrop start
     connect(&state.document(), &model::Document::changed, this, &PaintView::onDocumentChanged);
     connect(&state.document(), &model::Document::undone, this, &PaintView::showChangedOutline);
     connect(&state.document(), &model::Document::redone, this, &PaintView::showChangedOutline);
-    connect(&state, &EditorState::targetChanged, this, &PaintView::refreshMap);
-    connect(&state, &EditorState::viewOptionsChanged, this, [this] {
+    connect(&state.target(), &EditTarget::changed, this, &PaintView::refreshMap);
+    connect(&state.options(), &ViewOptions::changed, this, [this] {
         lookChanged();
         refreshMap();
         refreshRings();
     });
-    connect(&state, &EditorState::activeToolChanged, this, [this] {
+    connect(&state.tools(), &ToolBox::activeChanged, this, [this] {
         refreshRings();
         m_state->overlay.refreshOutlines();
     });
-    connect(&state, &EditorState::toolSettingsChanged, this, &PaintView::refreshRings);
-    connect(&state, &EditorState::hoverChanged, this, &PaintView::refreshRings);
-    connect(&state, &EditorState::overlayChanged, this, [this] { m_state->overlay.refreshOutlines(); });
+    connect(&state.tools(), &ToolBox::settingsChanged, this, &PaintView::refreshRings);
+    connect(&state.hover(), &Hover::changed, this, &PaintView::refreshRings);
+    connect(&state.tools(), &ToolBox::overlayChanged, this, [this] { m_state->overlay.refreshOutlines(); });
     connect(&m_state->keys, &HeldKeys::changed, this, &PaintView::updateCursor);
     refreshHead();
     refreshMap();
@@ -202,7 +202,7 @@ void PaintView::rotateBy(double degrees)
 void PaintView::fit()
 {
     QRectF paper(0.0, 0.0, 1.0, 1.0);
-    const std::optional<QRectF> selected = m_state->editor.selection().rectangle();
+    const std::optional<QRectF> selected = m_state->editor.tools().selection().rectangle();
     if (selected && !selected->isEmpty())
         paper = QRectF(selected->x(), 1.0 - selected->bottom(), selected->width(), selected->height());
     m_state->transform.fit(paper);
@@ -267,11 +267,11 @@ void PaintView::refreshHead()
 void PaintView::refreshMap()
 {
     const EditorState& editor = m_state->editor;
-    const model::MapSpec& spec = model::mapSpec(editor.activeMap());
-    const bool exists = editor.document().project().group(editor.activeGroup()) != nullptr;
-    const QList<QRectF> changed =
-        m_state->canvas.setMap(exists ? editor.document().resolved(editor.activeGroup(), editor.activeMap()) : nullptr,
-                               spec, editor.nightPaper());
+    const model::MapSpec& spec = model::mapSpec(editor.target().map());
+    const bool exists = editor.document().project().group(editor.target().group()) != nullptr;
+    const QList<QRectF> changed = m_state->canvas.setMap(
+        exists ? editor.document().resolved(editor.target().group(), editor.target().map()) : nullptr, spec,
+        editor.options().nightPaper());
     updatePaper(changed);
     refreshLegend();
 }
@@ -296,12 +296,12 @@ void PaintView::refine()
 void PaintView::refreshLegend()
 {
     const EditorState& editor = m_state->editor;
-    const model::MapSpec& spec = model::mapSpec(editor.activeMap());
-    const model::HairGroup* group = editor.document().project().group(editor.activeGroup());
+    const model::MapSpec& spec = model::mapSpec(editor.target().map());
+    const model::HairGroup* group = editor.document().project().group(editor.target().group());
     if (group == nullptr || spec.texel == model::TexelKind::Colour)
         m_state->legend->hide();
     else
-        m_state->legend->showMap(spec, group->settings, editor.nightPaper());
+        m_state->legend->showMap(spec, group->settings, editor.options().nightPaper());
 }
 
 void PaintView::refreshRings()
@@ -323,8 +323,8 @@ void PaintView::paintEvent(QPaintEvent* event)
     QPainter painter(this);
     const PaintCanvas::Look look{.transform = m_state->transform,
                                  .devicePixelRatio = devicePixelRatioF(),
-                                 .nightPaper = m_state->editor.nightPaper(),
-                                 .wireframe = m_state->editor.wireframe(),
+                                 .nightPaper = m_state->editor.options().nightPaper(),
+                                 .wireframe = m_state->editor.options().wireframe(),
                                  .theme = m_state->theme,
                                  .font = font()};
     for (const QRect& dirty : event->region()) {
@@ -362,7 +362,7 @@ void PaintView::pointerPressed(const PointerSample& sample)
     } else if (left) {
         hoverAt(sample);
         state.drag = State::Drag::Stroke;
-        state.editor.press(toolEvent(sample, state.transform, state.editor.document().project()));
+        state.editor.tools().press(toolEvent(sample, state.transform, state.editor.document().project()));
     }
     updateCursor();
 }
@@ -376,7 +376,7 @@ void PaintView::pointerMoved(const PointerSample& sample)
         break;
     case State::Drag::Stroke:
         hoverAt(sample);
-        state.editor.move(toolEvent(sample, state.transform, state.editor.document().project()));
+        state.editor.tools().move(toolEvent(sample, state.transform, state.editor.document().project()));
         break;
     case State::Drag::Pan:
         panBy(sample.position - state.last);
@@ -391,7 +391,7 @@ void PaintView::pointerMoved(const PointerSample& sample)
     }
     case State::Drag::Brush:
         state.brushDrag.move(sample);
-        Q_EMIT statusText(brushText(state.editor.toolSettings()));
+        Q_EMIT statusText(brushText(state.editor.tools().settings()));
         break;
     }
     state.last = sample.position;
@@ -404,7 +404,7 @@ void PaintView::pointerReleased(const PointerSample& sample)
         return;
     const State::Drag drag = std::exchange(state.drag, State::Drag::None);
     if (drag == State::Drag::Stroke)
-        state.editor.release(toolEvent(sample, state.transform, state.editor.document().project()));
+        state.editor.tools().release(toolEvent(sample, state.transform, state.editor.document().project()));
     hoverAt(sample);
     updateCursor();
 }
@@ -412,13 +412,13 @@ void PaintView::pointerReleased(const PointerSample& sample)
 void PaintView::hoverAt(const PointerSample& sample)
 {
     const glm::vec2 uv = uvAt(sample.position);
-    Hover hover{.area = model::Area::Paint, .uv = uv, .point = std::nullopt};
+    HoverPoint hover{.area = model::Area::Paint, .uv = uv, .point = std::nullopt};
     const std::shared_ptr<const model::Head>& head = m_state->editor.document().project().head;
     if (head && head->skin)
         hover.point = head->skin->atUv(uv);
     if (hover.point)
         hover.pixelM = pixelAt(*hover.point, m_state->transform);
-    m_state->editor.setHover(hover);
+    m_state->editor.hover().set(hover);
 }
 
 void PaintView::updateCursor()
@@ -431,7 +431,8 @@ void PaintView::updateCursor()
         shape = Qt::SizeAllCursor;
     else if (state.keys.holds(Qt::Key_Space))
         shape = Qt::OpenHandCursor;
-    else if (state.overlay.hasRing() && state.editor.hover() && state.editor.hover()->area == model::Area::Paint)
+    else if (state.overlay.hasRing() && state.editor.hover().at() &&
+             state.editor.hover().at()->area == model::Area::Paint)
         shape = Qt::BlankCursor; // The ring is the cursor.
     if (cursor().shape() != shape)
         setCursor(shape);
@@ -440,9 +441,9 @@ void PaintView::updateCursor()
 void PaintView::leaveEvent(QEvent* event)
 {
     QWidget::leaveEvent(event);
-    const std::optional<Hover>& hover = m_state->editor.hover();
+    const std::optional<HoverPoint>& hover = m_state->editor.hover().at();
     if (m_state->drag == State::Drag::None && hover && hover->area == model::Area::Paint)
-        m_state->editor.setHover(std::nullopt);
+        m_state->editor.hover().set(std::nullopt);
 }
 
 void PaintView::wheelEvent(QWheelEvent* event)
@@ -474,8 +475,8 @@ bool PaintView::event(QEvent* event)
 void PaintView::keyPressEvent(QKeyEvent* event)
 {
     EditorState& editor = m_state->editor;
-    if (editor.toolKey(static_cast<Qt::Key>(event->key()), event->modifiers())) {
-        if (m_state->drag == State::Drag::Stroke && !editor.stroking())
+    if (editor.tools().key(static_cast<Qt::Key>(event->key()), event->modifiers())) {
+        if (m_state->drag == State::Drag::Stroke && !editor.tools().stroking())
             m_state->drag = State::Drag::None;
     } else {
         QWidget::keyPressEvent(event);

@@ -61,7 +61,7 @@ HairPanel::HairPanel(EditorState& state, QWidget* parent)
     layout->addStretch(1);
     scroll->setWidget(content);
 
-    connect(&state, &EditorState::targetChanged, this, &HairPanel::rebuildGroups);
+    connect(&state.target(), &EditTarget::changed, this, &HairPanel::rebuildGroups);
     connect(&state.document(), &model::Document::changed, this, [this](const Change& change) {
         switch (change.aspect) {
         case Change::Aspect::Settings:
@@ -99,7 +99,7 @@ void HairPanel::buildGroups(QVBoxLayout& layout)
     connect(m_groups, &LayerList::removeWanted, this, &HairPanel::removeGroup);
     connect(m_groups, &LayerList::currentRowChanged, this, [this](int row) {
         if (!m_filling && row >= 0)
-            m_state.setActiveGroup(m_groups->idAt(row));
+            m_state.target().setGroup(m_groups->idAt(row));
     });
     connect(m_groups, &LayerList::visibleWanted, this, [this](int id, bool visible) {
         m_state.document().push(showGroupCommand(m_state.document(), id, visible));
@@ -185,7 +185,7 @@ QWidget* HairPanel::makeSlider(const GroupSetting& row, QWidget* parent)
                                         row.writeShown(one->settings, value, fraction);
                                 });
     };
-    connect(slider, &BarSlider::editingBegan, this, [this, edited] { *edited = m_state.activeGroup(); });
+    connect(slider, &BarSlider::editingBegan, this, [this, edited] { *edited = m_state.target().group(); });
     connect(this, &HairPanel::groupChanged, slider, &BarSlider::release);
     if (model::setsRange(row)) {
         bindRange(*slider, row, session, edited);
@@ -264,7 +264,7 @@ void HairPanel::tellClamped(const model::RangeChange& change, const model::Range
 
 const model::HairGroup* HairPanel::group() const
 {
-    return m_state.document().project().group(m_state.activeGroup());
+    return m_state.document().project().group(m_state.target().group());
 }
 
 double HairPanel::scalpFraction() const
@@ -281,7 +281,7 @@ QString HairPanel::settingText(const GroupSetting& row, const model::HairGroup& 
 void HairPanel::change(const GroupSetting& row, double value)
 {
     m_state.document().endEdit();
-    const model::Id id = m_state.activeGroup();
+    const model::Id id = m_state.target().group();
     const model::HairGroup* found = m_state.document().committed().group(id);
     if (found == nullptr)
         return;
@@ -292,7 +292,7 @@ void HairPanel::change(const GroupSetting& row, double value)
 
 void HairPanel::rebuildGroups()
 {
-    if (std::exchange(m_shownGroup, m_state.activeGroup()) != m_state.activeGroup())
+    if (std::exchange(m_shownGroup, m_state.target().group()) != m_state.target().group())
         Q_EMIT groupChanged();
     m_filling = true;
     const auto& groups = m_state.document().project().groups;
@@ -310,7 +310,7 @@ void HairPanel::rebuildGroups()
         item->setData(LayerList::IdRole, one.id);
         item->setData(LayerList::VisibleRole, one.visible);
         item->setData(Qt::AccessibleTextRole, one.visible ? item->text() : tr("%1, hidden").arg(item->text()));
-        if (one.id == m_state.activeGroup())
+        if (one.id == m_state.target().group())
             m_groups->setCurrentRow(row);
     }
     constexpr int kMostRows = 5;
@@ -369,16 +369,16 @@ void HairPanel::addGroup(const model::HairKind& kind)
     } else {
         m_state.document().push(addGroupCommand(m_state.document(), name, settings));
     }
-    m_state.setActiveGroup(m_state.document().project().groups.back().id);
-    m_state.setActiveMap(model::MapKind::Density);
-    m_state.setActiveTool(model::ToolId::Brush);
+    m_state.target().setGroup(m_state.document().project().groups.back().id);
+    m_state.target().setMap(model::MapKind::Density);
+    m_state.tools().choose(model::ToolId::Brush);
 }
 
 void HairPanel::removeGroup()
 {
     m_state.document().endEdit();
     if (group() != nullptr)
-        m_state.document().push(removeGroupCommand(m_state.document(), m_state.activeGroup()));
+        m_state.document().push(removeGroupCommand(m_state.document(), m_state.target().group()));
 }
 
 } // namespace hairpaint::view

@@ -84,8 +84,8 @@ LayersPanel::LayersPanel(EditorState& state, QWidget* parent) : QWidget(parent),
     m_thumbnails.setSingleShot(true);
     m_thumbnails.setInterval(kThumbnailMs);
     connect(&m_thumbnails, &QTimer::timeout, this, &LayersPanel::refreshThumbnails);
-    connect(&state, &EditorState::targetChanged, this, &LayersPanel::rebuild);
-    connect(&state, &EditorState::viewOptionsChanged, &m_thumbnails, qOverload<>(&QTimer::start));
+    connect(&state.target(), &EditTarget::changed, this, &LayersPanel::rebuild);
+    connect(&state.options(), &ViewOptions::changed, &m_thumbnails, qOverload<>(&QTimer::start));
     connect(&state.document(), &model::Document::changed, this, &LayersPanel::onChanged);
     rebuild();
 }
@@ -94,7 +94,7 @@ void LayersPanel::connectList()
 {
     connect(m_list, &LayerList::currentRowChanged, this, [this](int row) {
         if (!m_filling && row >= 0)
-            m_state.setActiveLayer(m_list->idAt(row));
+            m_state.target().setLayer(m_list->idAt(row));
     });
     connect(m_list, &LayerList::visibleWanted, this, [this](int layer, bool visible) {
         change(layer, visible ? tr("Show layer") : tr("Hide layer"),
@@ -165,27 +165,27 @@ void LayersPanel::connectProperties()
                                         layer->opacity = static_cast<float>(percent / 100.0);
                                 });
     };
-    connect(m_opacity, &BarSlider::editingBegan, this, [this] { m_opacityTarget = m_state.target(); });
+    connect(m_opacity, &BarSlider::editingBegan, this, [this] { m_opacityTarget = m_state.target().address(); });
     connect(m_opacity, &BarSlider::valueChanged, this, show);
     connect(m_opacity, &BarSlider::editingFinished, this, [this] { m_opacityEdit.commit(); });
     connect(m_opacity, &BarSlider::editingCancelled, this, [this] { m_opacityEdit.drop(); });
     connect(m_blend, &QComboBox::activated, this, [this](int index) {
         const auto mode = static_cast<model::BlendMode>(m_blend->itemData(index).toInt());
         m_state.document().endEdit(); // Ends what is only looked at, with its layers.
-        change(m_state.activeLayer(), tr("Layer blend mode"),
+        change(m_state.target().layer(), tr("Layer blend mode"),
                [mode](LayerProperties& properties) { properties.blend = mode; });
     });
 }
 
 const model::MapStack* LayersPanel::stack() const
 {
-    const model::HairGroup* group = m_state.document().project().group(m_state.activeGroup());
-    return group != nullptr ? &group->map(m_state.activeMap()) : nullptr;
+    const model::HairGroup* group = m_state.document().project().group(m_state.target().group());
+    return group != nullptr ? &group->map(m_state.target().map()) : nullptr;
 }
 
 const Layer* LayersPanel::activeLayer() const
 {
-    const model::LayerAddress target = m_state.target();
+    const model::LayerAddress target = m_state.target().address();
     return m_state.document().project().layer(target.group, target.map, target.layer);
 }
 
@@ -193,7 +193,8 @@ void LayersPanel::onChanged(const Change& change)
 {
     switch (change.aspect) {
     case Change::Aspect::Texels:
-        if (change.group == m_state.activeGroup() && change.map == m_state.activeMap() && !m_thumbnails.isActive())
+        if (change.group == m_state.target().group() && change.map == m_state.target().map() &&
+            !m_thumbnails.isActive())
             m_thumbnails.start();
         break;
     case Change::Aspect::LayerList:
@@ -228,7 +229,7 @@ void LayersPanel::rebuild()
         item->setData(LayerList::LockedRole, layer.locked);
         item->setData(Qt::AccessibleTextRole, item->text() + (layer.visible ? QString() : tr(", hidden")) +
                                                   (layer.locked ? tr(", locked") : QString()));
-        if (layer.id == m_state.activeLayer())
+        if (layer.id == m_state.target().layer())
             m_list->setCurrentRow(row);
     }
     followActive();
@@ -238,7 +239,7 @@ void LayersPanel::rebuild()
 
 void LayersPanel::followActive()
 {
-    const model::LayerAddress target = m_state.target();
+    const model::LayerAddress target = m_state.target().address();
     if (std::exchange(m_shownTarget, target) != target)
         m_opacity->release(); // It stands for another layer's from here on.
     const Layer* layer = activeLayer();
@@ -247,7 +248,7 @@ void LayersPanel::followActive()
     for (QWidget* widget : std::initializer_list<QWidget*>{m_opacity, m_blend, m_remove, m_duplicate, m_up, m_down})
         widget->setEnabled(layer != nullptr);
     m_blend->clear();
-    for (const model::BlendMode mode : model::mapSpec(m_state.activeMap()).blendModes)
+    for (const model::BlendMode mode : model::mapSpec(m_state.target().map()).blendModes)
         m_blend->addItem(model::blendRule(mode).titleText(), static_cast<int>(mode));
     if (layer == nullptr)
         return;
@@ -261,13 +262,13 @@ void LayersPanel::followActive()
 void LayersPanel::refreshThumbnails()
 {
     m_thumbnails.stop();
-    const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
+    const model::MapSpec& spec = model::mapSpec(m_state.target().map());
     const int side = qRound(LayerList::kThumbnailSide * devicePixelRatioF());
-    const bool night = m_state.nightPaper();
+    const bool night = m_state.options().nightPaper();
     std::map<model::Id, Thumbnail> before = std::exchange(m_thumbnailOf, {});
     for (int row = 0; row < m_list->count(); ++row) {
         const model::Id id = m_list->idAt(row);
-        const Layer* layer = m_state.document().project().layer(m_state.activeGroup(), spec.kind, id);
+        const Layer* layer = m_state.document().project().layer(m_state.target().group(), spec.kind, id);
         if (layer == nullptr)
             continue;
         const auto known = before.find(id);
@@ -287,7 +288,7 @@ void LayersPanel::refreshThumbnails()
 
 void LayersPanel::change(model::Id layer, const QString& text, const std::function<void(LayerProperties&)>& edit)
 {
-    const model::LayerAddress address{.group = m_state.activeGroup(), .map = m_state.activeMap(), .layer = layer};
+    const model::LayerAddress address{.group = m_state.target().group(), .map = m_state.target().map(), .layer = layer};
     m_state.document().endEdit();
     const Layer* found = m_state.document().committed().layer(address.group, address.map, address.layer);
     if (found == nullptr)
@@ -305,17 +306,17 @@ void LayersPanel::addLayer()
     const model::MapStack* layers = stack();
     if (layers == nullptr)
         return;
-    m_state.document().push(addLayerCommand(m_state.document(), m_state.activeGroup(), m_state.activeMap(),
+    m_state.document().push(addLayerCommand(m_state.document(), m_state.target().group(), m_state.target().map(),
                                             model::layerName(static_cast<qsizetype>(layers->layers.size()) + 1)));
     if (const model::MapStack* after = stack(); after != nullptr && !after->layers.empty())
-        m_state.setActiveLayer(after->layers.back().id);
+        m_state.target().setLayer(after->layers.back().id);
 }
 
 void LayersPanel::removeLayer()
 {
     m_state.document().endEdit();
     if (activeLayer() != nullptr)
-        m_state.document().push(removeLayerCommand(m_state.document(), m_state.target()));
+        m_state.document().push(removeLayerCommand(m_state.document(), m_state.target().address()));
 }
 
 void LayersPanel::duplicateLayer()
@@ -329,12 +330,12 @@ void LayersPanel::duplicateLayer()
     const std::size_t before = layers->layers.size();
     Layer copy = *layer;
     copy.name = tr("%1 copy").arg(model::shownName(layer->name));
-    m_state.document().push(insertLayerCommand(m_state.document(), m_state.activeGroup(), m_state.activeMap(),
+    m_state.document().push(insertLayerCommand(m_state.document(), m_state.target().group(), m_state.target().map(),
                                                std::move(copy), position,
                                                tr("Duplicate layer \"%1\"").arg(model::shownName(layer->name))));
     // A document that is full takes no more.
     if (const model::MapStack* after = stack(); after != nullptr && after->layers.size() > before)
-        m_state.setActiveLayer(after->layers[static_cast<std::size_t>(position)].id);
+        m_state.target().setLayer(after->layers[static_cast<std::size_t>(position)].id);
 }
 
 void LayersPanel::moveLayer(int steps)
@@ -352,9 +353,10 @@ void LayersPanel::moveTo(model::Id layer, int position)
         return;
     if (layers->layers[static_cast<std::size_t>(position)].id == layer)
         return;
-    m_state.document().push(moveLayerCommand(
-        m_state.document(), {.group = m_state.activeGroup(), .map = m_state.activeMap(), .layer = layer}, position));
-    m_state.setActiveLayer(layer);
+    m_state.document().push(
+        moveLayerCommand(m_state.document(),
+                         {.group = m_state.target().group(), .map = m_state.target().map(), .layer = layer}, position));
+    m_state.target().setLayer(layer);
 }
 
 } // namespace hairpaint::view

@@ -34,15 +34,15 @@ MapsPanel::MapsPanel(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     layout->setSpacing(0);
     for (const MapSpec& spec : model::mapSpecs()) {
         auto* row = new MapRow(spec.kind, this);
-        connect(row, &MapRow::clicked, this, [this, kind = spec.kind] { m_state.setActiveMap(kind); });
+        connect(row, &MapRow::clicked, this, [this, kind = spec.kind] { m_state.target().setMap(kind); });
         layout->addWidget(row);
         m_rows[sim::indexOf(spec.kind)] = row;
     }
     m_redraw.setSingleShot(true);
     m_redraw.setInterval(kRedrawMs);
     connect(&m_redraw, &QTimer::timeout, this, &MapsPanel::redraw);
-    connect(&state, &EditorState::targetChanged, this, &MapsPanel::follow);
-    connect(&state, &EditorState::viewOptionsChanged, this, &MapsPanel::markAll);
+    connect(&state.target(), &EditTarget::changed, this, &MapsPanel::follow);
+    connect(&state.options(), &ViewOptions::changed, this, &MapsPanel::markAll);
     connect(&state.document(), &model::Document::changed, this, &MapsPanel::onChanged);
     follow();
     markAll();
@@ -75,16 +75,16 @@ void MapsPanel::markAll()
 
 void MapsPanel::follow()
 {
-    const model::HairGroup* group = m_state.document().project().group(m_state.activeGroup());
+    const model::HairGroup* group = m_state.document().project().group(m_state.target().group());
     setEnabled(group != nullptr);
     for (const MapSpec& spec : model::mapSpecs()) {
         MapRow* row = m_rows[sim::indexOf(spec.kind)];
-        row->setChecked(spec.kind == m_state.activeMap());
+        row->setChecked(spec.kind == m_state.target().map());
         row->setRange(group != nullptr ? rangeText(group->settings, spec) : QString(),
                       group != nullptr ? group->map(spec.kind).size : 0);
     }
-    if (m_shownGroup != m_state.activeGroup()) {
-        m_shownGroup = m_state.activeGroup();
+    if (m_shownGroup != m_state.target().group()) {
+        m_shownGroup = m_state.target().group();
         markAll();
     }
 }
@@ -99,14 +99,14 @@ void MapsPanel::redraw()
             continue;
         drawn = resolved;
         m_rows[sim::indexOf(spec.kind)]->setThumbnail(
-            resolved == nullptr ? QImage() : mapThumbnail(*resolved, spec, m_state.nightPaper(), side));
+            resolved == nullptr ? QImage() : mapThumbnail(*resolved, spec, m_state.options().nightPaper(), side));
     }
 }
 
 void MapsPanel::keyPressEvent(QKeyEvent* event)
 {
     int wanted = -1;
-    const int current = static_cast<int>(m_state.activeMap());
+    const int current = static_cast<int>(m_state.target().map());
     if (event->key() >= Qt::Key_0 && event->key() <= Qt::Key_9)
         wanted = (event->key() - Qt::Key_0 + MapRow::kDigits - 1) % MapRow::kDigits;
     else if (event->key() == Qt::Key_Up)
@@ -117,7 +117,7 @@ void MapsPanel::keyPressEvent(QKeyEvent* event)
         QWidget::keyPressEvent(event);
         return;
     }
-    m_state.setActiveMap(static_cast<MapKind>(wanted));
+    m_state.target().setMap(static_cast<MapKind>(wanted));
     m_rows[static_cast<std::size_t>(wanted)]->setFocus();
 }
 

@@ -102,10 +102,10 @@ OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     m_row->addWidget(m_selectionBox);
     m_row->addStretch(1);
 
-    connect(&state, &EditorState::activeToolChanged, this, &OptionBar::showOptions);
-    connect(&state, &EditorState::toolSettingsChanged, this, &OptionBar::follow);
-    connect(&state, &EditorState::targetChanged, this, &OptionBar::follow);
-    connect(&state, &EditorState::viewOptionsChanged, this, &OptionBar::follow);
+    connect(&state.tools(), &ToolBox::activeChanged, this, &OptionBar::showOptions);
+    connect(&state.tools(), &ToolBox::settingsChanged, this, &OptionBar::follow);
+    connect(&state.target(), &EditTarget::changed, this, &OptionBar::follow);
+    connect(&state.options(), &ViewOptions::changed, this, &OptionBar::follow);
     connect(&state.document(), &model::Document::changed, this, [this](const model::Change& change) {
         using Aspect = model::Change::Aspect;
         if (change.aspect == Aspect::Settings || change.aspect == Aspect::LayerList ||
@@ -118,7 +118,7 @@ OptionBar::OptionBar(EditorState& state, QWidget* parent) : QWidget(parent), m_s
 void OptionBar::buildValue()
 {
     m_valueBox = box(this);
-    m_badge = new MapBadge(m_state.activeMap(), m_valueBox);
+    m_badge = new MapBadge(m_state.target().map(), m_valueBox);
     m_scalar = new BarSlider(tr("Value"), m_valueBox);
     m_scalar->setPreferredWidth(kValueWidth);
     m_valueButton = new QToolButton(m_valueBox);
@@ -131,8 +131,8 @@ void OptionBar::buildValue()
     m_valueButton->setFocusPolicy(Qt::TabFocus);
     m_valueButton->setToolTip(tr("Choose the value from the palette"));
     bindToolSettings(*m_scalar, m_state, [this](ToolSettings& settings, double shown) {
-        const model::MapKind map = m_state.activeMap();
-        settings.value(map).scalar = static_cast<float>(mapValue(m_state.activeSettings(), map, shown));
+        const model::MapKind map = m_state.target().map();
+        settings.value(map).scalar = static_cast<float>(mapValue(m_state.target().settings(), map, shown));
     });
     connect(m_valueButton, &QToolButton::clicked, this, &OptionBar::showPalette);
     m_valueBox->layout()->addWidget(m_badge);
@@ -147,7 +147,7 @@ void OptionBar::buildValue()
 
 void OptionBar::buildOptions()
 {
-    for (const auto& tool : m_state.tools()) {
+    for (const auto& tool : m_state.tools().all()) {
         for (const ToolOption* row : tool->options()) {
             if (std::holds_alternative<model::ToolValue>(row->kind) ||
                 std::ranges::find(m_options, row, &Option::row) != m_options.end())
@@ -217,14 +217,14 @@ void OptionBar::addSelectionAction(QAction* action)
 
 void OptionBar::change(const ToolOption& option, double value)
 {
-    ToolSettings settings = m_state.toolSettings();
+    ToolSettings settings = m_state.tools().settings();
     putOption(settings, option, value);
-    m_state.setToolSettings(settings);
+    m_state.tools().setSettings(settings);
 }
 
 void OptionBar::showOptions()
 {
-    const model::Tool& tool = m_state.activeTool();
+    const model::Tool& tool = m_state.tools().active();
     m_toolIcon->setPixmap(
         iconPixmap(QLatin1String(tool.name()), metrics::kIcon, Theme::current().text, devicePixelRatioF()));
     m_toolName->setText(tool.title());
@@ -254,8 +254,8 @@ void OptionBar::showOptions()
 void OptionBar::follow()
 {
     followValue();
-    const ToolSettings settings = m_state.toolSettings();
-    const model::ToolOptions rows = m_state.activeTool().options();
+    const ToolSettings settings = m_state.tools().settings();
+    const model::ToolOptions rows = m_state.tools().active().options();
     for (const Option& option : m_options) {
         const ToolOption& row = *option.row;
         option.widget->setVisible(std::ranges::find(rows, &row) != rows.end() &&
@@ -274,10 +274,10 @@ void OptionBar::follow()
 
 void OptionBar::followValue()
 {
-    const MapSpec& spec = model::mapSpec(m_state.activeMap());
-    const sim::GroupSettings& group = m_state.activeSettings();
-    const model::PaintValue value = m_state.toolSettings().value(spec.kind);
-    const std::pair stood(m_state.activeGroup(), spec.kind);
+    const MapSpec& spec = model::mapSpec(m_state.target().map());
+    const sim::GroupSettings& group = m_state.target().settings();
+    const model::PaintValue value = m_state.tools().settings().value(spec.kind);
+    const std::pair stood(m_state.target().group(), spec.kind);
     if (std::exchange(m_stands, stood) != stood)
         m_scalar->release(); // It stands for another map's value from here on.
     m_badge->setMap(spec.kind);
@@ -289,7 +289,7 @@ void OptionBar::followValue()
         m_scalar->setExponent(spec.scale->sliderExponent);
         m_scalar->setRange(unit.minimum, unit.maximum, unit.decimals);
         m_scalar->setUnit(unit.unit);
-        m_scalar->setGradient(scaleGradient(spec, m_state.nightPaper()));
+        m_scalar->setGradient(scaleGradient(spec, m_state.options().nightPaper()));
         m_scalar->setValue(shownValue(group, spec.kind, static_cast<double>(value.scalar)));
     }
     m_valueButton->setToolButtonStyle(scalar ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);

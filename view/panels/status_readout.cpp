@@ -96,16 +96,16 @@ StatusReadout::StatusReadout(EditorState& state, QWidget* parent) : QWidget(pare
         layout->addWidget(label);
     m_message.setSingleShot(true);
     connect(&m_message, &QTimer::timeout, this, &StatusReadout::follow);
-    connect(&state, &EditorState::activeToolChanged, this, &StatusReadout::follow);
-    connect(&state, &EditorState::hoverChanged, this, &StatusReadout::followHover);
-    connect(&state, &EditorState::targetChanged, this, &StatusReadout::followHover);
-    connect(&state, &EditorState::targetChanged, this, [this] {
+    connect(&state.tools(), &ToolBox::activeChanged, this, &StatusReadout::follow);
+    connect(&state.hover(), &Hover::changed, this, &StatusReadout::followHover);
+    connect(&state.target(), &EditTarget::changed, this, &StatusReadout::followHover);
+    connect(&state.target(), &EditTarget::changed, this, [this] {
         if (!m_message.isActive())
             follow();
     });
     // A tool that runs, or does another thing, says something else next.
-    for (const auto changed : {&EditorState::overlayChanged, &EditorState::toolSettingsChanged})
-        connect(&state, changed, this, [this] {
+    for (const auto changed : {&ToolBox::overlayChanged, &ToolBox::settingsChanged})
+        connect(&state.tools(), changed, this, [this] {
             if (!m_message.isActive())
                 follow();
         });
@@ -183,21 +183,21 @@ void StatusReadout::follow()
     m_message.stop();
     m_errorIcon->hide();
     const QString revealed = revealedText(m_state);
-    const QString hint = m_state.activeTool().hintFor(m_state.toolSettings());
+    const QString hint = m_state.tools().active().hintFor(m_state.tools().settings());
     m_hint->setText(revealed.isEmpty() ? hint : tr("%1. Erasing %2").arg(hint, revealed));
     m_hint->setToolTip(m_hint->text());
 }
 
 void StatusReadout::followHover()
 {
-    const model::HairGroup* group = m_state.document().project().group(m_state.activeGroup());
-    const auto& hover = m_state.hover();
-    const auto resolved = m_state.document().resolved(m_state.activeGroup(), m_state.activeMap());
+    const model::HairGroup* group = m_state.document().project().group(m_state.target().group());
+    const auto& hover = m_state.hover().at();
+    const auto resolved = m_state.document().resolved(m_state.target().group(), m_state.target().map());
     if (group == nullptr || !hover || !hover->point || resolved == nullptr) {
         m_value->clear();
         return;
     }
-    const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
+    const model::MapSpec& spec = model::mapSpec(m_state.target().map());
     model::PaintValue value = valueOfTexel(spec, resolved->sampleNearest(hover->point->uv));
     m_value->setText(tr("%1: %2").arg(spec.titleText(), valueText(group->settings, spec, value)));
 }

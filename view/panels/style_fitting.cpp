@@ -65,7 +65,7 @@ void StyleFitting::begin()
     if (m_edit.active())
         return;
     m_state.document().endEdit(); // First: the end of another one's edit is not the end of this.
-    m_before = m_state.target();
+    m_before = m_state.target().address();
 }
 
 void StyleFitting::editEnded()
@@ -77,9 +77,9 @@ void StyleFitting::editEnded()
     if (!m_before)
         return;
     const model::LayerAddress before = *std::exchange(m_before, std::nullopt);
-    m_state.setActiveGroup(before.group);
-    if (m_state.activeGroup() == before.group && m_state.activeMap() == before.map)
-        m_state.setActiveLayer(before.layer);
+    m_state.target().setGroup(before.group);
+    if (m_state.target().group() == before.group && m_state.target().map() == before.map)
+        m_state.target().setLayer(before.layer);
 }
 
 void StyleFitting::showStyle(const PresetPtr& preset, const model::StyleUse& use)
@@ -128,9 +128,9 @@ void StyleFitting::commit(const PresetPtr& preset, const model::StyleUse& use)
         if (std::ranges::find(use.kept, id) == use.kept.end() && use.part == StylePart::All)
             m_untouched.insert_or_assign(id, *project.group(id));
     // On a bald head only Density makes hair.
-    const auto density = m_state.document().resolvedNow(m_state.activeGroup(), model::MapKind::Density);
+    const auto density = m_state.document().resolvedNow(m_state.target().group(), model::MapKind::Density);
     if (density != nullptr && density->uniformValue() == sim::Texel{})
-        m_state.setActiveMap(model::MapKind::Density);
+        m_state.target().setMap(model::MapKind::Density);
 }
 
 } // namespace hairpaint::view

@@ -64,12 +64,12 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
     layout->addLayout(m_tools);
     auto* hint = new ToolHint(this);
     auto* group = new QButtonGroup(this);
-    for (const auto& tool : state.tools()) {
+    for (const auto& tool : state.tools().all()) {
         QToolButton* button = makeTarget(this);
         button->setCheckable(true);
         button->setIcon(icon(QLatin1String(tool->name())));
         describe(*button, tool->title(), tool->traits().key, {tool->purpose(), tool->hint()});
-        connect(button, &QToolButton::clicked, this, [this, id = tool->id()] { m_state.setActiveTool(id); });
+        connect(button, &QToolButton::clicked, this, [this, id = tool->id()] { m_state.tools().choose(id); });
         hint->watch(*button, tool->id());
         group->addButton(button);
         m_buttons.push_back(button);
@@ -84,15 +84,15 @@ ToolBar::ToolBar(EditorState& state, QWidget* parent) : QWidget(parent), m_state
     m_foot->setSpacing(kSpacing);
     layout->addLayout(m_foot);
     arrange(1);
-    connect(&state, &EditorState::activeToolChanged, this, &ToolBar::follow);
+    connect(&state.tools(), &ToolBox::activeChanged, this, &ToolBar::follow);
     follow();
 }
 
 void ToolBar::setAction(model::ToolId tool, const QAction& action)
 {
-    const auto found = std::ranges::find(m_state.tools(), tool, [](const auto& one) { return one->id(); });
-    Q_ASSERT(found != m_state.tools().end());
-    QToolButton* button = m_buttons[static_cast<std::size_t>(found - m_state.tools().begin())];
+    const auto found = std::ranges::find(m_state.tools().all(), tool, [](const auto& one) { return one->id(); });
+    Q_ASSERT(found != m_state.tools().all().end());
+    QToolButton* button = m_buttons[static_cast<std::size_t>(found - m_state.tools().all().begin())];
     const auto follow = [button, &tool = **found, &action] {
         describe(*button, tool.title(), action.shortcut(), {tool.purpose(), tool.hint()});
     };
@@ -145,9 +145,9 @@ void ToolBar::resizeEvent(QResizeEvent* event)
 
 void ToolBar::follow()
 {
-    const model::Tool* active = &m_state.activeTool();
+    const model::Tool* active = &m_state.tools().active();
     for (std::size_t i = 0; i < m_buttons.size(); ++i)
-        m_buttons[i]->setChecked(m_state.tools()[i].get() == active);
+        m_buttons[i]->setChecked(m_state.tools().all()[i].get() == active);
 }
 
 } // namespace hairpaint::view

@@ -33,7 +33,7 @@ private:
     void arrange(int columns);
 
     EditorState& m_state;
-    std::vector<QToolButton*> m_buttons; ///< In the order of state.tools().
+    std::vector<QToolButton*> m_buttons; ///< In the order of state.tools().all().
     std::vector<QToolButton*> m_footButtons;
     QGridLayout* m_tools = nullptr;
     QGridLayout* m_foot = nullptr;

@@ -11,17 +11,17 @@ namespace hairpaint::view {
 
 bool erases(const EditorState& state)
 {
-    return state.activeTool().id() == model::ToolId::Eraser;
+    return state.tools().active().id() == model::ToolId::Eraser;
 }
 
 QString revealedText(const EditorState& state)
 {
-    const model::HairGroup* group = state.document().project().group(state.activeGroup());
+    const model::HairGroup* group = state.document().project().group(state.target().group());
     if (group == nullptr || !erases(state))
         return {};
-    const model::MapSpec& spec = model::mapSpec(state.activeMap());
+    const model::MapSpec& spec = model::mapSpec(state.target().map());
     const std::vector<model::Layer>& layers = group->map(spec.kind).layers;
-    const auto active = std::ranges::find(layers, state.activeLayer(), &model::Layer::id);
+    const auto active = std::ranges::find(layers, state.target().layer(), &model::Layer::id);
     const bool covers = std::any_of(layers.begin(), active,
                                     [](const model::Layer& layer) { return layer.visible && layer.opacity > 0; });
     if (covers)

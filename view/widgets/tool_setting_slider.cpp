@@ -12,17 +12,18 @@ namespace hairpaint::view {
 void bindToolSettings(BarSlider& slider, EditorState& state,
                       std::function<void(model::ToolSettings& settings, double shown)> set)
 {
-    const auto before = std::make_shared<std::optional<EditorState::HeldSettings>>();
-    QObject::connect(&slider, &BarSlider::editingBegan, &state, [before, &state] { *before = state.heldSettings(); });
+    const auto before = std::make_shared<std::optional<ToolBox::HeldSettings>>();
+    QObject::connect(&slider, &BarSlider::editingBegan, &state,
+                     [before, &state] { *before = state.tools().heldSettings(); });
     QObject::connect(&slider, &BarSlider::valueChanged, &state, [&state, set = std::move(set)](double shown) {
-        model::ToolSettings settings = state.toolSettings();
+        model::ToolSettings settings = state.tools().settings();
         set(settings, shown);
-        state.setToolSettings(settings);
+        state.tools().setSettings(settings);
     });
     QObject::connect(&slider, &BarSlider::editingFinished, &state, [before] { before->reset(); });
     QObject::connect(&slider, &BarSlider::editingCancelled, &state, [before, &state] {
         if (const auto held = std::exchange(*before, std::nullopt))
-            state.putBack(*held);
+            state.tools().putBack(*held);
     });
 }
 

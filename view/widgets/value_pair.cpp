@@ -27,22 +27,22 @@ ValuePair::ValuePair(EditorState& state, QWidget* parent) : QWidget(parent), m_s
     setAccessibleName(tr("Value and second value"));
     setAttribute(Qt::WA_Hover);
     const auto redraw = [this] { update(); };
-    connect(&state, &EditorState::toolSettingsChanged, this, redraw);
-    connect(&state, &EditorState::targetChanged, this, redraw);
-    connect(&state, &EditorState::viewOptionsChanged, this, redraw);
+    connect(&state.tools(), &ToolBox::settingsChanged, this, redraw);
+    connect(&state.target(), &EditTarget::changed, this, redraw);
+    connect(&state.options(), &ViewOptions::changed, this, redraw);
 }
 
 void ValuePair::paintEvent(QPaintEvent* /*event*/)
 {
     const Theme theme = Theme::current();
-    const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
-    model::ToolSettings settings = m_state.toolSettings();
+    const model::MapSpec& spec = model::mapSpec(m_state.target().map());
+    model::ToolSettings settings = m_state.tools().settings();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const auto square = [&](bool second, const model::PaintValue& value) {
         const QRectF field = QRectF(squareRect(second)).adjusted(0.5, 0.5, -0.5, -0.5);
         painter.setPen(QPen(theme.panel, 3.0));
-        painter.setBrush(valueColour(spec, value, m_state.nightPaper()));
+        painter.setBrush(valueColour(spec, value, m_state.options().nightPaper()));
         painter.drawRoundedRect(field, 3.0, 3.0);
         painter.setPen(QPen(theme.dimText, 1.0));
         painter.drawRoundedRect(field, 3.0, 3.0);
@@ -95,12 +95,12 @@ void ValuePair::keyPressEvent(QKeyEvent* event)
 bool ValuePair::event(QEvent* event)
 {
     if (event->type() == QEvent::ToolTip) {
-        const model::MapSpec& spec = model::mapSpec(m_state.activeMap());
-        model::ToolSettings settings = m_state.toolSettings();
+        const model::MapSpec& spec = model::mapSpec(m_state.target().map());
+        model::ToolSettings settings = m_state.tools().settings();
         QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
                            tr("Paints %1; the second value is %2. Click a square to choose, the arrow to swap (X)")
-                               .arg(valueText(m_state.activeSettings(), spec, settings.value(spec.kind)),
-                                    valueText(m_state.activeSettings(), spec, settings.secondValue(spec.kind))),
+                               .arg(valueText(m_state.target().settings(), spec, settings.value(spec.kind)),
+                                    valueText(m_state.target().settings(), spec, settings.secondValue(spec.kind))),
                            this);
         return true;
     }
@@ -109,18 +109,18 @@ bool ValuePair::event(QEvent* event)
 
 void swapValues(EditorState& state)
 {
-    model::ToolSettings settings = state.toolSettings();
-    std::swap(settings.value(state.activeMap()), settings.secondValue(state.activeMap()));
-    state.setToolSettings(settings);
+    model::ToolSettings settings = state.tools().settings();
+    std::swap(settings.value(state.target().map()), settings.secondValue(state.target().map()));
+    state.tools().setSettings(settings);
 }
 
 void resetValues(EditorState& state)
 {
-    model::ToolSettings settings = state.toolSettings();
+    model::ToolSettings settings = state.tools().settings();
     model::ToolSettings fresh;
-    settings.value(state.activeMap()) = fresh.value(state.activeMap());
-    settings.secondValue(state.activeMap()) = fresh.secondValue(state.activeMap());
-    state.setToolSettings(settings);
+    settings.value(state.target().map()) = fresh.value(state.target().map());
+    settings.secondValue(state.target().map()) = fresh.secondValue(state.target().map());
+    state.tools().setSettings(settings);
 }
 
 } // namespace hairpaint::view

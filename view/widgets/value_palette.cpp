@@ -105,9 +105,9 @@ ValuePalette::ValuePalette(EditorState& state, QWidget* parent) : QWidget(parent
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSizeConstraint(QLayout::SetMinAndMaxSize);
-    connect(&state, &EditorState::targetChanged, this, &ValuePalette::refresh);
-    connect(&state, &EditorState::toolSettingsChanged, this, &ValuePalette::refresh);
-    connect(&state, &EditorState::viewOptionsChanged, this, [this] {
+    connect(&state.target(), &EditTarget::changed, this, &ValuePalette::refresh);
+    connect(&state.tools(), &ToolBox::settingsChanged, this, &ValuePalette::refresh);
+    connect(&state.options(), &ViewOptions::changed, this, [this] {
         m_builtFor.clear();
         refresh();
     });
@@ -133,7 +133,7 @@ void ValuePalette::rebuild()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(metrics::kGap);
 
-    const MapSpec& spec = model::mapSpec(m_state.activeMap());
+    const MapSpec& spec = model::mapSpec(m_state.target().map());
     auto* head = new QHBoxLayout;
     head->setSpacing(metrics::kGap);
     head->addWidget(new MapBadge(spec.kind, m_body));
@@ -169,8 +169,8 @@ void ValuePalette::rebuild()
 
 void ValuePalette::refresh()
 {
-    const MapSpec& spec = model::mapSpec(m_state.activeMap());
-    const QString wanted = QLatin1String(spec.id) + rangeText(m_state.activeSettings(), spec);
+    const MapSpec& spec = model::mapSpec(m_state.target().map());
+    const QString wanted = QLatin1String(spec.id) + rangeText(m_state.target().settings(), spec);
     if (wanted != m_builtFor) {
         m_builtFor = wanted;
         rebuild();
@@ -184,7 +184,7 @@ void ValuePalette::refresh()
         marked = marked || same;
     }
     if (m_slider != nullptr)
-        m_slider->setValue(shownValue(m_state.activeSettings(), spec.kind, static_cast<double>(value.scalar)));
+        m_slider->setValue(shownValue(m_state.target().settings(), spec.kind, static_cast<double>(value.scalar)));
     if (m_angle != nullptr) {
         // Upright hair has no angle: the slider keeps the last one.
         if (glm::length(value.direction) > 0.0F)
@@ -212,15 +212,15 @@ PaintValue& ValuePalette::edited(model::ToolSettings& settings, MapKind map) con
 
 PaintValue ValuePalette::edited(MapKind map) const
 {
-    model::ToolSettings settings = m_state.toolSettings();
+    model::ToolSettings settings = m_state.tools().settings();
     return edited(settings, map);
 }
 
 void ValuePalette::setValue(const PaintValue& value)
 {
-    model::ToolSettings tools = m_state.toolSettings();
-    edited(tools, m_state.activeMap()) = value;
-    m_state.setToolSettings(tools);
+    model::ToolSettings tools = m_state.tools().settings();
+    edited(tools, m_state.target().map()) = value;
+    m_state.tools().setSettings(tools);
     refresh();
 }
 
@@ -249,8 +249,8 @@ ValuePalette* ValuePalette::openUnder(QWidget& anchor, EditorState& state, bool 
 
 Swatch* ValuePalette::addSwatch(const PaintValue& value, const QString& name)
 {
-    auto* swatch =
-        new Swatch(valueColour(model::mapSpec(m_state.activeMap()), value, m_state.nightPaper()), name, m_body);
+    auto* swatch = new Swatch(
+        valueColour(model::mapSpec(m_state.target().map()), value, m_state.options().nightPaper()), name, m_body);
     m_swatches.emplace_back(swatch, value);
     connect(swatch, &Swatch::clicked, this, [this, value] {
         setValue(value);
@@ -261,24 +261,24 @@ Swatch* ValuePalette::addSwatch(const PaintValue& value, const QString& name)
 
 void ValuePalette::buildScalar(QVBoxLayout& layout)
 {
-    const MapSpec& spec = model::mapSpec(m_state.activeMap());
-    const ValueUnit unit = valueUnit(m_state.activeSettings(), spec.kind);
+    const MapSpec& spec = model::mapSpec(m_state.target().map());
+    const ValueUnit unit = valueUnit(m_state.target().settings(), spec.kind);
     m_slider = new BarSlider(tr("Value"), m_body);
     m_slider->setRange(unit.minimum, unit.maximum, unit.decimals);
     m_slider->setUnit(unit.unit);
     m_slider->setExponent(spec.scale->sliderExponent);
-    m_slider->setGradient(scaleGradient(spec, m_state.nightPaper()));
+    m_slider->setGradient(scaleGradient(spec, m_state.options().nightPaper()));
     m_slider->setMinimumWidth(260);
     bindToolSettings(*m_slider, m_state, [this, kind = spec.kind](model::ToolSettings& settings, double shown) {
-        edited(settings, kind).scalar = static_cast<float>(mapValue(m_state.activeSettings(), kind, shown));
+        edited(settings, kind).scalar = static_cast<float>(mapValue(m_state.target().settings(), kind, shown));
     });
     layout.addWidget(m_slider);
     auto* row = new QHBoxLayout;
     row->setSpacing(0);
-    for (const double step : roundSteps(m_state.activeSettings(), spec.kind)) {
+    for (const double step : roundSteps(m_state.target().settings(), spec.kind)) {
         PaintValue value;
-        value.scalar = static_cast<float>(mapValue(m_state.activeSettings(), spec.kind, step));
-        Swatch* swatch = addSwatch(value, valueText(m_state.activeSettings(), spec, value));
+        value.scalar = static_cast<float>(mapValue(m_state.target().settings(), spec.kind, step));
+        Swatch* swatch = addSwatch(value, valueText(m_state.target().settings(), spec, value));
         swatch->setCaption(QLocale().toString(step, 'g', 4));
         row->addWidget(swatch);
     }
@@ -288,7 +288,7 @@ void ValuePalette::buildScalar(QVBoxLayout& layout)
 
 void ValuePalette::buildIndex(QVBoxLayout& layout)
 {
-    const MapSpec& spec = model::mapSpec(m_state.activeMap());
+    const MapSpec& spec = model::mapSpec(m_state.target().map());
     auto* row = new QHBoxLayout;
     row->setSpacing(metrics::kGap);
     for (std::size_t i = 0; i < spec.palette.size(); ++i) {
@@ -330,13 +330,13 @@ void ValuePalette::buildVector(QVBoxLayout& layout)
         swatch->setCaption(caption);
         row->addWidget(swatch);
     };
-    const MapSpec& spec = model::mapSpec(m_state.activeMap());
+    const MapSpec& spec = model::mapSpec(m_state.target().map());
     add(QStringLiteral("·"), tr("Upright"), glm::vec2(0.0F));
     // Arrows against the clock from the map's right.
     for (int i = 0; const char16_t arrow : {u'→', u'↗', u'↑', u'↖', u'←', u'↙', u'↓', u'↘'}) {
         PaintValue value;
         value.direction = directionAt(kStepDeg * i++, kFlat);
-        add(QChar(arrow), valueText(m_state.activeSettings(), spec, value), value.direction);
+        add(QChar(arrow), valueText(m_state.target().settings(), spec, value), value.direction);
     }
     row->addStretch(1);
     layout.addLayout(row);
@@ -398,7 +398,7 @@ void ValuePalette::takeHex(bool stays)
     static const QRegularExpression pattern(QStringLiteral("^#?([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})$"));
     const QString text = m_hex->text().trimmed();
     if (pattern.match(text).hasMatch()) {
-        PaintValue value = edited(m_state.activeMap());
+        PaintValue value = edited(m_state.target().map());
         value.colour = QColor(text.startsWith(QLatin1Char('#')) ? text : QLatin1Char('#') + text);
         m_hex->setModified(false);
         setValue(value);
@@ -406,10 +406,10 @@ void ValuePalette::takeHex(bool stays)
         return;
     }
     const QString sentence = tr("“%1” is no colour; type six digits of 0–9 and A–F, such as %2.")
-                                 .arg(text, edited(m_state.activeMap()).colour.name());
+                                 .arg(text, edited(m_state.target().map()).colour.name());
     markRefused(*m_hex, stays);
     if (!stays) // The colour painted is shown again.
-        m_hex->setText(edited(m_state.activeMap()).colour.name());
+        m_hex->setText(edited(m_state.target().map()).colour.name());
     if (m_hex->isVisible())
         FieldHint::showAt(*m_hex, sentence, FieldHint::Tone::Problem);
 }
@@ -423,7 +423,7 @@ void ValuePalette::buildMelanin(QVBoxLayout& layout)
         made->setHint(hint);
         layout.addWidget(made);
         bindToolSettings(*made, m_state,
-                         [this, map = m_state.activeMap()](model::ToolSettings& settings, double /*shown*/) {
+                         [this, map = m_state.target().map()](model::ToolSettings& settings, double /*shown*/) {
                              edited(settings, map).colour = melaninColour(shownMelanin());
                          });
         return made;
@@ -462,16 +462,16 @@ void ValuePalette::chooseColour()
 {
     // The popup, and this palette with it, is gone by the time that a colour is chosen.
     QWidget* host = window()->parentWidget() != nullptr ? window()->parentWidget()->window() : window();
-    const MapKind map = m_state.activeMap();
+    const MapKind map = m_state.target().map();
     auto* dialog = new QColorDialog(edited(map).colour, host);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Hair colour"));
     dialog->setOption(QColorDialog::DontUseNativeDialog);
     connect(dialog, &QColorDialog::colorSelected, &m_state,
             [&state = m_state, second = m_second, map](const QColor& colour) {
-                model::ToolSettings chosen = state.toolSettings();
+                model::ToolSettings chosen = state.tools().settings();
                 (second ? chosen.secondValue(map) : chosen.value(map)).colour = colour;
-                state.setToolSettings(chosen);
+                state.tools().setSettings(chosen);
             });
     dialog->open();
     Q_EMIT picked();

@@ -19,9 +19,9 @@ EditMenu::EditMenu(const QString& title, ActionSet& actions, Session& session, C
     actions.add(*this, {{.id = "edit.mirror",
                          .text = tr("&Mirror painting"),
                          .keys = {Qt::Key_L},
-                         .run = [&editor] { editor.setMirror(!editor.mirror()); },
+                         .run = [&editor] { editor.options().setMirror(!editor.options().mirror()); },
                          .icon = "mirror",
-                         .on = [&editor] { return editor.mirror(); }}});
+                         .on = [&editor] { return editor.options().mirror(); }}});
     addSeparator();
     actions.add(*this, {{"edit.preferences",
                          tr("Pre&ferences…"),
@@ -43,7 +43,7 @@ void EditMenu::addUndo(ActionSet& actions, Session& session)
           .run = [&document] { document.undo(); },
           .icon = "undo",
           // While a tool runs, undo cancels it or its last part, whatever the stack holds.
-          .enabled = [&document, &editor] { return document.canUndo() || editor.stroking(); },
+          .enabled = [&document, &editor] { return document.canUndo() || editor.tools().stroking(); },
           .label = [&stack] { return stack.canUndo() ? tr("&Undo %1").arg(inMenu(stack.undoText())) : tr("&Undo"); }},
          {.id = "edit.redo",
           .text = tr("&Redo"),
@@ -75,13 +75,13 @@ void EditMenu::addSelection(ActionSet& actions, view::EditorState& editor)
     actions.add(*this, {{"edit.all",
                          tr("Select &all"),
                          {Qt::CTRL | Qt::Key_A},
-                         [&editor] { editor.selection().setRectangle(QRectF(0.0, 0.0, 1.0, 1.0)); }},
+                         [&editor] { editor.tools().selection().setRectangle(QRectF(0.0, 0.0, 1.0, 1.0)); }},
                         {"edit.none",
                          tr("Select &none"),
                          {Qt::CTRL | Qt::SHIFT | Qt::Key_A},
-                         [&editor] { editor.selection().setRectangle({}); }},
+                         [&editor] { editor.tools().selection().setRectangle({}); }},
                         {"edit.invert", tr("&Invert selection"), {Qt::CTRL | Qt::SHIFT | Qt::Key_I}, [&editor] {
-                             editor.selection().invert();
+                             editor.tools().selection().invert();
                          }}});
 }
 

@@ -29,7 +29,7 @@ void FileMenu::addProjectActions(ActionSet& actions, view::EditorState& editor)
                          {},
                          [this, &editor] {
                              if (m_files.newBaldProject()) // Only Density makes hair there.
-                                 editor.setActiveMap(model::MapKind::Density);
+                                 editor.target().setMap(model::MapKind::Density);
                          }},
                         {"file.open", tr("&Open…"), {QKeySequence::Open}, [this] { m_files.open(); }, "open"}});
     m_recent = addMenu(tr("Open &recent"));

@@ -107,7 +107,7 @@ void HairMenu::addColliders(ActionSet& actions, Session& session, view::HeadView
                         {.id = "hair.removeCollider",
                          .text = tr("Remove c&ollider"),
                          .run = [&head] { head.removeCollider(); },
-                         .enabled = [&session] { return session.editor().chosenCollider().has_value(); }}});
+                         .enabled = [&session] { return session.editor().options().chosenCollider().has_value(); }}});
     actions.find(QLatin1StringView("hair.addCollider"))
         ->setToolTip(tr("An ellipsoid where the pointer was last on the head, which hair does not enter; %1 at most")
                          .arg(model::kMostEllipsoids));

@@ -29,8 +29,8 @@ void MapMenu::addMaps(ActionSet& actions)
             *this, {{.id = id,
                      .text = spec.titleText(),
                      .keys = digit == PhysicalKey::Other ? QList<QKeySequence>() : QList<QKeySequence>{usualKey(digit)},
-                     .run = [&editor, kind = spec.kind] { editor.setActiveMap(kind); },
-                     .on = [&editor, kind = spec.kind] { return editor.activeMap() == kind; }}});
+                     .run = [&editor, kind = spec.kind] { editor.target().setMap(kind); },
+                     .on = [&editor, kind = spec.kind] { return editor.target().map() == kind; }}});
     }
 }
 
@@ -65,10 +65,10 @@ void MapMenu::addSizes(QMenu& menu)
 void MapMenu::tickSize(const QMenu& menu) const
 {
     const view::EditorState& editor = m_session.editor();
-    const model::HairGroup* group = m_session.document().project().group(editor.activeGroup());
+    const model::HairGroup* group = m_session.document().project().group(editor.target().group());
     for (QAction* action : menu.actions()) {
         action->setEnabled(group != nullptr);
-        action->setChecked(group != nullptr && group->map(editor.activeMap()).size == action->data().toInt());
+        action->setChecked(group != nullptr && group->map(editor.target().map()).size == action->data().toInt());
     }
 }
 
@@ -76,7 +76,7 @@ void MapMenu::resizeMap(int size)
 {
     model::Document& document = m_session.document();
     document.endEdit();
-    const model::LayerAddress target = m_session.editor().target();
+    const model::LayerAddress target = m_session.editor().target().address();
     const auto run = [this](const QString& doing, const auto& work) {
         const auto done = m_jobs.await<bool>({.text = doing, .whenCancelled = tr("The map keeps its size: cancelled")},
                                              [&work](const model::Progress& progress) {

@@ -12,9 +12,9 @@ namespace {
 
 void changeBrushSize(view::EditorState& editor, float factor)
 {
-    model::ToolSettings settings = editor.toolSettings();
+    model::ToolSettings settings = editor.tools().settings();
     settings.brushSizeM = std::clamp(settings.brushSizeM * factor, 0.001F, 0.3F);
-    editor.setToolSettings(settings);
+    editor.tools().setSettings(settings);
 }
 
 } // namespace
@@ -22,13 +22,13 @@ void changeBrushSize(view::EditorState& editor, float factor)
 ToolsMenu::ToolsMenu(const QString& title, ActionSet& actions, view::EditorState& editor, QWidget* parent)
     : QMenu(title, parent)
 {
-    for (const auto& tool : editor.tools()) {
+    for (const auto& tool : editor.tools().all()) {
         const char* name = tool->name();
         const auto choose = [&editor, tool = tool->id()] {
             if (tool == model::ToolId::Eraser)
-                editor.toggleTool(tool);
+                editor.tools().toggle(tool);
             else
-                editor.setActiveTool(tool);
+                editor.tools().choose(tool);
         };
         actions.add(*this, {{QByteArray("tool.") + name, tool->title(), {tool->traits().key}, choose, name}});
     }

@@ -1,0 +1,63 @@
+// What is edited: the document's active group, map and layer.
+#pragma once
+
+#include "model/document/document.h"
+
+#include <QObject>
+
+#include <vector>
+
+namespace hairpaint::view {
+
+/// Outside undo; follows the document where what is active goes, or where undo and imports change texels elsewhere.
+/// Each setter returns false and tells nothing where nothing differs. GUI thread.
+class EditTarget : public QObject
+{
+    Q_OBJECT
+public:
+    explicit EditTarget(model::Document& document, QObject* parent = nullptr);
+
+    [[nodiscard]] model::Document& document() const { return m_document; }
+
+    [[nodiscard]] model::Id group() const { return m_group; }
+    bool setGroup(model::Id group);
+    [[nodiscard]] model::MapKind map() const { return m_map; }
+    bool setMap(model::MapKind map);
+    /// The layer that tools paint on in the active map; kept per group and map; 0 where the map has none.
+    [[nodiscard]] model::Id layer() const { return layer(m_map); }
+    [[nodiscard]] model::Id layer(model::MapKind map) const; ///< The same of any map.
+    bool setLayer(model::Id layer);
+    [[nodiscard]] model::LayerAddress address() const;
+    /// The active group's settings; those of a new group where there is none.
+    [[nodiscard]] const sim::GroupSettings& settings() const;
+    /// The same; null where there is no active group.
+    [[nodiscard]] const sim::GroupSettings* knownSettings() const;
+
+    /// Why nothing can be painted on the active map, or on that one; empty where it can be.
+    [[nodiscard]] QString refusal() const;
+    [[nodiscard]] QString refusal(model::MapKind map) const;
+    /// The same of a map that is not the active one, with its name before it.
+    [[nodiscard]] QString refusalOfOther(model::MapKind map) const;
+
+    /// While held it stays, whatever texels change: what a tool paints is looked at already. Returns what it was
+    /// before.
+    bool hold(bool held);
+
+Q_SIGNALS:
+    void aboutToChange(); ///< By a setter: what is open on the old target ends.
+    void mapChosen();     ///< By setMap, also where that map was active before.
+    /// The active group may have other ranges; `told`: by somebody's change to the group, which the user should know.
+    void rangesChanged(bool told);
+    void changed();
+
+private:
+    void onDocumentChanged(const model::Change& change);
+
+    model::Document& m_document;
+    model::Id m_group = 0;
+    model::MapKind m_map = model::MapKind::Length;
+    std::vector<model::LayerAddress> m_layers; ///< One for each group and map that was ever active.
+    bool m_held = false;
+};
+
+} // namespace hairpaint::view
