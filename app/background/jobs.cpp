@@ -1,6 +1,7 @@
 // Threads, the progress window, and input while it waits.
 #include "app/background/jobs.h"
 
+#include "app/background/counted_thread.h"
 #include "app/background/thread_time.h"
 
 #include <QApplication>
@@ -280,7 +281,7 @@ void Jobs::runLeft(std::function<std::function<void()>()> work)
 
 bool Jobs::anyLeft()
 {
-    return leftThreads > 0;
+    return leftThreads > 0 || anyCountedThread();
 }
 
 bool Jobs::awaitUntil(const Doing& doing, const std::function<bool()>& ready)

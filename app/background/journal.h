@@ -1,34 +1,32 @@
 // Keeps the journal of the open document: see model/journal.
 #pragma once
 
-#include "app/background/journal_folder.h"
+#include "app/background/journal_thread.h"
 #include "model/document/document.h"
 #include "model/document/journal_state.h"
 
 #include <QObject>
 #include <QTimer>
 
-#include <condition_variable>
-#include <deque>
+#include <atomic>
+#include <chrono>
 #include <functional>
-#include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
-#include <vector>
 
 namespace hairpaint::app {
 
 /// After each step of the document its content goes to a thread of the journal's, which puts on the disk what is new
-/// in it. Nothing is written before the first step. Lives on the GUI thread, which never waits but in flush(); the
-/// document outlives it.
+/// in it. Nothing is written before the first step. Lives on the GUI thread, which never waits but in flush() and
+/// discard(), and there only while the disk answers; the document outlives it.
 class Journal : public QObject
 {
     Q_OBJECT
 public:
     Journal(model::Document& document, QString root, QObject* parent = nullptr);
     ~Journal() override; ///< Flushes; what is on the disk stays, for the next start.
+    /// How long a disk that does not answer is waited for.
+    void setPatience(std::chrono::milliseconds patience) { m_thread.setPatience(patience); }
 
     /// Of the project's file, from the next step on. `file` is asked at each step, on the GUI thread.
     void setPath(const QString& path, std::function<model::KnownFile()> file)
@@ -40,7 +38,7 @@ public:
     void setPaused(bool paused);
     /// The document was restored with this history.
     void takeOver(const model::RecoveredWork& work);
-    [[nodiscard]] bool idle();                                   ///< Nothing waits to be written.
+    [[nodiscard]] bool idle() const;                             ///< Nothing waits to be written.
     [[nodiscard]] bool isStopped() const { return m_isStopped; } ///< The newest step is not on the disk.
     /// When it returns, all steps are on the disk, or can't be.
     void flush();
@@ -57,23 +55,9 @@ Q_SIGNALS:
     void kept();
 
 private:
-    struct Task
-    {
-        enum class Kind
-        {
-            Append,
-            TakeOver,  ///< In place of all that was appended.
-            MarkClean, ///< What was appended last is saved.
-            LookAfter
-        };
-        Kind kind = Kind::MarkClean;
-        std::vector<model::JournalState> states = {}; ///< To be appended.
-    };
-
     void look();
     [[nodiscard]] model::JournalState present() const;
-    void post(Task task);
-    void work(const std::stop_token& stop);
+    void post(JournalThread::Task task);
     void tell(const QString& problem);
 
     model::Document& m_document;
@@ -88,14 +72,8 @@ private:
     bool m_written = false;                      ///< A state of this history was posted.
     std::optional<model::JournalState> m_before; ///< The last one that was saved; it is written with the first step.
 
-    std::mutex m_mutex; ///< Of what follows.
-    std::condition_variable_any m_changed;
-    std::deque<Task> m_tasks;
-    bool m_busy = false;
-    bool m_discarding = false;
-    bool m_told = true; ///< How the last task went is known to this thread.
-    QString m_root;
-    std::jthread m_thread; ///< Last: it uses the others.
+    std::atomic<int> m_untold = 0; ///< Tasks that have ended, of which tell() has not heard.
+    JournalThread m_thread;
 };
 
 } // namespace hairpaint::app

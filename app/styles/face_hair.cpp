@@ -26,7 +26,7 @@ bool FaceHair::shown() const
 void FaceHair::toggle()
 {
     using Groups = std::vector<model::HairGroup>;
-    m_session.editor().commitStroke();
+    m_session.editor().tools().commitStroke();
     model::Document& document = m_session.document();
     if (exists())
         return document.push(showFaceHairCommand(document, !shown()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/background/journal.h"
+#include "app/background/journal_folder.h"
 #include "app/exchange/exchange.h"
 #include "app/project/project_files.h"
 #include "app/session/freed_memory.h"
@@ -54,6 +55,7 @@ public:
     /// Before the program ends without asking: all that was done is in the journal when it returns.
     void keepWork();
     /// All that was done is in the journal.
+    [[nodiscard]] Journal& journal() { return m_journal; }
     [[nodiscard]] bool isWorkKept() { return m_journal.idle() && !m_journal.isStopped(); }
 
     /// Opens a project, applies a style, imports a mesh or an image: whatever the file is.

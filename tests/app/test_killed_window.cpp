@@ -1,19 +1,25 @@
 // The window is killed while somebody paints: the file opens, and the next start has all that was in the journal.
 #include "app/background/journal_folder.h"
 #include "app/recovery/recovery_dialog.h"
+#include "model/document/commands.h"
 #include "model/journal/journal_reader.h"
 #include "model/journal/journal_writer.h"
 #include "tests/app/box_answer.h"
+#include "tests/app/thin_project.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/file_faults.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
 #include <QCryptographicHash>
+#include <QDialogButtonBox>
+#include <QLineEdit>
 #include <QProcess>
+#include <QtEndian>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <random>
@@ -36,20 +42,68 @@ QByteArray hashOf(const QByteArray& bytes)
 constexpr const char* kIsKept = "is kept\n"; ///< Written down once the journal has the moment before it.
 constexpr const char* kIsLost = "is lost\n"; ///< Before somebody removes the journals' folder.
 
-/// Restores what is offered, and calls off whatever else asks.
+/// Restores what is offered, exports to `exported`, and calls off whatever else asks.
 class Restorer : public BoxAnswer
 {
 public:
-    Restorer() : BoxAnswer(QStringLiteral("Cancel")) {}
+    explicit Restorer(QString exported = {}) : BoxAnswer(QStringLiteral("Cancel")), m_exported(std::move(exported)) {}
 
 protected:
     bool ends(QWidget& dialog) override
     {
         if (auto* offered = qobject_cast<RecoveryDialog*>(&dialog))
             offered->accept();
-        return false;
+        auto* files = qobject_cast<QFileDialog*>(&dialog);
+        if (files == nullptr || m_exported.isEmpty())
+            return false;
+        files->findChild<QLineEdit*>()->setText(m_exported);
+        pressAccept(*files);
+        return true;
     }
+
+public:
+    static void pressAccept(QDialog& dialog)
+    {
+        auto* buttons = dialog.findChild<QDialogButtonBox*>();
+        for (QAbstractButton* button : buttons->buttons())
+            if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
+                return button->click();
+    }
+
+private:
+    QString m_exported;
 };
+
+/// Whether that is a file of the HAIR format from its first byte to its last.
+bool isWholeHair(const QByteArray& bytes)
+{
+    constexpr qsizetype kHeader = 128;
+    if (bytes.size() < kHeader || !bytes.startsWith("HAIR"))
+        return false;
+    const auto number = [&bytes](qsizetype at) {
+        return static_cast<qsizetype>(qFromLittleEndian<quint32>(bytes.constData() + at));
+    };
+    const qsizetype hairs = number(4);
+    const qsizetype points = number(8);
+    const qsizetype arrays = number(12);
+    // Segments of a hair; position, thickness, opacity, colour of a point.
+    constexpr std::array<qsizetype, 5> kBytes{2, 12, 4, 4, 12};
+    qsizetype expected = kHeader;
+    for (std::size_t array = 0; array < kBytes.size(); ++array)
+        if ((arrays >> array & 1) != 0)
+            expected += kBytes[array] * (array == 0 ? hairs : points);
+    return bytes.size() == expected && hairs > 0;
+}
+
+/// What windows of these seeds do besides.
+bool hasHair(unsigned seed)
+{
+    return seed % 3 == 1;
+}
+bool fillsTheJournal(unsigned seed)
+{
+    return seed % 5 == 4;
+}
 
 /// One line of what the window wrote down before it was killed: what was open, and whether the journal had it all.
 struct Moment
@@ -68,8 +122,10 @@ private:
 #ifdef Q_OS_LINUX
     std::optional<test::FullDisk> m_full;
     std::optional<test::FileRefusal> m_readOnly;
+    std::optional<test::FileStall> m_silent;
 #endif
     QByteArray m_journals;
+    unsigned m_seed = 0;
 
     void beFull()
     {
@@ -89,22 +145,26 @@ private:
 #endif
     }
 
-    /// Somebody removes the journals, or their disk is full or can't be written to for a few edits.
+    /// Somebody removes the journals, or their disk is full, can't be written to or does not answer for a few edits.
     void trouble([[maybe_unused]] const std::function<void(const char*)>& begins)
     {
 #ifdef Q_OS_LINUX
-        const bool wasTroubled = m_full || m_readOnly;
+        const bool wasTroubled = m_full || m_readOnly || m_silent;
         m_full.reset();
         m_readOnly.reset();
+        m_silent.reset();
         if (wasTroubled)
             return;
-        switch (below(3)) {
+        switch (below(4)) {
         case 0:
             begins(kIsLost);
             QDir(JournalFolder::root()).removeRecursively();
             return;
         case 1:
             return beFull();
+        case 2:
+            m_silent.emplace(m_journals.constData());
+            return;
         default:
             m_readOnly.emplace(m_journals.constData(), test::FileRefusal::Why::ReadOnly);
         }
@@ -119,6 +179,30 @@ private:
         for (const QPointer<QDialog>& dialog : openDialogs(*m_window))
             if (below(2) == 0)
                 dialog->close();
+    }
+
+    void exportHair()
+    {
+        m_window->actions().find(QLatin1StringView("file.exportHair"))->trigger();
+        for (const QPointer<QDialog>& dialog : openDialogs(*m_window))
+            Restorer::pressAccept(*dialog);
+    }
+
+    /// A layer of noise, 4 MB, so that the journal is soon so large that it is written anew.
+    void fillJournal()
+    {
+        const model::HairGroup& group = session().document().project().groups.front();
+        const model::Layer& layer = group.map(model::MapKind::Length).layers.front();
+        std::vector<model::TileChange> tiles;
+        for (int i = 0; i < layer.raster.tileCount(); ++i) {
+            auto tile = std::make_shared<sim::RasterTile>();
+            tile->pixels.resize(sim::kTileTexels * 2);
+            std::ranges::generate(tile->pixels, [this] { return static_cast<std::uint16_t>(m_random()); });
+            tiles.push_back({i, sim::RasterTilePtr(std::move(tile))});
+        }
+        session().document().push(model::paintCommand(
+            session().document(), {.group = group.id, .map = model::MapKind::Length, .layer = layer.id},
+            std::move(tiles), QStringLiteral("Noise")));
     }
 
     unsigned below(unsigned count)
@@ -146,6 +230,14 @@ private:
         constexpr std::array kTools{Qt::Key_B, Qt::Key_B, Qt::Key_E, Qt::Key_C};
         const unsigned what = below(14);
         begins(("edit " + QByteArray::number(what) + '\n').constData());
+        if (hasHair(m_seed) && what > 11) {
+            begins("goes on\n");
+            return exportHair();
+        }
+        if (fillsTheJournal(m_seed) && what > 4) {
+            begins("goes on\n");
+            return fillJournal();
+        }
         begins(what < 3 ? kGoesBack : "goes on\n");
         switch (what) {
         case 0:
@@ -234,15 +326,17 @@ private Q_SLOTS:
         const QString folder = qEnvironmentVariable(kFolderVariable);
         if (folder.isEmpty())
             return;
-        m_random.seed(static_cast<unsigned>(qEnvironmentVariableIntValue(kSeedVariable)));
-        openWindow(model::newProject());
+        m_seed = static_cast<unsigned>(qEnvironmentVariableIntValue(kSeedVariable));
+        m_random.seed(m_seed);
+        openWindow(hasHair(m_seed) ? test::thinned(starterProject()) : model::newProject());
+        m_window->journal().setPatience(std::chrono::milliseconds(20)); // With a disk that does not answer.
         const QString path = QDir(folder).filePath(QStringLiteral("work.hairpaint"));
         QVERIFY(model::saveProject(session().document().committed(), path, {}));
         QVERIFY(m_window->files().openPath(path));
         QFile log(QDir(folder).filePath(QStringLiteral("log")));
         QVERIFY(log.open(QIODevice::WriteOnly | QIODevice::Unbuffered));
         m_journals = QFile::encodeName(QFileInfo(JournalFolder::root()).absolutePath());
-        const Restorer answers;
+        const Restorer answers(QDir(folder).filePath(QStringLiteral("out.hair")));
         const auto writeDown = [&] {
             // What is full is the journals' disk, not the tester's.
             const bool wasFull = endFullness();
@@ -286,12 +380,16 @@ private Q_SLOTS:
         const int first = qEnvironmentVariableIntValue("HAIRPAINT_KILLS_FIRST");
         const QString log = m_folder.filePath(QStringLiteral("log"));
         const QString saved = m_folder.filePath(QStringLiteral("work.hairpaint"));
+        const QString out = m_folder.filePath(QStringLiteral("out.hair"));
+        int exports = 0;
         int fromJournal = 0;
         int stepsLost = 0;
         int restoredTurns = 0;
         m_random.seed(4 + static_cast<unsigned>(first));
         for (int turn = first; turn < first + kills; ++turn) {
             QFile::remove(log);
+            if (below(2) == 0)
+                QFile::remove(out);
             QProcess window;
             window.setProcessChannelMode(QProcess::ForwardedErrorChannel);
             QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -304,7 +402,7 @@ private Q_SLOTS:
                               QStringLiteral("0")});
             };
             start("editsUntilItIsKilled");
-            const std::size_t momentsLived = 2 + below(16);
+            const std::size_t momentsLived = 2 + below(16) + (fillsTheJournal(static_cast<unsigned>(turn)) ? 18 : 0);
             QTRY_VERIFY_WITH_TIMEOUT(momentsIn(log).size() >= momentsLived, kStartMs);
             QCOMPARE(window.state(), QProcess::Running);
             window.kill();
@@ -312,6 +410,9 @@ private Q_SLOTS:
 
             const model::Result<model::Project> file = model::loadProject(saved);
             QVERIFY2(file, file ? "" : qPrintable(file.error().message));
+            const QByteArray exported = test::readBytes(out);
+            QVERIFY2(exported.isEmpty() || isWholeHair(exported), qPrintable(QStringLiteral("Kill %1").arg(turn)));
+            exports += exported.isEmpty() ? 0 : 1;
             const std::vector<Moment> moments = momentsIn(log);
             const QString written = contentOf(log);
             std::optional<model::RecoveredWork> work = leftWork();
@@ -372,8 +473,8 @@ private Q_SLOTS:
         }
         qInfo(
             "%d kills: %d came back from the journal, %d of them killed once more while they were restored, the others "
-            "from the file; %d lost something",
-            kills, fromJournal, restoredTurns, stepsLost);
+            "from the file; %d lost something; %d times an export lay there, whole",
+            kills, fromJournal, restoredTurns, stepsLost, exports);
     }
 };
 

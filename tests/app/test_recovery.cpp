@@ -150,9 +150,11 @@ private Q_SLOTS:
         };
         const QByteArray others = read();
         openWindow(model::newProject());
-        RecoveryAnswer answer(QStringLiteral("Restore"));
         QSignalSpy told(&m_window->files(), &ProjectFiles::changedOutside);
-        offer();
+        {
+            const RecoveryAnswer answer(QStringLiteral("Restore")); // Not of the question below.
+            offer();
+        }
         QCOMPARE(m_window->files().path(), path);
         QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMs);
         BoxAnswer question(QStringLiteral("Cancel"));

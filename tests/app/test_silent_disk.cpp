@@ -1,4 +1,5 @@
 // A network folder whose server does not answer: the window lives on, nothing is lost, and there is another place.
+#include "app/background/journal_folder.h"
 #include "tests/app/box_answer.h"
 #include "tests/app/window_fixture.h"
 #include "tests/model/archive_maker.h"
@@ -6,6 +7,7 @@
 #include "tests/support/test_program.h"
 
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -177,6 +179,44 @@ private Q_SLOTS:
             QFile::remove(m_path); // By the main thread, as if by others.
         }
         QTRY_COMPARE_WITH_TIMEOUT(told.size(), 1, kPatienceMs);
+    }
+
+    void aSilentDataFolderHoldsNothingUp_data()
+    {
+        QTest::addColumn<bool>("isSaved");
+        QTest::newRow("closed") << true;
+        QTest::newRow("ended by the system") << false;
+    }
+    void aSilentDataFolderHoldsNothingUp()
+    {
+        QFETCH(bool, isSaved);
+        const QByteArray data = QFile::encodeName(QFileInfo(JournalFolder::root()).absolutePath());
+        openSaved();
+        m_window->keepWork();
+        m_window->journal().setPatience(std::chrono::milliseconds(50));
+        const auto* saved = m_window->findChild<QLabel*>(QStringLiteral("saved"));
+        {
+            const test::FileStall stall(data.constData());
+            session().document().push(model::setBackgroundCommand(session().document(), 0xFF445566U));
+            QTRY_VERIFY_WITH_TIMEOUT(test::FileStall::waiting() > 0, kPatienceMs);
+            QTRY_VERIFY_WITH_TIMEOUT(
+                (m_window->journal().lookAfterFolder(), saved->text().contains(QStringLiteral("no safety copy"))),
+                kPatienceMs);
+            if (isSaved) {
+                QVERIFY(m_window->files().save());
+                QVERIFY(m_window->close());
+            } else {
+                m_window->keepWork();
+            }
+            QVERIFY2(test::FileStall::askedByMain() == 0, test::FileStall::lastByMain());
+            m_window.reset();
+            QVERIFY(Jobs::anyLeft());
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(!Jobs::anyLeft(), kPatienceMs);
+        // Who answers late still keeps, or removes, what was asked for.
+        QCOMPARE(JournalFolder::abandoned(JournalFolder::root()).size(), isSaved ? 0U : 1U);
+        for (const auto& folder : JournalFolder::abandoned(JournalFolder::root()))
+            folder->remove();
     }
 #endif
 };

@@ -109,7 +109,14 @@ named() {
 show_failure() {
     awk -v name="$2" '
         $1 == "Start" && $3 == name { number = $2 + 0 }
-        number && $1 == number ":" && /FAIL!|XPASS|SKIP|QFATAL|Loc:|ERROR: |runtime error|AddressSanitizer|ThreadSanitizer|LeakSanitizer|Actual|Expected/' "$1" |
+        number && index($0, " Test ") && index($0, name " ") { print }
+        number && $1 == number ":" { last[++lines % 12] = $0 }
+        number && $1 == number ":" && /FAIL!|XPASS|SKIP|QFATAL|Loc:|ERROR: |runtime error|AddressSanitizer|ThreadSanitizer|LeakSanitizer|Actual|Expected/ {
+            print
+            told = 1
+        }
+        # It crashed or ran out of time: what it said last.
+        END { for (i = lines - 11; !told && i <= lines; ++i) if (i > 0) print last[i % 12] }' "$1" |
         head -n 30 >&2
 }
 

@@ -1,0 +1,69 @@
+// The thread that writes the journal, which whoever waits for it can leave where its disk does not answer.
+#pragma once
+
+#include "model/document/journal_state.h"
+
+#include <QString>
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace hairpaint::app {
+
+/// All of it is called on one thread, the GUI's.
+class JournalThread
+{
+public:
+    struct Task
+    {
+        enum class Kind
+        {
+            Append,
+            TakeOver,  ///< In place of all that was appended.
+            MarkClean, ///< What was appended last is saved.
+            LookAfter  ///< Writes anew where the folder is gone.
+        };
+        Kind kind = Kind::MarkClean;
+        std::vector<model::JournalState> states = {}; ///< To be appended.
+    };
+
+    /// `root`: where the journal's folder is made with the first task. `told`: called on the thread after each task,
+    /// with a clause where the journal lacks something now; not after the destructor has begun.
+    JournalThread(QString root, std::function<void(const QString& problem)> told);
+    /// Waits as finish() does, and leaves the thread where that fails: it ends when the disk answers.
+    ~JournalThread();
+    JournalThread(const JournalThread&) = delete;
+    JournalThread& operator=(const JournalThread&) = delete;
+    JournalThread(JournalThread&&) = delete;
+    JournalThread& operator=(JournalThread&&) = delete;
+
+    /// Tasks that come faster than the disk takes them are left out, the older ones.
+    void post(Task task);
+    /// Waits until nothing is left to do. False where the disk does not answer: for a while the thread has neither
+    /// ended a task nor computed. Then it returns at once until a task ends.
+    bool finish();
+    /// The same, but first drops what waits; the thread then removes the journal's folder.
+    bool discard();
+    [[nodiscard]] bool isIdle() const;
+    /// It has been at one task for longer than the disk is waited for.
+    [[nodiscard]] bool isStuck() const;
+    /// How long the disk is waited for; 5 s unless set.
+    void setPatience(std::chrono::milliseconds patience) { m_patience = patience; }
+
+private:
+    struct Shared;
+
+    static void work(Shared& shared);
+    bool await(std::unique_lock<std::mutex>& lock, const std::function<bool()>& isReady);
+
+    std::shared_ptr<Shared> m_shared;
+    std::chrono::milliseconds m_patience{5000};
+    std::thread m_thread;
+};
+
+} // namespace hairpaint::app
