@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hairpaint::model {
 
@@ -13,9 +14,11 @@ namespace {
 using sim::GroupSettings;
 using sim::PhysicsSettings;
 using sim::StrandMaterial;
+using sim::VariationSettings;
 using enum Affects;
 
 constexpr auto kShape = SettingSection::Shape;
+constexpr auto kChance = SettingSection::Variation;
 constexpr auto kBraid = SettingSection::Braid;
 constexpr auto kMotion = SettingSection::Physics;
 constexpr auto kLook = SettingSection::Look;
@@ -84,6 +87,22 @@ constexpr GroupSetting kSettings[] = {
      .sliderGreatest = kMostBasisHairs,
      .exponent = 4.0F,
      .countsOnScalp = true},
+    {"variation.length", &VariationSettings::length, Hairs, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Uneven lengths"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How much shorter than the map single hairs are"), "%", 100.0, 0.0, 1.0, 0.0,
+     100.0, 0, 2.0F},
+    {"variation.crossing_rad", &VariationSettings::crossing, Hairs, kChance,
+     QT_TRANSLATE_NOOP("GroupSchema", "Crossing hairs"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How far hairs lie across their neighbours"), "°", 180.0 / std::numbers::pi, 0.0,
+     0.5, 0.0, 25.0, 1, 2.0F},
+    {"variation.flyaways", &VariationSettings::flyaways, Hairs, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Flyaways"),
+     QT_TRANSLATE_NOOP("GroupSchema", "Hairs that keep to no lock and stand off the others"), "%", 100.0, 0.0, 0.2, 0.0,
+     20.0, 1, 2.0F},
+    {"variation.curl", &VariationSettings::curl, Hairs, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Uneven curls"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How much turns and radius of curls differ"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"variation.width", &VariationSettings::width, Hairs, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Uneven widths"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How much the diameters of hairs differ"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
+    {"variation.grey", &VariationSettings::grey, Hairs, kChance, QT_TRANSLATE_NOOP("GroupSchema", "Grey hairs"),
+     QT_TRANSLATE_NOOP("GroupSchema", "How many of the hairs are grey"), "%", 100.0, 0.0, 1.0, 0.0, 100.0},
     {"braid_spacing_m", &GroupSettings::braidSpacingM, Hairs, kBraid, QT_TRANSLATE_NOOP("GroupSchema", "Spacing"),
      QT_TRANSLATE_NOOP("GroupSchema", "Distance between braids in one painted patch"),
      QT_TRANSLATE_NOOP("GroupSchema", "cm"), 100.0, 0.005, 2.0, 0.5, 60.0, 1, 2.0F},
@@ -131,6 +150,11 @@ auto& memberOf(Settings& settings, T GroupSettings::*member)
     return settings.*member;
 }
 template<typename Settings>
+auto& memberOf(Settings& settings, float VariationSettings::*member)
+{
+    return settings.variation.*member;
+}
+template<typename Settings>
 auto& memberOf(Settings& settings, float PhysicsSettings::*member)
 {
     return settings.physics.*member;
@@ -172,9 +196,15 @@ void GroupSetting::writeShown(GroupSettings& settings, double value, double scal
     write(settings, std::clamp(countsOnScalp ? std::ceil(value / scalpFraction) : value / shownPerSi, least, greatest));
 }
 
+sim::VariationSettings naturalVariation()
+{
+    return {.length = 0.08F, .curl = 0.12F, .width = 0.2F, .crossing = 0.06F, .flyaways = 0.012F};
+}
+
 GroupSettings newGroupSettings(double scalpFraction)
 {
     GroupSettings settings;
+    settings.variation = naturalVariation();
     groupSetting(QLatin1StringView("basis_hairs")).writeShown(settings, kBasisHairs, scalpFraction);
     return settings;
 }

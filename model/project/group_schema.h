@@ -22,14 +22,15 @@ enum class Affects
 enum class SettingSection
 {
     Shape,
+    Variation,
     Braid,
     Physics,
     Look
 };
 
-using SettingMember =
-    std::variant<float sim::GroupSettings::*, int sim::GroupSettings::*, bool sim::GroupSettings::*,
-                 sim::TurnsMode sim::GroupSettings::*, float sim::PhysicsSettings::*, float sim::StrandMaterial::*>;
+using SettingMember = std::variant<float sim::GroupSettings::*, int sim::GroupSettings::*, bool sim::GroupSettings::*,
+                                   sim::TurnsMode sim::GroupSettings::*, float sim::VariationSettings::*,
+                                   float sim::PhysicsSettings::*, float sim::StrandMaterial::*>;
 
 /// A value of a setting that is one of a few.
 struct SettingChoice
@@ -72,7 +73,9 @@ struct GroupSetting
 [[nodiscard]] std::span<const GroupSetting> groupSchema();
 /// The row of that key; there must be one.
 [[nodiscard]] const GroupSetting& groupSetting(QLatin1StringView key);
-/// What a new group starts with: 4,096 basis hairs on the scalp.
+/// How much the hairs of people differ, a few grey ones aside.
+[[nodiscard]] sim::VariationSettings naturalVariation();
+/// What a new group starts with: natural variation, 4,096 basis hairs on the scalp.
 [[nodiscard]] sim::GroupSettings newGroupSettings(double scalpFraction);
 [[nodiscard]] QString schemaText(const char* text); ///< Translated; empty stays empty.
 

@@ -35,7 +35,8 @@ public:
         const RootSet& roots = m_inputs.roots;
         const RootChance chance = chanceOf(roots.seed, roots.rankOfSlot[slot]);
         const RootValues values = valuesAt(m_inputs.maps, roots.uv[slot]);
-        StrandStyle style = styleOf(m_inputs.settings, values, chance, roots.threshold(slot) / density);
+        const HairVariation own = variationOf(m_inputs.settings.variation, roots.seed, roots.rankOfSlot[slot]);
+        StrandStyle style = styleOf(m_inputs.settings, values, chance, own, roots.threshold(slot) / density);
         const bool isDrawn = style.lengthM >= kShortestDrawnM;
         if (!isDrawn)
             style.detail = StrandStyle{}.detail;
@@ -45,7 +46,7 @@ public:
                 return braid(slot, style, chance, centre);
         }
         m_lay.add(layRootOf(roots, slot, chance), style.lengthM);
-        m_laid[m_waiting++] = {.slot = slot, .style = style};
+        m_laid[m_waiting++] = {.slot = slot, .style = style, .own = own};
         if (m_lay.isFull())
             finish();
     }
@@ -53,14 +54,17 @@ public:
     void finish()
     {
         m_lay.lay();
+        constexpr float kKeepsStep = 0.3F; ///< Of clump: from there on a hair curls as its lock does.
+        const RootSet& roots = m_inputs.roots;
+        const VariationSettings& variation = m_inputs.settings.variation;
         const std::span<float> nodesHd = m_lay.nodesHd();
+        m_clump.nodes = m_inputs.settings.nodesPerHair;
         bool anyClumps = false;
         for (std::size_t i = 0; i < m_waiting; ++i) {
             m_passed.put(m_laid[i].slot, m_lay.passed(i));
             anyClumps |= findLock(i);
         }
         if (anyClumps) {
-            m_clump.nodes = m_inputs.settings.nodesPerHair;
             m_clump.nodesHd = nodesHd.data();
             m_clump.basisHd = m_basisHd.data();
             clumpLanes(m_clump);
@@ -70,6 +74,9 @@ public:
             const float clump = m_clump.clump[i];
             // Hairs that lie together curl together: a ringlet is one curl of many hairs.
             hair.style.phase += (hair.basisPhase - hair.style.phase) * clump;
+            varyCurl(clump > kKeepsStep ? variationOf(variation, roots.seed, hair.basisRank) : hair.own, hair.style);
+            if (hair.own.isTurned())
+                turnLane(hair.own, roots.normalHd[hair.slot], hair.style.lengthM, m_clump.nodes, nodesHd.data() + i);
             store(hair.slot, hair.style, {.clump = clump}, nodesHd.data() + i);
         }
         m_clump.clump.fill(0.0F);
@@ -80,7 +87,10 @@ public:
     /// Of a hair that else stays as it is.
     void colour(std::uint32_t slot)
     {
-        setColours(coloursAt(m_inputs.maps, m_inputs.roots.uv[slot]), m_chunk.styles[slot - m_firstSlot]);
+        const RootSet& roots = m_inputs.roots;
+        setColours(coloursAt(m_inputs.maps, roots.uv[slot]),
+                   variationOf(m_inputs.settings.variation, roots.seed, roots.rankOfSlot[slot]),
+                   m_chunk.styles[slot - m_firstSlot]);
     }
 
     void clear(std::uint32_t slot)
@@ -97,7 +107,9 @@ private:
     {
         std::uint32_t slot = 0;
         StrandStyle style;
-        float basisPhase = 0.0F; ///< Of what it clumps to.
+        HairVariation own;
+        float basisPhase = 0.0F;     ///< Of what it clumps to.
+        std::uint32_t basisRank = 0; ///< The same.
     };
     /// What a hair follows beside the hairs around it.
     struct Followed
@@ -126,12 +138,14 @@ private:
         const std::uint32_t slot = m_laid[hair].slot;
         const std::uint32_t basisIndex = roots.neighbours[slot][0];
         const std::uint32_t basis = roots.basisSlot[basisIndex];
-        const float clump = basis == slot ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(roots.uv[slot]);
+        const float clump =
+            basis == slot || m_laid[hair].own.isFlyaway ? 0.0F : m_inputs.maps[MapSlot::Clump].scalar(roots.uv[slot]);
         if (clump <= 0.0F)
             return false;
         m_clump.clump[hair] = clump;
         m_clump.segmentM[hair] = m_laid[hair].style.lengthM / static_cast<float>(m_nodes - 1);
         m_clump.basisSegmentM[hair] = m_inputs.basis.segmentLengths[basisIndex];
+        m_laid[hair].basisRank = roots.rankOfSlot[basis];
         m_laid[hair].basisPhase = chanceOf(roots.seed, roots.rankOfSlot[basis]).phase;
         const float* from = m_inputs.basis.restPositions.data() + m_blocks.index(basisIndex, 0);
         for (std::size_t row = 0; row < m_nodes * 3; ++row)

@@ -37,6 +37,18 @@ struct StrandMaterial
     friend bool operator==(const StrandMaterial&, const StrandMaterial&) = default;
 };
 
+/// By how much the hairs of a group differ from each other. At 0 each is exactly what the maps say.
+struct VariationSettings
+{
+    float length = 0.0F;   ///< 0..1: greatest fraction by which a hair is shorter than the map says.
+    float curl = 0.0F;     ///< 0..1: greatest fraction by which turns and radius differ.
+    float width = 0.0F;    ///< 0..1: greatest fraction by which the diameter differs.
+    float crossing = 0.0F; ///< rad, 0..0.5: greatest angle by which a hair lies across its neighbours.
+    float flyaways = 0.0F; ///< 0..0.2: fraction of the hairs that keep to no lock and stand off the coat.
+    float grey = 0.0F;     ///< 0..1: fraction of the hairs that are grey.
+    friend bool operator==(const VariationSettings&, const VariationSettings&) = default;
+};
+
 /// Nodes of a skeleton, root and tip included.
 inline constexpr int kLeastNodes = 4;
 inline constexpr int kMostNodes = 32;
@@ -55,6 +67,7 @@ struct GroupSettings
     float greatestCurlRadiusM = 0.012F; ///< A curl-size value of 1.
     float braidSpacingM = 0.30F;        ///< Distance of braid centres within one painted region.
     float braidRadiusM = 0.014F;        ///< Radius r of equation 3.
+    VariationSettings variation;
     PhysicsSettings physics;
     StrandMaterial material;
     friend bool operator==(const GroupSettings&, const GroupSettings&) = default;

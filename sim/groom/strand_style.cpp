@@ -93,10 +93,17 @@ RootValues valuesAt(const MapSamplers& maps, glm::vec2 uv)
             .colours = coloursAt(maps, uv)};
 }
 
-void setColours(const RootColours& colours, StrandStyle& style)
+void setColours(const RootColours& colours, const HairVariation& own, StrandStyle& style)
 {
-    style.rootColour = packColour(colours.root);
-    style.tipColour = colours.tip == colours.root ? style.rootColour : packColour(colours.tip);
+    const auto shown = [&](glm::vec3 colour) { return own.isGrey ? greyed(colour, style.variation) : colour; };
+    style.rootColour = packColour(shown(colours.root));
+    style.tipColour = colours.tip == colours.root ? style.rootColour : packColour(shown(colours.tip));
+}
+
+void varyCurl(const HairVariation& variation, StrandStyle& style)
+{
+    style.turns *= variation.turns;
+    style.curlRadiusM *= variation.radius;
 }
 
 float lengthOf(const GroupSettings& settings, float value)
@@ -137,17 +144,19 @@ float giveOf(const Coil& coil, float lengthM)
     return std::min(free, kAmongOthers);
 }
 
-StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance, float detail)
+StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance,
+                    const HairVariation& own, float detail)
 {
     StrandStyle style;
-    style.lengthM = lengthOf(settings, values.length);
+    style.lengthM = lengthOf(settings, values.length) * own.length;
     const Coil coil = coilOf(settings, values.curl, values.curlSize, style.lengthM);
     style.turns = coil.turns;
     style.curlRadiusM = coil.radiusM;
     style.phase = chance.phase;
-    setColours(values.colours, style);
-    style.detail = detail;
     style.variation = chance.variation;
+    setColours(values.colours, own, style);
+    style.width = own.width;
+    style.detail = detail;
     return style;
 }
 

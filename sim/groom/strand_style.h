@@ -4,6 +4,7 @@
 #include "sim/groom/groom.h"
 #include "sim/groom/lay.h"
 #include "sim/groom/map_sampler.h"
+#include "sim/groom/variation.h"
 
 namespace hairpaint::sim {
 
@@ -56,9 +57,11 @@ struct Coil
 /// Of the length map's value, m.
 [[nodiscard]] float lengthOf(const GroupSettings& settings, float value);
 
-void setColours(const RootColours& colours, StrandStyle& style);
-/// A hair that is not braided; `detail` = threshold / density.
+void setColours(const RootColours& colours, const HairVariation& own, StrandStyle& style);
+/// With this, not the hair's own, its curl differs from what the maps say.
+void varyCurl(const HairVariation& variation, StrandStyle& style);
+/// A hair that is not braided, its curl as the maps say; `detail` = threshold / density.
 [[nodiscard]] StrandStyle styleOf(const GroupSettings& settings, const RootValues& values, const RootChance& chance,
-                                  float detail);
+                                  const HairVariation& own, float detail);
 
 } // namespace hairpaint::sim

@@ -26,6 +26,7 @@ GroomInput startInput()
     group.settings.greatestDensityPerM2 = 1e5F;
     group.settings.basisHairs = 512;
     group.maps[MapSlot::Density] = uniformMap(0.6F);
+    group.settings.variation = {.length = 0.1F, .curl = 0.2F, .width = 0.2F, .crossing = 0.05F, .flyaways = 0.05F};
     group.maps[MapSlot::Curl] = uniformMap(0.3F);
     return inputOf(std::make_shared<const Skin>(makeBallHead(48, 0.1F)), group);
 }
@@ -343,6 +344,10 @@ void TestGroomUpdates::settingsThatChangeTheHairsEqualAFreshBuild_data()
     row("nodes", [](GroomInput& i) { i.groups[0].settings.nodesPerHair = 5; });
     row("basis hairs", [](GroomInput& i) { i.groups[0].settings.basisHairs = 300; });
     row("turns per length", [](GroomInput& i) { i.groups[0].settings.turnsMode = TurnsMode::PerLength; });
+    row("variation", [](GroomInput& i) {
+        i.groups[0].settings.variation = {
+            .length = 0.2F, .curl = 0.3F, .crossing = 0.1F, .flyaways = 0.1F, .grey = 0.3F};
+    });
     row("braid spacing", [](GroomInput& i) { i.groups[0].settings.braidSpacingM = 0.05F; });
     row("seed", [](GroomInput& i) { i.seed = 2; });
     row("limit", [](GroomInput& i) { i.maxHairs = 3000; });

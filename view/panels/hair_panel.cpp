@@ -120,6 +120,7 @@ void HairPanel::buildGroups(QVBoxLayout& layout)
 void HairPanel::buildSettings(QVBoxLayout& layout)
 {
     const std::pair<SettingSection, QString> titles[] = {{SettingSection::Shape, tr("Shape")},
+                                                         {SettingSection::Variation, tr("Variation")},
                                                          {SettingSection::Braid, tr("Braids")},
                                                          {SettingSection::Physics, tr("Motion")},
                                                          {SettingSection::Look, tr("Look")}};

@@ -1,6 +1,8 @@
 // The list of styles, and what several of them do.
 #include "styles.h"
 
+#include "model/project/group_schema.h"
+
 #include <algorithm>
 
 namespace hairpaint::presets {
@@ -25,6 +27,7 @@ sim::GroupSettings settingsOf(float greatestLengthM, float stiffnessM, float vol
     sim::GroupSettings settings;
     settings.basisHairs = 16384; // Some 3,700 on the scalp, 4 mm apart.
     settings.greatestLengthM = greatestLengthM;
+    settings.variation = model::naturalVariation();
     settings.physics.stiffnessM = stiffnessM;
     settings.physics.volumeM = volumeM;
     return settings;

@@ -1,0 +1,154 @@
+// From a rank to a hair's own deviations.
+#include "sim/groom/variation.h"
+
+#include "sim/base/deterministic.h"
+#include "sim/base/strand_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hairpaint::sim {
+
+namespace {
+
+constexpr std::uint64_t kVariationKey = 0x7661726961746Eu; ///< Apart from the keys of other uses of the seed.
+
+/// Independent uniform numbers of one hair.
+class Chances
+{
+public:
+    Chances(std::uint64_t seed, std::uint32_t rank) : m_key(hash64(seed ^ kVariationKey, rank)) {}
+    [[nodiscard]] float unit(std::uint64_t which) const { return unitFloat(hash64(m_key, which)); }
+    /// -1..1; values near 0 are the most frequent.
+    [[nodiscard]] float around(std::uint64_t which) const
+    {
+        const std::uint64_t hash = hash64(m_key, which);
+        return unitFloat(hash) - unitFloat(hash << 32U);
+    }
+
+private:
+    std::uint64_t m_key;
+};
+
+/// In this order each has chances of its own, whatever else is set.
+enum Which : std::uint64_t
+{
+    Length,
+    Turns,
+    Radius,
+    Width,
+    Across,
+    Lean,
+    Flyaway,
+    FlyawayAcross,
+    Lift,
+    Grey
+};
+
+/// By an angle around a unit axis, from the tangent of its half: no library's sine, so the same bytes everywhere.
+class Turn
+{
+public:
+    Turn(glm::vec3 axis, float rad) : m_axis(axis)
+    {
+        const float half = 0.5F * rad;
+        const float tangent = half + half * half * half * (1.0F / 3.0F);
+        const float square = tangent * tangent;
+        m_sine = 2.0F * tangent / (1.0F + square);
+        m_cosine = (1.0F - square) / (1.0F + square);
+    }
+    [[nodiscard]] glm::vec3 of(glm::vec3 v) const
+    {
+        return v * m_cosine + glm::cross(m_axis, v) * m_sine + m_axis * (glm::dot(m_axis, v) * (1.0F - m_cosine));
+    }
+
+private:
+    glm::vec3 m_axis;
+    float m_sine = 0.0F;
+    float m_cosine = 1.0F;
+};
+
+glm::vec3 anyTangent(glm::vec3 normal)
+{
+    const glm::vec3 other = std::abs(normal.y) < 0.9F ? glm::vec3(0.0F, 1.0F, 0.0F) : glm::vec3(1.0F, 0.0F, 0.0F);
+    const glm::vec3 tangent = glm::cross(other, normal);
+    return tangent / std::sqrt(glm::dot(tangent, tangent));
+}
+
+} // namespace
+
+HairVariation variationOf(const VariationSettings& settings, std::uint64_t seed, std::uint32_t rank)
+{
+    HairVariation own;
+    if (settings == VariationSettings{})
+        return own;
+    const Chances chances(seed, rank);
+    if (settings.length > 0.0F) {
+        // Most hairs reach the line that was cut; few are much shorter.
+        const float shortfall = chances.unit(Length);
+        own.length = 1.0F - settings.length * shortfall * shortfall;
+    }
+    if (settings.curl > 0.0F) {
+        own.turns = 1.0F + settings.curl * chances.around(Turns);
+        own.radius = 1.0F + settings.curl * chances.around(Radius);
+    }
+    if (settings.width > 0.0F)
+        own.width = 1.0F + settings.width * chances.around(Width);
+    if (settings.crossing > 0.0F) {
+        own.acrossRad = settings.crossing * chances.around(Across);
+        own.leanRad = settings.crossing * chances.around(Lean);
+    }
+    if (settings.flyaways > 0.0F && chances.unit(Flyaway) < settings.flyaways) {
+        constexpr float kAcrossRad = 0.35F;
+        constexpr float kLeastLiftRad = 0.05F;
+        constexpr float kMostLiftRad = 0.35F;
+        own.isFlyaway = true;
+        own.acrossRad += kAcrossRad * chances.around(FlyawayAcross);
+        own.liftRad = kLeastLiftRad + (kMostLiftRad - kLeastLiftRad) * chances.unit(Lift);
+    }
+    own.isGrey = settings.grey > 0.0F && chances.unit(Grey) < settings.grey;
+    return own;
+}
+
+glm::vec3 greyed(glm::vec3 colour, float chance)
+{
+    // White hair keeps a little of the warmth that it had; its lightness differs from hair to hair.
+    constexpr glm::vec3 kWhite(0.80F, 0.79F, 0.77F);
+    constexpr float kDiffers = 0.08F;
+    constexpr float kKept = 0.06F;
+    return glm::mix(kWhite * (1.0F + kDiffers * chance), colour, kKept);
+}
+
+void turnLane(const HairVariation& variation, glm::vec3 normalHd, float lengthM, int nodes, float* nodesHd)
+{
+    constexpr float kMostAcrossM = 0.04F; ///< Of the tip.
+    constexpr float kMostLiftM = 0.02F;
+    const auto nodeAt = [nodesHd](int node) {
+        const float* at = nodesHd + static_cast<std::size_t>(node) * StrandBlocks::kNodeStride;
+        return glm::vec3(at[0], at[kLanes], at[2 * kLanes]);
+    };
+    const auto within = [lengthM](float rad, float mostM) {
+        return std::abs(rad) * lengthM > mostM ? std::copysign(mostM / lengthM, rad) : rad;
+    };
+    const glm::vec3 rootHd = nodeAt(0);
+    const glm::vec3 wayHd = nodeAt(1) - rootHd;
+    // Around an axis to the side of its first segment it goes towards the normal.
+    const glm::vec3 sideHd = glm::cross(wayHd, normalHd);
+    const float sine = std::sqrt(glm::dot(sideHd, sideHd));
+    const float standing = std::max(glm::dot(wayHd, normalHd), 0.0F);
+    const bool hasSide = sine > 1e-3F * standing && sine > 0.0F;
+    const glm::vec3 axis = hasSide ? sideHd / sine : anyTangent(normalHd);
+    const float upright = standing > 0.0F ? standing / std::sqrt(standing * standing + sine * sine) : 0.0F;
+    const Turn across(normalHd, within(variation.acrossRad, kMostAcrossM));
+    const Turn lean(axis, within(variation.leanRad * upright, kMostAcrossM) +
+                              (hasSide ? within(variation.liftRad, kMostLiftM) : 0.0F));
+    for (int node = 1; node < nodes; ++node) {
+        const glm::vec3 turned = rootHd + across.of(lean.of(nodeAt(node) - rootHd));
+        float* at = nodesHd + static_cast<std::size_t>(node) * StrandBlocks::kNodeStride;
+        at[0] = turned.x;
+        at[kLanes] = turned.y;
+        at[2 * kLanes] = turned.z;
+    }
+}
+
+} // namespace hairpaint::sim

@@ -1,0 +1,35 @@
+// How a hair differs from what the maps say, by its rank: no two hairs of a head are alike.
+#pragma once
+
+#include "sim/groom/groom.h"
+
+#include <cstdint>
+
+namespace hairpaint::sim {
+
+/// What chance does to one hair; always the same for a seed and a rank. Each amount of the settings changes its own
+/// member alone, and leaves it neutral where it is 0.
+struct HairVariation
+{
+    float length = 1.0F;    ///< Factor.
+    float turns = 1.0F;     ///< Factor.
+    float radius = 1.0F;    ///< Factor, of the curl.
+    float width = 1.0F;     ///< Factor.
+    float acrossRad = 0.0F; ///< The whole hair is turned by that around the skin's normal at its root;
+    float leanRad = 0.0F;   ///< as far as it stands, to the normal or away from it;
+    float liftRad = 0.0F;   ///< and off the skin.
+    bool isFlyaway = false; ///< Keeps to no lock.
+    bool isGrey = false;
+
+    [[nodiscard]] bool isTurned() const { return acrossRad != 0.0F || leanRad != 0.0F || liftRad != 0.0F; }
+};
+[[nodiscard]] HairVariation variationOf(const VariationSettings& settings, std::uint64_t seed, std::uint32_t rank);
+
+/// sRGB as encoded: the hair without its pigment, `chance` in -1..1 lighter.
+[[nodiscard]] glm::vec3 greyed(glm::vec3 colour, float chance);
+
+/// Turns a lane of `nodesHd` [nodes][3][kLanes] around its first node, a long hair by less, so that its tip stays among
+/// others. Lengths stay. Hd, m.
+void turnLane(const HairVariation& variation, glm::vec3 normalHd, float lengthM, int nodes, float* nodesHd);
+
+} // namespace hairpaint::sim
