@@ -62,7 +62,7 @@ private:
         enum class Kind
         {
             Append,
-            TakeOver,  ///< In place of all that was appended.
+            TakeOver,  ///< Instead of all that was appended.
             MarkClean, ///< What was appended last is saved.
             LookAfter
         };
