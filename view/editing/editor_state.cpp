@@ -1,6 +1,7 @@
 // Targets, tools and the running stroke.
 #include "view/editing/editor_state.h"
 
+#include "model/tools/tool_list.h"
 #include "model/values/names.h"
 #include "view/look/value_text.h"
 
